@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace crowd {
+
+/// @brief The whole content of a file. @throws FileError
+std::string readFile(const std::string& file);
+
+/// @brief Replaces a file's content: writes a temporary file beside it, flushes it to the disk, then renames it; what
+/// was there before stays whole whatever happens. @throws FileError
+void replaceFile(const std::string& file, const std::string& content);
+
+/// @brief Makes a folder and those above it. @throws FileError
+void makeFolder(const std::string& folder);
+
+/// @brief A path's last part without its ending: "a/b/circle6.yaml" -> "circle6".
+std::string stemOf(const std::string& path);
+
+}  // namespace crowd

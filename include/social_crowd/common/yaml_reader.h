@@ -1,0 +1,98 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "social_crowd/common/errors.h"
+
+namespace crowd {
+
+/// @brief Where in which file a value stands, for messages: file, document of the stream (from 1), path of
+/// keys.
+struct YamlPlace {
+  std::string file;
+  int document = 0;  ///< from 1; 0: the file is not a stream, documents are not named
+  std::string path;  ///< such as agents[3].goal
+
+  YamlPlace child(const std::string& key) const;
+  YamlPlace element(std::size_t index) const;
+};
+
+/// @brief Throws the InputError "FILE: document D, line L: PATH: PROBLEM"; the line is the node's.
+[[noreturn]] void throwProblem(const YamlPlace& place, const YAML::Node& node, const std::string& problem);
+/// @brief Throws the InputError "FILE: document D, line L: PATH: expected ..., got ...".
+[[noreturn]] void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::string& expected);
+
+/// @brief What a number may be.
+enum class NumberRule { ANY, NOT_NEGATIVE, POSITIVE, SHARE };  // SHARE: 0 to 1
+
+/// @brief Reads a finite number that follows the rule, or throws InputError. What stands in quotes is no
+/// number.
+double readNumber(const YAML::Node& node, const YamlPlace& place, NumberRule rule = NumberRule::ANY);
+/// @brief Reads a whole number from `low` to `high`, or throws InputError.
+std::int64_t readWhole(const YAML::Node& node, const YamlPlace& place, std::int64_t low, std::int64_t high);
+/// @brief Reads a text (scalar), or throws InputError.
+std::string readText(const YAML::Node& node, const YamlPlace& place);
+/// @brief Reads [x, y], or throws InputError.
+Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place);
+/// @brief Reads true or false, or throws InputError.
+bool readFlag(const YAML::Node& node, const YamlPlace& place);
+
+/// @brief A map of a YAML document that is read key by key; every key must be asked for before finish().
+///
+/// All readers throw InputError with file, document, line and what was expected.
+class YamlMap {
+ public:
+  /// @throws InputError unless `node` is a map in which no key stands twice.
+  YamlMap(const YAML::Node& node, YamlPlace place);
+
+  /// @brief Whether the key is there; this does not ask for it.
+  bool has(const std::string& key) const;
+  /// @brief The value of a key that must be there.
+  YAML::Node need(const std::string& key);
+  /// @brief The value of a key, or an undefined node (false) where it is absent.
+  YAML::Node find(const std::string& key);
+
+  double number(const std::string& key, NumberRule rule);
+  double number(const std::string& key, NumberRule rule, double otherwise);
+  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high);
+  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise);
+  std::string text(const std::string& key);
+  std::string text(const std::string& key, const std::string& otherwise);
+  bool flag(const std::string& key, bool otherwise);
+
+  YamlPlace placeOf(const std::string& key) const { return place_.child(key); }
+  const YamlPlace& place() const { return place_; }
+  const YAML::Node& node() const { return node_; }
+
+  /// @throws InputError naming a key that nobody asked for and those that are known.
+  void finish() const;
+
+ private:
+  struct Entry {
+    YAML::Node key;
+    YAML::Node value;
+    bool asked = false;
+  };
+  /// The entry of the key, asked for from now on; null if it is absent.
+  const Entry* ask(const std::string& key);
+
+  YAML::Node node_;
+  YamlPlace place_;
+  std::vector<Entry> entries_;      // in the order of the file
+  std::vector<std::string> known_;  // keys that were asked for, there or not
+};
+
+/// @brief All documents of a YAML file.
+/// @throws FileError if it cannot be read, InputError if it is not YAML (with the line).
+std::vector<YAML::Node> loadYamlStream(const std::string& file);
+
+/// @brief All documents of a text; `name` stands for the file in messages.
+/// @throws InputError if it is not YAML (with the line).
+std::vector<YAML::Node> parseYamlStream(const std::string& text, const std::string& name);
+
+}  // namespace crowd

@@ -1,0 +1,75 @@
+#include "social_crowd/common/files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "social_crowd/common/errors.h"
+
+namespace crowd {
+namespace {
+
+[[noreturn]] void throwSystem(const std::string& file, const std::string& what) {
+  throw FileError(file + ": " + what + ": " + std::strerror(errno));
+}
+
+/// Writes all and flushes it to the disk.
+void writeDurably(const std::string& file, const std::string& content) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT(*-vararg)
+  if (descriptor < 0) throwSystem(file, "cannot be written");
+  std::size_t written = 0;
+  bool fine = true;
+  while (fine && written < content.size()) {
+    const ssize_t count = ::write(descriptor, content.data() + written, content.size() - written);
+    fine = count >= 0 || errno == EINTR;
+    if (count > 0) written += static_cast<std::size_t>(count);
+  }
+  fine = fine && ::fsync(descriptor) == 0;
+  const int reason = errno;
+  fine = ::close(descriptor) == 0 && fine;
+  if (fine) return;
+  errno = reason;
+  throwSystem(file, "cannot be written");
+}
+
+}  // namespace
+
+std::string readFile(const std::string& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) throw FileError(file + ": is a folder, expected a file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throwSystem(file, "cannot be read");
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (stream.bad() || (content.fail() && stream.peek() != std::ifstream::traits_type::eof())) {
+    throwSystem(file, "cannot be read");
+  }
+  return content.str();
+}
+
+void replaceFile(const std::string& file, const std::string& content) {
+  const std::string temporary = file + ".tmp" + std::to_string(::getpid());
+  try {
+    writeDurably(temporary, content);
+    if (std::rename(temporary.c_str(), file.c_str()) != 0) throwSystem(file, "cannot be replaced");
+  } catch (...) {
+    std::remove(temporary.c_str());
+    throw;
+  }
+}
+
+void makeFolder(const std::string& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) throw FileError(folder + ": cannot be made: " + problem.message());
+}
+
+std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+}  // namespace crowd

@@ -1,0 +1,61 @@
+#include "social_crowd/common/numbers.h"
+
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <system_error>
+
+#if !defined(__cpp_lib_to_chars)
+#include <cstdio>
+#include <locale>
+#include <sstream>
+#endif
+
+namespace crowd {
+
+#if defined(__cpp_lib_to_chars)
+
+std::string toText(double value) {
+  char buffer[32];
+  const std::to_chars_result written = std::to_chars(std::begin(buffer), std::end(buffer), value);
+  return std::string(std::begin(buffer), written.ptr);
+}
+
+std::optional<double> toNumber(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+#else  // GCC before 11 (Noetic) has no floating-point <charconv>
+
+std::optional<double> toNumber(std::string_view text) {
+  if (text == "nan") return std::nan("");
+  if (text == "inf") return HUGE_VAL;
+  if (text == "-inf") return -HUGE_VAL;
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  double value = 0.0;
+  if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
+  return value;
+}
+
+std::string toText(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  for (int digits = 15; digits <= 17; ++digits) {
+    stream.str({});
+    stream.precision(digits);
+    stream << value;
+    if (toNumber(stream.str()) == value) break;
+  }
+  return stream.str();
+}
+
+#endif
+
+}  // namespace crowd

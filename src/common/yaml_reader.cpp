@@ -1,0 +1,270 @@
+#include "social_crowd/common/yaml_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::size_t LONGEST_QUOTE = 40;
+
+std::string lineOf(const YAML::Mark& mark) {
+  return mark.line < 0 ? std::string() : "line " + std::to_string(mark.line + 1);  // yaml-cpp counts from 0
+}
+
+/// "FILE: document D, line L: PATH: " as far as these are known.
+std::string prefixOf(const YamlPlace& place, const YAML::Mark& mark) {
+  const std::string document = place.document > 0 ? "document " + std::to_string(place.document) : "";
+  const std::string line = lineOf(mark);
+  std::string prefix = place.file + ": " + document;
+  if (!document.empty() && !line.empty()) {
+    prefix += ", ";
+  }
+  prefix += line;
+  if (!document.empty() || !line.empty()) {
+    prefix += ": ";
+  }
+  return place.path.empty() ? prefix : prefix + place.path + ": ";
+}
+
+/// A plain scalar; in quotes it would be a text, whatever it looks like.
+bool isPlain(const YAML::Node& node) { return node.IsDefined() && node.IsScalar() && node.Tag() != "!"; }
+
+YAML::Mark markOf(const YAML::Node& node) { return node.IsDefined() ? node.Mark() : YAML::Mark::null_mark(); }
+
+std::string describe(const YAML::Node& node) {
+  if (!node.IsDefined() || node.IsNull()) {
+    return "nothing";
+  }
+  if (node.IsMap()) {
+    return "a map";
+  }
+  if (node.IsSequence()) {
+    return "a list of " + std::to_string(node.size());
+  }
+  const std::string& text = node.Scalar();
+  const std::string quote = text.size() > LONGEST_QUOTE ? text.substr(0, LONGEST_QUOTE) + "..." : text;
+  return (isPlain(node) ? "'" : "the text '") + quote + "'";
+}
+
+const char* wordsFor(NumberRule rule) {
+  switch (rule) {
+    case NumberRule::NOT_NEGATIVE:
+      return "a number of 0 or more";
+    case NumberRule::POSITIVE:
+      return "a number above 0";
+    case NumberRule::SHARE:
+      return "a number from 0 to 1";
+    case NumberRule::ANY:
+      break;
+  }
+  return "a number";
+}
+
+bool follows(double value, NumberRule rule) {
+  switch (rule) {
+    case NumberRule::NOT_NEGATIVE:
+      return value >= 0.0;
+    case NumberRule::POSITIVE:
+      return value > 0.0;
+    case NumberRule::SHARE:
+      return value >= 0.0 && value <= 1.0;
+    case NumberRule::ANY:
+      break;
+  }
+  return true;
+}
+
+std::string readWholeFile(const std::string& file) {
+  const auto fail = [&]() -> FileError { return FileError(file + ": " + std::strerror(errno)); };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
+  if (!stream) {
+    throw fail();
+  }
+  std::string content;
+  std::array<char, 65536> buffer;
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
+    content.append(buffer.data(), count);
+  }
+  if (std::ferror(stream.get()) != 0) {  // a folder can be opened but not read
+    throw fail();
+  }
+  return content;
+}
+
+}  // namespace
+
+YamlPlace YamlPlace::child(const std::string& key) const {
+  return {file, document, path.empty() ? key : path + "." + key};
+}
+
+YamlPlace YamlPlace::element(std::size_t index) const {
+  return {file, document, path + "[" + std::to_string(index) + "]"};
+}
+
+void throwProblem(const YamlPlace& place, const YAML::Node& node, const std::string& problem) {
+  throw InputError(prefixOf(place, markOf(node)) + problem);
+}
+
+void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::string& expected) {
+  throwProblem(place, node, "expected " + expected + ", got " + describe(node));
+}
+
+double readNumber(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
+  if (isPlain(node)) {
+    const std::optional<double> value = toNumber(node.Scalar());
+    if (value && std::isfinite(*value) && follows(*value, rule)) {
+      return *value;
+    }
+  }
+  throwExpected(place, node, wordsFor(rule));
+}
+
+std::int64_t readWhole(const YAML::Node& node, const YamlPlace& place, std::int64_t low, std::int64_t high) {
+  if (isPlain(node)) {
+    const std::string& text = node.Scalar();
+    const char* const end = text.data() + text.size();
+    std::int64_t value = 0;
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec == std::errc() && read.ptr == end && value >= low && value <= high) {
+      return value;
+    }
+  }
+  throwExpected(place, node, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+std::string readText(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsDefined() || !node.IsScalar()) {
+    throwExpected(place, node, "a text");
+  }
+  return node.Scalar();
+}
+
+Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsDefined() || !node.IsSequence() || node.size() != 2) {
+    throwExpected(place, node, "[x, y]");
+  }
+  // The places of the elements are wanted in messages only; most of a scenario file is vectors.
+  const auto read = [&](std::size_t index) {
+    const YAML::Node element = node[index];
+    const std::optional<double> value = isPlain(element) ? toNumber(element.Scalar()) : std::nullopt;
+    return value && std::isfinite(*value) ? *value : readNumber(element, place.element(index));
+  };
+  const double x = read(0);
+  return {x, read(1)};
+}
+
+bool readFlag(const YAML::Node& node, const YamlPlace& place) {
+  const bool yes = isPlain(node) && node.Scalar() == "true";
+  if (!yes && !(isPlain(node) && node.Scalar() == "false")) {
+    throwExpected(place, node, "true or false");
+  }
+  return yes;
+}
+
+YamlMap::YamlMap(const YAML::Node& node, YamlPlace place) : node_(node), place_(std::move(place)) {
+  if (!node.IsDefined() || !node.IsMap()) {
+    throwExpected(place_, node, "a map");
+  }
+  entries_.reserve(node.size());
+  for (auto entry = node.begin(); entry != node.end(); ++entry) {
+    if (!entry->first.IsScalar()) {
+      throwExpected(place_, entry->first, "a word as key");
+    }
+    if (has(entry->first.Scalar())) {
+      throwProblem(place_, entry->first, "the key '" + entry->first.Scalar() + "' stands twice");
+    }
+    entries_.push_back({entry->first, entry->second, false});
+  }
+}
+
+bool YamlMap::has(const std::string& key) const {
+  return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key.Scalar() == key; });
+}
+
+const YamlMap::Entry* YamlMap::ask(const std::string& key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+    known_.push_back(key);
+  }
+  for (Entry& entry : entries_) {
+    if (entry.key.Scalar() == key) {
+      entry.asked = true;
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+YAML::Node YamlMap::need(const std::string& key) {
+  const Entry* const entry = ask(key);
+  if (entry == nullptr) {
+    throwProblem(place_, node_, "the key '" + key + "' is missing");
+  }
+  return entry->value;
+}
+
+YAML::Node YamlMap::find(const std::string& key) {
+  const Entry* const entry = ask(key);
+  return entry != nullptr ? entry->value : YAML::Node(YAML::NodeType::Undefined);
+}
+
+double YamlMap::number(const std::string& key, NumberRule rule) { return readNumber(need(key), placeOf(key), rule); }
+
+double YamlMap::number(const std::string& key, NumberRule rule, double otherwise) {
+  const Entry* const entry = ask(key);
+  return entry != nullptr ? readNumber(entry->value, placeOf(key), rule) : otherwise;
+}
+
+std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high) {
+  return readWhole(need(key), placeOf(key), low, high);
+}
+
+std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise) {
+  const Entry* const entry = ask(key);
+  return entry != nullptr ? readWhole(entry->value, placeOf(key), low, high) : otherwise;
+}
+
+std::string YamlMap::text(const std::string& key) { return readText(need(key), placeOf(key)); }
+
+std::string YamlMap::text(const std::string& key, const std::string& otherwise) {
+  const Entry* const entry = ask(key);
+  return entry != nullptr ? readText(entry->value, placeOf(key)) : otherwise;
+}
+
+bool YamlMap::flag(const std::string& key, bool otherwise) {
+  const Entry* const entry = ask(key);
+  return entry != nullptr ? readFlag(entry->value, placeOf(key)) : otherwise;
+}
+
+void YamlMap::finish() const {
+  for (const Entry& entry : entries_) {
+    if (entry.asked) {
+      continue;
+    }
+    std::string known;
+    for (const std::string& key : known_) {
+      known += (known.empty() ? "" : ", ") + key;
+    }
+    throwProblem(place_, entry.key, "unknown key '" + entry.key.Scalar() + "'; known are " + known);
+  }
+}
+
+std::vector<YAML::Node> loadYamlStream(const std::string& file) { return parseYamlStream(readWholeFile(file), file); }
+
+std::vector<YAML::Node> parseYamlStream(const std::string& text, const std::string& name) {
+  try {
+    return YAML::LoadAll(text);
+  } catch (const YAML::Exception& error) {
+    throw InputError(prefixOf({name, 0, ""}, error.mark) + "this is not YAML: " + error.msg);
+  }
+}
+
+}  // namespace crowd
