@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace crowd {
+
+/// @brief Points and vectors of the ground plane [m]; x forward or east, y left or north (REP 103).
+using Vector2 = Eigen::Vector2d;
+
+constexpr double PI = 3.14159265358979323846;
+
+/// @brief Where a body stands and looks: position [m] and heading [rad] (counterclockwise, 0 along x).
+struct Pose {
+  Vector2 position = Vector2::Zero();
+  double heading = 0.0;
+};
+
+/// @brief A straight piece of wall between two points [m].
+struct Segment {
+  Vector2 from = Vector2::Zero();
+  Vector2 to = Vector2::Zero();
+};
+
+constexpr double toRadians(double degrees) { return degrees * (PI / 180.0); }
+constexpr double toDegrees(double radians) { return radians * (180.0 / PI); }
+
+/// @brief The same angle in [-pi, pi).
+inline double wrapAngle(double angle) {
+  if (angle >= -PI && angle < PI) return angle;
+  const double wrapped = angle - 2.0 * PI * std::floor((angle + PI) / (2.0 * PI));
+  return wrapped < PI ? wrapped : -PI;  // rounding may land on pi itself
+}
+
+/// @brief Direction of a vector [rad], in [-pi, pi]; 0 for the zero vector.
+inline double bearingOf(const Vector2& v) { return std::atan2(v.y(), v.x()); }
+
+/// @brief Unit vector of a heading.
+inline Vector2 unitVector(double heading) { return {std::cos(heading), std::sin(heading)}; }
+
+/// @brief z component of the cross product: positive if b lies to the left of a.
+inline double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// @brief A turn of the coordinate frame with its sine and cosine at hand.
+class Rotation {
+ public:
+  explicit Rotation(double heading) : cosine_(std::cos(heading)), sine_(std::sin(heading)) {}
+  /// @brief From the frame `map` into the frame that is turned by the heading.
+  Vector2 intoFrame(const Vector2& v) const {
+    return {cosine_ * v.x() + sine_ * v.y(), -sine_ * v.x() + cosine_ * v.y()};
+  }
+  /// @brief From the turned frame back into `map`.
+  Vector2 outOfFrame(const Vector2& v) const {
+    return {cosine_ * v.x() - sine_ * v.y(), sine_ * v.x() + cosine_ * v.y()};
+  }
+
+ private:
+  double cosine_;
+  double sine_;
+};
+
+/// @brief The point of a segment that is nearest to p.
+Vector2 nearestPoint(const Segment& segment, const Vector2& p);
+
+/// @brief Distance of p from the segment [m].
+inline double distanceTo(const Segment& segment, const Vector2& p) { return (nearestPoint(segment, p) - p).norm(); }
+
+}  // namespace crowd

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "social_crowd/world/geometry.h"
+
+namespace crowd {
+
+using AgentId = std::uint32_t;
+
+/// @brief How far and how much an agent perceives.
+struct Vision {
+  double radius = 6.0;           ///< to the other's rim [m]
+  std::uint32_t max_bodies = 0;  ///< the nearest so many bodies only; 0: no limit
+};
+
+/// @brief What kind of body is perceived.
+enum class BodyKind : std::uint8_t { AGENT = 0, OBSTACLE = 1 };
+
+/// @brief Another body in the frame of the agent that perceives it (x ahead, y left).
+struct PerceivedBody {
+  Vector2 position = Vector2::Zero();  ///< of the centre [m]
+  Vector2 velocity = Vector2::Zero();  ///< over ground, of the last tick [m/s]
+  double radius = 0.0;                 ///< [m]
+  BodyKind kind = BodyKind::AGENT;
+};
+
+/// @brief What an agent knows of itself at a tick.
+struct AgentPerception {
+  AgentId agent = 0;
+  Pose pose;                           ///< in `map`
+  Vector2 velocity = Vector2::Zero();  ///< of the last tick, agent frame [m/s]
+  double speed = 0.0;                  ///< top speed [m/s]
+  double radius = 0.0;                 ///< of the body [m]
+  Vector2 goal = Vector2::Zero();      ///< position of the goal, agent frame [m]
+  bool arrived = false;                ///< reached its last goal in the last tick: this is its last perception
+  bool acted = false;                  ///< its answer to the last tick was carried out
+  std::uint32_t first_body = 0;        ///< its bodies are bodies[first_body .. first_body + body_count)
+  std::uint32_t body_count = 0;
+  std::uint32_t first_wall = 0;  ///< its walls are walls[first_wall .. first_wall + wall_count)
+  std::uint32_t wall_count = 0;
+};
+
+/// @brief What all agents perceive at the start of a tick. Bodies and walls stand behind one another, agent by agent,
+/// so that a tick allocates nothing once the vectors have grown.
+struct Perceptions {
+  std::uint64_t episode = 0;
+  std::uint64_t tick = 0;
+  double tick_duration = 0.0;  ///< [s]
+  bool last = false;           ///< the episode ends here: nobody is to answer
+  std::vector<AgentPerception> agents;
+  std::vector<PerceivedBody> bodies;  ///< of each agent the nearest rim first
+  std::vector<Segment> walls;         ///< in the frame of the agent they belong to
+};
+
+/// @brief A part of an array.
+template <typename T>
+class View {
+ public:
+  View(const T* first, std::size_t count) : first_(first), count_(count) {}
+  const T* begin() const { return first_; }
+  const T* end() const { return first_ + count_; }
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  const T& operator[](std::size_t i) const { return first_[i]; }
+
+ private:
+  const T* first_;
+  std::size_t count_;
+};
+
+/// @brief What one agent perceives at a tick: a view into Perceptions, valid as long as those are unchanged.
+struct Perception {
+  const AgentPerception& self;
+  View<PerceivedBody> bodies;
+  View<Segment> walls;
+  double tick_duration;  ///< [s]
+
+  Perception(const Perceptions& all, std::size_t index)
+      : self(all.agents[index]),
+        bodies(all.bodies.data() + self.first_body, self.body_count),
+        walls(all.walls.data() + self.first_wall, self.wall_count),
+        tick_duration(all.tick_duration) {}
+};
+
+}  // namespace crowd

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/world/perception.h"
+
+namespace crowd {
+
+/// @brief What an agent does in a tick, in its own frame: first turn, then walk straight ahead.
+struct RelativeAction {
+  double rotation = 0.0;     ///< of the heading, counterclockwise [rad]
+  double speed_share = 0.0;  ///< of the top speed, 0 (stay) to 1
+};
+
+/// @brief One agent's answer.
+struct AgentAction {
+  AgentId agent = 0;
+  RelativeAction action;
+};
+
+/// @brief Answers to the perceptions of one tick of one episode.
+struct RelativeActions {
+  std::uint64_t episode = 0;
+  std::uint64_t tick = 0;
+  std::vector<AgentAction> agents;
+};
+
+}  // namespace crowd

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "social_crowd/world/geometry.h"
+#include "social_crowd/world/obstacle_path.h"
+
+namespace crowd {
+
+/// @brief Decision period unless a scenario says otherwise [s].
+constexpr double DEFAULT_TICK_DURATION = 0.1;
+
+/// @brief How an agent begins an episode and where it is to go.
+struct AgentStart {
+  Vector2 position = Vector2::Zero();  ///< [m], `map`
+  double heading = 0.0;                ///< [rad], `map`
+  std::vector<Vector2> goals;          ///< [m], `map`; reached one after the other, at least one
+  double speed = 0.0;                  ///< top speed [m/s]
+  double radius = 0.0;                 ///< of the body [m]
+};
+
+/// @brief A disc that yields to nobody.
+struct Obstacle {
+  ObstaclePath path;
+  double radius = 0.0;  ///< [m]
+};
+
+/// @brief Everything one episode begins with, in numbers; agents are numbered in this order.
+struct Scene {
+  std::string name;
+  double tick_duration = DEFAULT_TICK_DURATION;  ///< [s]
+  std::uint64_t max_ticks = 0;                   ///< the episode fails for whoever has not arrived by then
+  double goal_tolerance = 0.0;                   ///< arrived when the centre is this near the goal [m]
+  std::vector<AgentStart> agents;
+  std::vector<Obstacle> obstacles;
+  std::vector<Segment> walls;
+};
+
+/// @brief Bodies that overlap by no more than this merely touch [m]; rounding is not an overlap.
+constexpr double TOUCH_TOLERANCE = 1e-9;
+
+/// @brief Says which agent overlaps what at the start ("agents[1] and obstacles[0] overlap by 0.12 m"); empty
+/// if none. Obstacles and walls are fixtures and may overlap each other.
+std::string findOverlap(const Scene& scene);
+
+/// @brief "FIRST and SECOND overlap by 0.12 m".
+std::string overlapText(const std::string& first, const std::string& second, double depth);
+
+}  // namespace crowd

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/world/neighbour_grid.h"
+#include "social_crowd/world/perception.h"
+#include "social_crowd/world/relative_action.h"
+#include "social_crowd/world/scene.h"
+
+namespace crowd {
+
+/// @brief Bodies that overlap by more than this are in contact [m].
+constexpr double CONTACT_OVERLAP = 1e-3;
+
+/// @brief Whether an agent is on its way, or why it is not on the floor any more.
+enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
+
+/// @brief An agent in the world.
+struct Agent {
+  AgentId id = 0;
+  Pose pose;                           ///< in `map`
+  Vector2 velocity = Vector2::Zero();  ///< of the last tick, `map` [m/s]
+  double speed = 0.0;                  ///< top speed [m/s]
+  double radius = 0.0;                 ///< [m]
+  std::vector<Vector2> goals;          ///< [m], `map`
+  std::size_t next_goal = 0;
+  AgentStatus status = AgentStatus::WALKING;
+  std::uint64_t arrival_tick = 0;  ///< the tick at whose start it was there, if arrived
+  bool acted = false;              ///< an action of its own moved it in the last tick
+  bool in_contact = false;         ///< at the end of the last tick
+  bool touched = false;            ///< in contact at the end of any tick so far
+
+  bool isWalking() const { return status == AgentStatus::WALKING; }
+  bool hasArrived() const { return status == AgentStatus::ARRIVED; }
+  const Vector2& goal() const { return goals[next_goal < goals.size() ? next_goal : goals.size() - 1]; }
+};
+
+/// @brief The floor with everybody on it: moves agents and obstacles tick by tick and tells what each agent perceives.
+///
+/// All agents decide on what they perceive at the start of a tick and move at once, so the order of agents does not
+/// matter. Agents walk through what they fail to avoid; contacts are counted.
+class World {
+ public:
+  explicit World(const Scene& scene);
+
+  std::uint64_t tick() const { return tick_; }
+  /// @brief Time since the episode's start [s].
+  double time() const { return static_cast<double>(tick_) * tick_duration_; }
+  double tickDuration() const { return tick_duration_; }
+  double goalTolerance() const { return goal_tolerance_; }
+
+  /// @brief All agents ever there, arrived ones too, in order of their ids.
+  const std::vector<Agent>& agents() const { return agents_; }
+  const std::vector<Obstacle>& obstacles() const { return obstacles_; }
+  const std::vector<Segment>& walls() const { return walls_; }
+  /// @brief Agents that are still on their way.
+  std::size_t activeCount() const { return active_count_; }
+  /// @brief Whether the agent is there and still on its way.
+  bool isActive(AgentId id) const;
+
+  /// @brief What every agent perceives that is on its way, or arrived in the last tick. Sets everything but `episode`
+  /// and `last`.
+  void perceive(const Vision& vision, Perceptions& perceptions);
+
+  /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
+  /// @throws InputError if an action is not finite or its share of the speed is not in 0..1; nothing has moved then.
+  void step(const std::vector<AgentAction>& actions);
+
+  /// @brief Puts one more agent on the floor. Returns its number. @throws InputError if its body overlaps another or it
+  /// is not sound (see checkAgent).
+  AgentId spawnAgent(const AgentStart& start);
+  /// @brief Takes an agent off the floor. @throws InputError unless it is on its way.
+  void removeAgent(AgentId id);
+  /// @brief Gives an agent one goal in place of all it had [m]. @throws InputError unless it is on its way.
+  void setGoal(AgentId id, const Vector2& goal);
+  /// @brief Puts one more obstacle on the floor; its path begins now. Returns its number. @throws InputError if it is
+  /// not sound or overlaps an agent.
+  std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
+  /// @brief Takes an obstacle off the floor; the numbers of those behind it go down by one. @throws InputError
+  void removeObstacle(std::size_t number);
+
+ private:
+  void moveAgent(Agent& agent, const RelativeAction& action) const;
+  /// Whether anybody left the floor.
+  bool noteArrivals();
+  void noteContacts();
+  void placeObstacles();
+  void rebuildGrid();
+  void perceiveBodies(const Agent& agent, const Rotation& frame, const Vision& vision, Perceptions& perceptions);
+  void perceiveWalls(const Agent& agent, const Rotation& frame, const Vision& vision, Perceptions& perceptions) const;
+  Agent* find(AgentId id);
+  Agent& findWalking(AgentId id);
+  void requireFreePlace(const Vector2& centre, double radius, bool agents_only);
+  void refresh();
+
+  double tick_duration_;
+  double goal_tolerance_;
+  std::uint64_t tick_ = 0;
+  std::vector<Agent> agents_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<Segment> walls_;
+  std::size_t active_count_ = 0;
+
+  std::vector<Vector2> obstacle_positions_;   // now
+  std::vector<Vector2> obstacle_velocities_;  // now
+  NeighbourGrid grid_;                        // of the agents on their way and the obstacles
+  std::vector<std::uint32_t> found_;          // scratch
+  struct NearBody {
+    double rim_distance = 0.0;
+    std::uint32_t body = 0;
+  };
+  std::vector<NearBody> near_;  // scratch
+};
+
+}  // namespace crowd

@@ -1,0 +1,73 @@
+#include "social_crowd/world/obstacle_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "social_crowd/common/errors.h"
+
+namespace crowd {
+
+ObstaclePath ObstaclePath::atRest(const Vector2& position) { return {Kind::AT_REST, {position}, Vector2::Zero(), 0.0}; }
+
+ObstaclePath ObstaclePath::straight(const Vector2& start, const Vector2& velocity) {
+  const Kind kind = velocity.isZero(0.0) ? Kind::AT_REST : Kind::STRAIGHT;
+  return {kind, {start}, velocity, 0.0};
+}
+
+ObstaclePath ObstaclePath::toAndFro(std::vector<Vector2> points, double speed) {
+  return {Kind::TO_AND_FRO, std::move(points), Vector2::Zero(), speed};
+}
+
+ObstaclePath ObstaclePath::loop(std::vector<Vector2> points, double speed) {
+  return {Kind::LOOP, std::move(points), Vector2::Zero(), speed};
+}
+
+ObstaclePath::ObstaclePath(Kind kind, std::vector<Vector2> points, const Vector2& velocity, double speed)
+    : kind_(kind), points_(std::move(points)), velocity_(velocity), speed_(speed) {
+  if (kind_ == Kind::AT_REST || kind_ == Kind::STRAIGHT) {
+    return;
+  }
+  // The way back is a part of the round, so that both kinds are rounds that end where they begin.
+  std::vector<Vector2> round = points_;
+  if (kind_ == Kind::TO_AND_FRO && points_.size() > 2) {
+    round.insert(round.end(), points_.rbegin() + 1, points_.rend() - 1);
+  }
+  double length = 0.0;
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    const Vector2 way = round[(i + 1) % round.size()] - round[i];
+    const double leg_length = way.norm();
+    if (leg_length > 0.0) {
+      legs_.push_back({round[i], way / leg_length, length, length + leg_length});
+      length += leg_length;
+    }
+  }
+  if (legs_.empty()) {
+    throw InputError("expected a path of at least two different points");
+  }
+  if (!(speed_ > 0.0)) {
+    throw InputError("expected a speed above 0 along the path");
+  }
+}
+
+double ObstaclePath::along(double t) const { return std::fmod(speed_ * t, legs_.back().end); }
+
+const ObstaclePath::Leg& ObstaclePath::legAt(double distance) const {
+  const auto ends_after = [](double value, const Leg& candidate) { return value < candidate.end; };
+  const auto leg = std::upper_bound(legs_.begin(), legs_.end(), distance, ends_after);
+  return leg == legs_.end() ? legs_.back() : *leg;
+}
+
+Vector2 ObstaclePath::position(double t) const {
+  if (legs_.empty()) {
+    return points_.front() + t * velocity_;
+  }
+  const double distance = along(t);
+  const Leg& leg = legAt(distance);
+  return leg.from + (distance - leg.begin) * leg.unit;
+}
+
+Vector2 ObstaclePath::velocity(double t) const {
+  return legs_.empty() ? velocity_ : Vector2(speed_ * legAt(along(t)).unit);
+}
+
+}  // namespace crowd

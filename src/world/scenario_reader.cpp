@@ -1,0 +1,289 @@
+#include "social_crowd/world/scenario_reader.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "social_crowd/common/yaml_reader.h"
+
+namespace crowd {
+namespace {
+
+constexpr double MAX_TICKS = 1e9;
+constexpr std::int64_t MAX_COUNT = 10000;
+constexpr std::int64_t MAX_SEED = std::numeric_limits<std::int64_t>::max();
+
+/// Turns what a document says into SI: per tick or per second, ticks or seconds.
+struct Units {
+  bool thesis = false;
+  double tick_duration = DEFAULT_TICK_DURATION;
+
+  double speed(double value) const { return thesis ? value / tick_duration : value; }
+  Range speed(const Range& range) const { return {speed(range.low), speed(range.high)}; }
+};
+
+int lineOf(const YAML::Node& node) { return node.Mark().line + 1; }
+
+Range readRange(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
+  if (!node.IsSequence()) {
+    const double value = readNumber(node, place, rule);
+    return {value, value};
+  }
+  if (node.size() != 2) {
+    throwExpected(place, node, "a number or [low, high]");
+  }
+  const Range range{readNumber(node[0], place.element(0), rule), readNumber(node[1], place.element(1), rule)};
+  if (range.low > range.high) {
+    throwProblem(place, node, "expected [low, high], got the higher number first");
+  }
+  return range;
+}
+
+Region readBox(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsSequence() || node.size() != 2) {
+    throwExpected(place, node, "two corners [[x0, y0], [x1, y1]]");
+  }
+  Region region;
+  region.kind = Region::Kind::BOX;
+  region.first = readVector(node[0], place.element(0));
+  region.second = readVector(node[1], place.element(1));
+  if ((region.first.array() > region.second.array()).any()) {
+    throwProblem(place, node, "expected the lower left corner, then the upper right one");
+  }
+  return region;
+}
+
+Region readRing(const YAML::Node& node, const YamlPlace& place) {
+  YamlMap map(node, place);
+  Region region;
+  region.kind = Region::Kind::RING;
+  region.first = readVector(map.need("centre"), map.placeOf("centre"));
+  region.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::NOT_NEGATIVE);
+  if (region.radius.high <= 0.0) {
+    throwProblem(map.placeOf("radius"), map.need("radius"), "expected an outer radius above 0");
+  }
+  map.finish();
+  return region;
+}
+
+/// Reads [x, y], {box: ...} or {ring: ...}; an `opposite`, where it is allowed, has been dealt with before.
+Region readRegion(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
+  if (node.IsSequence()) {
+    Region region;
+    region.first = readVector(node, place);
+    return region;
+  }
+  if (!node.IsMap() || node.size() != 1) {
+    throwExpected(place, node, expected);
+  }
+  YamlMap map(node, place);
+  if (const YAML::Node box = map.find("box")) {
+    return readBox(box, map.placeOf("box"));
+  }
+  const YAML::Node ring = map.find("ring");
+  if (!ring) {
+    throwProblem(place, node, "expected " + expected);
+  }
+  return readRing(ring, map.placeOf("ring"));
+}
+
+Region readRegion(const YAML::Node& node, const YamlPlace& place) {
+  return readRegion(node, place, "[x, y], {box: ...} or {ring: ...}");
+}
+
+/// Reads a list of one or more regions.
+std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsSequence() || node.size() == 0) {
+    throwExpected(place, node, "a list of one or more points");
+  }
+  std::vector<Region> regions;
+  for (const YAML::Node& element : node) {
+    regions.push_back(readRegion(element, place.element(regions.size())));
+  }
+  return regions;
+}
+
+void readGoals(YamlMap& map, AgentGroup& group) {
+  const YAML::Node goals = map.find("goals");
+  if (goals && map.has("goal")) {
+    throwProblem(map.place(), goals, "expected either goal or goals, got both");
+  }
+  if (goals) {
+    group.goals = readRegions(goals, map.placeOf("goals"));
+    return;
+  }
+  const YAML::Node goal = map.need("goal");
+  const YamlPlace place = map.placeOf("goal");
+  if (goal.IsMap() && goal.size() == 1) {
+    YamlMap choice(goal, place);
+    if (const YAML::Node opposite = choice.find("opposite")) {
+      group.opposite = readVector(opposite, choice.placeOf("opposite"));
+      return;
+    }
+  }
+  group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...} or {opposite: [x, y]}")};
+}
+
+int readCount(YamlMap& map, const Region& position) {
+  const auto count = static_cast<int>(map.whole("count", 1, MAX_COUNT, 1));
+  if (count > 1 && position.isFixed()) {
+    throwProblem(map.placeOf("count"), map.need("count"), "more than one body needs a region as position");
+  }
+  return count;
+}
+
+AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units) {
+  YamlMap map(node, place);
+  AgentGroup group;
+  group.line = lineOf(node);
+  group.position = readRegion(map.need("position"), map.placeOf("position"));
+  readGoals(map, group);
+  group.speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
+  group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
+  if (const YAML::Node heading = map.find("heading")) {
+    const Range degrees = readRange(heading, map.placeOf("heading"), NumberRule::ANY);
+    group.heading = Range{toRadians(degrees.low), toRadians(degrees.high)};
+  }
+  group.count = readCount(map, group.position);
+  map.finish();
+  return group;
+}
+
+/// A single point or region, or a list of them: [x, y] is one point, [[x, y], ...] are several.
+std::vector<Region> readWaypoints(const YAML::Node& node, const YamlPlace& place) {
+  const bool single = node.IsMap() || (node.IsSequence() && node.size() > 0 && node[0].IsScalar());
+  return single ? std::vector<Region>{readRegion(node, place)} : readRegions(node, place);
+}
+
+void readMotion(YamlMap& map, const Units& units, ObstacleGroup& group) {
+  using Kind = ObstaclePath::Kind;
+  const YAML::Node velocity = map.find("velocity");
+  const YAML::Node to_and_fro = map.find("to_and_fro");
+  const YAML::Node waypoints = map.find("waypoints");
+  const YAML::Node speed = map.find("speed");
+  if ((velocity ? 1 : 0) + (to_and_fro ? 1 : 0) + (waypoints ? 1 : 0) > 1) {
+    throwProblem(map.place(), map.node(), "expected only one of velocity, to_and_fro and waypoints");
+  }
+  if (velocity) {
+    group.velocity = readVector(velocity, map.placeOf("velocity"));
+    group.velocity = {units.speed(group.velocity.x()), units.speed(group.velocity.y())};
+    group.motion = group.velocity.isZero(0.0) ? Kind::AT_REST : Kind::STRAIGHT;
+  } else if (to_and_fro) {
+    group.waypoints = readWaypoints(to_and_fro, map.placeOf("to_and_fro"));
+    group.motion = Kind::TO_AND_FRO;
+  } else if (waypoints) {
+    group.waypoints = readWaypoints(waypoints, map.placeOf("waypoints"));
+    group.motion = Kind::LOOP;
+  }
+  if (!group.waypoints.empty()) {
+    group.speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
+  } else if (speed) {
+    throwProblem(map.placeOf("speed"), speed, "a speed goes with to_and_fro or waypoints only");
+  }
+}
+
+ObstacleGroup readObstacles(const YAML::Node& node, const YamlPlace& place, const Units& units) {
+  YamlMap map(node, place);
+  ObstacleGroup group;
+  group.line = lineOf(node);
+  group.position = readRegion(map.need("position"), map.placeOf("position"));
+  group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
+  group.count = readCount(map, group.position);
+  readMotion(map, units, group);
+  map.finish();
+  return group;
+}
+
+Segment readWall(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsSequence() || node.size() != 2) {
+    throwExpected(place, node, "two ends [[x1, y1], [x2, y2]]");
+  }
+  const Segment wall{readVector(node[0], place.element(0)), readVector(node[1], place.element(1))};
+  if (wall.from == wall.to) {
+    throwProblem(place, node, "expected a wall with a length, got twice the same end");
+  }
+  return wall;
+}
+
+/// Applies `read` to every element of a list; a list that is absent or has nothing in it is empty.
+template <typename T, typename Read>
+std::vector<T> readList(const YAML::Node& node, const YamlPlace& place, Read read) {
+  std::vector<T> list;
+  if (!node || node.IsNull()) {
+    return list;
+  }
+  if (!node.IsSequence()) {
+    throwExpected(place, node, "a list");
+  }
+  list.reserve(node.size());
+  for (const YAML::Node& element : node) {
+    list.push_back(read(element, place.element(list.size())));
+  }
+  return list;
+}
+
+Units readUnits(YamlMap& map) {
+  const std::string name = map.text("units", "si");
+  if (name != "si" && name != "thesis") {
+    throwExpected(map.placeOf("units"), map.need("units"), "si or thesis");
+  }
+  return {name == "thesis", map.number("tick", NumberRule::POSITIVE, DEFAULT_TICK_DURATION)};
+}
+
+std::uint64_t readDuration(YamlMap& map, const Units& units) {
+  const double duration = map.number("duration", NumberRule::POSITIVE);
+  // A duration of so many whole ticks must not lose one to rounding.
+  const double ticks = std::floor((units.thesis ? duration : duration / units.tick_duration) + 1e-6);
+  if (ticks < 1.0 || ticks > MAX_TICKS) {
+    throwExpected(map.placeOf("duration"), map.need("duration"), "a duration of 1 to 1e9 ticks");
+  }
+  return static_cast<std::uint64_t>(ticks);
+}
+
+Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
+  YamlMap map(node, place);
+  Scenario scenario;
+  scenario.source = place.file + ": document " + std::to_string(place.document);
+  scenario.name = map.text("name");
+  if (scenario.name.empty()) {
+    throwExpected(map.placeOf("name"), map.need("name"), "a name");
+  }
+  const Units units = readUnits(map);
+  scenario.tick_duration = units.tick_duration;
+  scenario.max_ticks = readDuration(map, units);
+  scenario.goal_tolerance = map.number("goal_tolerance", NumberRule::POSITIVE);
+  scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
+  const auto agents = [&](const YAML::Node& entry, const YamlPlace& at) { return readAgents(entry, at, units); };
+  scenario.agents = readList<AgentGroup>(map.need("agents"), map.placeOf("agents"), agents);
+  if (scenario.agents.empty()) {
+    throwExpected(map.placeOf("agents"), map.need("agents"), "at least one agent");
+  }
+  const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
+  scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);
+  scenario.walls = readList<Segment>(map.find("walls"), map.placeOf("walls"), readWall);
+  map.finish();
+  return scenario;
+}
+
+ScenarioList readStream(const std::vector<YAML::Node>& documents, const std::string& name) {
+  if (documents.empty()) {
+    throw InputError(name + ": expected at least one scenario, got an empty file");
+  }
+  std::vector<Scenario> scenarios;
+  scenarios.reserve(documents.size());
+  for (const YAML::Node& document : documents) {
+    scenarios.push_back(readScenario(document, {name, static_cast<int>(scenarios.size()) + 1, ""}));
+    scenarios.back().instantiate(0, 0);  // bodies that overlap or find no room are found now, not in mid-run
+  }
+  return ScenarioList(std::move(scenarios));
+}
+
+}  // namespace
+
+ScenarioList readScenarios(const std::string& file) { return readStream(loadYamlStream(file), file); }
+
+ScenarioList parseScenarios(const std::string& text, const std::string& name) {
+  return readStream(parseYamlStream(text, name), name);
+}
+
+}  // namespace crowd
