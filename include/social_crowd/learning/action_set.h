@@ -1,0 +1,35 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "social_crowd/common/yaml_reader.h"
+#include "social_crowd/world/perception.h"
+#include "social_crowd/world/relative_action.h"
+
+namespace crowd {
+
+/// @brief Number of an action within its action set, from 0.
+using Action = std::uint32_t;
+
+/// @brief What an agent can choose from at a tick. Immutable, so that any number of learners and threads may share one.
+class ActionSet {
+ public:
+  virtual ~ActionSet() = default;
+
+  /// @brief Number of actions.
+  virtual Action size() const = 0;
+  /// @brief The move that an action means to an agent that perceives this.
+  virtual RelativeAction relativeAction(const Perception& perception, Action action) const = 0;
+  /// @brief Name and parameters as one canonical line of YAML; two sets are the same if these are.
+  virtual std::string spec() const = 0;
+};
+
+/// @brief The action set that a YAML map with the key `type` describes.
+/// @throws InputError if there is none of that name or a parameter is wrong.
+std::shared_ptr<const ActionSet> makeActionSet(const YAML::Node& node, const YamlPlace& place);
+
+}  // namespace crowd

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/learning/action_set.h"
+
+namespace crowd {
+
+/// @brief The thesis's actions: turn the heading by an even fraction of the circle and walk at full speed. With the
+/// thesis's 8 rotations these are a chess king's moves: 0, 45, ... 315 degrees.
+class KingsMoves : public ActionSet {
+ public:
+  static constexpr const char* TYPE = "kings_moves";
+  static constexpr int DEFAULT_ROTATIONS = 8;
+
+  explicit KingsMoves(int rotations = DEFAULT_ROTATIONS);
+
+  Action size() const override { return static_cast<Action>(moves_.size()); }
+  RelativeAction relativeAction(const Perception& perception, Action action) const override;
+  std::string spec() const override;
+
+ private:
+  std::vector<RelativeAction> moves_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "social_crowd/learning/learning_parameters.h"
+#include "social_crowd/learning/model.h"
+#include "social_crowd/learning/q_learner.h"
+#include "social_crowd/learning/q_table.h"
+#include "social_crowd/world/perception.h"
+#include "social_crowd/world/relative_action.h"
+
+namespace crowd {
+
+/// @brief training: learns and explores; demo: greedy, the table stays as it is.
+enum class Mode { TRAINING, DEMO };
+/// @brief shared: all agents learn in one table; own: each goes on in a copy of its own.
+enum class TableUse { SHARED, OWN };
+/// @brief What becomes of the table an agent has when it is given another one.
+enum class TakeMethod { REPLACE, MERGE };
+
+/// @brief The names used in files, parameters and messages. @throws InputError naming what was expected.
+Mode parseMode(const std::string& text);
+TableUse parseTableUse(const std::string& text);
+TakeMethod parseTakeMethod(const std::string& text);
+std::string toText(Mode mode);
+std::string toText(TableUse use);
+std::string toText(TakeMethod method);
+
+/// @brief Decides for one agent or many, and learns: perceptions in, relative actions out. The same code serves the
+/// headless runs and the ROS node.
+///
+/// What an agent decides depends on its own perceptions, its table and (seed, episode, tick, agent) alone, not on which
+/// other agents the same learner serves.
+class Learner {
+ public:
+  struct Options {
+    Mode mode = Mode::DEMO;
+    TableUse tables = TableUse::SHARED;
+    std::uint64_t seed = 0;
+    LearningPlan plan;
+    std::set<AgentId> agents;  ///< whom it serves; empty: everybody
+  };
+
+  /// @brief With an empty table. @throws InputError if the learning parameters are wrong.
+  Learner(Model model, Options options);
+  /// @brief With a table. @throws ShapeError if it has not the model's shape.
+  Learner(Model model, Options options, QTable table);
+
+  /// @brief Learns from what the last decisions led to (training mode), then decides for every served agent that is on
+  /// its way, unless the episode is over. `actions` is overwritten.
+  void decide(const Perceptions& perceptions, RelativeActions& actions);
+
+  const Model& model() const { return model_; }
+  bool serves(AgentId agent) const { return options_.agents.empty() || options_.agents.count(agent) > 0; }
+  bool servesAll() const { return options_.agents.empty(); }
+  /// @brief The agents it serves, in order; if it serves all, those met so far.
+  std::vector<AgentId> servedAgents() const;
+
+  Mode mode() const { return options_.mode; }
+  void setMode(Mode mode);
+  TableUse tableUse() const { return options_.tables; }
+
+  /// @brief What is in force now; epsilon as of the last episode seen.
+  const LearningParameters& parameters() const { return parameters_; }
+  /// @brief Takes effect at once; epsilon stays constant from then on. @throws InputError
+  void setParameters(const LearningParameters& parameters);
+
+  std::uint64_t seed() const { return options_.seed; }
+  /// @brief Decisions that were learned from, those of the loaded table included.
+  std::uint64_t decisions() const { return decisions_; }
+  void setDecisions(std::uint64_t decisions) { decisions_ = decisions; }
+
+  /// @brief The table an agent uses; that of agents not yet known where it is unknown.
+  const QTable& tableOf(AgentId agent) const;
+  /// @brief Gives a table to everybody, now and later. @throws ShapeError, nothing has changed then.
+  void takeTable(const QTable& table, TakeMethod method);
+  /// @brief Gives a table to one agent; with shared tables that is everybody. @throws ShapeError
+  void takeTable(AgentId agent, const QTable& table, TakeMethod method);
+
+  /// @brief Forgets what was decided last, so that nothing is learned across the gap.
+  void forgetDecisions();
+
+ private:
+  using TablePointer = std::shared_ptr<QTable>;
+  /// What is kept of an agent from tick to tick.
+  struct Memory {
+    TablePointer table;  // none: the agent was not met yet
+    QLearner learner;
+    std::uint64_t episode = 0;
+    std::uint64_t tick = 0;
+    AgentPerception before;
+  };
+
+  Memory& memoryOf(AgentId agent);
+  /// The table to write into; a copy is made first where others still read it.
+  QTable& writable(Memory& memory);
+  void checkShape(const QTable& table) const;
+  void give(TablePointer& place, const QTable& table, TakeMethod method) const;
+  void beginEpisode(std::uint64_t episode);
+  void findRows(const Perceptions& perceptions);
+  Rows rowsOf(std::size_t index) const;
+  void learn(const Perceptions& perceptions);
+  void learnOne(const Perceptions& perceptions, const AgentPerception& now, const Rows& rows);
+  void choose(const Perceptions& perceptions, RelativeActions& actions);
+  Action chooseOne(const Perceptions& perceptions, const Rows& rows, Memory& memory, AgentId agent) const;
+
+  Model model_;
+  Options options_;
+  LearningParameters parameters_;
+  EpsilonSchedule epsilon_;
+  std::uint64_t episode_ = 0;
+  bool began_ = false;
+  std::uint64_t decisions_ = 0;
+  TablePointer base_;             // of everybody (shared), or what newcomers begin with (own)
+  std::vector<Memory> memories_;  // by agent
+  std::vector<Row> rows_;         // scratch: of all agents of a tick
+};
+
+}  // namespace crowd

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "social_crowd/common/yaml_reader.h"
+
+namespace crowd {
+
+/// @brief Parameters of Q-learning (3.1). The defaults are the thesis's.
+struct LearningParameters {
+  double alpha = 0.1;    ///< step size, above 0 to 1
+  double gamma = 0.1;    ///< discount of what comes later, 0 to below 1
+  double lambda = 0.0;   ///< how long traces last, 0 (none) to 1
+  double epsilon = 0.1;  ///< share of decisions taken at random while learning, 0 to 1
+
+  /// @brief What is wrong with the numbers, in words; empty if nothing is.
+  std::string problems() const;
+};
+
+/// @brief How epsilon changes over the episodes: from `first` to `last` within so many episodes, then `last`.
+struct EpsilonSchedule {
+  enum class Shape { LINEAR, EXPONENTIAL };
+  double first = 0.1;
+  double last = 0.1;
+  std::uint64_t episodes = 0;
+  Shape shape = Shape::LINEAR;
+
+  static EpsilonSchedule constant(double epsilon) { return {epsilon, epsilon, 0, Shape::LINEAR}; }
+  double at(std::uint64_t episode) const;
+};
+
+/// @brief Learning parameters with the schedule of epsilon, as a configuration's section `learning` gives them.
+struct LearningPlan {
+  LearningParameters parameters;  ///< its epsilon is the schedule's first
+  EpsilonSchedule epsilon;
+};
+
+/// @brief Reads a map {alpha, gamma, lambda, epsilon}, all optional; epsilon is a number or
+/// {from, to, episodes, shape: linear|exponential}. @throws InputError
+LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place);
+
+}  // namespace crowd

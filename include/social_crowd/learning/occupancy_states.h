@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+
+#include "social_crowd/learning/distance_classes.h"
+#include "social_crowd/learning/sectors.h"
+#include "social_crowd/learning/state_set.h"
+
+namespace crowd {
+
+/// @brief The thesis's state set 2 (3.5): sector of the goal, and for every sector the smallest distance class of
+/// anything that lies in it or reaches into it.
+///
+/// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
+/// 3^8 * G + code, terminal 3^8 * 8.
+class OccupancyStates : public StateSet {
+ public:
+  static constexpr const char* TYPE = "occupancy";
+  static constexpr int MAX_SECTORS = 12;  // 3^12 * 12 rows are the most that make sense as a table
+
+  struct Parameters {
+    int sectors = 8;  ///< of the goal and of the obstacles
+    DistanceClasses distances;
+  };
+
+  /// @brief What a state says; classes of sectors beyond the set's number are 0.
+  struct Situation {
+    int goal_sector = 0;
+    std::array<int, MAX_SECTORS> distance_classes{};
+  };
+
+  OccupancyStates() : OccupancyStates(Parameters()) {}
+  explicit OccupancyStates(const Parameters& parameters);
+
+  Row rowCount() const override { return terminal() + 1; }
+  void findRows(const Perception& perception, Row* rows) const override { *rows = rowOf(describe(perception)); }
+  std::vector<int> distanceClasses(Row row) const override;
+  std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
+  std::vector<double> distanceLimits() const override;
+  std::string spec() const override;
+
+  Situation describe(const Perception& perception) const;
+  Row rowOf(const Situation& situation) const;
+  /// @brief The row of an agent that has arrived.
+  Row terminal() const { return codes_ * static_cast<Row>(sectors_.count()); }
+
+ private:
+  static constexpr int BASE = DistanceClasses::COUNT + 1;
+
+  void occupy(Situation& situation, long sector, int distance_class) const;
+  void occupyAll(Situation& situation, int distance_class) const;
+  void addBody(const PerceivedBody& body, Situation& situation) const;
+  void addWall(const Segment& wall, Situation& situation) const;
+
+  Parameters parameters_;
+  EvenSectors sectors_;
+  Row codes_;  // 3^sectors
+};
+
+}  // namespace crowd

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/learning/learning_parameters.h"
+#include "social_crowd/learning/q_table.h"
+
+namespace crowd {
+
+/// @brief Q-learning (3.1) of one agent on a Q-table that it may share with others: updates with Watkins's eligibility
+/// traces, and choice of actions. Knows nothing of perceptions.
+///
+/// Use: choose an action for the rows of the present state, carry it out, then learn from the reward and the rows of
+/// the state it led to (or learnTerminal), choose again.
+class QLearner {
+ public:
+  /// @brief Greedy choice (pure control); of equal values the first.
+  static Action chooseGreedy(const QTable& table, const Rows& rows) { return table.greedyAction(rows); }
+
+  /// @brief Epsilon-greedy choice: with probability epsilon any action, else the greedy one.
+  /// @param draw uniform in [0, 1), decides whether to explore; @param any uniform in [0, 1), decides on which action.
+  static Action chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any);
+
+  /// @brief Notes that an action was taken; the next learn() is about it. Cuts the traces if the action is not greedy.
+  void noteDecision(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters);
+
+  /// @brief Learns from the noted decision: it brought `reward` and led to a state with these rows.
+  void learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters);
+
+  /// @brief Learns from the noted decision: it brought `reward` and ended the episode; nothing is expected beyond.
+  void learnTerminal(QTable& table, double reward, const LearningParameters& parameters);
+
+  bool hasDecision() const { return has_decision_; }
+
+  /// @brief Forgets the noted decision and the traces; the table stays.
+  void resetTraces();
+
+ private:
+  struct Trace {
+    Row row = 0;
+    Action action = 0;
+    double eligibility = 0.0;
+  };
+  static constexpr double NEGLIGIBLE_TRACE = 1e-6;
+
+  void update(QTable& table, double target, const LearningParameters& parameters);
+  void remember(const Trace& trace);
+  void decayTraces(double factor);
+
+  bool has_decision_ = false;
+  Row row_ = 0;
+  Action action_ = 0;
+  std::vector<Trace> traces_;  // of earlier decisions; unused with lambda 0
+};
+
+}  // namespace crowd

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "social_crowd/common/yaml_reader.h"
+#include "social_crowd/learning/action_set.h"
+#include "social_crowd/world/perception.h"
+
+namespace crowd {
+
+/// @brief Number of a row of the Q-table, from 0.
+using Row = std::uint32_t;
+
+/// @brief The rows that a perception maps to, one per action. `stride` 0: the same row for every action.
+struct Rows {
+  const Row* first = nullptr;
+  std::size_t stride = 0;
+  Row operator[](Action action) const { return first[action * stride]; }
+};
+
+/// @brief A sector around an agent and the distance class of what is in it; for pictures.
+struct OccupiedSector {
+  double from = 0.0;       ///< right limit, agent frame [rad]
+  double to = 0.0;         ///< left limit, agent frame [rad]; not below `from`
+  int distance_class = 0;  ///< 1 is the nearest
+};
+
+/// @brief Maps what an agent perceives to rows of the Q-table. Immutable, so that any number of learners and threads
+/// may share one.
+class StateSet {
+ public:
+  virtual ~StateSet() = default;
+
+  /// @brief Number of rows of the Q-table, the terminal one included.
+  virtual Row rowCount() const = 0;
+  /// @brief How many rows a perception maps to: 1, the same for all actions, or one per action.
+  virtual std::size_t rowsPerPerception() const { return 1; }
+  /// @brief Writes rowsPerPerception() rows for what an agent on its way perceives.
+  virtual void findRows(const Perception& perception, Row* rows) const = 0;
+  /// @brief The distance classes that a row stands for: of each obstacle or sector it tells apart; empty if it tells of
+  /// no obstacle. For rewards.
+  virtual std::vector<int> distanceClasses(Row row) const = 0;
+  /// @brief The sectors a perception finds occupied. For pictures.
+  virtual std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const = 0;
+  /// @brief Outer limits of the distance classes 1, 2, ... to the other's rim [m]; the last is how far it looks.
+  virtual std::vector<double> distanceLimits() const = 0;
+  /// @brief Name and parameters as one canonical line of YAML; two sets are the same if these are.
+  virtual std::string spec() const = 0;
+};
+
+/// @brief The state set that a YAML map with the key `type` describes.
+/// @throws InputError if there is none of that name or a parameter is wrong.
+std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlPlace& place);
+
+}  // namespace crowd

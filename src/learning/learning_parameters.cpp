@@ -1,0 +1,70 @@
+#include "social_crowd/learning/learning_parameters.h"
+
+#include <cmath>
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+
+std::string LearningParameters::problems() const {
+  std::string problems;
+  const auto require = [&](bool fine, const char* name, const char* expected, double got) {
+    if (fine) return;
+    if (!problems.empty()) problems += "; ";
+    problems += std::string(name) + ": expected " + expected + ", got " + toText(got);
+  };
+  require(alpha > 0.0 && alpha <= 1.0, "alpha", "a number above 0, at most 1", alpha);
+  require(gamma >= 0.0 && gamma < 1.0, "gamma", "a number from 0 to below 1", gamma);
+  require(lambda >= 0.0 && lambda <= 1.0, "lambda", "a number from 0 to 1", lambda);
+  require(epsilon >= 0.0 && epsilon <= 1.0, "epsilon", "a number from 0 to 1", epsilon);
+  return problems;
+}
+
+double EpsilonSchedule::at(std::uint64_t episode) const {
+  if (episode >= episodes) return last;
+  const double share = static_cast<double>(episode) / static_cast<double>(episodes);
+  if (shape == Shape::EXPONENTIAL) return first * std::pow(last / first, share);
+  return first + share * (last - first);
+}
+
+namespace {
+
+EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsMap()) return EpsilonSchedule::constant(readNumber(node, place, NumberRule::SHARE));
+  YamlMap map(node, place);
+  EpsilonSchedule schedule;
+  schedule.first = map.number("from", NumberRule::SHARE);
+  schedule.last = map.number("to", NumberRule::SHARE);
+  schedule.episodes = static_cast<std::uint64_t>(map.whole("episodes", 1, INT64_MAX));
+  const std::string shape = map.text("shape", "linear");
+  if (shape == "exponential") {
+    schedule.shape = EpsilonSchedule::Shape::EXPONENTIAL;
+    if (schedule.first <= 0.0 || schedule.last <= 0.0) {
+      throwExpected(place, node, "from and to above 0 for an exponential schedule");
+    }
+  } else if (shape != "linear") {
+    throwExpected(map.placeOf("shape"), map.need("shape"), "linear or exponential");
+  }
+  map.finish();
+  return schedule;
+}
+
+}  // namespace
+
+LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
+  YamlMap map(node, place);
+  LearningPlan plan;
+  LearningParameters& parameters = plan.parameters;
+  parameters.alpha = map.number("alpha", NumberRule::ANY, parameters.alpha);
+  parameters.gamma = map.number("gamma", NumberRule::ANY, parameters.gamma);
+  parameters.lambda = map.number("lambda", NumberRule::ANY, parameters.lambda);
+  plan.epsilon = EpsilonSchedule::constant(parameters.epsilon);
+  if (map.has("epsilon")) plan.epsilon = readEpsilon(map.need("epsilon"), map.placeOf("epsilon"));
+  parameters.epsilon = plan.epsilon.at(0);
+  map.finish();
+  const std::string problems = parameters.problems();
+  if (!problems.empty()) throwExpected(place, node, "learning parameters in their ranges (" + problems + ")");
+  return plan;
+}
+
+}  // namespace crowd

@@ -1,0 +1,46 @@
+#include "social_crowd/learning/model.h"
+
+namespace crowd {
+
+Vision Model::vision() const {
+  Vision vision;
+  vision.radius = state_set->distanceLimits().back();
+  return vision;
+}
+
+bool Model::fits(const Model& other) const {
+  return state_set->spec() == other.state_set->spec() && action_set->spec() == other.action_set->spec();
+}
+
+std::string Model::spec() const {
+  return "state_set: " + state_set->spec() + "\naction_set: " + action_set->spec() + "\nreward: " + reward->spec() +
+         "\n";
+}
+
+void requireFit(const Model& expected, const Model& got, const std::string& what) {
+  if (expected.fits(got)) return;
+  throw ShapeError(what + ": was learned for another state set or action set\n" + got.spec() + "and not for\n" +
+                   expected.spec());
+}
+
+Model readModel(YamlMap& map) {
+  Model model;
+  model.state_set = makeStateSet(map.need("state_set"), map.placeOf("state_set"));
+  model.action_set = makeActionSet(map.need("action_set"), map.placeOf("action_set"));
+  model.reward = std::make_shared<Reward>(makeReward(map.need("reward"), map.placeOf("reward"), *model.state_set));
+  return model;
+}
+
+Model parseModel(const std::string& spec) {
+  const YamlPlace place{"model", 0, ""};
+  try {
+    YamlMap map(YAML::Load(spec), place);
+    Model model = readModel(map);
+    map.finish();
+    return model;
+  } catch (const YAML::Exception& error) {
+    throw InputError(std::string("model: not YAML: ") + error.what());
+  }
+}
+
+}  // namespace crowd

@@ -1,0 +1,117 @@
+#include "social_crowd/learning/occupancy_states.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+/// Nearer than this a wall passes through the agent's centre, and directions to its parts mean nothing [m].
+constexpr double NO_DIRECTION = 1e-9;
+
+/// Where the ray of an angle meets the line through the segment; the nearer end where they are parallel.
+Vector2 meetRay(const Segment& segment, double angle) {
+  const Vector2 ray = unitVector(angle);
+  const Vector2 along = segment.to - segment.from;
+  const double slope = cross(ray, along);
+  if (slope == 0.0) return segment.from.squaredNorm() < segment.to.squaredNorm() ? segment.from : segment.to;
+  const double share = std::clamp(-cross(ray, segment.from) / slope, 0.0, 1.0);
+  return segment.from + share * along;
+}
+
+}  // namespace
+
+OccupancyStates::OccupancyStates(const Parameters& parameters)
+    : parameters_(parameters), sectors_(parameters.sectors), codes_(1) {
+  for (int i = 0; i < parameters.sectors; ++i) codes_ *= BASE;
+}
+
+OccupancyStates::Situation OccupancyStates::describe(const Perception& perception) const {
+  Situation situation;
+  situation.goal_sector = sectors_.indexOf(bearingOf(perception.self.goal));
+  for (const PerceivedBody& body : perception.bodies) addBody(body, situation);
+  for (const Segment& wall : perception.walls) addWall(wall, situation);
+  return situation;
+}
+
+void OccupancyStates::occupy(Situation& situation, long sector, int distance_class) const {
+  int& present = situation.distance_classes[static_cast<std::size_t>(sectors_.wrap(sector))];
+  if (present == 0 || distance_class < present) present = distance_class;
+}
+
+void OccupancyStates::occupyAll(Situation& situation, int distance_class) const {
+  for (int sector = 0; sector < sectors_.count(); ++sector) occupy(situation, sector, distance_class);
+}
+
+void OccupancyStates::addBody(const PerceivedBody& body, Situation& situation) const {
+  const double distance = body.position.norm();
+  const int distance_class = parameters_.distances.classOf(distance - body.radius);
+  if (distance_class == 0) return;
+  if (distance <= body.radius) return occupyAll(situation, distance_class);  // the agent stands inside
+  // Seen from the agent the disc spans the angles between its two tangents; it reaches into all sectors of that span.
+  const double bearing = bearingOf(body.position);
+  const double half_span = std::asin(body.radius / distance);
+  const long first = sectors_.unwrappedIndexOf(bearing - half_span);
+  const long last = std::min(sectors_.unwrappedIndexOf(bearing + half_span), first + sectors_.count() - 1);
+  for (long sector = first; sector <= last; ++sector) occupy(situation, sector, distance_class);
+}
+
+void OccupancyStates::addWall(const Segment& wall, Situation& situation) const {
+  if (nearestPoint(wall, Vector2::Zero()).norm() <= NO_DIRECTION) return occupyAll(situation, 1);
+  const bool counterclockwise = cross(wall.from, wall.to) >= 0.0;
+  const Segment sweep = counterclockwise ? wall : Segment{wall.to, wall.from};
+  const double begin = bearingOf(sweep.from);
+  const double span = std::abs(wrapAngle(bearingOf(sweep.to) - begin));
+  const long first = sectors_.unwrappedIndexOf(begin);
+  const long last = sectors_.unwrappedIndexOf(begin + span);
+  for (long sector = first; sector <= last; ++sector) {
+    // A long wall is near in one sector and far in the next: only the part within the sector counts.
+    const Segment part = {sector == first ? sweep.from : meetRay(sweep, sectors_.rightLimit(sector)),
+                          sector == last ? sweep.to : meetRay(sweep, sectors_.rightLimit(sector + 1))};
+    const int distance_class = parameters_.distances.classOf(distanceTo(part, Vector2::Zero()));
+    if (distance_class > 0) occupy(situation, sector, distance_class);
+  }
+}
+
+Row OccupancyStates::rowOf(const Situation& situation) const {
+  Row code = 0;
+  for (int sector = 0; sector < sectors_.count(); ++sector) {
+    code = code * BASE + static_cast<Row>(situation.distance_classes[static_cast<std::size_t>(sector)]);
+  }
+  return codes_ * static_cast<Row>(situation.goal_sector) + code;  // (3.5)
+}
+
+std::vector<int> OccupancyStates::distanceClasses(Row row) const {
+  if (row >= terminal()) return {};
+  std::vector<int> classes(static_cast<std::size_t>(sectors_.count()));
+  Row code = row % codes_;
+  for (auto digit = classes.rbegin(); digit != classes.rend(); ++digit, code /= BASE) {
+    *digit = static_cast<int>(code % BASE);
+  }
+  return classes;
+}
+
+std::vector<OccupiedSector> OccupancyStates::occupiedSectors(const Perception& perception) const {
+  const Situation situation = describe(perception);
+  std::vector<OccupiedSector> occupied;
+  for (int sector = 0; sector < sectors_.count(); ++sector) {
+    const int distance_class = situation.distance_classes[static_cast<std::size_t>(sector)];
+    if (distance_class == 0) continue;
+    occupied.push_back({sectors_.rightLimit(sector), sectors_.rightLimit(sector + 1), distance_class});
+  }
+  return occupied;
+}
+
+std::vector<double> OccupancyStates::distanceLimits() const {
+  return {parameters_.distances.collision_radius, parameters_.distances.vision_radius};
+}
+
+std::string OccupancyStates::spec() const {
+  return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(parameters_.sectors) +
+         ", collision_radius: " + toText(parameters_.distances.collision_radius) +
+         ", vision_radius: " + toText(parameters_.distances.vision_radius) + "}";
+}
+
+}  // namespace crowd

@@ -1,0 +1,71 @@
+#include "social_crowd/learning/q_table.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "social_crowd/common/errors.h"
+
+namespace crowd {
+namespace {
+
+std::string shapeOf(const QTable& table) {
+  return std::to_string(table.rows()) + " rows of " + std::to_string(table.actions()) + " actions";
+}
+
+}  // namespace
+
+QTable::QTable(Row rows, Action actions) : rows_(rows), actions_(actions) {
+  if (rows == 0 || actions == 0) throw ShapeError("a Q-table needs at least one row and one action");
+  const std::size_t size = static_cast<std::size_t>(rows) * actions;
+  values_.assign(size, 0.0);
+  visits_.assign(size, 0);
+}
+
+void QTable::set(Row row, Action action, double value, std::uint32_t visits) {
+  values_[index(row, action)] = value;
+  visits_[index(row, action)] = visits;
+}
+
+Action QTable::greedyAction(const Rows& rows) const {
+  Action best = 0;
+  double highest = value(rows[0], 0);
+  for (Action action = 1; action < actions_; ++action) {
+    const double candidate = value(rows[action], action);
+    if (candidate > highest) {
+      highest = candidate;
+      best = action;
+    }
+  }
+  return best;
+}
+
+bool QTable::isVisited(Row row) const {
+  const auto first = visits_.begin() + static_cast<std::ptrdiff_t>(index(row, 0));
+  return std::any_of(first, first + actions_, [](std::uint32_t visits) { return visits > 0; });
+}
+
+Row QTable::visitedRows() const {
+  Row count = 0;
+  for (Row row = 0; row < rows_; ++row) count += isVisited(row) ? 1 : 0;
+  return count;
+}
+
+void QTable::mergeByVisits(const QTable& other) {
+  if (rows_ != other.rows_ || actions_ != other.actions_) {
+    throw ShapeError("cannot merge a Q-table of " + shapeOf(other) + " into one of " + shapeOf(*this));
+  }
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (other.visits_[i] == 0) continue;
+    const std::uint64_t sum = std::uint64_t{visits_[i]} + other.visits_[i];
+    const double share = static_cast<double>(other.visits_[i]) / static_cast<double>(sum);
+    values_[i] += share * (other.values_[i] - values_[i]);
+    visits_[i] = static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, UINT32_MAX));
+  }
+}
+
+bool operator==(const QTable& a, const QTable& b) {
+  return a.rows_ == b.rows_ && a.actions_ == b.actions_ && a.visits_ == b.visits_ &&
+         std::memcmp(a.values_.data(), b.values_.data(), a.values_.size() * sizeof(double)) == 0;
+}
+
+}  // namespace crowd

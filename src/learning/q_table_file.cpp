@@ -1,0 +1,230 @@
+#include "social_crowd/learning/q_table_file.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "social_crowd/common/files.h"
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::string_view MAGIC = "social_crowd Q-table";
+constexpr int VERSION = 1;
+constexpr std::string_view HEADER_END = "---";
+constexpr std::string_view CHECKSUM = "checksum: ";
+
+/// FNV-1a, 64 bits, as 16 hexadecimal digits.
+std::string checksumOf(std::string_view text) {
+  std::uint64_t hash = 0xCBF29CE484222325ULL;
+  for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3ULL;
+  std::string digits(16, '0');
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, hash >>= 4U) {
+    *digit = "0123456789abcdef"[hash & 0xFU];
+  }
+  return digits;
+}
+
+bool isWorthALine(const QTable& table, Row row) {
+  for (Action action = 0; action < table.actions(); ++action) {
+    if (table.visits(row, action) > 0 || table.value(row, action) != 0.0) return true;
+  }
+  return false;
+}
+
+std::string headerOf(const TrainedTable& trained, std::size_t lines) {
+  std::string text = std::string(MAGIC) + " " + std::to_string(VERSION) + "\n" + trained.model.spec();
+  const auto add = [&](const char* key, const std::string& value) { text += std::string(key) + ": " + value + "\n"; };
+  add("rows", std::to_string(trained.table.rows()));
+  add("actions", std::to_string(trained.table.actions()));
+  add("alpha", toText(trained.parameters.alpha));
+  add("gamma", toText(trained.parameters.gamma));
+  add("lambda", toText(trained.parameters.lambda));
+  add("epsilon", toText(trained.parameters.epsilon));
+  add("decisions", std::to_string(trained.decisions));
+  add("seed", std::to_string(trained.seed));
+  add("visited_rows", std::to_string(lines));
+  return text + std::string(HEADER_END) + "\n";
+}
+
+void appendRow(const QTable& table, Row row, std::string& text) {
+  text += std::to_string(row);
+  for (Action action = 0; action < table.actions(); ++action) {
+    const double value = table.value(row, action);
+    if (!std::isfinite(value)) {
+      throw InputError("row " + std::to_string(row) + ", action " + std::to_string(action) + " of the Q-table is " +
+                       toText(value) + ": such a table is not written");
+    }
+    text += " " + std::to_string(table.visits(row, action)) + " " + toText(value);
+  }
+  text += "\n";
+}
+
+/// Takes a text apart line by line and knows where it is.
+class LineReader {
+ public:
+  LineReader(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
+
+  bool atEnd() const { return rest_.empty(); }
+
+  /// The next line, which must be there and be ended.
+  std::string_view next(const std::string& expected) {
+    ++line_;
+    const std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos) fail(expected, rest_.empty() ? "the end of the file" : "a line cut short");
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    return line;
+  }
+
+  [[noreturn]] void fail(const std::string& expected, const std::string& got) const {
+    throw InputError(name_ + ": line " + std::to_string(line_) + ": expected " + expected + ", got " + got);
+  }
+
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string_view rest_;
+  std::string name_;
+  std::size_t line_ = 0;
+};
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t MOST = 60;
+  return "'" + std::string(text.substr(0, MOST)) + (text.size() > MOST ? "...'" : "'");
+}
+
+void readMagic(LineReader& lines) {
+  const std::string expected = "'" + std::string(MAGIC) + " " + std::to_string(VERSION) + "'";
+  const std::string_view line = lines.next(expected);
+  if (line != std::string(MAGIC) + " " + std::to_string(VERSION)) lines.fail(expected, quoted(line));
+}
+
+/// What the header says of the table's shape and history.
+struct Header {
+  Model model;
+  LearningParameters parameters;
+  Row rows = 0;
+  Action actions = 0;
+  std::uint64_t decisions = 0;
+  std::uint64_t seed = 0;
+  Row visited_rows = 0;
+};
+
+std::string readHeaderText(LineReader& lines) {
+  std::string text = "\n";  // stands for the magic line, so that YAML counts lines as the file does
+  for (;;) {
+    const std::string_view line = lines.next("the end of the header, '---'");
+    if (line == HEADER_END) return text;
+    text += std::string(line) + "\n";
+  }
+}
+
+std::uint64_t readCount(YamlMap& map, const std::string& key, std::int64_t low, std::int64_t high) {
+  return static_cast<std::uint64_t>(map.whole(key, low, high));
+}
+
+Header readHeader(LineReader& lines) {
+  const std::string text = readHeaderText(lines);
+  try {
+    YamlMap map(YAML::Load(text), {lines.name(), 0, ""});
+    Header header;
+    header.model = readModel(map);
+    const auto rows = static_cast<std::int64_t>(header.model.state_set->rowCount());
+    const auto actions = static_cast<std::int64_t>(header.model.action_set->size());
+    header.rows = static_cast<Row>(readCount(map, "rows", rows, rows));
+    header.actions = static_cast<Action>(readCount(map, "actions", actions, actions));
+    header.parameters.alpha = map.number("alpha", NumberRule::ANY);
+    header.parameters.gamma = map.number("gamma", NumberRule::ANY);
+    header.parameters.lambda = map.number("lambda", NumberRule::ANY);
+    header.parameters.epsilon = map.number("epsilon", NumberRule::ANY);
+    header.decisions = readCount(map, "decisions", 0, INT64_MAX);
+    header.seed = readCount(map, "seed", 0, INT64_MAX);
+    header.visited_rows = static_cast<Row>(readCount(map, "visited_rows", 0, rows));
+    map.finish();
+    const std::string problems = header.parameters.problems();
+    if (!problems.empty()) throw InputError(lines.name() + ": " + problems);
+    return header;
+  } catch (const YAML::Exception& error) {
+    throw InputError(lines.name() + ": line " + std::to_string(error.mark.line + 1) +
+                     ": the header is not YAML: " + error.msg);
+  }
+}
+
+std::string_view nextWord(std::string_view& rest) {
+  const std::size_t end = std::min(rest.find(' '), rest.size());
+  const std::string_view word = rest.substr(0, end);
+  rest.remove_prefix(std::min(end + 1, rest.size()));
+  return word;
+}
+
+std::optional<std::uint32_t> toCount(std::string_view word) {
+  if (word.empty() || word.size() > 10) return std::nullopt;
+  std::uint64_t count = 0;
+  for (const char digit : word) {
+    if (digit < '0' || digit > '9') return std::nullopt;
+    count = count * 10 + static_cast<std::uint64_t>(digit - '0');
+  }
+  if (count > UINT32_MAX) return std::nullopt;
+  return static_cast<std::uint32_t>(count);
+}
+
+/// Reads one row; it must be above the row before. Returns its number.
+Row readRow(LineReader& lines, std::int64_t before, QTable& table) {
+  const std::string_view line = lines.next("a row of the Q-table");
+  std::string_view rest = line;
+  const std::optional<std::uint32_t> row = toCount(nextWord(rest));
+  if (!row || *row >= table.rows() || static_cast<std::int64_t>(*row) <= before) {
+    lines.fail("a row number above " + std::to_string(before) + " and below " + std::to_string(table.rows()),
+               quoted(line));
+  }
+  for (Action action = 0; action < table.actions(); ++action) {
+    const std::optional<std::uint32_t> visits = toCount(nextWord(rest));
+    const std::optional<double> value = toNumber(nextWord(rest));
+    if (!visits || !value || !std::isfinite(*value)) {
+      lines.fail("visits and a finite value for each of " + std::to_string(table.actions()) + " actions", quoted(line));
+    }
+    table.set(*row, action, *value, *visits);
+  }
+  if (!rest.empty()) {
+    lines.fail("nothing after the last of " + std::to_string(table.actions()) + " actions", quoted(rest));
+  }
+  return *row;
+}
+
+}  // namespace
+
+std::string toText(const TrainedTable& trained) {
+  std::string rows;
+  std::size_t lines = 0;
+  for (Row row = 0; row < trained.table.rows(); ++row) {
+    if (!isWorthALine(trained.table, row)) continue;
+    appendRow(trained.table, row, rows);
+    ++lines;
+  }
+  const std::string text = headerOf(trained, lines) + rows;
+  return text + std::string(CHECKSUM) + checksumOf(text) + "\n";
+}
+
+TrainedTable parseQTable(const std::string& text, const std::string& name) {
+  LineReader lines(text, name);
+  readMagic(lines);
+  const Header header = readHeader(lines);
+  QTable table(header.rows, header.actions);
+  std::int64_t before = -1;
+  for (Row i = 0; i < header.visited_rows; ++i) before = readRow(lines, before, table);
+  const std::string_view last = lines.next("the checksum after " + std::to_string(header.visited_rows) + " rows");
+  const std::size_t begin = static_cast<std::size_t>(last.data() - text.data());
+  const std::string expected = std::string(CHECKSUM) + checksumOf(std::string_view(text).substr(0, begin));
+  if (last != expected) lines.fail("'" + expected + "': the file was changed or damaged", quoted(last));
+  if (!lines.atEnd()) lines.fail("nothing after the checksum", "more text");
+  return {header.model, header.parameters, header.decisions, header.seed, table};
+}
+
+void saveQTable(const std::string& file, const TrainedTable& trained) { replaceFile(file, toText(trained)); }
+
+TrainedTable loadQTable(const std::string& file) { return parseQTable(readFile(file), file); }
+
+}  // namespace crowd
