@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+#include "social_crowd/learning/learner.h"
+#include "social_crowd/simulation/episode_result.h"
+#include "social_crowd/world/scene.h"
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief One episode: a world that is walked tick by tick until everybody has arrived or time is up. The same steps
+/// serve the headless runs and the ROS node; whoever drives it brings the actions.
+class Episode {
+ public:
+  /// @param number goes into the perceptions; learners draw their exploration from it.
+  Episode(Scene scene, std::uint64_t number, const Vision& vision);
+
+  /// @brief What everybody perceives now; `last` once the episode is over.
+  const Perceptions& perceptions() const { return perceptions_; }
+  /// @brief Moves everybody for one tick; who has no action stays. @throws InputError, nothing has moved then.
+  void step(const std::vector<AgentAction>& actions);
+  bool isOver() const { return perceptions_.last; }
+
+  std::uint64_t number() const { return perceptions_.episode; }
+  const Scene& scene() const { return scene_; }
+  const World& world() const { return world_; }
+  EpisodeResult result() const { return monitor_.result(); }
+
+  /// @brief Changes the world between two ticks; perceptions() follow. @throws InputError, nothing has changed then.
+  AgentId spawnAgent(const AgentStart& start);
+  void removeAgent(AgentId id);
+  void setGoal(AgentId id, const Vector2& goal);
+  std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
+  void removeObstacle(std::size_t number);
+
+ private:
+  void perceive();
+
+  Scene scene_;
+  World world_;
+  Vision vision_;
+  EpisodeMonitor monitor_;
+  Perceptions perceptions_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "social_crowd/world/scene.h"
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief How one agent fared in an episode.
+struct AgentResult {
+  bool arrived = false;
+  bool touched = false;          ///< in contact at the end of any tick before it arrived
+  std::uint64_t ticks = 0;       ///< until it arrived, or until the end
+  double path_length = 0.0;      ///< [m]
+  double straight_length = 0.0;  ///< start to goal (to goal ...) less the goal tolerance [m]
+  double path_ratio = 0.0;       ///< path_length / straight_length
+  double time_ratio = 0.0;       ///< time * top speed / straight_length
+  double turn_per_metre = 0.0;   ///< summed change of direction of motion per metre walked [rad/m]
+  double max_speed_ratio = 0.0;  ///< fastest tick / top speed
+};
+
+/// @brief How an episode went.
+struct EpisodeResult {
+  std::string scenario;
+  std::uint64_t ticks = 0;
+  std::vector<AgentResult> agents;
+
+  std::size_t arrivedCount() const;
+  std::size_t touchedCount() const;
+  /// @brief Everybody arrived, nobody was in contact.
+  bool isClean() const { return arrivedCount() == agents.size() && touchedCount() == 0; }
+};
+
+/// @brief Watches a world tick by tick and measures what each agent does, as the steering benchmark defines it.
+class EpisodeMonitor {
+ public:
+  EpisodeMonitor(const Scene& scene, const World& world);
+
+  /// @brief Takes in the agent that was put into the world last.
+  void watch(const AgentStart& start, const World& world);
+
+  /// @brief To be called after every step.
+  void observe(const World& world);
+  EpisodeResult result() const;
+
+ private:
+  /// Direction of motion counts above this speed only [m/s].
+  static constexpr double MOVING = 0.05;
+
+  struct Track {
+    std::uint64_t begin = 0;  // tick at which it came
+    Vector2 position = Vector2::Zero();
+    Vector2 velocity = Vector2::Zero();
+    double turn = 0.0;
+    double speed = 0.0;
+    AgentResult result;
+  };
+  void observeAgent(const Agent& agent, Track& track) const;
+
+  std::string scenario_;
+  double tick_duration_;
+  double goal_tolerance_;
+  std::uint64_t ticks_ = 0;
+  std::vector<Track> tracks_;
+};
+
+/// @brief Figures over many episodes, as the steering benchmark's scorer prints them.
+class Figures {
+ public:
+  void add(const EpisodeResult& result);
+
+  std::uint64_t episodes() const { return episodes_; }
+  double successPercent() const { return percent(arrived_, agents_); }
+  double contactPercent() const { return percent(touched_, agents_); }
+  double cleanPercent() const { return percent(clean_, episodes_); }
+  /// @brief Means over the agents that arrived; not a number if none did.
+  double pathRatio() const { return meanOf(path_ratio_); }
+  double timeRatio() const { return meanOf(time_ratio_); }
+  double turnPerMetre() const { return meanOf(turn_per_metre_); }
+  double maxSpeedRatio() const { return max_speed_ratio_; }
+
+ private:
+  static double percent(std::uint64_t part, std::uint64_t whole) {
+    return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  }
+  double meanOf(double sum) const {
+    return arrived_ == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(arrived_);
+  }
+
+  std::uint64_t episodes_ = 0;
+  std::uint64_t clean_ = 0;
+  std::uint64_t agents_ = 0;
+  std::uint64_t arrived_ = 0;
+  std::uint64_t touched_ = 0;
+  double path_ratio_ = 0.0;
+  double time_ratio_ = 0.0;
+  double turn_per_metre_ = 0.0;
+  double max_speed_ratio_ = 0.0;
+};
+
+}  // namespace crowd

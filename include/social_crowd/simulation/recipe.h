@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "social_crowd/learning/learner.h"
+#include "social_crowd/learning/learning_parameters.h"
+#include "social_crowd/learning/model.h"
+
+namespace crowd {
+
+/// @brief What and how to train, beside the learning itself.
+struct TrainingPlan {
+  std::vector<std::string> scenarios;  ///< files; an episode takes the next document of all of them, round and round
+  std::uint64_t episodes = 0;
+  std::uint64_t seed = 1;
+  TableUse tables = TableUse::SHARED;
+  std::uint64_t save_every = 0;  ///< episodes; 0: at the end only
+};
+
+/// @brief A learning configuration file (config/learning/*.yaml): model, learning parameters and training plan.
+struct Recipe {
+  Model model;
+  LearningPlan learning;
+  TrainingPlan training;
+};
+
+/// @brief Reads a configuration file; paths of scenarios in it are relative to it.
+/// @throws FileError; InputError with file, line and what was expected.
+Recipe readRecipe(const std::string& file);
+
+}  // namespace crowd

@@ -1,0 +1,50 @@
+#include "social_crowd/simulation/episode.h"
+
+namespace crowd {
+
+Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision)
+    : scene_(std::move(scene)), world_(scene_), vision_(vision), monitor_(scene_, world_) {
+  perceptions_.episode = number;
+  perceive();
+}
+
+void Episode::step(const std::vector<AgentAction>& actions) {
+  world_.step(actions);
+  monitor_.observe(world_);
+  perceive();
+}
+
+void Episode::perceive() {
+  world_.perceive(vision_, perceptions_);
+  perceptions_.last = world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks;
+}
+
+AgentId Episode::spawnAgent(const AgentStart& start) {
+  const AgentId id = world_.spawnAgent(start);
+  monitor_.watch(start, world_);
+  perceive();
+  return id;
+}
+
+void Episode::removeAgent(AgentId id) {
+  world_.removeAgent(id);
+  perceive();
+}
+
+void Episode::setGoal(AgentId id, const Vector2& goal) {
+  world_.setGoal(id, goal);
+  perceive();
+}
+
+std::size_t Episode::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
+  const std::size_t number = world_.spawnObstacle(position, velocity, radius);
+  perceive();
+  return number;
+}
+
+void Episode::removeObstacle(std::size_t number) {
+  world_.removeObstacle(number);
+  perceive();
+}
+
+}  // namespace crowd

@@ -1,0 +1,101 @@
+#include "social_crowd/simulation/episode_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crowd {
+namespace {
+
+/// Ratios to shorter ways than this would say nothing [m].
+constexpr double SHORTEST_LENGTH = 0.1;
+
+double straightLength(const AgentStart& start, double goal_tolerance) {
+  double length = -goal_tolerance;
+  Vector2 from = start.position;
+  for (const Vector2& goal : start.goals) {
+    length += (goal - from).norm();
+    from = goal;
+  }
+  return std::max(SHORTEST_LENGTH, length);
+}
+
+}  // namespace
+
+std::size_t EpisodeResult::arrivedCount() const {
+  const auto arrived = [](const AgentResult& agent) { return agent.arrived; };
+  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), arrived));
+}
+
+std::size_t EpisodeResult::touchedCount() const {
+  const auto touched = [](const AgentResult& agent) { return agent.touched; };
+  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), touched));
+}
+
+EpisodeMonitor::EpisodeMonitor(const Scene& scene, const World& world)
+    : scenario_(scene.name), tick_duration_(scene.tick_duration), goal_tolerance_(scene.goal_tolerance) {
+  for (const AgentStart& start : scene.agents) watch(start, world);
+}
+
+void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
+  Track track;
+  track.begin = world.tick();
+  track.position = start.position;
+  track.speed = start.speed;
+  track.result.straight_length = straightLength(start, goal_tolerance_);
+  tracks_.push_back(track);
+}
+
+void EpisodeMonitor::observe(const World& world) {
+  ticks_ = world.tick();
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    const Agent& agent = world.agents()[i];
+    const bool just_arrived = agent.hasArrived() && agent.arrival_tick == ticks_;
+    if (agent.isWalking() || just_arrived) observeAgent(agent, tracks_[i]);
+  }
+}
+
+void EpisodeMonitor::observeAgent(const Agent& agent, Track& track) const {
+  const Vector2 step = agent.pose.position - track.position;
+  const Vector2 velocity = step / tick_duration_;
+  if (velocity.norm() > MOVING && track.velocity.norm() > MOVING) {
+    track.turn += std::abs(std::atan2(cross(track.velocity, velocity), track.velocity.dot(velocity)));
+  }
+  track.position = agent.pose.position;
+  track.velocity = velocity;
+  track.result.path_length += step.norm();
+  track.result.max_speed_ratio = std::max(track.result.max_speed_ratio, velocity.norm() / track.speed);
+  track.result.ticks = ticks_ - track.begin;
+  track.result.touched = agent.touched;
+  track.result.arrived = agent.hasArrived();
+}
+
+EpisodeResult EpisodeMonitor::result() const {
+  EpisodeResult result;
+  result.scenario = scenario_;
+  result.ticks = ticks_;
+  for (const Track& track : tracks_) {
+    AgentResult agent = track.result;
+    agent.path_ratio = agent.path_length / agent.straight_length;
+    agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.speed / agent.straight_length;
+    agent.turn_per_metre = track.turn / std::max(SHORTEST_LENGTH, agent.path_length);
+    result.agents.push_back(agent);
+  }
+  return result;
+}
+
+void Figures::add(const EpisodeResult& result) {
+  ++episodes_;
+  clean_ += result.isClean() ? 1 : 0;
+  agents_ += result.agents.size();
+  touched_ += result.touchedCount();
+  for (const AgentResult& agent : result.agents) {
+    max_speed_ratio_ = std::max(max_speed_ratio_, agent.max_speed_ratio);
+    if (!agent.arrived) continue;
+    ++arrived_;
+    path_ratio_ += agent.path_ratio;
+    time_ratio_ += agent.time_ratio;
+    turn_per_metre_ += agent.turn_per_metre;
+  }
+}
+
+}  // namespace crowd

@@ -1,0 +1,109 @@
+#include "social_crowd/simulation/evaluation.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "social_crowd/learning/learner.h"
+#include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/trajectory.h"
+
+namespace crowd {
+namespace {
+
+Learner makeDemoLearner(const TrainedTable& trained) {
+  Learner::Options options;
+  options.mode = Mode::DEMO;
+  options.plan.parameters = trained.parameters;
+  return {trained.model, options, trained.table};
+}
+
+EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, bool record, Learner& learner) {
+  EvaluatedEpisode walked;
+  walked.instance = instance;
+  Episode episode(scene, instance, learner.model().vision());
+  RelativeActions actions;
+  for (;;) {
+    if (record) appendTrajectoryRows(instance, episode.world(), walked.trajectory);
+    if (episode.isOver()) break;
+    learner.decide(episode.perceptions(), actions);
+    episode.step(actions.agents);
+  }
+  walked.result = episode.result();
+  return walked;
+}
+
+/// Hands out instances to threads and delivers what they bring in order.
+class OrderedRun {
+ public:
+  OrderedRun(std::uint64_t episodes, const std::function<bool(EvaluatedEpisode&)>& deliver)
+      : episodes_(episodes), deliver_(deliver) {}
+
+  /// The next instance to walk; false if there is none left.
+  bool next(std::uint64_t& instance) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (stopped_ || handed_out_ >= episodes_) return false;
+    instance = handed_out_++;
+    return true;
+  }
+
+  void bring(EvaluatedEpisode walked) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_.emplace(walked.instance, std::move(walked));
+    while (!stopped_ && !waiting_.empty() && waiting_.begin()->first == delivered_) {
+      stopped_ = !deliver_(waiting_.begin()->second);
+      waiting_.erase(waiting_.begin());
+      ++delivered_;
+    }
+  }
+
+  void fail(std::exception_ptr problem) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (problem_ == nullptr) problem_ = std::move(problem);
+    stopped_ = true;
+  }
+
+  void rethrow() const {
+    if (problem_ != nullptr) std::rethrow_exception(problem_);
+  }
+
+ private:
+  std::uint64_t episodes_;
+  const std::function<bool(EvaluatedEpisode&)>& deliver_;
+  std::mutex mutex_;
+  std::uint64_t handed_out_ = 0;
+  std::uint64_t delivered_ = 0;
+  std::map<std::uint64_t, EvaluatedEpisode> waiting_;
+  bool stopped_ = false;
+  std::exception_ptr problem_;
+};
+
+}  // namespace
+
+void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
+              const std::function<bool(EvaluatedEpisode&)>& deliver) {
+  OrderedRun run(plan.episodes > 0 ? plan.episodes : scenarios.size(), deliver);
+  const auto work = [&] {
+    try {
+      Learner learner = makeDemoLearner(trained);
+      std::uint64_t instance = 0;
+      while (run.next(instance)) {
+        run.bring(walk(scenarios.scene(plan.seed, instance), instance, plan.record, learner));
+      }
+    } catch (...) {
+      run.fail(std::current_exception());
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < plan.threads; ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  run.rethrow();
+}
+
+}  // namespace crowd
