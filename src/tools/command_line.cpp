@@ -1,0 +1,41 @@
+#include "command_line.h"
+
+#include <csignal>
+#include <iostream>
+
+#include "social_crowd/common/errors.h"
+
+namespace crowd {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void noteInterrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+void catchInterrupts() {
+  std::signal(SIGINT, noteInterrupt);
+  std::signal(SIGTERM, noteInterrupt);
+}
+
+bool isInterrupted() { return interrupted != 0; }
+
+int runTool(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? EXIT_FINE : EXIT_BAD_USAGE;
+  }
+  try {
+    return run();
+  } catch (const std::exception& error) {
+    std::cerr << app.get_name() << ": " << error.what() << std::endl;
+    return EXIT_BAD_INPUT;
+  }
+}
+
+}  // namespace crowd

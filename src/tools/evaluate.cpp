@@ -1,0 +1,124 @@
+// Evaluates a Q-table on scenario files, without ROS.
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <thread>
+
+#include "command_line.h"
+#include "progress_bar.h"
+#include "social_crowd/common/files.h"
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/simulation/evaluation.h"
+#include "social_crowd/simulation/recipe.h"
+#include "social_crowd/simulation/trajectory.h"
+#include "social_crowd/world/scenario_reader.h"
+
+namespace crowd {
+namespace {
+
+struct Arguments {
+  std::string q_table;
+  std::string config;
+  std::string trajectories;
+  std::string csv;
+  std::vector<std::string> scenarios;
+  EvaluationPlan plan;
+};
+
+constexpr const char* CSV_HEADER =
+    "scenario,instances,success_pct,contact_pct,clean_pct,path_ratio,time_ratio,turn_rad_per_m,max_speed_ratio\n";
+
+std::string csvRow(const std::string& name, const Figures& figures) {
+  std::string row = name + "," + std::to_string(figures.episodes());
+  for (const double value :
+       {figures.successPercent(), figures.contactPercent(), figures.cleanPercent(), figures.pathRatio(),
+        figures.timeRatio(), figures.turnPerMetre(), figures.maxSpeedRatio()}) {
+    row += "," + toText(value);
+  }
+  return row + "\n";
+}
+
+void printHeader() {
+  std::printf("%-18s %9s %8s %8s %7s %6s %6s %6s %6s\n", "scenario", "instances", "success%", "contact%", "clean%",
+              "path", "time", "rad/m", "speed");
+}
+
+void printRow(const std::string& name, const Figures& figures) {
+  std::printf("%-18s %9llu %8.2f %8.2f %7.1f %6.3f %6.3f %6.2f %6.2f\n", name.c_str(),
+              static_cast<unsigned long long>(figures.episodes()), figures.successPercent(), figures.contactPercent(),
+              figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(),
+              figures.maxSpeedRatio());
+  std::fflush(stdout);
+}
+
+/// The configuration's model in place of the one in the table's header.
+void useModelOf(const std::string& config, const std::string& file, TrainedTable& trained) {
+  const Recipe recipe = readRecipe(config);
+  requireFit(recipe.model, trained.model, file);
+  trained.model = recipe.model;
+}
+
+Figures evaluateFile(const TrainedTable& trained, const Arguments& arguments, const std::string& name,
+                     const ScenarioList& scenarios) {
+  std::optional<TrajectoryFile> trajectories;
+  if (arguments.plan.record) trajectories.emplace(arguments.trajectories, name);
+  const std::uint64_t episodes = arguments.plan.episodes > 0 ? arguments.plan.episodes : scenarios.size();
+  ProgressBar bar(name, episodes);
+  Figures figures;
+  evaluate(trained, scenarios, arguments.plan, [&](EvaluatedEpisode& walked) {
+    if (trajectories) trajectories->append(walked.trajectory);
+    figures.add(walked.result);
+    if (bar.isDue(figures.episodes()) && figures.episodes() < episodes) bar.show(figures.episodes(), "");
+    return !isInterrupted();
+  });
+  bar.clear();
+  return figures;
+}
+
+int evaluateAll(Arguments& arguments) {
+  TrainedTable trained = loadQTable(arguments.q_table);
+  if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, trained);
+  arguments.plan.record = !arguments.trajectories.empty();
+  // All files are read before the first is walked: an error in the last one is told at once.
+  std::vector<ScenarioList> scenarios;
+  for (const std::string& file : arguments.scenarios) scenarios.push_back(readScenarios(file));
+  catchInterrupts();
+  std::string csv = CSV_HEADER;
+  printHeader();
+  for (std::size_t i = 0; i < scenarios.size() && !isInterrupted(); ++i) {
+    const std::string name = stemOf(arguments.scenarios[i]);
+    const Figures figures = evaluateFile(trained, arguments, name, scenarios[i]);
+    printRow(name, figures);
+    csv += csvRow(name, figures);
+  }
+  if (!arguments.csv.empty()) replaceFile(arguments.csv, csv);
+  return isInterrupted() ? EXIT_INTERRUPTED : EXIT_FINE;
+}
+
+}  // namespace
+}  // namespace crowd
+
+int main(int argc, char** argv) {
+  using namespace crowd;
+  CLI::App app("Walks scenarios with a Q-table (demo mode) and prints the steering benchmark's figures.", "evaluate");
+  Arguments arguments;
+  arguments.plan.threads = std::max(1U, std::thread::hardware_concurrency());
+  app.add_option("--q-table", arguments.q_table, "Q-table file")->required();
+  app.add_option("--config", arguments.config, "learning configuration; else what the table's header says is used");
+  app.add_option("--episodes", arguments.plan.episodes, "of each scenario file; else every document once")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", arguments.plan.seed, "of placements at random")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--threads", arguments.plan.threads, "results do not depend on it; else one per processor")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--trajectories", arguments.trajectories,
+                 "folder for a NAME.csv (instance,tick,agent,x,y) a scenario file");
+  app.add_option("--csv", arguments.csv, "file for the figures");
+  app.add_option("SCENARIO", arguments.scenarios, "scenario files")->required();
+  app.footer("Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");
+  return runTool(app, argc, argv, [&] { return evaluateAll(arguments); });
+}

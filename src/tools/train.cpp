@@ -1,0 +1,119 @@
+// Trains a Q-table without ROS.
+
+#include <cstdio>
+#include <deque>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "command_line.h"
+#include "progress_bar.h"
+#include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/simulation/recipe.h"
+#include "social_crowd/simulation/training.h"
+
+namespace crowd {
+namespace {
+
+struct Arguments {
+  std::string config;
+  std::string output;
+  std::optional<std::uint64_t> episodes;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> save_every;
+};
+
+/// Success and contact of the last episodes, in percent of the agents.
+class RecentRates {
+ public:
+  void add(const EpisodeResult& result) {
+    results_.push_back({result.agents.size(), result.arrivedCount(), result.touchedCount()});
+    if (results_.size() > WINDOW) results_.pop_front();
+  }
+
+  std::string text() const {
+    Counts sum;
+    for (const Counts& counts : results_) {
+      sum.agents += counts.agents;
+      sum.arrived += counts.arrived;
+      sum.touched += counts.touched;
+    }
+    const double whole = sum.agents > 0 ? static_cast<double>(sum.agents) : 1.0;
+    char text[64];
+    std::snprintf(text, sizeof text, "success %5.1f %%  contact %5.1f %%",
+                  100.0 * static_cast<double>(sum.arrived) / whole, 100.0 * static_cast<double>(sum.touched) / whole);
+    return text;
+  }
+
+ private:
+  static constexpr std::size_t WINDOW = 200;  // episodes
+  struct Counts {
+    std::size_t agents = 0;
+    std::size_t arrived = 0;
+    std::size_t touched = 0;
+  };
+  std::deque<Counts> results_;
+};
+
+Recipe readRecipeFor(const Arguments& arguments) {
+  Recipe recipe = readRecipe(arguments.config);
+  if (arguments.episodes) recipe.training.episodes = *arguments.episodes;
+  if (arguments.seed) recipe.training.seed = *arguments.seed;
+  if (arguments.save_every) recipe.training.save_every = *arguments.save_every;
+  return recipe;
+}
+
+/// TABLE.txt -> TABLE_000500.txt: the table as it was after so many episodes.
+std::string nameAfter(const std::string& output, std::uint64_t episode) {
+  const std::filesystem::path path(output);
+  char number[32];
+  std::snprintf(number, sizeof number, "_%06llu", static_cast<unsigned long long>(episode));
+  return (path.parent_path() / (path.stem().string() + number + path.extension().string())).string();
+}
+
+int train(const Arguments& arguments) {
+  Training training(readRecipeFor(arguments));
+  saveQTable(arguments.output, training.trained());  // a name that cannot be written is told now, not after the work
+  const TrainingPlan& plan = training.recipe().training;
+  ProgressBar bar("episode", plan.episodes);
+  RecentRates rates;
+  const auto note = [&] {
+    return rates.text() + "  " + formatCount(static_cast<double>(training.learner().decisions()) / bar.seconds()) +
+           " decisions/s";
+  };
+  catchInterrupts();
+  while (!training.isDone() && !isInterrupted()) {
+    rates.add(training.runNextEpisode());
+    if (plan.save_every > 0 && training.episode() % plan.save_every == 0) {
+      saveQTable(nameAfter(arguments.output, training.episode()), training.trained());
+    }
+    if (bar.isDue(training.episode()) && !training.isDone()) bar.show(training.episode(), note());
+  }
+  bar.finish(training.episode(), note());
+  const TrainedTable trained = training.trained();
+  saveQTable(arguments.output, trained);
+  std::cout << arguments.output << ": " << training.episode() << " episodes, " << trained.decisions << " decisions, "
+            << trained.table.visitedRows() << " of " << trained.table.rows() << " rows visited, "
+            << formatDuration(bar.seconds()) << " min" << (isInterrupted() ? "; interrupted" : "") << std::endl;
+  return isInterrupted() ? EXIT_INTERRUPTED : EXIT_FINE;
+}
+
+}  // namespace
+}  // namespace crowd
+
+int main(int argc, char** argv) {
+  using namespace crowd;
+  CLI::App app("Trains a Q-table: one agent or many learn to walk in the scenarios that CONFIG names.", "train");
+  Arguments arguments;
+  app.add_option("CONFIG", arguments.config, "learning configuration, such as config/learning/thesis_nearest.yaml")
+      ->required();
+  app.add_option("--output,-o", arguments.output, "Q-table file to write")->required();
+  app.add_option("--episodes", arguments.episodes, "in place of the configuration's")->check(CLI::PositiveNumber);
+  app.add_option("--seed", arguments.seed, "in place of the configuration's")->check(CLI::NonNegativeNumber);
+  app.add_option("--save-every", arguments.save_every,
+                 "also keep the table every so many episodes, as OUTPUT_000500.txt and so on");
+  app.footer(
+      "Ctrl-C ends the training and keeps what was learned so far.\n"
+      "Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");
+  return runTool(app, argc, argv, [&] { return train(arguments); });
+}
