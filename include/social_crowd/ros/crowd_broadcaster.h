@@ -1,0 +1,44 @@
+#pragma once
+
+#include <ros/ros.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/simulation/episode.h"
+
+namespace crowd {
+
+/// @brief Everything the crowd controller tells the world: perceptions, where everybody is, results, tf and clock.
+class CrowdBroadcaster {
+ public:
+  CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters);
+
+  /// @brief Moves the simulated clock and publishes it, where a clock is asked for.
+  void advanceClock(double seconds);
+  void publishPerceptions(const Episode& episode);
+  /// @brief Agents, and tf where it is asked for.
+  void publishAgents(const Episode& episode);
+  void publishScenario(const Episode& episode, std::uint64_t instance);
+  void publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed, std::uint64_t dropped);
+
+  /// @brief Whether anybody listens to perceptions.
+  bool hasListeners() const { return perceptions_.getNumSubscribers() > 0; }
+
+ private:
+  std_msgs::Header header() const;
+  void publishFrames(const Episode& episode);
+
+  bool publish_clock_;
+  ros::Time clock_;
+  ros::Publisher perceptions_;
+  ros::Publisher agents_;
+  ros::Publisher scenario_;
+  ros::Publisher results_;
+  ros::Publisher clock_publisher_;
+  std::unique_ptr<tf2_ros::TransformBroadcaster> frames_;
+};
+
+}  // namespace crowd

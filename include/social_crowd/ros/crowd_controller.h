@@ -1,0 +1,98 @@
+#pragma once
+
+#include <ros/ros.h>
+#include <social_crowd/RelativeActions.h>
+
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/ros/crowd_broadcaster.h"
+#include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/services.h"
+#include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/lockstep.h"
+#include "social_crowd/simulation/trajectory.h"
+#include "social_crowd/world/scenario.h"
+
+namespace crowd {
+
+/// @brief The node that owns world, clock and episodes: it tells everybody what it perceives, waits for the answers
+/// (lockstep with a deadline), moves everybody, and goes on to the next tick or episode. docs/architecture.md has the
+/// protocol.
+class CrowdController {
+ public:
+  /// @throws InputError naming bad parameters or what is wrong with the scenario file; FileError.
+  CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+
+  /// @brief Walks episodes until as many as wanted are done or ROS shuts down.
+  void run();
+
+ private:
+  using Clock = ros::WallTime;
+
+  /// A request to walk some ticks while paused.
+  struct PendingSteps {
+    std::uint32_t left = 0;
+    std::promise<void> done;
+  };
+
+  void advertiseServices();
+  void takeActions(const social_crowd::RelativeActions::ConstPtr& message);
+
+  void useScenarios(ScenarioList scenarios, const std::string& file);
+  void restart();
+  void beginEpisode();
+  void endEpisode();
+  void linger();
+
+  void waitWhilePaused();
+  bool mayWalk() const { return !paused_ || pending_steps_ != nullptr; }
+  void walkTick();
+  void awaitAnswers();
+  void awaitNewcomers(const Clock& since);
+  void awaitSomebody(const Clock& since);
+  void warnOfSilence(const Clock& since);
+  /// Serves callbacks until `until`; true if the wait is over because the tick was cut off by a reset.
+  void serveUntil(const Clock& until);
+  void keepPace();
+  void noteStep();
+  void finishSteps();
+
+  void pause(bool paused);
+  std::future<void> beginSteps(std::uint32_t ticks);
+  std::string place() const;
+  void logResult(const EpisodeResult& result);
+
+  ControllerParameters parameters_;
+  ros::NodeHandle node_;
+  MainLoop loop_;
+  CrowdBroadcaster broadcaster_;
+  ros::Subscriber actions_;
+
+  ScenarioList scenarios_;
+  std::string scenario_name_;
+  std::uint64_t seed_;
+  std::unique_ptr<Episode> episode_;
+  std::uint64_t next_episode_ = 0;  // never repeats, so that an old answer cannot be taken for a new one
+  std::uint64_t instance_ = 0;      // since the scenario was loaded or reset
+  std::uint64_t ended_episodes_ = 0;
+  bool cut_off_ = false;  // the episode was replaced while a tick was under way
+  Figures figures_;
+
+  Lockstep lockstep_;
+  Clock last_warning_;
+  Clock next_tick_;
+  bool paused_;
+  std::unique_ptr<PendingSteps> pending_steps_;
+
+  std::optional<TrajectoryFile> trajectory_file_;
+  std::string trajectory_;  // rows of the present episode
+
+  Services services_;  // last: its threads use all of the above
+};
+
+}  // namespace crowd

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <ros/ros.h>
+#include <social_crowd/LearnerStatus.h>
+#include <social_crowd/Perceptions.h>
+#include <social_crowd/ShareQTable.h>
+#include <social_crowd/TakeQTable.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "social_crowd/learning/learner.h"
+#include "social_crowd/ros/learner_parameters.h"
+#include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/services.h"
+
+namespace crowd {
+
+/// @brief The node that owns Q-tables and nothing of the world: perceptions in, relative actions out, for one agent or
+/// many; it saves, loads, takes and shares Q-tables.
+class LearnerNode {
+ public:
+  /// @throws InputError naming bad parameters.
+  LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+
+  /// @brief Answers perceptions until ROS shuts down; then saves the table, where that is asked for.
+  void run();
+
+ private:
+  LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node, LearnerParameters parameters);
+
+  void advertiseServices();
+  void takePerceptions(const social_crowd::Perceptions::ConstPtr& message);
+  void answer(const social_crowd::Perceptions& message);
+  void noteEpisode();
+  void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
+  void publishStatus();
+
+  /// The agent whose table stands for all where one is to be named.
+  AgentId firstAgent() const;
+  TrainedTable trained(AgentId agent) const;
+  void saveAll() const;
+  void requireServed(AgentId agent) const;
+  std::string parametersText() const;
+
+  // learner_sharing.cpp
+  void share(const social_crowd::ShareQTable::Request& request, social_crowd::ShareQTable::Response& response);
+  void take(const social_crowd::TakeQTable::Request& request, social_crowd::TakeQTable::Response& response);
+  std::vector<AgentId> shareWithin(const social_crowd::ShareQTable::Request& request, const TrainedTable& table);
+  std::vector<AgentId> giveTo(const std::vector<AgentId>& agents, const TrainedTable& trained, TakeMethod method);
+
+  ros::NodeHandle node_;
+  MainLoop loop_;
+  TakeMethod on_share_;
+  std::string save_to_;
+  std::uint64_t save_every_;
+  Learner learner_;
+
+  // Scratch, so that a tick allocates nothing once warm.
+  Perceptions perceptions_;
+  RelativeActions actions_;
+
+  std::uint64_t episodes_ = 0;  // begun
+  ros::WallTime last_status_;
+  std::map<std::string, social_crowd::LearnerStatus> others_;  // other learners, by node name
+
+  ros::Publisher actions_publisher_;
+  ros::Publisher status_publisher_;
+  ros::Subscriber perceptions_subscriber_;
+  ros::Subscriber status_subscriber_;
+
+  Services services_;  // last: its threads use all of the above
+};
+
+}  // namespace crowd

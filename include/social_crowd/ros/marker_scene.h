@@ -1,0 +1,82 @@
+#pragma once
+
+#include <social_crowd/AgentStates.h>
+#include <social_crowd/LearnerStatus.h>
+#include <social_crowd/Perceptions.h>
+#include <social_crowd/Scenario.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "social_crowd/learning/state_set.h"
+#include "social_crowd/ros/marker_paths.h"
+#include "social_crowd/world/perception.h"
+
+namespace crowd {
+
+/// @brief Which learner decides for which agent, and so which state set it has.
+class KnownStateSets {
+ public:
+  /// @throws InputError if the model in the status is none.
+  void take(const social_crowd::LearnerStatus& status);
+  /// @brief Null if no learner is known to serve the agent.
+  const StateSet* of(AgentId agent) const;
+
+ private:
+  using Shared = std::shared_ptr<const StateSet>;
+  std::unordered_map<AgentId, Shared> own_;
+  Shared for_all_;
+  std::string model_;  // the text that was read last, and what it stands for
+  Shared state_set_;
+};
+
+/// @brief What is shown beside the crowd itself, and how.
+struct MarkerOptions {
+  enum class Radii { NONE, CHOSEN, ALL };
+  static constexpr std::int64_t NO_AGENT = -1;
+
+  std::int64_t agent = 0;            ///< the chosen agent, whose occupied sectors are shown; NO_AGENT: none
+  Radii radii = Radii::CHOSEN;       ///< around whom the limits of the distance classes are shown
+  double path_step = 0.05;           ///< walked from one point of a path to the next [m]
+  std::size_t path_points = 40'000;  ///< at most, of all paths together
+};
+
+/// @brief All that is known of a crowd from messages, and the markers that show it.
+class MarkerScene {
+ public:
+  explicit MarkerScene(const MarkerOptions& options);
+
+  void take(const social_crowd::AgentStates::ConstPtr& message);
+  void take(const social_crowd::Scenario::ConstPtr& message);
+  void take(const social_crowd::Perceptions::ConstPtr& message);
+  /// @throws InputError if the model in the status is none; the rest of the scene stays.
+  void take(const social_crowd::LearnerStatus& message);
+
+  /// @brief Whether anything was taken since draw().
+  bool hasChanged() const { return changed_; }
+
+  /// @brief The markers of all kinds; what is not there any more is deleted.
+  /// @param whole draw also what is old of the paths, which is much and hardly ever changes; else it is left as it is.
+  /// @throws InputError if the perceptions are damaged; then `markers` has everything but the sectors.
+  void draw(bool whole, visualization_msgs::MarkerArray& markers);
+
+ private:
+  void begin(std::uint64_t episode);
+  void addToPaths();
+  visualization_msgs::Marker drawRadii() const;
+  visualization_msgs::Marker drawOccupiedSectors() const;
+
+  MarkerOptions options_;
+  KnownStateSets state_sets_;
+  std::uint64_t episode_ = 0;
+  social_crowd::AgentStates states_;
+  social_crowd::Scenario::ConstPtr scenario_;
+  social_crowd::Perceptions::ConstPtr perceptions_;
+  WalkedPaths paths_;
+  bool changed_ = false;
+};
+
+}  // namespace crowd

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <std_msgs/ColorRGBA.h>
+
+#include <cstddef>
+#include <cstdint>
+
+/// How the markers look: all colours and sizes, and only here.
+namespace crowd::marker_style {
+
+using Colour = std_msgs::ColorRGBA;
+
+// One namespace for each kind of marker; RViz can switch each off.
+constexpr const char* BODIES = "bodies";
+constexpr const char* HEADINGS = "headings";
+constexpr const char* GOALS = "goals";
+constexpr const char* PATHS = "paths";
+constexpr const char* OBSTACLES = "obstacles";
+constexpr const char* WALLS = "walls";
+constexpr const char* RADII = "radii";
+constexpr const char* SECTORS = "sectors";
+
+/// @brief What lies over what, seen from above.
+enum class Layer { SECTORS = 1, OBSTACLES, WALLS, PATHS, GOALS, RADII, BODIES, HEADINGS, CONTACTS };
+constexpr double LAYER_HEIGHT = 0.02;  ///< from one layer to the next [m]; less and RViz mixes them up
+
+// Sizes [m].
+constexpr double PATH_WIDTH = 0.035;
+constexpr double WALL_WIDTH = 0.06;
+constexpr double RADIUS_WIDTH = 0.02;
+constexpr double CONTACT_WIDTH = 0.06;
+constexpr double GOAL_WIDTH = 0.045;
+constexpr double GOAL_SIZE = 0.13;  ///< from the centre of a goal's cross to the end of an arm
+
+// The arrow that shows a heading, in radii of its body: ahead of the centre and to the side.
+constexpr double ARROW_TIP = 0.78;
+constexpr double ARROW_BACK = -0.5;
+constexpr double ARROW_NOTCH = -0.2;
+constexpr double ARROW_HALF_WIDTH = 0.5;
+
+/// @brief Bodies of a crowd together have about so many corners: the more bodies, the fewer corners each.
+constexpr std::size_t CORNER_BUDGET = 12'000;
+constexpr std::size_t MIN_CORNERS = 10;
+constexpr std::size_t MAX_CORNERS = 36;
+
+/// @brief Corners of the circles of each of so many bodies.
+std::size_t cornersFor(std::size_t bodies);
+
+/// @brief Own colour of an agent; neighbouring numbers differ strongly, and none is the red of contacts.
+Colour ofAgent(std::uint32_t agent);
+/// @brief The same, a little paler: of its path.
+Colour ofPath(std::uint32_t agent);
+/// @brief Of an occupied sector (translucent); 1 is the nearest.
+Colour ofSector(int distance_class);
+/// @brief Of the circle that limits a distance class.
+Colour ofRadius(int distance_class);
+Colour ofContact();
+Colour ofHeading();
+Colour ofObstacle();
+Colour ofWall();
+
+}  // namespace crowd::marker_style

@@ -1,0 +1,36 @@
+#pragma once
+
+namespace crowd::names {
+
+// Topics; relative, so that namespaces and remapping work.
+constexpr const char* PERCEPTIONS = "perceptions";          ///< Perceptions: crowd_controller -> learner
+constexpr const char* ACTIONS = "actions";                  ///< RelativeActions: learner -> crowd_controller
+constexpr const char* AGENTS = "agents";                    ///< AgentStates: crowd_controller -> eyes
+constexpr const char* SCENARIO = "scenario";                ///< Scenario, latched: crowd_controller -> eyes
+constexpr const char* EPISODE_RESULTS = "episode_results";  ///< EpisodeResult: crowd_controller -> anybody
+constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, latched: learner -> anybody
+constexpr const char* MARKERS = "markers";                  ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
+constexpr const char* CLOCK = "/clock";                     ///< rosgraph_msgs/Clock; absolute, as ROS wants it
+
+// Services; private names below the node.
+constexpr const char* PAUSE = "pause";
+constexpr const char* STEP = "step";
+constexpr const char* RESET = "reset";
+constexpr const char* LOAD_SCENARIO = "load_scenario";
+constexpr const char* SPAWN_AGENT = "spawn_agent";
+constexpr const char* REMOVE_AGENT = "remove_agent";
+constexpr const char* SET_GOAL = "set_goal";
+constexpr const char* SPAWN_OBSTACLE = "spawn_obstacle";
+constexpr const char* REMOVE_OBSTACLE = "remove_obstacle";
+constexpr const char* SAVE_Q_TABLE = "save_q_table";
+constexpr const char* LOAD_Q_TABLE = "load_q_table";
+constexpr const char* SHARE_Q_TABLE = "share_q_table";
+constexpr const char* TAKE_Q_TABLE = "take_q_table";
+constexpr const char* SET_MODE = "set_mode";
+constexpr const char* SET_LEARNING_PARAMETERS = "set_learning_parameters";
+
+// Frames.
+constexpr const char* MAP_FRAME = "map";
+constexpr const char* AGENT_FRAME_PREFIX = "agent_";
+
+}  // namespace crowd::names

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <exception>
+
+namespace crowd {
+
+/// @brief main() of a node: makes a `Node` from the two node handles and runs it until it ends or ROS shuts down. What
+/// goes wrong is told in words.
+/// @return exit status: 0, or 1 after an error.
+template <typename Node>
+int runNode(int argc, char** argv, const char* name) {
+  ros::init(argc, argv, name);
+  try {
+    Node node((ros::NodeHandle()), ros::NodeHandle("~"));
+    node.run();
+    return 0;
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+}
+
+}  // namespace crowd

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace crowd {
+
+/// @brief A node's services. They run in threads of their own, so that one that waits does not stop the node; what goes
+/// wrong in a handler becomes `success: false` and a message for a person.
+class Services {
+ public:
+  Services(const ros::NodeHandle& private_node, unsigned threads) : node_(private_node), spinner_(threads, &queue_) {
+    node_.setCallbackQueue(&queue_);
+  }
+  ~Services() { stop(); }
+  Services(const Services&) = delete;
+  Services& operator=(const Services&) = delete;
+
+  /// @brief Advertises a service whose response has `success` and `message`.
+  /// @param handler fills the response, or throws; success is set for it.
+  template <typename Service>
+  void serve(const std::string& name,
+             std::function<void(const typename Service::Request&, typename Service::Response&)> handler) {
+    using Request = typename Service::Request;
+    using Response = typename Service::Response;
+    const boost::function<bool(Request&, Response&)> answer = [handler](Request& request, Response& response) {
+      try {
+        response.success = true;
+        handler(request, response);
+      } catch (const std::exception& error) {
+        response.success = false;
+        response.message = error.what();
+      }
+      return true;
+    };
+    servers_.push_back(node_.advertiseService<Request, Response>(name, answer));
+  }
+
+  /// @brief From now on requests are answered.
+  void start() { spinner_.start(); }
+
+  /// @brief Ends the services; handlers under way come to their end first.
+  void stop() {
+    for (ros::ServiceServer& server : servers_) server.shutdown();
+    spinner_.stop();
+  }
+
+ private:
+  ros::NodeHandle node_;
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_;
+  std::vector<ros::ServiceServer> servers_;
+};
+
+}  // namespace crowd

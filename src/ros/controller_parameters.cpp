@@ -1,0 +1,57 @@
+#include "social_crowd/ros/controller_parameters.h"
+
+#include <filesystem>
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+constexpr double MAX_PACE = 1e6;
+constexpr double MAX_DEADLINE = 3600.0;  // [s]
+constexpr double MAX_VISION = 1e3;       // [m]
+constexpr std::int64_t MAX_WHOLE = INT32_MAX;
+constexpr const char* FAST = "fast";
+
+double readPace(Parameters& parameters, double otherwise) {
+  const std::string text = parameters.text("pace", toText(otherwise));
+  if (text == FAST) return 0.0;
+  const std::optional<double> factor = toNumber(text);
+  if (factor && *factor >= 0.0 && *factor <= MAX_PACE) return *factor;
+  parameters.complain("pace", "expected 'fast' or a factor of real time from 0 (fast) to 1e6, got '" + text + "'");
+  return otherwise;
+}
+
+}  // namespace
+
+ControllerParameters readControllerParameters(const ros::NodeHandle& private_node) {
+  Parameters parameters(private_node);
+  ControllerParameters read;
+  read.scenario = parameters.text("scenario", "");
+  if (read.scenario.empty()) parameters.complain("scenario", "expected a scenario file or name, got nothing");
+  read.scenario_folder = parameters.text("scenario_folder", "");
+  read.seed = static_cast<std::uint64_t>(parameters.whole("seed", static_cast<std::int64_t>(read.seed), 0, MAX_WHOLE));
+  read.episodes = static_cast<std::uint64_t>(parameters.whole("episodes", 0, 0, MAX_WHOLE));
+  read.pace = readPace(parameters, read.pace);
+  read.paused = parameters.flag("paused", read.paused);
+  read.start_deadline = parameters.number("start_deadline", read.start_deadline, 0.0, MAX_DEADLINE);
+  read.answer_deadline = parameters.number("answer_deadline", read.answer_deadline, 1e-3, MAX_DEADLINE);
+  read.misses_until_absent =
+      static_cast<int>(parameters.whole("misses_until_absent", read.misses_until_absent, 1, MAX_WHOLE));
+  read.vision.radius = parameters.number("vision_radius", read.vision.radius, 0.0, MAX_VISION);
+  read.vision.max_bodies =
+      static_cast<std::uint32_t>(parameters.whole("max_bodies", read.vision.max_bodies, 0, MAX_WHOLE));
+  read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
+  read.publish_clock = parameters.flag("publish_clock", read.publish_clock);
+  read.trajectories = parameters.text("trajectories", "");
+  parameters.finish();
+  return read;
+}
+
+std::string findScenario(const std::string& name_or_file, const std::string& folder) {
+  const std::filesystem::path path(name_or_file);
+  const bool is_name = !folder.empty() && !path.has_parent_path() && !path.has_extension();
+  return is_name ? (std::filesystem::path(folder) / (name_or_file + ".yaml")).string() : name_or_file;
+}
+
+}  // namespace crowd

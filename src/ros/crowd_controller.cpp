@@ -1,0 +1,215 @@
+#include "social_crowd/ros/crowd_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "social_crowd/common/files.h"
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/names.h"
+#include "social_crowd/world/scenario_reader.h"
+
+namespace crowd {
+namespace {
+
+constexpr unsigned SERVICE_THREADS = 3;
+constexpr std::uint32_t QUEUE = 1000;         // messages; many learners may answer at once
+const ros::WallDuration IDLE(0.1);            // between two looks whether ROS still runs
+const ros::WallDuration WARNING_PERIOD(5.0);  // of the warning that nobody answers
+const ros::WallDuration FLUSH(0.25);          // for the last messages to leave the process
+constexpr double MAX_LAG = 0.5;               // [s] behind real time that are made up for
+
+std::string listOf(const std::vector<AgentId>& agents) {
+  constexpr std::size_t MOST = 10;
+  std::string text;
+  for (std::size_t i = 0; i < agents.size() && i < MOST; ++i) text += (i > 0 ? ", " : "") + std::to_string(agents[i]);
+  return agents.size() > MOST ? text + " and " + std::to_string(agents.size() - MOST) + " more" : text;
+}
+
+}  // namespace
+
+CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : parameters_(readControllerParameters(private_node)),
+      node_(node),
+      broadcaster_(node, parameters_),
+      seed_(parameters_.seed),
+      lockstep_(parameters_.misses_until_absent),
+      paused_(parameters_.paused),
+      services_(private_node, SERVICE_THREADS) {
+  const std::string file = findScenario(parameters_.scenario, parameters_.scenario_folder);
+  useScenarios(readScenarios(file), file);
+  node_.setCallbackQueue(&loop_.queue());
+  actions_ =
+      node_.subscribe(names::ACTIONS, QUEUE, &CrowdController::takeActions, this, ros::TransportHints().tcpNoDelay());
+  advertiseServices();
+}
+
+void CrowdController::takeActions(const social_crowd::RelativeActions::ConstPtr& message) {
+  RelativeActions actions;
+  fromMessage(*message, actions);
+  lockstep_.take(actions);
+}
+
+void CrowdController::run() {
+  services_.start();
+  while (ros::ok() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
+    waitWhilePaused();
+    if (ros::ok()) walkTick();
+  }
+  finishSteps();
+  linger();
+}
+
+void CrowdController::linger() {
+  if (figures_.episodes() > 1) {
+    ROS_INFO("%lu episodes: success %.2f %%, contact %.2f %%, clean %.1f %%, path ratio %.3f, time ratio %.3f",
+             static_cast<unsigned long>(figures_.episodes()), figures_.successPercent(), figures_.contactPercent(),
+             figures_.cleanPercent(), figures_.pathRatio(), figures_.timeRatio());
+  }
+  // ROS does not tell when a message has left the process.
+  serveUntil(Clock::now() + FLUSH);
+}
+
+void CrowdController::useScenarios(ScenarioList scenarios, const std::string& file) {
+  scenarios.scene(seed_, 0);  // throws where it cannot be laid out, before anything is replaced
+  scenarios_ = std::move(scenarios);
+  scenario_name_ = stemOf(file);
+  restart();
+}
+
+void CrowdController::restart() {
+  instance_ = 0;
+  if (!parameters_.trajectories.empty()) trajectory_file_.emplace(parameters_.trajectories, scenario_name_);
+  beginEpisode();
+}
+
+void CrowdController::beginEpisode() {
+  cut_off_ = true;
+  episode_ = std::make_unique<Episode>(scenarios_.scene(seed_, instance_), next_episode_++, parameters_.vision);
+  lockstep_.resetCounts();
+  trajectory_.clear();
+  if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
+  next_tick_ = Clock::now();
+  broadcaster_.advanceClock(episode_->scene().tick_duration);
+  broadcaster_.publishScenario(*episode_, instance_);
+  broadcaster_.publishAgents(*episode_);
+}
+
+void CrowdController::endEpisode() {
+  broadcaster_.publishPerceptions(*episode_);  // the last ones: learners learn from them and do not answer
+  broadcaster_.publishResult(*episode_, instance_, lockstep_.missedCount(), lockstep_.droppedCount());
+  const EpisodeResult result = episode_->result();
+  figures_.add(result);
+  logResult(result);
+  if (trajectory_file_) trajectory_file_->append(trajectory_);
+  ++instance_;
+  if (++ended_episodes_ != parameters_.episodes) beginEpisode();
+}
+
+void CrowdController::logResult(const EpisodeResult& result) {
+  Figures figures;
+  figures.add(result);
+  ROS_INFO(
+      "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, path ratio %.3f, "
+      "time ratio %.3f, %lu answers missed, %lu dropped",
+      static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), static_cast<unsigned long>(instance_),
+      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agents.size(), result.touchedCount(),
+      figures.pathRatio(), figures.timeRatio(), static_cast<unsigned long>(lockstep_.missedCount()),
+      static_cast<unsigned long>(lockstep_.droppedCount()));
+}
+
+void CrowdController::waitWhilePaused() {
+  while (ros::ok() && !mayWalk()) {
+    loop_.run(IDLE);
+    next_tick_ = Clock::now();
+  }
+}
+
+void CrowdController::walkTick() {
+  cut_off_ = false;
+  std::vector<AgentId> asked;
+  for (const AgentPerception& self : episode_->perceptions().agents) {
+    if (!self.arrived) asked.push_back(self.agent);
+  }
+  lockstep_.open(episode_->number(), episode_->perceptions().tick, asked);
+  broadcaster_.publishPerceptions(*episode_);
+  awaitAnswers();
+  if (cut_off_ || !ros::ok()) return;  // another episode has begun
+  lockstep_.close();
+  episode_->step(lockstep_.answers());
+  broadcaster_.advanceClock(episode_->scene().tick_duration);
+  broadcaster_.publishAgents(*episode_);
+  if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
+  keepPace();
+  if (!cut_off_ && episode_->isOver()) endEpisode();
+  noteStep();
+}
+
+void CrowdController::awaitAnswers() {
+  const Clock since = Clock::now();
+  if (lockstep_.isDeserted()) return awaitSomebody(since);
+  const Clock deadline = since + ros::WallDuration(parameters_.answer_deadline);
+  while (ros::ok() && !cut_off_ && !lockstep_.isComplete()) {
+    const Clock now = Clock::now();
+    if (now >= deadline) {
+      if (!lockstep_.awaitsNewcomer()) return;
+      return awaitNewcomers(since);
+    }
+    loop_.run(std::min(IDLE, deadline - now));
+  }
+}
+
+void CrowdController::awaitNewcomers(const Clock& since) {
+  const Clock deadline = since + ros::WallDuration(parameters_.start_deadline);
+  while (ros::ok() && !cut_off_ && lockstep_.awaitsNewcomer()) {
+    warnOfSilence(since);
+    if (Clock::now() >= deadline) return lockstep_.giveUpOnNewcomers();
+    loop_.run(std::min(IDLE, deadline - Clock::now()));
+  }
+}
+
+void CrowdController::awaitSomebody(const Clock& since) {
+  // With nobody left to wait for, a tick lasts as long as in real time: the episode neither hangs nor rushes by.
+  const double seconds = std::min(parameters_.answer_deadline, episode_->scene().tick_duration);
+  const Clock deadline = since + ros::WallDuration(seconds);
+  while (ros::ok() && !cut_off_ && lockstep_.isDeserted() && Clock::now() < deadline) {
+    warnOfSilence(since);
+    loop_.run(std::min(IDLE, deadline - Clock::now()));
+  }
+}
+
+void CrowdController::warnOfSilence(const Clock& since) {
+  const Clock now = Clock::now();
+  if (now - last_warning_ < WARNING_PERIOD) return;
+  last_warning_ = now;
+  const char* const hint = actions_.getNumPublishers() == 0 ? "no learner is there (nobody publishes on '%s')"
+                                                            : "their learners on '%s' are silent";
+  char reason[256];
+  std::snprintf(reason, sizeof reason, hint, actions_.getTopic().c_str());
+  ROS_WARN("nobody answers for agent %s since %.1f s: %s; without an answer they stay where they are",
+           listOf(lockstep_.missing()).c_str(), (now - since).toSec(), reason);
+}
+
+void CrowdController::serveUntil(const Clock& until) {
+  do {
+    loop_.run(std::max(ros::WallDuration(0.0), std::min(IDLE, until - Clock::now())));
+  } while (ros::ok() && !cut_off_ && Clock::now() < until);
+}
+
+void CrowdController::keepPace() {
+  if (parameters_.pace <= 0.0) return;
+  next_tick_ += ros::WallDuration(episode_->scene().tick_duration / parameters_.pace);
+  if ((Clock::now() - next_tick_).toSec() > MAX_LAG) next_tick_ = Clock::now();
+  if (Clock::now() < next_tick_) serveUntil(next_tick_);
+}
+
+void CrowdController::noteStep() {
+  if (pending_steps_ != nullptr && --pending_steps_->left == 0) finishSteps();
+}
+
+void CrowdController::finishSteps() {
+  if (pending_steps_ == nullptr) return;
+  pending_steps_->done.set_value();
+  pending_steps_.reset();
+}
+
+}  // namespace crowd

@@ -1,0 +1,117 @@
+// The services of the crowd controller. Handlers run in service threads; what touches the world is asked of the main
+// loop.
+
+#include <social_crowd/LoadScenario.h>
+#include <social_crowd/RemoveAgent.h>
+#include <social_crowd/RemoveObstacle.h>
+#include <social_crowd/Reset.h>
+#include <social_crowd/SetGoal.h>
+#include <social_crowd/SpawnAgent.h>
+#include <social_crowd/SpawnObstacle.h>
+#include <social_crowd/Step.h>
+#include <std_srvs/SetBool.h>
+
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/crowd_controller.h"
+#include "social_crowd/ros/names.h"
+#include "social_crowd/world/scenario_reader.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::chrono::milliseconds PATIENCE(100);
+
+}  // namespace
+
+std::string CrowdController::place() const {
+  return "episode " + std::to_string(episode_->number()) + ", tick " + std::to_string(episode_->world().tick());
+}
+
+void CrowdController::pause(bool paused) {
+  paused_ = paused;
+  if (!paused) finishSteps();
+}
+
+std::future<void> CrowdController::beginSteps(std::uint32_t ticks) {
+  if (!paused_) throw InputError("the crowd is walking: pause it first");
+  if (pending_steps_ != nullptr) throw InputError("the last steps are still under way");
+  pending_steps_ = std::make_unique<PendingSteps>();
+  pending_steps_->left = ticks;
+  return pending_steps_->done.get_future();
+}
+
+void CrowdController::advertiseServices() {
+  services_.serve<std_srvs::SetBool>(names::PAUSE, [this](const auto& request, auto& response) {
+    response.message = loop_.ask<std::string>([&] {
+      pause(request.data != 0);
+      return (request.data != 0 ? "paused at " : "walking from ") + place();
+    });
+  });
+  services_.serve<social_crowd::Step>(names::STEP, [this](const auto& request, auto& response) {
+    if (request.ticks == 0) throw InputError("ticks: expected at least 1, got 0");
+    const std::future<void> done = loop_.ask<std::future<void>>([&] { return beginSteps(request.ticks); });
+    while (done.wait_for(PATIENCE) != std::future_status::ready) {
+      if (!ros::ok()) throw Error("the node is shutting down");
+    }
+    loop_.ask<void>([&] {
+      response.episode = episode_->number();
+      response.tick = episode_->world().tick();
+      response.message = "now at " + place();
+    });
+  });
+  services_.serve<social_crowd::Reset>(names::RESET, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      if (request.keep_seed == 0) seed_ = request.seed;
+      restart();
+      response.message = "began " + scenario_name_ + " anew, seed " + std::to_string(seed_) + ": " + place();
+    });
+  });
+  services_.serve<social_crowd::LoadScenario>(names::LOAD_SCENARIO, [this](const auto& request, auto& response) {
+    const std::string file = findScenario(request.scenario, parameters_.scenario_folder);
+    ScenarioList scenarios = readScenarios(file);  // parsed and checked before anything is replaced
+    response.documents = static_cast<std::uint32_t>(scenarios.size());
+    loop_.ask<void>([&] {
+      useScenarios(std::move(scenarios), file);
+      response.message = "loaded " + file + ": " + place();
+    });
+  });
+  services_.serve<social_crowd::SpawnAgent>(names::SPAWN_AGENT, [this](const auto& request, auto& response) {
+    AgentStart start;
+    start.position = {request.pose.x, request.pose.y};
+    start.heading = request.pose.theta;
+    start.goals = {fromPoint(request.goal)};
+    start.speed = request.speed;
+    start.radius = request.radius;
+    loop_.ask<void>([&] {
+      response.agent = episode_->spawnAgent(start);
+      response.message = "agent " + std::to_string(response.agent) + " came at " + place();
+    });
+  });
+  services_.serve<social_crowd::RemoveAgent>(names::REMOVE_AGENT, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->removeAgent(request.agent);
+      response.message = "agent " + std::to_string(request.agent) + " left at " + place();
+    });
+  });
+  services_.serve<social_crowd::SetGoal>(names::SET_GOAL, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->setGoal(request.agent, fromPoint(request.goal));
+      response.message = "agent " + std::to_string(request.agent) + " has another goal since " + place();
+    });
+  });
+  services_.serve<social_crowd::SpawnObstacle>(names::SPAWN_OBSTACLE, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      response.obstacle = static_cast<std::uint32_t>(
+          episode_->spawnObstacle(fromPoint(request.position), fromVector3(request.velocity), request.radius));
+      response.message = "obstacle " + std::to_string(response.obstacle) + " came at " + place();
+    });
+  });
+  services_.serve<social_crowd::RemoveObstacle>(names::REMOVE_OBSTACLE, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->removeObstacle(request.obstacle);
+      response.message = "obstacle " + std::to_string(request.obstacle) + " left at " + place();
+    });
+  });
+}
+
+}  // namespace crowd

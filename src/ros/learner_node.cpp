@@ -1,0 +1,198 @@
+#include "social_crowd/ros/learner_node.h"
+
+#include <social_crowd/LoadQTable.h>
+#include <social_crowd/RelativeActions.h>
+#include <social_crowd/SaveQTable.h>
+#include <social_crowd/SetLearningParameters.h>
+#include <social_crowd/SetMode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/names.h"
+
+namespace crowd {
+namespace {
+
+// Two learners may share with each other at the same time, each waiting for the other to take.
+constexpr unsigned SERVICE_THREADS = 4;
+constexpr std::uint32_t QUEUE = 100;  // messages
+constexpr bool LATCHED = true;
+const ros::WallDuration IDLE(0.1);           // between two looks whether ROS still runs
+const ros::WallDuration STATUS_PERIOD(0.5);  // at most so often because of a new episode
+
+}  // namespace
+
+LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : LearnerNode(node, private_node, readLearnerParameters(private_node)) {}
+
+LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node, LearnerParameters parameters)
+    : node_(node),
+      on_share_(parameters.on_share),
+      save_to_(parameters.save_to),
+      save_every_(parameters.save_every),
+      learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
+      services_(private_node, SERVICE_THREADS) {
+  learner_.setDecisions(parameters.table.decisions);
+  node_.setCallbackQueue(&loop_.queue());
+  actions_publisher_ = node_.advertise<social_crowd::RelativeActions>(names::ACTIONS, QUEUE);
+  status_publisher_ = node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, LATCHED);
+  status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
+  perceptions_subscriber_ = node_.subscribe(names::PERCEPTIONS, QUEUE, &LearnerNode::takePerceptions, this,
+                                            ros::TransportHints().tcpNoDelay());
+  advertiseServices();
+}
+
+void LearnerNode::run() {
+  publishStatus();
+  services_.start();
+  while (ros::ok()) loop_.run(IDLE);
+  services_.stop();
+  if (!save_to_.empty()) saveAll();
+}
+
+void LearnerNode::takePerceptions(const social_crowd::Perceptions::ConstPtr& message) {
+  try {
+    answer(*message);
+  } catch (const Error& error) {
+    ROS_ERROR_THROTTLE(5.0, "perceptions were dropped: %s", error.what());
+  }
+}
+
+void LearnerNode::answer(const social_crowd::Perceptions& message) {
+  const bool new_episode = episodes_ == 0 || message.episode != perceptions_.episode;
+  fromMessage(message, perceptions_);
+  learner_.decide(perceptions_, actions_);
+  if (!actions_.agents.empty()) {
+    const auto reply = boost::make_shared<social_crowd::RelativeActions>();
+    toMessage(actions_, *reply);
+    reply->header.stamp = message.header.stamp;
+    reply->header.frame_id = names::MAP_FRAME;
+    actions_publisher_.publish(reply);
+  }
+  if (new_episode) noteEpisode();
+}
+
+void LearnerNode::noteEpisode() {
+  // Saving every n episodes means after n of them, that is when the next one begins.
+  if (save_every_ > 0 && episodes_ > 0 && episodes_ % save_every_ == 0) {
+    saveAll();
+  }
+  ++episodes_;
+  if (episodes_ == 1 || ros::WallTime::now() - last_status_ >= STATUS_PERIOD) publishStatus();
+}
+
+void LearnerNode::noteStatus(const social_crowd::LearnerStatus::ConstPtr& status) {
+  if (status->node != ros::this_node::getName()) others_[status->node] = *status;
+}
+
+void LearnerNode::publishStatus() {
+  last_status_ = ros::WallTime::now();
+  const AgentId first = firstAgent();
+  social_crowd::LearnerStatus status;
+  status.header.stamp = ros::Time::now();
+  status.header.frame_id = names::MAP_FRAME;
+  status.episode = perceptions_.episode;
+  status.tick = perceptions_.tick;
+  status.node = ros::this_node::getName();
+  status.mode = toText(learner_.mode());
+  status.tables = toText(learner_.tableUse());
+  status.serves_all = learner_.servesAll() ? 1 : 0;
+  status.agents = learner_.servedAgents();
+  status.model = learner_.model().spec();
+  status.rows = learner_.tableOf(first).rows();
+  status.actions = learner_.tableOf(first).actions();
+  status.visited_rows = learner_.tableOf(first).visitedRows();
+  status.decisions = learner_.decisions();
+  status.alpha = learner_.parameters().alpha;
+  status.gamma = learner_.parameters().gamma;
+  status.lambda = learner_.parameters().lambda;
+  status.epsilon = learner_.parameters().epsilon;
+  status_publisher_.publish(status);
+}
+
+TrainedTable LearnerNode::trained(AgentId agent) const {
+  return {learner_.model(), learner_.parameters(), learner_.decisions(), learner_.seed(), learner_.tableOf(agent)};
+}
+
+AgentId LearnerNode::firstAgent() const {
+  const std::vector<AgentId> served = learner_.servedAgents();
+  return served.empty() ? 0 : served.front();
+}
+
+void LearnerNode::saveAll() const {
+  if (learner_.tableUse() == TableUse::SHARED) return saveQTable(save_to_, trained(firstAgent()));
+  const std::filesystem::path path(save_to_);
+  for (const AgentId agent : learner_.servedAgents()) {
+    const std::string name = path.stem().string() + "_agent_" + std::to_string(agent) + path.extension().string();
+    saveQTable((path.parent_path() / name).string(), trained(agent));
+  }
+}
+
+void LearnerNode::requireServed(AgentId agent) const {
+  const std::vector<AgentId> served = learner_.servedAgents();
+  if (std::binary_search(served.begin(), served.end(), agent)) return;
+  throw InputError("agent " + std::to_string(agent) + " is not served by " + ros::this_node::getName());
+}
+
+std::string LearnerNode::parametersText() const {
+  const LearningParameters& parameters = learner_.parameters();
+  return "alpha " + toText(parameters.alpha) + ", gamma " + toText(parameters.gamma) + ", lambda " +
+         toText(parameters.lambda) + ", epsilon " + toText(parameters.epsilon);
+}
+
+void LearnerNode::advertiseServices() {
+  services_.serve<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, [this](const auto& request, auto& response) {
+    if (request.file.empty()) throw InputError("file: expected the name of a file to write, got nothing");
+    const TrainedTable table = loop_.ask<TrainedTable>([&] {
+      const bool shared = learner_.tableUse() == TableUse::SHARED;
+      if (!shared) requireServed(request.agent);
+      return trained(shared ? firstAgent() : request.agent);
+    });
+    saveQTable(request.file, table);  // while the learner goes on
+    response.message = "saved " + std::to_string(table.table.visitedRows()) + " visited rows of " +
+                       std::to_string(table.table.rows()) + " to " + request.file;
+  });
+  services_.serve<social_crowd::LoadQTable>(names::LOAD_Q_TABLE, [this](const auto& request, auto& response) {
+    const TrainedTable table = loadQTable(request.file);  // parsed and checked before anything is replaced
+    loop_.ask<void>([&] {
+      requireFit(learner_.model(), table.model, request.file);
+      learner_.takeTable(table.table, TakeMethod::REPLACE);
+      learner_.setDecisions(table.decisions);
+      publishStatus();
+    });
+    response.message = "loaded " + std::to_string(table.table.visitedRows()) + " visited rows of " +
+                       std::to_string(table.table.rows()) + " from " + request.file;
+  });
+  services_.serve<social_crowd::SetMode>(names::SET_MODE, [this](const auto& request, auto& response) {
+    const Mode mode = parseMode(request.mode);
+    loop_.ask<void>([&] {
+      learner_.setMode(mode);
+      publishStatus();
+    });
+    response.message = "now in " + toText(mode) + " mode";
+  });
+  services_.serve<social_crowd::SetLearningParameters>(
+      names::SET_LEARNING_PARAMETERS, [this](const auto& request, auto& response) {
+        const auto unless_nan = [](double given, double otherwise) { return std::isnan(given) ? otherwise : given; };
+        loop_.ask<void>([&] {
+          LearningParameters parameters = learner_.parameters();
+          parameters.alpha = unless_nan(request.alpha, parameters.alpha);
+          parameters.gamma = unless_nan(request.gamma, parameters.gamma);
+          parameters.lambda = unless_nan(request.lambda, parameters.lambda);
+          parameters.epsilon = unless_nan(request.epsilon, parameters.epsilon);
+          learner_.setParameters(parameters);
+          publishStatus();
+          response.message = parametersText();
+        });
+      });
+  services_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,
+                                             [this](const auto& request, auto& response) { share(request, response); });
+  services_.serve<social_crowd::TakeQTable>(names::TAKE_Q_TABLE,
+                                            [this](const auto& request, auto& response) { take(request, response); });
+}
+
+}  // namespace crowd

@@ -1,0 +1,109 @@
+#include "social_crowd/ros/learner_parameters.h"
+
+#include <cmath>
+
+#include "social_crowd/simulation/recipe.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::int64_t MAX_WHOLE = INT32_MAX;
+
+/// A parameter that is one of a few names.
+template <typename Named>
+Named readNamed(Parameters& parameters, const std::string& name, Named otherwise, Named (*parse)(const std::string&)) {
+  try {
+    return parse(parameters.text(name, toText(otherwise)));
+  } catch (const InputError& error) {
+    parameters.complain(name, error.what());
+    return otherwise;
+  }
+}
+
+/// Reads a file that a parameter names; nothing where it is not set or cannot be read (then noted).
+template <typename Content>
+std::optional<Content> readFileOf(Parameters& parameters, const std::string& name,
+                                  Content (*read)(const std::string&)) {
+  const std::string file = parameters.text(name, "");
+  if (file.empty()) return std::nullopt;
+  try {
+    return read(file);
+  } catch (const Error& error) {
+    parameters.complain(name, error.what());
+    return std::nullopt;
+  }
+}
+
+void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
+  LearningParameters& read = plan.parameters;
+  const auto override_with = [&](const char* name, double& value) {
+    value = parameters.number(name, value, -HUGE_VAL, HUGE_VAL);
+  };
+  override_with("alpha", read.alpha);
+  override_with("gamma", read.gamma);
+  override_with("lambda", read.lambda);
+  override_with("epsilon", read.epsilon);
+  if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(read.epsilon);
+  const std::string problems = read.problems();
+  if (!problems.empty()) parameters.complain("alpha, ~gamma, ~lambda, ~epsilon", problems);
+}
+
+void readAgents(Parameters& parameters, std::set<AgentId>& agents) {
+  for (const std::int64_t agent : parameters.wholes("agents")) {
+    const bool added = agents.insert(static_cast<AgentId>(agent)).second;
+    if (!added) parameters.complain("agents", "agent " + std::to_string(agent) + " stands there twice");
+  }
+}
+
+/// Model and table come from a table, a configuration, or both.
+void checkSources(Parameters& parameters, const std::optional<Recipe>& recipe, const std::optional<TrainedTable>& table,
+                  Mode mode) {
+  const bool tried_table = !parameters.text("q_table", "").empty();
+  const bool tried_config = !parameters.text("config", "").empty();
+  if (mode == Mode::DEMO && !tried_table) {
+    parameters.complain("q_table", "expected a Q-table file in demo mode, got nothing");
+  }
+  if (mode == Mode::TRAINING && !tried_table && !tried_config) {
+    parameters.complain("config", "expected a learning configuration or ~q_table in training mode, got neither");
+  }
+  if (!recipe || !table) return;
+  try {
+    requireFit(recipe->model, table->model, parameters.text("q_table", ""));
+  } catch (const ShapeError& error) {
+    parameters.complain("q_table", error.what());
+  }
+}
+
+}  // namespace
+
+LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
+  Parameters parameters(private_node);
+  Learner::Options options;
+  options.mode = readNamed(parameters, "mode", options.mode, parseMode);
+  options.tables = readNamed(parameters, "tables", options.tables, parseTableUse);
+  const TakeMethod on_share = readNamed(parameters, "on_share", TakeMethod::REPLACE, parseTakeMethod);
+  readAgents(parameters, options.agents);
+  const auto recipe = readFileOf(parameters, "config", readRecipe);
+  const auto table = readFileOf(parameters, "q_table", loadQTable);
+  checkSources(parameters, recipe, table, options.mode);
+  if (table) options.plan = {table->parameters, EpsilonSchedule::constant(table->parameters.epsilon)};
+  if (recipe) options.plan = recipe->learning;
+  readLearningParameters(parameters, options.plan);
+  const std::uint64_t seed = recipe ? recipe->training.seed : 1;
+  options.seed = static_cast<std::uint64_t>(parameters.whole("seed", static_cast<std::int64_t>(seed), 0, MAX_WHOLE));
+  const std::string save_to = parameters.text("save_to", "");
+  const auto save_every = static_cast<std::uint64_t>(parameters.whole("save_every", 0, 0, MAX_WHOLE));
+  if (save_every > 0 && save_to.empty()) parameters.complain("save_every", "needs ~save_to, the file to write");
+  parameters.finish();
+
+  const Model model = recipe ? recipe->model : table->model;
+  const std::uint64_t decisions = table ? table->decisions : 0;
+  QTable values = table ? table->table : QTable(model.state_set->rowCount(), model.action_set->size());
+  return {options,
+          {model, options.plan.parameters, decisions, options.seed, std::move(values)},
+          on_share,
+          save_to,
+          save_every};
+}
+
+}  // namespace crowd

@@ -1,0 +1,136 @@
+#include "social_crowd/ros/marker_drawings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "social_crowd/ros/conversions.h"
+
+namespace crowd {
+namespace {
+
+using marker_style::Layer;
+using social_crowd::AgentState;
+using social_crowd::AgentStates;
+using visualization_msgs::Marker;
+
+/// RViz works with single precision; what is farther away is a damaged message [m].
+constexpr double FARTHEST = 1e6;
+
+bool isDrawable(double number) { return std::abs(number) <= FARTHEST; }  // NaN is not
+bool isDrawable(const geometry_msgs::Point& point) { return isDrawable(point.x) && isDrawable(point.y); }
+
+Pose poseOf(const AgentState& agent) { return {{agent.pose.x, agent.pose.y}, agent.pose.theta}; }
+
+std::vector<Vector2> circleFor(std::size_t bodies) { return unitCircle(marker_style::cornersFor(bodies)); }
+
+}  // namespace
+
+bool isOnFloor(const AgentState& agent) {
+  return agent.status == AgentState::WALKING && isDrawable(agent.pose.x) && isDrawable(agent.pose.y) &&
+         isDrawable(agent.pose.theta) && isDrawable(agent.radius);
+}
+
+Marker drawBodies(const AgentStates& states) {
+  TriangleMarker marker(marker_style::BODIES, 0, Layer::BODIES);
+  const std::vector<Vector2> circle = circleFor(states.agents.size());
+  for (const AgentState& agent : states.agents) {
+    if (!isOnFloor(agent)) continue;
+    marker.addDisc(poseOf(agent).position, agent.radius, circle, marker_style::ofAgent(agent.agent));
+  }
+  return marker.finish();
+}
+
+Marker drawContacts(const AgentStates& states) {
+  LineMarker marker(marker_style::BODIES, 1, Layer::CONTACTS, marker_style::CONTACT_WIDTH);
+  const std::vector<Vector2> circle = circleFor(states.agents.size());
+  for (const AgentState& agent : states.agents) {
+    if (!isOnFloor(agent) || agent.in_contact == 0) continue;
+    marker.addCircle(poseOf(agent).position, agent.radius, circle, marker_style::ofContact());
+  }
+  return marker.finish();
+}
+
+Marker drawHeadings(const AgentStates& states) {
+  TriangleMarker marker(marker_style::HEADINGS, 0, Layer::HEADINGS);
+  for (const AgentState& agent : states.agents) {
+    if (isOnFloor(agent)) marker.addArrow(poseOf(agent), agent.radius, marker_style::ofHeading());
+  }
+  return marker.finish();
+}
+
+Marker drawGoals(const AgentStates& states) {
+  LineMarker marker(marker_style::GOALS, 0, Layer::GOALS, marker_style::GOAL_WIDTH);
+  for (const AgentState& agent : states.agents) {
+    if (agent.status == AgentState::REMOVED || !isDrawable(agent.goal)) continue;
+    marker.addCross(fromPoint(agent.goal), marker_style::GOAL_SIZE, marker_style::ofAgent(agent.agent));
+  }
+  return marker.finish();
+}
+
+Marker drawObstacles(const AgentStates& states) {
+  TriangleMarker marker(marker_style::OBSTACLES, 0, Layer::OBSTACLES);
+  const std::vector<Vector2> circle = circleFor(states.obstacles.size());
+  for (const social_crowd::ObstacleState& obstacle : states.obstacles) {
+    if (!isDrawable(obstacle.position) || !isDrawable(obstacle.radius)) continue;
+    marker.addDisc(fromPoint(obstacle.position), obstacle.radius, circle, marker_style::ofObstacle());
+  }
+  return marker.finish();
+}
+
+Marker drawWalls(const std::vector<social_crowd::Wall>& walls) {
+  LineMarker marker(marker_style::WALLS, 0, Layer::WALLS, marker_style::WALL_WIDTH);
+  for (const social_crowd::Wall& wall : walls) {
+    if (!isDrawable(wall.from) || !isDrawable(wall.to)) continue;
+    marker.addLine(fromPoint(wall.from), fromPoint(wall.to), marker_style::ofWall());
+  }
+  return marker.finish();
+}
+
+Marker drawSettledPaths(const WalkedPaths& paths) {
+  LineMarker marker(marker_style::PATHS, 0, Layer::PATHS, marker_style::PATH_WIDTH);
+  for (const auto& [agent, path] : paths.paths()) {
+    const auto colour = marker_style::ofPath(agent);
+    for (std::size_t i = 1; i < path.settled; ++i) marker.addLine(path.points[i - 1], path.points[i], colour);
+  }
+  return marker.finish();
+}
+
+Marker drawRecentPaths(const WalkedPaths& paths) {
+  LineMarker marker(marker_style::PATHS, 1, Layer::PATHS, marker_style::PATH_WIDTH);
+  for (const auto& [agent, path] : paths.paths()) {
+    const auto colour = marker_style::ofPath(agent);
+    for (std::size_t i = std::max<std::size_t>(path.settled, 1); i < path.points.size(); ++i) {
+      marker.addLine(path.points[i - 1], path.points[i], colour);
+    }
+    if (path.tip != path.points.back()) marker.addLine(path.points.back(), path.tip, colour);
+  }
+  return marker.finish();
+}
+
+RadiiDrawing::RadiiDrawing(std::size_t agents)
+    : marker_(marker_style::RADII, 0, Layer::RADII, marker_style::RADIUS_WIDTH),
+      circle_(unitCircle(2 * marker_style::cornersFor(agents))) {}
+
+void RadiiDrawing::add(const AgentState& agent, const std::vector<double>& limits) {
+  if (!isOnFloor(agent)) return;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (!isDrawable(limits[i])) continue;
+    const int distance_class = static_cast<int>(i) + 1;
+    marker_.addCircle(poseOf(agent).position, limits[i], circle_, marker_style::ofRadius(distance_class));
+  }
+}
+
+Marker drawSectors(const Pose& pose, const std::vector<OccupiedSector>& sectors, const std::vector<double>& limits) {
+  TriangleMarker marker(marker_style::SECTORS, 0, Layer::SECTORS);
+  const bool fine = isDrawable(pose.position.x()) && isDrawable(pose.position.y()) && isDrawable(pose.heading);
+  for (const OccupiedSector& sector : sectors) {
+    const auto index = static_cast<std::size_t>(sector.distance_class) - 1;  // 0, no class, becomes the largest
+    if (!fine || index >= limits.size() || !isDrawable(limits[index])) continue;
+    const double inner = index == 0 ? 0.0 : limits[index - 1];
+    marker.addRingPart(pose.position, inner, limits[index], pose.heading + sector.from, pose.heading + sector.to,
+                       marker_style::ofSector(sector.distance_class));
+  }
+  return marker.finish();
+}
+
+}  // namespace crowd

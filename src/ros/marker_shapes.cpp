@@ -1,0 +1,109 @@
+#include "social_crowd/ros/marker_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/names.h"
+
+namespace crowd {
+namespace {
+
+/// A curve is drawn with straight pieces that turn by at most so much [rad].
+constexpr double MAX_TURN = PI / 24.0;
+
+}  // namespace
+
+ListMarker::ListMarker(const char* kind, int id, marker_style::Layer layer, int type) {
+  marker_.header.frame_id = names::MAP_FRAME;  // the stamp stays 0: to be drawn whatever the time is
+  marker_.ns = kind;
+  marker_.id = id;
+  marker_.type = type;
+  marker_.action = visualization_msgs::Marker::ADD;
+  marker_.pose.position.z = static_cast<int>(layer) * marker_style::LAYER_HEIGHT;
+  marker_.pose.orientation.w = 1.0;
+  marker_.color.a = 1.0F;
+}
+
+void ListMarker::addPoint(const Vector2& position, const Colour& colour) {
+  marker_.points.push_back(toPoint(position));
+  marker_.colors.push_back(colour);
+}
+
+visualization_msgs::Marker ListMarker::finish() {
+  if (marker_.points.empty()) marker_.action = visualization_msgs::Marker::DELETE;
+  return std::move(marker_);
+}
+
+std::vector<Vector2> unitCircle(std::size_t corners) {
+  std::vector<Vector2> circle;
+  for (std::size_t i = 0; i < corners; ++i) {
+    circle.push_back(unitVector(2.0 * PI * static_cast<double>(i) / static_cast<double>(corners)));
+  }
+  return circle;
+}
+
+TriangleMarker::TriangleMarker(const char* kind, int id, marker_style::Layer layer)
+    : ListMarker(kind, id, layer, visualization_msgs::Marker::TRIANGLE_LIST) {
+  marker_.scale.x = marker_.scale.y = marker_.scale.z = 1.0;
+}
+
+void TriangleMarker::addTriangle(const Vector2& a, const Vector2& b, const Vector2& c, const Colour& colour) {
+  for (const Vector2* corner : {&a, &b, &c}) addPoint(*corner, colour);
+}
+
+void TriangleMarker::addDisc(const Vector2& centre, double radius, const std::vector<Vector2>& circle,
+                             const Colour& colour) {
+  const auto corner = [&](std::size_t i) -> Vector2 { return centre + radius * circle[i]; };
+  for (std::size_t i = 2; i < circle.size(); ++i) addTriangle(corner(0), corner(i - 1), corner(i), colour);
+}
+
+void TriangleMarker::addArrow(const Pose& pose, double radius, const Colour& colour) {
+  using namespace marker_style;  // NOLINT(google-build-using-namespace): the sizes of the arrow
+  const Rotation frame(pose.heading);
+  const auto corner = [&](double ahead, double left) -> Vector2 {
+    return pose.position + frame.outOfFrame(radius * Vector2(ahead, left));
+  };
+  const Vector2 tip = corner(ARROW_TIP, 0.0);
+  const Vector2 notch = corner(ARROW_NOTCH, 0.0);
+  addTriangle(tip, corner(ARROW_BACK, ARROW_HALF_WIDTH), notch, colour);
+  addTriangle(tip, notch, corner(ARROW_BACK, -ARROW_HALF_WIDTH), colour);
+}
+
+void TriangleMarker::addRingPart(const Vector2& centre, double inner, double outer, double from, double to,
+                                 const Colour& colour) {
+  const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / MAX_TURN)));
+  Vector2 last = unitVector(from);
+  for (int i = 1; i <= pieces; ++i) {
+    const Vector2 next = unitVector(from + (to - from) * i / pieces);
+    addTriangle(centre + inner * last, centre + outer * last, centre + outer * next, colour);
+    if (inner > 0.0) addTriangle(centre + inner * last, centre + outer * next, centre + inner * next, colour);
+    last = next;
+  }
+}
+
+LineMarker::LineMarker(const char* kind, int id, marker_style::Layer layer, double width)
+    : ListMarker(kind, id, layer, visualization_msgs::Marker::LINE_LIST) {
+  marker_.scale.x = width;
+}
+
+void LineMarker::addLine(const Vector2& from, const Vector2& to, const Colour& colour) {
+  addPoint(from, colour);
+  addPoint(to, colour);
+}
+
+void LineMarker::addCircle(const Vector2& centre, double radius, const std::vector<Vector2>& circle,
+                           const Colour& colour) {
+  for (std::size_t i = 0; i < circle.size(); ++i) {
+    addLine(centre + radius * circle[i], centre + radius * circle[(i + 1) % circle.size()], colour);
+  }
+}
+
+void LineMarker::addCross(const Vector2& centre, double size, const Colour& colour) {
+  const Vector2 rising = Vector2(1.0, 1.0).normalized() * size;
+  const Vector2 falling(rising.x(), -rising.y());
+  addLine(centre - rising, centre + rising, colour);
+  addLine(centre - falling, centre + falling, colour);
+}
+
+}  // namespace crowd

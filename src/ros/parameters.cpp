@@ -1,0 +1,123 @@
+#include "social_crowd/ros/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+std::string rangeText(double low, double high) {
+  if (std::isinf(high)) return "of at least " + toText(low);
+  return "from " + toText(low) + " to " + toText(high);
+}
+
+std::string textOf(const XmlRpcValue& value) {
+  std::ostringstream stream;
+  value.write(stream);
+  return stream.str();
+}
+
+}  // namespace
+
+XmlRpcValue* Parameters::find(const std::string& name) {
+  asked_.insert(name);
+  return node_.getParam(name, value_) ? &value_ : nullptr;
+}
+
+bool Parameters::isSet(const std::string& name) {
+  asked_.insert(name);
+  return node_.hasParam(name);
+}
+
+void Parameters::complain(const std::string& name, const std::string& what) {
+  problems_.push_back("~" + name + ": " + what);
+}
+
+void Parameters::expect(const std::string& name, const std::string& expected, XmlRpcValue& got) {
+  complain(name, "expected " + expected + ", got " + textOf(got));
+}
+
+std::string Parameters::text(const std::string& name, const std::string& otherwise) {
+  XmlRpcValue* const value = find(name);
+  if (value == nullptr) return otherwise;
+  if (value->getType() == XmlRpcValue::TypeString) return *value;
+  // roslaunch turns what looks like a number into one; a text may well look like a number.
+  if (value->getType() == XmlRpcValue::TypeInt) return std::to_string(static_cast<int>(*value));
+  if (value->getType() == XmlRpcValue::TypeDouble) return toText(static_cast<double>(*value));
+  expect(name, "a text", *value);
+  return otherwise;
+}
+
+bool Parameters::flag(const std::string& name, bool otherwise) {
+  XmlRpcValue* const value = find(name);
+  if (value == nullptr) return otherwise;
+  if (value->getType() == XmlRpcValue::TypeBoolean) return *value;
+  expect(name, "true or false", *value);
+  return otherwise;
+}
+
+double Parameters::number(const std::string& name, double otherwise, double low, double high) {
+  XmlRpcValue* const value = find(name);
+  if (value == nullptr) return otherwise;
+  double number = std::nan("");
+  if (value->getType() == XmlRpcValue::TypeDouble) number = static_cast<double>(*value);
+  if (value->getType() == XmlRpcValue::TypeInt) number = static_cast<int>(*value);
+  if (std::isfinite(number) && number >= low && number <= high) return number;
+  expect(name, "a number " + rangeText(low, high), *value);
+  return otherwise;
+}
+
+std::int64_t Parameters::whole(const std::string& name, std::int64_t otherwise, std::int64_t low, std::int64_t high) {
+  XmlRpcValue* const value = find(name);
+  if (value == nullptr) return otherwise;
+  if (value->getType() == XmlRpcValue::TypeInt) {
+    const std::int64_t number = static_cast<int>(*value);
+    if (number >= low && number <= high) return number;
+  }
+  expect(name, "a whole number from " + std::to_string(low) + " to " + std::to_string(high), *value);
+  return otherwise;
+}
+
+std::vector<std::int64_t> Parameters::wholes(const std::string& name) {
+  XmlRpcValue* const value = find(name);
+  std::vector<std::int64_t> numbers;
+  if (value == nullptr) return numbers;
+  bool fine = value->getType() == XmlRpcValue::TypeArray;
+  for (int i = 0; fine && i < value->size(); ++i) {
+    XmlRpcValue& element = (*value)[i];
+    fine = element.getType() == XmlRpcValue::TypeInt && static_cast<int>(element) >= 0;
+    if (fine) numbers.push_back(static_cast<int>(element));
+  }
+  if (!fine) expect(name, "a list of whole numbers of at least 0, such as [0, 1, 2]", *value);
+  return fine ? numbers : std::vector<std::int64_t>();
+}
+
+void Parameters::noteUnknown() {
+  const std::string prefix = node_.getNamespace() + "/";
+  std::vector<std::string> names;
+  node_.getParamNames(names);
+  for (const std::string& full : names) {
+    if (full.compare(0, prefix.size(), prefix) != 0) continue;
+    const std::string name = full.substr(prefix.size(), full.find('/', prefix.size()) - prefix.size());
+    if (asked_.count(name) > 0) continue;
+    std::string known;
+    for (const std::string& asked : asked_) known += (known.empty() ? "~" : ", ~") + asked;
+    complain(name, "there is no such parameter; there are " + known);
+    asked_.insert(name);
+  }
+}
+
+void Parameters::finish() {
+  noteUnknown();
+  if (problems_.empty()) return;
+  std::string text = "bad parameters of " + node_.getNamespace() + ":";
+  for (const std::string& problem : problems_) text += "\n  " + problem;
+  throw InputError(text);
+}
+
+}  // namespace crowd
