@@ -1,14 +1,14 @@
 #include "social_crowd/common/yaml_reader.h"
 
+#include <yaml-cpp/eventhandler.h>
+
 #include <algorithm>
-#include <array>
-#include <cerrno>
+#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include <sstream>
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 
 namespace crowd {
@@ -83,21 +83,63 @@ bool follows(double value, NumberRule rule) {
   return true;
 }
 
-std::string readWholeFile(const std::string& file) {
-  const auto fail = [&]() -> FileError { return FileError(file + ": " + std::strerror(errno)); };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
-  if (!stream) {
-    throw fail();
+/// Notices a document that begins where the one before it began.
+class ProgressWatch : public YAML::EventHandler {
+ public:
+  bool stands() const { return stands_; }
+  const YAML::Mark& mark() const { return mark_; }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    stands_ = mark.pos == mark_.pos;
+    mark_ = mark;
   }
-  std::string content;
-  std::array<char, 65536> buffer;
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
-    content.append(buffer.data(), count);
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {}
+  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                       YAML::EmitterStyle::value /*style*/) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {}
+  void OnMapEnd() override {}
+
+ private:
+  bool stands_ = false;
+  YAML::Mark mark_ = YAML::Mark::null_mark();
+};
+
+/// Whether every line begins as block maps and lists do: with a word, "- ", a comment or "---" alone.
+bool beginsPlainly(const std::string& text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::size_t first = std::min(text.find_first_not_of(" \r", begin), end);
+    const char head = first < end ? text[first] : '#';
+    const bool word = std::isalnum(static_cast<unsigned char>(head)) != 0 || head == '#';
+    const bool entry = head == '-' && first + 1 < end && text[first + 1] == ' ';
+    if (!word && !entry && text.compare(begin, end - begin, "---") != 0) {
+      return false;
+    }
+    begin = end + 1;
   }
-  if (std::ferror(stream.get()) != 0) {  // a folder can be opened but not read
-    throw fail();
+  return true;
+}
+
+/// yaml-cpp takes a document that begins with a comma for an empty one and never gets past the comma: LoadAll would
+/// fill the memory. Looking costs as much as reading, so a text in which no document can begin so is not looked at.
+void refuseEndlessText(const std::string& text, const std::string& name) {
+  if (beginsPlainly(text)) {
+    return;
   }
-  return content;
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  ProgressWatch watch;
+  while (parser.HandleNextDocument(watch)) {
+    if (watch.stands()) {
+      throw InputError(prefixOf({name, 0, ""}, watch.mark()) + "this is not YAML: a comma out of place");
+    }
+  }
 }
 
 }  // namespace
@@ -257,10 +299,11 @@ void YamlMap::finish() const {
   }
 }
 
-std::vector<YAML::Node> loadYamlStream(const std::string& file) { return parseYamlStream(readWholeFile(file), file); }
+std::vector<YAML::Node> loadYamlStream(const std::string& file) { return parseYamlStream(readFile(file), file); }
 
 std::vector<YAML::Node> parseYamlStream(const std::string& text, const std::string& name) {
   try {
+    refuseEndlessText(text, name);
     return YAML::LoadAll(text);
   } catch (const YAML::Exception& error) {
     throw InputError(prefixOf({name, 0, ""}, error.mark) + "this is not YAML: " + error.msg);

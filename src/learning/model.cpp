@@ -33,14 +33,12 @@ Model readModel(YamlMap& map) {
 
 Model parseModel(const std::string& spec) {
   const YamlPlace place{"model", 0, ""};
-  try {
-    YamlMap map(YAML::Load(spec), place);
-    Model model = readModel(map);
-    map.finish();
-    return model;
-  } catch (const YAML::Exception& error) {
-    throw InputError(std::string("model: not YAML: ") + error.what());
-  }
+  const std::vector<YAML::Node> documents = parseYamlStream(spec, place.file);
+  if (documents.size() != 1) throw InputError("model: expected one YAML document");
+  YamlMap map(documents.front(), place);
+  Model model = readModel(map);
+  map.finish();
+  return model;
 }
 
 }  // namespace crowd

@@ -127,30 +127,26 @@ std::uint64_t readCount(YamlMap& map, const std::string& key, std::int64_t low, 
 }
 
 Header readHeader(LineReader& lines) {
-  const std::string text = readHeaderText(lines);
-  try {
-    YamlMap map(YAML::Load(text), {lines.name(), 0, ""});
-    Header header;
-    header.model = readModel(map);
-    const auto rows = static_cast<std::int64_t>(header.model.state_set->rowCount());
-    const auto actions = static_cast<std::int64_t>(header.model.action_set->size());
-    header.rows = static_cast<Row>(readCount(map, "rows", rows, rows));
-    header.actions = static_cast<Action>(readCount(map, "actions", actions, actions));
-    header.parameters.alpha = map.number("alpha", NumberRule::ANY);
-    header.parameters.gamma = map.number("gamma", NumberRule::ANY);
-    header.parameters.lambda = map.number("lambda", NumberRule::ANY);
-    header.parameters.epsilon = map.number("epsilon", NumberRule::ANY);
-    header.decisions = readCount(map, "decisions", 0, INT64_MAX);
-    header.seed = readCount(map, "seed", 0, INT64_MAX);
-    header.visited_rows = static_cast<Row>(readCount(map, "visited_rows", 0, rows));
-    map.finish();
-    const std::string problems = header.parameters.problems();
-    if (!problems.empty()) throw InputError(lines.name() + ": " + problems);
-    return header;
-  } catch (const YAML::Exception& error) {
-    throw InputError(lines.name() + ": line " + std::to_string(error.mark.line + 1) +
-                     ": the header is not YAML: " + error.msg);
-  }
+  const std::vector<YAML::Node> documents = parseYamlStream(readHeaderText(lines), lines.name());
+  if (documents.size() != 1) throw InputError(lines.name() + ": expected a header of YAML before '---'");
+  YamlMap map(documents.front(), {lines.name(), 0, ""});
+  Header header;
+  header.model = readModel(map);
+  const auto rows = static_cast<std::int64_t>(header.model.state_set->rowCount());
+  const auto actions = static_cast<std::int64_t>(header.model.action_set->size());
+  header.rows = static_cast<Row>(readCount(map, "rows", rows, rows));
+  header.actions = static_cast<Action>(readCount(map, "actions", actions, actions));
+  header.parameters.alpha = map.number("alpha", NumberRule::ANY);
+  header.parameters.gamma = map.number("gamma", NumberRule::ANY);
+  header.parameters.lambda = map.number("lambda", NumberRule::ANY);
+  header.parameters.epsilon = map.number("epsilon", NumberRule::ANY);
+  header.decisions = readCount(map, "decisions", 0, INT64_MAX);
+  header.seed = readCount(map, "seed", 0, INT64_MAX);
+  header.visited_rows = static_cast<Row>(readCount(map, "visited_rows", 0, rows));
+  map.finish();
+  const std::string problems = header.parameters.problems();
+  if (!problems.empty()) throw InputError(lines.name() + ": " + problems);
+  return header;
 }
 
 std::string_view nextWord(std::string_view& rest) {

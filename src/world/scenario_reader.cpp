@@ -198,7 +198,7 @@ Segment readWall(const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsSequence() || node.size() != 2) {
     throwExpected(place, node, "two ends [[x1, y1], [x2, y2]]");
   }
-  const Segment wall{readVector(node[0], place.element(0)), readVector(node[1], place.element(1))};
+  Segment wall{readVector(node[0], place.element(0)), readVector(node[1], place.element(1))};
   if (wall.from == wall.to) {
     throwProblem(place, node, "expected a wall with a length, got twice the same end");
   }

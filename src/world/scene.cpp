@@ -1,6 +1,8 @@
 #include "social_crowd/world/scene.h"
 
-#include <cstdio>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 namespace crowd {
 namespace {
@@ -35,14 +37,15 @@ std::string findOverlapOf(const Scene& scene, std::size_t index) {
 }  // namespace
 
 std::string overlapText(const std::string& first, const std::string& second, double depth) {
-  char text[64];
-  std::snprintf(text, sizeof(text), " overlap by %.3g m", depth);
-  return first + " and " + second + text;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << first << " and " << second << " overlap by " << std::setprecision(3) << depth << " m";
+  return text.str();
 }
 
 std::string findOverlap(const Scene& scene) {
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
-    const std::string overlap = findOverlapOf(scene, i);
+    std::string overlap = findOverlapOf(scene, i);
     if (!overlap.empty()) {
       return overlap;
     }
