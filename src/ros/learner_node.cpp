@@ -38,7 +38,8 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       services_(private_node, SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
   node_.setCallbackQueue(&loop_.queue());
-  actions_publisher_ = node_.advertise<social_crowd::RelativeActions>(names::ACTIONS, QUEUE);
+  // Latched: the first answer may be given before the controller has connected.
+  actions_publisher_ = node_.advertise<social_crowd::RelativeActions>(names::ACTIONS, QUEUE, LATCHED);
   status_publisher_ = node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, LATCHED);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
   perceptions_subscriber_ = node_.subscribe(names::PERCEPTIONS, QUEUE, &LearnerNode::takePerceptions, this,

@@ -93,8 +93,8 @@ int train(const Arguments& arguments) {
   const TrainedTable trained = training.trained();
   saveQTable(arguments.output, trained);
   std::cout << arguments.output << ": " << training.episode() << " episodes, " << trained.decisions << " decisions, "
-            << trained.table.visitedRows() << " of " << trained.table.rows() << " rows visited, "
-            << formatDuration(bar.seconds()) << " min" << (isInterrupted() ? "; interrupted" : "") << std::endl;
+            << trained.table.visitedRows() << " of " << trained.table.rows() << " rows visited, took "
+            << formatDuration(bar.seconds()) << (isInterrupted() ? "; interrupted" : "") << std::endl;
   return isInterrupted() ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
