@@ -25,9 +25,11 @@ std::vector<Vector2> circleFor(std::size_t bodies) { return unitCircle(marker_st
 
 }  // namespace
 
+bool hasPlace(const AgentState& agent) { return isDrawable(agent.pose.x) && isDrawable(agent.pose.y); }
+
 bool isOnFloor(const AgentState& agent) {
-  return agent.status == AgentState::WALKING && isDrawable(agent.pose.x) && isDrawable(agent.pose.y) &&
-         isDrawable(agent.pose.theta) && isDrawable(agent.radius);
+  return agent.status == AgentState::WALKING && hasPlace(agent) && isDrawable(agent.pose.theta) &&
+         isDrawable(agent.radius);
 }
 
 Marker drawBodies(const AgentStates& states) {
@@ -41,11 +43,13 @@ Marker drawBodies(const AgentStates& states) {
 }
 
 Marker drawContacts(const AgentStates& states) {
-  LineMarker marker(marker_style::BODIES, 1, Layer::CONTACTS, marker_style::CONTACT_WIDTH);
+  TriangleMarker marker(marker_style::BODIES, 1, Layer::CONTACTS);
   const std::vector<Vector2> circle = circleFor(states.agents.size());
   for (const AgentState& agent : states.agents) {
     if (!isOnFloor(agent) || agent.in_contact == 0) continue;
-    marker.addCircle(poseOf(agent).position, agent.radius, circle, marker_style::ofContact());
+    const double outer = agent.radius + 0.5 * marker_style::CONTACT_WIDTH;
+    marker.addRing(poseOf(agent).position, outer - marker_style::CONTACT_WIDTH, outer, circle,
+                   marker_style::ofContact());
   }
   return marker.finish();
 }
@@ -89,7 +93,7 @@ Marker drawWalls(const std::vector<social_crowd::Wall>& walls) {
 Marker drawSettledPaths(const WalkedPaths& paths) {
   LineMarker marker(marker_style::PATHS, 0, Layer::PATHS, marker_style::PATH_WIDTH);
   for (const auto& [agent, path] : paths.paths()) {
-    const auto colour = marker_style::ofPath(agent);
+    const auto colour = marker_style::paler(marker_style::ofAgent(agent));
     for (std::size_t i = 1; i < path.settled; ++i) marker.addLine(path.points[i - 1], path.points[i], colour);
   }
   return marker.finish();
@@ -98,7 +102,7 @@ Marker drawSettledPaths(const WalkedPaths& paths) {
 Marker drawRecentPaths(const WalkedPaths& paths) {
   LineMarker marker(marker_style::PATHS, 1, Layer::PATHS, marker_style::PATH_WIDTH);
   for (const auto& [agent, path] : paths.paths()) {
-    const auto colour = marker_style::ofPath(agent);
+    const auto colour = marker_style::paler(marker_style::ofAgent(agent));
     for (std::size_t i = std::max<std::size_t>(path.settled, 1); i < path.points.size(); ++i) {
       marker.addLine(path.points[i - 1], path.points[i], colour);
     }
@@ -111,12 +115,12 @@ RadiiDrawing::RadiiDrawing(std::size_t agents)
     : marker_(marker_style::RADII, 0, Layer::RADII, marker_style::RADIUS_WIDTH),
       circle_(unitCircle(2 * marker_style::cornersFor(agents))) {}
 
-void RadiiDrawing::add(const AgentState& agent, const std::vector<double>& limits) {
+void RadiiDrawing::add(const AgentState& agent, const std::vector<double>& limits, bool faint) {
   if (!isOnFloor(agent)) return;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (!isDrawable(limits[i])) continue;
-    const int distance_class = static_cast<int>(i) + 1;
-    marker_.addCircle(poseOf(agent).position, limits[i], circle_, marker_style::ofRadius(distance_class));
+    const auto colour = marker_style::ofRadius(static_cast<int>(i) + 1);
+    marker_.addCircle(poseOf(agent).position, limits[i], circle_, faint ? marker_style::paler(colour) : colour);
   }
 }
 

@@ -70,16 +70,24 @@ void TriangleMarker::addArrow(const Pose& pose, double radius, const Colour& col
   addTriangle(tip, notch, corner(ARROW_BACK, -ARROW_HALF_WIDTH), colour);
 }
 
+void TriangleMarker::addRingPiece(const Vector2& centre, double inner, double outer, const Vector2& from,
+                                  const Vector2& to, const Colour& colour) {
+  addTriangle(centre + inner * from, centre + outer * from, centre + outer * to, colour);
+  if (inner > 0.0) addTriangle(centre + inner * from, centre + outer * to, centre + inner * to, colour);
+}
+
+void TriangleMarker::addRing(const Vector2& centre, double inner, double outer, const std::vector<Vector2>& circle,
+                             const Colour& colour) {
+  for (std::size_t i = 0; i < circle.size(); ++i) {
+    addRingPiece(centre, inner, outer, circle[i], circle[(i + 1) % circle.size()], colour);
+  }
+}
+
 void TriangleMarker::addRingPart(const Vector2& centre, double inner, double outer, double from, double to,
                                  const Colour& colour) {
   const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / MAX_TURN)));
-  Vector2 last = unitVector(from);
-  for (int i = 1; i <= pieces; ++i) {
-    const Vector2 next = unitVector(from + (to - from) * i / pieces);
-    addTriangle(centre + inner * last, centre + outer * last, centre + outer * next, colour);
-    if (inner > 0.0) addTriangle(centre + inner * last, centre + outer * next, centre + inner * next, colour);
-    last = next;
-  }
+  const auto direction = [&](int i) { return unitVector(from + (to - from) * i / pieces); };
+  for (int i = 0; i < pieces; ++i) addRingPiece(centre, inner, outer, direction(i), direction(i + 1), colour);
 }
 
 LineMarker::LineMarker(const char* kind, int id, marker_style::Layer layer, double width)

@@ -1,18 +1,28 @@
 #include "social_crowd/ros/marker_style.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace crowd::marker_style {
 namespace {
 
 constexpr double GOLDEN_RATIO = 0.61803398874989485;
-constexpr double FIRST_HUE = 0.58;  // of agent 0: blue
-// Hues within so much of red are left to contacts, in shares of the circle.
-constexpr double RED_MARGIN = 0.045;
+constexpr double FIRST_SHADE = 0.69;  // of agent 0: blue
 
-constexpr double SATURATION = 0.72;
-constexpr double PALENESS = 0.35;  // of paths
+/// Hues at even steps along the colours that agents have. Finer where eyes tell more hues apart, so that not every
+/// third agent is some green; red is left to contacts.
+constexpr std::array<double, 9> HUES = {0.05, 0.085, 0.13, 0.29, 0.45, 0.56, 0.64, 0.76, 0.91};
+
+/// Agents with nearly the same hue differ by 5, 8 or 13 (as the golden ratio has it); these tell them apart.
+struct Tone {
+  double saturation;
+  double value;
+};
+constexpr std::array<Tone, 3> TONES = {{{0.75, 0.9}, {0.85, 0.68}, {0.5, 0.8}}};
+constexpr std::uint32_t TONE_RUN = 5;  // agents in a row of the same tone
+
+constexpr double PALENESS = 0.4;  // 0: not at all, 1: white
 
 Colour make(double red, double green, double blue, double alpha = 1.0) {
   Colour colour;
@@ -28,11 +38,6 @@ Colour withAlpha(Colour colour, double alpha) {
   return colour;
 }
 
-Colour towardsWhite(const Colour& colour, double share) {
-  return make(colour.r + (1.0 - colour.r) * share, colour.g + (1.0 - colour.g) * share,
-              colour.b + (1.0 - colour.b) * share);
-}
-
 /// One channel of the colour circle: a trapezoid of the distance from the channel's own hue.
 double channel(double hue, double own_hue) {
   double distance = std::abs(hue - own_hue);
@@ -46,8 +51,15 @@ Colour fromHue(double hue, double saturation, double value) {
   return make(shade(0.0), shade(1.0 / 3.0), shade(2.0 / 3.0));
 }
 
+/// @param share of the way along HUES, from 0 to below 1
+double hueAt(double share) {
+  const double steps = share * static_cast<double>(HUES.size() - 1);
+  const auto before = static_cast<std::size_t>(steps);
+  return HUES[before] + (HUES[before + 1] - HUES[before]) * (steps - static_cast<double>(before));
+}
+
 /// Yellow and green look brighter than blue of the same value; on a light ground they would get lost.
-double valueOf(double hue) { return 0.88 - 0.2 * channel(hue, 1.0 / 3.0); }
+double dim(double hue) { return 1.0 - 0.22 * channel(hue, 1.0 / 3.0); }
 
 }  // namespace
 
@@ -56,16 +68,18 @@ std::size_t cornersFor(std::size_t bodies) {
 }
 
 Colour ofAgent(std::uint32_t agent) {
-  const double turns = FIRST_HUE + GOLDEN_RATIO * agent;
-  const double hue = RED_MARGIN + (turns - std::floor(turns)) * (1.0 - 2.0 * RED_MARGIN);
-  return fromHue(hue, SATURATION, valueOf(hue));
+  const double turns = FIRST_SHADE + GOLDEN_RATIO * agent;
+  const double hue = hueAt(turns - std::floor(turns));
+  const Tone& tone = TONES[agent / TONE_RUN % TONES.size()];
+  return fromHue(hue, tone.saturation, tone.value * dim(hue));
 }
 
-Colour ofPath(std::uint32_t agent) { return towardsWhite(ofAgent(agent), PALENESS); }
-
-Colour ofSector(int distance_class) {
-  return withAlpha(ofRadius(distance_class), distance_class <= 1 ? 0.4 : 0.35);
+Colour paler(const Colour& colour) {
+  const auto shade = [](double value) { return value + (1.0 - value) * PALENESS; };
+  return make(shade(colour.r), shade(colour.g), shade(colour.b), colour.a);
 }
+
+Colour ofSector(int distance_class) { return withAlpha(ofRadius(distance_class), distance_class <= 1 ? 0.4 : 0.35); }
 
 Colour ofRadius(int distance_class) {
   if (distance_class <= 1) return make(0.85, 0.2, 0.15);

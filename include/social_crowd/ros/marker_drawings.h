@@ -16,7 +16,7 @@ namespace crowd {
 
 /// @brief Filled discs in the agents' colours.
 visualization_msgs::Marker drawBodies(const social_crowd::AgentStates& states);
-/// @brief Red discs and rims over the bodies that are in contact now; in the namespace of the bodies.
+/// @brief Red rims of the bodies that are in contact now; in the bodies' namespace.
 visualization_msgs::Marker drawContacts(const social_crowd::AgentStates& states);
 /// @brief Arrows upon the bodies.
 visualization_msgs::Marker drawHeadings(const social_crowd::AgentStates& states);
@@ -30,6 +30,8 @@ visualization_msgs::Marker drawSettledPaths(const WalkedPaths& paths);
 /// @brief The rest of the paths, up to where the agents are now.
 visualization_msgs::Marker drawRecentPaths(const WalkedPaths& paths);
 
+/// @brief Whether the agent is or was last at a place that can be drawn.
+bool hasPlace(const social_crowd::AgentState& agent);
 /// @brief Whether the agent is on the floor and all its numbers can be drawn.
 bool isOnFloor(const social_crowd::AgentState& agent);
 
@@ -39,7 +41,7 @@ class RadiiDrawing {
   /// @param agents so many will be added
   explicit RadiiDrawing(std::size_t agents);
   /// @param limits of the distance classes 1, 2, ... [m], from the agent's centre
-  void add(const social_crowd::AgentState& agent, const std::vector<double>& limits);
+  void add(const social_crowd::AgentState& agent, const std::vector<double>& limits, bool faint);
   visualization_msgs::Marker finish() { return marker_.finish(); }
 
  private:

@@ -50,9 +50,10 @@ class MarkerScene {
   explicit MarkerScene(const MarkerOptions& options);
 
   void take(const social_crowd::AgentStates::ConstPtr& message);
-  void take(const social_crowd::Scenario::ConstPtr& message);
-  void take(const social_crowd::Perceptions::ConstPtr& message);
-  /// @throws InputError if the model in the status is none; the rest of the scene stays.
+  void take(const social_crowd::Scenario& message);
+  /// @throws InputError if what the chosen agent perceives is damaged.
+  void take(const social_crowd::Perceptions& message);
+  /// @throws InputError if the model in the status is none; the scene stays as it is.
   void take(const social_crowd::LearnerStatus& message);
 
   /// @brief Whether anything was taken since draw().
@@ -60,21 +61,19 @@ class MarkerScene {
 
   /// @brief The markers of all kinds; what is not there any more is deleted.
   /// @param whole draw also what is old of the paths, which is much and hardly ever changes; else it is left as it is.
-  /// @throws InputError if the perceptions are damaged; then `markers` has everything but the sectors.
-  void draw(bool whole, visualization_msgs::MarkerArray& markers);
+  visualization_msgs::MarkerArray draw(bool whole);
 
  private:
-  void begin(std::uint64_t episode);
-  void addToPaths();
+  void show(const social_crowd::AgentStates::ConstPtr& states);
+  const social_crowd::AgentState* findChosen() const;
   visualization_msgs::Marker drawRadii() const;
   visualization_msgs::Marker drawOccupiedSectors() const;
 
   MarkerOptions options_;
   KnownStateSets state_sets_;
-  std::uint64_t episode_ = 0;
-  social_crowd::AgentStates states_;
-  social_crowd::Scenario::ConstPtr scenario_;
-  social_crowd::Perceptions::ConstPtr perceptions_;
+  social_crowd::AgentStates::ConstPtr states_;  // never null
+  std::vector<social_crowd::Wall> walls_;
+  Perceptions perceptions_;  // of the chosen agent alone, or of nobody
   WalkedPaths paths_;
   bool changed_ = false;
 };

@@ -39,10 +39,18 @@ class TriangleMarker : public ListMarker {
   void addTriangle(const Vector2& a, const Vector2& b, const Vector2& c, const Colour& colour);
   /// @param circle see unitCircle()
   void addDisc(const Vector2& centre, double radius, const std::vector<Vector2>& circle, const Colour& colour);
+  /// @brief A ring between two radii [m].
+  void addRing(const Vector2& centre, double inner, double outer, const std::vector<Vector2>& circle,
+               const Colour& colour);
   /// @brief Tells where a body of this radius looks.
   void addArrow(const Pose& pose, double radius, const Colour& colour);
   /// @brief Part of a ring between two radii [m] and two angles of the map [rad], `from` <= `to`.
   void addRingPart(const Vector2& centre, double inner, double outer, double from, double to, const Colour& colour);
+
+ private:
+  /// The part of a ring between two directions (unit vectors), with straight rims.
+  void addRingPiece(const Vector2& centre, double inner, double outer, const Vector2& from, const Vector2& to,
+                    const Colour& colour);
 };
 
 /// @brief Lines (LINE_LIST).

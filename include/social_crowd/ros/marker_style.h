@@ -48,8 +48,8 @@ std::size_t cornersFor(std::size_t bodies);
 
 /// @brief Own colour of an agent; neighbouring numbers differ strongly, and none is the red of contacts.
 Colour ofAgent(std::uint32_t agent);
-/// @brief The same, a little paler: of its path.
-Colour ofPath(std::uint32_t agent);
+/// @brief The same colour, nearer to the ground's.
+Colour paler(const Colour& colour);
 /// @brief Of an occupied sector (translucent); 1 is the nearest.
 Colour ofSector(int distance_class);
 /// @brief Of the circle that limits a distance class.

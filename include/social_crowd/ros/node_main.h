@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 
 #include <exception>
+#include <iostream>
 
 namespace crowd {
 
@@ -11,7 +12,13 @@ namespace crowd {
 /// @return exit status: 0, or 1 after an error.
 template <typename Node>
 int runNode(int argc, char** argv, const char* name) {
-  ros::init(argc, argv, name);
+  try {
+    ros::init(argc, argv, name);
+  } catch (const std::exception& error) {
+    std::cerr << name << ": " << error.what() << std::endl;
+    return 1;
+  }
+  const ros::NodeHandle keeps_the_console;  // ROS shuts down with its last handle and is mute from then on
   try {
     Node node((ros::NodeHandle()), ros::NodeHandle("~"));
     node.run();

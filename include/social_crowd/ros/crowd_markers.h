@@ -1,0 +1,53 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include "social_crowd/ros/marker_scene.h"
+
+namespace crowd {
+
+/// @brief Parameters of the node crowd_markers. The other defaults stand in MarkerOptions.
+struct MarkerParameters {
+  MarkerOptions options;  ///< ~agent (-1: none), ~radii (none, chosen or all), ~path_step [m], ~path_points
+  double rate = 20.0;     ///< ~rate: markers are published at most so often [Hz], wall clock
+};
+
+/// @throws InputError naming everything that is wrong.
+MarkerParameters readMarkerParameters(const ros::NodeHandle& private_node);
+
+/// @brief The node that shows a crowd in RViz. It knows the crowd from topics alone, so that a recording can be shown
+/// as well.
+///
+/// Draws at a limited rate, and only if somebody listens and something has changed. Once a second everything is
+/// repeated, changed or not: RViz forgets the markers of a namespace that is switched off and needs them when it is
+/// switched on.
+class CrowdMarkers {
+ public:
+  /// @throws InputError naming bad parameters.
+  CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
+
+  /// @brief Draws until ROS shuts down.
+  void run();
+
+ private:
+  CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& parameters);
+  /// Subscribes to a topic whose messages the scene takes.
+  template <typename Message>
+  ros::Subscriber subscribe(const char* topic);
+  void subscribeToPerceptions(bool wanted);
+  void publish();
+
+  ros::NodeHandle node_;
+  bool shows_sectors_;
+  MarkerScene scene_;
+  ros::Publisher publisher_;
+  ros::Subscriber agents_;
+  ros::Subscriber scenario_;
+  ros::Subscriber learner_status_;
+  ros::Subscriber perceptions_;  // only while somebody looks at what comes of them: they are the largest messages
+  ros::WallTimer timer_;
+  ros::WallTime last_whole_;  // when everything was drawn
+  std::uint32_t listeners_ = 0;
+};
+
+}  // namespace crowd

@@ -1,0 +1,90 @@
+#include "social_crowd/ros/crowd_markers.h"
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include "social_crowd/ros/names.h"
+#include "social_crowd/ros/parameters.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::uint32_t QUEUE = 100;        // messages
+constexpr std::uint32_t MARKERS_QUEUE = 2;  // messages; only the newest counts
+constexpr double WARNING_PERIOD = 10.0;     // [s]
+const ros::WallDuration REPEAT_AFTER(1.0);
+
+constexpr double MIN_RATE = 0.1;       // [Hz]
+constexpr double MAX_RATE = 1e3;       // [Hz]
+constexpr double MAX_PATH_STEP = 1e3;  // [m]
+constexpr std::int64_t MAX_PATH_POINTS = 10'000'000;
+
+MarkerOptions::Radii readRadii(Parameters& parameters) {
+  const std::string text = parameters.text("radii", "chosen");
+  if (text == "none") return MarkerOptions::Radii::NONE;
+  if (text == "all") return MarkerOptions::Radii::ALL;
+  if (text != "chosen") parameters.complain("radii", "expected none, chosen or all, got '" + text + "'");
+  return MarkerOptions::Radii::CHOSEN;
+}
+
+}  // namespace
+
+MarkerParameters readMarkerParameters(const ros::NodeHandle& private_node) {
+  Parameters parameters(private_node);
+  MarkerParameters read;
+  MarkerOptions& options = read.options;
+  read.rate = parameters.number("rate", read.rate, MIN_RATE, MAX_RATE);
+  options.agent = parameters.whole("agent", options.agent, MarkerOptions::NO_AGENT, INT32_MAX);
+  options.radii = readRadii(parameters);
+  options.path_step = parameters.number("path_step", options.path_step, 0.0, MAX_PATH_STEP);
+  options.path_points = static_cast<std::size_t>(
+      parameters.whole("path_points", static_cast<std::int64_t>(options.path_points), 1, MAX_PATH_POINTS));
+  parameters.finish();
+  return read;
+}
+
+CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : CrowdMarkers(node, readMarkerParameters(private_node)) {}
+
+CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& parameters)
+    : node_(node), shows_sectors_(parameters.options.agent != MarkerOptions::NO_AGENT), scene_(parameters.options) {
+  publisher_ = node_.advertise<visualization_msgs::MarkerArray>(names::MARKERS, MARKERS_QUEUE);
+  agents_ = node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
+                                                       [this](const auto& message) { scene_.take(message); });
+  scenario_ = subscribe<social_crowd::Scenario>(names::SCENARIO);
+  learner_status_ = subscribe<social_crowd::LearnerStatus>(names::LEARNER_STATUS);
+  timer_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters.rate),
+                                 [this](const ros::WallTimerEvent& /*event*/) { publish(); });
+}
+
+void CrowdMarkers::run() { ros::spin(); }
+
+template <typename Message>
+ros::Subscriber CrowdMarkers::subscribe(const char* topic) {
+  return node_.subscribe<Message>(topic, QUEUE, [this, topic](const typename Message::ConstPtr& message) {
+    try {
+      scene_.take(*message);
+    } catch (const Error& error) {
+      ROS_WARN_THROTTLE(WARNING_PERIOD, "a message on %s is not shown: %s", topic, error.what());
+    }
+  });
+}
+
+void CrowdMarkers::subscribeToPerceptions(bool wanted) {
+  if (wanted == static_cast<bool>(perceptions_)) return;
+  perceptions_ = wanted ? subscribe<social_crowd::Perceptions>(names::PERCEPTIONS) : ros::Subscriber();
+}
+
+void CrowdMarkers::publish() {
+  const std::uint32_t listeners = publisher_.getNumSubscribers();
+  const bool newcomers = listeners > listeners_;
+  listeners_ = listeners;
+  subscribeToPerceptions(listeners > 0 && shows_sectors_);
+  if (listeners == 0) return;
+  const ros::WallTime now = ros::WallTime::now();
+  const bool whole = newcomers || now - last_whole_ >= REPEAT_AFTER || now < last_whole_;
+  if (!whole && !scene_.hasChanged()) return;
+  publisher_.publish(scene_.draw(whole));
+  if (whole) last_whole_ = now;
+}
+
+}  // namespace crowd

@@ -1,0 +1,141 @@
+#include "social_crowd/ros/marker_scene.h"
+
+#include <boost/make_shared.hpp>
+
+#include "social_crowd/learning/model.h"
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/marker_drawings.h"
+
+namespace crowd {
+namespace {
+
+using social_crowd::AgentState;
+using social_crowd::AgentStates;
+using visualization_msgs::Marker;
+
+AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& scenario) {
+  const auto states = boost::make_shared<AgentStates>();
+  states->episode = scenario.episode;
+  states->tick = scenario.tick;
+  states->agents = scenario.agents;
+  states->obstacles = scenario.obstacles;
+  return states;
+}
+
+/// Copies a part of a list, if it is one: else the reader of the copy finds too few.
+template <typename T>
+void copyPart(const std::vector<T>& list, std::uint32_t first, std::uint32_t count, std::vector<T>& copy) {
+  if (std::uint64_t{first} + count <= list.size()) copy.assign(list.begin() + first, list.begin() + first + count);
+}
+
+/// The same message with one agent only, or none if it is not there.
+social_crowd::Perceptions only(std::int64_t agent, const social_crowd::Perceptions& message) {
+  social_crowd::Perceptions own;
+  own.episode = message.episode;
+  own.tick = message.tick;
+  own.tick_duration = message.tick_duration;
+  for (const social_crowd::AgentPerception& self : message.agents) {
+    if (self.agent != agent) continue;
+    copyPart(message.bodies, self.first_body, self.body_count, own.bodies);
+    copyPart(message.walls, self.first_wall, self.wall_count, own.walls);
+    own.agents.push_back(self);
+    own.agents.back().first_body = own.agents.back().first_wall = 0;
+    break;
+  }
+  return own;
+}
+
+}  // namespace
+
+void KnownStateSets::take(const social_crowd::LearnerStatus& status) {
+  if (state_set_ == nullptr || status.model != model_) {
+    state_set_ = parseModel(status.model).state_set;
+    model_ = status.model;
+  }
+  if (status.serves_all != 0) for_all_ = state_set_;
+  for (const AgentId agent : status.agents) own_[agent] = state_set_;
+}
+
+const StateSet* KnownStateSets::of(AgentId agent) const {
+  const auto own = own_.find(agent);
+  return own == own_.end() ? for_all_.get() : own->second.get();
+}
+
+MarkerScene::MarkerScene(const MarkerOptions& options)
+    : options_(options), states_(boost::make_shared<AgentStates>()), paths_(options.path_step, options.path_points) {}
+
+void MarkerScene::take(const AgentStates::ConstPtr& message) { show(message); }
+
+void MarkerScene::take(const social_crowd::Scenario& message) {
+  walls_ = message.walls;
+  changed_ = true;
+  if (message.episode != states_->episode || states_->agents.empty()) show(statesAtStart(message));
+}
+
+void MarkerScene::show(const AgentStates::ConstPtr& states) {
+  // A bag that is played again may begin with the episode it ended with.
+  if (states->episode != states_->episode || states->tick < states_->tick) paths_.clear();
+  for (const AgentState& agent : states->agents) {
+    if (hasPlace(agent)) paths_.add(agent.agent, {agent.pose.x, agent.pose.y});
+  }
+  states_ = states;
+  changed_ = true;
+}
+
+void MarkerScene::take(const social_crowd::Perceptions& message) {
+  perceptions_ = Perceptions();
+  changed_ = true;
+  fromMessage(only(options_.agent, message), perceptions_);
+}
+
+void MarkerScene::take(const social_crowd::LearnerStatus& message) {
+  state_sets_.take(message);
+  changed_ = true;
+}
+
+const AgentState* MarkerScene::findChosen() const {
+  for (const AgentState& agent : states_->agents) {
+    if (agent.agent == options_.agent) return &agent;
+  }
+  return nullptr;
+}
+
+Marker MarkerScene::drawRadii() const {
+  const bool all = options_.radii == MarkerOptions::Radii::ALL;
+  RadiiDrawing drawing(all ? states_->agents.size() : 1);
+  if (options_.radii == MarkerOptions::Radii::NONE) return drawing.finish();
+  for (const AgentState& agent : states_->agents) {
+    const bool chosen = agent.agent == options_.agent;
+    if (!all && !chosen) continue;
+    const StateSet* const state_set = state_sets_.of(agent.agent);
+    if (state_set != nullptr) drawing.add(agent, state_set->distanceLimits(), !chosen);
+  }
+  return drawing.finish();
+}
+
+Marker MarkerScene::drawOccupiedSectors() const {
+  const AgentState* const chosen = findChosen();
+  const StateSet* const state_set = chosen == nullptr ? nullptr : state_sets_.of(chosen->agent);
+  if (state_set == nullptr || !isOnFloor(*chosen) || perceptions_.agents.empty() ||
+      perceptions_.episode != states_->episode) {
+    return drawSectors({}, {}, {});
+  }
+  const Perception perception(perceptions_, 0);
+  return drawSectors(perception.self.pose, state_set->occupiedSectors(perception), state_set->distanceLimits());
+}
+
+visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {
+  visualization_msgs::MarkerArray array;
+  array.markers = {drawBodies(*states_), drawContacts(*states_), drawHeadings(*states_),
+                   drawGoals(*states_),  drawWalls(walls_),      drawObstacles(*states_),
+                   drawRadii(),          drawOccupiedSectors()};
+  if (whole || paths_.isUnsettled()) {
+    paths_.settle();
+    array.markers.push_back(drawSettledPaths(paths_));
+  }
+  array.markers.push_back(drawRecentPaths(paths_));
+  changed_ = false;
+  return array;
+}
+
+}  // namespace crowd
