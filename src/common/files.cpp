@@ -3,12 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <memory>
 
 #include "social_crowd/common/errors.h"
 
@@ -43,21 +43,26 @@ void writeDurably(const std::string& file, const std::string& content) {
 std::string readFile(const std::string& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw FileError(file + ": is a folder, expected a file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throwSystem(file, "cannot be read");
-  std::ostringstream content;
-  content << stream.rdbuf();
-  if (stream.bad() || (content.fail() && stream.peek() != std::ifstream::traits_type::eof())) {
-    throwSystem(file, "cannot be read");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
+  if (stream == nullptr) throwSystem(file, "cannot be read");
+  std::string content;
+  std::array<char, 1U << 16U> part{};
+  for (std::size_t count = part.size(); count == part.size();) {
+    count = std::fread(part.data(), 1, part.size(), stream.get());
+    content.append(part.data(), count);
   }
-  return content.str();
+  if (std::ferror(stream.get()) != 0) throwSystem(file, "cannot be read");
+  return content;
 }
 
 void replaceFile(const std::string& file, const std::string& content) {
-  const std::string temporary = file + ".tmp" + std::to_string(::getpid());
+  std::error_code ignored;
+  const std::filesystem::path resolved = std::filesystem::canonical(file, ignored);  // a link stays a link
+  const std::string target = resolved.empty() ? file : resolved.string();
+  const std::string temporary = target + ".tmp" + std::to_string(::getpid());
   try {
     writeDurably(temporary, content);
-    if (std::rename(temporary.c_str(), file.c_str()) != 0) throwSystem(file, "cannot be replaced");
+    if (std::rename(temporary.c_str(), target.c_str()) != 0) throwSystem(file, "cannot be replaced");
   } catch (...) {
     std::remove(temporary.c_str());
     throw;

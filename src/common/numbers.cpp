@@ -39,7 +39,8 @@ std::optional<double> toNumber(std::string_view text) {
   std::istringstream stream{std::string(text)};
   stream.imbue(std::locale::classic());
   double value = 0.0;
-  if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof()) return std::nullopt;
+  if (!(stream >> std::noskipws >> value) || stream.peek() != std::istringstream::traits_type::eof())
+    return std::nullopt;
   return value;
 }
 
@@ -48,7 +49,7 @@ std::string toText(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   std::ostringstream stream;
   stream.imbue(std::locale::classic());
-  for (int digits = 15; digits <= 17; ++digits) {
+  for (int digits = 1; digits <= 17; ++digits) {
     stream.str({});
     stream.precision(digits);
     stream << value;

@@ -1,5 +1,8 @@
 #include "social_crowd/common/random.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace crowd {
 namespace {
 
@@ -25,7 +28,10 @@ std::uint64_t KeyedRandom::next() {
 
 double KeyedRandom::uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
 
-double KeyedRandom::uniform(double low, double high) { return low + (high - low) * uniform(); }
+double KeyedRandom::uniform(double low, double high) {
+  const double drawn = low + (high - low) * uniform();
+  return drawn < high ? drawn : std::max(low, std::nextafter(high, low));  // rounding may land on the upper limit
+}
 
 std::uint32_t KeyedRandom::below(std::uint32_t count) {
   // Lemire's multiply-shift; its bias of count / 2^32 does not show in what is drawn here.

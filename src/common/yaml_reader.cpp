@@ -183,6 +183,17 @@ std::int64_t readWhole(const YAML::Node& node, const YamlPlace& place, std::int6
   throwExpected(place, node, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
 }
 
+std::uint64_t readCount(const YAML::Node& node, const YamlPlace& place) {
+  if (isPlain(node)) {
+    const std::string& text = node.Scalar();
+    const char* const end = text.data() + text.size();
+    std::uint64_t value = 0;
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec == std::errc() && read.ptr == end) return value;
+  }
+  throwExpected(place, node, "a whole number of at least 0");
+}
+
 std::string readText(const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsDefined() || !node.IsScalar()) {
     throwExpected(place, node, "a text");
@@ -272,6 +283,13 @@ std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64
 std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise) {
   const Entry* const entry = ask(key);
   return entry != nullptr ? readWhole(entry->value, placeOf(key), low, high) : otherwise;
+}
+
+std::uint64_t YamlMap::count(const std::string& key) { return readCount(need(key), placeOf(key)); }
+
+std::uint64_t YamlMap::count(const std::string& key, std::uint64_t otherwise) {
+  const Entry* const entry = ask(key);
+  return entry != nullptr ? readCount(entry->value, placeOf(key)) : otherwise;
 }
 
 std::string YamlMap::text(const std::string& key) { return readText(need(key), placeOf(key)); }

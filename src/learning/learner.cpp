@@ -1,5 +1,7 @@
 #include "social_crowd/learning/learner.h"
 
+#include <algorithm>
+
 #include "social_crowd/common/random.h"
 
 namespace crowd {
@@ -107,6 +109,7 @@ void Learner::learnOne(const Perceptions& perceptions, const AgentPerception& no
   } else {
     const double reward = (*model_.reward)(memory.before, now, rows[0]);
     memory.learner.learn(writable(memory), reward, rows, parameters_);
+    if (perceptions.last) memory.learner.resetTraces();
   }
   ++decisions_;
 }
@@ -135,7 +138,6 @@ Action Learner::chooseOne(const Perceptions& perceptions, const Rows& rows, Memo
 }
 
 Learner::Memory& Learner::memoryOf(AgentId agent) {
-  if (agent >= memories_.size()) memories_.resize(agent + 1);
   Memory& memory = memories_[agent];
   if (memory.table == nullptr) memory.table = base_;
   return memory;
@@ -150,9 +152,8 @@ QTable& Learner::writable(Memory& memory) {
 std::vector<AgentId> Learner::servedAgents() const {
   if (!servesAll()) return {options_.agents.begin(), options_.agents.end()};
   std::vector<AgentId> known;
-  for (std::size_t agent = 0; agent < memories_.size(); ++agent) {
-    if (memories_[agent].table != nullptr) known.push_back(static_cast<AgentId>(agent));
-  }
+  for (const auto& [agent, memory] : memories_) known.push_back(agent);
+  std::sort(known.begin(), known.end());
   return known;
 }
 
@@ -169,8 +170,8 @@ void Learner::setParameters(const LearningParameters& parameters) {
 }
 
 const QTable& Learner::tableOf(AgentId agent) const {
-  const bool known = agent < memories_.size() && memories_[agent].table != nullptr;
-  return known ? *memories_[agent].table : *base_;
+  const auto found = memories_.find(agent);
+  return found != memories_.end() ? *found->second.table : *base_;
 }
 
 void Learner::give(TablePointer& place, const QTable& table, TakeMethod method) const {
@@ -179,28 +180,27 @@ void Learner::give(TablePointer& place, const QTable& table, TakeMethod method) 
   place = std::move(taken);
 }
 
-void Learner::takeTable(const QTable& table, TakeMethod method) {
+void Learner::takeTable(QTable table, TakeMethod method) {
   checkShape(table);
-  if (options_.tables == TableUse::OWN && method == TakeMethod::MERGE) {
-    for (Memory& memory : memories_) {
-      if (memory.table != nullptr) give(memory.table, table, method);
-    }
-    return give(base_, table, method);
-  }
+  const bool merge_each = options_.tables == TableUse::OWN && method == TakeMethod::MERGE;
   give(base_, table, method);
-  for (Memory& memory : memories_) {
-    if (memory.table != nullptr) memory.table = base_;
+  for (auto& [agent, memory] : memories_) {
+    if (merge_each) {
+      give(memory.table, table, method);
+    } else {
+      memory.table = base_;
+    }
   }
 }
 
-void Learner::takeTable(AgentId agent, const QTable& table, TakeMethod method) {
-  if (options_.tables == TableUse::SHARED) return takeTable(table, method);
+void Learner::takeTable(AgentId agent, QTable table, TakeMethod method) {
+  if (options_.tables == TableUse::SHARED) return takeTable(std::move(table), method);
   checkShape(table);
   give(memoryOf(agent).table, table, method);
 }
 
 void Learner::forgetDecisions() {
-  for (Memory& memory : memories_) memory.learner.resetTraces();
+  for (auto& [agent, memory] : memories_) memory.learner.resetTraces();
 }
 
 }  // namespace crowd

@@ -51,19 +51,25 @@ EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
 
 }  // namespace
 
+void readParameter(YamlMap& map, const std::string& key, double LearningParameters::*member,
+                   LearningParameters& parameters) {
+  if (!map.has(key)) return;
+  LearningParameters alone;
+  alone.*member = map.number(key, NumberRule::ANY);
+  if (!alone.problems().empty()) throwProblem(map.placeOf(key), map.need(key), alone.problems());
+  parameters.*member = alone.*member;
+}
+
 LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
   YamlMap map(node, place);
   LearningPlan plan;
-  LearningParameters& parameters = plan.parameters;
-  parameters.alpha = map.number("alpha", NumberRule::ANY, parameters.alpha);
-  parameters.gamma = map.number("gamma", NumberRule::ANY, parameters.gamma);
-  parameters.lambda = map.number("lambda", NumberRule::ANY, parameters.lambda);
-  plan.epsilon = EpsilonSchedule::constant(parameters.epsilon);
+  readParameter(map, "alpha", &LearningParameters::alpha, plan.parameters);
+  readParameter(map, "gamma", &LearningParameters::gamma, plan.parameters);
+  readParameter(map, "lambda", &LearningParameters::lambda, plan.parameters);
+  plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
   if (map.has("epsilon")) plan.epsilon = readEpsilon(map.need("epsilon"), map.placeOf("epsilon"));
-  parameters.epsilon = plan.epsilon.at(0);
+  plan.parameters.epsilon = plan.epsilon.at(0);
   map.finish();
-  const std::string problems = parameters.problems();
-  if (!problems.empty()) throwExpected(place, node, "learning parameters in their ranges (" + problems + ")");
   return plan;
 }
 

@@ -12,6 +12,12 @@ std::string shapeOf(const QTable& table) {
   return std::to_string(table.rows()) + " rows of " + std::to_string(table.actions()) + " actions";
 }
 
+/// Exactly the second value for a share of 1, and never outside the two.
+double meanOf(double first, double second, double share_of_second) {
+  const double mean = (1.0 - share_of_second) * first + share_of_second * second;
+  return std::clamp(mean, std::min(first, second), std::max(first, second));
+}
+
 }  // namespace
 
 QTable::QTable(Row rows, Action actions) : rows_(rows), actions_(actions) {
@@ -58,7 +64,7 @@ void QTable::mergeByVisits(const QTable& other) {
     if (other.visits_[i] == 0) continue;
     const std::uint64_t sum = std::uint64_t{visits_[i]} + other.visits_[i];
     const double share = static_cast<double>(other.visits_[i]) / static_cast<double>(sum);
-    values_[i] += share * (other.values_[i] - values_[i]);
+    values_[i] = meanOf(values_[i], other.values_[i], share);
     visits_[i] = static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, UINT32_MAX));
   }
 }

@@ -29,7 +29,8 @@ std::string checksumOf(std::string_view text) {
 
 bool isWorthALine(const QTable& table, Row row) {
   for (Action action = 0; action < table.actions(); ++action) {
-    if (table.visits(row, action) > 0 || table.value(row, action) != 0.0) return true;
+    const double value = table.value(row, action);
+    if (table.visits(row, action) > 0 || value != 0.0 || std::signbit(value)) return true;
   }
   return false;
 }
@@ -122,30 +123,25 @@ std::string readHeaderText(LineReader& lines) {
   }
 }
 
-std::uint64_t readCount(YamlMap& map, const std::string& key, std::int64_t low, std::int64_t high) {
-  return static_cast<std::uint64_t>(map.whole(key, low, high));
-}
-
 Header readHeader(LineReader& lines) {
   const std::vector<YAML::Node> documents = parseYamlStream(readHeaderText(lines), lines.name());
-  if (documents.size() != 1) throw InputError(lines.name() + ": expected a header of YAML before '---'");
+  if (documents.size() != 1) lines.fail("a header of YAML before '---'", "nothing");
   YamlMap map(documents.front(), {lines.name(), 0, ""});
   Header header;
   header.model = readModel(map);
   const auto rows = static_cast<std::int64_t>(header.model.state_set->rowCount());
   const auto actions = static_cast<std::int64_t>(header.model.action_set->size());
-  header.rows = static_cast<Row>(readCount(map, "rows", rows, rows));
-  header.actions = static_cast<Action>(readCount(map, "actions", actions, actions));
-  header.parameters.alpha = map.number("alpha", NumberRule::ANY);
-  header.parameters.gamma = map.number("gamma", NumberRule::ANY);
-  header.parameters.lambda = map.number("lambda", NumberRule::ANY);
-  header.parameters.epsilon = map.number("epsilon", NumberRule::ANY);
-  header.decisions = readCount(map, "decisions", 0, INT64_MAX);
-  header.seed = readCount(map, "seed", 0, INT64_MAX);
-  header.visited_rows = static_cast<Row>(readCount(map, "visited_rows", 0, rows));
+  header.rows = static_cast<Row>(map.whole("rows", rows, rows));
+  header.actions = static_cast<Action>(map.whole("actions", actions, actions));
+  for (const char* key : {"alpha", "gamma", "lambda", "epsilon"}) map.need(key);
+  readParameter(map, "alpha", &LearningParameters::alpha, header.parameters);
+  readParameter(map, "gamma", &LearningParameters::gamma, header.parameters);
+  readParameter(map, "lambda", &LearningParameters::lambda, header.parameters);
+  readParameter(map, "epsilon", &LearningParameters::epsilon, header.parameters);
+  header.decisions = map.count("decisions");
+  header.seed = map.count("seed");
+  header.visited_rows = static_cast<Row>(map.whole("visited_rows", 0, rows));
   map.finish();
-  const std::string problems = header.parameters.problems();
-  if (!problems.empty()) throw InputError(lines.name() + ": " + problems);
   return header;
 }
 
@@ -184,7 +180,7 @@ Row readRow(LineReader& lines, std::int64_t before, QTable& table) {
     }
     table.set(*row, action, *value, *visits);
   }
-  if (!rest.empty()) {
+  if (!rest.empty() || line.back() == ' ') {
     lines.fail("nothing after the last of " + std::to_string(table.actions()) + " actions", quoted(rest));
   }
   return *row;

@@ -20,6 +20,11 @@ double obstaclePartOf(const std::vector<int>& distance_classes, double cost) {
   return sum;
 }
 
+/// Of two different goals there is nothing to compare.
+double distanceGained(const AgentPerception& before, const AgentPerception& after) {
+  return before.goal_number == after.goal_number ? before.goal.norm() - after.goal.norm() : 0.0;
+}
+
 }  // namespace
 
 Reward::Reward(const Parameters& parameters, const StateSet& state_set) : parameters_(parameters) {
@@ -32,7 +37,7 @@ Reward::Reward(const Parameters& parameters, const StateSet& state_set) : parame
 double Reward::operator()(const AgentPerception& before, const AgentPerception& after, Row row) const {
   if (after.arrived) return parameters_.arrival;
   const double distance = after.goal.norm();
-  if (parameters_.goal == GoalPart::DISTANCE_GAINED) return before.goal.norm() - distance + obstaclePart(row);  // (3.6)
+  if (parameters_.goal == GoalPart::DISTANCE_GAINED) return distanceGained(before, after) + obstaclePart(row);  // (3.6)
   // The goal is given in the agent's frame, so the angle to the new heading is that to the x axis.
   const double cosine = distance > 0.0 ? after.goal.x() / distance : 1.0;
   return cosine * cosine * cosine + obstaclePart(row);  // (3.7)

@@ -19,6 +19,7 @@ social_crowd::AgentPerception toMessage(const AgentPerception& self) {
   message.radius = self.radius;
   message.goal_x = self.goal.x();
   message.goal_y = self.goal.y();
+  message.goal_number = self.goal_number;
   message.arrived = self.arrived ? 1 : 0;
   message.acted = self.acted ? 1 : 0;
   message.first_body = self.first_body;
@@ -36,6 +37,7 @@ AgentPerception fromMessage(const social_crowd::AgentPerception& message) {
   self.speed = message.speed;
   self.radius = message.radius;
   self.goal = {message.goal_x, message.goal_y};
+  self.goal_number = message.goal_number;
   self.arrived = message.arrived != 0;
   self.acted = message.acted != 0;
   self.first_body = message.first_body;
@@ -111,6 +113,7 @@ social_crowd::AgentResult toMessage(const AgentResult& result, std::size_t agent
   social_crowd::AgentResult message;
   message.agent = static_cast<AgentId>(agent);
   message.arrived = result.arrived ? 1 : 0;
+  message.removed = result.removed ? 1 : 0;
   message.touched = result.touched ? 1 : 0;
   message.ticks = result.ticks;
   message.path_length = result.path_length;

@@ -112,7 +112,7 @@ void CrowdController::logResult(const EpisodeResult& result) {
       "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, path ratio %.3f, "
       "time ratio %.3f, %lu answers missed, %lu dropped",
       static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), static_cast<unsigned long>(instance_),
-      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agents.size(), result.touchedCount(),
+      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
       figures.pathRatio(), figures.timeRatio(), static_cast<unsigned long>(lockstep_.missedCount()),
       static_cast<unsigned long>(lockstep_.droppedCount()));
 }

@@ -33,6 +33,7 @@ void Episode::removeAgent(AgentId id) {
 
 void Episode::setGoal(AgentId id, const Vector2& goal) {
   world_.setGoal(id, goal);
+  monitor_.noteGoal(world_.agents()[id], goal);
   perceive();
 }
 

@@ -21,13 +21,18 @@ double straightLength(const AgentStart& start, double goal_tolerance) {
 
 }  // namespace
 
+std::size_t EpisodeResult::agentCount() const {
+  const auto counts = [](const AgentResult& agent) { return !agent.removed; };
+  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
+}
+
 std::size_t EpisodeResult::arrivedCount() const {
   const auto arrived = [](const AgentResult& agent) { return agent.arrived; };
   return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), arrived));
 }
 
 std::size_t EpisodeResult::touchedCount() const {
-  const auto touched = [](const AgentResult& agent) { return agent.touched; };
+  const auto touched = [](const AgentResult& agent) { return agent.touched && !agent.removed; };
   return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), touched));
 }
 
@@ -39,16 +44,24 @@ EpisodeMonitor::EpisodeMonitor(const Scene& scene, const World& world)
 void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
   Track track;
   track.begin = world.tick();
+  track.start = start.position;
   track.position = start.position;
   track.speed = start.speed;
   track.result.straight_length = straightLength(start, goal_tolerance_);
   tracks_.push_back(track);
 }
 
+void EpisodeMonitor::noteGoal(const Agent& agent, const Vector2& goal) {
+  Track& track = tracks_[agent.id];
+  const double length = (agent.pose.position - track.start).norm() + (goal - agent.pose.position).norm();
+  track.result.straight_length = std::max(SHORTEST_LENGTH, length - goal_tolerance_);
+}
+
 void EpisodeMonitor::observe(const World& world) {
   ticks_ = world.tick();
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const Agent& agent = world.agents()[i];
+    tracks_[i].result.removed = agent.status == AgentStatus::REMOVED;
     const bool just_arrived = agent.hasArrived() && agent.arrival_tick == ticks_;
     if (agent.isWalking() || just_arrived) observeAgent(agent, tracks_[i]);
   }
@@ -86,7 +99,7 @@ EpisodeResult EpisodeMonitor::result() const {
 void Figures::add(const EpisodeResult& result) {
   ++episodes_;
   clean_ += result.isClean() ? 1 : 0;
-  agents_ += result.agents.size();
+  agents_ += result.agentCount();
   touched_ += result.touchedCount();
   for (const AgentResult& agent : result.agents) {
     max_speed_ratio_ = std::max(max_speed_ratio_, agent.max_speed_ratio);

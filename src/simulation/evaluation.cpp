@@ -1,12 +1,9 @@
 #include "social_crowd/simulation/evaluation.h"
 
-#include <algorithm>
-#include <atomic>
-#include <condition_variable>
 #include <exception>
+#include <future>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 #include "social_crowd/learning/learner.h"
@@ -99,10 +96,10 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
       run.fail(std::current_exception());
     }
   };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < plan.threads; ++i) threads.emplace_back(work);
+  std::vector<std::future<void>> threads;
+  for (unsigned i = 1; i < plan.threads; ++i) threads.push_back(std::async(std::launch::async, work));
   work();
-  for (std::thread& thread : threads) thread.join();
+  for (const std::future<void>& thread : threads) thread.wait();
   run.rethrow();
 }
 

@@ -28,7 +28,7 @@ TrainingPlan readTrainingPlan(const YAML::Node& node, const YamlPlace& place) {
   TrainingPlan plan;
   plan.scenarios = readFileNames(map.need("scenarios"), map.placeOf("scenarios"));
   plan.episodes = static_cast<std::uint64_t>(map.whole("episodes", 1, INT64_MAX));
-  plan.seed = static_cast<std::uint64_t>(map.whole("seed", 0, INT64_MAX, static_cast<std::int64_t>(plan.seed)));
+  plan.seed = map.count("seed", plan.seed);
   plan.tables = readTableUse(map, plan.tables);
   plan.save_every = static_cast<std::uint64_t>(map.whole("save_every", 0, INT64_MAX, 0));
   map.finish();

@@ -1,5 +1,8 @@
 #include "social_crowd/simulation/trajectory.h"
 
+#include <cerrno>
+#include <cstring>
+
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
@@ -25,7 +28,7 @@ TrajectoryFile::TrajectoryFile(const std::string& folder, const std::string& nam
 
 void TrajectoryFile::append(const std::string& rows) {
   stream_ << rows << std::flush;
-  if (!stream_) throw FileError(path_ + ": cannot be written");
+  if (!stream_) throw FileError(path_ + ": cannot be written: " + std::strerror(errno));
 }
 
 }  // namespace crowd

@@ -27,7 +27,7 @@ struct Arguments {
 class RecentRates {
  public:
   void add(const EpisodeResult& result) {
-    results_.push_back({result.agents.size(), result.arrivedCount(), result.touchedCount()});
+    results_.push_back({result.agentCount(), result.arrivedCount(), result.touchedCount()});
     if (results_.size() > WINDOW) results_.pop_front();
   }
 

@@ -69,7 +69,7 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
     const auto end = after < first_.size() ? first_[after] : static_cast<std::uint32_t>(sorted_.size());
     for (std::uint32_t i = begin; i < end; ++i) {
       const double limit = distance + sorted_[i].radius;
-      if ((sorted_[i].centre - point).squaredNorm() <= limit * limit) found.push_back(sorted_[i].body);
+      if (limit >= 0.0 && (sorted_[i].centre - point).squaredNorm() <= limit * limit) found.push_back(sorted_[i].body);
     }
   }
 }

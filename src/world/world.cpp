@@ -114,7 +114,10 @@ bool World::noteArrivals() {
   const std::size_t before = active_count_;
   for (Agent& agent : agents_) {
     if (!agent.isWalking() || (agent.goal() - agent.pose.position).norm() > goal_tolerance_) continue;
-    if (++agent.next_goal < agent.goals.size()) continue;
+    if (++agent.next_goal < agent.goals.size()) {
+      ++agent.goal_number;
+      continue;
+    }
     agent.status = AgentStatus::ARRIVED;
     agent.arrival_tick = tick_;
     --active_count_;
@@ -154,6 +157,7 @@ void World::perceive(const Vision& vision, Perceptions& perceptions) {
     self.speed = agent.speed;
     self.radius = agent.radius;
     self.goal = frame.intoFrame(agent.goal() - agent.pose.position);
+    self.goal_number = agent.goal_number;
     self.arrived = agent.hasArrived();
     self.acted = agent.acted;
     self.first_body = static_cast<std::uint32_t>(perceptions.bodies.size());
@@ -229,6 +233,7 @@ AgentId World::spawnAgent(const AgentStart& start) {
   requireAbove("radius [m]", start.radius);
   requireFinite("heading [rad]", start.heading);
   requirePoint("position [m]", start.position);
+  if (start.goals.empty()) throw InputError("goals: expected at least one, got none");
   for (const Vector2& goal : start.goals) requirePoint("goal [m]", goal);
   requireFreePlace(start.position, start.radius, false);
   const auto id = static_cast<AgentId>(agents_.size());
@@ -249,6 +254,7 @@ void World::setGoal(AgentId id, const Vector2& goal) {
   Agent& agent = findWalking(id);
   agent.goals = {goal};
   agent.next_goal = 0;
+  ++agent.goal_number;
 }
 
 std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {

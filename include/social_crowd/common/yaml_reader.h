@@ -35,6 +35,8 @@ enum class NumberRule { ANY, NOT_NEGATIVE, POSITIVE, SHARE };  // SHARE: 0 to 1
 double readNumber(const YAML::Node& node, const YamlPlace& place, NumberRule rule = NumberRule::ANY);
 /// @brief Reads a whole number from `low` to `high`, or throws InputError.
 std::int64_t readWhole(const YAML::Node& node, const YamlPlace& place, std::int64_t low, std::int64_t high);
+/// @brief Reads a whole number from 0 to 2^64 - 1, or throws InputError.
+std::uint64_t readCount(const YAML::Node& node, const YamlPlace& place);
 /// @brief Reads a text (scalar), or throws InputError.
 std::string readText(const YAML::Node& node, const YamlPlace& place);
 /// @brief Reads [x, y], or throws InputError.
@@ -61,6 +63,8 @@ class YamlMap {
   double number(const std::string& key, NumberRule rule, double otherwise);
   std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high);
   std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise);
+  std::uint64_t count(const std::string& key);
+  std::uint64_t count(const std::string& key, std::uint64_t otherwise);
   std::string text(const std::string& key);
   std::string text(const std::string& key, const std::string& otherwise);
   bool flag(const std::string& key, bool otherwise);

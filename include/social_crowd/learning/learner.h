@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <set>
+#include <unordered_map>
 #include <vector>
 
 #include "social_crowd/learning/learning_parameters.h"
@@ -49,6 +50,13 @@ class Learner {
   /// @brief With a table. @throws ShapeError if it has not the model's shape.
   Learner(Model model, Options options, QTable table);
 
+  // Copies would go on writing into one and the same table.
+  Learner(const Learner&) = delete;
+  Learner& operator=(const Learner&) = delete;
+  Learner(Learner&&) = default;
+  Learner& operator=(Learner&&) = default;
+  ~Learner() = default;
+
   /// @brief Learns from what the last decisions led to (training mode), then decides for every served agent that is on
   /// its way, unless the episode is over. `actions` is overwritten.
   void decide(const Perceptions& perceptions, RelativeActions& actions);
@@ -76,9 +84,9 @@ class Learner {
   /// @brief The table an agent uses; that of agents not yet known where it is unknown.
   const QTable& tableOf(AgentId agent) const;
   /// @brief Gives a table to everybody, now and later. @throws ShapeError, nothing has changed then.
-  void takeTable(const QTable& table, TakeMethod method);
+  void takeTable(QTable table, TakeMethod method);
   /// @brief Gives a table to one agent; with shared tables that is everybody. @throws ShapeError
-  void takeTable(AgentId agent, const QTable& table, TakeMethod method);
+  void takeTable(AgentId agent, QTable table, TakeMethod method);
 
   /// @brief Forgets what was decided last, so that nothing is learned across the gap.
   void forgetDecisions();
@@ -87,7 +95,7 @@ class Learner {
   using TablePointer = std::shared_ptr<QTable>;
   /// What is kept of an agent from tick to tick.
   struct Memory {
-    TablePointer table;  // none: the agent was not met yet
+    TablePointer table;
     QLearner learner;
     std::uint64_t episode = 0;
     std::uint64_t tick = 0;
@@ -114,9 +122,9 @@ class Learner {
   std::uint64_t episode_ = 0;
   bool began_ = false;
   std::uint64_t decisions_ = 0;
-  TablePointer base_;             // of everybody (shared), or what newcomers begin with (own)
-  std::vector<Memory> memories_;  // by agent
-  std::vector<Row> rows_;         // scratch: of all agents of a tick
+  TablePointer base_;  // of everybody (shared), or what newcomers begin with (own)
+  std::unordered_map<AgentId, Memory> memories_;
+  std::vector<Row> rows_;  // scratch: of all agents of a tick
 };
 
 }  // namespace crowd

@@ -18,6 +18,10 @@ struct LearningParameters {
   std::string problems() const;
 };
 
+/// @brief Reads a learning parameter where the map has that key. @throws InputError that names the place
+void readParameter(YamlMap& map, const std::string& key, double LearningParameters::*member,
+                   LearningParameters& parameters);
+
 /// @brief How epsilon changes over the episodes: from `first` to `last` within so many episodes, then `last`.
 struct EpsilonSchedule {
   enum class Shape { LINEAR, EXPONENTIAL };

@@ -13,6 +13,7 @@ namespace crowd {
 /// @brief How one agent fared in an episode.
 struct AgentResult {
   bool arrived = false;
+  bool removed = false;          ///< was taken off the floor on the way; counts in no figure
   bool touched = false;          ///< in contact at the end of any tick before it arrived
   std::uint64_t ticks = 0;       ///< until it arrived, or until the end
   double path_length = 0.0;      ///< [m]
@@ -29,10 +30,12 @@ struct EpisodeResult {
   std::uint64_t ticks = 0;
   std::vector<AgentResult> agents;
 
+  /// @brief Agents that count: all that were not removed.
+  std::size_t agentCount() const;
   std::size_t arrivedCount() const;
   std::size_t touchedCount() const;
   /// @brief Everybody arrived, nobody was in contact.
-  bool isClean() const { return arrivedCount() == agents.size() && touchedCount() == 0; }
+  bool isClean() const { return arrivedCount() == agentCount() && touchedCount() == 0; }
 };
 
 /// @brief Watches a world tick by tick and measures what each agent does, as the steering benchmark defines it.
@@ -42,6 +45,8 @@ class EpisodeMonitor {
 
   /// @brief Takes in the agent that was put into the world last.
   void watch(const AgentStart& start, const World& world);
+  /// @brief Takes note that an agent has another goal [m]; its straight way goes on to that from where it is.
+  void noteGoal(const Agent& agent, const Vector2& goal);
 
   /// @brief To be called after every step.
   void observe(const World& world);
@@ -53,6 +58,7 @@ class EpisodeMonitor {
 
   struct Track {
     std::uint64_t begin = 0;  // tick at which it came
+    Vector2 start = Vector2::Zero();
     Vector2 position = Vector2::Zero();
     Vector2 velocity = Vector2::Zero();
     double turn = 0.0;

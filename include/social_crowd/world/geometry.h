@@ -28,8 +28,8 @@ constexpr double toDegrees(double radians) { return radians * (180.0 / PI); }
 /// @brief The same angle in [-pi, pi).
 inline double wrapAngle(double angle) {
   if (angle >= -PI && angle < PI) return angle;
-  const double wrapped = angle - 2.0 * PI * std::floor((angle + PI) / (2.0 * PI));
-  return wrapped < PI ? wrapped : -PI;  // rounding may land on pi itself
+  const double wrapped = std::remainder(angle, 2.0 * PI);
+  return wrapped >= -PI && wrapped < PI ? wrapped : -PI;
 }
 
 /// @brief Direction of a vector [rad], in [-pi, pi]; 0 for the zero vector.

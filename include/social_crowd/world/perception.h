@@ -35,6 +35,7 @@ struct AgentPerception {
   double speed = 0.0;                  ///< top speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
   Vector2 goal = Vector2::Zero();      ///< position of the goal, agent frame [m]
+  std::uint32_t goal_number = 0;       ///< another number than in the tick before: another goal
   bool arrived = false;                ///< reached its last goal in the last tick: this is its last perception
   bool acted = false;                  ///< its answer to the last tick was carried out
   std::uint32_t first_body = 0;        ///< its bodies are bodies[first_body .. first_body + body_count)

@@ -25,6 +25,7 @@ struct Agent {
   double radius = 0.0;                 ///< [m]
   std::vector<Vector2> goals;          ///< [m], `map`
   std::size_t next_goal = 0;
+  std::uint32_t goal_number = 0;  ///< counts the goals it has had
   AgentStatus status = AgentStatus::WALKING;
   std::uint64_t arrival_tick = 0;  ///< the tick at whose start it was there, if arrived
   bool acted = false;              ///< an action of its own moved it in the last tick
@@ -64,11 +65,11 @@ class World {
   void perceive(const Vision& vision, Perceptions& perceptions);
 
   /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
-  /// @throws InputError if an action is not finite or its share of the speed is not in 0..1; nothing has moved then.
+  /// @throws InputError if any action is not finite or its share of the speed is not in 0..1; nothing has moved then.
   void step(const std::vector<AgentAction>& actions);
 
-  /// @brief Puts one more agent on the floor. Returns its number. @throws InputError if its body overlaps another or it
-  /// is not sound (see checkAgent).
+  /// @brief Puts one more agent on the floor. Returns its number. @throws InputError if its place is taken, it has no
+  /// goal, or a number is out of its range.
   AgentId spawnAgent(const AgentStart& start);
   /// @brief Takes an agent off the floor. @throws InputError unless it is on its way.
   void removeAgent(AgentId id);

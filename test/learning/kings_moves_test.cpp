@@ -1,0 +1,76 @@
+#include "social_crowd/learning/kings_moves.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "support/error_of.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+std::shared_ptr<const ActionSet> make(const std::string& yaml) {
+  return makeActionSet(YAML::Load(yaml), {"file.yaml", 0, "action_set"});
+}
+
+std::string errorIn(const std::string& yaml) {
+  return errorOf<InputError>([&] { make(yaml); });
+}
+
+double rotationInDegrees(const ActionSet& actions, Action action) {
+  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(90.0, 3.0));
+  return toDegrees(actions.relativeAction(scene.perception(), action).rotation);
+}
+
+TEST(KingsMoves, TurnByEighthsOfTheCircleAndWalkAtFullSpeed) {
+  const KingsMoves moves;
+  ASSERT_EQ(moves.size(), 8U);
+  const std::array<double, 8> expected = {0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0};
+  for (Action action = 0; action < 8; ++action) {
+    EXPECT_NEAR(rotationInDegrees(moves, action), expected.at(action), 1e-9);
+    const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {1.0, 0.0});
+    EXPECT_EQ(moves.relativeAction(scene.perception(), action).speed_share, 1.0);
+  }
+}
+
+TEST(KingsMoves, MeanTheSameWhateverIsPerceived) {
+  const KingsMoves moves;
+  const PerceptionsBuilder free = PerceptionsBuilder().agent(0, {1.0, 0.0});
+  const PerceptionsBuilder blocked =
+      PerceptionsBuilder().agent(1, {-2.0, 5.0}).body({0.5, 0.0}, 0.3).wall({0.0, 1.0}, {1.0, 1.0});
+  for (Action action = 0; action < moves.size(); ++action) {
+    const RelativeAction one = moves.relativeAction(free.perception(), action);
+    const RelativeAction other = moves.relativeAction(blocked.perception(), action);
+    EXPECT_EQ(one.rotation, other.rotation);
+    EXPECT_EQ(one.speed_share, other.speed_share);
+  }
+}
+
+TEST(KingsMoves, MayBeAnyNumber) {
+  const KingsMoves moves(3);
+  ASSERT_EQ(moves.size(), 3U);
+  EXPECT_NEAR(rotationInDegrees(moves, 0), 0.0, 1e-9);
+  EXPECT_NEAR(rotationInDegrees(moves, 1), 120.0, 1e-9);
+  EXPECT_NEAR(rotationInDegrees(moves, 2), 240.0, 1e-9);
+}
+
+TEST(KingsMoves, AreReadFromYamlAndWrittenAsSuch) {
+  EXPECT_EQ(make("{type: kings_moves}")->spec(), "{type: kings_moves, rotations: 8}");
+  EXPECT_EQ(make("{rotations: 16, type: kings_moves}")->spec(), "{type: kings_moves, rotations: 16}");
+  EXPECT_EQ(make("{type: kings_moves, rotations: 2}")->size(), 2U);
+  EXPECT_EQ(make("{type: kings_moves, rotations: 360}")->size(), 360U);
+}
+
+TEST(KingsMoves, AreRefusedWithWordsForWhatIsWrong) {
+  EXPECT_TRUE(contains(errorIn("{type: queens_moves}"), "expected kings_moves, got 'queens_moves'"));
+  EXPECT_TRUE(contains(errorIn("{rotations: 8}"), "'type' is missing"));
+  EXPECT_TRUE(contains(errorIn("{type: kings_moves, rotation: 8}"), "unknown key 'rotation'"));
+  for (const char* const rotations : {"1", "0", "-8", "361", "8.0", "many", "[8]", "4294967304"}) {
+    const std::string message = errorIn("{type: kings_moves, rotations: " + std::string(rotations) + "}");
+    EXPECT_TRUE(contains(message, "action_set.rotations: expected a whole number from 2 to 360")) << message;
+  }
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,194 @@
+// What chance and the split of agents over learners may change of a learner's decisions, and what not.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "social_crowd/learning/learner.h"
+#include "support/learners.h"
+
+namespace crowd {
+namespace {
+
+using learners::actionOf;
+using learners::decide;
+using learners::emptyTable;
+using learners::goalIn;
+using learners::model;
+using learners::options;
+using learners::randomTable;
+using learners::randomTick;
+
+constexpr AgentId MANY = 8000;
+constexpr Action BEST = 5;  // of the rows 0 .. 3 in bestIsFive()
+
+QTable bestIsFive() {
+  QTable table = emptyTable();
+  for (Row row = 0; row < 4; ++row) table.set(row, BEST, 1.0, 1);
+  return table;
+}
+
+Learner::Options exploring(double epsilon, std::uint64_t seed = 1) {
+  Learner::Options made = options(Mode::TRAINING);
+  made.plan.epsilon = EpsilonSchedule::constant(epsilon);
+  made.seed = seed;
+  return made;
+}
+
+/// How often each action was chosen by many agents in one tick.
+std::array<int, 8> countActions(Learner& learner, std::uint64_t episode, std::uint64_t tick) {
+  PerceptionsBuilder scene(episode, tick);
+  for (AgentId agent = 0; agent < MANY; ++agent) scene.agent(agent, goalIn(agent % 4, 4.0));
+  std::array<int, 8> counts{};
+  for (const AgentAction& action : decide(learner, scene).agents) ++counts.at(actionOf(action));
+  return counts;
+}
+
+TEST(Exploration, IsAsFrequentAsEpsilonAndEven) {
+  // Of 8000 decisions 40 % are drawn, 400 for each action. Five standard deviations of a count of 400 are about 100.
+  Learner learner(model(), exploring(0.4), bestIsFive());
+  for (const std::uint64_t tick : {0U, 7U}) {
+    const std::array<int, 8> counts = countActions(learner, 0, tick);
+    for (Action action = 0; action < 8; ++action) {
+      EXPECT_NEAR(counts.at(action), action == BEST ? 5200 : 400, action == BEST ? 220 : 100);
+    }
+  }
+}
+
+TEST(Exploration, NeverHappensWithEpsilonZeroAndAlwaysWithOne) {
+  Learner never(model(), exploring(0.0), bestIsFive());
+  EXPECT_EQ(countActions(never, 0, 0).at(BEST), static_cast<int>(MANY));
+  Learner always(model(), exploring(1.0), bestIsFive());
+  EXPECT_NEAR(countActions(always, 0, 0).at(BEST), 1000, 150);
+}
+
+TEST(Exploration, IsAnotherOneEveryTickAndEveryEpisode) {
+  Learner learner(model(), exploring(1.0));
+  const auto explore = [&](std::uint64_t episode, std::uint64_t first_tick) {
+    std::vector<Action> actions;
+    for (std::uint64_t tick = first_tick; tick < first_tick + 20; ++tick) {
+      const PerceptionsBuilder scene = PerceptionsBuilder(episode, tick).agent(3, goalIn(0, 4.0));
+      actions.push_back(actionOf(decide(learner, scene).agents.at(0)));
+    }
+    return actions;
+  };
+  const std::vector<Action> actions = explore(0, 0);
+  EXPECT_NE(actions, std::vector<Action>(20, actions[0]));
+  EXPECT_NE(explore(0, 20), actions);
+  EXPECT_NE(explore(1, 0), actions);
+  EXPECT_EQ(explore(0, 0), actions);
+}
+
+TEST(Exploration, FollowsTheScheduleOverTheEpisodes) {
+  Learner::Options falling = exploring(0.0);
+  falling.plan.epsilon = {0.8, 0.0, 4, EpsilonSchedule::Shape::LINEAR};
+  Learner learner(model(), falling, bestIsFive());
+  // A share of 7/8 of what is drawn is not the best.
+  EXPECT_NEAR(countActions(learner, 0, 0).at(BEST), 2400, 210);  // 8000 * (1 - 0.8 * 7/8)
+  EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.8);
+  EXPECT_NEAR(countActions(learner, 3, 0).at(BEST), 6600, 210);  // 8000 * (1 - 0.2 * 7/8)
+  EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.2);
+  EXPECT_EQ(countActions(learner, 4, 0).at(BEST), static_cast<int>(MANY));
+  EXPECT_EQ(learner.parameters().epsilon, 0.0);
+  countActions(learner, 1, 0);  // an earlier episode once more
+  EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.6);
+}
+
+TEST(Exploration, MayFallExponentially) {
+  Learner::Options falling = exploring(0.0);
+  falling.plan.epsilon = {0.8, 0.2, 2, EpsilonSchedule::Shape::EXPONENTIAL};
+  Learner learner(model(), falling, bestIsFive());
+  EXPECT_NEAR(countActions(learner, 1, 0).at(BEST), 5200, 220);  // epsilon 0.4
+  EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.4);
+}
+
+TEST(Exploration, StaysConstantOnceItWasSet) {
+  Learner::Options falling = exploring(0.0);
+  falling.plan.epsilon = {0.8, 0.0, 4, EpsilonSchedule::Shape::LINEAR};
+  Learner learner(model(), falling, bestIsFive());
+  countActions(learner, 1, 0);
+  LearningParameters parameters = learner.parameters();
+  parameters.epsilon = 0.4;
+  learner.setParameters(parameters);
+  EXPECT_NEAR(countActions(learner, 1, 2).at(BEST), 5200, 220);  // at once
+  EXPECT_NEAR(countActions(learner, 3, 0).at(BEST), 5200, 220);  // and later
+  EXPECT_EQ(learner.parameters().epsilon, 0.4);
+}
+
+// --- what decisions depend on ---
+
+constexpr AgentId AGENTS = 12;
+
+/// All decisions of a run of three episodes of 40 ticks, by agent.
+using Decisions = std::map<AgentId, std::vector<Action>>;
+
+void run(Learner& learner, Decisions& decisions, bool backwards = false) {
+  for (std::uint64_t episode = 0; episode < 3; ++episode) {
+    for (std::uint64_t tick = 0; tick < 40; ++tick) {
+      const RelativeActions actions = decide(learner, randomTick(3, episode, tick, AGENTS, backwards));
+      for (const AgentAction& action : actions.agents) decisions[action.agent].push_back(actionOf(action));
+    }
+  }
+}
+
+Decisions runOne(const Learner::Options& options, bool backwards = false) {
+  Learner learner(model(), options, randomTable(1));
+  Decisions decisions;
+  run(learner, decisions, backwards);
+  return decisions;
+}
+
+/// The same with one learner for the even agents and one for the odd ones.
+Decisions runTwo(const Learner::Options& options) {
+  Decisions decisions;
+  for (const AgentId parity : {0U, 1U}) {
+    Learner::Options half = options;
+    for (AgentId agent = parity; agent < AGENTS; agent += 2) half.agents.insert(agent);
+    Learner learner(model(), half, randomTable(1));
+    run(learner, decisions);
+  }
+  return decisions;
+}
+
+Learner::Options walking(Mode mode, TableUse tables, std::uint64_t seed = 1) {
+  Learner::Options made = exploring(0.3, seed);
+  made.mode = mode;
+  made.tables = tables;
+  made.plan.parameters.lambda = 0.5;
+  return made;
+}
+
+TEST(Decisions, AreTheSameForTheSameSeed) {
+  for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
+    EXPECT_EQ(runOne(walking(Mode::TRAINING, tables)), runOne(walking(Mode::TRAINING, tables)));
+  }
+}
+
+TEST(Decisions, DependOnTheSeedWhileExploringOnly) {
+  EXPECT_NE(runOne(walking(Mode::TRAINING, TableUse::OWN, 1)), runOne(walking(Mode::TRAINING, TableUse::OWN, 2)));
+  EXPECT_EQ(runOne(walking(Mode::DEMO, TableUse::OWN, 1)), runOne(walking(Mode::DEMO, TableUse::OWN, 2)));
+}
+
+TEST(Decisions, DoNotDependOnWhichOtherAgentsTheLearnerServes) {
+  const Decisions learned_alone = runOne(walking(Mode::TRAINING, TableUse::OWN));
+  ASSERT_EQ(learned_alone.size(), AGENTS);
+  EXPECT_EQ(learned_alone.begin()->second.size(), 120U);
+  EXPECT_EQ(learned_alone, runTwo(walking(Mode::TRAINING, TableUse::OWN)));
+  for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
+    EXPECT_EQ(runOne(walking(Mode::DEMO, tables)), runTwo(walking(Mode::DEMO, tables)));
+  }
+}
+
+TEST(Decisions, DoNotDependOnTheOrderOfAgents) {
+  EXPECT_EQ(runOne(walking(Mode::TRAINING, TableUse::OWN)), runOne(walking(Mode::TRAINING, TableUse::OWN), true));
+  EXPECT_EQ(runOne(walking(Mode::DEMO, TableUse::SHARED)), runOne(walking(Mode::DEMO, TableUse::SHARED), true));
+}
+
+TEST(Decisions, LearningChangesThem) {
+  // Without this the comparisons above would say little.
+  EXPECT_NE(runOne(walking(Mode::TRAINING, TableUse::OWN)), runOne(walking(Mode::TRAINING, TableUse::SHARED)));
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,180 @@
+// Whose table an agent learns in, and what becomes of it when another one is given.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "social_crowd/learning/learner.h"
+#include "support/error_of.h"
+#include "support/learners.h"
+
+namespace crowd {
+namespace {
+
+using learners::decide;
+using learners::emptyTable;
+using learners::goalIn;
+using learners::model;
+using learners::options;
+using learners::randomTable;
+
+/// Empty but for row 0, action 0.
+QTable tableWith(double value, std::uint32_t visits) {
+  QTable table = emptyTable();
+  table.set(0, 0, value, visits);
+  return table;
+}
+
+/// Lets each of the agents 0, 1, ... decide once in row 0 and gain so many metres.
+void walk(Learner& learner, const std::vector<double>& gained, std::uint64_t episode = 0) {
+  PerceptionsBuilder before(episode, 0);
+  PerceptionsBuilder after(episode, 1);
+  for (AgentId agent = 0; agent < gained.size(); ++agent) {
+    before.agent(agent, goalIn(0, 32.0));
+    after.agent(agent, goalIn(1, 32.0 - gained[agent]));
+  }
+  decide(learner, before);
+  decide(learner, after.last());
+}
+
+double valueOf(const Learner& learner, AgentId agent) { return learner.tableOf(agent).value(0, 0); }
+std::uint32_t visitsOf(const Learner& learner, AgentId agent) { return learner.tableOf(agent).visits(0, 0); }
+
+TEST(SharedTable, LearnsFromEverybody) {
+  Learner learner(model(), options(Mode::TRAINING), tableWith(0.0, 0));
+  EXPECT_EQ(learner.tableUse(), TableUse::SHARED);
+  walk(learner, {8.0, 2.0});
+  for (const AgentId agent : {0U, 1U, 99U}) {
+    EXPECT_EQ(valueOf(learner, agent), 3.0);  // half of 8, then half of the way from 4 to 2
+    EXPECT_EQ(visitsOf(learner, agent), 2U);
+  }
+}
+
+TEST(OwnTables, LearnFromTheirAgentAlone) {
+  Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 5));
+  EXPECT_EQ(learner.tableUse(), TableUse::OWN);
+  walk(learner, {8.0, 4.0});
+  EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 6));   // half of the way from 2 to 8
+  EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 6));   // to 4
+  EXPECT_EQ(learner.tableOf(99), tableWith(2.0, 5));  // newcomers begin with what was given
+  walk(learner, {8.0, 4.0, 0.0}, 1);
+  EXPECT_EQ(learner.tableOf(0), tableWith(6.5, 7));
+  EXPECT_EQ(learner.tableOf(1), tableWith(3.5, 7));
+  EXPECT_EQ(learner.tableOf(2), tableWith(1.0, 6));
+}
+
+TEST(OwnTables, AreTheGivenOneWhileNobodyLearns) {
+  Learner learner(model(), options(Mode::DEMO, TableUse::OWN), tableWith(2.0, 5));
+  walk(learner, {8.0, 4.0});
+  EXPECT_EQ(&learner.tableOf(0), &learner.tableOf(1));  // no copies for nothing
+  EXPECT_EQ(learner.tableOf(0), tableWith(2.0, 5));
+}
+
+TEST(TakeTable, ReplacesTheSharedTable) {
+  Learner learner(model(), options(Mode::TRAINING));
+  walk(learner, {8.0, 8.0});
+  const QTable given = randomTable(1);
+  learner.takeTable(given, TakeMethod::REPLACE);
+  for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), given);
+  walk(learner, {0.0}, 1);  // goes on in the new table, which is the learner's own
+  EXPECT_NE(learner.tableOf(0), given);
+  EXPECT_EQ(learner.tableOf(1), learner.tableOf(0));
+  EXPECT_EQ(given, randomTable(1));
+}
+
+TEST(TakeTable, MergesIntoTheSharedTable) {
+  Learner learner(model(), options(Mode::TRAINING), tableWith(2.0, 3));
+  walk(learner, {});
+  learner.takeTable(tableWith(6.0, 1), TakeMethod::MERGE);
+  EXPECT_EQ(learner.tableOf(0), tableWith(3.0, 4));  // (3 * 2 + 1 * 6) / 4
+}
+
+TEST(TakeTable, ForOneAgentIsForAllIfTheyShare) {
+  Learner learner(model(), options(Mode::TRAINING), tableWith(2.0, 3));
+  walk(learner, {2.0, 2.0});  // two visits more, at 2
+  learner.takeTable(1, tableWith(6.0, 5), TakeMethod::MERGE);
+  for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(4.0, 10));
+  learner.takeTable(1, tableWith(7.0, 1), TakeMethod::REPLACE);
+  for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(7.0, 1));
+}
+
+TEST(TakeTable, ReplacesAllOwnTablesAndThatOfNewcomers) {
+  Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
+  walk(learner, {8.0, 4.0});
+  learner.takeTable(tableWith(2.0, 1), TakeMethod::REPLACE);
+  for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(2.0, 1));
+  walk(learner, {8.0, 4.0}, 1);  // and they part again
+  EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 2));
+  EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 2));
+  EXPECT_EQ(learner.tableOf(99), tableWith(2.0, 1));
+}
+
+TEST(TakeTable, MergesIntoEachOwnTable) {
+  Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
+  walk(learner, {8.0, 4.0});  // values 4 and 2, one visit each
+  learner.takeTable(tableWith(8.0, 3), TakeMethod::MERGE);
+  EXPECT_EQ(learner.tableOf(0), tableWith(7.0, 4));   // (4 + 3 * 8) / 4
+  EXPECT_EQ(learner.tableOf(1), tableWith(6.5, 4));   // (2 + 3 * 8) / 4
+  EXPECT_EQ(learner.tableOf(99), tableWith(8.0, 3));  // newcomers knew nothing
+}
+
+TEST(TakeTable, ForOneAgentLeavesTheOthersTheirs) {
+  Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 1));
+  walk(learner, {2.0, 2.0});  // value 2 stays, two visits
+  learner.takeTable(0, tableWith(5.0, 1), TakeMethod::REPLACE);
+  learner.takeTable(7, tableWith(4.0, 3), TakeMethod::MERGE);  // not met yet: merged with what it would begin with
+  EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 1));
+  EXPECT_EQ(learner.tableOf(1), tableWith(2.0, 2));
+  EXPECT_EQ(learner.tableOf(7), tableWith(3.5, 4));  // (2 + 3 * 4) / 4
+  EXPECT_EQ(learner.tableOf(99), tableWith(2.0, 1));
+  walk(learner, {5.0, 2.0}, 1);
+  EXPECT_EQ(visitsOf(learner, 0), 2U);
+  EXPECT_EQ(visitsOf(learner, 1), 3U);
+}
+
+TEST(TakeTable, SharesWhatOneAgentLearnedWithAll) {
+  Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
+  walk(learner, {8.0, 4.0, 2.0});  // values 4, 2, 1
+  learner.takeTable(learner.tableOf(0), TakeMethod::MERGE);
+  EXPECT_EQ(learner.tableOf(0), tableWith(4.0, 2));
+  EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 2));
+  EXPECT_EQ(learner.tableOf(2), tableWith(2.5, 2));
+  EXPECT_EQ(learner.tableOf(99), tableWith(4.0, 1));
+  learner.takeTable(learner.tableOf(2), TakeMethod::REPLACE);
+  for (const AgentId agent : {0U, 1U, 2U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(2.5, 2));
+}
+
+TEST(TakeTable, RefusesAnotherShapeAndLeavesAllAsItIs) {
+  for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
+    Learner learner(model(), options(Mode::TRAINING, tables));
+    walk(learner, {8.0, 8.0});
+    const QTable before = learner.tableOf(0);
+    const QTable newcomers = learner.tableOf(99);
+    for (const TakeMethod method : {TakeMethod::REPLACE, TakeMethod::MERGE}) {
+      for (const QTable& wrong : {QTable(69, 7), QTable(68, 8), QTable(8, 69)}) {
+        const std::string message = errorOf<ShapeError>([&] { learner.takeTable(wrong, method); });
+        EXPECT_TRUE(contains(message, "69 rows and 8 actions")) << message;
+        EXPECT_THROW(learner.takeTable(1, wrong, method), ShapeError);
+      }
+    }
+    EXPECT_EQ(learner.tableOf(0), before);
+    EXPECT_EQ(learner.tableOf(1), before);
+    EXPECT_EQ(learner.tableOf(99), newcomers);
+  }
+}
+
+/// Ends the process: with status 0 if an agent of that number can be given a table like any other.
+[[noreturn]] void giveTableTo(AgentId agent) {
+  Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
+  learner.takeTable(agent, tableWith(5.0, 1), TakeMethod::REPLACE);
+  std::exit(learner.tableOf(agent) == tableWith(5.0, 1) && learner.tableOf(0) == emptyTable() ? 0 : 1);
+}
+
+TEST(TakeTableDeathTest, AgentsMayHaveAnyNumber) {
+  for (const AgentId agent : {UINT32_MAX, UINT32_MAX - 1}) {
+    EXPECT_EXIT(giveTableTo(agent), testing::ExitedWithCode(0), "") << agent;
+  }
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,184 @@
+#include "social_crowd/learning/learner.h"
+
+#include <gtest/gtest.h>
+
+#include "support/error_of.h"
+#include "support/learners.h"
+
+namespace crowd {
+namespace {
+
+using learners::decide;
+using learners::decideOne;
+using learners::emptyTable;
+using learners::goalIn;
+using learners::model;
+using learners::options;
+using learners::tick;
+
+std::vector<AgentId> agentsOf(const RelativeActions& actions) {
+  std::vector<AgentId> agents;
+  for (const AgentAction& action : actions.agents) agents.push_back(action.agent);
+  return agents;
+}
+
+/// A table in which the best action of rows 0 .. 3 is the one that turns to the goal.
+QTable towardsGoal() {
+  QTable table = emptyTable();
+  for (Row row = 0; row < 4; ++row) table.set(row, 2 * row, 1.0, 1);
+  return table;
+}
+
+TEST(Learner, AnswersTheTickItWasAskedAbout) {
+  Learner learner(model(), options(Mode::DEMO));
+  RelativeActions actions;
+  actions.agents.push_back({99, {}});  // of an earlier tick
+  learner.decide(PerceptionsBuilder(3, 17).agent(5, {1.0, 0.0}).agent(2, {1.0, 0.0}).all(), actions);
+  EXPECT_EQ(actions.episode, 3U);
+  EXPECT_EQ(actions.tick, 17U);
+  EXPECT_EQ(agentsOf(actions), (std::vector<AgentId>{5, 2}));
+}
+
+TEST(Learner, AnswersForItsOwnAgentsOnTheirWay) {
+  Learner::Options some = options(Mode::TRAINING);
+  some.agents = {1, 2, 4};
+  Learner learner(model(), some);
+  EXPECT_FALSE(learner.servesAll());
+  EXPECT_TRUE(learner.serves(2));
+  EXPECT_FALSE(learner.serves(3));
+  const RelativeActions actions = decide(
+      learner, PerceptionsBuilder().agent(1, {1, 0}).agent(2, {0, 0}).arrived().agent(3, {1, 0}).agent(4, {1, 0}));
+  EXPECT_EQ(agentsOf(actions), (std::vector<AgentId>{1, 4}));
+  EXPECT_EQ(learner.servedAgents(), (std::vector<AgentId>{1, 2, 4}));
+}
+
+TEST(Learner, ServesEverybodyUnlessToldOtherwise) {
+  Learner learner(model(), options(Mode::DEMO));
+  EXPECT_TRUE(learner.servesAll());
+  EXPECT_TRUE(learner.serves(12345));
+  EXPECT_TRUE(learner.servedAgents().empty());
+  PerceptionsBuilder scene;
+  for (const AgentId agent : {70U, 3U, 1000000U, 12U, 0U}) scene.agent(agent, {1.0, 0.0});
+  decide(learner, scene);
+  EXPECT_EQ(learner.servedAgents(), (std::vector<AgentId>{0, 3, 12, 70, 1000000}));
+}
+
+TEST(Learner, AnswersNobodyWhenTheEpisodeIsOver) {
+  Learner learner(model(), options(Mode::TRAINING));
+  EXPECT_TRUE(decide(learner, tick(5, 0, 1.0).last()).agents.empty());
+}
+
+TEST(Learner, DoesTheBestItKnowsInDemoMode) {
+  Learner learner(model(), options(Mode::DEMO), towardsGoal());
+  for (Row row = 0; row < 4; ++row) EXPECT_EQ(decideOne(learner, tick(row, row, 2.0)), 2 * row);
+}
+
+TEST(Learner, LearnsNothingInDemoMode) {
+  Learner::Options demo = options(Mode::DEMO);
+  demo.plan.epsilon = EpsilonSchedule::constant(1.0);  // does not matter
+  Learner learner(model(), demo, towardsGoal());
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    EXPECT_EQ(decideOne(learner, tick(i, i % 4, 20.0 - static_cast<double>(i))), 2 * (i % 4));
+  }
+  decide(learner, tick(20, 0, 0.0).arrived());
+  EXPECT_EQ(learner.tableOf(0), towardsGoal());
+  EXPECT_EQ(learner.decisions(), 0U);
+}
+
+TEST(Learner, CountsDecisionsOnFromWhereItBegan) {
+  Learner learner(model(), options(Mode::TRAINING));
+  learner.setDecisions(1000);
+  decide(learner, tick(0, 0, 4.0));
+  decide(learner, tick(1, 0, 3.0));
+  EXPECT_EQ(learner.decisions(), 1001U);
+}
+
+TEST(Learner, TakesNewParametersAtOnce) {
+  Learner learner(model(), options(Mode::TRAINING));
+  decide(learner, tick(0, 0, 4.0));
+  learner.setParameters({0.25, 0.0, 0.0, 0.0});
+  decide(learner, tick(1, 0, 0.0));
+  EXPECT_EQ(learner.tableOf(0).value(0, 0), 1.0);  // a quarter of 4
+  EXPECT_EQ(learner.parameters().alpha, 0.25);
+}
+
+TEST(Learner, KeepsItsParametersIfTheNewOnesAreWrong) {
+  Learner learner(model(), options(Mode::TRAINING));
+  const std::string message = errorOf<InputError>([&] { learner.setParameters({2.0, 0.25, 0.5, 0.75}); });
+  EXPECT_TRUE(contains(message, "alpha: expected")) << message;
+  EXPECT_EQ(learner.parameters().alpha, 0.5);
+  EXPECT_EQ(learner.parameters().gamma, 0.5);
+  EXPECT_EQ(learner.parameters().lambda, 0.0);
+  EXPECT_EQ(learner.parameters().epsilon, 0.0);
+  decide(learner, PerceptionsBuilder(5, 0).agent(0, goalIn(0, 1.0)));
+  EXPECT_EQ(learner.parameters().epsilon, 0.0);
+}
+
+TEST(Learner, RefusesToBeginWithWhatIsWrong) {
+  Learner::Options wrong = options(Mode::DEMO);
+  wrong.plan.parameters.gamma = 1.0;
+  EXPECT_THROW(Learner(model(), wrong), InputError);
+  EXPECT_THROW(Learner(model(), options(Mode::DEMO), QTable(69, 7)), ShapeError);
+  EXPECT_THROW(Learner(model(), options(Mode::DEMO), QTable(68, 8)), ShapeError);
+}
+
+TEST(LearnerNames, ReadBackWhatTheyWrite) {
+  for (const Mode mode : {Mode::TRAINING, Mode::DEMO}) EXPECT_EQ(parseMode(toText(mode)), mode);
+  for (const TableUse use : {TableUse::SHARED, TableUse::OWN}) EXPECT_EQ(parseTableUse(toText(use)), use);
+  for (const TakeMethod method : {TakeMethod::REPLACE, TakeMethod::MERGE}) {
+    EXPECT_EQ(parseTakeMethod(toText(method)), method);
+  }
+  EXPECT_EQ(parseMode("training"), Mode::TRAINING);
+  EXPECT_EQ(parseTableUse("own"), TableUse::OWN);
+  EXPECT_EQ(parseTakeMethod("merge"), TakeMethod::MERGE);
+}
+
+TEST(LearnerNames, SayWhatWasExpected) {
+  EXPECT_EQ(errorOf<InputError>([] { parseMode("Demo"); }), "mode: expected training or demo, got 'Demo'");
+  EXPECT_EQ(errorOf<InputError>([] { parseTableUse(""); }), "tables: expected shared or own, got ''");
+  EXPECT_EQ(errorOf<InputError>([] { parseTakeMethod("add"); }), "method: expected replace or merge, got 'add'");
+}
+
+/// Two rows for every perception: action 0 is looked up in row 0 or 1, action 1 in row 2 or 3, by how far the goal is.
+class RowPerAction : public StateSet {
+ public:
+  Row rowCount() const override { return 5; }
+  std::size_t rowsPerPerception() const override { return 2; }
+  void findRows(const Perception& perception, Row* rows) const override {
+    const Row far = perception.self.goal.norm() > 2.0 ? 1 : 0;
+    rows[0] = far;
+    rows[1] = 2 + far;
+  }
+  std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
+  std::vector<OccupiedSector> occupiedSectors(const Perception& /*perception*/) const override { return {}; }
+  std::vector<double> distanceLimits() const override { return {1.0}; }
+  std::string spec() const override { return "{type: row_per_action}"; }
+};
+
+TEST(Learner, LooksUpEveryActionInARowOfItsOwn) {
+  Model model = parseModel(
+      "{state_set: {type: occupancy}, action_set: {type: kings_moves, rotations: 2}, "
+      "reward: {goal: distance_gained, obstacle_cost: 10}}");
+  model.state_set = std::make_shared<RowPerAction>();
+  model.reward =
+      std::make_shared<Reward>(Reward::Parameters{Reward::GoalPart::DISTANCE_GAINED, 100.0, 10.0}, *model.state_set);
+  QTable table(5, 2);
+  table.set(1, 0, 4.0, 1);  // far: action 0
+  table.set(3, 1, 2.0, 1);
+  table.set(0, 0, 1.0, 1);
+  table.set(2, 1, 6.0, 1);  // near: action 1
+  Learner learner(model, options(Mode::TRAINING), table);
+  // Two agents, so that the second one's rows do not stand first.
+  const RelativeActions first = decide(learner, PerceptionsBuilder(0, 0).agent(0, {1.0, 0.0}).agent(1, {4.0, 0.0}));
+  EXPECT_NEAR(first.agents.at(0).action.rotation, PI, 1e-12);
+  EXPECT_EQ(first.agents.at(1).action.rotation, 0.0);
+  decide(learner, PerceptionsBuilder(0, 1).agent(0, {1.0, 0.0}).agent(1, {2.0, 0.0}));
+  EXPECT_EQ(learner.tableOf(1).value(2, 1), 4.5);    // 0 + 0.5 * 6 = 3: from 6 down by half of 3
+  EXPECT_EQ(learner.tableOf(1).value(1, 0), 4.125);  // 2 + 0.5 * 4.5 = 4.25: from 4 up by half of 0.25
+  EXPECT_EQ(learner.tableOf(1).visits(2, 1), 2U);
+  EXPECT_EQ(learner.tableOf(1).visits(1, 0), 2U);
+  EXPECT_EQ(learner.tableOf(1).visits(3, 1), 1U);
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,144 @@
+#include "social_crowd/learning/learning_parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/error_of.h"
+
+namespace crowd {
+namespace {
+
+using Shape = EpsilonSchedule::Shape;
+
+constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
+
+LearningPlan read(const std::string& yaml) { return readLearningPlan(YAML::Load(yaml), {"file.yaml", 0, "learning"}); }
+
+std::string errorIn(const std::string& yaml) {
+  return errorOf<InputError>([&] { read(yaml); });
+}
+
+std::string problemsOf(double alpha, double gamma, double lambda, double epsilon) {
+  return LearningParameters{alpha, gamma, lambda, epsilon}.problems();
+}
+
+TEST(LearningParameters, AreTheThesisOnesUnlessToldOtherwise) {
+  const LearningParameters parameters;
+  EXPECT_EQ(parameters.alpha, 0.1);
+  EXPECT_EQ(parameters.gamma, 0.1);
+  EXPECT_EQ(parameters.lambda, 0.0);
+  EXPECT_EQ(parameters.problems(), "");
+}
+
+TEST(LearningParameters, MayLieOnTheirLimits) {
+  EXPECT_EQ(problemsOf(1.0, 0.0, 0.0, 0.0), "");
+  EXPECT_EQ(problemsOf(1e-9, std::nextafter(1.0, 0.0), 1.0, 1.0), "");
+}
+
+TEST(LearningParameters, NameTheOneThatIsWrong) {
+  for (const double wrong : {0.0, -0.1, 1.1, NOT_A_NUMBER, INFINITE}) {
+    EXPECT_EQ(problemsOf(wrong, 0.1, 0.1, 0.1).rfind("alpha: expected", 0), 0U) << wrong;
+  }
+  for (const double wrong : {1.0, -0.1, NOT_A_NUMBER, INFINITE}) {
+    EXPECT_EQ(problemsOf(0.1, wrong, 0.1, 0.1).rfind("gamma: expected", 0), 0U) << wrong;
+  }
+  for (const double wrong : {1.1, -0.1, NOT_A_NUMBER, -INFINITE}) {
+    EXPECT_EQ(problemsOf(0.1, 0.1, wrong, 0.1).rfind("lambda: expected", 0), 0U) << wrong;
+    EXPECT_EQ(problemsOf(0.1, 0.1, 0.1, wrong).rfind("epsilon: expected", 0), 0U) << wrong;
+  }
+}
+
+TEST(LearningParameters, NameAllThatAreWrongTogether) {
+  const std::string problems = problemsOf(2.0, 1.0, -1.0, 1.5);
+  for (const char* const part : {"alpha", "gamma", "lambda", "epsilon", "got 2", "got 1;", "got -1", "got 1.5"}) {
+    EXPECT_TRUE(contains(problems, part)) << problems;
+  }
+}
+
+TEST(EpsilonSchedule, MayBeConstant) {
+  const EpsilonSchedule schedule = EpsilonSchedule::constant(0.25);
+  EXPECT_EQ(schedule.at(0), 0.25);
+  EXPECT_EQ(schedule.at(1000000), 0.25);
+}
+
+TEST(EpsilonSchedule, FallsInALineThenStays) {
+  const EpsilonSchedule schedule = {0.5, 0.1, 8, Shape::LINEAR};
+  EXPECT_DOUBLE_EQ(schedule.at(0), 0.5);
+  EXPECT_DOUBLE_EQ(schedule.at(2), 0.4);  // 0.5 - 2/8 * 0.4
+  EXPECT_DOUBLE_EQ(schedule.at(6), 0.2);
+  EXPECT_DOUBLE_EQ(schedule.at(8), 0.1);
+  EXPECT_DOUBLE_EQ(schedule.at(UINT64_MAX), 0.1);
+}
+
+TEST(EpsilonSchedule, FallsByTheSameShareEachEpisodeThenStays) {
+  // From 0.8 to 0.1 is three halvings: one every two episodes.
+  const EpsilonSchedule schedule = {0.8, 0.1, 6, Shape::EXPONENTIAL};
+  EXPECT_DOUBLE_EQ(schedule.at(0), 0.8);
+  EXPECT_DOUBLE_EQ(schedule.at(2), 0.4);
+  EXPECT_DOUBLE_EQ(schedule.at(4), 0.2);
+  EXPECT_DOUBLE_EQ(schedule.at(6), 0.1);
+  EXPECT_DOUBLE_EQ(schedule.at(7), 0.1);
+  EXPECT_NEAR(schedule.at(1), 0.8 / std::sqrt(2.0), 1e-12);
+}
+
+TEST(EpsilonSchedule, MayRise) {
+  const EpsilonSchedule schedule = {0.0, 1.0, 4, Shape::LINEAR};
+  EXPECT_EQ(schedule.at(0), 0.0);
+  EXPECT_DOUBLE_EQ(schedule.at(1), 0.25);
+  EXPECT_EQ(schedule.at(4), 1.0);
+}
+
+TEST(ReadLearningPlan, TakesWhatIsThereAndTheDefaultsElse) {
+  const LearningPlan plan = read("{alpha: 0.25, gamma: 0.95, lambda: 0.5, epsilon: 0.3}");
+  EXPECT_EQ(plan.parameters.alpha, 0.25);
+  EXPECT_EQ(plan.parameters.gamma, 0.95);
+  EXPECT_EQ(plan.parameters.lambda, 0.5);
+  EXPECT_EQ(plan.parameters.epsilon, 0.3);
+  EXPECT_EQ(plan.epsilon.at(0), 0.3);
+  EXPECT_EQ(plan.epsilon.at(99), 0.3);
+  const LearningPlan defaults = read("{}");
+  EXPECT_EQ(defaults.parameters.alpha, 0.1);
+  EXPECT_EQ(defaults.parameters.gamma, 0.1);
+  EXPECT_EQ(defaults.parameters.lambda, 0.0);
+  EXPECT_EQ(defaults.epsilon.at(0), LearningParameters().epsilon);
+}
+
+TEST(ReadLearningPlan, TakesASchedule) {
+  const LearningPlan linear = read("{epsilon: {from: 0.5, to: 0.1, episodes: 8}}");
+  EXPECT_DOUBLE_EQ(linear.epsilon.at(2), 0.4);
+  EXPECT_EQ(linear.parameters.epsilon, 0.5);
+  const LearningPlan exponential = read("{epsilon: {from: 0.8, to: 0.1, episodes: 6, shape: exponential}}");
+  EXPECT_DOUBLE_EQ(exponential.epsilon.at(2), 0.4);
+  EXPECT_EQ(read("{epsilon: {from: 1, to: 0, episodes: 2, shape: linear}}").epsilon.at(2), 0.0);
+}
+
+TEST(ReadLearningPlan, SaysWhatIsWrong) {
+  EXPECT_TRUE(contains(errorIn("{alpha: 2}"), "alpha: expected a number above 0, at most 1, got 2"));
+  EXPECT_TRUE(contains(errorIn("{gamma: 1}"), "gamma: expected"));
+  EXPECT_TRUE(contains(errorIn("{lambda: -1}"), "lambda: expected"));
+  EXPECT_TRUE(contains(errorIn("{alpha: fast}"), "learning.alpha: expected a number, got 'fast'"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: 1.5}"), "learning.epsilon: expected a number from 0 to 1"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: [0.1]}"), "learning.epsilon: expected"));
+  EXPECT_TRUE(contains(errorIn("{beta: 1}"), "unknown key 'beta'"));
+  EXPECT_TRUE(contains(errorIn("[0.1]"), "learning: expected a map"));
+}
+
+TEST(ReadLearningPlan, SaysWhatIsWrongWithASchedule) {
+  EXPECT_TRUE(contains(errorIn("{epsilon: {to: 0.1, episodes: 8}}"), "'from' is missing"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 0.5, episodes: 8}}"), "'to' is missing"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 0.5, to: 0.1}}"), "'episodes' is missing"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 0.5, to: 0.1, episodes: 0}}"), "learning.epsilon.episodes: expected"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 2, to: 0.1, episodes: 8}}"), "learning.epsilon.from: expected"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 1, to: -1, episodes: 8}}"), "learning.epsilon.to: expected"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 1, to: 0, episodes: 8, shape: round}}"),
+                       "learning.epsilon.shape: expected linear or exponential, got 'round'"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 1, to: 0, episodes: 8, shape: exponential}}"), "above 0"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 0, to: 1, episodes: 8, shape: exponential}}"), "above 0"));
+  EXPECT_TRUE(contains(errorIn("{epsilon: {from: 1, to: 0, episodes: 8, form: linear}}"), "unknown key 'form'"));
+}
+
+}  // namespace
+}  // namespace crowd

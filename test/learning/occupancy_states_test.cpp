@@ -1,0 +1,249 @@
+#include "social_crowd/learning/occupancy_states.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+using Classes = std::vector<int>;
+using Situation = OccupancyStates::Situation;
+
+const Classes NOTHING = {0, 0, 0, 0, 0, 0, 0, 0};
+const Classes ALL_NEAR = {1, 1, 1, 1, 1, 1, 1, 1};
+
+/// An agent whose goal lies 5 m straight ahead.
+PerceptionsBuilder agentAlone() { return PerceptionsBuilder().agent(0, {5.0, 0.0}); }
+
+/// The distance class of each of the 8 sectors, as the row tells them.
+Classes classesOf(const PerceptionsBuilder& scene) {
+  const OccupancyStates states;
+  return states.distanceClasses(states.rowOf(states.describe(scene.perception())));
+}
+
+Classes classesOfBody(const Vector2& position, double radius) { return classesOf(agentAlone().body(position, radius)); }
+
+/// Those of a wall, which must not depend on which end comes first.
+Classes classesOfWall(const Vector2& from, const Vector2& to) {
+  Classes classes = classesOf(agentAlone().wall(from, to));
+  EXPECT_EQ(classesOf(agentAlone().wall(to, from)), classes);
+  return classes;
+}
+
+TEST(OccupancyStates, HasTheEightGoalSectors) {
+  struct Case {
+    double degrees;
+    int sector;
+  };
+  const OccupancyStates states;
+  for (const Case& edge : std::vector<Case>{{0.0, 0},
+                                            {22.4, 0},
+                                            {22.6, 1},
+                                            {67.4, 1},
+                                            {67.6, 2},
+                                            {112.4, 2},
+                                            {112.6, 3},
+                                            {157.4, 3},
+                                            {157.6, 4},
+                                            {180.0, 4},
+                                            {-157.6, 4},
+                                            {-157.4, 5},
+                                            {-112.6, 5},
+                                            {-112.4, 6},
+                                            {-67.6, 6},
+                                            {-67.4, 7},
+                                            {-22.6, 7},
+                                            {-22.4, 0}}) {
+    const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(edge.degrees, 2.0));
+    EXPECT_EQ(states.describe(scene.perception()).goal_sector, edge.sector) << edge.degrees << " degrees";
+  }
+}
+
+TEST(OccupancyStates, PutsABodyIntoTheSectorItLiesIn) {
+  // Half the angle it spans is asin(0.1 / 0.7) = 8.2 degrees; its rim is 0.6 away.
+  EXPECT_EQ(classesOfBody(polar(0.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(45.0, 0.7), 0.1), (Classes{0, 2, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(90.0, 0.7), 0.1), (Classes{0, 0, 2, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(135.0, 0.7), 0.1), (Classes{0, 0, 0, 2, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(180.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 2, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(-135.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 2, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(-90.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 0, 2, 0}));
+  EXPECT_EQ(classesOfBody(polar(-45.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 0, 0, 2}));
+}
+
+TEST(OccupancyStates, PutsABodyIntoTheSectorItReachesInto) {
+  // 20 + 8.2 degrees lies beyond the limit of 22.5, 14 + 8.2 does not.
+  EXPECT_EQ(classesOfBody(polar(20.0, 0.7), 0.1), (Classes{2, 2, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(14.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(-20.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 2}));
+  EXPECT_EQ(classesOfBody(polar(110.0, 0.7), 0.1), (Classes{0, 0, 2, 2, 0, 0, 0, 0}));
+}
+
+TEST(OccupancyStates, PutsABodyIntoTheNeighboursOnBothSides) {
+  // asin(0.3 / 0.7) = 25.4 degrees to either side, beyond 22.5; the rim is 0.4 away.
+  EXPECT_EQ(classesOfBody(polar(0.0, 0.7), 0.3), (Classes{1, 1, 0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(classesOfBody(polar(-90.0, 0.7), 0.3), (Classes{0, 0, 0, 0, 0, 1, 1, 1}));
+  // asin(0.99 / 1) = 81.9 degrees: into the second neighbours, which begin at 67.5.
+  EXPECT_EQ(classesOfBody(polar(0.0, 1.0), 0.99), (Classes{1, 1, 1, 0, 0, 0, 1, 1}));
+}
+
+TEST(OccupancyStates, GoesOnBehindTheAgent) {
+  // 180 +- 25.4 degrees cross both limits, 157.5 and -157.5.
+  EXPECT_EQ(classesOfBody(polar(180.0, 0.7), 0.3), (Classes{0, 0, 0, 1, 1, 1, 0, 0}));
+  // 165 +- 16.6 degrees: from 148.4 to 181.6, across 180 but not as far as 202.5.
+  EXPECT_EQ(classesOfBody(polar(165.0, 0.7), 0.2), (Classes{0, 0, 0, 1, 1, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(-165.0, 0.7), 0.2), (Classes{0, 0, 0, 0, 1, 1, 0, 0}));
+}
+
+TEST(OccupancyStates, ABodyAroundTheAgentIsEverywhere) {
+  EXPECT_EQ(classesOfBody({0.1, 0.0}, 0.3), ALL_NEAR);
+  EXPECT_EQ(classesOfBody({0.0, 0.0}, 0.3), ALL_NEAR);
+  EXPECT_EQ(classesOfBody({0.0, -0.25}, 0.25), ALL_NEAR);  // the agent's centre is on the rim
+}
+
+TEST(OccupancyStates, CountsBothLimitsInTheClassWithin) {
+  // 0.75 - 0.25 = 0.5 and 1.25 - 0.25 = 1, both exactly; asin(0.25 / 0.75) = 19.5 degrees stay within the sector.
+  EXPECT_EQ(classesOfBody({0.75, 0.0}, 0.25)[0], 1);
+  EXPECT_EQ(classesOfBody({std::nextafter(0.75, 1.0), 0.0}, 0.25)[0], 2);
+  EXPECT_EQ(classesOfBody({1.25, 0.0}, 0.25)[0], 2);
+  EXPECT_EQ(classesOfBody({std::nextafter(1.25, 2.0), 0.0}, 0.25), NOTHING);
+  EXPECT_EQ(classesOfBody({3.0, 0.0}, 0.25), NOTHING);
+}
+
+TEST(OccupancyStates, TheNearerOfTwoInASectorCounts) {
+  const Vector2 near = polar(5.0, 0.4);  // rim 0.3
+  const Vector2 far = polar(-5.0, 0.9);  // rim 0.8
+  const Classes expected = {1, 0, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(classesOf(agentAlone().body(near, 0.1).body(far, 0.1)), expected);
+  EXPECT_EQ(classesOf(agentAlone().body(far, 0.1).body(near, 0.1)), expected);
+}
+
+TEST(OccupancyStates, ANearBodyDoesNotBringAFarOneNearer) {
+  // The far one (90 degrees, rim 0.7, asin(0.3 / 1) = 17.5 degrees) shares no sector with the near one.
+  EXPECT_EQ(classesOf(agentAlone().body(polar(0.0, 0.4), 0.1).body(polar(90.0, 1.0), 0.3)),
+            (Classes{1, 0, 2, 0, 0, 0, 0, 0}));
+  // Two far ones and a wall behind; the bodies share the sector ahead.
+  EXPECT_EQ(
+      classesOf(agentAlone().body(polar(20.0, 0.7), 0.1).body(polar(-20.0, 0.7), 0.1).wall({-0.4, -0.1}, {-0.4, 0.1})),
+      (Classes{2, 2, 0, 0, 1, 0, 0, 2}));
+}
+
+TEST(OccupancyStates, ALongWallIsNearInOneSectorAndFarInTheNext) {
+  // A wall across the way at 0.5: in the neighbours its nearest part lies at 22.5 degrees, 0.5 / cos(22.5) = 0.541
+  // away; beyond them at 67.5 degrees, 0.5 / cos(67.5) = 1.307.
+  EXPECT_EQ(classesOfWall({0.5, -3.0}, {0.5, 3.0}), (Classes{1, 2, 0, 0, 0, 0, 0, 2}));
+  // At 0.3: 0.325 and 0.784; the wall's ends are at 84.3 degrees, within the sector from 67.5 to 112.5.
+  EXPECT_EQ(classesOfWall({0.3, -3.0}, {0.3, 3.0}), (Classes{1, 1, 2, 0, 0, 0, 2, 1}));
+  // At 0.95: 0.95 / cos(22.5) = 1.028.
+  EXPECT_EQ(classesOfWall({0.95, -3.0}, {0.95, 3.0}), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfWall({1.1, -3.0}, {1.1, 3.0}), NOTHING);
+}
+
+TEST(OccupancyStates, AWallBehindTheAgentGoesOnAcrossTheFullCircle) {
+  EXPECT_EQ(classesOfWall({-0.5, -3.0}, {-0.5, 3.0}), (Classes{0, 0, 0, 2, 1, 2, 0, 0}));
+}
+
+TEST(OccupancyStates, AWallEndsWhereItEnds) {
+  // To the left at 0.4, from far behind to x = 0.1: that end is at atan(0.4 / 0.1) = 76 degrees, in sector 2. Sector 3
+  // begins at 112.5 degrees: 0.4 / sin(112.5) = 0.433. Sector 4 at 157.5 degrees: 0.4 / sin(157.5) = 1.045.
+  EXPECT_EQ(classesOfWall({-3.0, 0.4}, {0.1, 0.4}), (Classes{0, 0, 1, 1, 0, 0, 0, 0}));
+  // On to x = 0.2: that end is at 63.4 degrees, in sector 1, sqrt(0.2^2 + 0.4^2) = 0.447 away.
+  EXPECT_EQ(classesOfWall({-3.0, 0.4}, {0.2, 0.4}), (Classes{0, 1, 1, 1, 0, 0, 0, 0}));
+  // Only to x = -0.6: the end is at 146.3 degrees, 0.721 away.
+  EXPECT_EQ(classesOfWall({-3.0, 0.4}, {-0.6, 0.4}), (Classes{0, 0, 0, 2, 0, 0, 0, 0}));
+}
+
+TEST(OccupancyStates, AWallThatPointsAtTheAgentIsInOneSector) {
+  EXPECT_EQ(classesOfWall({0.6, 0.0}, {3.0, 0.0}), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfWall(polar(-120.0, 0.3), polar(-120.0, 3.0)), (Classes{0, 0, 0, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(classesOfWall({-0.6, 0.0}, {-3.0, 0.0}), (Classes{0, 0, 0, 0, 2, 0, 0, 0}));
+}
+
+TEST(OccupancyStates, AWallThroughTheAgentIsEverywhere) {
+  EXPECT_EQ(classesOfWall({-1.0, 0.0}, {1.0, 0.0}), ALL_NEAR);
+  EXPECT_EQ(classesOfWall({-1.0, -2.0}, {2.0, 4.0}), ALL_NEAR);
+  EXPECT_EQ(classesOfWall({0.0, 0.0}, {1.0, 0.0}), ALL_NEAR);  // ends in the agent's centre
+}
+
+TEST(OccupancyStates, AWallCloseByFillsHalfTheCircle) {
+  // At 0.001 to the left its ends are at 0.06 and 179.94 degrees.
+  EXPECT_EQ(classesOfWall({-1.0, 0.001}, {1.0, 0.001}), (Classes{1, 1, 1, 1, 1, 0, 0, 0}));
+}
+
+TEST(OccupancyStates, AWallMayBeAPoint) {
+  EXPECT_EQ(classesOfWall(polar(50.0, 0.6), polar(50.0, 0.6)), (Classes{0, 2, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfWall({0.0, 0.0}, {0.0, 0.0}), ALL_NEAR);
+}
+
+TEST(OccupancyStates, NumbersItsStatesAsTheThesisDoes) {
+  const OccupancyStates states;
+  EXPECT_EQ(states.rowCount(), 52489U);
+  EXPECT_EQ(states.terminal(), 52488U);  // 3^8 * 8 = 6561 * 8
+  EXPECT_EQ(states.rowOf({0, {}}), 0U);
+  EXPECT_EQ(states.rowOf({0, {0, 0, 0, 0, 0, 0, 0, 1}}), 1U);      // the last sector counts 3^0
+  EXPECT_EQ(states.rowOf({0, {2}}), 4374U);                        // the first 3^7 = 2187, twice
+  EXPECT_EQ(states.rowOf({3, {2}}), 24057U);                       // 3 * 6561 + 4374
+  EXPECT_EQ(states.rowOf({1, {0, 1, 0, 0, 2, 0, 0, 0}}), 7344U);   // 6561 + 3^6 + 2 * 3^3 = 6561 + 729 + 54
+  EXPECT_EQ(states.rowOf({7, {2, 2, 2, 2, 2, 2, 2, 2}}), 52487U);  // 7 * 6561 + 6560
+}
+
+TEST(OccupancyStates, NoTwoSituationsShareARowAndEachCanBePerceived) {
+  const OccupancyStates states;
+  std::vector<int> found(states.rowCount(), 0);
+  for (int goal = 0; goal < 8; ++goal) {
+    for (int code = 0; code < 6561; ++code) {
+      PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(45.0 * goal, 5.0));
+      Classes classes(8);
+      int rest = code;
+      for (std::size_t sector = 0; sector < 8; ++sector, rest /= 3) {
+        classes[sector] = rest % 3;
+        const double rim = classes[sector] == 1 ? 0.3 : 0.8;
+        if (classes[sector] > 0) scene.body(polar(45.0 * static_cast<double>(sector), rim + 0.01), 0.01);
+      }
+      Row row = 0;
+      states.findRows(scene.perception(), &row);
+      ASSERT_LT(row, states.terminal());
+      ASSERT_EQ(states.distanceClasses(row), classes) << "row " << row;
+      ++found[row];
+    }
+  }
+  for (Row row = 0; row < states.terminal(); ++row) ASSERT_EQ(found[row], 1) << "row " << row;
+  EXPECT_EQ(states.distanceClasses(states.terminal()), Classes{});
+}
+
+TEST(OccupancyStates, TellsItsSectorsForPictures) {
+  const OccupancyStates states;
+  EXPECT_TRUE(states.occupiedSectors(agentAlone().perception()).empty());
+  const PerceptionsBuilder scene = agentAlone().body(polar(0.0, 0.7), 0.1).body(polar(90.0, 0.4), 0.1);
+  const auto occupied = states.occupiedSectors(scene.perception());
+  ASSERT_EQ(occupied.size(), 2U);
+  EXPECT_NEAR(occupied[0].from, toRadians(-22.5), 1e-9);
+  EXPECT_NEAR(occupied[0].to, toRadians(22.5), 1e-9);
+  EXPECT_EQ(occupied[0].distance_class, 2);
+  EXPECT_NEAR(occupied[1].from, toRadians(67.5), 1e-9);
+  EXPECT_NEAR(occupied[1].to, toRadians(112.5), 1e-9);
+  EXPECT_EQ(occupied[1].distance_class, 1);
+}
+
+TEST(OccupancyStates, KeepsToItsParameters) {
+  OccupancyStates::Parameters parameters;
+  parameters.sectors = 4;
+  parameters.distances = {0.25, 3.0};
+  const OccupancyStates states(parameters);
+  EXPECT_EQ(states.terminal(), 324U);                // 3^4 * 4
+  EXPECT_EQ(states.rowOf({2, {1, 0, 0, 2}}), 191U);  // 2 * 81 + 27 + 2
+  EXPECT_EQ(states.distanceClasses(191U), (Classes{1, 0, 0, 2}));
+  EXPECT_EQ(states.distanceLimits(), (std::vector<double>{0.25, 3.0}));
+  EXPECT_EQ(states.rowsPerPerception(), 1U);
+  EXPECT_EQ(states.spec(), "{type: occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
+  // At the right, rim 2.9; goal behind.
+  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {-1.0, 0.0}).body({0.0, -3.0}, 0.1);
+  EXPECT_EQ(states.rowOf(states.describe(scene.perception())), 164U);  // 2 * 81 + 2
+}
+
+}  // namespace
+}  // namespace crowd

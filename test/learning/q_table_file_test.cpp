@@ -1,0 +1,188 @@
+#include "social_crowd/learning/q_table_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+
+#include "social_crowd/common/random.h"
+#include "support/error_of.h"
+#include "support/q_table_texts.h"
+#include "support/temporary_folder.h"
+
+namespace crowd {
+namespace {
+
+using Names = std::vector<std::string>;
+using Limits = std::numeric_limits<double>;
+
+/// Any double but for those that are not finite; every fourth below the normal numbers.
+double anyDouble(KeyedRandom& random) {
+  for (;;) {
+    const std::uint64_t mask = random.below(4) == 0 ? 0x800FFFFFFFFFFFFFULL : UINT64_MAX;
+    const std::uint64_t bits = random.next() & mask;
+    double value = 0.0;
+    std::memcpy(&value, &bits, sizeof value);
+    if (std::isfinite(value)) return value;
+  }
+}
+
+void expectSame(const TrainedTable& read, const TrainedTable& written) {
+  EXPECT_EQ(read.model.spec(), written.model.spec());
+  EXPECT_EQ(read.parameters.alpha, written.parameters.alpha);
+  EXPECT_EQ(read.parameters.gamma, written.parameters.gamma);
+  EXPECT_EQ(read.parameters.lambda, written.parameters.lambda);
+  EXPECT_EQ(read.parameters.epsilon, written.parameters.epsilon);
+  EXPECT_EQ(read.decisions, written.decisions);
+  EXPECT_EQ(read.seed, written.seed);
+  EXPECT_TRUE(read.table == written.table);
+}
+
+void expectRoundTrip(const TrainedTable& trained) {
+  const std::string text = toText(trained);
+  const TrainedTable read = parseQTable(text, "table.txt");
+  expectSame(read, trained);
+  EXPECT_EQ(toText(read), text);
+}
+
+TEST(QTableText, IsReadableAndSaysWhatWasLearned) {
+  EXPECT_EQ(toText(q_table_texts::trained()), q_table_texts::text());
+}
+
+TEST(QTableText, ReadsBackWhatItSays) {
+  expectSame(parseQTable(q_table_texts::text(), "table.txt"), q_table_texts::trained());
+}
+
+TEST(QTableText, ReadsAnEmptyTable) {
+  TrainedTable trained = q_table_texts::trained();
+  trained.table = QTable(11, 2);
+  EXPECT_TRUE(contains(toText(trained), "visited_rows: 0\n---\nchecksum: "));
+  expectRoundTrip(trained);
+}
+
+TEST(QTableText, ReadsBackBitForBit) {
+  TrainedTable trained = q_table_texts::trained();
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    trained.table = QTable(11, 2);
+    for (Row row = 0; row < 11; ++row) {
+      if (random.below(3) == 0) continue;
+      const double value = anyDouble(random);
+      trained.table.set(row, 0, value, 1 + random.below(UINT32_MAX));
+      trained.table.set(row, 1, anyDouble(random), random.below(5));
+    }
+    trained.parameters = {1.0 - random.uniform(), random.uniform(), random.uniform(), random.uniform()};
+    trained.decisions = random.next() >> 1U;
+    trained.seed = random.next() >> 1U;
+    expectRoundTrip(trained);
+  }
+}
+
+TEST(QTableText, ReadsBackTheEndsOfTheRange) {
+  TrainedTable trained = q_table_texts::trained();
+  trained.table.set(0, 0, -0.0, 1);
+  trained.table.set(1, 0, Limits::max(), UINT32_MAX);
+  trained.table.set(1, 1, Limits::lowest(), 1);
+  trained.table.set(2, 0, Limits::denorm_min(), 1);
+  trained.table.set(2, 1, -Limits::denorm_min(), 1);
+  trained.table.set(4, 0, Limits::min(), 1);
+  trained.table.set(4, 1, std::nextafter(1.0, 2.0), 1);
+  expectRoundTrip(trained);
+}
+
+TEST(QTableText, ReadsBackAnySeedAndNumberOfDecisions) {
+  TrainedTable trained = q_table_texts::trained();
+  trained.seed = UINT64_MAX;
+  trained.decisions = UINT64_MAX;
+  expectRoundTrip(trained);
+}
+
+TEST(QTableText, ReadsBackAValueThatNobodyVisited) {
+  TrainedTable trained = q_table_texts::trained();
+  trained.table.set(5, 1, 2.5, 0);
+  expectRoundTrip(trained);
+  trained.table.set(5, 1, -0.0, 0);
+  expectRoundTrip(trained);
+}
+
+TEST(QTableText, HoldsTheThesisTables) {
+  for (const char* const state_set : {"{type: nearest_obstacle}", "{type: occupancy}"}) {
+    const Model model = parseModel("{state_set: " + std::string(state_set) +
+                                   ", action_set: {type: kings_moves}, "
+                                   "reward: {goal: distance_gained, obstacle_cost: 10}}");
+    QTable table(model.state_set->rowCount(), 8);
+    KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
+    for (Row row = 0; row < table.rows(); row += 1 + random.below(20)) {
+      table.set(row, random.below(8), random.uniform(-100.0, 100.0), 1 + random.below(9));
+    }
+    expectRoundTrip({model, {}, 1, 2, table});
+  }
+}
+
+TEST(QTableText, WritesALineForVisitedRowsOnly) {
+  TrainedTable trained = q_table_texts::trained();
+  trained.table = QTable(11, 2);
+  trained.table.set(4, 1, 0.0, 1);  // visited, and still zero
+  trained.table.set(9, 0, 1.0, 1);
+  EXPECT_TRUE(contains(toText(trained), "visited_rows: 2\n---\n4 0 0 1 0\n9 1 1 0 0\nchecksum: "));
+}
+
+TEST(QTableText, IsNotWrittenForValuesThatAreNotFinite) {
+  for (const double value : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
+    TrainedTable trained = q_table_texts::trained();
+    trained.table.set(3, 1, value, 1);
+    const std::string message = errorOf<InputError>([&] { toText(trained); });
+    EXPECT_TRUE(contains(message, "row 3, action 1")) << message;
+  }
+}
+
+TEST(QTableFile, ReadsBackWhatWasSaved) {
+  const TemporaryFolder folder;
+  saveQTable(folder.file("table.txt"), q_table_texts::trained());
+  expectSame(loadQTable(folder.file("table.txt")), q_table_texts::trained());
+  EXPECT_EQ(folder.names(), Names{"table.txt"});
+}
+
+TEST(QTableFile, ReplacesAnOlderOne) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("table.txt", "something much longer" + std::string(100000, '.'));
+  saveQTable(file, q_table_texts::trained());
+  expectSame(loadQTable(file), q_table_texts::trained());
+  EXPECT_EQ(folder.names(), Names{"table.txt"});
+}
+
+TEST(QTableFile, KeepsTheOlderOneIfTheTableCannotBeWritten) {
+  const TemporaryFolder folder;
+  saveQTable(folder.file("table.txt"), q_table_texts::trained());
+  TrainedTable broken = q_table_texts::trained();
+  broken.table.set(0, 0, Limits::quiet_NaN(), 1);
+  EXPECT_THROW(saveQTable(folder.file("table.txt"), broken), InputError);
+  expectSame(loadQTable(folder.file("table.txt")), q_table_texts::trained());
+  EXPECT_EQ(folder.names(), Names{"table.txt"});
+}
+
+TEST(QTableFile, IsNotWrittenWhereItCannotBe) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("taken"));
+  for (const std::string& file : {folder.file("none/table.txt"), folder.file("taken")}) {
+    const std::string message = errorOf<FileError>([&] { saveQTable(file, q_table_texts::trained()); });
+    EXPECT_TRUE(contains(message, file)) << message;
+  }
+  EXPECT_EQ(folder.names(), Names{"taken"});
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("taken")));
+}
+
+TEST(QTableFile, IsNamedWhereItIsMissingOrDamaged) {
+  const TemporaryFolder folder;
+  const std::string missing = folder.file("missing.txt");
+  EXPECT_TRUE(contains(errorOf<FileError>([&] { loadQTable(missing); }), missing));
+  const std::string damaged = folder.write("damaged.txt", q_table_texts::text() + "more\n");
+  const std::string message = errorOf<InputError>([&] { loadQTable(damaged); });
+  EXPECT_EQ(message.rfind(damaged + ": line ", 0), 0U) << message;
+}
+
+}  // namespace
+}  // namespace crowd

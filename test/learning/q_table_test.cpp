@@ -1,0 +1,239 @@
+#include "social_crowd/learning/q_table.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/random.h"
+#include "support/error_of.h"
+
+namespace crowd {
+namespace {
+
+/// The rows of a state set that has one row for all actions.
+Rows sameRow(const Row& row) { return {&row, 0}; }
+
+TEST(QTable, IsZeroAndUnvisitedAtFirst) {
+  const QTable table(3, 2);
+  EXPECT_EQ(table.rows(), 3U);
+  EXPECT_EQ(table.actions(), 2U);
+  for (Row row = 0; row < 3; ++row) {
+    EXPECT_FALSE(table.isVisited(row));
+    for (Action action = 0; action < 2; ++action) {
+      EXPECT_EQ(table.value(row, action), 0.0);
+      EXPECT_EQ(table.visits(row, action), 0U);
+    }
+  }
+  EXPECT_EQ(table.visitedRows(), 0U);
+}
+
+TEST(QTable, NeedsARowAndAnAction) {
+  EXPECT_THROW(QTable(0, 2), ShapeError);
+  EXPECT_THROW(QTable(2, 0), ShapeError);
+}
+
+TEST(QTable, KeepsEveryCellApart) {
+  QTable table(3, 2);
+  for (Row row = 0; row < 3; ++row) {
+    for (Action action = 0; action < 2; ++action) table.set(row, action, row * 10.0 + action, row * 2 + action);
+  }
+  for (Row row = 0; row < 3; ++row) {
+    for (Action action = 0; action < 2; ++action) {
+      EXPECT_EQ(table.value(row, action), row * 10.0 + action);
+      EXPECT_EQ(table.visits(row, action), row * 2 + action);
+    }
+  }
+}
+
+TEST(QTable, AddsToOneValueAndCountsOneVisit) {
+  QTable table(2, 2);
+  table.set(1, 0, 1.5, 7);
+  table.addTo(1, 0, -2.0);
+  table.countVisit(1, 0);
+  EXPECT_EQ(table.value(1, 0), -0.5);
+  EXPECT_EQ(table.visits(1, 0), 8U);
+  EXPECT_EQ(table.value(1, 1), 0.0);
+  EXPECT_EQ(table.visits(1, 1), 0U);
+}
+
+TEST(QTable, VisitsStopAtTheirLargestNumber) {
+  QTable table(1, 1);
+  table.set(0, 0, 0.0, UINT32_MAX - 1);
+  table.countVisit(0, 0);
+  EXPECT_EQ(table.visits(0, 0), UINT32_MAX);
+  table.countVisit(0, 0);
+  EXPECT_EQ(table.visits(0, 0), UINT32_MAX);
+}
+
+TEST(QTable, ARowIsVisitedIfAnyOfItsActionsIs) {
+  QTable table(4, 3);
+  table.countVisit(1, 2);
+  table.countVisit(3, 0);
+  table.countVisit(3, 1);
+  table.set(0, 0, 5.0, 0);  // a value alone is no visit
+  EXPECT_FALSE(table.isVisited(0));
+  EXPECT_TRUE(table.isVisited(1));
+  EXPECT_FALSE(table.isVisited(2));
+  EXPECT_TRUE(table.isVisited(3));
+  EXPECT_EQ(table.visitedRows(), 2U);
+}
+
+/// The greedy action of a table of one row.
+Action greedyOf(const std::vector<double>& values) {
+  QTable table(2, static_cast<Action>(values.size()));
+  for (Action action = 0; action < values.size(); ++action) table.set(1, action, values[action], 1);
+  const Row row = 1;
+  EXPECT_EQ(table.greedyValue(sameRow(row)), values[table.greedyAction(sameRow(row))]);
+  return table.greedyAction(sameRow(row));
+}
+
+TEST(QTable, TheGreedyActionHasTheHighestValueAndOfEqualOnesIsTheFirst) {
+  EXPECT_EQ(greedyOf({0.0, 0.0, 0.0}), 0U);
+  EXPECT_EQ(greedyOf({1.0, 3.0, 2.0}), 1U);
+  EXPECT_EQ(greedyOf({1.0, 2.0, 3.0}), 2U);
+  EXPECT_EQ(greedyOf({1.0, 3.0, 3.0}), 1U);
+  EXPECT_EQ(greedyOf({-5.0, -1.0, -1.0, -2.0}), 1U);
+  EXPECT_EQ(greedyOf({-1e300, -std::numeric_limits<double>::max()}), 0U);
+  EXPECT_EQ(greedyOf({-0.0, 0.0}), 0U);
+}
+
+TEST(QTable, LooksUpEveryActionInARowOfItsOwn) {
+  // Actions 0, 1, 2 are in the situations 3, 0 and 3.
+  const std::array<Row, 3> rows = {3, 0, 3};
+  QTable table(4, 3);
+  table.set(3, 0, 1.0, 1);
+  table.set(0, 1, 2.0, 1);
+  table.set(3, 2, 1.5, 1);
+  table.set(3, 1, 9.0, 1);  // action 1 in situation 3: not asked for
+  table.set(0, 0, 9.0, 1);
+  EXPECT_EQ(table.greedyAction({rows.data(), 1}), 1U);
+  EXPECT_EQ(table.greedyValue({rows.data(), 1}), 2.0);
+  table.set(0, 1, 1.0, 1);
+  EXPECT_EQ(table.greedyAction({rows.data(), 1}), 2U);
+}
+
+TEST(QTable, EqualMeansEveryBit) {
+  QTable a(2, 2);
+  QTable b(2, 2);
+  EXPECT_EQ(a, b);
+  b.set(1, 1, 0.0, 1);
+  EXPECT_NE(a, b);  // a visit more
+  b.set(1, 1, -0.0, 0);
+  EXPECT_NE(a, b);
+  b.set(1, 1, std::numeric_limits<double>::denorm_min(), 0);
+  EXPECT_NE(a, b);
+  EXPECT_NE(QTable(2, 3), QTable(3, 2));
+  EXPECT_NE(QTable(4, 1), QTable(2, 2));
+}
+
+QTable cell(double value, std::uint32_t visits) {
+  QTable table(1, 1);
+  table.set(0, 0, value, visits);
+  return table;
+}
+
+void expectMerged(const QTable& into, const QTable& from, double value, std::uint32_t visits) {
+  QTable merged = into;
+  merged.mergeByVisits(from);
+  EXPECT_DOUBLE_EQ(merged.value(0, 0), value);
+  EXPECT_EQ(merged.visits(0, 0), visits);
+}
+
+TEST(QTableMerge, IsTheMeanWeightedByVisits) {
+  expectMerged(cell(2.0, 3), cell(6.0, 1), 3.0, 4);  // (3 * 2 + 1 * 6) / 4
+  expectMerged(cell(-1.0, 1), cell(3.0, 1), 1.0, 2);
+  expectMerged(cell(10.0, 1), cell(0.0, 9), 1.0, 10);  // a visited zero counts
+}
+
+TEST(QTableMerge, TakesWhatOnlyOneOfThemKnows) {
+  expectMerged(cell(0.0, 0), cell(0.1, 5), 0.1, 5);
+  expectMerged(cell(0.1, 5), cell(0.0, 0), 0.1, 5);
+  expectMerged(cell(7.0, 0), cell(0.1, 5), 0.1, 5);  // what nobody visited weighs nothing
+  expectMerged(cell(0.1, 5), cell(7.0, 0), 0.1, 5);
+  expectMerged(cell(7.0, 0), cell(8.0, 0), 7.0, 0);  // neither was visited: the value stays
+}
+
+TEST(QTableMerge, VisitsStopAtTheirLargestNumberButWeighInFull) {
+  expectMerged(cell(1.0, UINT32_MAX), cell(3.0, UINT32_MAX), 2.0, UINT32_MAX);
+  expectMerged(cell(0.0, UINT32_MAX), cell(4.0, 1431655765), 1.0, UINT32_MAX);  // a third of it: 1/4 of the sum
+}
+
+TEST(QTableMerge, NeverLeavesTheRangeOfBothValues) {
+  expectMerged(cell(-1.5e308, 1), cell(1.5e308, 1), 0.0, 2);
+  expectMerged(cell(-1.5e308, 0), cell(1.5e308, 1), 1.5e308, 1);
+}
+
+TEST(QTableMerge, LeavesEqualValuesAsTheyAre) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    const double value = random.uniform(-100.0, 100.0);
+    QTable table = cell(value, 1 + random.below(9));
+    table.mergeByVisits(cell(value, 1 + random.below(9)));
+    EXPECT_EQ(table.value(0, 0), value);  // bit for bit: sharing what all know already changes nothing
+  }
+}
+
+TEST(QTableMerge, GoesCellByCell) {
+  QTable a(2, 2);
+  a.set(0, 0, 1.0, 1);
+  a.set(0, 1, 2.0, 1);
+  QTable b(2, 2);
+  b.set(0, 1, 4.0, 3);
+  b.set(1, 0, -3.0, 2);
+  a.mergeByVisits(b);
+  QTable expected(2, 2);
+  expected.set(0, 0, 1.0, 1);
+  expected.set(0, 1, 3.5, 4);  // (2 + 3 * 4) / 4
+  expected.set(1, 0, -3.0, 2);
+  EXPECT_EQ(a, expected);
+}
+
+TEST(QTableMerge, TwoHalvesGiveTheMeanOfAllVisitsEitherWay) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    QTable a(5, 4);
+    QTable b(5, 4);
+    for (Row row = 0; row < 5; ++row) {
+      for (Action action = 0; action < 4; ++action) {
+        const std::uint32_t visits = random.below(4);
+        a.set(row, action, visits > 0 ? random.uniform(-100.0, 100.0) : 0.0, visits);
+        const std::uint32_t others = random.below(4);
+        b.set(row, action, others > 0 ? random.uniform(-100.0, 100.0) : 0.0, others);
+      }
+    }
+    QTable ab = a;
+    ab.mergeByVisits(b);
+    QTable ba = b;
+    ba.mergeByVisits(a);
+    for (Row row = 0; row < 5; ++row) {
+      for (Action action = 0; action < 4; ++action) {
+        const double weight = a.visits(row, action) + b.visits(row, action);
+        const double total =
+            a.visits(row, action) * a.value(row, action) + b.visits(row, action) * b.value(row, action);
+        EXPECT_EQ(ab.visits(row, action), weight);
+        EXPECT_NEAR(ab.value(row, action), weight > 0.0 ? total / weight : 0.0, 1e-12);
+        EXPECT_EQ(ba.visits(row, action), weight);
+        EXPECT_NEAR(ba.value(row, action), ab.value(row, action), 1e-12);
+      }
+    }
+  }
+}
+
+TEST(QTableMerge, RefusesAnotherShapeAndLeavesAllAsItIs) {
+  QTable table(2, 3);
+  table.set(1, 2, 5.0, 1);
+  const QTable before = table;
+  for (const QTable& other : {QTable(3, 2), QTable(2, 2), QTable(3, 3), QTable(6, 1)}) {
+    const std::string message = errorOf<ShapeError>([&] { table.mergeByVisits(other); });
+    EXPECT_TRUE(contains(message, "2 rows of 3 actions")) << message;
+    EXPECT_EQ(table, before);
+  }
+}
+
+}  // namespace
+}  // namespace crowd

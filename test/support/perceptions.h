@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+
+#include "social_crowd/world/perception.h"
+
+namespace crowd {
+
+/// @brief The point at a bearing [degrees, counterclockwise from ahead] and a distance [m].
+inline Vector2 polar(double degrees, double distance) { return distance * unitVector(toRadians(degrees)); }
+
+/// @brief Makes perceptions for tests, agent by agent: what is said of an agent, its bodies and its walls is said of
+/// the one added last.
+class PerceptionsBuilder {
+ public:
+  explicit PerceptionsBuilder(std::uint64_t episode = 0, std::uint64_t tick = 0) {
+    all_.episode = episode;
+    all_.tick = tick;
+    all_.tick_duration = 0.1;
+  }
+
+  /// @brief An agent on its way whose last answer was carried out; goal in its own frame [m].
+  PerceptionsBuilder& agent(AgentId id, const Vector2& goal) {
+    AgentPerception self;
+    self.agent = id;
+    self.goal = goal;
+    self.speed = 0.3;
+    self.radius = 0.25;
+    self.acted = true;
+    self.first_body = static_cast<std::uint32_t>(all_.bodies.size());
+    self.first_wall = static_cast<std::uint32_t>(all_.walls.size());
+    all_.agents.push_back(self);
+    return *this;
+  }
+
+  PerceptionsBuilder& body(const Vector2& position, double radius) {
+    PerceivedBody body;
+    body.position = position;
+    body.radius = radius;
+    all_.bodies.push_back(body);
+    ++all_.agents.back().body_count;
+    return *this;
+  }
+
+  PerceptionsBuilder& wall(const Vector2& from, const Vector2& to) {
+    all_.walls.push_back({from, to});
+    ++all_.agents.back().wall_count;
+    return *this;
+  }
+
+  /// @brief The agent has reached its last goal.
+  PerceptionsBuilder& arrived() {
+    all_.agents.back().arrived = true;
+    return *this;
+  }
+
+  /// @brief The agent's last answer was not carried out.
+  PerceptionsBuilder& missed() {
+    all_.agents.back().acted = false;
+    return *this;
+  }
+
+  /// @brief The episode ends here.
+  PerceptionsBuilder& last() {
+    all_.last = true;
+    return *this;
+  }
+
+  const Perceptions& all() const { return all_; }
+  /// @brief What the agent added as number `index` perceives; valid as long as the builder lives unchanged.
+  Perception perception(std::size_t index = 0) const { return {all_, index}; }
+
+ private:
+  Perceptions all_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "social_crowd/learning/q_table_file.h"
+
+/// A small Q-table file for tests: as text, and as the table it stands for.
+namespace crowd::q_table_texts {
+
+/// FNV-1a of 64 bits, in 16 hexadecimal digits: a second implementation, so that damage with a right checksum can be
+/// told from damage that only the checksum finds.
+inline std::string checksumOf(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char letter : text) {
+    hash ^= static_cast<unsigned char>(letter);
+    hash *= 1099511628211ULL;
+  }
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+/// The text with the line of its checksum behind it.
+inline std::string withChecksum(const std::string& text) { return text + "checksum: " + checksumOf(text) + "\n"; }
+
+/// Goal ahead or behind, obstacle left or right at two distances: 2 * 2 * 2 + 2 + 1 = 11 rows. The checksum was worked
+/// out by another program.
+inline std::string text() {
+  return "social_crowd Q-table 1\n"
+         "state_set: {type: nearest_obstacle, goal_sectors: 2, obstacle_sectors: [180], collision_radius: 0.5, "
+         "vision_radius: 1}\n"
+         "action_set: {type: kings_moves, rotations: 2}\n"
+         "reward: {goal: cosine_cubed, arrival: 100, obstacle_cost: 80}\n"
+         "rows: 11\n"
+         "actions: 2\n"
+         "alpha: 0.1\n"
+         "gamma: 0.5\n"
+         "lambda: 0.25\n"
+         "epsilon: 0\n"
+         "decisions: 42\n"
+         "seed: 7\n"
+         "visited_rows: 3\n"
+         "---\n"
+         "0 1 0.5 0 0\n"
+         "3 0 0 2 -0.125\n"
+         "10 4294967295 -1.5 2 0.1\n"
+         "checksum: 76724e3a93345499\n";
+}
+
+/// The text without its checksum.
+inline std::string body() {
+  const std::string whole = text();
+  return whole.substr(0, whole.find("checksum: "));
+}
+
+/// The table that text() stands for.
+inline TrainedTable trained() {
+  QTable table(11, 2);
+  table.set(0, 0, 0.5, 1);
+  table.set(3, 1, -0.125, 2);
+  table.set(10, 0, -1.5, UINT32_MAX);
+  table.set(10, 1, 0.1, 2);
+  return {parseModel("{state_set: {type: nearest_obstacle, goal_sectors: 2, obstacle_sectors: [180]}, "
+                     "action_set: {type: kings_moves, rotations: 2}, "
+                     "reward: {goal: cosine_cubed, obstacle_cost: 80}}"),
+          {0.1, 0.5, 0.25, 0.0},
+          42,
+          7,
+          table};
+}
+
+}  // namespace crowd::q_table_texts

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "social_crowd/common/random.h"
+#include "social_crowd/world/world.h"
+
+/// Builders of scenes for tests.
+namespace crowd::scenes {
+
+constexpr double SPEED = 1.3;            // [m/s]
+constexpr double RADIUS = 0.25;          // [m]
+constexpr double GOAL_TOLERANCE = 0.25;  // [m]
+constexpr std::uint64_t MAX_TICKS = 1000;
+
+/// A goal that no test reaches [m].
+inline const Vector2 FAR_AWAY(1000.0, 0.0);
+
+/// An agent that looks towards its goal.
+inline AgentStart agent(const Vector2& position, const Vector2& goal, double speed = SPEED, double radius = RADIUS) {
+  return {position, bearingOf(goal - position), {goal}, speed, radius};
+}
+
+/// An agent that looks along x and never arrives.
+inline AgentStart wanderer(const Vector2& position, double speed = SPEED, double radius = RADIUS) {
+  return {position, 0.0, {FAR_AWAY}, speed, radius};
+}
+
+inline Scene scene(std::vector<AgentStart> agents, std::vector<Obstacle> obstacles = {},
+                   std::vector<Segment> walls = {}) {
+  Scene scene;
+  scene.name = "scene";
+  scene.max_ticks = MAX_TICKS;
+  scene.goal_tolerance = GOAL_TOLERANCE;
+  scene.agents = std::move(agents);
+  scene.obstacles = std::move(obstacles);
+  scene.walls = std::move(walls);
+  return scene;
+}
+
+/// The same scene with numbers of which binary fractions lose nothing: ticks of 0.5 s, so that an agent of 1
+/// m/s walks 0.5 m a tick.
+inline Scene halfSeconds(Scene scene) {
+  scene.tick_duration = 0.5;
+  return scene;
+}
+
+inline Obstacle pillar(const Vector2& position, double radius) { return {ObstaclePath::atRest(position), radius}; }
+
+inline Obstacle mover(const Vector2& start, const Vector2& velocity, double radius) {
+  return {ObstaclePath::straight(start, velocity), radius};
+}
+
+inline Vector2 randomPoint(KeyedRandom& random, double half_width) {
+  const double x = random.uniform(-half_width, half_width);
+  return {x, random.uniform(-half_width, half_width)};
+}
+
+/// A square full of agents that walk through each other, of obstacles at rest and in motion, and of walls.
+inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, double half_width = 6.0) {
+  KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+  Scene made = scene({});
+  made.agents.resize(2 + random.below(max_agents - 1));
+  for (AgentStart& start : made.agents) {
+    start.position = randomPoint(random, half_width);
+    start.heading = random.uniform(-PI, PI);
+    for (std::uint32_t goals = 1 + random.below(2); goals > 0; --goals) {
+      start.goals.emplace_back(start.position + randomPoint(random, 3.0));
+    }
+    start.speed = random.uniform(0.5, 2.0);
+    start.radius = random.uniform(0.15, 0.4);
+  }
+  for (std::uint32_t i = random.below(6); i > 0; --i) {
+    const Vector2 start = randomPoint(random, half_width);
+    made.obstacles.push_back(pillar(start, random.uniform(0.2, 0.8)));
+  }
+  for (std::uint32_t i = random.below(4); i > 0; --i) {
+    const Vector2 start = randomPoint(random, half_width);
+    const Vector2 velocity = randomPoint(random, 1.0);
+    made.obstacles.push_back(mover(start, velocity, random.uniform(0.2, 0.8)));
+  }
+  for (std::uint32_t i = random.below(4); i > 0; --i) {
+    const Vector2 from = randomPoint(random, half_width);
+    made.walls.push_back({from, randomPoint(random, half_width)});
+  }
+  return made;
+}
+
+/// Any move for about nine tenths of the agents.
+inline std::vector<AgentAction> randomActions(const World& world, KeyedRandom& random) {
+  std::vector<AgentAction> actions;
+  for (const Agent& agent : world.agents()) {
+    const double rotation = random.uniform(-PI, PI);
+    const double share = random.uniform();
+    if (random.below(10) > 0) actions.push_back({agent.id, {rotation, share}});
+  }
+  return actions;
+}
+
+}  // namespace crowd::scenes

@@ -1,0 +1,106 @@
+#include "social_crowd/world/obstacle_path.h"
+
+#include <gtest/gtest.h>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/random.h"
+
+namespace crowd {
+namespace {
+
+void expectAt(const ObstaclePath& path, double t, const Vector2& position, const Vector2& velocity) {
+  SCOPED_TRACE("t = " + std::to_string(t));
+  EXPECT_NEAR(path.position(t).x(), position.x(), 1e-12);
+  EXPECT_NEAR(path.position(t).y(), position.y(), 1e-12);
+  EXPECT_NEAR(path.velocity(t).x(), velocity.x(), 1e-12);
+  EXPECT_NEAR(path.velocity(t).y(), velocity.y(), 1e-12);
+}
+
+TEST(ObstaclePath, AtRestStaysWhereItIs) {
+  const ObstaclePath path = ObstaclePath::atRest({1.0, 2.0});
+  EXPECT_FALSE(path.moves());
+  expectAt(path, 0.0, {1.0, 2.0}, {0.0, 0.0});
+  expectAt(path, 1e6, {1.0, 2.0}, {0.0, 0.0});
+}
+
+TEST(ObstaclePath, StraightGoesOnForEver) {
+  const ObstaclePath path = ObstaclePath::straight({0.0, -5.0}, {0.25, 0.5});
+  EXPECT_TRUE(path.moves());
+  expectAt(path, 0.0, {0.0, -5.0}, {0.25, 0.5});
+  expectAt(path, 8.0, {2.0, -1.0}, {0.25, 0.5});
+}
+
+TEST(ObstaclePath, StraightWithoutVelocityIsAtRest) {
+  EXPECT_EQ(ObstaclePath::straight({1.0, 2.0}, {0.0, 0.0}).kind(), ObstaclePath::Kind::AT_REST);
+}
+
+TEST(ObstaclePath, ToAndFroTurnsAtTheEnds) {
+  // 4 m at 0.5 m/s: 8 s there, 8 s back.
+  const ObstaclePath path = ObstaclePath::toAndFro({{0.0, -1.0}, {0.0, 3.0}}, 0.5);
+  expectAt(path, 0.0, {0.0, -1.0}, {0.0, 0.5});
+  expectAt(path, 2.0, {0.0, 0.0}, {0.0, 0.5});
+  expectAt(path, 8.0, {0.0, 3.0}, {0.0, -0.5});
+  expectAt(path, 12.0, {0.0, 1.0}, {0.0, -0.5});
+  expectAt(path, 16.0, {0.0, -1.0}, {0.0, 0.5});
+  expectAt(path, 18.0, {0.0, 0.0}, {0.0, 0.5});
+}
+
+TEST(ObstaclePath, ToAndFroGoesBackThroughAllItsPoints) {
+  // Legs of 3 m and 4 m at 1 m/s: 7 s there, 7 s back.
+  const ObstaclePath path = ObstaclePath::toAndFro({{0.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}}, 1.0);
+  expectAt(path, 3.0, {3.0, 0.0}, {0.0, 1.0});
+  expectAt(path, 5.0, {3.0, 2.0}, {0.0, 1.0});
+  expectAt(path, 9.0, {3.0, 2.0}, {0.0, -1.0});
+  expectAt(path, 12.0, {2.0, 0.0}, {-1.0, 0.0});
+  expectAt(path, 15.0, {1.0, 0.0}, {1.0, 0.0});
+}
+
+TEST(ObstaclePath, LoopReturnsFromTheLastPointToTheFirst) {
+  // A triangle of 3, 4 and 5 m at 2 m/s: a round takes 6 s.
+  const ObstaclePath path = ObstaclePath::loop({{0.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}}, 2.0);
+  expectAt(path, 1.0, {2.0, 0.0}, {2.0, 0.0});
+  expectAt(path, 2.5, {3.0, 2.0}, {0.0, 2.0});
+  expectAt(path, 4.75, {1.5, 2.0}, {-1.2, -1.6});  // half of the 5 m
+  expectAt(path, 7.0, {2.0, 0.0}, {2.0, 0.0});
+}
+
+TEST(ObstaclePath, PassesOverPointsThatStandTwice) {
+  const ObstaclePath path = ObstaclePath::loop({{0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}}, 1.0);
+  expectAt(path, 0.5, {0.5, 0.0}, {1.0, 0.0});
+  expectAt(path, 1.5, {0.5, 0.0}, {-1.0, 0.0});
+}
+
+TEST(ObstaclePath, NeedsTwoDifferentPointsAndASpeed) {
+  EXPECT_THROW(ObstaclePath::toAndFro({}, 1.0), InputError);
+  EXPECT_THROW(ObstaclePath::toAndFro({{1.0, 1.0}}, 1.0), InputError);
+  EXPECT_THROW(ObstaclePath::loop({{1.0, 1.0}, {1.0, 1.0}}, 1.0), InputError);
+  EXPECT_THROW(ObstaclePath::loop({{0.0, 0.0}, {1.0, 1.0}}, 0.0), InputError);
+}
+
+TEST(ObstaclePath, NeverOutrunsItsSpeedAndMovesAsItsVelocitySays) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    std::vector<Vector2> points;
+    const std::uint32_t count = 1 + random.below(5);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double x = random.uniform(-5.0, 5.0);
+      points.emplace_back(x, random.uniform(-5.0, 5.0));
+    }
+    points.emplace_back(7.0, 7.0);
+    const double speed = random.uniform(0.1, 2.0);
+    const ObstaclePath path = seed % 2 == 0 ? ObstaclePath::loop(points, speed) : ObstaclePath::toAndFro(points, speed);
+    int turns = 0;
+    for (int tick = 0; tick < 1000; ++tick) {
+      const double t = 0.1 * tick;
+      const Vector2 step = path.position(t + 0.1) - path.position(t);
+      EXPECT_LE(step.norm(), 0.1 * speed + 1e-9);
+      EXPECT_NEAR(path.velocity(t).norm(), speed, 1e-9);
+      turns += (step - 0.1 * path.velocity(t)).norm() > 1e-9 ? 1 : 0;
+    }
+    EXPECT_LT(turns, 200);  // straight but for the corners
+  }
+}
+
+}  // namespace
+}  // namespace crowd
