@@ -1,24 +1,21 @@
 #include "social_crowd/common/numbers.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
-#include <system_error>
-
-#if !defined(__cpp_lib_to_chars)
-#include <cstdio>
+#include <iomanip>
 #include <locale>
 #include <sstream>
-#endif
+#include <system_error>
 
 namespace crowd {
 
 #if defined(__cpp_lib_to_chars)
 
 std::string toText(double value) {
-  char buffer[32];
-  const std::to_chars_result written = std::to_chars(std::begin(buffer), std::end(buffer), value);
-  return std::string(std::begin(buffer), written.ptr);
+  std::array<char, 32> buffer{};
+  const std::to_chars_result written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return std::string(buffer.data(), written.ptr);
 }
 
 std::optional<double> toNumber(std::string_view text) {
@@ -59,5 +56,19 @@ std::string toText(double value) {
 }
 
 #endif
+
+std::string toFixedText(double value, int decimals, int width) {
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream << std::fixed << std::setprecision(decimals) << std::setw(width) << value;
+  return stream.str();
+}
+
+std::string toPaddedText(std::uint64_t value, int width) {
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream << std::setfill('0') << std::setw(width) << value;
+  return stream.str();
+}
 
 }  // namespace crowd

@@ -208,7 +208,7 @@ TrainedTable parseQTable(const std::string& text, const std::string& name) {
   std::int64_t before = -1;
   for (Row i = 0; i < header.visited_rows; ++i) before = readRow(lines, before, table);
   const std::string_view last = lines.next("the checksum after " + std::to_string(header.visited_rows) + " rows");
-  const std::size_t begin = static_cast<std::size_t>(last.data() - text.data());
+  const auto begin = static_cast<std::size_t>(last.data() - text.data());
   const std::string expected = std::string(CHECKSUM) + checksumOf(std::string_view(text).substr(0, begin));
   if (last != expected) lines.fail("'" + expected + "': the file was changed or damaged", quoted(last));
   if (!lines.atEnd()) lines.fail("nothing after the checksum", "more text");

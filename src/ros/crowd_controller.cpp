@@ -181,12 +181,12 @@ void CrowdController::warnOfSilence(const Clock& since) {
   const Clock now = Clock::now();
   if (now - last_warning_ < WARNING_PERIOD) return;
   last_warning_ = now;
-  const char* const hint = actions_.getNumPublishers() == 0 ? "no learner is there (nobody publishes on '%s')"
-                                                            : "their learners on '%s' are silent";
-  char reason[256];
-  std::snprintf(reason, sizeof reason, hint, actions_.getTopic().c_str());
+  const std::string topic = actions_.getTopic();
+  const std::string reason = actions_.getNumPublishers() == 0
+                                 ? "no learner is there (nobody publishes on '" + topic + "')"
+                                 : "their learners on '" + topic + "' are silent";
   ROS_WARN("nobody answers for agent %s since %.1f s: %s; without an answer they stay where they are",
-           listOf(lockstep_.missing()).c_str(), (now - since).toSec(), reason);
+           listOf(lockstep_.missing()).c_str(), (now - since).toSec(), reason.c_str());
 }
 
 void CrowdController::serveUntil(const Clock& until) {

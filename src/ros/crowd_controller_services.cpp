@@ -49,7 +49,7 @@ void CrowdController::advertiseServices() {
   });
   services_.serve<social_crowd::Step>(names::STEP, [this](const auto& request, auto& response) {
     if (request.ticks == 0) throw InputError("ticks: expected at least 1, got 0");
-    const std::future<void> done = loop_.ask<std::future<void>>([&] { return beginSteps(request.ticks); });
+    const auto done = loop_.ask<std::future<void>>([&] { return beginSteps(request.ticks); });
     while (done.wait_for(PATIENCE) != std::future_status::ready) {
       if (!ros::ok()) throw Error("the node is shutting down");
     }

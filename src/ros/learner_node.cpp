@@ -148,7 +148,7 @@ std::string LearnerNode::parametersText() const {
 void LearnerNode::advertiseServices() {
   services_.serve<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, [this](const auto& request, auto& response) {
     if (request.file.empty()) throw InputError("file: expected the name of a file to write, got nothing");
-    const TrainedTable table = loop_.ask<TrainedTable>([&] {
+    const auto table = loop_.ask<TrainedTable>([&] {
       const bool shared = learner_.tableUse() == TableUse::SHARED;
       if (!shared) requireServed(request.agent);
       return trained(shared ? firstAgent() : request.agent);

@@ -114,7 +114,7 @@ void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
 std::vector<AgentId> LearnerNode::shareWithin(const social_crowd::ShareQTable::Request& request,
                                               const TrainedTable& table) {
   const TakeMethod method = request.method.empty() ? on_share_ : parseTakeMethod(request.method);
-  const std::vector<AgentId> served = learner_.servedAgents();
+  std::vector<AgentId> served = learner_.servedAgents();
   std::vector<AgentId> mine;
   for (const AgentId agent : served) {
     const bool meant = request.to_agents.empty() || contains(request.to_agents, agent);

@@ -43,7 +43,7 @@ Training::Training(Recipe recipe)
       learner_(recipe_.model, trainingOptions(recipe_)) {}
 
 EpisodeResult Training::runNextEpisode() {
-  const EpisodeResult result = runEpisode(scenarios_.scene(recipe_.training.seed, episode_), episode_, learner_);
+  EpisodeResult result = runEpisode(scenarios_.scene(recipe_.training.seed, episode_), episode_, learner_);
   ++episode_;
   return result;
 }

@@ -98,11 +98,7 @@ int evaluateAll(Arguments& arguments) {
   return isInterrupted() ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
-}  // namespace
-}  // namespace crowd
-
-int main(int argc, char** argv) {
-  using namespace crowd;
+int runMain(int argc, char** argv) {
   CLI::App app("Walks scenarios with a Q-table (demo mode) and prints the steering benchmark's figures.", "evaluate");
   Arguments arguments;
   arguments.plan.threads = std::max(1U, std::thread::hardware_concurrency());
@@ -122,3 +118,8 @@ int main(int argc, char** argv) {
   app.footer("Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");
   return runTool(app, argc, argv, [&] { return evaluateAll(arguments); });
 }
+
+}  // namespace
+}  // namespace crowd
+
+int main(int argc, char** argv) { return crowd::runMain(argc, argv); }

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
+
+#include "social_crowd/common/numbers.h"
 
 namespace crowd {
 namespace {
@@ -57,26 +58,16 @@ void ProgressBar::clear() {
 }
 
 std::string formatDuration(double seconds) {
-  const auto whole = static_cast<long>(std::lround(std::max(0.0, seconds)));
-  char text[32];
-  if (whole >= 3600) {
-    std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
-  } else {
-    std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
-  }
-  return text;
+  const auto whole = static_cast<std::uint64_t>(std::llround(std::max(0.0, seconds)));
+  const std::string rest = toPaddedText(whole % 60, 2);
+  if (whole < 3600) return std::to_string(whole / 60) + ":" + rest;
+  return std::to_string(whole / 3600) + ":" + toPaddedText(whole / 60 % 60, 2) + ":" + rest;
 }
 
 std::string formatCount(double count) {
-  char text[32];
-  if (count >= 1e6) {
-    std::snprintf(text, sizeof text, "%.2f M", count / 1e6);
-  } else if (count >= 1e4) {
-    std::snprintf(text, sizeof text, "%.1f k", count / 1e3);
-  } else {
-    std::snprintf(text, sizeof text, "%.0f", count);
-  }
-  return text;
+  if (count >= 1e6) return toFixedText(count / 1e6, 2) + " M";
+  if (count >= 1e4) return toFixedText(count / 1e3, 1) + " k";
+  return toFixedText(count, 0);
 }
 
 }  // namespace crowd

@@ -1,6 +1,5 @@
 // Trains a Q-table without ROS.
 
-#include <cstdio>
 #include <deque>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +7,7 @@
 
 #include "command_line.h"
 #include "progress_bar.h"
+#include "social_crowd/common/numbers.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/recipe.h"
 #include "social_crowd/simulation/training.h"
@@ -39,10 +39,8 @@ class RecentRates {
       sum.touched += counts.touched;
     }
     const double whole = sum.agents > 0 ? static_cast<double>(sum.agents) : 1.0;
-    char text[64];
-    std::snprintf(text, sizeof text, "success %5.1f %%  contact %5.1f %%",
-                  100.0 * static_cast<double>(sum.arrived) / whole, 100.0 * static_cast<double>(sum.touched) / whole);
-    return text;
+    return "success " + toFixedText(100.0 * static_cast<double>(sum.arrived) / whole, 1, 5) + " %  contact " +
+           toFixedText(100.0 * static_cast<double>(sum.touched) / whole, 1, 5) + " %";
   }
 
  private:
@@ -66,9 +64,8 @@ Recipe readRecipeFor(const Arguments& arguments) {
 /// TABLE.txt -> TABLE_000500.txt: the table as it was after so many episodes.
 std::string nameAfter(const std::string& output, std::uint64_t episode) {
   const std::filesystem::path path(output);
-  char number[32];
-  std::snprintf(number, sizeof number, "_%06llu", static_cast<unsigned long long>(episode));
-  return (path.parent_path() / (path.stem().string() + number + path.extension().string())).string();
+  const std::string name = path.stem().string() + "_" + toPaddedText(episode, 6) + path.extension().string();
+  return (path.parent_path() / name).string();
 }
 
 int train(const Arguments& arguments) {
@@ -98,11 +95,7 @@ int train(const Arguments& arguments) {
   return isInterrupted() ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
-}  // namespace
-}  // namespace crowd
-
-int main(int argc, char** argv) {
-  using namespace crowd;
+int runMain(int argc, char** argv) {
   CLI::App app("Trains a Q-table: one agent or many learn to walk in the scenarios that CONFIG names.", "train");
   Arguments arguments;
   app.add_option("CONFIG", arguments.config, "learning configuration, such as config/learning/thesis_nearest.yaml")
@@ -117,3 +110,8 @@ int main(int argc, char** argv) {
       "Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");
   return runTool(app, argc, argv, [&] { return train(arguments); });
 }
+
+}  // namespace
+}  // namespace crowd
+
+int main(int argc, char** argv) { return crowd::runMain(argc, argv); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,5 +12,11 @@ std::string toText(double value);
 
 /// @brief The double that the whole of `text` stands for, independent of the locale; nothing if it is no number.
 std::optional<double> toNumber(std::string_view text);
+
+/// @brief A number for the eye: so many decimals, filled up with blanks on the left to the width.
+std::string toFixedText(double value, int decimals, int width = 0);
+
+/// @brief A whole number filled up with zeros on the left to the width.
+std::string toPaddedText(std::uint64_t value, int width);
 
 }  // namespace crowd
