@@ -4,7 +4,9 @@ namespace crowd {
 
 Vision Model::vision() const {
   Vision vision;
-  vision.radius = state_set->distanceLimits().back();
+  // A hair more than the state set looks at, so that it judges by itself what lies exactly on its limit.
+  constexpr double MARGIN = 1e-6;  // [m]
+  vision.radius = state_set->distanceLimits().back() + MARGIN;
   return vision;
 }
 

@@ -15,7 +15,8 @@ constexpr bool LATCHED = true;
 }  // namespace
 
 CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters)
-    : publish_clock_(parameters.publish_clock),
+    : run_(ros::WallTime::now().toNSec()),  // no two controllers start in the same nanosecond
+      publish_clock_(parameters.publish_clock),
       clock_(1, 0),  // zero means to ROS that there is no time yet
       perceptions_(node.advertise<social_crowd::Perceptions>(names::PERCEPTIONS, QUEUE, LATCHED)),
       agents_(node.advertise<social_crowd::AgentStates>(names::AGENTS, QUEUE)),
@@ -43,6 +44,7 @@ void CrowdBroadcaster::advanceClock(double seconds) {
 void CrowdBroadcaster::publishPerceptions(const Episode& episode) {
   const auto message = boost::make_shared<social_crowd::Perceptions>();
   toMessage(episode.perceptions(), *message);
+  message->run = run_;
   message->header = header();
   perceptions_.publish(message);
 }

@@ -46,7 +46,12 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
 void CrowdController::takeActions(const social_crowd::RelativeActions::ConstPtr& message) {
   RelativeActions actions;
   fromMessage(*message, actions);
-  lockstep_.take(actions);
+  // Answers are latched: a learner may still hold one to a controller that was here before.
+  if (message->run == broadcaster_.run()) {
+    lockstep_.take(actions);
+  } else {
+    lockstep_.drop(actions);
+  }
 }
 
 void CrowdController::run() {
@@ -56,7 +61,9 @@ void CrowdController::run() {
     if (ros::ok()) walkTick();
   }
   finishSteps();
+  noteRest();
   linger();
+  loop_.close();
 }
 
 void CrowdController::linger() {
@@ -70,15 +77,22 @@ void CrowdController::linger() {
 }
 
 void CrowdController::useScenarios(ScenarioList scenarios, const std::string& file) {
-  scenarios.scene(seed_, 0);  // throws where it cannot be laid out, before anything is replaced
+  // All that can fail comes before anything is replaced.
+  scenarios.scene(seed_, 0);
+  std::optional<TrajectoryFile> recording = beginRecording(stemOf(file));
   scenarios_ = std::move(scenarios);
   scenario_name_ = stemOf(file);
-  restart();
+  restart(std::move(recording));
 }
 
-void CrowdController::restart() {
+std::optional<TrajectoryFile> CrowdController::beginRecording(const std::string& name) const {
+  if (parameters_.trajectories.empty()) return std::nullopt;
+  return TrajectoryFile(parameters_.trajectories, name);
+}
+
+void CrowdController::restart(std::optional<TrajectoryFile> recording) {
   instance_ = 0;
-  if (!parameters_.trajectories.empty()) trajectory_file_.emplace(parameters_.trajectories, scenario_name_);
+  trajectory_file_ = std::move(recording);
   beginEpisode();
 }
 
@@ -119,6 +133,7 @@ void CrowdController::logResult(const EpisodeResult& result) {
 
 void CrowdController::waitWhilePaused() {
   while (ros::ok() && !mayWalk()) {
+    noteRest();
     loop_.run(IDLE);
     next_tick_ = Clock::now();
   }
@@ -204,6 +219,11 @@ void CrowdController::keepPace() {
 
 void CrowdController::noteStep() {
   if (pending_steps_ != nullptr && --pending_steps_->left == 0) finishSteps();
+}
+
+void CrowdController::noteRest() {
+  for (std::promise<void>& waiting : waiting_for_rest_) waiting.set_value();
+  waiting_for_rest_.clear();
 }
 
 void CrowdController::finishSteps() {

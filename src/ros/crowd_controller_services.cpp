@@ -17,19 +17,24 @@
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
-namespace {
-
-constexpr std::chrono::milliseconds PATIENCE(100);
-
-}  // namespace
-
 std::string CrowdController::place() const {
   return "episode " + std::to_string(episode_->number()) + ", tick " + std::to_string(episode_->world().tick());
 }
 
-void CrowdController::pause(bool paused) {
+std::future<void> CrowdController::pause(bool paused) {
   paused_ = paused;
-  if (!paused) finishSteps();
+  if (!paused) {
+    finishSteps();
+    noteRest();
+  }
+  std::promise<void> rest;
+  std::future<void> at_rest = rest.get_future();
+  if (paused) {
+    waiting_for_rest_.push_back(std::move(rest));
+  } else {
+    rest.set_value();
+  }
+  return at_rest;
 }
 
 std::future<void> CrowdController::beginSteps(std::uint32_t ticks) {
@@ -40,19 +45,22 @@ std::future<void> CrowdController::beginSteps(std::uint32_t ticks) {
   return pending_steps_->done.get_future();
 }
 
+void CrowdController::waitFor(const std::future<void>& done) const {
+  constexpr std::chrono::milliseconds PATIENCE(100);
+  while (done.wait_for(PATIENCE) != std::future_status::ready) {
+    if (loop_.isClosed()) throw Error("the node is shutting down");
+  }
+}
+
 void CrowdController::advertiseServices() {
   services_.serve<std_srvs::SetBool>(names::PAUSE, [this](const auto& request, auto& response) {
-    response.message = loop_.ask<std::string>([&] {
-      pause(request.data != 0);
-      return (request.data != 0 ? "paused at " : "walking from ") + place();
-    });
+    const bool paused = request.data != 0;
+    waitFor(loop_.ask<std::future<void>>([&] { return pause(paused); }));  // the tick under way comes to its end
+    response.message = (paused ? "paused at " : "walking from ") + loop_.ask<std::string>([&] { return place(); });
   });
   services_.serve<social_crowd::Step>(names::STEP, [this](const auto& request, auto& response) {
     if (request.ticks == 0) throw InputError("ticks: expected at least 1, got 0");
-    const auto done = loop_.ask<std::future<void>>([&] { return beginSteps(request.ticks); });
-    while (done.wait_for(PATIENCE) != std::future_status::ready) {
-      if (!ros::ok()) throw Error("the node is shutting down");
-    }
+    waitFor(loop_.ask<std::future<void>>([&] { return beginSteps(request.ticks); }));
     loop_.ask<void>([&] {
       response.episode = episode_->number();
       response.tick = episode_->world().tick();
@@ -61,8 +69,11 @@ void CrowdController::advertiseServices() {
   });
   services_.serve<social_crowd::Reset>(names::RESET, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
-      if (request.keep_seed == 0) seed_ = request.seed;
-      restart();
+      const std::uint64_t seed = request.keep_seed != 0 ? seed_ : request.seed;
+      scenarios_.scene(seed, 0);  // throws where it cannot be laid out, before anything is replaced
+      std::optional<TrajectoryFile> recording = beginRecording(scenario_name_);
+      seed_ = seed;
+      restart(std::move(recording));
       response.message = "began " + scenario_name_ + " anew, seed " + std::to_string(seed_) + ": " + place();
     });
   });

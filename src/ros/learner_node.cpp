@@ -51,6 +51,7 @@ void LearnerNode::run() {
   publishStatus();
   services_.start();
   while (ros::ok()) loop_.run(IDLE);
+  loop_.close();
   services_.stop();
   if (!save_to_.empty()) saveAll();
 }
@@ -64,12 +65,16 @@ void LearnerNode::takePerceptions(const social_crowd::Perceptions::ConstPtr& mes
 }
 
 void LearnerNode::answer(const social_crowd::Perceptions& message) {
-  const bool new_episode = episodes_ == 0 || message.episode != perceptions_.episode;
+  const bool new_run = message.run != run_;
+  if (new_run) learner_.forgetDecisions();
+  run_ = message.run;
+  const bool new_episode = new_run || episodes_ == 0 || message.episode != perceptions_.episode;
   fromMessage(message, perceptions_);
   learner_.decide(perceptions_, actions_);
   if (!actions_.agents.empty()) {
     const auto reply = boost::make_shared<social_crowd::RelativeActions>();
     toMessage(actions_, *reply);
+    reply->run = message.run;
     reply->header.stamp = message.header.stamp;
     reply->header.frame_id = names::MAP_FRAME;
     actions_publisher_.publish(reply);
@@ -110,7 +115,7 @@ void LearnerNode::publishStatus() {
   status.decisions = learner_.decisions();
   status.alpha = learner_.parameters().alpha;
   status.gamma = learner_.parameters().gamma;
-  status.lambda = learner_.parameters().lambda;
+  status.trace_decay = learner_.parameters().lambda;
   status.epsilon = learner_.parameters().epsilon;
   status_publisher_.publish(status);
 }
@@ -183,7 +188,7 @@ void LearnerNode::advertiseServices() {
           LearningParameters parameters = learner_.parameters();
           parameters.alpha = unless_nan(request.alpha, parameters.alpha);
           parameters.gamma = unless_nan(request.gamma, parameters.gamma);
-          parameters.lambda = unless_nan(request.lambda, parameters.lambda);
+          parameters.lambda = unless_nan(request.trace_decay, parameters.lambda);
           parameters.epsilon = unless_nan(request.epsilon, parameters.epsilon);
           learner_.setParameters(parameters);
           publishStatus();

@@ -1,6 +1,9 @@
 #include "social_crowd/ros/learner_parameters.h"
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
 
 #include "social_crowd/simulation/recipe.h"
 
@@ -46,6 +49,13 @@ void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
   if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(read.epsilon);
   const std::string problems = read.problems();
   if (!problems.empty()) parameters.complain("alpha, ~gamma, ~lambda, ~epsilon", problems);
+}
+
+/// Told at the start and not after the training.
+void checkWritable(Parameters& parameters, const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (::access(folder.c_str(), W_OK | X_OK) == 0 && !std::filesystem::is_directory(file)) return;
+  parameters.complain("save_to", file + ": cannot be written");
 }
 
 void readAgents(Parameters& parameters, std::set<AgentId>& agents) {
@@ -94,6 +104,7 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   const std::string save_to = parameters.text("save_to", "");
   const auto save_every = static_cast<std::uint64_t>(parameters.whole("save_every", 0, 0, MAX_WHOLE));
   if (save_every > 0 && save_to.empty()) parameters.complain("save_every", "needs ~save_to, the file to write");
+  if (!save_to.empty()) checkWritable(parameters, save_to);
   parameters.finish();
 
   const Model model = recipe ? recipe->model : table->model;

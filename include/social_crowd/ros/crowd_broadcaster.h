@@ -24,13 +24,14 @@ class CrowdBroadcaster {
   void publishScenario(const Episode& episode, std::uint64_t instance);
   void publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed, std::uint64_t dropped);
 
-  /// @brief Whether anybody listens to perceptions.
-  bool hasListeners() const { return perceptions_.getNumSubscribers() > 0; }
+  /// @brief A number of this run of the controller, for perceptions and the answers to them.
+  std::uint64_t run() const { return run_; }
 
  private:
   std_msgs::Header header() const;
   void publishFrames(const Episode& episode);
 
+  std::uint64_t run_;
   bool publish_clock_;
   ros::Time clock_;
   ros::Publisher perceptions_;

@@ -44,7 +44,8 @@ class CrowdController {
   void takeActions(const social_crowd::RelativeActions::ConstPtr& message);
 
   void useScenarios(ScenarioList scenarios, const std::string& file);
-  void restart();
+  std::optional<TrajectoryFile> beginRecording(const std::string& name) const;
+  void restart(std::optional<TrajectoryFile> recording);
   void beginEpisode();
   void endEpisode();
   void linger();
@@ -62,8 +63,12 @@ class CrowdController {
   void noteStep();
   void finishSteps();
 
-  void pause(bool paused);
+  /// Ready once the crowd stands still, if it is to.
+  std::future<void> pause(bool paused);
+  void noteRest();
   std::future<void> beginSteps(std::uint32_t ticks);
+  /// In a service thread. @throws Error if the node shuts down before.
+  void waitFor(const std::future<void>& done) const;
   std::string place() const;
   void logResult(const EpisodeResult& result);
 
@@ -88,6 +93,7 @@ class CrowdController {
   Clock next_tick_;
   bool paused_;
   std::unique_ptr<PendingSteps> pending_steps_;
+  std::vector<std::promise<void>> waiting_for_rest_;
 
   std::optional<TrajectoryFile> trajectory_file_;
   std::string trajectory_;  // rows of the present episode

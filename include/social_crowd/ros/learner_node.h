@@ -61,6 +61,7 @@ class LearnerNode {
   Perceptions perceptions_;
   RelativeActions actions_;
 
+  std::uint64_t run_ = 0;       // of the controller heard last
   std::uint64_t episodes_ = 0;  // begun
   ros::WallTime last_status_;
   std::map<std::string, social_crowd::LearnerStatus> others_;  // other learners, by node name

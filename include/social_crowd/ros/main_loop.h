@@ -3,6 +3,7 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <atomic>
 #include <functional>
 #include <future>
 #include <memory>
@@ -23,6 +24,10 @@ class MainLoop {
   /// @brief Waits for something to do, at most so long, then does all there is.
   void run(const ros::WallDuration& wait) { queue_.callAvailable(wait); }
 
+  /// @brief From now on nobody serves the queue; who still asks is told so.
+  void close() { closed_ = true; }
+  bool isClosed() const { return closed_ || !ros::ok(); }
+
   /// @brief From another thread: runs `task` in the main loop and returns what it returns, or throws what it throws.
   /// @throws Error if the node shuts down before.
   template <typename Result>
@@ -31,7 +36,7 @@ class MainLoop {
     std::future<Result> result = job->result();
     queue_.addCallback(job);
     while (result.wait_for(PATIENCE) != std::future_status::ready) {
-      if (!ros::ok() && job->cancel()) throw Error("the node is shutting down");
+      if (isClosed() && job->cancel()) throw Error("the node is shutting down");
     }
     return result.get();
   }
@@ -67,6 +72,7 @@ class MainLoop {
   };
 
   ros::CallbackQueue queue_;
+  std::atomic<bool> closed_{false};
 };
 
 }  // namespace crowd

@@ -20,6 +20,8 @@ class Lockstep {
   void open(std::uint64_t episode, std::uint64_t tick, const std::vector<AgentId>& agents);
   /// @brief Takes in answers; those that do not belong to the open tick are dropped and counted.
   void take(const RelativeActions& answers);
+  /// @brief Drops and counts answers that were meant for somebody else.
+  void drop(const RelativeActions& answers) { dropped_ += answers.agents.size(); }
   /// @brief Whether nobody is to be waited for any more.
   bool isComplete() const { return awaited_ == 0; }
   /// @brief Whether everybody asked is absent, so that waiting for somebody means nothing.

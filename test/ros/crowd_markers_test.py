@@ -1,0 +1,299 @@
+#!/usr/bin/python3
+"""The node crowd_markers: made-up messages go in, and what would be seen in RViz is checked."""
+
+import math
+import subprocess
+import threading
+import time
+import unittest
+
+import roslib.packages
+import rospy
+import rostest
+from geometry_msgs.msg import Point, Pose2D
+from social_crowd.msg import (AgentPerception, AgentState, AgentStates, LearnerStatus, ObstacleState, PerceivedBody,
+                              Perceptions, Scenario, Wall)
+from visualization_msgs.msg import Marker, MarkerArray
+
+PACKAGE = 'social_crowd'
+NODE = 'crowd_markers'
+DEADLINE = 20.0  # [s]
+KINDS = {'bodies', 'headings', 'goals', 'paths', 'obstacles', 'walls', 'radii', 'sectors'}
+COLLISION_RADIUS, VISION_RADIUS = 0.6, 1.5  # [m]
+MODEL = f'''state_set: {{type: %s, collision_radius: {COLLISION_RADIUS}, vision_radius: {VISION_RADIUS}}}
+action_set: {{type: kings_moves, rotations: 8}}
+reward: {{goal: cosine_cubed, arrival: 100, obstacle_cost: 10}}
+'''
+
+
+def wait_until(condition, what):
+    """What `condition` returns as soon as that is true."""
+    end = time.monotonic() + DEADLINE
+    while time.monotonic() < end:
+        result = condition()
+        if result:
+            return result
+        rospy.rostime.wallsleep(0.01)
+    raise AssertionError(f'{what}: not within {DEADLINE} s')
+
+
+class Picture:
+    """What RViz would show of a topic of markers."""
+
+    def __init__(self, topic):
+        self._lock = threading.Lock()
+        self._markers = {}
+        self.most_markers = 0  # of any message
+        self._subscriber = rospy.Subscriber(topic, MarkerArray, self._take, queue_size=100)
+
+    def _take(self, array):
+        with self._lock:
+            self.most_markers = max(self.most_markers, len(array.markers))
+            for marker in array.markers:
+                self._markers.pop((marker.ns, marker.id), None)
+                if marker.action == Marker.ADD:
+                    self._markers[marker.ns, marker.id] = marker
+
+    def markers(self, kind=None):
+        with self._lock:
+            return [marker for (ns, _), marker in sorted(self._markers.items()) if kind in (None, ns)]
+
+    def kinds(self):
+        return {marker.ns for marker in self.markers()}
+
+    def points(self, kind):
+        return [(point.x, point.y) for marker in self.markers(kind) for point in marker.points]
+
+    def colours(self, kind):
+        return {(colour.r, colour.g, colour.b) for marker in self.markers(kind) for colour in marker.colors}
+
+    def body_count(self):
+        return len(self.points('headings')) // 6  # two triangles each
+
+    def close(self):
+        self._subscriber.unregister()
+
+
+def agent_at(number, x, y, goal=(9.0, 9.0), **others):
+    return AgentState(agent=number, pose=Pose2D(x, y, 0.0), speed=1.3, radius=0.25, goal=Point(*goal, 0.0), **others)
+
+
+def sectors_of(points, centre):
+    """Ring parts made of triangles: by outer radius [m], between which angles [degrees] the triangles' middles are."""
+    angles = {}
+    for i in range(0, len(points), 3):
+        triangle = [(x - centre[0], y - centre[1]) for x, y in points[i:i + 3]]
+        outer = round(max(math.hypot(x, y) for x, y in triangle), 3)
+        middle = [sum(corner[axis] for corner in triangle) / 3 for axis in (0, 1)]
+        angles.setdefault(outer, []).append(math.degrees(math.atan2(middle[1], middle[0])))
+    return {outer: (min(some), max(some)) for outer, some in angles.items()}
+
+
+def fills(angles, limits):
+    """Whether the middles of triangles fill the sector between the limits [degrees]; None: neither is there."""
+    if angles is None or limits is None:
+        return angles is limits
+    slack = 6.0  # [degrees]; a triangle is narrower than twice that
+    return limits[0] <= angles[0] <= limits[0] + slack and limits[1] - slack <= angles[1] <= limits[1]
+
+
+class CrowdMarkersTest(unittest.TestCase):
+
+    episode = 0
+
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('crowd_markers_test')
+        cls.agents = rospy.Publisher('agents', AgentStates, queue_size=5000)
+        cls.scenario = rospy.Publisher('scenario', Scenario, queue_size=10, latch=True)
+        cls.perceptions = rospy.Publisher('perceptions', Perceptions, queue_size=10, latch=True)
+        cls.status = rospy.Publisher('learner_status', LearnerStatus, queue_size=10, latch=True)
+
+    def setUp(self):
+        self.picture = Picture('markers')
+        self.addCleanup(self.picture.close)
+        for publisher in (self.agents, self.scenario, self.status):
+            wait_until(lambda publisher=publisher: publisher.get_num_connections() == 2,
+                       f'both nodes subscribe to {publisher.name}')
+        wait_until(lambda: self.perceptions.get_num_connections() == 1, 'one node subscribes to perceptions')
+        CrowdMarkersTest.episode += 1
+        self.tick = 0
+
+    def begin(self, *agents, **others):
+        self.scenario.publish(Scenario(episode=self.episode, agents=agents, **others))
+        self.show(*agents)
+
+    def show(self, *agents, **others):
+        self.agents.publish(AgentStates(episode=self.episode, tick=self.tick, agents=agents, **others))
+        self.tick += 1
+
+    def perceive(self, pose, bodies, **others):
+        self_perception = AgentPerception(agent=0, pose=pose, radius=0.25, goal_x=3.0, body_count=len(bodies), **others)
+        other = AgentPerception(agent=1, goal_x=1.0, first_body=len(bodies))
+        self.perceptions.publish(Perceptions(episode=self.episode, agents=[other, self_perception], bodies=bodies))
+
+    def learn(self, state_set, **others):
+        self.status.publish(LearnerStatus(serves_all=True, model=MODEL % state_set, **others))
+
+    def test_every_kind_is_shown_from_topics_alone(self):
+        wall, obstacle = Wall(to=Point(4.0, 0.0, 0.0)), ObstacleState(position=Point(2.0, 2.0, 0.0), radius=0.5)
+        self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 1.0, 0.0), walls=[wall], obstacles=[obstacle])
+        self.show(agent_at(0, 0.5, 0.0), agent_at(1, 1.0, 0.5), obstacles=[obstacle])
+        self.learn('occupancy')
+        self.perceive(Pose2D(0.5, 0.0, 0.0), [PerceivedBody(x=0.5, y=0.5, radius=0.25)])
+        wait_until(lambda: self.picture.kinds() == KINDS, 'markers of all kinds')
+        for marker in self.picture.markers():
+            self.assertEqual(marker.header.frame_id, 'map')
+            self.assertEqual(len(marker.colors), len(marker.points), marker.ns)
+        self.assertEqual(self.picture.points('walls'), [(0.0, 0.0), (4.0, 0.0)])
+
+    def test_radii_are_those_of_the_state_set(self):
+        self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 50.0, 0.0))
+        self.learn('occupancy')
+
+        def radii():
+            return {round(math.hypot(x, y), 3) for x, y in self.picture.points('radii')}
+        wait_until(lambda: radii() == {COLLISION_RADIUS, VISION_RADIUS}, 'two circles around the chosen agent alone')
+
+    def test_a_big_crowd_takes_few_markers(self):
+        self.picture.most_markers = 0
+        crowd = [agent_at(i, i % 25, i // 25, in_contact=i % 2 == 0) for i in range(500)]
+        self.begin(*crowd)
+        self.show(*(agent_at(i, i % 25 + 0.5, i // 25, in_contact=i % 2 == 0) for i in range(500)))
+        wait_until(lambda: self.picture.body_count() == 500 and len(self.picture.points('paths')) >= 1000,
+                   '500 bodies and paths')
+        self.assertLess(self.picture.most_markers, 15)
+
+    def test_who_has_arrived_vanishes_and_leaves_path_and_goal(self):
+        self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 0.0, 5.0))
+        self.show(agent_at(0, 1.0, 0.0), agent_at(1, 1.0, 5.0))
+        wait_until(lambda: self.picture.body_count() == 2, 'two bodies')
+        self.show(agent_at(0, 2.0, 0.0), agent_at(1, 1.5, 5.0, status=AgentState.ARRIVED))
+        wait_until(lambda: self.picture.body_count() == 1, 'one body')
+        self.assertEqual(len(self.picture.colours('bodies')), 1)
+        self.assertEqual(len(self.picture.colours('goals')), 2)
+        path = {(0.0, 5.0), (1.0, 5.0), (1.5, 5.0)}
+        wait_until(lambda: path | {(2.0, 0.0)} <= set(self.picture.points('paths')), 'both paths')
+        self.show(agent_at(0, 2.0, 0.0), agent_at(1, 1.5, 5.0, status=AgentState.REMOVED))
+        wait_until(lambda: len(self.picture.colours('goals')) == 1, 'no goal of the removed one')
+
+    def test_contact_is_highlighted(self):
+        touching = [agent_at(0, 0.0, 0.0, in_contact=True), agent_at(1, 0.4, 0.0, in_contact=True)]
+        self.begin(*touching, agent_at(2, 3.0, 0.0))
+        wait_until(lambda: len(self.picture.colours('bodies')) == 4, 'three bodies and the colour of contacts')
+        self.show(agent_at(0, 0.0, 0.0), agent_at(1, 0.6, 0.0), agent_at(2, 3.0, 0.0))
+        wait_until(lambda: len(self.picture.colours('bodies')) == 3, 'three bodies alone')
+
+    def test_a_new_episode_clears_everything(self):
+        self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 0.0, 5.0), walls=[Wall()])
+        self.show(agent_at(0, 1.0, 0.0), agent_at(1, 1.0, 5.0))
+        wait_until(lambda: len(self.picture.points('paths')) >= 4, 'two paths')
+        CrowdMarkersTest.episode += 1
+        self.tick = 0
+        self.begin(agent_at(0, 7.0, 7.0))
+        wait_until(lambda: self.picture.body_count() == 1 and not self.picture.points('paths'), 'no path, one body')
+        self.assertEqual(self.picture.kinds() & {'walls', 'sectors'}, set())
+        self.assertEqual(len(self.picture.colours('goals')), 1)
+
+    def test_an_episode_that_is_played_again_clears_paths(self):
+        self.begin(agent_at(0, 0.0, 0.0))
+        self.show(agent_at(0, 1.0, 0.0))
+        wait_until(lambda: self.picture.points('paths'), 'a path')
+        self.tick = 0
+        self.show(agent_at(0, 0.0, 0.0))
+        wait_until(lambda: not self.picture.points('paths'), 'no path')
+
+    def test_the_scenario_alone_is_shown(self):
+        self.scenario.publish(Scenario(episode=self.episode, agents=[agent_at(0, 0.0, 0.0), agent_at(1, 3.0, 0.0)]))
+        wait_until(lambda: self.picture.body_count() == 2, 'bodies before the first tick')
+
+    def test_paths_get_coarser_but_not_shorter(self):
+        plain = Picture('plain_markers')
+        self.addCleanup(plain.close)
+        wait_until(plain.markers, 'the plain node draws')
+        self.begin(agent_at(0, 0.0, 0.0))
+        for i in range(1, 1001):
+            self.show(agent_at(0, 0.01 * i, 0.0))
+        wait_until(lambda: (10.0, 0.0) in plain.points('paths'), 'the end of the path')
+        points = plain.points('paths')
+        self.assertIn((0.0, 0.0), points)
+        self.assertLessEqual(len(points), 2 * 200)  # both ends of each line
+        wait_until(lambda: len(self.picture.points('paths')) >= 2 * 160, 'the finer path of the other node')
+
+    def test_sectors_are_those_of_the_state_set(self):
+        pose = Pose2D(2.0, 1.0, math.pi / 2)
+        self.begin(agent_at(0, 2.0, 1.0), agent_at(1, 9.0, 9.0))
+        self.learn('occupancy')
+        # Straight ahead (90 degrees in the map) and near; to the right and farther; behind and out of sight.
+        self.perceive(pose, [PerceivedBody(x=0.7, radius=0.2), PerceivedBody(y=-1.2, radius=0.2),
+                             PerceivedBody(x=-9.0, radius=0.2)])
+
+        def sectors(near, far):
+            parts = sectors_of(self.picture.points('sectors'), (2.0, 1.0))
+            return fills(parts.get(COLLISION_RADIUS), near) and fills(parts.get(VISION_RADIUS), far)
+        wait_until(lambda: sectors((67.5, 112.5), (-22.5, 22.5)), 'sectors of 45 degrees')
+        self.assertEqual(len(self.picture.colours('sectors')), 2)
+        self.learn('nearest_obstacle')
+        wait_until(lambda: sectors((90.0, 105.0), None), 'the left one of two sectors of 15 degrees')
+        self.perceive(pose, [])
+        wait_until(lambda: 'sectors' not in self.picture.kinds(), 'no sector')
+
+    def test_sectors_of_another_episode_or_of_one_who_left_are_not_shown(self):
+        near = [PerceivedBody(x=0.5, radius=0.25)]
+        self.begin(agent_at(0, 0.0, 0.0))
+        self.learn('occupancy')
+        self.perceive(Pose2D(), near)
+        wait_until(lambda: 'sectors' in self.picture.kinds(), 'a sector')
+        self.show(agent_at(0, 0.0, 0.0, status=AgentState.ARRIVED))
+        wait_until(lambda: 'sectors' not in self.picture.kinds(), 'no sector of one who has arrived')
+        self.show(agent_at(0, 0.0, 0.0))
+        wait_until(lambda: 'sectors' in self.picture.kinds(), 'a sector again')
+        CrowdMarkersTest.episode += 1
+        self.begin(agent_at(0, 0.0, 0.0))
+        wait_until(lambda: 'sectors' not in self.picture.kinds(), 'no sector of the episode before')
+
+    def test_nobody_chosen_means_no_sectors(self):
+        plain = Picture('plain_markers')
+        self.addCleanup(plain.close)
+        self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 40.0, 0.0))
+        self.learn('occupancy')
+        self.perceive(Pose2D(), [PerceivedBody(x=0.5, radius=0.25)])
+        wait_until(lambda: 'sectors' in self.picture.kinds(), 'a sector of the other node')
+        wait_until(lambda: any(x > 30.0 for x, _ in plain.points('radii')), 'radii of everybody')
+        self.assertNotIn('sectors', plain.kinds())
+        self.assertEqual(self.perceptions.get_num_connections(), 1)
+
+    def test_perceptions_are_left_alone_while_nobody_looks(self):
+        self.picture.close()
+        wait_until(lambda: self.perceptions.get_num_connections() == 0, 'nobody subscribes to perceptions')
+        self.picture = Picture('markers')
+        self.addCleanup(self.picture.close)
+        wait_until(lambda: self.perceptions.get_num_connections() == 1, 'a node subscribes to perceptions again')
+        wait_until(self.picture.markers, 'markers for the newcomer, though nothing has changed')
+
+    def test_damaged_messages_are_survived(self):
+        nan = float('nan')
+        self.begin(agent_at(0, 0.0, 0.0), walls=[Wall(to=Point(nan, 0.0, 0.0)), Wall(to=Point(1.0, 0.0, 0.0))])
+        self.status.publish(LearnerStatus(serves_all=True, model='state_set: {type: none}'))
+        self.perceive(Pose2D(), [], first_wall=7, wall_count=9)
+        self.perceive(Pose2D(nan, nan, nan), [PerceivedBody(x=nan, radius=0.25), PerceivedBody(x=0.5, radius=0.25)])
+        self.show(agent_at(0, 0.0, 0.0), agent_at(1, nan, 0.0), agent_at(2, 0.0, 1e300),
+                  agent_at(3, 0.0, 0.0, goal=(nan, 0.0)))
+        wait_until(lambda: self.picture.body_count() == 2, 'the two bodies that are fine')
+        self.assertEqual(len(self.picture.colours('goals')), 3)
+        for kind in KINDS:
+            self.assertTrue(all(math.isfinite(x + y) for x, y in self.picture.points(kind)), kind)
+
+    def test_bad_parameters_are_all_named(self):
+        command = roslib.packages.find_node(PACKAGE, NODE)[0]
+        arguments = ['__name:=bad_markers', '_rate:=-1', '_radii:=some', '_agent:=0.5', '_colour:=red']
+        run = subprocess.run([command] + arguments, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             timeout=DEADLINE, check=False)
+        output = run.stdout.decode()
+        self.assertEqual(run.returncode, 1, output)
+        for name in ('~rate', '~radii', '~agent', '~colour'):
+            self.assertIn(f'{name}: ', output)
+
+
+if __name__ == '__main__':
+    rostest.rosrun(PACKAGE, 'crowd_markers_test', CrowdMarkersTest)

@@ -1,0 +1,174 @@
+#!/usr/bin/python3
+"""Runs through ROS and runs without it give the same recordings and tables, bit for bit."""
+import math
+
+import rospy
+import support
+from roslib.packages import find_node
+from social_crowd.msg import EpisodeResult
+
+SCENARIO = support.data('lockstep.yaml')  # a circle, walls and movers with several goals, random placements
+EPISODES = 6  # so that each of the three documents is walked twice
+
+
+class DemoTest(support.CrowdTestCase):
+    """Agents that walk by a table: the recording of the run through ROS against that of `evaluate`."""
+
+    def walk(self, scenario=SCENARIO, episodes=EPISODES, seed=5):
+        """Walks episodes through ROS; the recording. Nothing may be missed or dropped on the way."""
+        results = self.listen('episode_results', EpisodeResult)
+        controller = self.start_controller(scenario, episodes=episodes, seed=seed, trajectories=self.path('ros'))
+        results.wait_connected()
+        self.assertEqual(controller.wait(), 0)
+        support.wait_for(lambda: len(results.messages) >= episodes, 'the results of all episodes')
+        # The very first answer may come twice: when it is given and, as it is latched, when the connection is made.
+        counts = [(result.missed_answers, result.episode and result.dropped_answers) for result in results.messages]
+        self.assertEqual(counts, [(0, 0)] * episodes, 'missed and dropped answers')
+        return support.read_bytes(self.path('ros/' + support.recording_of(scenario)))
+
+    def check(self, table):
+        """Compares the recordings; learners are there already."""
+        expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
+        self.assert_same_recording(self.walk(), expected)
+
+    def check_one_learner(self, table):
+        """One learner serves all agents."""
+        self.start_learner(q_table=table)
+        self.check(table)
+
+    def check_two_learners(self, table):
+        """Two learners share the agents among them."""
+        self.start_learner('learner_a', q_table=table, agents=[0, 1, 2])
+        self.start_learner('learner_b', q_table=table, agents=[3, 4, 5])
+        self.check(table)
+
+    def check_crew(self, table):
+        """Each agent has a learner of its own."""
+        self.start_node('learner_crew', 'learner_crew', {'learner/q_table': table})
+        self.check(table)
+
+    def test_one_learner_nearest(self):
+        self.check_one_learner(support.NEAREST_TABLE)
+
+    def test_one_learner_occupancy(self):
+        self.check_one_learner(support.OCCUPANCY_TABLE)
+
+    def test_two_learners_nearest(self):
+        self.check_two_learners(support.NEAREST_TABLE)
+
+    def test_two_learners_occupancy(self):
+        self.check_two_learners(support.OCCUPANCY_TABLE)
+
+    def test_crew_nearest(self):
+        self.check_crew(support.NEAREST_TABLE)
+
+    def test_crew_occupancy(self):
+        self.check_crew(support.OCCUPANCY_TABLE)
+
+    def test_crew_in_a_name_space_of_its_command_line(self):
+        """Its learners are where it is."""
+        name = f'{self.namespace}/learner_crew'
+        rospy.set_param(f'{name}/learner/q_table', support.NEAREST_TABLE)
+        command = find_node('social_crowd', 'learner_crew')[:1] + [f'__ns:={self.namespace}']
+        self.start('learner_crew', command, {'ROS_NAMESPACE': '/'})
+        self.check(support.NEAREST_TABLE)
+
+    def test_another_seed_gives_another_recording(self):
+        """Otherwise the tests above would not notice if the controller ignored its seed."""
+        recordings = [self.headless(SCENARIO, episodes=EPISODES, seed=seed) for seed in (5, 6)]
+        self.assertNotEqual(*recordings)
+
+    def test_bodies_at_the_edge_of_vision(self):
+        """A body exactly at the radius of vision is perceived in both runs or in neither."""
+        scenario = self.write('edge.yaml', edge_scenario())
+        self.start_learner()
+        expected = self.headless(scenario)
+        self.assert_same_recording(self.walk(scenario, episodes=1), expected)
+
+
+class TrainingTest(support.CrowdTestCase):
+    """Agents that learn: the table learned through ROS against that of `train`."""
+
+    EPISODES = 5
+    SEED = 3
+    LEARNING = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
+
+    def train_headless(self, scenario, tables):
+        """Trains without ROS; the recipe's path, the table's path and what it learned from."""
+        text = support.recipe_text(scenario, self.EPISODES, self.SEED, tables, self.LEARNING)
+        recipe = self.write('recipe.yaml', text)
+        table = self.path('headless.txt')
+        self.tool('train', recipe, '--output', table)
+        return recipe, table, support.QTableFile(table).header['decisions']
+
+    def walk(self, scenario):
+        """Walks the episodes through ROS."""
+        controller = self.start_controller(scenario, episodes=self.EPISODES, seed=self.SEED)
+        self.assertEqual(controller.wait(), 0)
+
+    def saved_after(self, learner, decisions):
+        """The table of agent 0, saved once that many decisions were learned from."""
+        file = self.path('ros.txt')
+
+        def has_all():
+            self.succeed(f'{learner}/save_q_table', file=file, agent=0)
+            return support.QTableFile(file).header['decisions'] >= decisions
+
+        support.wait_for(has_all, f'{decisions} decisions learned from')
+        return file
+
+    def check(self, scenario, tables, **parameters):
+        """One learner for all agents: tables are the same byte for byte, saved by service and at the end."""
+        recipe, headless, decisions = self.train_headless(scenario, tables)
+        learner = self.start_learner(mode='training', config=recipe, tables=tables, seed=self.SEED,
+                                     save_to=self.path('at_end.txt'), **parameters)
+        self.walk(scenario)
+        saved = self.saved_after('learner', decisions)
+        self.assertEqual(support.read_text(saved), support.read_text(headless))
+        self.assertEqual(learner.stop(), 0)
+        return support.read_text(headless)
+
+    def test_one_agent_with_its_own_table(self):
+        scenario = support.in_package('config', 'scenarios', 'training_single.yaml')
+        expected = self.check(scenario, 'own')
+        self.assertEqual(support.read_text(self.path('at_end_agent_0.txt')), expected)
+
+    def test_many_agents_with_a_shared_table(self):
+        expected = self.check(SCENARIO, 'shared')
+        self.assertEqual(support.read_text(self.path('at_end.txt')), expected)
+
+    def test_many_agents_with_own_tables(self):
+        expected = self.check(SCENARIO, 'own')
+        self.assertEqual(support.read_text(self.path('at_end_agent_0.txt')), expected)
+        others = [support.read_text(self.path(f'at_end_agent_{agent}.txt')) for agent in range(1, 6)]
+        self.assertEqual(len(set(others + [expected])), 6, 'each agent should have learned on its own')
+
+    def test_a_learner_each(self):
+        """The rows are the same; each learner counts the decisions of its own agent only."""
+        recipe, headless, _ = self.train_headless(SCENARIO, 'own')
+        parameters = {'mode': 'training', 'config': recipe, 'tables': 'own', 'seed': self.SEED}
+        self.start_node('learner_crew', 'learner_crew',
+                        {f'learner/{name}': value for name, value in parameters.items()})
+        self.walk(SCENARIO)
+        expected = support.QTableFile(headless)
+        saved = support.QTableFile(self.saved_after('learner_0', expected.visits()))
+        self.assertEqual(saved.rows, expected.rows)
+        self.assertEqual(dict(saved.header, decisions=0), dict(expected.header, decisions=0))
+
+
+def edge_scenario():
+    """Agents that meet an obstacle exactly 1 m (to its rim) away, in many directions, far apart from each other."""
+    lines = ['name: edge', 'duration: 1', 'goal_tolerance: 0.1', 'agents:']
+    obstacles = ['obstacles:']
+    for i in range(400):
+        x, y = 20.0 * (i % 20), 20.0 * (i // 20)
+        bearing = 0.1 + 0.0157 * i
+        ahead = (x + 1.4 * math.cos(bearing), y + 1.4 * math.sin(bearing))
+        goal = (x + 5 * math.cos(bearing), y + 5 * math.sin(bearing))
+        lines.append(f'  - {{position: [{x!r}, {y!r}], goal: [{goal[0]!r}, {goal[1]!r}], speed: 0.3, radius: 0.25}}')
+        obstacles.append(f'  - {{position: [{ahead[0]!r}, {ahead[1]!r}], radius: 0.4}}')
+    return '\n'.join(lines + obstacles) + '\n'
+
+
+if __name__ == '__main__':
+    support.run('lockstep_test')

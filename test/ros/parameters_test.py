@@ -1,0 +1,194 @@
+#!/usr/bin/python3
+"""Bad parameters and bad scenario files: a node names all that is wrong in one message and ends with status 1."""
+import os
+
+import support
+
+NAN, INFINITE = float('nan'), float('inf')
+SCENE = """
+name: scene
+duration: 20
+goal_tolerance: 0.3
+agents:
+  - {position: [0, 0], goal: [20, 0], speed: 0.5, radius: 0.25}
+"""
+
+
+class RefusalTestCase(support.CrowdTestCase):
+    """A node that refuses to start."""
+
+    def message_of(self, node):
+        """What a node says before it ends in error: one message, the last thing it prints."""
+        self.assertEqual(node.wait(), 1, f'exit status of {node.name}; its output: {node.output()}')
+        output = node.output()
+        self.assertEqual(output.count('[FATAL]'), 1, output)
+        return output[output.index('[FATAL]'):]
+
+    def assert_all_named(self, node, *names):
+        """Checks that a node names these parameters and no other."""
+        message = self.message_of(node)
+        self.assert_says(message, f'bad parameters of {self.namespace}/{node.name}')
+        named = {line.split(':')[0].strip() for line in message.splitlines() if line.startswith('  ~')}
+        self.assertEqual(named, {f'~{name}' for name in names}, message)
+        return message
+
+
+class ControllerParametersTest(RefusalTestCase):
+    """Parameters of crowd_controller."""
+
+    def start_plain(self, **parameters):
+        """Starts a controller with these parameters only."""
+        return self.start_node('crowd_controller', 'crowd_controller', parameters)
+
+    def test_missing(self):
+        message = self.assert_all_named(self.start_plain(), 'scenario')
+        self.assert_says(message, 'expected a scenario file or name')
+
+    def test_out_of_range(self):
+        bad = {'seed': -1, 'episodes': -1, 'pace': -1.0, 'start_deadline': -1.0, 'answer_deadline': 0.0,
+               'misses_until_absent': 0, 'vision_radius': -0.5, 'max_bodies': -2}
+        message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
+        self.assert_says(message, 'got -0.5', 'from 0 to')
+
+    def test_not_finite(self):
+        bad = {'pace': INFINITE, 'start_deadline': NAN, 'answer_deadline': INFINITE, 'vision_radius': NAN}
+        self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
+
+    def test_of_a_wrong_type(self):
+        bad = {'scenario': [1, 2], 'scenario_folder': {'a': 1}, 'seed': 'one', 'episodes': 2.5, 'pace': 'quick',
+               'paused': 'yes', 'start_deadline': 'soon', 'answer_deadline': True, 'misses_until_absent': 3.0,
+               'vision_radius': [6.0], 'max_bodies': '4', 'publish_tf': 1, 'publish_clock': 'true',
+               'trajectories': True}
+        self.assert_all_named(self.start_plain(**bad), *bad)
+
+    def test_unknown(self):
+        message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, sede=3, answers={'deadline': 1.0}),
+                                        'sede', 'answers')
+        self.assert_says(message, 'no such parameter', '~seed', '~answer_deadline')
+
+    def test_all_at_once(self):
+        """Missing, wrong, not finite and unknown ones in one message."""
+        self.assert_all_named(self.start_plain(seed='x', vision_radius=NAN, no_such_name=1), 'scenario', 'seed',
+                              'vision_radius', 'no_such_name')
+
+    def test_numbers_may_come_as_whole_ones_and_texts(self):
+        """As roslaunch and rosparam hand them on."""
+        node = self.start_controller(self.write('scene.yaml', SCENE), pace='2', answer_deadline=1, vision_radius=6,
+                                     paused=True)
+        self.succeed('crowd_controller/pause', data=True)
+        self.assertTrue(node.is_running())
+
+    def test_a_folder_for_recordings_that_cannot_be_made(self):
+        file = self.write('file', '')
+        node = self.start_plain(scenario=support.CIRCLE6, trajectories=file)
+        self.assert_says(self.message_of(node), file)
+
+
+class ScenarioFilesTest(RefusalTestCase):
+    """Scenario files with errors, when crowd_controller starts."""
+
+    def refusal(self, scenario, **parameters):
+        """Starts a controller with a scenario that is no good; what it says."""
+        return self.message_of(self.start_controller(scenario, **parameters))
+
+    def check(self, text, *words):
+        """The message names the file and these words."""
+        file = self.write('scene.yaml', text)
+        self.assert_says(self.refusal(file), file, *words)
+
+    def test_an_unknown_key(self):
+        self.check(f'{SCENE}---{SCENE}colour: red\n', 'document 2', 'line 13', 'colour')
+
+    def test_a_number_that_is_missing(self):
+        self.check(SCENE.replace('goal_tolerance: 0.3\n', ''), 'document 1', 'line 2', 'goal_tolerance')
+
+    def test_a_number_that_is_none(self):
+        self.check(SCENE.replace('speed: 0.5', 'speed: fast'), 'document 1', 'line 6', 'speed', "'fast'")
+
+    def test_a_number_that_is_not_finite(self):
+        self.check(SCENE.replace('radius: 0.25', 'radius: .nan'), 'document 1', 'line 6', 'radius')
+
+    def test_bodies_that_overlap(self):
+        again = '  - {position: [0.2, 0], goal: [20, 0], speed: 0.5, radius: 0.25}\n'
+        self.check(f'{SCENE}---{SCENE}{again}', 'document 2', 'agents[0]', 'agents[1]', 'overlap')
+
+    def test_no_yaml(self):
+        self.check(SCENE.replace(']', '', 1), 'line 6')
+
+    def test_an_empty_file(self):
+        self.check('', 'empty')
+
+    def test_no_file(self):
+        self.assert_says(self.refusal(self.path('no_such_file.yaml')), self.path('no_such_file.yaml'))
+        self.assert_says(self.refusal('no_such_name', scenario_folder=self.folder),
+                         os.path.join(self.folder, 'no_such_name.yaml'))
+
+
+class LearnerParametersTest(RefusalTestCase):
+    """Parameters of learner."""
+
+    def start_plain(self, **parameters):
+        """Starts a learner with these parameters only."""
+        return self.start_node('learner', 'learner', parameters)
+
+    def test_missing(self):
+        self.assert_all_named(self.start_plain(), 'q_table')
+        self.assert_all_named(self.start_plain(mode='training'), 'config')
+
+    def test_out_of_range(self):
+        bad = {'alpha': 0.0, 'gamma': 1.0, 'lambda': -0.1, 'epsilon': 1.1}
+        message = self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, **bad))
+        self.assert_says(message, *bad, 'above 0')
+        bad = {'agents': [0, -1], 'seed': -1, 'save_every': -1}
+        self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
+
+    def test_not_finite(self):
+        bad = {'alpha': NAN, 'gamma': INFINITE, 'lambda': -INFINITE, 'epsilon': NAN}
+        self.assert_says(self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, **bad)), *bad)
+
+    def test_of_a_wrong_type(self):
+        bad = {'mode': 3, 'tables': 'mine', 'on_share': True, 'agents': 'all', 'seed': 1.5, 'save_to': [1],
+               'alpha': 'small', 'config': {'a': 1}}
+        self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
+
+    def test_contradictory(self):
+        recipe = self.write('recipe.yaml', support.recipe_text(support.CIRCLE6, 1))
+        bad = {'q_table': support.OCCUPANCY_TABLE, 'config': recipe, 'save_every': 5, 'agents': [1, 2, 1]}
+        message = self.assert_all_named(self.start_plain(mode='training', **bad), 'q_table', 'save_every', 'agents')
+        self.assert_says(message, 'another state set', 'save_to', 'agent 1')
+
+    def test_unknown(self):
+        message = self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, agnets=[1]), 'agnets')
+        self.assert_says(message, '~agents')
+
+    def test_files_that_cannot_be_read(self):
+        table = self.write('table.txt', 'no table')
+        recipe = self.write('recipe.yaml', support.recipe_text(support.CIRCLE6, 1) + 'colour: red\n')
+        message = self.assert_all_named(self.start_plain(mode='training', q_table=table, config=recipe), 'q_table',
+                                        'config')
+        self.assert_says(message, table, 'line 1', recipe, 'colour')
+        missing = self.path('missing.txt')
+        self.assert_says(self.assert_all_named(self.start_plain(q_table=missing), 'q_table'), missing)
+
+    def test_a_file_that_cannot_be_written(self):
+        """It is told at the start, not after the training."""
+        file = self.path('no_such_folder/table.txt')
+        message = self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, mode='training', save_to=file))
+        self.assert_says(message, 'save_to', file)
+
+    def test_all_at_once(self):
+        bad = {'mode': 'demos', 'tables': 'both', 'agents': [0.5], 'no_such_name': 1}
+        self.assert_all_named(self.start_plain(q_table=self.path('missing.txt'), **bad), 'q_table', *bad)
+
+
+class CrewParametersTest(RefusalTestCase):
+    """Parameters of learner_crew."""
+
+    def test_wrong_learners(self):
+        crew = self.start_node('learner_crew', 'learner_crew', {'learners': 'two'})
+        self.assertEqual(crew.wait(), 1)
+        self.assert_says(crew.output(), 'learners', 'per_agent', "'two'")
+
+
+if __name__ == '__main__':
+    support.run('parameters_test')

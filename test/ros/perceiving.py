@@ -1,0 +1,70 @@
+"""Hand-made perceptions, for driving learners without a crowd controller."""
+import math
+
+import rospy
+import support
+from social_crowd.msg import AgentPerception, PerceivedBody, Perceptions, RelativeActions
+
+FREE = None  # nothing is perceived
+NEAR, FAR = 0.3, 0.8  # [m] to the rim: the thesis's distance classes 1 and 2
+RADIUS = 0.25  # [m] of all bodies
+
+
+def ahead(degrees, distance):
+    """A point at a bearing, in the agent's frame."""
+    return distance * math.cos(math.radians(degrees)), distance * math.sin(math.radians(degrees))
+
+
+def perceptions(episode, tick, last=False):
+    """Perceptions of nobody yet."""
+    message = Perceptions(episode=episode, tick=tick, tick_duration=support.TICK, last=last)
+    message.header.frame_id = 'map'
+    message.header.stamp = rospy.Time.now()
+    return message
+
+
+def add_agent(message, agent, goal, body=FREE, arrived=False, acted=True):
+    """Adds what one agent perceives: goal and at most one obstacle, (x, y) in its frame [m]."""
+    self = AgentPerception(agent=agent, speed=0.3, radius=RADIUS, goal_x=goal[0], goal_y=goal[1], arrived=arrived,
+                           acted=acted, first_body=len(message.bodies), first_wall=len(message.walls))
+    if body is not FREE:
+        self.body_count = 1
+        message.bodies.append(PerceivedBody(kind=PerceivedBody.OBSTACLE, x=body[0], y=body[1], radius=RADIUS))
+    message.agents.append(self)
+    return message
+
+
+def all_situations(episode=0, tick=0):
+    """As many agents as the thesis's first state set has states before arrival, 136, each in another one."""
+    message = perceptions(episode, tick)
+    for goal in range(0, 360, 45):
+        bodies = [FREE] + [ahead(bearing, distance + RADIUS) for bearing in (7, 30, 70, 130, -130, -70, -30, -7)
+                           for distance in (NEAR, FAR)]
+        for body in bodies:
+            add_agent(message, len(message.agents), ahead(goal, 5.0), body)
+    return message
+
+
+class Perceiver:
+    """Stands in for the crowd controller: tells learners what they perceive and takes their answers."""
+
+    def __init__(self, test, learners=1):
+        self.actions = test.listen('actions', RelativeActions)
+        self.publisher = rospy.Publisher(f'{test.namespace}/perceptions', Perceptions, queue_size=100, tcp_nodelay=True)
+        test.addCleanup(self.publisher.unregister)
+        support.wait_for(lambda: self.publisher.get_num_connections() >= learners and
+                         self.actions.subscriber.get_num_connections() >= learners, f'{learners} learners to connect')
+
+    def tell(self, message):
+        """Publishes perceptions."""
+        self.publisher.publish(message)
+
+    def ask(self, message):
+        """Publishes perceptions and waits for the answer: {agent: (rotation, share of the speed)}."""
+        self.tell(message)
+        return answers_of(self.actions.wait_at(message.episode, message.tick))
+
+
+def answers_of(message):
+    """An answer as {agent: (rotation, share of the speed)}."""
+    return {action.agent: (action.rotation, action.speed_share) for action in message.agents}

@@ -1,0 +1,92 @@
+#!/usr/bin/python3
+"""RViz with the shipped configuration, on a screen of its own: what a person would see of a running crowd."""
+
+import os
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import roslib.packages
+import rospy
+import rostest
+from matplotlib.image import imread
+from visualization_msgs.msg import Marker, MarkerArray
+
+DEADLINE = 90.0  # [s]; RViz renders in software and takes its time to start
+LIKE = 0.06  # difference of colour channels that still counts as the same colour
+
+
+def wait_until(condition, what):
+    """What `condition` returns as soon as that is true."""
+    end = time.monotonic() + DEADLINE
+    while time.monotonic() < end:
+        result = condition()
+        if result:
+            return result
+        rospy.rostime.wallsleep(0.2)
+    raise AssertionError('%s: not within %s s' % (what, DEADLINE))
+
+
+def count_like(picture, colour):
+    """How many pixels of a picture [rows, columns, rgb] have about this colour."""
+    return int((abs(picture[:, :, :3] - colour).max(axis=2) < LIKE).sum())
+
+
+class RvizTest(unittest.TestCase):
+    """Starts a screen and RViz on it."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        read, write = os.pipe()
+        self.screen = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', '1280x800x24'],
+                                       pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as displays:
+            number = displays.readline().strip()
+        self.environment = dict(os.environ, DISPLAY=':' + number, LIBGL_ALWAYS_SOFTWARE='1')
+        config = os.path.join(roslib.packages.get_pkg_dir('social_crowd'), 'rviz', 'social_crowd.rviz')
+        self.rviz = subprocess.Popen(['rviz', '-d', config], env=self.environment)
+
+    def tearDown(self):
+        for process in (self.rviz, self.screen):
+            process.send_signal(signal.SIGTERM)
+            try:
+                process.wait(10.0)
+            except subprocess.TimeoutExpired:
+                process.kill()
+        self.folder.cleanup()
+
+    def screenshot(self):
+        """The screen's pixels, or nothing if it cannot be taken yet."""
+        file = os.path.join(self.folder.name, 'shot.png')
+        command = ['import', '-window', 'root', file]
+        taken = subprocess.run(command, env=self.environment, stderr=subprocess.DEVNULL, check=False)
+        return imread(file) if taken.returncode == 0 else None
+
+    def shows(self, colour, least):
+        """Whether the screen has at least so many pixels of a colour."""
+        picture = self.screenshot()
+        return picture is not None and count_like(picture, colour) >= least
+
+    def test_shows_bodies_obstacles_and_paths(self):
+        seen = {}
+
+        def note(array):
+            for marker in array.markers:
+                if marker.action == Marker.ADD:
+                    seen[marker.ns] = marker
+
+        rospy.Subscriber('markers', MarkerArray, note)
+        wait_until(lambda: {'bodies', 'paths', 'obstacles'} <= set(seen), 'markers of a running crowd')
+        for kind in ('bodies', 'obstacles'):
+            colour = [getattr(seen[kind].colors[0], channel) for channel in 'rgb']
+            wait_until(lambda: self.shows(colour, 100), '%s of colour %s on the screen' % (kind, colour))
+        path = [getattr(seen['paths'].colors[0], channel) for channel in 'rgb']
+        wait_until(lambda: self.shows(path, 20), 'a path of colour %s on the screen' % path)
+
+
+if __name__ == '__main__':
+    rospy.init_node('rviz_test')
+    rostest.rosrun('social_crowd', 'rviz_test', RvizTest)
