@@ -55,8 +55,8 @@ class AbsenceTestCase(support.CrowdTestCase):
 
     def ticks_at_rest(self, agent, instance=0):
         """In how many ticks an agent stayed where it was."""
-        rows = self.rows(instance)
-        return sum(rows[tick][agent] == rows[tick - 1][agent] for tick in range(1, max(rows) + 1) if agent in rows[tick])
+        walk = [places[agent] for _, places in sorted(self.rows(instance).items()) if agent in places]
+        return sum(before == after for before, after in zip(walk, walk[1:]))
 
 
 class KilledLearnerTest(AbsenceTestCase):
