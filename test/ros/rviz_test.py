@@ -61,7 +61,7 @@ class RvizTest(unittest.TestCase):
     def screenshot(self):
         """The screen's pixels, or nothing if it cannot be taken yet."""
         file = os.path.join(self.folder.name, 'shot.png')
-        command = ['import', '-window', 'root', file]
+        command = ['import', '-window', 'root', 'png24:' + file]  # in colour, also while the screen is still grey
         taken = subprocess.run(command, env=self.environment, stderr=subprocess.DEVNULL, check=False)
         return imread(file) if taken.returncode == 0 else None
 
