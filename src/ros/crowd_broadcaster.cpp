@@ -47,6 +47,7 @@ void CrowdBroadcaster::publishPerceptions(const Episode& episode) {
   message->run = run_;
   message->header = header();
   perceptions_.publish(message);
+  last_perceptions_ = message;
 }
 
 void CrowdBroadcaster::publishAgents(const Episode& episode) {

@@ -15,6 +15,7 @@ constexpr unsigned SERVICE_THREADS = 3;
 constexpr std::uint32_t QUEUE = 1000;         // messages; many learners may answer at once
 const ros::WallDuration IDLE(0.1);            // between two looks whether ROS still runs
 const ros::WallDuration WARNING_PERIOD(5.0);  // of the warning that nobody answers
+const ros::WallDuration REPEAT(0.5);          // of perceptions for learners that never answered
 const ros::WallDuration FLUSH(0.25);          // for the last messages to leave the process
 constexpr double MAX_LAG = 0.5;               // [s] behind real time that are made up for
 
@@ -147,6 +148,7 @@ void CrowdController::walkTick() {
   }
   lockstep_.open(episode_->number(), episode_->perceptions().tick, asked);
   broadcaster_.publishPerceptions(*episode_);
+  next_repeat_ = Clock::now() + REPEAT;
   awaitAnswers();
   if (cut_off_ || !ros::ok()) return;  // another episode has begun
   lockstep_.close();
@@ -165,6 +167,7 @@ void CrowdController::awaitAnswers() {
   const Clock deadline = since + ros::WallDuration(parameters_.answer_deadline);
   while (ros::ok() && !cut_off_ && !lockstep_.isComplete()) {
     const Clock now = Clock::now();
+    repeatForNewcomers();
     if (now >= deadline) {
       if (!lockstep_.awaitsNewcomer()) return;
       return awaitNewcomers(since);
@@ -173,10 +176,19 @@ void CrowdController::awaitAnswers() {
   }
 }
 
+void CrowdController::repeatForNewcomers() {
+  // roscpp may lose a latched message that is published in the very moment in which somebody connects.
+  const Clock now = Clock::now();
+  if (now < next_repeat_ || !lockstep_.awaitsNewcomer()) return;
+  broadcaster_.repeatPerceptions();
+  next_repeat_ = now + REPEAT;
+}
+
 void CrowdController::awaitNewcomers(const Clock& since) {
   const Clock deadline = since + ros::WallDuration(parameters_.start_deadline);
   while (ros::ok() && !cut_off_ && lockstep_.awaitsNewcomer()) {
     warnOfSilence(since);
+    repeatForNewcomers();
     if (Clock::now() >= deadline) return lockstep_.giveUpOnNewcomers();
     loop_.run(std::min(IDLE, deadline - Clock::now()));
   }

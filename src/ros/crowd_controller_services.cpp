@@ -17,6 +17,12 @@
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
+namespace {
+
+constexpr std::chrono::milliseconds PAUSE_PATIENCE(500);
+
+}  // namespace
+
 std::string CrowdController::place() const {
   return "episode " + std::to_string(episode_->number()) + ", tick " + std::to_string(episode_->world().tick());
 }
@@ -45,22 +51,30 @@ std::future<void> CrowdController::beginSteps(std::uint32_t ticks) {
   return pending_steps_->done.get_future();
 }
 
-void CrowdController::waitFor(const std::future<void>& done) const {
-  constexpr std::chrono::milliseconds PATIENCE(100);
-  while (done.wait_for(PATIENCE) != std::future_status::ready) {
+bool CrowdController::waitFor(const std::future<void>& done, std::chrono::milliseconds most) const {
+  constexpr std::chrono::milliseconds LOOK(100);
+  const auto deadline = std::chrono::steady_clock::now() + most;
+  while (done.wait_for(std::min(LOOK, most)) != std::future_status::ready) {
     if (loop_.isClosed()) throw Error("the node is shutting down");
+    if (std::chrono::steady_clock::now() >= deadline) return false;
   }
+  return true;
 }
 
 void CrowdController::advertiseServices() {
   services_.serve<std_srvs::SetBool>(names::PAUSE, [this](const auto& request, auto& response) {
     const bool paused = request.data != 0;
-    waitFor(loop_.ask<std::future<void>>([&] { return pause(paused); }));  // the tick under way comes to its end
-    response.message = (paused ? "paused at " : "walking from ") + loop_.ask<std::string>([&] { return place(); });
+    // The tick under way comes to its end first, unless it waits for a learner.
+    const auto at_rest = loop_.ask<std::future<void>>([&] { return pause(paused); });
+    const bool rests = waitFor(at_rest, PAUSE_PATIENCE);
+    response.message = (!paused ? "walking from "
+                        : rests ? "paused at "
+                                : "paused after the tick that still waits for answers: ") +
+                       loop_.ask<std::string>([&] { return place(); });
   });
   services_.serve<social_crowd::Step>(names::STEP, [this](const auto& request, auto& response) {
     if (request.ticks == 0) throw InputError("ticks: expected at least 1, got 0");
-    waitFor(loop_.ask<std::future<void>>([&] { return beginSteps(request.ticks); }));
+    waitFor(loop_.ask<std::future<void>>([&] { return beginSteps(request.ticks); }), std::chrono::hours(24));
     loop_.ask<void>([&] {
       response.episode = episode_->number();
       response.tick = episode_->world().tick();

@@ -65,6 +65,7 @@ void LearnerNode::takePerceptions(const social_crowd::Perceptions::ConstPtr& mes
 }
 
 void LearnerNode::answer(const social_crowd::Perceptions& message) {
+  if (isRepeated(message)) return actions_publisher_.publish(last_reply_);
   const bool new_run = message.run != run_;
   if (new_run) learner_.forgetDecisions();
   run_ = message.run;
@@ -78,8 +79,14 @@ void LearnerNode::answer(const social_crowd::Perceptions& message) {
     reply->header.stamp = message.header.stamp;
     reply->header.frame_id = names::MAP_FRAME;
     actions_publisher_.publish(reply);
+    last_reply_ = reply;
   }
   if (new_episode) noteEpisode();
+}
+
+bool LearnerNode::isRepeated(const social_crowd::Perceptions& message) const {
+  return last_reply_ != nullptr && message.run == run_ && message.episode == last_reply_->episode &&
+         message.tick == last_reply_->tick && message.header.stamp == last_reply_->header.stamp;
 }
 
 void LearnerNode::noteEpisode() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <social_crowd/Perceptions.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <cstdint>
@@ -19,6 +20,8 @@ class CrowdBroadcaster {
   /// @brief Moves the simulated clock and publishes it, where a clock is asked for.
   void advanceClock(double seconds);
   void publishPerceptions(const Episode& episode);
+  /// @brief The same message once more, for learners that were connecting when it was sent.
+  void repeatPerceptions() { perceptions_.publish(last_perceptions_); }
   /// @brief Agents, and tf where it is asked for.
   void publishAgents(const Episode& episode);
   void publishScenario(const Episode& episode, std::uint64_t instance);
@@ -35,6 +38,7 @@ class CrowdBroadcaster {
   bool publish_clock_;
   ros::Time clock_;
   ros::Publisher perceptions_;
+  boost::shared_ptr<social_crowd::Perceptions> last_perceptions_;
   ros::Publisher agents_;
   ros::Publisher scenario_;
   ros::Publisher results_;

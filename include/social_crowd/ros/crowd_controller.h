@@ -55,6 +55,7 @@ class CrowdController {
   void walkTick();
   void awaitAnswers();
   void awaitNewcomers(const Clock& since);
+  void repeatForNewcomers();
   void awaitSomebody(const Clock& since);
   void warnOfSilence(const Clock& since);
   /// Serves callbacks until `until`; true if the wait is over because the tick was cut off by a reset.
@@ -67,8 +68,8 @@ class CrowdController {
   std::future<void> pause(bool paused);
   void noteRest();
   std::future<void> beginSteps(std::uint32_t ticks);
-  /// In a service thread. @throws Error if the node shuts down before.
-  void waitFor(const std::future<void>& done) const;
+  /// In a service thread: whether it was done within so long. @throws Error if the node shuts down before.
+  bool waitFor(const std::future<void>& done, std::chrono::milliseconds most) const;
   std::string place() const;
   void logResult(const EpisodeResult& result);
 
@@ -90,6 +91,7 @@ class CrowdController {
 
   Lockstep lockstep_;
   Clock last_warning_;
+  Clock next_repeat_;
   Clock next_tick_;
   bool paused_;
   std::unique_ptr<PendingSteps> pending_steps_;

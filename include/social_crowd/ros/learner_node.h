@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 #include <social_crowd/LearnerStatus.h>
 #include <social_crowd/Perceptions.h>
+#include <social_crowd/RelativeActions.h>
 #include <social_crowd/ShareQTable.h>
 #include <social_crowd/TakeQTable.h>
 
@@ -33,6 +34,8 @@ class LearnerNode {
   void advertiseServices();
   void takePerceptions(const social_crowd::Perceptions::ConstPtr& message);
   void answer(const social_crowd::Perceptions& message);
+  /// Whether it was answered already: the controller repeats what it still waits for.
+  bool isRepeated(const social_crowd::Perceptions& message) const;
   void noteEpisode();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
@@ -61,6 +64,7 @@ class LearnerNode {
   Perceptions perceptions_;
   RelativeActions actions_;
 
+  social_crowd::RelativeActions::Ptr last_reply_;
   std::uint64_t run_ = 0;       // of the controller heard last
   std::uint64_t episodes_ = 0;  // begun
   ros::WallTime last_status_;
