@@ -17,7 +17,7 @@
 namespace crowd {
 namespace {
 
-// Two learners may share with each other at the same time, each waiting for the other to take.
+// Sharing may wait for other learners; the other services go on meanwhile.
 constexpr unsigned SERVICE_THREADS = 4;
 constexpr std::uint32_t QUEUE = 100;  // messages
 constexpr bool LATCHED = true;
@@ -35,6 +35,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       save_to_(parameters.save_to),
       save_every_(parameters.save_every),
       learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
+      taking_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
   node_.setCallbackQueue(&loop_.queue());
@@ -49,10 +50,12 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
 
 void LearnerNode::run() {
   publishStatus();
+  taking_.start();
   services_.start();
   while (ros::ok()) loop_.run(IDLE);
   loop_.close();
   services_.stop();
+  taking_.stop();
   if (!save_to_.empty()) saveAll();
 }
 
@@ -204,8 +207,8 @@ void LearnerNode::advertiseServices() {
       });
   services_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,
                                              [this](const auto& request, auto& response) { share(request, response); });
-  services_.serve<social_crowd::TakeQTable>(names::TAKE_Q_TABLE,
-                                            [this](const auto& request, auto& response) { take(request, response); });
+  taking_.serve<social_crowd::TakeQTable>(names::TAKE_Q_TABLE,
+                                          [this](const auto& request, auto& response) { take(request, response); });
 }
 
 }  // namespace crowd

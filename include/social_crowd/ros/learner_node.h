@@ -75,6 +75,8 @@ class LearnerNode {
   ros::Subscriber perceptions_subscriber_;
   ros::Subscriber status_subscriber_;
 
+  // Taking waits for nobody: learners that all share at once do not wait for each other's busy threads.
+  Services taking_;
   Services services_;  // last: its threads use all of the above
 };
 
