@@ -78,6 +78,15 @@ TEST(ReadWhole, TakesWholeNumbersWithinTheLimitsOnly) {
   }
 }
 
+TEST(ReadCount, TakesAllOf64BitsAndNothingElse) {
+  EXPECT_EQ(readCount(YAML::Load("0"), PLACE), 0U);
+  EXPECT_EQ(readCount(YAML::Load("18446744073709551615"), PLACE), 18446744073709551615U);
+  for (const char* text : {"-1", "18446744073709551616", "1.5", "many", "'3'"}) {
+    SCOPED_TRACE(text);
+    EXPECT_NE(errorOf([&] { readCount(YAML::Load(text), PLACE); }).find("expected a whole number"), std::string::npos);
+  }
+}
+
 TEST(ReadVector, TakesTwoNumbers) {
   EXPECT_EQ(readVector(YAML::Load("[1, -2.5]"), PLACE), Eigen::Vector2d(1.0, -2.5));
   const auto error = [](const char* text) { return errorOf([&] { readVector(YAML::Load(text), PLACE); }); };

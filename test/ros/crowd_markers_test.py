@@ -4,7 +4,6 @@
 import math
 import subprocess
 import threading
-import time
 import unittest
 
 import roslib.packages
@@ -13,28 +12,17 @@ import rostest
 from geometry_msgs.msg import Point, Pose2D
 from social_crowd.msg import (AgentPerception, AgentState, AgentStates, LearnerStatus, ObstacleState, PerceivedBody,
                               Perceptions, Scenario, Wall)
+from support import PATIENCE, wait_for
 from visualization_msgs.msg import Marker, MarkerArray
 
 PACKAGE = 'social_crowd'
 NODE = 'crowd_markers'
-DEADLINE = 20.0  # [s]
 KINDS = {'bodies', 'headings', 'goals', 'paths', 'obstacles', 'walls', 'radii', 'sectors'}
 COLLISION_RADIUS, VISION_RADIUS = 0.6, 1.5  # [m]
 MODEL = f'''state_set: {{type: %s, collision_radius: {COLLISION_RADIUS}, vision_radius: {VISION_RADIUS}}}
 action_set: {{type: kings_moves, rotations: 8}}
 reward: {{goal: cosine_cubed, arrival: 100, obstacle_cost: 10}}
 '''
-
-
-def wait_until(condition, what):
-    """What `condition` returns as soon as that is true."""
-    end = time.monotonic() + DEADLINE
-    while time.monotonic() < end:
-        result = condition()
-        if result:
-            return result
-        rospy.rostime.wallsleep(0.01)
-    raise AssertionError(f'{what}: not within {DEADLINE} s')
 
 
 class Picture:
@@ -113,9 +101,9 @@ class CrowdMarkersTest(unittest.TestCase):
         self.picture = Picture('markers')
         self.addCleanup(self.picture.close)
         for publisher in (self.agents, self.scenario, self.status):
-            wait_until(lambda publisher=publisher: publisher.get_num_connections() == 2,
-                       f'both nodes subscribe to {publisher.name}')
-        wait_until(lambda: self.perceptions.get_num_connections() == 1, 'one node subscribes to perceptions')
+            wait_for(lambda publisher=publisher: publisher.get_num_connections() == 2,
+                     f'both nodes subscribe to {publisher.name}')
+        wait_for(lambda: self.perceptions.get_num_connections() == 1, 'one node subscribes to perceptions')
         CrowdMarkersTest.episode += 1
         self.tick = 0
 
@@ -141,7 +129,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.show(agent_at(0, 0.5, 0.0), agent_at(1, 1.0, 0.5), obstacles=[obstacle])
         self.learn('occupancy')
         self.perceive(Pose2D(0.5, 0.0, 0.0), [PerceivedBody(x=0.5, y=0.5, radius=0.25)])
-        wait_until(lambda: self.picture.kinds() == KINDS, 'markers of all kinds')
+        wait_for(lambda: self.picture.kinds() == KINDS, 'markers of all kinds')
         for marker in self.picture.markers():
             self.assertEqual(marker.header.frame_id, 'map')
             self.assertEqual(len(marker.colors), len(marker.points), marker.ns)
@@ -153,72 +141,72 @@ class CrowdMarkersTest(unittest.TestCase):
 
         def radii():
             return {round(math.hypot(x, y), 3) for x, y in self.picture.points('radii')}
-        wait_until(lambda: radii() == {COLLISION_RADIUS, VISION_RADIUS}, 'two circles around the chosen agent alone')
+        wait_for(lambda: radii() == {COLLISION_RADIUS, VISION_RADIUS}, 'two circles around the chosen agent alone')
 
     def test_a_big_crowd_takes_few_markers(self):
         self.picture.most_markers = 0
         crowd = [agent_at(i, i % 25, i // 25, in_contact=i % 2 == 0) for i in range(500)]
         self.begin(*crowd)
         self.show(*(agent_at(i, i % 25 + 0.5, i // 25, in_contact=i % 2 == 0) for i in range(500)))
-        wait_until(lambda: self.picture.body_count() == 500 and len(self.picture.points('paths')) >= 1000,
-                   '500 bodies and paths')
+        wait_for(lambda: self.picture.body_count() == 500 and len(self.picture.points('paths')) >= 1000,
+                 '500 bodies and paths')
         self.assertLess(self.picture.most_markers, 15)
 
     def test_who_has_arrived_vanishes_and_leaves_path_and_goal(self):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 0.0, 5.0))
         self.show(agent_at(0, 1.0, 0.0), agent_at(1, 1.0, 5.0))
-        wait_until(lambda: self.picture.body_count() == 2, 'two bodies')
+        wait_for(lambda: self.picture.body_count() == 2, 'two bodies')
         self.show(agent_at(0, 2.0, 0.0), agent_at(1, 1.5, 5.0, status=AgentState.ARRIVED))
-        wait_until(lambda: self.picture.body_count() == 1, 'one body')
+        wait_for(lambda: self.picture.body_count() == 1, 'one body')
         self.assertEqual(len(self.picture.colours('bodies')), 1)
         self.assertEqual(len(self.picture.colours('goals')), 2)
         path = {(0.0, 5.0), (1.0, 5.0), (1.5, 5.0)}
-        wait_until(lambda: path | {(2.0, 0.0)} <= set(self.picture.points('paths')), 'both paths')
+        wait_for(lambda: path | {(2.0, 0.0)} <= set(self.picture.points('paths')), 'both paths')
         self.show(agent_at(0, 2.0, 0.0), agent_at(1, 1.5, 5.0, status=AgentState.REMOVED))
-        wait_until(lambda: len(self.picture.colours('goals')) == 1, 'no goal of the removed one')
+        wait_for(lambda: len(self.picture.colours('goals')) == 1, 'no goal of the removed one')
 
     def test_contact_is_highlighted(self):
         touching = [agent_at(0, 0.0, 0.0, in_contact=True), agent_at(1, 0.4, 0.0, in_contact=True)]
         self.begin(*touching, agent_at(2, 3.0, 0.0))
-        wait_until(lambda: len(self.picture.colours('bodies')) == 4, 'three bodies and the colour of contacts')
+        wait_for(lambda: len(self.picture.colours('bodies')) == 4, 'three bodies and the colour of contacts')
         self.show(agent_at(0, 0.0, 0.0), agent_at(1, 0.6, 0.0), agent_at(2, 3.0, 0.0))
-        wait_until(lambda: len(self.picture.colours('bodies')) == 3, 'three bodies alone')
+        wait_for(lambda: len(self.picture.colours('bodies')) == 3, 'three bodies alone')
 
     def test_a_new_episode_clears_everything(self):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 0.0, 5.0), walls=[Wall()])
         self.show(agent_at(0, 1.0, 0.0), agent_at(1, 1.0, 5.0))
-        wait_until(lambda: len(self.picture.points('paths')) >= 4, 'two paths')
+        wait_for(lambda: len(self.picture.points('paths')) >= 4, 'two paths')
         CrowdMarkersTest.episode += 1
         self.tick = 0
         self.begin(agent_at(0, 7.0, 7.0))
-        wait_until(lambda: self.picture.body_count() == 1 and not self.picture.points('paths'), 'no path, one body')
+        wait_for(lambda: self.picture.body_count() == 1 and not self.picture.points('paths'), 'no path, one body')
         self.assertEqual(self.picture.kinds() & {'walls', 'sectors'}, set())
         self.assertEqual(len(self.picture.colours('goals')), 1)
 
     def test_an_episode_that_is_played_again_clears_paths(self):
         self.begin(agent_at(0, 0.0, 0.0))
         self.show(agent_at(0, 1.0, 0.0))
-        wait_until(lambda: self.picture.points('paths'), 'a path')
+        wait_for(lambda: self.picture.points('paths'), 'a path')
         self.tick = 0
         self.show(agent_at(0, 0.0, 0.0))
-        wait_until(lambda: not self.picture.points('paths'), 'no path')
+        wait_for(lambda: not self.picture.points('paths'), 'no path')
 
     def test_the_scenario_alone_is_shown(self):
         self.scenario.publish(Scenario(episode=self.episode, agents=[agent_at(0, 0.0, 0.0), agent_at(1, 3.0, 0.0)]))
-        wait_until(lambda: self.picture.body_count() == 2, 'bodies before the first tick')
+        wait_for(lambda: self.picture.body_count() == 2, 'bodies before the first tick')
 
     def test_paths_get_coarser_but_not_shorter(self):
         plain = Picture('plain_markers')
         self.addCleanup(plain.close)
-        wait_until(plain.markers, 'the plain node draws')
+        wait_for(plain.markers, 'the plain node draws')
         self.begin(agent_at(0, 0.0, 0.0))
         for i in range(1, 1001):
             self.show(agent_at(0, 0.01 * i, 0.0))
-        wait_until(lambda: (10.0, 0.0) in plain.points('paths'), 'the end of the path')
+        wait_for(lambda: (10.0, 0.0) in plain.points('paths'), 'the end of the path')
         points = plain.points('paths')
         self.assertIn((0.0, 0.0), points)
         self.assertLessEqual(len(points), 2 * 200)  # both ends of each line
-        wait_until(lambda: len(self.picture.points('paths')) >= 2 * 160, 'the finer path of the other node')
+        wait_for(lambda: len(self.picture.points('paths')) >= 2 * 160, 'the finer path of the other node')
 
     def test_sectors_are_those_of_the_state_set(self):
         pose = Pose2D(2.0, 1.0, math.pi / 2)
@@ -231,26 +219,26 @@ class CrowdMarkersTest(unittest.TestCase):
         def sectors(near, far):
             parts = sectors_of(self.picture.points('sectors'), (2.0, 1.0))
             return fills(parts.get(COLLISION_RADIUS), near) and fills(parts.get(VISION_RADIUS), far)
-        wait_until(lambda: sectors((67.5, 112.5), (-22.5, 22.5)), 'sectors of 45 degrees')
+        wait_for(lambda: sectors((67.5, 112.5), (-22.5, 22.5)), 'sectors of 45 degrees')
         self.assertEqual(len(self.picture.colours('sectors')), 2)
         self.learn('nearest_obstacle')
-        wait_until(lambda: sectors((90.0, 105.0), None), 'the left one of two sectors of 15 degrees')
+        wait_for(lambda: sectors((90.0, 105.0), None), 'the left one of two sectors of 15 degrees')
         self.perceive(pose, [])
-        wait_until(lambda: 'sectors' not in self.picture.kinds(), 'no sector')
+        wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector')
 
     def test_sectors_of_another_episode_or_of_one_who_left_are_not_shown(self):
         near = [PerceivedBody(x=0.5, radius=0.25)]
         self.begin(agent_at(0, 0.0, 0.0))
         self.learn('occupancy')
         self.perceive(Pose2D(), near)
-        wait_until(lambda: 'sectors' in self.picture.kinds(), 'a sector')
+        wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector')
         self.show(agent_at(0, 0.0, 0.0, status=AgentState.ARRIVED))
-        wait_until(lambda: 'sectors' not in self.picture.kinds(), 'no sector of one who has arrived')
+        wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector of one who has arrived')
         self.show(agent_at(0, 0.0, 0.0))
-        wait_until(lambda: 'sectors' in self.picture.kinds(), 'a sector again')
+        wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector again')
         CrowdMarkersTest.episode += 1
         self.begin(agent_at(0, 0.0, 0.0))
-        wait_until(lambda: 'sectors' not in self.picture.kinds(), 'no sector of the episode before')
+        wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector of the episode before')
 
     def test_nobody_chosen_means_no_sectors(self):
         plain = Picture('plain_markers')
@@ -258,18 +246,18 @@ class CrowdMarkersTest(unittest.TestCase):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 40.0, 0.0))
         self.learn('occupancy')
         self.perceive(Pose2D(), [PerceivedBody(x=0.5, radius=0.25)])
-        wait_until(lambda: 'sectors' in self.picture.kinds(), 'a sector of the other node')
-        wait_until(lambda: any(x > 30.0 for x, _ in plain.points('radii')), 'radii of everybody')
+        wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector of the other node')
+        wait_for(lambda: any(x > 30.0 for x, _ in plain.points('radii')), 'radii of everybody')
         self.assertNotIn('sectors', plain.kinds())
         self.assertEqual(self.perceptions.get_num_connections(), 1)
 
     def test_perceptions_are_left_alone_while_nobody_looks(self):
         self.picture.close()
-        wait_until(lambda: self.perceptions.get_num_connections() == 0, 'nobody subscribes to perceptions')
+        wait_for(lambda: self.perceptions.get_num_connections() == 0, 'nobody subscribes to perceptions')
         self.picture = Picture('markers')
         self.addCleanup(self.picture.close)
-        wait_until(lambda: self.perceptions.get_num_connections() == 1, 'a node subscribes to perceptions again')
-        wait_until(self.picture.markers, 'markers for the newcomer, though nothing has changed')
+        wait_for(lambda: self.perceptions.get_num_connections() == 1, 'a node subscribes to perceptions again')
+        wait_for(self.picture.markers, 'markers for the newcomer, though nothing has changed')
 
     def test_damaged_messages_are_survived(self):
         nan = float('nan')
@@ -279,7 +267,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.perceive(Pose2D(nan, nan, nan), [PerceivedBody(x=nan, radius=0.25), PerceivedBody(x=0.5, radius=0.25)])
         self.show(agent_at(0, 0.0, 0.0), agent_at(1, nan, 0.0), agent_at(2, 0.0, 1e300),
                   agent_at(3, 0.0, 0.0, goal=(nan, 0.0)))
-        wait_until(lambda: self.picture.body_count() == 2, 'the two bodies that are fine')
+        wait_for(lambda: self.picture.body_count() == 2, 'the two bodies that are fine')
         self.assertEqual(len(self.picture.colours('goals')), 3)
         for kind in KINDS:
             self.assertTrue(all(math.isfinite(x + y) for x, y in self.picture.points(kind)), kind)
@@ -288,7 +276,7 @@ class CrowdMarkersTest(unittest.TestCase):
         command = roslib.packages.find_node(PACKAGE, NODE)[0]
         arguments = ['__name:=bad_markers', '_rate:=-1', '_radii:=some', '_agent:=0.5', '_colour:=red']
         run = subprocess.run([command] + arguments, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                             timeout=DEADLINE, check=False)
+                             timeout=PATIENCE, check=False)
         output = run.stdout.decode()
         self.assertEqual(run.returncode, 1, output)
         for name in ('~rate', '~radii', '~agent', '~colour'):

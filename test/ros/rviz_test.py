@@ -5,28 +5,16 @@ import os
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 
 import roslib.packages
 import rospy
 import rostest
 from matplotlib.image import imread
+from support import wait_for
 from visualization_msgs.msg import Marker, MarkerArray
 
-DEADLINE = 90.0  # [s]; RViz renders in software and takes its time to start
 LIKE = 0.06  # difference of colour channels that still counts as the same colour
-
-
-def wait_until(condition, what):
-    """What `condition` returns as soon as that is true."""
-    end = time.monotonic() + DEADLINE
-    while time.monotonic() < end:
-        result = condition()
-        if result:
-            return result
-        rospy.rostime.wallsleep(0.2)
-    raise AssertionError('%s: not within %s s' % (what, DEADLINE))
 
 
 def count_like(picture, colour):
@@ -79,12 +67,12 @@ class RvizTest(unittest.TestCase):
                     seen[marker.ns] = marker
 
         rospy.Subscriber('markers', MarkerArray, note)
-        wait_until(lambda: {'bodies', 'paths', 'obstacles'} <= set(seen), 'markers of a running crowd')
+        wait_for(lambda: {'bodies', 'paths', 'obstacles'} <= set(seen), 'markers of a running crowd')
         for kind in ('bodies', 'obstacles'):
             colour = [getattr(seen[kind].colors[0], channel) for channel in 'rgb']
-            wait_until(lambda: self.shows(colour, 100), '%s of colour %s on the screen' % (kind, colour))
+            wait_for(lambda: self.shows(colour, 100), '%s of colour %s on the screen' % (kind, colour))
         path = [getattr(seen['paths'].colors[0], channel) for channel in 'rgb']
-        wait_until(lambda: self.shows(path, 20), 'a path of colour %s on the screen' % path)
+        wait_for(lambda: self.shows(path, 20), 'a path of colour %s on the screen' % path)
 
 
 if __name__ == '__main__':

@@ -19,7 +19,7 @@ from roslib.packages import find_node
 from social_crowd import srv
 from std_srvs.srv import SetBool
 
-PATIENCE = 60.0  # [s] for what comes at once on an idle machine
+PATIENCE = 90.0  # [s] for what comes at once on an idle machine
 PERIOD = 0.01  # [s] between two looks
 PACKAGE = rospkg.RosPack().get_path('social_crowd')
 TICK = 0.1  # [s] of a scenario that does not say otherwise

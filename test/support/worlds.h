@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "social_crowd/world/world.h"
+
+/// What tests of the world look at.
+namespace crowd {
+
+/// Sees everything.
+constexpr Vision FAR_SIGHT{1e6, 0};
+
+inline void expectVector(const Vector2& v, double x, double y) {
+  EXPECT_NEAR(v.x(), x, 1e-12);
+  EXPECT_NEAR(v.y(), y, 1e-12);
+}
+
+/// Everything that a step changes, for comparing worlds bit for bit.
+inline std::vector<double> stateOf(const World& world) {
+  std::vector<double> state = {static_cast<double>(world.tick()), static_cast<double>(world.activeCount())};
+  for (const Agent& agent : world.agents()) {
+    state.insert(state.end(), {agent.pose.position.x(), agent.pose.position.y(), agent.pose.heading, agent.velocity.x(),
+                               agent.velocity.y(), static_cast<double>(agent.next_goal),
+                               static_cast<double>(agent.status), static_cast<double>(agent.arrival_tick)});
+    state.insert(state.end(), {agent.acted ? 1.0 : 0.0, agent.in_contact ? 1.0 : 0.0, agent.touched ? 1.0 : 0.0,
+                               agent.goal().x(), agent.goal().y()});
+  }
+  for (const Obstacle& obstacle : world.obstacles()) {
+    state.push_back(obstacle.path.position(world.time()).x());
+    state.push_back(obstacle.radius);
+  }
+  return state;
+}
+
+/// What everybody perceives who sees everything.
+inline Perceptions lookAround(World& world) {
+  Perceptions perceptions;
+  world.perceive(FAR_SIGHT, perceptions);
+  return perceptions;
+}
+
+/// Ahead at full speed, for an agent whose heading is right already.
+inline AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
+
+}  // namespace crowd

@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/world/world.h"
+#include "support/error_of.h"
+#include "support/scenes.h"
+#include "support/worlds.h"
+
+namespace crowd {
+namespace {
+
+using scenes::agent;
+using scenes::mover;
+using scenes::pillar;
+using scenes::scene;
+using scenes::wanderer;
+
+constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
+
+/// What the error says that the call throws; the world must be as it was before.
+template <typename Call>
+void expectRefused(World& world, const std::string& reason, const Call& call) {
+  SCOPED_TRACE(reason);
+  const std::vector<double> before = stateOf(world);
+  const std::size_t bodies = lookAround(world).bodies.size();
+  const std::string message = errorOf<InputError>(call);
+  EXPECT_TRUE(contains(message, reason)) << message;
+  EXPECT_EQ(stateOf(world), before);
+  EXPECT_EQ(lookAround(world).bodies.size(), bodies);
+}
+
+TEST(WorldChanges, SpawnedAgentIsThereAtOnceAndWalks) {
+  World world(scene({wanderer({0.0, 0.0})}, {pillar({0.0, 3.0}, 0.5)}));
+  world.step({});
+  EXPECT_EQ(world.spawnAgent(agent({3.0, 0.0}, {3.0, 1.0}, 1.0, 0.4)), 1U);
+  EXPECT_EQ(world.activeCount(), 2U);
+  EXPECT_TRUE(world.isActive(1));
+  const Perceptions seen = lookAround(world);
+  ASSERT_EQ(seen.agents.size(), 2U);
+  ASSERT_EQ(seen.agents[0].body_count, 2U);
+  expectVector(seen.bodies[0].position, 0.0, 3.0);  // the rim of the obstacle is nearer
+  EXPECT_EQ(seen.bodies[0].kind, BodyKind::OBSTACLE);
+  expectVector(seen.bodies[1].position, 3.0, 0.0);
+  EXPECT_EQ(seen.bodies[1].kind, BodyKind::AGENT);
+  world.step({ahead(1)});
+  expectVector(world.agents()[1].pose.position, 3.0, 0.1);
+}
+
+TEST(WorldChanges, SpawnedAgentNeedsAFreePlace) {
+  World world(scene({wanderer({0.0, 0.0}), agent({5.0, 5.0}, {5.1, 5.0})}, {pillar({0.0, 3.0}, 0.5)},
+                    {{{-9.0, -2.0}, {9.0, -2.0}}}));
+  world.step({});
+  ASSERT_TRUE(world.agents()[1].hasArrived());
+  expectRefused(world, "agent 0", [&] { world.spawnAgent(wanderer({0.49, 0.0})); });
+  expectRefused(world, "obstacle 0", [&] { world.spawnAgent(wanderer({0.0, 2.3})); });
+  expectRefused(world, "wall", [&] { world.spawnAgent(wanderer({3.0, -1.8})); });
+  EXPECT_EQ(world.spawnAgent(wanderer({0.5, 0.0})), 2U);  // beside agent 0
+  EXPECT_EQ(world.spawnAgent(wanderer({5.0, 5.0})), 3U);  // where agent 1 has left the floor
+}
+
+TEST(WorldChanges, SpawnedAgentMustBeSound) {
+  World world(scene({wanderer({0.0, 0.0})}));
+  const auto refuse = [&](const std::string& what, const AgentStart& start) {
+    expectRefused(world, what, [&] { world.spawnAgent(start); });
+  };
+  refuse("speed", wanderer({3.0, 0.0}, 0.0));
+  refuse("speed", wanderer({3.0, 0.0}, -1.0));
+  refuse("speed", wanderer({3.0, 0.0}, INFINITE));
+  refuse("radius", wanderer({3.0, 0.0}, 1.0, 0.0));
+  refuse("radius", wanderer({3.0, 0.0}, 1.0, NOT_A_NUMBER));
+  refuse("position", wanderer({NOT_A_NUMBER, 0.0}));
+  refuse("position", wanderer({0.0, INFINITE}));
+  refuse("goal", agent({3.0, 0.0}, {INFINITE, 0.0}));
+  AgentStart dizzy = wanderer({3.0, 0.0});
+  dizzy.heading = NOT_A_NUMBER;
+  refuse("heading", dizzy);
+}
+
+TEST(WorldChanges, SpawnedAgentNeedsAGoal) {
+  World world(scene({wanderer({0.0, 0.0})}));
+  AgentStart aimless = wanderer({3.0, 0.0});
+  aimless.goals.clear();
+  EXPECT_THROW(world.spawnAgent(aimless), InputError);
+}
+
+TEST(WorldChanges, RemovedAgentIsGone) {
+  World world(scene({wanderer({0.0, 0.0}), wanderer({2.0, 0.0}), agent({9.0, 9.0}, {9.1, 9.0})}));
+  world.step({});
+  world.removeAgent(0);
+  EXPECT_EQ(world.activeCount(), 1U);
+  EXPECT_FALSE(world.isActive(0));
+  EXPECT_EQ(world.agents()[0].status, AgentStatus::REMOVED);
+  const Perceptions seen = lookAround(world);
+  ASSERT_EQ(seen.agents.size(), 2U);  // agent 2 has just arrived
+  EXPECT_EQ(seen.agents[0].agent, 1U);
+  EXPECT_EQ(seen.agents[0].body_count, 0U);
+  world.step({ahead(0), ahead(1)});
+  expectVector(world.agents()[0].pose.position, 0.0, 0.0);
+  expectRefused(world, "0", [&] { world.removeAgent(0); });  // gone already
+  expectRefused(world, "2", [&] { world.removeAgent(2); });  // arrived
+  expectRefused(world, "3", [&] { world.removeAgent(3); });  // never there
+}
+
+TEST(WorldChanges, NewGoalTakesThePlaceOfAllOthers) {
+  AgentStart start = agent({0.0, 0.0}, {5.0, 0.0}, 1.0);
+  start.goals.emplace_back(0.0, 5.0);
+  World world(scenes::halfSeconds(scene({start, agent({9.0, 9.0}, {9.1, 9.0})})));
+  world.setGoal(0, {1.0, 0.0});
+  expectVector(world.agents()[0].goal(), 1.0, 0.0);
+  for (int i = 0; i < 2; ++i) world.step({ahead(0)});
+  EXPECT_TRUE(world.agents()[0].hasArrived());
+}
+
+TEST(WorldChanges, NewGoalAfterTheFirstOfSeveralIsTheOnlyOneLeft) {
+  AgentStart start = agent({0.0, 0.0}, {0.5, 0.0}, 1.0);
+  start.goals.emplace_back(8.0, 0.0);
+  World world(scenes::halfSeconds(scene({start})));
+  world.step({ahead(0)});
+  world.setGoal(0, {1.5, 0.0});
+  world.step({ahead(0)});
+  EXPECT_TRUE(world.isActive(0));
+  world.step({ahead(0)});
+  EXPECT_TRUE(world.agents()[0].hasArrived());
+}
+
+TEST(WorldChanges, BadGoalsAreRefused) {
+  World world(scene({agent({0.0, 0.0}, {5.0, 0.0}), agent({9.0, 9.0}, {9.1, 9.0})}));
+  world.step({});
+  expectRefused(world, "goal", [&] { world.setGoal(0, {NOT_A_NUMBER, 0.0}); });
+  expectRefused(world, "goal", [&] { world.setGoal(0, {0.0, -INFINITE}); });
+  expectRefused(world, "1", [&] { world.setGoal(1, {0.0, 0.0}); });  // arrived
+  expectRefused(world, "2", [&] { world.setGoal(2, {0.0, 0.0}); });  // never there
+}
+
+TEST(WorldChanges, SpawnedObstacleBeginsItsPathNow) {
+  World world(scenes::halfSeconds(scene({wanderer({0.0, 0.0})}, {}, {{{0.0, -4.0}, {8.0, -4.0}}})));
+  for (int i = 0; i < 3; ++i) world.step({});
+  EXPECT_EQ(world.spawnObstacle({4.0, -4.0}, {0.0, 1.0}, 0.5), 0U);   // obstacles may overlap walls
+  EXPECT_EQ(world.spawnObstacle({4.0, -4.0}, {0.0, 0.0}, 0.25), 1U);  // and each other
+  const Perceptions now = lookAround(world);
+  ASSERT_EQ(now.bodies.size(), 2U);
+  expectVector(now.bodies[0].position, 4.0, -4.0);
+  expectVector(now.bodies[0].velocity, 0.0, 1.0);
+  expectVector(now.bodies[1].velocity, 0.0, 0.0);
+  EXPECT_FALSE(world.obstacles()[1].path.moves());
+  world.step({});
+  const Perceptions later = lookAround(world);
+  expectVector(later.bodies[0].position, 4.0, -3.5);
+  expectVector(later.bodies[1].position, 4.0, -4.0);
+}
+
+TEST(WorldChanges, BadObstaclesAreRefused) {
+  World world(scene({wanderer({0.0, 0.0})}));
+  const Vector2 rest(0.0, 0.0);
+  expectRefused(world, "agent 0", [&] { world.spawnObstacle({0.7, 0.0}, rest, 0.5); });
+  expectRefused(world, "radius", [&] { world.spawnObstacle({3.0, 0.0}, rest, 0.0); });
+  expectRefused(world, "radius", [&] { world.spawnObstacle({3.0, 0.0}, rest, INFINITE); });
+  expectRefused(world, "position", [&] { world.spawnObstacle({3.0, NOT_A_NUMBER}, rest, 0.5); });
+  expectRefused(world, "velocity", [&] { world.spawnObstacle({3.0, 0.0}, {INFINITE, 0.0}, 0.5); });
+}
+
+TEST(WorldChanges, RemovedObstacleIsGoneAndTheOthersMoveUp) {
+  World world(scene({wanderer({0.0, 0.0})}, {pillar({2.0, 0.0}, 0.5), mover({4.0, 0.0}, {0.0, 1.0}, 0.25)}));
+  world.removeObstacle(0);
+  ASSERT_EQ(world.obstacles().size(), 1U);
+  const Perceptions seen = lookAround(world);
+  ASSERT_EQ(seen.bodies.size(), 1U);
+  expectVector(seen.bodies[0].position, 4.0, 0.0);
+  expectVector(seen.bodies[0].velocity, 0.0, 1.0);
+  EXPECT_EQ(seen.bodies[0].radius, 0.25);
+  expectRefused(world, "obstacle 1", [&] { world.removeObstacle(1); });
+}
+
+TEST(WorldChanges, EveryNewGoalHasAnotherNumber) {
+  AgentStart start = agent({0.0, 0.0}, {0.5, 0.0}, 1.0);
+  start.goals.emplace_back(8.0, 0.0);
+  World world(scenes::halfSeconds(scene({start, wanderer({0.0, 3.0})})));
+  const auto numbers = [&] {
+    const Perceptions seen = lookAround(world);
+    return std::vector<std::uint32_t>{seen.agents[0].goal_number, seen.agents[1].goal_number};
+  };
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{0, 0}));
+  world.step({ahead(0)});  // reaches the first
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{1, 0}));
+  world.step({});
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{1, 0}));
+  world.setGoal(0, {9.0, 0.0});
+  world.setGoal(1, scenes::FAR_AWAY);  // the same place is a new goal, too
+  EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{2, 1}));
+}
+
+}  // namespace
+}  // namespace crowd
