@@ -93,6 +93,8 @@ social_crowd::AgentState toMessage(const Agent& agent) {
   message.status = static_cast<std::uint8_t>(agent.status);
   message.in_contact = agent.in_contact ? 1 : 0;
   message.touched = agent.touched ? 1 : 0;
+  message.blocked = agent.blocked ? 1 : 0;
+  message.blocked_moves = agent.blocked_moves;
   return message;
 }
 
@@ -115,6 +117,7 @@ social_crowd::AgentResult toMessage(const AgentResult& result, std::size_t agent
   message.arrived = result.arrived ? 1 : 0;
   message.removed = result.removed ? 1 : 0;
   message.touched = result.touched ? 1 : 0;
+  message.blocked_moves = result.blocked_moves;
   message.ticks = result.ticks;
   message.path_length = result.path_length;
   message.path_ratio = result.path_ratio;
@@ -226,6 +229,7 @@ void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message
   message.scenario = result.scenario;
   message.success_percent = figures.successPercent();
   message.contact_percent = figures.contactPercent();
+  message.blocked_moves = result.blockedMoves();
   message.agents.clear();
   for (const AgentResult& agent : result.agents) message.agents.push_back(toMessage(agent, message.agents.size()));
 }
@@ -236,6 +240,7 @@ void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& m
   message.tick_duration = scene.tick_duration;
   message.max_ticks = scene.max_ticks;
   message.goal_tolerance = scene.goal_tolerance;
+  message.contact = static_cast<std::uint8_t>(scene.contact);
   message.agents.clear();
   for (const Agent& agent : world.agents()) message.agents.push_back(toMessage(agent));
   message.obstacles = obstacleStates(world);

@@ -36,6 +36,12 @@ std::size_t EpisodeResult::touchedCount() const {
   return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), touched));
 }
 
+std::uint64_t EpisodeResult::blockedMoves() const {
+  std::uint64_t sum = 0;
+  for (const AgentResult& agent : agents) sum += agent.removed ? 0 : agent.blocked_moves;
+  return sum;
+}
+
 EpisodeMonitor::EpisodeMonitor(const Scene& scene, const World& world)
     : scenario_(scene.name), tick_duration_(scene.tick_duration), goal_tolerance_(scene.goal_tolerance) {
   for (const AgentStart& start : scene.agents) watch(start, world);
@@ -79,6 +85,7 @@ void EpisodeMonitor::observeAgent(const Agent& agent, Track& track) const {
   track.result.max_speed_ratio = std::max(track.result.max_speed_ratio, velocity.norm() / track.speed);
   track.result.ticks = ticks_ - track.begin;
   track.result.touched = agent.touched;
+  track.result.blocked_moves = agent.blocked_moves;
   track.result.arrived = agent.hasArrived();
 }
 
@@ -101,6 +108,7 @@ void Figures::add(const EpisodeResult& result) {
   clean_ += result.isClean() ? 1 : 0;
   agents_ += result.agentCount();
   touched_ += result.touchedCount();
+  blocked_moves_ += result.blockedMoves();
   for (const AgentResult& agent : result.agents) {
     max_speed_ratio_ = std::max(max_speed_ratio_, agent.max_speed_ratio);
     if (!agent.arrived) continue;

@@ -29,28 +29,29 @@ struct Arguments {
 };
 
 constexpr const char* CSV_HEADER =
-    "scenario,instances,success_pct,contact_pct,clean_pct,path_ratio,time_ratio,turn_rad_per_m,max_speed_ratio\n";
+    "scenario,instances,success_pct,contact_pct,clean_pct,path_ratio,time_ratio,turn_rad_per_m,max_speed_ratio,"
+    "blocked_per_agent\n";
 
 std::string csvRow(const std::string& name, const Figures& figures) {
   std::string row = name + "," + std::to_string(figures.episodes());
   for (const double value :
        {figures.successPercent(), figures.contactPercent(), figures.cleanPercent(), figures.pathRatio(),
-        figures.timeRatio(), figures.turnPerMetre(), figures.maxSpeedRatio()}) {
+        figures.timeRatio(), figures.turnPerMetre(), figures.maxSpeedRatio(), figures.blockedMovesPerAgent()}) {
     row += "," + toText(value);
   }
   return row + "\n";
 }
 
 void printHeader() {
-  std::printf("%-18s %9s %8s %8s %7s %6s %6s %6s %6s\n", "scenario", "instances", "success%", "contact%", "clean%",
-              "path", "time", "rad/m", "speed");
+  std::printf("%-18s %9s %8s %8s %7s %6s %6s %6s %6s %7s\n", "scenario", "instances", "success%", "contact%", "clean%",
+              "path", "time", "rad/m", "speed", "blocked");
 }
 
 void printRow(const std::string& name, const Figures& figures) {
-  std::printf("%-18s %9llu %8.2f %8.2f %7.1f %6.3f %6.3f %6.2f %6.2f\n", name.c_str(),
+  std::printf("%-18s %9llu %8.2f %8.2f %7.1f %6.3f %6.3f %6.2f %6.2f %7.2f\n", name.c_str(),
               static_cast<unsigned long long>(figures.episodes()), figures.successPercent(), figures.contactPercent(),
               figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(),
-              figures.maxSpeedRatio());
+              figures.maxSpeedRatio(), figures.blockedMovesPerAgent());
   std::fflush(stdout);
 }
 

@@ -88,6 +88,7 @@ Scene Placement::place() {
   scene_.tick_duration = scenario_.tick_duration;
   scene_.max_ticks = scenario_.max_ticks;
   scene_.goal_tolerance = scenario_.goal_tolerance;
+  scene_.contact = scenario_.contact;
   scene_.walls = scenario_.walls;
   for (const AgentGroup& group : scenario_.agents) {
     scene_.agents.resize(scene_.agents.size() + static_cast<std::size_t>(group.count));

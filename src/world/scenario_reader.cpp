@@ -240,6 +240,14 @@ std::uint64_t readDuration(YamlMap& map, const Units& units) {
   return static_cast<std::uint64_t>(ticks);
 }
 
+Contact readContact(YamlMap& map) {
+  const std::string name = map.text("contact", "ghost");
+  if (name != "ghost" && name != "solid") {
+    throwExpected(map.placeOf("contact"), map.need("contact"), "ghost or solid");
+  }
+  return name == "solid" ? Contact::SOLID : Contact::GHOST;
+}
+
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   YamlMap map(node, place);
   Scenario scenario;
@@ -252,6 +260,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   scenario.tick_duration = units.tick_duration;
   scenario.max_ticks = readDuration(map, units);
   scenario.goal_tolerance = map.number("goal_tolerance", NumberRule::POSITIVE);
+  scenario.contact = readContact(map);
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
   const auto agents = [&](const YAML::Node& entry, const YamlPlace& at) { return readAgents(entry, at, units); };
   scenario.agents = readList<AgentGroup>(map.need("agents"), map.placeOf("agents"), agents);

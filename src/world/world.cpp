@@ -49,6 +49,7 @@ void checkAction(const AgentAction& given) {
 World::World(const Scene& scene)
     : tick_duration_(scene.tick_duration),
       goal_tolerance_(scene.goal_tolerance),
+      contact_(scene.contact),
       obstacles_(scene.obstacles),
       walls_(scene.walls),
       active_count_(scene.agents.size()) {
@@ -91,23 +92,55 @@ void World::step(const std::vector<AgentAction>& actions) {
   for (const AgentAction& given : actions) checkAction(given);
   for (Agent& agent : agents_) {
     agent.acted = false;
+    agent.blocked = false;
+    agent.in_contact = false;
     agent.velocity = Vector2::Zero();
   }
   for (const AgentAction& given : actions) {
     Agent* const agent = find(given.agent);
-    if (agent != nullptr && agent->isWalking() && !agent->acted) moveAgent(*agent, given.action);
+    if (agent != nullptr && agent->isWalking() && !agent->acted) beginMove(*agent, given.action);
   }
+  contact_ == Contact::SOLID ? moveSolids() : moveGhosts();
   ++tick_;
   refresh();
   noteContacts();  // who arrives in this tick still stands on the floor at its end
   if (noteArrivals()) rebuildGrid();
 }
 
-void World::moveAgent(Agent& agent, const RelativeAction& action) const {
+void World::beginMove(Agent& agent, const RelativeAction& action) const {
   agent.pose.heading = wrapAngle(agent.pose.heading + action.rotation);
   agent.velocity = action.speed_share * agent.speed * unitVector(agent.pose.heading);
-  agent.pose.position += tick_duration_ * agent.velocity;
   agent.acted = true;
+}
+
+void World::moveGhosts() {
+  for (Agent& agent : agents_) {
+    if (agent.acted) agent.pose.position += tick_duration_ * agent.velocity;
+  }
+}
+
+void World::moveSolids() {
+  discs_.clear();
+  for (const Agent& agent : agents_) {
+    if (agent.isWalking()) discs_.push_back({agent.pose.position, tick_duration_ * agent.velocity, agent.radius, true});
+  }
+  const double end = static_cast<double>(tick_ + 1) * tick_duration_;
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    const Vector2 way = obstacles_[i].path.position(end) - obstacle_positions_[i];
+    discs_.push_back({obstacle_positions_[i], way, obstacles_[i].radius, false});
+  }
+  auto outcome = solid_motion_.move(discs_, walls_).begin();
+  for (Agent& agent : agents_) {
+    if (!agent.isWalking()) continue;
+    if (outcome->diverted) {
+      agent.blocked = !agent.velocity.isZero(0.0);
+      agent.blocked_moves += agent.blocked ? 1 : 0;
+      agent.velocity = (outcome->position - agent.pose.position) / tick_duration_;
+    }
+    agent.pose.position = outcome->position;
+    agent.in_contact = outcome->touched;
+    ++outcome;
+  }
 }
 
 bool World::noteArrivals() {
@@ -127,7 +160,6 @@ bool World::noteArrivals() {
 
 void World::noteContacts() {
   for (Agent& agent : agents_) {
-    agent.in_contact = false;
     if (!agent.isWalking()) continue;
     found_.clear();
     grid_.findNear(agent.pose.position, agent.radius - CONTACT_OVERLAP, found_);
@@ -135,78 +167,8 @@ void World::noteContacts() {
     const bool wall = std::any_of(walls_.begin(), walls_.end(), [&](const Segment& segment) {
       return distanceTo(segment, agent.pose.position) < agent.radius - CONTACT_OVERLAP;
     });
-    agent.in_contact = body || wall;
+    agent.in_contact = agent.in_contact || body || wall;
     agent.touched = agent.touched || agent.in_contact;
-  }
-}
-
-void World::perceive(const Vision& vision, Perceptions& perceptions) {
-  perceptions.tick = tick_;
-  perceptions.tick_duration = tick_duration_;
-  perceptions.agents.clear();
-  perceptions.bodies.clear();
-  perceptions.walls.clear();
-  for (const Agent& agent : agents_) {
-    const bool just_arrived = agent.hasArrived() && agent.arrival_tick == tick_;
-    if (!agent.isWalking() && !just_arrived) continue;
-    const Rotation frame(agent.pose.heading);
-    AgentPerception self;
-    self.agent = agent.id;
-    self.pose = agent.pose;
-    self.velocity = frame.intoFrame(agent.velocity);
-    self.speed = agent.speed;
-    self.radius = agent.radius;
-    self.goal = frame.intoFrame(agent.goal() - agent.pose.position);
-    self.goal_number = agent.goal_number;
-    self.arrived = agent.hasArrived();
-    self.acted = agent.acted;
-    self.first_body = static_cast<std::uint32_t>(perceptions.bodies.size());
-    perceiveBodies(agent, frame, vision, perceptions);
-    self.body_count = static_cast<std::uint32_t>(perceptions.bodies.size()) - self.first_body;
-    self.first_wall = static_cast<std::uint32_t>(perceptions.walls.size());
-    perceiveWalls(agent, frame, vision, perceptions);
-    self.wall_count = static_cast<std::uint32_t>(perceptions.walls.size()) - self.first_wall;
-    perceptions.agents.push_back(self);
-  }
-}
-
-void World::perceiveBodies(const Agent& agent, const Rotation& frame, const Vision& vision, Perceptions& perceptions) {
-  found_.clear();
-  grid_.findNear(agent.pose.position, vision.radius, found_);
-  near_.clear();
-  const auto is_agent = [&](std::uint32_t body) { return body < agents_.size(); };
-  for (const std::uint32_t body : found_) {
-    if (body == agent.id) continue;
-    const Vector2& centre = is_agent(body) ? agents_[body].pose.position : obstacle_positions_[body - agents_.size()];
-    const double radius = is_agent(body) ? agents_[body].radius : obstacles_[body - agents_.size()].radius;
-    near_.push_back({(centre - agent.pose.position).norm() - radius, body});
-  }
-  const auto nearer = [](const NearBody& a, const NearBody& b) {
-    return a.rim_distance < b.rim_distance || (a.rim_distance == b.rim_distance && a.body < b.body);
-  };
-  std::sort(near_.begin(), near_.end(), nearer);
-  if (vision.max_bodies > 0 && near_.size() > vision.max_bodies) near_.resize(vision.max_bodies);
-  for (const NearBody& near : near_) {
-    PerceivedBody seen;
-    if (is_agent(near.body)) {
-      const Agent& other = agents_[near.body];
-      seen = {frame.intoFrame(other.pose.position - agent.pose.position), frame.intoFrame(other.velocity), other.radius,
-              BodyKind::AGENT};
-    } else {
-      const std::size_t other = near.body - agents_.size();
-      seen = {frame.intoFrame(obstacle_positions_[other] - agent.pose.position),
-              frame.intoFrame(obstacle_velocities_[other]), obstacles_[other].radius, BodyKind::OBSTACLE};
-    }
-    perceptions.bodies.push_back(seen);
-  }
-}
-
-void World::perceiveWalls(const Agent& agent, const Rotation& frame, const Vision& vision,
-                          Perceptions& perceptions) const {
-  for (const Segment& wall : walls_) {
-    if (distanceTo(wall, agent.pose.position) > vision.radius) continue;
-    perceptions.walls.push_back(
-        {frame.intoFrame(wall.from - agent.pose.position), frame.intoFrame(wall.to - agent.pose.position)});
   }
 }
 
@@ -216,15 +178,16 @@ Agent& World::findWalking(AgentId id) {
 }
 
 void World::requireFreePlace(const Vector2& centre, double radius, bool agents_only) {
+  const double overlap = contact_ == Contact::SOLID ? TOUCH_TOLERANCE : CONTACT_OVERLAP;
   found_.clear();
-  grid_.findNear(centre, radius - CONTACT_OVERLAP, found_);
+  grid_.findNear(centre, radius - overlap, found_);
   for (const std::uint32_t body : found_) {
     if (body < agents_.size()) throw InputError("the place is taken by agent " + std::to_string(body));
     if (agents_only) continue;
     throw InputError("the place is taken by obstacle " + std::to_string(body - agents_.size()));
   }
   if (agents_only) return;
-  const auto taken = [&](const Segment& wall) { return distanceTo(wall, centre) < radius - CONTACT_OVERLAP; };
+  const auto taken = [&](const Segment& wall) { return distanceTo(wall, centre) < radius - overlap; };
   if (std::any_of(walls_.begin(), walls_.end(), taken)) throw InputError("the place is taken by a wall");
 }
 

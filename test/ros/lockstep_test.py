@@ -7,8 +7,8 @@ import support
 from roslib.packages import find_node
 from social_crowd.msg import EpisodeResult
 
-SCENARIO = support.data('lockstep.yaml')  # a circle, walls and movers with several goals, random placements
-EPISODES = 6  # so that each of the three documents is walked twice
+SCENARIO = support.data('lockstep.yaml')  # a circle, walls, movers, several goals, random places, solid bodies
+EPISODES = 8  # so that each of the four documents is walked twice
 
 
 class DemoTest(support.CrowdTestCase):
@@ -24,12 +24,14 @@ class DemoTest(support.CrowdTestCase):
         # The very first answer may come twice: when it is given and, as it is latched, when the connection is made.
         counts = [(result.missed_answers, result.episode and result.dropped_answers) for result in results.messages]
         self.assertEqual(counts, [(0, 0)] * episodes, 'missed and dropped answers')
+        self.blocked = sum(result.blocked_moves for result in results.messages)
         return support.read_bytes(self.path('ros/' + support.recording_of(scenario)))
 
     def check(self, table):
         """Compares the recordings; learners are there already."""
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
         self.assert_same_recording(self.walk(), expected)
+        self.assertGreater(self.blocked, 0, 'the solid scenario should block some moves')
 
     def check_one_learner(self, table):
         """One learner serves all agents."""

@@ -36,15 +36,29 @@ obstacles:
 walls:
   - [[2, -1], [4, -1]]
 """
+# An agent that no move leads out of its box, which it touches after 1 cm, for 2 ticks.
+BOX = """
+name: box
+duration: 0.2
+goal_tolerance: 0.2
+contact: solid
+agents:
+  - {position: [0, 0], goal: [9, 0], speed: 0.5, radius: 0.25}
+walls:
+  - [[-0.26, -0.26], [0.26, -0.26]]
+  - [[0.26, -0.26], [0.26, 0.26]]
+  - [[0.26, 0.26], [-0.26, 0.26]]
+  - [[-0.26, 0.26], [-0.26, -0.26]]
+"""
 
 
 class BroadcastTestCase(support.CrowdTestCase):
     """A paused controller with a learner."""
 
-    def start_all(self, **parameters):
+    def start_all(self, scene=SCENE, **parameters):
         """Starts both and listens to all topics."""
         self.ears = {name: self.listen(name, kind) for name, kind in TOPICS.items()}
-        self.file = self.write('scene.yaml', SCENE)
+        self.file = self.write('scene.yaml', scene)
         self.began = rospy.Time.now()
         self.start_learner()
         self.controller = self.start_controller(self.file, paused=True, **parameters)
@@ -103,6 +117,7 @@ class HeadersTest(BroadcastTestCase):
         scenario = self.ears['scenario'].wait()
         self.assertEqual((scenario.name, scenario.instance, scenario.max_ticks), ('scene', 0, 30))
         self.assertEqual((scenario.tick_duration, scenario.goal_tolerance), (0.1, 0.2))
+        self.assertEqual(scenario.contact, Scenario.GHOST)
         agents = [(a.agent, a.pose.x, a.pose.y, a.goal.x, a.goal.y, a.speed, a.radius) for a in scenario.agents]
         self.assertEqual(agents, [(0, 0, 0, 0.8, 0.6, 0.5, 0.25), (1, 3, 0, 3, 9, 0.5, 0.3)])
         obstacle = scenario.obstacles[0]
@@ -124,6 +139,23 @@ class HeadersTest(BroadcastTestCase):
             length = sum(math.dist(*pair) for pair in zip(walk, walk[1:]))
             self.assertAlmostEqual(agent.path_length, length)
         self.assertNotIn((0, result.agents[0].ticks + 1, 0), rows)
+
+
+class SolidTest(BroadcastTestCase):
+    """Blocked moves."""
+
+    def test_they_are_told_and_counted(self):
+        self.start_all(BOX)
+        self.step(2)
+        result = self.ears['episode_results'].wait_at(0, 2)
+        self.assertEqual(self.ears['scenario'].wait().contact, Scenario.SOLID)
+        for tick in (1, 2):
+            agent = self.ears['agents'].wait_at(0, tick).agents[0]
+            told = (agent.blocked, agent.blocked_moves, agent.in_contact, agent.touched)
+            self.assertEqual(told, (True, tick, True, True))
+            self.assertLess(math.hypot(agent.pose.x, agent.pose.y), 0.015)
+        self.assertEqual((result.blocked_moves, result.agents[0].blocked_moves), (2, 2))
+        self.assertEqual((result.contact_percent, result.agents[0].touched), (100.0, True))
 
 
 class FramesTest(BroadcastTestCase):

@@ -219,6 +219,11 @@ EpisodeResult episodeResult(std::vector<AgentResult> agents) {
   return result;
 }
 
+AgentResult blocked(AgentResult result, std::uint64_t moves) {
+  result.blocked_moves = moves;
+  return result;
+}
+
 const AgentResult CLEAN = agentResult(true, false, 1.0, 1.25, 0.5, 0.875);
 const AgentResult BUMPED = agentResult(true, true, 1.5, 2.0, 1.0, 0.75);
 const AgentResult LOST = agentResult(false, false, 7.0, 8.0, 9.0, 1.0);
@@ -245,8 +250,32 @@ TEST(Figures, OverTwoEpisodesByHand) {
   EXPECT_DOUBLE_EQ(figures.maxSpeedRatio(), 1.0);  // of all, even if they did not arrive
 }
 
+TEST(Figures, BlockedMovesAreAMeanOverAllAgents) {
+  AgentResult removed = blocked(CLEAN, 100);
+  removed.removed = true;
+  const EpisodeResult crowded = episodeResult({blocked(BUMPED, 4), blocked(LOST, 5), removed});
+  EXPECT_EQ(crowded.blockedMoves(), 9U);
+  Figures figures;
+  figures.add(crowded);
+  figures.add(episodeResult({CLEAN, CLEAN}));
+  EXPECT_DOUBLE_EQ(figures.blockedMovesPerAgent(), 9.0 / 4.0);
+}
+
+TEST(AgentFigures, BlockedMovesAreCounted) {
+  // Two steps of 0.5 m lead up to the wall, two more lead nowhere.
+  const Scene blocked_way =
+      scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0)}, {}, {{{1.25, -1.0}, {1.25, 1.0}}})));
+  const AgentResult result = walk(blocked_way, times(4, AHEAD));
+  EXPECT_EQ(result.blocked_moves, 2U);  // the second step ends where it touches the wall, and is whole
+  EXPECT_TRUE(result.touched);
+  EXPECT_DOUBLE_EQ(result.path_length, 1.0);
+  EXPECT_EQ(walk(blocked_way, times(2, AHEAD)).blocked_moves, 0U);
+  EXPECT_FALSE(walk(blocked_way, times(2, AHEAD)).touched);
+}
+
 TEST(Figures, WithoutArrivalsThereAreNoMeans) {
   Figures figures;
+  EXPECT_TRUE(std::isnan(figures.blockedMovesPerAgent()));
   EXPECT_EQ(figures.successPercent(), 0.0);
   EXPECT_EQ(figures.cleanPercent(), 0.0);
   figures.add(episodeResult({LOST}));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -47,6 +48,12 @@ inline Scene halfSeconds(Scene scene) {
   return scene;
 }
 
+/// The same scene where bodies stop where they touch.
+inline Scene solid(Scene scene) {
+  scene.contact = Contact::SOLID;
+  return scene;
+}
+
 inline Obstacle pillar(const Vector2& position, double radius) { return {ObstaclePath::atRest(position), radius}; }
 
 inline Obstacle mover(const Vector2& start, const Vector2& velocity, double radius) {
@@ -84,6 +91,29 @@ inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, doub
   for (std::uint32_t i = random.below(4); i > 0; --i) {
     const Vector2 from = randomPoint(random, half_width);
     made.walls.push_back({from, randomPoint(random, half_width)});
+  }
+  return made;
+}
+
+/// A solid crowd in which nothing overlaps at the start: agents as fast as `max_speed` [m/s] in a square that they fill
+/// to a good part, obstacles at rest, as many movers as wanted, and walls.
+inline Scene solidCrowd(std::uint64_t seed, std::size_t agents, double max_speed, std::size_t movers = 0) {
+  KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
+  const double half_width = 0.5 * std::sqrt(static_cast<double>(agents)) + 1.0;
+  Scene made = solid(scene({}));
+  for (int i = 0; i < 3; ++i) {
+    const Vector2 from = randomPoint(random, half_width);
+    made.walls.push_back({from, randomPoint(random, half_width)});
+    made.obstacles.push_back(pillar(randomPoint(random, half_width), random.uniform(0.2, 0.6)));
+  }
+  for (std::size_t i = 0; i < movers; ++i) {
+    const Vector2 start = randomPoint(random, half_width);
+    made.obstacles.push_back(mover(start, randomPoint(random, 1.5), random.uniform(0.2, 0.6)));
+  }
+  while (made.agents.size() < agents) {
+    made.agents.push_back(
+        wanderer(randomPoint(random, half_width), random.uniform(0.5, max_speed), random.uniform(0.15, 0.35)));
+    if (!findOverlap(made).empty()) made.agents.pop_back();
   }
   return made;
 }

@@ -173,7 +173,7 @@ TEST(ScenarioReader, SaysFileDocumentLineAndWhatWasExpected) {
 TEST(ScenarioReader, RefusesUnknownMissingAndDoubleKeys) {
   EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
             "s.yaml: document 1, line 5: unknown key 'obstacle'; known are name, units, tick, duration, "
-            "goal_tolerance, seed, agents, obstacles, walls");
+            "goal_tolerance, contact, seed, agents, obstacles, walls");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),
@@ -202,6 +202,15 @@ TEST(ScenarioReader, RefusesWrongNumbersOfAScenario) {
             std::string::npos);
   EXPECT_NE(error("name: ''\nduration: 60\ngoal_tolerance: 0.3\n").find("line 1: name: expected a name"),
             std::string::npos);
+}
+
+TEST(ScenarioReader, ReadsWhatHappensAtContacts) {
+  const auto contact = [](const std::string& entry) { return sceneOf(std::string(HEAD) + AGENTS + entry).contact; };
+  EXPECT_EQ(contact(""), Contact::GHOST);
+  EXPECT_EQ(contact("contact: ghost\n"), Contact::GHOST);
+  EXPECT_EQ(contact("contact: solid\n"), Contact::SOLID);
+  EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "contact: soft\n"),
+            "s.yaml: document 1, line 5: contact: expected ghost or solid, got 'soft'");
 }
 
 TEST(ScenarioReader, RefusesWrongAgents) {

@@ -13,15 +13,16 @@ namespace crowd {
 /// @brief How one agent fared in an episode.
 struct AgentResult {
   bool arrived = false;
-  bool removed = false;          ///< was taken off the floor on the way; counts in no figure
-  bool touched = false;          ///< in contact at the end of any tick before it arrived
-  std::uint64_t ticks = 0;       ///< until it arrived, or until the end
-  double path_length = 0.0;      ///< [m]
-  double straight_length = 0.0;  ///< start to goal (to goal ...) less the goal tolerance [m]
-  double path_ratio = 0.0;       ///< path_length / straight_length
-  double time_ratio = 0.0;       ///< time * top speed / straight_length
-  double turn_per_metre = 0.0;   ///< summed change of direction of motion per metre walked [rad/m]
-  double max_speed_ratio = 0.0;  ///< fastest tick / top speed
+  bool removed = false;             ///< was taken off the floor on the way; counts in no figure
+  bool touched = false;             ///< in contact in any tick before it arrived
+  std::uint64_t blocked_moves = 0;  ///< moves that were cut short where it touched something; solid worlds only
+  std::uint64_t ticks = 0;          ///< until it arrived, or until the end
+  double path_length = 0.0;         ///< [m]
+  double straight_length = 0.0;     ///< start to goal (to goal ...) less the goal tolerance [m]
+  double path_ratio = 0.0;          ///< path_length / straight_length
+  double time_ratio = 0.0;          ///< time * top speed / straight_length
+  double turn_per_metre = 0.0;      ///< summed change of direction of motion per metre walked [rad/m]
+  double max_speed_ratio = 0.0;     ///< fastest tick / top speed
 };
 
 /// @brief How an episode went.
@@ -34,6 +35,8 @@ struct EpisodeResult {
   std::size_t agentCount() const;
   std::size_t arrivedCount() const;
   std::size_t touchedCount() const;
+  /// @brief Blocked moves of all agents that count.
+  std::uint64_t blockedMoves() const;
   /// @brief Everybody arrived, nobody was in contact.
   bool isClean() const { return arrivedCount() == agentCount() && touchedCount() == 0; }
 };
@@ -84,17 +87,19 @@ class Figures {
   double contactPercent() const { return percent(touched_, agents_); }
   double cleanPercent() const { return percent(clean_, episodes_); }
   /// @brief Means over the agents that arrived; not a number if none did.
-  double pathRatio() const { return meanOf(path_ratio_); }
-  double timeRatio() const { return meanOf(time_ratio_); }
-  double turnPerMetre() const { return meanOf(turn_per_metre_); }
+  double pathRatio() const { return meanOf(path_ratio_, arrived_); }
+  double timeRatio() const { return meanOf(time_ratio_, arrived_); }
+  double turnPerMetre() const { return meanOf(turn_per_metre_, arrived_); }
   double maxSpeedRatio() const { return max_speed_ratio_; }
+  /// @brief Mean number of blocked moves of an agent; not a number if there was none.
+  double blockedMovesPerAgent() const { return meanOf(static_cast<double>(blocked_moves_), agents_); }
 
  private:
   static double percent(std::uint64_t part, std::uint64_t whole) {
     return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
   }
-  double meanOf(double sum) const {
-    return arrived_ == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(arrived_);
+  static double meanOf(double sum, std::uint64_t count) {
+    return count == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(count);
   }
 
   std::uint64_t episodes_ = 0;
@@ -102,6 +107,7 @@ class Figures {
   std::uint64_t agents_ = 0;
   std::uint64_t arrived_ = 0;
   std::uint64_t touched_ = 0;
+  std::uint64_t blocked_moves_ = 0;
   double path_ratio_ = 0.0;
   double time_ratio_ = 0.0;
   double turn_per_metre_ = 0.0;

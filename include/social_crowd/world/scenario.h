@@ -65,6 +65,7 @@ struct Scenario {
   double tick_duration = DEFAULT_TICK_DURATION;
   std::uint64_t max_ticks = 0;
   double goal_tolerance = 0.0;
+  Contact contact = Contact::GHOST;
   std::uint64_t seed = 0;  ///< mixed with the run's seed
   std::vector<AgentGroup> agents;
   std::vector<ObstacleGroup> obstacles;

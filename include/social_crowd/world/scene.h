@@ -12,6 +12,9 @@ namespace crowd {
 /// @brief Decision period unless a scenario says otherwise [s].
 constexpr double DEFAULT_TICK_DURATION = 0.1;
 
+/// @brief What happens where bodies meet: GHOST, they walk through each other, or SOLID, they stop where they touch.
+enum class Contact : std::uint8_t { GHOST = 0, SOLID = 1 };
+
 /// @brief How an agent begins an episode and where it is to go.
 struct AgentStart {
   Vector2 position = Vector2::Zero();  ///< [m], `map`
@@ -33,6 +36,7 @@ struct Scene {
   double tick_duration = DEFAULT_TICK_DURATION;  ///< [s]
   std::uint64_t max_ticks = 0;                   ///< the episode fails for whoever has not arrived by then
   double goal_tolerance = 0.0;                   ///< arrived when the centre is this near the goal [m]
+  Contact contact = Contact::GHOST;
   std::vector<AgentStart> agents;
   std::vector<Obstacle> obstacles;
   std::vector<Segment> walls;

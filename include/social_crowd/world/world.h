@@ -7,6 +7,7 @@
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
 #include "social_crowd/world/scene.h"
+#include "social_crowd/world/solid_motion.h"
 
 namespace crowd {
 
@@ -27,10 +28,12 @@ struct Agent {
   std::size_t next_goal = 0;
   std::uint32_t goal_number = 0;  ///< counts the goals it has had
   AgentStatus status = AgentStatus::WALKING;
-  std::uint64_t arrival_tick = 0;  ///< the tick at whose start it was there, if arrived
-  bool acted = false;              ///< an action of its own moved it in the last tick
-  bool in_contact = false;         ///< at the end of the last tick
-  bool touched = false;            ///< in contact at the end of any tick so far
+  std::uint64_t arrival_tick = 0;   ///< the tick at whose start it was there, if arrived
+  bool acted = false;               ///< an action of its own was carried out in the last tick
+  bool blocked = false;             ///< and its move was cut short where it touched something; solid worlds only
+  std::uint64_t blocked_moves = 0;  ///< how often that was so
+  bool in_contact = false;          ///< in the last tick
+  bool touched = false;             ///< in contact in any tick so far
 
   bool isWalking() const { return status == AgentStatus::WALKING; }
   bool hasArrived() const { return status == AgentStatus::ARRIVED; }
@@ -40,7 +43,9 @@ struct Agent {
 /// @brief The floor with everybody on it: moves agents and obstacles tick by tick and tells what each agent perceives.
 ///
 /// All agents decide on what they perceive at the start of a tick and move at once, so the order of agents does not
-/// matter. Agents walk through what they fail to avoid; contacts are counted.
+/// matter. Contacts are counted. In a ghost world bodies walk through each other; an agent is in contact if it overlaps
+/// something by more than CONTACT_OVERLAP at the end of a tick. In a solid world they stop where they touch
+/// (SolidMotion); who walked into something in a tick, or was walked into, was in contact, too.
 class World {
  public:
   explicit World(const Scene& scene);
@@ -50,6 +55,7 @@ class World {
   double time() const { return static_cast<double>(tick_) * tick_duration_; }
   double tickDuration() const { return tick_duration_; }
   double goalTolerance() const { return goal_tolerance_; }
+  Contact contact() const { return contact_; }
 
   /// @brief All agents ever there, arrived ones too, in order of their ids.
   const std::vector<Agent>& agents() const { return agents_; }
@@ -82,7 +88,9 @@ class World {
   void removeObstacle(std::size_t number);
 
  private:
-  void moveAgent(Agent& agent, const RelativeAction& action) const;
+  void beginMove(Agent& agent, const RelativeAction& action) const;
+  void moveGhosts();
+  void moveSolids();
   /// Whether anybody left the floor.
   bool noteArrivals();
   void noteContacts();
@@ -97,6 +105,7 @@ class World {
 
   double tick_duration_;
   double goal_tolerance_;
+  Contact contact_;
   std::uint64_t tick_ = 0;
   std::vector<Agent> agents_;
   std::vector<Obstacle> obstacles_;
@@ -111,7 +120,9 @@ class World {
     double rim_distance = 0.0;
     std::uint32_t body = 0;
   };
-  std::vector<NearBody> near_;  // scratch
+  std::vector<NearBody> near_;            // scratch
+  std::vector<SolidMotion::Disc> discs_;  // scratch
+  SolidMotion solid_motion_;
 };
 
 }  // namespace crowd

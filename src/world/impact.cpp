@@ -1,0 +1,55 @@
+#include "social_crowd/world/impact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "social_crowd/world/scene.h"
+
+namespace crowd {
+namespace {
+
+/// Ways that go no deeper than this graze [m]: rounding must not stop who walks along a wall.
+constexpr double GRAZE = 0.1 * TOUCH_TOLERANCE;
+/// Of bodies that overlap already, those that come nearer by no more than this keep their distance [m].
+constexpr double ROUNDING = 1e-12;
+
+/// Whether a way from one distance to a smaller one goes deeper in than it may.
+bool goesDeeper(double distance, double nearest, double reach) {
+  return nearest < std::min(reach - GRAZE, distance - ROUNDING);
+}
+
+/// When the long side of a wall is touched; its ends are not looked at.
+double firstTouchOfSide(const Segment& wall, const Vector2& way, double reach, double rest) {
+  const double length = (wall.to - wall.from).norm();
+  const Vector2 along = (wall.to - wall.from) / length;
+  const double side = cross(along, -wall.from);  // how far to the left of the wall
+  const double distance = std::abs(side);
+  const double closing = side > 0.0 ? -cross(along, way) : cross(along, way);  // [m] in a tick
+  if (closing <= 0.0 || !goesDeeper(distance, distance - rest * closing, reach)) return NEVER;
+  const double time = std::max(0.0, (distance - reach) / closing);
+  const double foot = (time * way - wall.from).dot(along);
+  return foot >= 0.0 && foot <= length ? time : NEVER;
+}
+
+}  // namespace
+
+double firstTouch(const Vector2& offset, const Vector2& way, double reach, double rest) {
+  const double approach = offset.dot(way);
+  if (approach <= 0.0) return NEVER;
+  const double way_squared = way.squaredNorm();
+  const double distance = offset.norm();
+  const double nearest = (offset - std::min(rest, approach / way_squared) * way).norm();
+  if (!goesDeeper(distance, nearest, reach)) return NEVER;
+  if (distance <= reach) return 0.0;
+  // The smaller root of |offset - time * way| = reach, in the form that loses no digits to cancellation.
+  const double excess = (distance - reach) * (distance + reach);
+  const double root = std::sqrt(std::max(0.0, approach * approach - way_squared * excess));
+  return std::min(rest, excess / (approach + root));
+}
+
+double firstTouch(const Segment& wall, const Vector2& way, double reach, double rest) {
+  const double ends = std::min(firstTouch(wall.from, way, reach, rest), firstTouch(wall.to, way, reach, rest));
+  return std::min(ends, firstTouchOfSide(wall, way, reach, rest));
+}
+
+}  // namespace crowd
