@@ -1,12 +1,25 @@
 #include "social_crowd/learning/model.h"
 
 namespace crowd {
+namespace {
+
+bool readOcclusion(YamlMap& map) {
+  const YAML::Node node = map.find("vision");
+  if (!node) return false;
+  YamlMap vision(node, map.placeOf("vision"));
+  const bool occlusion = vision.flag("occlusion", false);
+  vision.finish();
+  return occlusion;
+}
+
+}  // namespace
 
 Vision Model::vision() const {
   Vision vision;
   // A hair more than the state set looks at, so that it judges by itself what lies exactly on its limit.
   constexpr double MARGIN = 1e-6;  // [m]
   vision.radius = state_set->distanceLimits().back() + MARGIN;
+  vision.occlusion = occlusion;
   return vision;
 }
 
@@ -16,7 +29,7 @@ bool Model::fits(const Model& other) const {
 
 std::string Model::spec() const {
   return "state_set: " + state_set->spec() + "\naction_set: " + action_set->spec() + "\nreward: " + reward->spec() +
-         "\n";
+         "\n" + (occlusion ? "vision: {occlusion: true}\n" : "");
 }
 
 void requireFit(const Model& expected, const Model& got, const std::string& what) {
@@ -30,6 +43,7 @@ Model readModel(YamlMap& map) {
   model.state_set = makeStateSet(map.need("state_set"), map.placeOf("state_set"));
   model.action_set = makeActionSet(map.need("action_set"), map.placeOf("action_set"));
   model.reward = std::make_shared<Reward>(makeReward(map.need("reward"), map.placeOf("reward"), *model.state_set));
+  model.occlusion = readOcclusion(map);
   return model;
 }
 

@@ -41,6 +41,7 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.vision.radius = parameters.number("vision_radius", read.vision.radius, 0.0, MAX_VISION);
   read.vision.max_bodies =
       static_cast<std::uint32_t>(parameters.whole("max_bodies", read.vision.max_bodies, 0, MAX_WHOLE));
+  read.vision.occlusion = parameters.flag("occlusion", read.vision.occlusion);
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
   read.publish_clock = parameters.flag("publish_clock", read.publish_clock);
   read.trajectories = parameters.text("trajectories", "");

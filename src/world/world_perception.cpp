@@ -26,9 +26,14 @@ void World::perceive(const Vision& vision, Perceptions& perceptions) {
     self.acted = agent.acted;
     self.first_body = static_cast<std::uint32_t>(perceptions.bodies.size());
     perceiveBodies(agent, frame, vision, perceptions);
-    self.body_count = static_cast<std::uint32_t>(perceptions.bodies.size()) - self.first_body;
     self.first_wall = static_cast<std::uint32_t>(perceptions.walls.size());
     perceiveWalls(agent, frame, vision, perceptions);
+    if (vision.occlusion) {
+      occlusion_.apply(perceptions.bodies, self.first_body, perceptions.walls, self.first_wall, vision.radius);
+      const std::size_t most = self.first_body + vision.max_bodies;
+      if (vision.max_bodies > 0 && perceptions.bodies.size() > most) perceptions.bodies.resize(most);
+    }
+    self.body_count = static_cast<std::uint32_t>(perceptions.bodies.size()) - self.first_body;
     self.wall_count = static_cast<std::uint32_t>(perceptions.walls.size()) - self.first_wall;
     perceptions.agents.push_back(self);
   }
@@ -49,7 +54,9 @@ void World::perceiveBodies(const Agent& agent, const Rotation& frame, const Visi
     return a.rim_distance < b.rim_distance || (a.rim_distance == b.rim_distance && a.body < b.body);
   };
   std::sort(near_.begin(), near_.end(), nearer);
-  if (vision.max_bodies > 0 && near_.size() > vision.max_bodies) near_.resize(vision.max_bodies);
+  // Where bodies hide each other, all of them are needed to tell whom one sees.
+  const bool limited = vision.max_bodies > 0 && !vision.occlusion;
+  if (limited && near_.size() > vision.max_bodies) near_.resize(vision.max_bodies);
   for (const NearBody& near : near_) {
     PerceivedBody seen;
     if (is_agent(near.body)) {

@@ -65,6 +65,18 @@ TEST(Model, SeesAsFarAsItsStateSetLooks) {
   EXPECT_EQ(parseModel(OCCUPANCY).vision().max_bodies, 0U);
 }
 
+TEST(Model, PerceivesWhatIsHiddenUnlessItSaysOtherwise) {
+  EXPECT_FALSE(parseModel(NEAREST).vision().occlusion);
+  const std::string spec = std::string(NEAREST) + "vision: {occlusion: true}\n";
+  const Model model = parseModel(spec);
+  EXPECT_TRUE(model.vision().occlusion);
+  EXPECT_EQ(model.spec(), spec);
+  EXPECT_EQ(parseModel(std::string(NEAREST) + "vision: {occlusion: false}\n").spec(), NEAREST);
+  EXPECT_TRUE(model.fits(parseModel(NEAREST)));
+  EXPECT_TRUE(contains(errorIn(std::string(NEAREST) + "vision: {occlusion: maybe}\n"), "vision.occlusion: expected"));
+  EXPECT_TRUE(contains(errorIn(std::string(NEAREST) + "vision: {radius: 2}\n"), "unknown key 'radius'"));
+}
+
 TEST(Model, FitsWhatHasTheSameStatesAndActionsWhateverTheReward) {
   const Model model = parseModel(NEAREST);
   EXPECT_TRUE(model.fits(model));

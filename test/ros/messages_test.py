@@ -50,6 +50,18 @@ walls:
   - [[0.26, 0.26], [-0.26, 0.26]]
   - [[-0.26, 0.26], [-0.26, -0.26]]
 """
+# Three in a row, the middle one in front of the last, for the first.
+ROW = """
+name: row
+duration: 1
+goal_tolerance: 0.2
+agents:
+  - {position: [0, 0], goal: [9, 5], speed: 0.5, radius: 0.25}
+  - {position: [2, 0], goal: [9, 0], speed: 0.5, radius: 0.25}
+  - {position: [4, 0], goal: [9, -5], speed: 0.5, radius: 0.25}
+walls:
+  - [[5, -0.1], [5, 0.1]]
+"""
 
 
 class BroadcastTestCase(support.CrowdTestCase):
@@ -156,6 +168,22 @@ class SolidTest(BroadcastTestCase):
             self.assertLess(math.hypot(agent.pose.x, agent.pose.y), 0.015)
         self.assertEqual((result.blocked_moves, result.agents[0].blocked_moves), (2, 2))
         self.assertEqual((result.contact_percent, result.agents[0].touched), (100.0, True))
+
+
+class OcclusionTest(BroadcastTestCase):
+    """Who is perceived."""
+
+    def perceived(self, **parameters):
+        """How many bodies and walls each agent perceives at the start."""
+        self.start_all(ROW, **parameters)
+        self.step(1)
+        return [(agent.body_count, agent.wall_count) for agent in self.ears['perceptions'].wait_at(0, 0).agents]
+
+    def test_everybody_by_default(self):
+        self.assertEqual(self.perceived(), [(2, 1)] * 3)
+
+    def test_who_is_hidden_on_request_is_not(self):
+        self.assertEqual(self.perceived(occlusion=True), [(1, 0), (2, 0), (1, 1)])
 
 
 class FramesTest(BroadcastTestCase):

@@ -57,7 +57,7 @@ class ControllerParametersTest(RefusalTestCase):
     def test_of_a_wrong_type(self):
         bad = {'scenario': [1, 2], 'scenario_folder': {'a': 1}, 'seed': 'one', 'episodes': 2.5, 'pace': 'quick',
                'paused': 'yes', 'start_deadline': 'soon', 'answer_deadline': True, 'misses_until_absent': 3.0,
-               'vision_radius': [6.0], 'max_bodies': '4', 'publish_tf': 1, 'publish_clock': 'true',
+               'vision_radius': [6.0], 'max_bodies': '4', 'occlusion': 1, 'publish_tf': 1, 'publish_clock': 'true',
                'trajectories': True}
         self.assert_all_named(self.start_plain(**bad), *bad)
 

@@ -19,7 +19,7 @@ struct ControllerParameters {
   double start_deadline = 30.0;  ///< ~start_deadline: how long to wait for learners that never answered [s]
   double answer_deadline = 1.0;  ///< ~answer_deadline: how long to wait for an answer [s], wall clock
   int misses_until_absent = 3;   ///< ~misses_until_absent: missed answers in a row until an agent is not waited for
-  Vision vision;                 ///< ~vision_radius [m], ~max_bodies (0: no limit)
+  Vision vision;                 ///< ~vision_radius [m], ~max_bodies (0: no limit), ~occlusion
   bool publish_tf = false;       ///< ~publish_tf: map -> agent_<id>
   bool publish_clock = false;    ///< ~publish_clock: simulated time on /clock
   std::string trajectories;      ///< ~trajectories: folder for recordings; empty: none

@@ -13,7 +13,8 @@ using AgentId = std::uint32_t;
 /// @brief How far and how much an agent perceives.
 struct Vision {
   double radius = 6.0;           ///< to the other's rim [m]
-  std::uint32_t max_bodies = 0;  ///< the nearest so many bodies only; 0: no limit
+  std::uint32_t max_bodies = 0;  ///< the nearest so many bodies only, of those that are seen; 0: no limit
+  bool occlusion = false;        ///< what nearer bodies and walls hide is not perceived (see Occlusion)
 };
 
 /// @brief What kind of body is perceived.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "social_crowd/world/neighbour_grid.h"
+#include "social_crowd/world/occlusion.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
 #include "social_crowd/world/scene.h"
@@ -123,6 +124,7 @@ class World {
   std::vector<NearBody> near_;            // scratch
   std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;
+  Occlusion occlusion_;
 };
 
 }  // namespace crowd

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "social_crowd/world/perception.h"
+
+namespace crowd {
+
+/// @brief Leaves out of a perception what nearer bodies and walls hide from the agent's centre.
+///
+/// Of a body that is partly hidden the rest tells where it is and how large: it is perceived whole. Only one of which
+/// nothing at all is seen is left out. Walls are cut to the parts that are seen.
+///
+/// A disc is looked at as its chord between the two points where the lines of sight touch it, a wall as what it is:
+/// things that do not overlap stand before each other as these chords do. So all is done with cross products, and
+/// angles never wrap. A body in which the agent's centre lies hides nothing, nor does a wall seen edge-on; both are
+/// perceived.
+class Occlusion {
+ public:
+  /// @param bodies from number `first_body` on, and walls from `first_wall` on, are those of one agent, in its frame;
+  /// what lies before stays as it is. Bodies stay in their order.
+  /// @param radius of vision; parts of walls that lie beyond are left out, too [m]
+  void apply(std::vector<PerceivedBody>& bodies, std::size_t first_body, std::vector<Segment>& walls,
+             std::size_t first_wall, double radius);
+
+ private:
+  /// A chord, with its ends as they are seen from the origin.
+  struct Screen {
+    Vector2 right = Vector2::Zero();
+    Vector2 left = Vector2::Zero();
+    bool hides = false;
+
+    bool covers(const Vector2& direction) const {
+      return cross(right, direction) >= 0.0 && cross(direction, left) >= 0.0;
+    }
+    /// Where a line of sight meets the chord; for directions that it covers.
+    double shareAt(const Vector2& direction) const {
+      const double from_right = cross(right, direction);
+      return from_right / (from_right + cross(direction, left));
+    }
+    Vector2 at(double share) const {
+      if (share <= 0.0) return right;
+      return share >= 1.0 ? left : Vector2(right + share * (left - right));
+    }
+    /// How far the chord's line lies in front of a point, in distances of that line from the origin.
+    double inFrontOf(const Vector2& point) const { return cross(point - right, left - right) / cross(right, left); }
+  };
+  /// Part of a chord: shares of it, from its right end.
+  struct Part {
+    double from = 0.0;
+    double to = 1.0;
+
+    bool isAll() const { return from <= 0.0 && to >= 1.0; }
+  };
+
+  static Screen screenOf(const PerceivedBody& body);
+  static Screen screenOf(const Segment& wall);
+  void addHiddenPart(const Screen& seen, const Screen& other);
+  /// Finds the parts of a thing that the screens leave to be seen; its own number among them, or a number beyond them.
+  const std::vector<Part>& visibleParts(const Screen& seen, std::size_t own);
+  void leaveOutBodies(std::vector<PerceivedBody>& bodies, std::size_t first);
+  void cutWalls(std::vector<Segment>& walls, std::size_t first, double radius);
+
+  std::vector<Screen> screens_;  // of the walls, then of the bodies
+  std::vector<Part> hidden_;
+  std::vector<Part> visible_;
+  std::vector<Segment> cut_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,116 @@
+#include "social_crowd/world/occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crowd {
+namespace {
+
+/// Shares of a chord, and of distances, that are too small to be anything but rounding.
+constexpr double HAIR = 1e-9;
+
+}  // namespace
+
+Occlusion::Screen Occlusion::screenOf(const PerceivedBody& body) {
+  const double distance_squared = body.position.squaredNorm();
+  const double tangent_squared = distance_squared - body.radius * body.radius;
+  if (tangent_squared <= HAIR * distance_squared) return {};
+  const Vector2 middle = (tangent_squared / distance_squared) * body.position;
+  const double half = body.radius * std::sqrt(tangent_squared) / distance_squared;
+  const Vector2 to_the_left(-half * body.position.y(), half * body.position.x());
+  return {middle - to_the_left, middle + to_the_left, true};
+}
+
+Occlusion::Screen Occlusion::screenOf(const Segment& wall) {
+  const double width = cross(wall.from, wall.to);
+  if (std::abs(width) <= HAIR * wall.from.norm() * wall.to.norm()) return {};
+  return width > 0.0 ? Screen{wall.from, wall.to, true} : Screen{wall.to, wall.from, true};
+}
+
+void Occlusion::addHiddenPart(const Screen& seen, const Screen& other) {
+  if (!other.hides) return;
+  // The directions that both cover. Both chords span less than half a turn, so there is one such range at most.
+  Part part;
+  if (seen.covers(other.right)) {
+    part.from = seen.shareAt(other.right);
+  } else if (!other.covers(seen.right)) {
+    return;
+  }
+  if (seen.covers(other.left)) part.to = seen.shareAt(other.left);
+  if (part.to - part.from <= HAIR) return;
+  // Within them the other may be in front all the way, or, where they cross, at one end.
+  const double front_right = other.inFrontOf(seen.at(part.from));
+  const double front_left = other.inFrontOf(seen.at(part.to));
+  if (front_right <= HAIR && front_left <= HAIR) return;
+  const double crossing = part.from + (part.to - part.from) * front_right / (front_right - front_left);
+  if (front_right <= HAIR) part.from = std::max(part.from, crossing);
+  if (front_left <= HAIR) part.to = std::min(part.to, crossing);
+  hidden_.push_back(part);
+}
+
+const std::vector<Occlusion::Part>& Occlusion::visibleParts(const Screen& seen, std::size_t own) {
+  hidden_.clear();
+  visible_.clear();
+  for (std::size_t i = 0; i < screens_.size() && seen.hides; ++i) {
+    if (i != own) addHiddenPart(seen, screens_[i]);
+    if (!hidden_.empty() && hidden_.back().isAll()) return visible_;
+  }
+  std::sort(hidden_.begin(), hidden_.end(), [](const Part& a, const Part& b) { return a.from < b.from; });
+  double seen_to = 0.0;
+  for (const Part& part : hidden_) {
+    if (part.from > seen_to + HAIR) visible_.push_back({seen_to, part.from});
+    seen_to = std::max(seen_to, part.to);
+  }
+  if (seen_to < 1.0 - HAIR) visible_.push_back({seen_to, 1.0});
+  return visible_;
+}
+
+void Occlusion::apply(std::vector<PerceivedBody>& bodies, std::size_t first_body, std::vector<Segment>& walls,
+                      std::size_t first_wall, double radius) {
+  screens_.clear();
+  for (std::size_t i = first_wall; i < walls.size(); ++i) screens_.push_back(screenOf(walls[i]));
+  leaveOutBodies(bodies, first_body);
+  cutWalls(walls, first_wall, radius);
+}
+
+void Occlusion::leaveOutBodies(std::vector<PerceivedBody>& bodies, std::size_t first) {
+  // Near ones come first and hide most of the others, which then need not be looked at as screens: what they hide is
+  // hidden by those in front of them as well.
+  const std::size_t wall_count = screens_.size();
+  std::size_t kept = first;
+  for (std::size_t i = first; i < bodies.size(); ++i) {
+    const Screen screen = screenOf(bodies[i]);
+    if (visibleParts(screen, screens_.size()).empty()) continue;
+    screens_.push_back(screen);
+    bodies[kept++] = bodies[i];
+  }
+  bodies.resize(kept);
+  // A body with its rim a bit further away may still stand before one that is larger.
+  kept = first;
+  for (std::size_t i = first; i < bodies.size(); ++i) {
+    const std::size_t own = wall_count + i - first;
+    if (!visibleParts(screens_[own], own).empty()) bodies[kept++] = bodies[i];
+  }
+  bodies.resize(kept);
+}
+
+void Occlusion::cutWalls(std::vector<Segment>& walls, std::size_t first, double radius) {
+  cut_.clear();
+  for (std::size_t i = first; i < walls.size(); ++i) {
+    const Screen& screen = screens_[i - first];
+    visibleParts(screen, i - first);
+    if (hidden_.empty()) {
+      cut_.push_back(walls[i]);
+      continue;
+    }
+    const bool runs_left = screen.right == walls[i].from;
+    for (const Part& part : visible_) {
+      const Segment seen = {screen.at(runs_left ? part.from : part.to), screen.at(runs_left ? part.to : part.from)};
+      if (distanceTo(seen, Vector2::Zero()) <= radius) cut_.push_back(seen);
+    }
+  }
+  walls.resize(first);
+  walls.insert(walls.end(), cut_.begin(), cut_.end());
+}
+
+}  // namespace crowd
