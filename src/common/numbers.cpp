@@ -18,6 +18,12 @@ std::string toText(double value) {
   return std::string(buffer.data(), written.ptr);
 }
 
+std::string toText(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + toText(value);
+  return "[" + text + "]";
+}
+
 std::optional<double> toNumber(std::string_view text) {
   // from_chars knows no plus sign.
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);

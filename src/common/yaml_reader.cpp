@@ -304,6 +304,21 @@ bool YamlMap::flag(const std::string& key, bool otherwise) {
   return entry != nullptr ? readFlag(entry->value, placeOf(key)) : otherwise;
 }
 
+std::vector<double> YamlMap::risingNumbers(const std::string& key, double low, double high,
+                                           const std::vector<double>& otherwise) {
+  const YAML::Node node = find(key);
+  if (!node) return otherwise;
+  const std::string expected = "a list of rising numbers from " + toText(low) + " to " + toText(high);
+  if (!node.IsSequence()) throwExpected(placeOf(key), node, expected);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    numbers.push_back(readNumber(node[i], placeOf(key).element(i)));
+    const bool rises = i == 0 || numbers[i] > numbers[i - 1];
+    if (!rises || numbers[i] < low || numbers[i] > high) throwExpected(placeOf(key).element(i), node[i], expected);
+  }
+  return numbers;
+}
+
 void YamlMap::finish() const {
   for (const Entry& entry : entries_) {
     if (entry.asked) {

@@ -1,16 +1,51 @@
 #include "social_crowd/learning/action_set.h"
 
+#include "social_crowd/learning/goal_fan.h"
 #include "social_crowd/learning/kings_moves.h"
 
 namespace crowd {
 
-std::shared_ptr<const ActionSet> makeActionSet(const YAML::Node& node, const YamlPlace& place) {
-  YamlMap map(node, place);
-  const std::string type = map.text("type");
-  if (type != KingsMoves::TYPE) throwExpected(map.placeOf("type"), map.need("type"), "kings_moves");
+namespace {
+
+std::shared_ptr<const ActionSet> readGoalFan(YamlMap& map) {
+  GoalFan::Parameters parameters;
+  parameters.headings = map.risingNumbers("headings", 0.0, 180.0, parameters.headings);
+  if (parameters.headings.empty()) throwExpected(map.placeOf("headings"), map.need("headings"), "at least one");
+  parameters.slow_headings = map.risingNumbers("slow_headings", 0.0, 180.0, parameters.slow_headings);
+  parameters.slow_share = map.number("slow_share", NumberRule::SHARE, parameters.slow_share);
+  parameters.stay = map.flag("stay", parameters.stay);
+  const std::string sharing = map.text("gap_sharing", toText(parameters.gap_sharing));
+  try {
+    parameters.gap_sharing = parseGapSharing(sharing);
+  } catch (const InputError&) {
+    throwExpected(map.placeOf("gap_sharing"), map.need("gap_sharing"), "none, half or moving");
+  }
+  parameters.lane_time = map.number("lane_time", NumberRule::NOT_NEGATIVE, parameters.lane_time);
+  map.finish();
+  return std::make_shared<GoalFan>(parameters);
+}
+
+std::shared_ptr<const ActionSet> readKingsMoves(YamlMap& map) {
   const auto rotations = static_cast<int>(map.whole("rotations", 2, 360, KingsMoves::DEFAULT_ROTATIONS));
   map.finish();
   return std::make_shared<KingsMoves>(rotations);
+}
+
+}  // namespace
+
+void ActionSet::findMoves(const Perception& perception, CandidateMove* moves) const {
+  for (Action action = 0; action < size(); ++action) {
+    const RelativeAction move = relativeAction(perception, action);
+    moves[action] = {unitVector(move.rotation), move.speed_share, move.speed_share};
+  }
+}
+
+std::shared_ptr<const ActionSet> makeActionSet(const YAML::Node& node, const YamlPlace& place) {
+  YamlMap map(node, place);
+  const std::string type = map.text("type");
+  if (type == KingsMoves::TYPE) return readKingsMoves(map);
+  if (type == GoalFan::TYPE) return readGoalFan(map);
+  throwExpected(map.placeOf("type"), map.need("type"), "kings_moves or goal_fan");
 }
 
 }  // namespace crowd

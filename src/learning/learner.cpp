@@ -92,11 +92,12 @@ Rows Learner::rowsOf(std::size_t index) const {
 void Learner::learn(const Perceptions& perceptions) {
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const AgentPerception& now = perceptions.agents[i];
-    if (serves(now.agent)) learnOne(perceptions, now, rowsOf(i));
+    if (serves(now.agent)) learnOne({perceptions, i}, perceptions, rowsOf(i));
   }
 }
 
-void Learner::learnOne(const Perceptions& perceptions, const AgentPerception& now, const Rows& rows) {
+void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows) {
+  const AgentPerception& now = seen.self;
   Memory& memory = memoryOf(now.agent);
   if (!memory.learner.hasDecision()) return;
   // What was not carried out, or lies more than a tick back, taught nothing.
@@ -105,9 +106,9 @@ void Learner::learnOne(const Perceptions& perceptions, const AgentPerception& no
     return;
   }
   if (now.arrived) {
-    memory.learner.learnTerminal(writable(memory), (*model_.reward)(memory.before, now, 0), parameters_);
+    memory.learner.learnTerminal(writable(memory), (*model_.reward)(memory.before, seen, 0), parameters_);
   } else {
-    const double reward = (*model_.reward)(memory.before, now, rows[0]);
+    const double reward = (*model_.reward)(memory.before, seen, rows[0]);
     memory.learner.learn(writable(memory), reward, rows, parameters_);
     if (perceptions.last) memory.learner.resetTraces();
   }

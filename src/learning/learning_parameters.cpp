@@ -16,6 +16,7 @@ std::string LearningParameters::problems() const {
   require(alpha > 0.0 && alpha <= 1.0, "alpha", "a number above 0, at most 1", alpha);
   require(gamma >= 0.0 && gamma < 1.0, "gamma", "a number from 0 to below 1", gamma);
   require(lambda >= 0.0 && lambda <= 1.0, "lambda", "a number from 0 to 1", lambda);
+  require(alpha_decay >= 0.0 && alpha_decay <= 1.0, "alpha_decay", "a number from 0 to 1", alpha_decay);
   require(epsilon >= 0.0 && epsilon <= 1.0, "epsilon", "a number from 0 to 1", epsilon);
   return problems;
 }
@@ -64,6 +65,7 @@ LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
   YamlMap map(node, place);
   LearningPlan plan;
   readParameter(map, "alpha", &LearningParameters::alpha, plan.parameters);
+  readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, plan.parameters);
   readParameter(map, "gamma", &LearningParameters::gamma, plan.parameters);
   readParameter(map, "lambda", &LearningParameters::lambda, plan.parameters);
   plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);

@@ -20,6 +20,7 @@ Vision Model::vision() const {
   constexpr double MARGIN = 1e-6;  // [m]
   vision.radius = state_set->distanceLimits().back() + MARGIN;
   vision.occlusion = occlusion;
+  vision.max_bodies = state_set->maxBodies();
   return vision;
 }
 
@@ -40,9 +41,9 @@ void requireFit(const Model& expected, const Model& got, const std::string& what
 
 Model readModel(YamlMap& map) {
   Model model;
-  model.state_set = makeStateSet(map.need("state_set"), map.placeOf("state_set"));
   model.action_set = makeActionSet(map.need("action_set"), map.placeOf("action_set"));
-  model.reward = std::make_shared<Reward>(makeReward(map.need("reward"), map.placeOf("reward"), *model.state_set));
+  model.state_set = makeStateSet(map.need("state_set"), map.placeOf("state_set"), model.action_set);
+  model.reward = makeReward(map.need("reward"), map.placeOf("reward"), *model.state_set);
   model.occlusion = readOcclusion(map);
   return model;
 }

@@ -1,8 +1,17 @@
 #include "social_crowd/learning/q_learner.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace crowd {
+namespace {
+
+double stepSize(const LearningParameters& parameters, std::uint32_t visits) {
+  if (parameters.alpha_decay <= 0.0) return parameters.alpha;
+  return std::max(parameters.alpha, std::pow(static_cast<double>(visits), -parameters.alpha_decay));
+}
+
+}  // namespace
 
 Action QLearner::chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any) {
   if (draw >= epsilon) return chooseGreedy(table, rows);
@@ -36,8 +45,9 @@ void QLearner::learnTerminal(QTable& table, double reward, const LearningParamet
 }
 
 void QLearner::update(QTable& table, double target, const LearningParameters& parameters) {
-  const double step = parameters.alpha * (target - table.value(row_, action_));  // (3.1)
   table.countVisit(row_, action_);
+  const double alpha = stepSize(parameters, table.visits(row_, action_));
+  const double step = alpha * (target - table.value(row_, action_));  // (3.1)
   if (parameters.lambda <= 0.0) {
     table.addTo(row_, action_, step);
     return;

@@ -43,6 +43,7 @@ std::string headerOf(const TrainedTable& trained, std::size_t lines) {
   add("alpha", toText(trained.parameters.alpha));
   add("gamma", toText(trained.parameters.gamma));
   add("lambda", toText(trained.parameters.lambda));
+  if (trained.parameters.alpha_decay > 0.0) add("alpha_decay", toText(trained.parameters.alpha_decay));
   add("epsilon", toText(trained.parameters.epsilon));
   add("decisions", std::to_string(trained.decisions));
   add("seed", std::to_string(trained.seed));
@@ -137,6 +138,7 @@ Header readHeader(LineReader& lines) {
   readParameter(map, "alpha", &LearningParameters::alpha, header.parameters);
   readParameter(map, "gamma", &LearningParameters::gamma, header.parameters);
   readParameter(map, "lambda", &LearningParameters::lambda, header.parameters);
+  readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, header.parameters);
   readParameter(map, "epsilon", &LearningParameters::epsilon, header.parameters);
   header.decisions = map.count("decisions");
   header.seed = map.count("seed");

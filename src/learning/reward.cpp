@@ -1,67 +1,20 @@
 #include "social_crowd/learning/reward.h"
 
-#include <cmath>
-
-#include "social_crowd/common/numbers.h"
+#include "social_crowd/learning/pace_reward.h"
+#include "social_crowd/learning/thesis_reward.h"
 
 namespace crowd {
-namespace {
 
-constexpr const char* DISTANCE_GAINED_NAME = "distance_gained";
-constexpr const char* COSINE_CUBED_NAME = "cosine_cubed";
-constexpr double FALL_PER_CLASS = 100.0;  // 10^2, (3.8) and (3.9)
-
-double obstaclePartOf(const std::vector<int>& distance_classes, double cost) {
-  double sum = 0.0;
-  for (const int distance_class : distance_classes) {
-    // An empty sector costs nothing: the printed (3.9), taken at D = 0, would cost 1000.
-    if (distance_class > 0) sum -= cost / std::pow(FALL_PER_CLASS, distance_class - 1);
-  }
-  return sum;
-}
-
-/// Of two different goals there is nothing to compare.
 double distanceGained(const AgentPerception& before, const AgentPerception& after) {
   return before.goal_number == after.goal_number ? before.goal.norm() - after.goal.norm() : 0.0;
 }
 
-}  // namespace
-
-Reward::Reward(const Parameters& parameters, const StateSet& state_set) : parameters_(parameters) {
-  obstacle_parts_.reserve(state_set.rowCount());
-  for (Row row = 0; row < state_set.rowCount(); ++row) {
-    obstacle_parts_.push_back(obstaclePartOf(state_set.distanceClasses(row), parameters.obstacle_cost));
-  }
-}
-
-double Reward::operator()(const AgentPerception& before, const AgentPerception& after, Row row) const {
-  if (after.arrived) return parameters_.arrival;
-  const double distance = after.goal.norm();
-  if (parameters_.goal == GoalPart::DISTANCE_GAINED) return distanceGained(before, after) + obstaclePart(row);  // (3.6)
-  // The goal is given in the agent's frame, so the angle to the new heading is that to the x axis.
-  const double cosine = distance > 0.0 ? after.goal.x() / distance : 1.0;
-  return cosine * cosine * cosine + obstaclePart(row);  // (3.7)
-}
-
-std::string Reward::spec() const {
-  return std::string("{goal: ") +
-         (parameters_.goal == GoalPart::DISTANCE_GAINED ? DISTANCE_GAINED_NAME : COSINE_CUBED_NAME) +
-         ", arrival: " + toText(parameters_.arrival) + ", obstacle_cost: " + toText(parameters_.obstacle_cost) + "}";
-}
-
-Reward makeReward(const YAML::Node& node, const YamlPlace& place, const StateSet& state_set) {
+std::shared_ptr<const Reward> makeReward(const YAML::Node& node, const YamlPlace& place, const StateSet& state_set) {
   YamlMap map(node, place);
-  Reward::Parameters parameters;
-  const std::string goal = map.text("goal");
-  if (goal == DISTANCE_GAINED_NAME) {
-    parameters.goal = Reward::GoalPart::DISTANCE_GAINED;
-  } else if (goal != COSINE_CUBED_NAME) {
-    throwExpected(map.placeOf("goal"), map.need("goal"), "distance_gained or cosine_cubed");
-  }
-  parameters.arrival = map.number("arrival", NumberRule::ANY, parameters.arrival);
-  parameters.obstacle_cost = map.number("obstacle_cost", NumberRule::NOT_NEGATIVE);
-  map.finish();
-  return {parameters, state_set};
+  const std::string type = map.text("type", ThesisReward::TYPE);
+  if (type == ThesisReward::TYPE) return readThesisReward(map, state_set);
+  if (type == PaceReward::TYPE) return readPaceReward(map);
+  throwExpected(map.placeOf("type"), map.need("type"), "thesis or pace");
 }
 
 }  // namespace crowd

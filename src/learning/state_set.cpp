@@ -1,5 +1,6 @@
 #include "social_crowd/learning/state_set.h"
 
+#include "social_crowd/learning/anticipation_states.h"
 #include "social_crowd/learning/nearest_obstacle_states.h"
 #include "social_crowd/learning/occupancy_states.h"
 
@@ -35,7 +36,8 @@ std::vector<double> readSectorLimits(YamlMap& map, const std::vector<double>& ot
 
 }  // namespace
 
-std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlPlace& place) {
+std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlPlace& place,
+                                             const std::shared_ptr<const ActionSet>& action_set) {
   YamlMap map(node, place);
   const std::string type = map.text("type");
   if (type == NearestObstacleStates::TYPE) {
@@ -46,6 +48,7 @@ std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlP
     map.finish();
     return std::make_shared<NearestObstacleStates>(parameters);
   }
+  if (type == AnticipationStates::TYPE) return readAnticipationStates(map, action_set);
   if (type == OccupancyStates::TYPE) {
     OccupancyStates::Parameters parameters;
     parameters.sectors = static_cast<int>(map.whole("sectors", 2, OccupancyStates::MAX_SECTORS, parameters.sectors));
@@ -53,7 +56,7 @@ std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlP
     map.finish();
     return std::make_shared<OccupancyStates>(parameters);
   }
-  throwExpected(map.placeOf("type"), map.need("type"), "nearest_obstacle or occupancy");
+  throwExpected(map.placeOf("type"), map.need("type"), "nearest_obstacle, occupancy or anticipation");
 }
 
 }  // namespace crowd

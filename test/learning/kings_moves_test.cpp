@@ -63,7 +63,7 @@ TEST(KingsMoves, AreReadFromYamlAndWrittenAsSuch) {
 }
 
 TEST(KingsMoves, AreRefusedWithWordsForWhatIsWrong) {
-  EXPECT_TRUE(contains(errorIn("{type: queens_moves}"), "expected kings_moves, got 'queens_moves'"));
+  EXPECT_TRUE(contains(errorIn("{type: queens_moves}"), "expected kings_moves or goal_fan, got 'queens_moves'"));
   EXPECT_TRUE(contains(errorIn("{rotations: 8}"), "'type' is missing"));
   EXPECT_TRUE(contains(errorIn("{type: kings_moves, rotation: 8}"), "unknown key 'rotation'"));
   for (const char* const rotations : {"1", "0", "-8", "361", "8.0", "many", "[8]", "4294967304"}) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "social_crowd/learning/thesis_reward.h"
 #include "support/error_of.h"
 #include "support/learners.h"
 
@@ -160,8 +161,8 @@ TEST(Learner, LooksUpEveryActionInARowOfItsOwn) {
       "{state_set: {type: occupancy}, action_set: {type: kings_moves, rotations: 2}, "
       "reward: {goal: distance_gained, obstacle_cost: 10}}");
   model.state_set = std::make_shared<RowPerAction>();
-  model.reward =
-      std::make_shared<Reward>(Reward::Parameters{Reward::GoalPart::DISTANCE_GAINED, 100.0, 10.0}, *model.state_set);
+  model.reward = std::make_shared<ThesisReward>(
+      ThesisReward::Parameters{ThesisReward::GoalPart::DISTANCE_GAINED, 100.0, 10.0}, *model.state_set);
   QTable table(5, 2);
   table.set(1, 0, 4.0, 1);  // far: action 0
   table.set(3, 1, 2.0, 1);

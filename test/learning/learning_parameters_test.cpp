@@ -92,6 +92,9 @@ TEST(EpsilonSchedule, MayRise) {
 }
 
 TEST(ReadLearningPlan, TakesWhatIsThereAndTheDefaultsElse) {
+  EXPECT_EQ(read("{alpha_decay: 0.6}").parameters.alpha_decay, 0.6);
+  EXPECT_EQ(read("{}").parameters.alpha_decay, 0.0);
+  EXPECT_TRUE(contains(errorIn("{alpha_decay: 2}"), "alpha_decay: expected a number from 0 to 1, got 2"));
   const LearningPlan plan = read("{alpha: 0.25, gamma: 0.95, lambda: 0.5, epsilon: 0.3}");
   EXPECT_EQ(plan.parameters.alpha, 0.25);
   EXPECT_EQ(plan.parameters.gamma, 0.95);

@@ -38,7 +38,6 @@ TEST(Model, IsWhatItsSpecSays) {
   EXPECT_EQ(nearest.spec(), NEAREST);
   EXPECT_EQ(nearest.state_set->rowCount(), 137U);
   EXPECT_EQ(nearest.action_set->size(), 8U);
-  EXPECT_DOUBLE_EQ(nearest.reward->obstaclePart(8), -80.0);  // row 8: goal and nearest obstacle ahead, class 1
   const Model occupancy = parseModel(OCCUPANCY);
   EXPECT_EQ(occupancy.spec(), OCCUPANCY);
   EXPECT_EQ(occupancy.state_set->rowCount(), 325U);  // 3^4 * 4 + 1
@@ -118,7 +117,8 @@ TEST(ParseModel, RefusesWhatIsNoYamlOrNoMap) {
 }
 
 TEST(ParseModel, RefusesStateSetsThatMakeNoSense) {
-  EXPECT_TRUE(contains(errorInStateSet("{type: nearest}"), "state_set.type: expected nearest_obstacle or occupancy"));
+  EXPECT_TRUE(contains(errorInStateSet("{type: nearest}"),
+                       "state_set.type: expected nearest_obstacle, occupancy or anticipation"));
   EXPECT_TRUE(contains(errorInStateSet("{sectors: 8}"), "'type' is missing"));
   EXPECT_TRUE(contains(errorInStateSet("{type: occupancy, goal_sectors: 8}"), "unknown key 'goal_sectors'"));
   for (const char* const wrong : {"sectors: 1", "sectors: 13", "sectors: 8.5", "sectors: -8"}) {

@@ -53,6 +53,19 @@ TEST(QLearning, LearnsAtTheThesisRate) {
   EXPECT_DOUBLE_EQ(table.value(0, 0), 0.5125);  // 0.1 * (0.125 + 0.1 * 50)
 }
 
+TEST(QLearning, StepsShrinkWithTheVisitsDownToAlpha) {
+  LearnerAndTable both(0.0);
+  both.parameters.alpha = 0.25;
+  both.parameters.alpha_decay = 1.0;  // steps 1, 1/2, 1/3, 1/4, 1/4: the mean of the rewards until then
+  double expected[] = {6.0, 9.0, 8.0, 7.5, 5.625};
+  double rewards[] = {6.0, 12.0, 6.0, 6.0, 0.0};
+  for (int i = 0; i < 5; ++i) {
+    both.decide(0, 1);
+    both.learnTerminal(rewards[i]);
+    EXPECT_DOUBLE_EQ(both.table.value(0, 1), expected[i]);
+  }
+}
+
 TEST(QLearning, ExpectsNothingBeyondTheEnd) {
   LearnerAndTable both(0.0);
   for (Row row = 0; row < 4; ++row) {

@@ -42,6 +42,19 @@ class PerceptionsBuilder {
     return *this;
   }
 
+  /// @brief What the body is.
+  PerceptionsBuilder& kind(BodyKind kind) {
+    all_.bodies.back().kind = kind;
+    return *this;
+  }
+
+  /// @brief How the agent and its body moved in the last tick, in the agent's frame [m/s].
+  PerceptionsBuilder& velocity(const Vector2& own, const Vector2& of_body) {
+    all_.agents.back().velocity = own;
+    all_.bodies.back().velocity = of_body;
+    return *this;
+  }
+
   PerceptionsBuilder& wall(const Vector2& from, const Vector2& to) {
     all_.walls.push_back({from, to});
     ++all_.agents.back().wall_count;

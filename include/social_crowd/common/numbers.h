@@ -4,11 +4,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace crowd {
 
 /// @brief The shortest decimal text that reads back as the same double, bit for bit ("nan", "inf", "-inf" included).
 std::string toText(double value);
+
+/// @brief A list as YAML writes it: "[1, 2.5]".
+std::string toText(const std::vector<double>& values);
 
 /// @brief The double that the whole of `text` stands for, independent of the locale; nothing if it is no number.
 std::optional<double> toNumber(std::string_view text);

@@ -68,6 +68,9 @@ class YamlMap {
   std::string text(const std::string& key);
   std::string text(const std::string& key, const std::string& otherwise);
   bool flag(const std::string& key, bool otherwise);
+  /// @brief A list, possibly empty, of rising numbers from `low` to `high`.
+  std::vector<double> risingNumbers(const std::string& key, double low, double high,
+                                    const std::vector<double>& otherwise);
 
   YamlPlace placeOf(const std::string& key) const { return place_.child(key); }
   const YamlPlace& place() const { return place_; }

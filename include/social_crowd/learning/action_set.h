@@ -7,6 +7,7 @@
 #include <string>
 
 #include "social_crowd/common/yaml_reader.h"
+#include "social_crowd/learning/candidate_move.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
 
@@ -24,6 +25,8 @@ class ActionSet {
   virtual Action size() const = 0;
   /// @brief The move that an action means to an agent that perceives this.
   virtual RelativeAction relativeAction(const Perception& perception, Action action) const = 0;
+  /// @brief The moves that all size() actions mean to an agent that perceives this.
+  virtual void findMoves(const Perception& perception, CandidateMove* moves) const;
   /// @brief Name and parameters as one canonical line of YAML; two sets are the same if these are.
   virtual std::string spec() const = 0;
 };

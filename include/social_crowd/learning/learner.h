@@ -111,7 +111,7 @@ class Learner {
   void findRows(const Perceptions& perceptions);
   Rows rowsOf(std::size_t index) const;
   void learn(const Perceptions& perceptions);
-  void learnOne(const Perceptions& perceptions, const AgentPerception& now, const Rows& rows);
+  void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows);
   void choose(const Perceptions& perceptions, RelativeActions& actions);
   Action chooseOne(const Perceptions& perceptions, const Rows& rows, Memory& memory, AgentId agent) const;
 

@@ -13,6 +13,8 @@ struct LearningParameters {
   double gamma = 0.1;    ///< discount of what comes later, 0 to below 1
   double lambda = 0.0;   ///< how long traces last, 0 (none) to 1
   double epsilon = 0.1;  ///< share of decisions taken at random while learning, 0 to 1
+  /// The n-th visit of a row and action steps by n^-alpha_decay as long as that is above alpha, 0 (always alpha) to 1.
+  double alpha_decay = 0.0;
 
   /// @brief What is wrong with the numbers, in words; empty if nothing is.
   std::string problems() const;

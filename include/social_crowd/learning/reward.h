@@ -2,8 +2,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <memory>
 #include <string>
-#include <vector>
 
 #include "social_crowd/common/yaml_reader.h"
 #include "social_crowd/learning/state_set.h"
@@ -11,42 +11,25 @@
 
 namespace crowd {
 
-/// @brief How much a decision was worth, judged by what the agent perceives after it: a prize on arrival, else a goal
-/// part and an obstacle part (thesis 3.6-3.9).
+/// @brief How much a decision was worth, judged by what the agent perceives after it. Immutable, so that any number of
+/// learners and threads may share one.
 class Reward {
  public:
-  enum class GoalPart {
-    DISTANCE_GAINED,  ///< (3.6) by how much the distance to the goal has shrunk [m]
-    COSINE_CUBED,     ///< (3.7) cos^3 of the angle between the new heading and the goal
-  };
-
-  struct Parameters {
-    GoalPart goal = GoalPart::COSINE_CUBED;
-    double arrival = 100.0;
-    /// What an obstacle of distance class 1 costs; class D costs this / 10^(2 (D-1)). (3.8): 80, for the nearest one;
-    /// (3.9): 10, summed over the occupied sectors.
-    double obstacle_cost = 80.0;
-  };
-
-  Reward(const Parameters& parameters, const StateSet& state_set);
+  virtual ~Reward() = default;
 
   /// @param before what the agent knew of itself when it decided
   /// @param after what it perceives now
-  /// @param row the row that `after` maps to; not used on arrival
-  double operator()(const AgentPerception& before, const AgentPerception& after, Row row) const;
-
-  /// @brief The obstacle part of a row, 0 or negative.
-  double obstaclePart(Row row) const { return obstacle_parts_[row]; }
+  /// @param row the first row that `after` maps to; not used on arrival
+  virtual double operator()(const AgentPerception& before, const Perception& after, Row row) const = 0;
   /// @brief Parameters as one canonical line of YAML.
-  std::string spec() const;
-
- private:
-  Parameters parameters_;
-  std::vector<double> obstacle_parts_;  // of each row
+  virtual std::string spec() const = 0;
 };
 
-/// @brief The reward that a YAML map describes, for a state set.
-/// @throws InputError if a parameter is wrong.
-Reward makeReward(const YAML::Node& node, const YamlPlace& place, const StateSet& state_set);
+/// @brief By how much the distance to the goal has shrunk [m]; 0 if there is another goal now.
+double distanceGained(const AgentPerception& before, const AgentPerception& after);
+
+/// @brief The reward that a YAML map describes, for a state set; without the key `type` it is the thesis's.
+/// @throws InputError if there is none of that name or a parameter is wrong.
+std::shared_ptr<const Reward> makeReward(const YAML::Node& node, const YamlPlace& place, const StateSet& state_set);
 
 }  // namespace crowd

@@ -49,12 +49,15 @@ class StateSet {
   virtual std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const = 0;
   /// @brief Outer limits of the distance classes 1, 2, ... to the other's rim [m]; the last is how far it looks.
   virtual std::vector<double> distanceLimits() const = 0;
+  /// @brief The nearest so many bodies are all it looks at; 0: no limit.
+  virtual std::uint32_t maxBodies() const { return 0; }
   /// @brief Name and parameters as one canonical line of YAML; two sets are the same if these are.
   virtual std::string spec() const = 0;
 };
 
-/// @brief The state set that a YAML map with the key `type` describes.
+/// @brief The state set that a YAML map with the key `type` describes, for the actions of a set.
 /// @throws InputError if there is none of that name or a parameter is wrong.
-std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlPlace& place);
+std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlPlace& place,
+                                             const std::shared_ptr<const ActionSet>& action_set);
 
 }  // namespace crowd

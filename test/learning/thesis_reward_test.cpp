@@ -1,4 +1,4 @@
-#include "social_crowd/learning/reward.h"
+#include "social_crowd/learning/thesis_reward.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +13,16 @@ namespace crowd {
 namespace {
 
 /// (3.6) or (3.7), with the obstacle part of the thesis's state set 1 (3.8).
-Reward nearestReward(Reward::GoalPart goal) {
-  Reward::Parameters parameters;
+ThesisReward nearestReward(ThesisReward::GoalPart goal) {
+  ThesisReward::Parameters parameters;
   parameters.goal = goal;
   parameters.obstacle_cost = 80.0;
   return {parameters, NearestObstacleStates()};
 }
 
 /// The same with that of state set 2 (3.9).
-Reward occupancyReward() {
-  Reward::Parameters parameters;
+ThesisReward occupancyReward() {
+  ThesisReward::Parameters parameters;
   parameters.obstacle_cost = 10.0;
   return {parameters, OccupancyStates()};
 }
@@ -33,34 +33,40 @@ AgentPerception withGoalAt(const Vector2& goal) {
   return self;
 }
 
+double worth(const Reward& reward, const AgentPerception& before, const AgentPerception& after, Row row) {
+  Perceptions perceptions;
+  perceptions.agents = {after};
+  return reward(before, {perceptions, 0}, row);
+}
+
 /// (3.7) for a goal at a bearing after the move, nothing around.
 double cosineReward(double degrees) {
-  const Reward reward = nearestReward(Reward::GoalPart::COSINE_CUBED);
-  return reward(withGoalAt({7.0, 7.0}), withGoalAt(polar(degrees, 4.0)), 0);
+  const ThesisReward reward = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
+  return worth(reward, withGoalAt({7.0, 7.0}), withGoalAt(polar(degrees, 4.0)), 0);
 }
 
 /// (3.6) for a goal at two distances, nothing around.
 double distanceReward(const Vector2& before, const Vector2& after) {
-  return nearestReward(Reward::GoalPart::DISTANCE_GAINED)(withGoalAt(before), withGoalAt(after), 0);
+  return worth(nearestReward(ThesisReward::GoalPart::DISTANCE_GAINED), withGoalAt(before), withGoalAt(after), 0);
 }
 
-TEST(Reward, GoalPartIsTheDistanceGained) {
+TEST(ThesisReward, GoalPartIsTheDistanceGained) {
   EXPECT_DOUBLE_EQ(distanceReward({3.0, 4.0}, {0.0, 4.0}), 1.0);  // 5 m before, 4 m after
   EXPECT_DOUBLE_EQ(distanceReward({0.0, -4.0}, {-3.0, 4.0}), -1.0);
   EXPECT_DOUBLE_EQ(distanceReward({0.0, 2.0}, {-2.0, 0.0}), 0.0);  // turned, but no nearer
   EXPECT_DOUBLE_EQ(distanceReward({0.25, 0.0}, {0.0, 0.0}), 0.25);
 }
 
-TEST(Reward, NothingIsGainedOrLostByAnotherGoal) {
-  const Reward reward = nearestReward(Reward::GoalPart::DISTANCE_GAINED);
+TEST(ThesisReward, NothingIsGainedOrLostByAnotherGoal) {
+  const ThesisReward reward = nearestReward(ThesisReward::GoalPart::DISTANCE_GAINED);
   const AgentPerception before = withGoalAt({0.2, 0.0});
   AgentPerception after = withGoalAt({9.0, 0.0});
-  EXPECT_DOUBLE_EQ(reward(before, after, 0), -8.8);
+  EXPECT_DOUBLE_EQ(worth(reward, before, after, 0), -8.8);
   after.goal_number = 1;
-  EXPECT_DOUBLE_EQ(reward(before, after, 0), 0.0);
+  EXPECT_DOUBLE_EQ(worth(reward, before, after, 0), 0.0);
 }
 
-TEST(Reward, GoalPartIsTheCubeOfTheCosine) {
+TEST(ThesisReward, GoalPartIsTheCubeOfTheCosine) {
   EXPECT_NEAR(cosineReward(0.0), 1.0, 1e-12);
   EXPECT_NEAR(cosineReward(45.0), 0.35355339, 1e-8);  // (1/sqrt(2))^3
   EXPECT_NEAR(cosineReward(60.0), 0.125, 1e-12);      // (1/2)^3
@@ -70,13 +76,13 @@ TEST(Reward, GoalPartIsTheCubeOfTheCosine) {
   EXPECT_NEAR(cosineReward(180.0), -1.0, 1e-12);
 }
 
-TEST(Reward, GoalPartIsDefinedAtTheGoalItself) {
-  const Reward reward = nearestReward(Reward::GoalPart::COSINE_CUBED);
-  EXPECT_EQ(reward(withGoalAt({0.1, 0.0}), withGoalAt({0.0, 0.0}), 0), 1.0);
+TEST(ThesisReward, GoalPartIsDefinedAtTheGoalItself) {
+  const ThesisReward reward = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
+  EXPECT_EQ(worth(reward, withGoalAt({0.1, 0.0}), withGoalAt({0.0, 0.0}), 0), 1.0);
 }
 
-TEST(Reward, TheNearestObstacleCosts80Then08) {
-  const Reward reward = nearestReward(Reward::GoalPart::COSINE_CUBED);
+TEST(ThesisReward, TheNearestObstacleCosts80Then08) {
+  const ThesisReward reward = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
   const NearestObstacleStates states;
   for (int goal = 0; goal < 8; ++goal) {
     EXPECT_EQ(reward.obstaclePart(states.rowOf({goal, 0, 0})), 0.0);
@@ -88,8 +94,8 @@ TEST(Reward, TheNearestObstacleCosts80Then08) {
   EXPECT_EQ(reward.obstaclePart(states.terminal()), 0.0);
 }
 
-TEST(Reward, OccupiedSectorsCostTenThenATenthAndEmptyOnesNothing) {
-  const Reward reward = occupancyReward();
+TEST(ThesisReward, OccupiedSectorsCostTenThenATenthAndEmptyOnesNothing) {
+  const ThesisReward reward = occupancyReward();
   const OccupancyStates states;
   const auto part_of = [&](const OccupancyStates::Situation& situation) {
     return reward.obstaclePart(states.rowOf(situation));
@@ -104,28 +110,30 @@ TEST(Reward, OccupiedSectorsCostTenThenATenthAndEmptyOnesNothing) {
   EXPECT_EQ(reward.obstaclePart(states.terminal()), 0.0);
 }
 
-TEST(Reward, IsTheSumOfBothParts) {
+TEST(ThesisReward, IsTheSumOfBothParts) {
   const NearestObstacleStates nearest;
-  const Reward cosine = nearestReward(Reward::GoalPart::COSINE_CUBED);
-  EXPECT_NEAR(cosine(withGoalAt({9.0, 0.0}), withGoalAt(polar(60.0, 3.0)), nearest.rowOf({1, 2, 2})), -0.675,
+  const ThesisReward cosine = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
+  EXPECT_NEAR(worth(cosine, withGoalAt({9.0, 0.0}), withGoalAt(polar(60.0, 3.0)), nearest.rowOf({1, 2, 2})), -0.675,
               1e-12);  // 0.125 - 0.8
-  const Reward distance = nearestReward(Reward::GoalPart::DISTANCE_GAINED);
-  EXPECT_NEAR(distance(withGoalAt({3.0, 4.0}), withGoalAt({4.5, 0.0}), nearest.rowOf({0, 0, 1})), -79.5, 1e-12);
+  const ThesisReward distance = nearestReward(ThesisReward::GoalPart::DISTANCE_GAINED);
+  EXPECT_NEAR(worth(distance, withGoalAt({3.0, 4.0}), withGoalAt({4.5, 0.0}), nearest.rowOf({0, 0, 1})), -79.5, 1e-12);
   const OccupancyStates occupancy;
-  EXPECT_NEAR(occupancyReward()(withGoalAt({9.0, 0.0}), withGoalAt({3.0, 0.0}), occupancy.rowOf({0, {1, 2}})), -9.1,
+  EXPECT_NEAR(worth(occupancyReward(), withGoalAt({9.0, 0.0}), withGoalAt({3.0, 0.0}), occupancy.rowOf({0, {1, 2}})),
+              -9.1,
               1e-12);  // 1 - 10 - 0.1
 }
 
-TEST(Reward, ArrivalIsWorthAHundredWhateverIsAround) {
-  for (const Reward::GoalPart goal : {Reward::GoalPart::DISTANCE_GAINED, Reward::GoalPart::COSINE_CUBED}) {
+TEST(ThesisReward, ArrivalIsWorthAHundredWhateverIsAround) {
+  for (const ThesisReward::GoalPart goal :
+       {ThesisReward::GoalPart::DISTANCE_GAINED, ThesisReward::GoalPart::COSINE_CUBED}) {
     AgentPerception after = withGoalAt({-0.1, 0.2});
     after.arrived = true;
     const Row near_row = NearestObstacleStates().rowOf({0, 0, 1});
-    EXPECT_EQ(nearestReward(goal)(withGoalAt({0.3, 0.0}), after, near_row), 100.0);
+    EXPECT_EQ(worth(nearestReward(goal), withGoalAt({0.3, 0.0}), after, near_row), 100.0);
   }
 }
 
-Reward make(const std::string& yaml) {
+std::shared_ptr<const Reward> make(const std::string& yaml) {
   return makeReward(YAML::Load(yaml), {"file.yaml", 0, "reward"}, NearestObstacleStates());
 }
 
@@ -134,17 +142,19 @@ std::string errorIn(const std::string& yaml) {
 }
 
 TEST(MakeReward, TakesWhatTheYamlSays) {
-  const Reward reward = make("{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
+  const auto made = make("{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
+  const Reward& reward = *made;
   EXPECT_EQ(reward.spec(), "{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
-  EXPECT_DOUBLE_EQ(reward(withGoalAt({3.0, 4.0}), withGoalAt({3.0, 0.0}), NearestObstacleStates().rowOf({0, 0, 2})),
-                   1.92);  // 2 - 8 / 10^2
+  EXPECT_DOUBLE_EQ(
+      worth(reward, withGoalAt({3.0, 4.0}), withGoalAt({3.0, 0.0}), NearestObstacleStates().rowOf({0, 0, 2})),
+      1.92);  // 2 - 8 / 10^2
   AgentPerception after;
   after.arrived = true;
-  EXPECT_EQ(reward(withGoalAt({0.1, 0.0}), after, 0), 50.0);
+  EXPECT_EQ(worth(reward, withGoalAt({0.1, 0.0}), after, 0), 50.0);
 }
 
 TEST(MakeReward, KnowsTheThesisArrival) {
-  EXPECT_EQ(make("{goal: cosine_cubed, obstacle_cost: 80}").spec(),
+  EXPECT_EQ(make("{goal: cosine_cubed, obstacle_cost: 80}")->spec(),
             "{goal: cosine_cubed, arrival: 100, obstacle_cost: 80}");
 }
 

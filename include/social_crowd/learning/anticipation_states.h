@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/learning/action_set.h"
+#include "social_crowd/learning/state_set.h"
+
+namespace crowd {
+
+/// @brief One row per action: what would come of that move? When it would touch another agent or a thing that yields to
+/// nobody, how much of it the contact rule leaves, how sharp a turn it is; and whether anybody comes the other way.
+///
+/// A quantity is told by its class: how many of its limits it reaches. A quantity without limits is not told.
+class AnticipationStates : public StateSet {
+ public:
+  static constexpr const char* TYPE = "anticipation";
+
+  struct Parameters {
+    double vision_radius = 6.0;     ///< [m]
+    std::uint32_t max_bodies = 16;  ///< the nearest so many; 0: no limit
+    /// Time to contact with an agent that does half of what is needed: at 2 x mine - my last - its last velocity [s].
+    std::vector<double> reciprocal_times = {0.5, 1, 1.5, 2, 3, 4, 6};
+    /// Time to contact with an agent that goes on as it does [s].
+    std::vector<double> selfish_times = {1, 2, 4};
+    /// Time to contact with a wall or an obstacle [s].
+    std::vector<double> fixed_times = {0.5, 1, 2, 3, 4.5};
+    /// What the contact rule leaves of the displacement.
+    std::vector<double> shares = {0.05, 0.5, 0.95};
+    /// To either side of the way the agent went last [degrees].
+    std::vector<double> turns = {4, 15, 45};
+    /// Fastest approach of another agent if this one walked to its goal at full speed [in units of that].
+    std::vector<double> oncoming = {1.2};
+  };
+
+  AnticipationStates(const Parameters& parameters, std::shared_ptr<const ActionSet> action_set);
+
+  Row rowCount() const override { return row_count_; }
+  std::size_t rowsPerPerception() const override { return action_set_->size(); }
+  void findRows(const Perception& perception, Row* rows) const override;
+  std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
+  std::vector<OccupiedSector> occupiedSectors(const Perception& /*perception*/) const override { return {}; }
+  std::vector<double> distanceLimits() const override { return {parameters_.vision_radius}; }
+  std::uint32_t maxBodies() const override { return parameters_.max_bodies; }
+  std::string spec() const override;
+
+  /// @brief What would come of a move.
+  struct Outlook {
+    double reciprocal_time;  ///< [s]
+    double selfish_time;     ///< [s]
+    double fixed_time;       ///< [s]
+    double share;            ///< of the wanted displacement
+    double turn_cosine;
+    double oncoming;
+  };
+  Outlook describe(const Perception& perception, const CandidateMove& move) const;
+  Row rowOf(const Outlook& outlook) const;
+
+ private:
+  Parameters parameters_;
+  std::shared_ptr<const ActionSet> action_set_;
+  std::vector<double> turn_limits_;  // minus the cosines, so that they rise
+  Row row_count_ = 1;
+};
+
+/// @brief Reads a map of the parameters, all optional. @throws InputError
+std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map,
+                                                       const std::shared_ptr<const ActionSet>& action_set);
+
+}  // namespace crowd

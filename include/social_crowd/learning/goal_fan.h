@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/learning/action_set.h"
+#include "social_crowd/learning/contact_rule.h"
+
+namespace crowd {
+
+/// @brief A fan of headings measured from the goal's bearing, at full speed and slower, and staying; cut short where
+/// the contact rule says so.
+class GoalFan : public ActionSet {
+ public:
+  static constexpr const char* TYPE = "goal_fan";
+
+  struct Parameters {
+    std::vector<double> headings = {0, 10, 20, 35, 55, 80, 120, 180};  ///< to either side, rising [degrees]
+    std::vector<double> slow_headings = {0, 35};                       ///< of the slower moves [degrees]
+    double slow_share = 0.5;                                           ///< of the top speed
+    bool stay = true;                                                  ///< whether to stay is an action
+    GapSharing gap_sharing = GapSharing::MOVING;
+    double lane_time = 1.0;  ///< nobody enters the lane that a moving obstacle sweeps within this time [s]
+  };
+
+  GoalFan() : GoalFan(Parameters()) {}
+  explicit GoalFan(const Parameters& parameters);
+
+  Action size() const override { return static_cast<Action>(moves_.size()); }
+  RelativeAction relativeAction(const Perception& perception, Action action) const override;
+  void findMoves(const Perception& perception, CandidateMove* moves) const override;
+  std::string spec() const override;
+
+ private:
+  struct FanMove {
+    Vector2 direction = Vector2::UnitX();  // measured from the goal's bearing
+    double share = 0.0;
+    bool from_heading = false;  // measured from the own heading instead
+  };
+  void addBothSides(const std::vector<double>& headings, double share);
+  CandidateMove moveOf(const FanMove& move, const Vector2& bearing) const;
+
+  Parameters parameters_;
+  ContactRule rule_;
+  std::vector<FanMove> moves_;
+};
+
+}  // namespace crowd

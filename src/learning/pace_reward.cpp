@@ -1,0 +1,58 @@
+#include "social_crowd/learning/pace_reward.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/learning/time_to_contact.h"
+
+namespace crowd {
+namespace {
+
+bool touchesAnybody(const Perception& perception) {
+  return std::any_of(perception.bodies.begin(), perception.bodies.end(), [&](const PerceivedBody& body) {
+    return body.position.norm() < perception.self.radius + body.radius;
+  });
+}
+
+}  // namespace
+
+double PaceReward::conflictPart(const Perception& after) const {
+  const double time = timeToContact(after, after.self.velocity);
+  const bool arrives_first = time > after.self.goal.norm() / after.self.speed;
+  if (arrives_first) return 0.0;
+  return -parameters_.conflict_price * std::max(0.0, 1.0 - time / parameters_.conflict_time);
+}
+
+double PaceReward::operator()(const AgentPerception& before, const Perception& after, Row /*row*/) const {
+  const AgentPerception& self = after.self;
+  const double progress = distanceGained(before, self) / (self.speed * after.tick_duration);
+  const double turn = std::abs(wrapAngle(self.pose.heading - before.pose.heading));
+  const double rest = 1.0 - self.velocity.norm() / self.speed;
+  double reward = progress - 1.0 - parameters_.turn_price * turn - parameters_.rest_price * rest;
+  if (touchesAnybody(after)) reward -= parameters_.contact_price;
+  return self.arrived ? reward : reward + conflictPart(after);
+}
+
+std::string PaceReward::spec() const {
+  return std::string("{type: ") + TYPE + ", turn_price: " + toText(parameters_.turn_price) +
+         ", conflict_price: " + toText(parameters_.conflict_price) +
+         ", conflict_time: " + toText(parameters_.conflict_time) + ", rest_price: " + toText(parameters_.rest_price) +
+         ", contact_price: " + toText(parameters_.contact_price) + "}";
+}
+
+std::shared_ptr<const Reward> readPaceReward(YamlMap& map) {
+  PaceReward::Parameters parameters;
+  const auto read_price = [&](const char* key, double& price) {
+    price = map.number(key, NumberRule::NOT_NEGATIVE, price);
+  };
+  read_price("turn_price", parameters.turn_price);
+  read_price("conflict_price", parameters.conflict_price);
+  parameters.conflict_time = map.number("conflict_time", NumberRule::POSITIVE, parameters.conflict_time);
+  read_price("rest_price", parameters.rest_price);
+  read_price("contact_price", parameters.contact_price);
+  map.finish();
+  return std::make_shared<PaceReward>(parameters);
+}
+
+}  // namespace crowd

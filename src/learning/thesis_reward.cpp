@@ -1,0 +1,62 @@
+#include "social_crowd/learning/thesis_reward.h"
+
+#include <cmath>
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+constexpr const char* DISTANCE_GAINED_NAME = "distance_gained";
+constexpr const char* COSINE_CUBED_NAME = "cosine_cubed";
+constexpr double FALL_PER_CLASS = 100.0;  // 10^2, (3.8) and (3.9)
+
+double obstaclePartOf(const std::vector<int>& distance_classes, double cost) {
+  double sum = 0.0;
+  for (const int distance_class : distance_classes) {
+    // An empty sector costs nothing: the printed (3.9), taken at D = 0, would cost 1000.
+    if (distance_class > 0) sum -= cost / std::pow(FALL_PER_CLASS, distance_class - 1);
+  }
+  return sum;
+}
+
+}  // namespace
+
+ThesisReward::ThesisReward(const Parameters& parameters, const StateSet& state_set) : parameters_(parameters) {
+  obstacle_parts_.reserve(state_set.rowCount());
+  for (Row row = 0; row < state_set.rowCount(); ++row) {
+    obstacle_parts_.push_back(obstaclePartOf(state_set.distanceClasses(row), parameters.obstacle_cost));
+  }
+}
+
+double ThesisReward::operator()(const AgentPerception& before, const Perception& after, Row row) const {
+  const AgentPerception& self = after.self;
+  if (self.arrived) return parameters_.arrival;
+  const double distance = self.goal.norm();
+  if (parameters_.goal == GoalPart::DISTANCE_GAINED) return distanceGained(before, self) + obstaclePart(row);  // (3.6)
+  // The goal is given in the agent's frame, so the angle to the new heading is that to the x axis.
+  const double cosine = distance > 0.0 ? self.goal.x() / distance : 1.0;
+  return cosine * cosine * cosine + obstaclePart(row);  // (3.7)
+}
+
+std::string ThesisReward::spec() const {
+  return std::string("{goal: ") +
+         (parameters_.goal == GoalPart::DISTANCE_GAINED ? DISTANCE_GAINED_NAME : COSINE_CUBED_NAME) +
+         ", arrival: " + toText(parameters_.arrival) + ", obstacle_cost: " + toText(parameters_.obstacle_cost) + "}";
+}
+
+std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& state_set) {
+  ThesisReward::Parameters parameters;
+  const std::string goal = map.text("goal");
+  if (goal == DISTANCE_GAINED_NAME) {
+    parameters.goal = ThesisReward::GoalPart::DISTANCE_GAINED;
+  } else if (goal != COSINE_CUBED_NAME) {
+    throwExpected(map.placeOf("goal"), map.need("goal"), "distance_gained or cosine_cubed");
+  }
+  parameters.arrival = map.number("arrival", NumberRule::ANY, parameters.arrival);
+  parameters.obstacle_cost = map.number("obstacle_cost", NumberRule::NOT_NEGATIVE);
+  map.finish();
+  return std::make_shared<ThesisReward>(parameters, state_set);
+}
+
+}  // namespace crowd

@@ -1,0 +1,118 @@
+#include "social_crowd/learning/anticipation_states.h"
+
+#include <gtest/gtest.h>
+
+#include "social_crowd/learning/goal_fan.h"
+#include "social_crowd/learning/kings_moves.h"
+#include "social_crowd/learning/time_to_contact.h"
+#include "support/error_of.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+const AnticipationStates& states() {
+  static const AnticipationStates STATES({}, std::make_shared<GoalFan>());
+  return STATES;
+}
+
+/// What would come of full speed ahead, 0.3 m/s.
+AnticipationStates::Outlook ahead(const PerceptionsBuilder& scene) {
+  return states().describe(scene.perception(), {Vector2::UnitX(), 1.0, 1.0});
+}
+
+TEST(AnticipationStates, NothingComesOfAFreeMove) {
+  const auto outlook = ahead(PerceptionsBuilder().agent(0, {9.0, 0.0}));
+  EXPECT_EQ(outlook.reciprocal_time, NEVER);
+  EXPECT_EQ(outlook.selfish_time, NEVER);
+  EXPECT_EQ(outlook.fixed_time, NEVER);
+  EXPECT_EQ(outlook.share, 1.0);
+  EXPECT_EQ(outlook.turn_cosine, 1.0);
+}
+
+TEST(AnticipationStates, AnAgentMeetsAsItGoesOnOrDoesItsHalf) {
+  // 1.2 m apart, it comes with 0.1 m/s, the agent went aside with 0.1 m/s: 0.4 m/s head on; and 0.7 m/s, a little
+  // aside.
+  const auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).body({1.7, 0.0}, 0.25).velocity({0.0, 0.1}, {-0.1, 0.0});
+  const auto outlook = ahead(scene);
+  EXPECT_NEAR(outlook.selfish_time, 3.0, 1e-9);
+  EXPECT_NEAR(outlook.reciprocal_time, timeToContact(Vector2(1.7, 0.0), {0.7, -0.1}, 0.5), 1e-9);
+  EXPECT_EQ(outlook.fixed_time, NEVER);
+  EXPECT_NEAR(outlook.turn_cosine, 1.0, 1e-12);
+}
+
+TEST(AnticipationStates, ObstaclesAndWallsYieldToNobody) {
+  auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).body({2.0, 0.0}, 0.25).kind(BodyKind::OBSTACLE);
+  EXPECT_NEAR(ahead(scene).fixed_time, 5.0, 1e-9);
+  EXPECT_EQ(ahead(scene).selfish_time, NEVER);
+  scene.wall({0.85, -1.0}, {0.85, 1.0});
+  EXPECT_NEAR(ahead(scene).fixed_time, 2.0, 1e-9);
+}
+
+TEST(AnticipationStates, WhatLiesBehindTheGoalDoesNotCount) {
+  const auto scene = PerceptionsBuilder().agent(0, {1.0, 0.0}).body({2.0, 0.0}, 0.25).kind(BodyKind::OBSTACLE);
+  EXPECT_EQ(ahead(scene).fixed_time, NEVER);
+}
+
+TEST(AnticipationStates, EveryRowStandsForOneSetOfClasses) {
+  std::vector<bool> taken(states().rowCount(), false);
+  const std::vector<double> late = {0.1, 0.5, 1.2, 1.7, 2.5, 3.5, 5, NEVER};
+  const std::vector<double> selfish = {0.1, 1, 3, NEVER};
+  const std::vector<double> fixed = {0.1, 0.7, 1, 2, 4, NEVER};
+  for (const double r : late) {
+    for (const double s : selfish) {
+      for (const double f : fixed) {
+        for (const double share : {0.0, 0.1, 0.6, 1.0}) {
+          for (const double turn : {0.0, 10.0, 30.0, 90.0}) {
+            for (const double oncoming : {0.0, 1.5}) {
+              const Row row = states().rowOf({r, s, f, share, std::cos(toRadians(turn)), oncoming});
+              ASSERT_LT(row, states().rowCount());
+              EXPECT_FALSE(taken[row]) << row;
+              taken[row] = true;
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(std::count(taken.begin(), taken.end(), true), 6144);
+  EXPECT_EQ(states().rowCount(), 6144U);
+}
+
+TEST(AnticipationStates, FindsARowForEachMove) {
+  const auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).body({1.0, 0.0}, 0.25).velocity({0.3, 0}, {-0.3, 0});
+  std::vector<Row> rows(states().rowsPerPerception());
+  ASSERT_EQ(rows.size(), GoalFan().size());
+  states().findRows(scene.perception(), rows.data());
+  const double approach = 2.0;  // 0.3 against 0.3 m/s
+  auto outlook = ahead(scene);
+  outlook.oncoming = approach;
+  EXPECT_EQ(rows[0], states().rowOf(outlook));
+  EXPECT_NE(rows[0], rows[13]);  // straight back
+}
+
+TEST(AnticipationStates, ServesAnyActionSet) {
+  const AnticipationStates kings({}, std::make_shared<KingsMoves>(4));
+  EXPECT_EQ(kings.rowsPerPerception(), 4U);
+  std::vector<Row> rows(4);
+  kings.findRows(PerceptionsBuilder().agent(0, {5.0, 0.0}).perception(), rows.data());
+  EXPECT_EQ(rows[0], states().rowOf({NEVER, NEVER, NEVER, 1.0, 1.0, 0.0}));
+}
+
+TEST(AnticipationStates, IsWhatItsSpecSays) {
+  const std::string spec =
+      "{type: anticipation, vision_radius: 5, max_bodies: 9, reciprocal_times: [1, 2], selfish_times: [], fixed_times: "
+      "[3], shares: [0.5], turns: [10], oncoming: []}";
+  const auto made = makeStateSet(YAML::Load(spec), {"file.yaml", 0, "state_set"}, std::make_shared<GoalFan>());
+  EXPECT_EQ(made->spec(), spec);
+  EXPECT_EQ(made->rowCount(), 24U);  // 3 * 2 * 2 * 2
+  EXPECT_EQ(made->maxBodies(), 9U);
+  const auto error = errorOf<InputError>([] {
+    makeStateSet(YAML::Load("{type: anticipation, turns: [190]}"), {"file.yaml", 0, "state_set"},
+                 std::make_shared<GoalFan>());
+  });
+  EXPECT_TRUE(contains(error, "turns[0]: expected a list of rising numbers from 0 to 180, got '190'"));
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,90 @@
+#include "social_crowd/learning/pace_reward.h"
+
+#include <gtest/gtest.h>
+
+#include "support/error_of.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+constexpr double SPEED = 0.3;  // of the builder's agents [m/s]; 0.03 m a tick
+
+PaceReward::Parameters free() {
+  PaceReward::Parameters parameters;
+  parameters.turn_price = 0.0;
+  parameters.conflict_price = 0.0;
+  parameters.rest_price = 0.0;
+  parameters.contact_price = 0.0;
+  return parameters;
+}
+
+AgentPerception before(const Vector2& goal) {
+  AgentPerception self;
+  self.goal = goal;
+  self.speed = SPEED;
+  return self;
+}
+
+PerceptionsBuilder after(const Vector2& goal) { return PerceptionsBuilder().agent(0, goal); }
+
+TEST(PaceReward, CountsTheTicksThatAreLost) {
+  const PaceReward reward(free());
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({4.97, 0.0}).perception(), 0), 0.0, 1e-9);
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.0, 1e-9);
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({5.03, 0.0}).perception(), 0), -2.0, 1e-9);
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({4.985, 0.0}).arrived().perception(), 0), -0.5, 1e-9);
+}
+
+TEST(PaceReward, PricesTurnsEitherWay) {
+  PaceReward::Parameters parameters = free();
+  parameters.turn_price = 2.0;
+  AgentPerception self = before({5.0, 0.0});
+  self.pose.heading = 0.25;  // the builder's agents look along x
+  EXPECT_NEAR(PaceReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
+  self.pose.heading = -0.25;
+  EXPECT_NEAR(PaceReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
+}
+
+TEST(PaceReward, PricesStandingAbout) {
+  PaceReward::Parameters parameters = free();
+  parameters.rest_price = 0.5;
+  EXPECT_NEAR(PaceReward(parameters)(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.5, 1e-9);
+}
+
+TEST(PaceReward, PricesACourseToContactTheNearerTheMore) {
+  PaceReward::Parameters parameters = free();
+  parameters.conflict_price = 3.0;
+  parameters.conflict_time = 4.0;
+  const auto price = [&](double gap, const Vector2& goal) {
+    auto scene = after(goal).body({0.5 + gap, 0.0}, 0.25).velocity({SPEED, 0.0}, {-0.7, 0.0});
+    return 1.0 + PaceReward(parameters)(before(goal), scene.perception(), 0);  // no progress: a tick is lost as well
+  };
+  EXPECT_NEAR(price(1.0, {5.0, 0.0}), -2.25, 1e-9);  // 1 s ahead at 1 m/s: three quarters
+  EXPECT_NEAR(price(3.0, {5.0, 0.0}), -0.75, 1e-9);
+  EXPECT_NEAR(price(4.5, {5.0, 0.0}), 0.0, 1e-9);
+  EXPECT_NEAR(price(1.0, {0.2, 0.0}), 0.0, 1e-9);  // it is at its goal before that
+}
+
+TEST(PaceReward, PricesContact) {
+  PaceReward::Parameters parameters = free();
+  parameters.contact_price = 20.0;
+  auto apart = after({5.0, 0.0}).body({0.51, 0.0}, 0.25);
+  EXPECT_NEAR(PaceReward(parameters)(before({5.0, 0.0}), apart.perception(), 0), -1.0, 1e-9);
+  auto overlapping = after({5.0, 0.0}).body({0.49, 0.0}, 0.25);
+  EXPECT_NEAR(PaceReward(parameters)(before({5.0, 0.0}), overlapping.perception(), 0), -21.0, 1e-9);
+}
+
+TEST(PaceReward, IsWhatItsSpecSays) {
+  const std::string spec =
+      "{type: pace, turn_price: 1.5, conflict_price: 2, conflict_time: 3, rest_price: 0.25, contact_price: 7}";
+  const YamlPlace place{"file.yaml", 0, "reward"};
+  YamlMap map(YAML::Load("{turn_price: 1.5, conflict_price: 2, conflict_time: 3, rest_price: 0.25, contact_price: 7}"),
+              place);
+  EXPECT_EQ(readPaceReward(map)->spec(), spec);
+  YamlMap wrong(YAML::Load("{conflict_time: 0}"), place);
+  EXPECT_TRUE(contains(errorOf<InputError>([&] { readPaceReward(wrong); }), "conflict_time: expected"));
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,67 @@
+#include "social_crowd/learning/time_to_contact.h"
+
+#include <gtest/gtest.h>
+
+#include "social_crowd/common/random.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+TEST(TimeToContact, OfTwoDiscs) {
+  EXPECT_DOUBLE_EQ(timeToContact(Vector2(5.0, 0.0), {2.0, 0.0}, 1.0), 2.0);  // 4 m at 2 m/s
+  EXPECT_DOUBLE_EQ(timeToContact(Vector2(4.0, 0.6), {1.0, 0.0}, 1.0), 3.2);  // touches 0.8 before it is abreast
+  EXPECT_EQ(timeToContact(Vector2(4.0, 1.01), {1.0, 0.0}, 1.0), NEVER);      // passes by
+  EXPECT_EQ(timeToContact(Vector2(5.0, 0.0), {-2.0, 0.0}, 1.0), NEVER);      // leaves
+  EXPECT_EQ(timeToContact(Vector2(5.0, 0.0), {0.0, 0.0}, 1.0), NEVER);
+  EXPECT_EQ(timeToContact(Vector2(0.5, 0.0), {1.0, 0.0}, 1.0), 0.0);     // is in it and goes deeper
+  EXPECT_EQ(timeToContact(Vector2(0.5, 0.0), {-1.0, 0.0}, 1.0), NEVER);  // is in it and parts
+}
+
+TEST(TimeToContact, OfADiscAndAWall) {
+  const Segment wall{{3.0, -1.0}, {3.0, 1.0}};
+  EXPECT_DOUBLE_EQ(timeToContact(wall, {2.0, 0.0}, 1.0), 1.0);
+  EXPECT_EQ(timeToContact(wall, {-2.0, 0.0}, 1.0), NEVER);
+  EXPECT_EQ(timeToContact(wall, {0.0, 1.0}, 1.0), NEVER);  // along it
+  const Segment beside{{3.0, 0.6}, {3.0, 5.0}};
+  EXPECT_DOUBLE_EQ(timeToContact(beside, {1.0, 0.0}, 1.0), 2.2);  // its end, 0.6 aside: 0.8 before abreast
+  const Segment further{{3.0, 1.5}, {3.0, 5.0}};
+  EXPECT_EQ(timeToContact(further, {1.0, 0.0}, 1.0), NEVER);
+}
+
+/// Walks until it touches, in small steps.
+double walked(const Segment& wall, const Vector2& velocity, double radius) {
+  for (int i = 0; i < 10000; ++i) {
+    if (distanceTo(wall, 0.001 * i * velocity) <= radius) return 0.001 * i;
+  }
+  return NEVER;
+}
+
+TEST(TimeToContact, OfAWallIsWhatWalkingThereShows) {
+  KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
+  int met = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Segment wall{{random.uniform(-4, 4), random.uniform(-4, 4)}, {random.uniform(-4, 4), random.uniform(-4, 4)}};
+    const Vector2 velocity = polar(random.uniform(-180, 180), random.uniform(0.5, 2.0));
+    if (distanceTo(wall, Vector2::Zero()) <= 0.31) continue;
+    const double expected = walked(wall, velocity, 0.3);
+    const double time = timeToContact(wall, velocity, 0.3);
+    if (expected == NEVER && time < 9.9) {  // a graze between two steps
+      EXPECT_NEAR(distanceTo(wall, time * velocity), 0.3, 1e-9) << "case " << i;
+      continue;
+    }
+    if (expected == NEVER) continue;
+    ++met;
+    EXPECT_NEAR(time, expected, 0.0011) << "case " << i;
+  }
+  EXPECT_GT(met, 50);
+}
+
+TEST(TimeToContact, OfAnAgentIsTheEarliestOfAll) {
+  auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).body({4.5, 0.0}, 0.25).wall({2.25, -1.0}, {2.25, 1.0});
+  EXPECT_DOUBLE_EQ(timeToContact(scene.perception(), {1.0, 0.0}), 2.0);
+  EXPECT_EQ(timeToContact(scene.perception(), {-1.0, 0.0}), NEVER);
+}
+
+}  // namespace
+}  // namespace crowd
