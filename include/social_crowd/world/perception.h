@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "social_crowd/world/geometry.h"
+#include "social_crowd/world/view.h"
 
 namespace crowd {
 
@@ -55,22 +56,6 @@ struct Perceptions {
   std::vector<AgentPerception> agents;
   std::vector<PerceivedBody> bodies;  ///< of each agent the nearest rim first
   std::vector<Segment> walls;         ///< in the frame of the agent they belong to
-};
-
-/// @brief A part of an array.
-template <typename T>
-class View {
- public:
-  View(const T* first, std::size_t count) : first_(first), count_(count) {}
-  const T* begin() const { return first_; }
-  const T* end() const { return first_ + count_; }
-  std::size_t size() const { return count_; }
-  bool empty() const { return count_ == 0; }
-  const T& operator[](std::size_t i) const { return first_[i]; }
-
- private:
-  const T* first_;
-  std::size_t count_;
 };
 
 /// @brief What one agent perceives at a tick: a view into Perceptions, valid as long as those are unchanged.

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/world/neighbour_grid.h"
+#include "social_crowd/world/view.h"
+
+namespace crowd {
+
+/// @brief A disc that was found, and how far its rim is away [m]; negative from a point within it.
+struct NearDisc {
+  double rim_distance = 0.0;
+  std::uint32_t disc = 0;  ///< its place in the grid, see NeighbourGrid::disc()
+};
+
+/// @brief Finds the discs of a grid that are nearest to a point. One object serves one thread; it keeps its working
+/// space, and begins as near as the last search ended, so that searches in the order of the grid's cells are fast. What
+/// is found does not depend on that.
+class NeighbourSearch {
+ public:
+  /// @param grid must stay where it is; it may be built anew between searches.
+  explicit NeighbourSearch(const NeighbourGrid& grid) : grid_(grid) {}
+
+  /// @brief The discs whose rim is within `distance` [m] of the point, nearest rim first, equal ones by their body's
+  /// number; not more than `most` of them (0: all). Valid until the next search.
+  /// @param except a body that is left out
+  View<NearDisc> findNearest(const Vector2& point, double distance, std::size_t most, std::uint32_t except);
+
+ private:
+  void gather(const Vector2& point, double distance, std::uint32_t except);
+  /// Fails if two candidates are equally far.
+  bool sortByRank();
+  void sortBySelection(std::size_t most);
+
+  const NeighbourGrid& grid_;
+  double last_reach_ = 0.0;  // [m]; how far the last search had to look
+  // Candidates of the present search; the vectors only grow.
+  std::size_t count_ = 0;
+  std::vector<std::uint32_t> discs_;
+  std::vector<double> rims_;
+  std::vector<NearDisc> found_;
+};
+
+}  // namespace crowd
