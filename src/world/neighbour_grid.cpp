@@ -26,15 +26,29 @@ std::int64_t NeighbourGrid::row(double y) const {
 }
 
 void NeighbourGrid::build(double cell_size) {
-  cell_size_ = cell_size;
-  Vector2 low = Vector2::Zero();
-  Vector2 high = Vector2::Zero();
-  if (!added_.empty()) low = high = added_.front().centre;
+  xs_.resize(added_.size());
+  ys_.resize(added_.size());
+  radii_.resize(added_.size());
+  bodies_.resize(added_.size());
+  if (added_.size() <= FEW) {
+    for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], i);
+    return;
+  }
+  layOut(cell_size);
+  countCells();
+  // first_[c + 1] is the start of cell c, and moves on to its end while the cell is filled in the order of add().
+  for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], first_[cells_[i] + 1]++);
+}
+
+void NeighbourGrid::layOut(double cell_size) {
+  Vector2 low = added_.front().centre;
+  Vector2 high = low;
   for (const Disc& disc : added_) {
     low = low.cwiseMin(disc.centre);
     high = high.cwiseMax(disc.centre);
   }
   origin_ = low;
+  cell_size_ = cell_size;
   const Vector2 size = high - low;
   // A few far-away bodies must not cost memory: cells grow until they are few enough.
   while ((size.x() / cell_size_ + 1.0) * (size.y() / cell_size_ + 1.0) > static_cast<double>(MAX_CELLS)) {
@@ -42,7 +56,9 @@ void NeighbourGrid::build(double cell_size) {
   }
   columns_ = static_cast<std::int64_t>(size.x() / cell_size_) + 1;
   rows_ = static_cast<std::int64_t>(size.y() / cell_size_) + 1;
+}
 
+void NeighbourGrid::countCells() {
   first_.assign(static_cast<std::size_t>(columns_ * rows_) + 2, 0);
   cells_.clear();
   for (const Disc& disc : added_) {
@@ -51,18 +67,13 @@ void NeighbourGrid::build(double cell_size) {
     ++first_[cell + 2];
   }
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-  xs_.resize(added_.size());
-  ys_.resize(added_.size());
-  radii_.resize(added_.size());
-  bodies_.resize(added_.size());
-  // first_[c + 1] is the start of cell c, and moves on to its end while the cell is filled in the order of add().
-  for (std::size_t i = 0; i < added_.size(); ++i) {
-    const std::uint32_t place = first_[cells_[i] + 1]++;
-    xs_[place] = added_[i].centre.x();
-    ys_[place] = added_[i].centre.y();
-    radii_[place] = added_[i].radius;
-    bodies_[place] = added_[i].body;
-  }
+}
+
+void NeighbourGrid::place(const Disc& disc, std::size_t where) {
+  xs_[where] = disc.centre.x();
+  ys_[where] = disc.centre.y();
+  radii_[where] = disc.radius;
+  bodies_[where] = disc.body;
 }
 
 void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const {

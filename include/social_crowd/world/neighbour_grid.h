@@ -39,7 +39,11 @@ class NeighbourGrid {
 
  private:
   static constexpr std::size_t MAX_CELLS = 1U << 20U;
+  static constexpr std::size_t FEW = 8;  // so few discs are looked at one by one, in one cell
 
+  void layOut(double cell_size);
+  void countCells();
+  void place(const Disc& disc, std::size_t where);
   std::int64_t column(double x) const;
   std::int64_t row(double y) const;
 
@@ -60,7 +64,10 @@ class NeighbourGrid {
 
 template <typename Use>
 void NeighbourGrid::forRunsNear(const Vector2& point, double distance, const Use& use) const {
-  if (bodies_.empty()) return;
+  if (bodies_.size() <= FEW) {
+    if (!bodies_.empty()) use(0U, static_cast<std::uint32_t>(bodies_.size()));
+    return;
+  }
   const double reach = distance + max_radius_;
   const std::int64_t left = column(point.x() - reach);
   const std::int64_t right = column(point.x() + reach);
