@@ -169,8 +169,11 @@ void toMessage(const Perceptions& perceptions, social_crowd::Perceptions& messag
   message.agents.clear();
   message.bodies.clear();
   message.walls.clear();
-  for (const AgentPerception& self : perceptions.agents) message.agents.push_back(toMessage(self));
-  for (const PerceivedBody& body : perceptions.bodies) message.bodies.push_back(toMessage(body));
+  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
+    message.agents.push_back(toMessage(perceptions.agents[i]));
+    message.agents.back().first_body = static_cast<std::uint32_t>(message.bodies.size());
+    for (const PerceivedBody& body : Perception(perceptions, i).bodies) message.bodies.push_back(toMessage(body));
+  }
   for (const Segment& wall : perceptions.walls) message.walls.push_back(toMessage(wall));
 }
 

@@ -12,38 +12,38 @@ constexpr std::size_t MAX_RANKED = 48;
 
 }  // namespace
 
-View<NearDisc> NeighbourSearch::findNearest(const Vector2& point, double distance, std::size_t most,
-                                            std::uint32_t except) {
+View<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vector2& point, double distance,
+                                            std::size_t most, std::uint32_t except) {
   const bool all = most == 0;
   // A quarter more than last time: with neighbours spread evenly that is enough more often than not.
   double reach = all ? distance : std::min(distance, 1.25 * last_reach_);
-  gather(point, reach, except);
+  gather(grid, point, reach, except);
   while (!all && count_ < most && reach < distance) {
     reach = std::min(distance, 1.5 * reach + 0.5);
-    gather(point, reach, except);
+    gather(grid, point, reach, except);
   }
   const std::size_t wanted = all ? count_ : std::min(count_, most);
-  if (count_ > MAX_RANKED || !sortByRank()) sortBySelection(wanted);
+  if (count_ > MAX_RANKED || !sortByRank()) sortBySelection(grid, wanted);
   if (!all) last_reach_ = count_ < most ? distance : std::max(0.0, found_[wanted - 1].rim_distance);
   return {found_.data(), wanted};
 }
 
-void NeighbourSearch::gather(const Vector2& point, double distance, std::uint32_t except) {
+void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except) {
   count_ = 0;
-  grid_.forRunsNear(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
+  grid.forRunsNear(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
     if (discs_.size() < count_ + (end - begin)) discs_.resize(2 * (count_ + (end - begin)));
     for (std::uint32_t i = begin; i < end; ++i) {
-      const double limit = distance + grid_.radius(i);
-      const bool near = (grid_.centre(i) - point).squaredNorm() <= limit * limit;
+      const double limit = distance + grid.radius(i);
+      const bool near = (grid.centre(i) - point).squaredNorm() <= limit * limit;
       // Written in any case and kept by counting on: a branch would be guessed wrong half of the time.
       discs_[count_] = i;
-      count_ += static_cast<std::size_t>(near & (limit >= 0.0) & (grid_.body(i) != except));
+      count_ += static_cast<std::size_t>(near & (limit >= 0.0) & (grid.body(i) != except));
     }
   });
   if (rims_.size() < count_) rims_.resize(discs_.size());
   if (found_.size() < count_) found_.resize(discs_.size());
   for (std::size_t i = 0; i < count_; ++i) {
-    rims_[i] = (grid_.centre(discs_[i]) - point).norm() - grid_.radius(discs_[i]);
+    rims_[i] = (grid.centre(discs_[i]) - point).norm() - grid.radius(discs_[i]);
   }
 }
 
@@ -62,11 +62,11 @@ bool NeighbourSearch::sortByRank() {
   return 2 * sum == count_ * (count_ - 1);
 }
 
-void NeighbourSearch::sortBySelection(std::size_t most) {
+void NeighbourSearch::sortBySelection(const NeighbourGrid& grid, std::size_t most) {
   for (std::size_t i = 0; i < count_; ++i) found_[i] = {rims_[i], discs_[i]};
-  const auto nearer = [this](const NearDisc& a, const NearDisc& b) {
+  const auto nearer = [&grid](const NearDisc& a, const NearDisc& b) {
     return a.rim_distance < b.rim_distance ||
-           (a.rim_distance == b.rim_distance && grid_.body(a.disc) < grid_.body(b.disc));
+           (a.rim_distance == b.rim_distance && grid.body(a.disc) < grid.body(b.disc));
   };
   const auto end = found_.begin() + static_cast<std::ptrdiff_t>(count_);
   const auto wanted = found_.begin() + static_cast<std::ptrdiff_t>(most);

@@ -5,78 +5,118 @@
 namespace crowd {
 
 void World::perceive(const Vision& vision, Perceptions& perceptions) {
+  Workers alone(1);
+  perceive(vision, perceptions, alone);
+}
+
+void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& workers) {
   perceptions.tick = tick_;
   perceptions.tick_duration = tick_duration_;
-  perceptions.agents.clear();
   perceptions.bodies.clear();
   perceptions.walls.clear();
+  listAgents(perceptions);
+  lookers_.resize(std::max<std::size_t>(lookers_.size(), workers.count()));
+  if (vision.max_bodies == 0) {
+    // One list behind the other, however long: that takes a single worker.
+    lookForSome(vision, 0, 0, watchers_.size(), perceptions);
+    gatherWalls(1, perceptions);
+    return;
+  }
+  perceptions.bodies.resize(vision.max_bodies * perceptions.agents.size());
+  workers.run(watchers_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
+    lookForSome(vision, worker, begin, end, perceptions);
+  });
+  gatherWalls(workers.count(), perceptions);
+}
+
+void World::listAgents(Perceptions& perceptions) {
+  perceptions.agents.clear();
+  watchers_.clear();
+  places_.resize(agents_.size());
   for (const Agent& agent : agents_) {
     const bool just_arrived = agent.hasArrived() && agent.arrival_tick == tick_;
     if (!agent.isWalking() && !just_arrived) continue;
-    const Rotation frame(agent.pose.heading);
-    AgentPerception self;
-    self.agent = agent.id;
-    self.pose = agent.pose;
-    self.velocity = frame.intoFrame(agent.velocity);
-    self.speed = agent.speed;
-    self.radius = agent.radius;
-    self.goal = frame.intoFrame(agent.goal() - agent.pose.position);
-    self.goal_number = agent.goal_number;
-    self.arrived = agent.hasArrived();
-    self.acted = agent.acted;
-    self.first_body = static_cast<std::uint32_t>(perceptions.bodies.size());
-    perceiveBodies(agent, frame, vision, perceptions);
-    self.first_wall = static_cast<std::uint32_t>(perceptions.walls.size());
-    perceiveWalls(agent, frame, vision, perceptions);
-    if (vision.occlusion) {
-      occlusion_.apply(perceptions.bodies, self.first_body, perceptions.walls, self.first_wall, vision.radius);
-      const std::size_t most = self.first_body + vision.max_bodies;
-      if (vision.max_bodies > 0 && perceptions.bodies.size() > most) perceptions.bodies.resize(most);
-    }
-    self.body_count = static_cast<std::uint32_t>(perceptions.bodies.size()) - self.first_body;
-    self.wall_count = static_cast<std::uint32_t>(perceptions.walls.size()) - self.first_wall;
-    perceptions.agents.push_back(self);
+    places_[agent.id] = static_cast<std::uint32_t>(perceptions.agents.size());
+    if (just_arrived) watchers_.push_back(places_[agent.id]);  // not in the grid any more
+    perceptions.agents.emplace_back().agent = agent.id;
+  }
+  disc_velocities_.resize(grid_.size());
+  for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
+    const std::uint32_t body = grid_.body(disc);
+    const bool is_agent = body < agents_.size();
+    disc_velocities_[disc] = is_agent ? agents_[body].velocity : obstacle_velocities_[body - agents_.size()];
+    if (is_agent) watchers_.push_back(places_[body]);
   }
 }
 
-void World::perceiveBodies(const Agent& agent, const Rotation& frame, const Vision& vision, Perceptions& perceptions) {
-  found_.clear();
-  grid_.findNear(agent.pose.position, vision.radius, found_);
-  near_.clear();
-  const auto is_agent = [&](std::uint32_t body) { return body < agents_.size(); };
-  for (const std::uint32_t body : found_) {
-    if (body == agent.id) continue;
-    const Vector2& centre = is_agent(body) ? agents_[body].pose.position : obstacle_positions_[body - agents_.size()];
-    const double radius = is_agent(body) ? agents_[body].radius : obstacles_[body - agents_.size()].radius;
-    near_.push_back({(centre - agent.pose.position).norm() - radius, body});
+void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end,
+                        Perceptions& perceptions) {
+  Looker& looker = lookers_[worker];
+  looker.begin = begin;
+  looker.end = end;
+  looker.walls.clear();
+  for (std::size_t i = begin; i < end; ++i) {
+    AgentPerception& self = perceptions.agents[watchers_[i]];
+    look(vision, self, looker);
+    auto place = perceptions.bodies.begin() + static_cast<std::ptrdiff_t>(vision.max_bodies * watchers_[i]);
+    if (vision.max_bodies == 0) {
+      const auto end_of_list = static_cast<std::ptrdiff_t>(perceptions.bodies.size());
+      perceptions.bodies.resize(perceptions.bodies.size() + looker.bodies.size());
+      place = perceptions.bodies.begin() + end_of_list;
+    }
+    self.first_body = static_cast<std::uint32_t>(place - perceptions.bodies.begin());
+    std::copy(looker.bodies.begin(), looker.bodies.end(), place);
   }
-  const auto nearer = [](const NearBody& a, const NearBody& b) {
-    return a.rim_distance < b.rim_distance || (a.rim_distance == b.rim_distance && a.body < b.body);
-  };
-  std::sort(near_.begin(), near_.end(), nearer);
+}
+
+void World::gatherWalls(unsigned workers, Perceptions& perceptions) const {
+  for (unsigned worker = 0; worker < workers; ++worker) {
+    const Looker& looker = lookers_[worker];
+    const auto before = static_cast<std::uint32_t>(perceptions.walls.size());
+    perceptions.walls.insert(perceptions.walls.end(), looker.walls.begin(), looker.walls.end());
+    if (before == 0) continue;
+    for (std::size_t i = looker.begin; i < looker.end; ++i) perceptions.agents[watchers_[i]].first_wall += before;
+  }
+}
+
+void World::look(const Vision& vision, AgentPerception& self, Looker& looker) const {
+  const Agent& agent = agents_[self.agent];
+  const Rotation frame(agent.pose.heading);
+  self.pose = agent.pose;
+  self.velocity = frame.intoFrame(agent.velocity);
+  self.speed = agent.speed;
+  self.radius = agent.radius;
+  self.goal = frame.intoFrame(agent.goal() - agent.pose.position);
+  self.goal_number = agent.goal_number;
+  self.arrived = agent.hasArrived();
+  self.acted = agent.acted;
+  self.first_wall = static_cast<std::uint32_t>(looker.walls.size());
+  findBodies(vision, agent, frame, looker);
+  findWalls(vision, agent, frame, looker);
+  if (vision.occlusion) {
+    looker.occlusion.apply(looker.bodies, 0, looker.walls, self.first_wall, vision.radius);
+    const bool too_many = vision.max_bodies > 0 && looker.bodies.size() > vision.max_bodies;
+    if (too_many) looker.bodies.resize(vision.max_bodies);
+  }
+  self.body_count = static_cast<std::uint32_t>(looker.bodies.size());
+  self.wall_count = static_cast<std::uint32_t>(looker.walls.size()) - self.first_wall;
+}
+
+void World::findBodies(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const {
   // Where bodies hide each other, all of them are needed to tell whom one sees.
-  const bool limited = vision.max_bodies > 0 && !vision.occlusion;
-  if (limited && near_.size() > vision.max_bodies) near_.resize(vision.max_bodies);
-  for (const NearBody& near : near_) {
-    PerceivedBody seen;
-    if (is_agent(near.body)) {
-      const Agent& other = agents_[near.body];
-      seen = {frame.intoFrame(other.pose.position - agent.pose.position), frame.intoFrame(other.velocity), other.radius,
-              BodyKind::AGENT};
-    } else {
-      const std::size_t other = near.body - agents_.size();
-      seen = {frame.intoFrame(obstacle_positions_[other] - agent.pose.position),
-              frame.intoFrame(obstacle_velocities_[other]), obstacles_[other].radius, BodyKind::OBSTACLE};
-    }
-    perceptions.bodies.push_back(seen);
+  const std::size_t most = vision.occlusion ? 0 : vision.max_bodies;
+  looker.bodies.clear();
+  for (const NearDisc& near : looker.search.findNearest(grid_, agent.pose.position, vision.radius, most, agent.id)) {
+    looker.bodies.push_back({frame.intoFrame(grid_.centre(near.disc) - agent.pose.position),
+                             frame.intoFrame(disc_velocities_[near.disc]), grid_.radius(near.disc),
+                             grid_.body(near.disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE});
   }
 }
 
-void World::perceiveWalls(const Agent& agent, const Rotation& frame, const Vision& vision,
-                          Perceptions& perceptions) const {
+void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const {
   for (const Segment& wall : walls_) {
     if (distanceTo(wall, agent.pose.position) > vision.radius) continue;
-    perceptions.walls.push_back(
+    looker.walls.push_back(
         {frame.intoFrame(wall.from - agent.pose.position), frame.intoFrame(wall.to - agent.pose.position)});
   }
 }

@@ -28,7 +28,7 @@ NeighbourGrid gridOf(const std::vector<Disc>& discs) {
 std::vector<Near> search(NeighbourSearch& search, const NeighbourGrid& grid, const Vector2& point, double distance,
                          std::size_t most, std::uint32_t except = NOBODY) {
   std::vector<Near> found;
-  for (const NearDisc& near : search.findNearest(point, distance, most, except)) {
+  for (const NearDisc& near : search.findNearest(grid, point, distance, most, except)) {
     found.emplace_back(near.rim_distance, grid.body(near.disc));
   }
   return found;
@@ -49,7 +49,7 @@ std::vector<Near> sortAll(const std::vector<Disc>& discs, const Vector2& point, 
 
 TEST(NeighbourSearch, NearestRimFirst) {
   const NeighbourGrid grid = gridOf({{{3.0, 0.0}, 0.5, 1}, {{0.0, 4.0}, 2.0, 2}, {{-1.0, 0.0}, 0.25, 3}});
-  NeighbourSearch looking(grid);
+  NeighbourSearch looking;
   EXPECT_EQ(search(looking, grid, {0.0, 0.0}, 6.0, 0), (std::vector<Near>{{0.75, 3}, {2.0, 2}, {2.5, 1}}));
   EXPECT_EQ(search(looking, grid, {0.0, 0.0}, 6.0, 2), (std::vector<Near>{{0.75, 3}, {2.0, 2}}));
   EXPECT_EQ(search(looking, grid, {0.0, 0.0}, 2.0, 2, 3), (std::vector<Near>{{2.0, 2}}));
@@ -58,14 +58,14 @@ TEST(NeighbourSearch, NearestRimFirst) {
 TEST(NeighbourSearch, EquallyNearOnesByTheirNumbers) {
   const NeighbourGrid grid =
       gridOf({{{0.0, 1.0}, 0.25, 9}, {{1.0, 0.0}, 0.25, 4}, {{0.0, -1.0}, 0.25, 7}, {{-2.0, 0.0}, 0.25, 1}});
-  NeighbourSearch looking(grid);
+  NeighbourSearch looking;
   EXPECT_EQ(search(looking, grid, {0.0, 0.0}, 6.0, 0), (std::vector<Near>{{0.75, 4}, {0.75, 7}, {0.75, 9}, {1.75, 1}}));
   EXPECT_EQ(search(looking, grid, {0.0, 0.0}, 6.0, 2), (std::vector<Near>{{0.75, 4}, {0.75, 7}}));
 }
 
 TEST(NeighbourSearch, NobodyThere) {
   const NeighbourGrid empty;
-  NeighbourSearch looking(empty);
+  NeighbourSearch looking;
   EXPECT_TRUE(search(looking, empty, {1.0, 2.0}, 6.0, 16).empty());
   EXPECT_TRUE(search(looking, empty, {1.0, 2.0}, 6.0, 0).empty());
 }
@@ -83,7 +83,7 @@ TEST(NeighbourSearch, FindsTheFirstOfAllSorted) {
       if (seed % 3 == 0) discs[i].radius = 0.25;
     }
     const NeighbourGrid grid = gridOf(discs);
-    NeighbourSearch looking(grid);
+    NeighbourSearch looking;
     for (int i = 0; i < 100; ++i) {
       const Vector2 point = scenes::randomPoint(random, 1.2 * extent);
       const double distance = random.uniform(0.0, 10.0);

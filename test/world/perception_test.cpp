@@ -277,11 +277,13 @@ void expectSamePerceptions(const Perceptions& seen, const Perceptions& expected)
     EXPECT_EQ(seen.agents[i].wall_count, expected.agents[i].wall_count);
     EXPECT_LT((seen.agents[i].velocity - expected.agents[i].velocity).norm(), 1e-9);
     EXPECT_LT((seen.agents[i].goal - expected.agents[i].goal).norm(), 1e-9);
-  }
-  for (std::size_t i = 0; i < seen.bodies.size(); ++i) expectSameBody(seen.bodies[i], expected.bodies[i]);
-  for (std::size_t i = 0; i < seen.walls.size(); ++i) {
-    EXPECT_LT((seen.walls[i].from - expected.walls[i].from).norm(), 1e-9);
-    EXPECT_LT((seen.walls[i].to - expected.walls[i].to).norm(), 1e-9);
+    const Perception one(seen, i);
+    const Perception other(expected, i);
+    for (std::size_t k = 0; k < one.bodies.size(); ++k) expectSameBody(one.bodies[k], other.bodies[k]);
+    for (std::size_t k = 0; k < one.walls.size(); ++k) {
+      EXPECT_LT((one.walls[k].from - other.walls[k].from).norm(), 1e-9);
+      EXPECT_LT((one.walls[k].to - other.walls[k].to).norm(), 1e-9);
+    }
   }
 }
 
@@ -300,6 +302,44 @@ TEST(PerceptionProperty, TurningAndMovingTheWholeWorldChangesNothing) {
       const std::vector<AgentAction> actions = scenes::randomActions(world, random);
       world.step(actions);
       moved_world.step(actions);
+    }
+  }
+}
+
+/// All numbers of a perception, for comparing bit for bit.
+std::vector<double> numbersOf(const Perception& seen) {
+  std::vector<double> numbers = {static_cast<double>(seen.self.agent),
+                                 seen.self.pose.heading,
+                                 seen.self.goal.x(),
+                                 seen.self.goal.y(),
+                                 seen.self.velocity.x(),
+                                 seen.self.velocity.y()};
+  for (const PerceivedBody& body : seen.bodies) {
+    numbers.insert(numbers.end(), {body.position.x(), body.position.y(), body.velocity.x(), body.velocity.y(),
+                                   body.radius, static_cast<double>(body.kind)});
+  }
+  for (const Segment& wall : seen.walls) {
+    numbers.insert(numbers.end(), {wall.from.x(), wall.from.y(), wall.to.x(), wall.to.y()});
+  }
+  return numbers;
+}
+
+TEST(PerceptionProperty, DoesNotDependOnTheNumberOfWorkers) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (const Vision vision : {Vision{4.0, 0}, Vision{4.0, 5}, Vision{8.0, 5, true}}) {
+      World world(scenes::randomScene(seed));
+      Perceptions expected;
+      world.perceive(vision, expected);
+      for (const unsigned count : {2U, 7U}) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << count << " workers");
+        Workers workers(count);
+        Perceptions seen;
+        world.perceive(vision, seen, workers);
+        ASSERT_EQ(seen.agents.size(), expected.agents.size());
+        for (std::size_t i = 0; i < seen.agents.size(); ++i) {
+          EXPECT_EQ(numbersOf({seen, i}), numbersOf({expected, i}));
+        }
+      }
     }
   }
 }

@@ -19,21 +19,18 @@ struct NearDisc {
 /// is found does not depend on that.
 class NeighbourSearch {
  public:
-  /// @param grid must stay where it is; it may be built anew between searches.
-  explicit NeighbourSearch(const NeighbourGrid& grid) : grid_(grid) {}
-
   /// @brief The discs whose rim is within `distance` [m] of the point, nearest rim first, equal ones by their body's
   /// number; not more than `most` of them (0: all). Valid until the next search.
   /// @param except a body that is left out
-  View<NearDisc> findNearest(const Vector2& point, double distance, std::size_t most, std::uint32_t except);
+  View<NearDisc> findNearest(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
+                             std::uint32_t except);
 
  private:
-  void gather(const Vector2& point, double distance, std::uint32_t except);
+  void gather(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except);
   /// Fails if two candidates are equally far.
   bool sortByRank();
-  void sortBySelection(std::size_t most);
+  void sortBySelection(const NeighbourGrid& grid, std::size_t most);
 
-  const NeighbourGrid& grid_;
   double last_reach_ = 0.0;  // [m]; how far the last search had to look
   // Candidates of the present search; the vectors only grow.
   std::size_t count_ = 0;

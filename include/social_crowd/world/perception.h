@@ -46,8 +46,8 @@ struct AgentPerception {
   std::uint32_t wall_count = 0;
 };
 
-/// @brief What all agents perceive at the start of a tick. Bodies and walls stand behind one another, agent by agent,
-/// so that a tick allocates nothing once the vectors have grown.
+/// @brief What all agents perceive at the start of a tick. Bodies and walls of all agents stand in one list each, in no
+/// order of agents and perhaps with gaps, so that a tick allocates nothing once the vectors have grown.
 struct Perceptions {
   std::uint64_t episode = 0;
   std::uint64_t tick = 0;

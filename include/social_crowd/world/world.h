@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "social_crowd/common/workers.h"
 #include "social_crowd/world/neighbour_grid.h"
+#include "social_crowd/world/neighbour_search.h"
 #include "social_crowd/world/occlusion.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
@@ -69,6 +71,9 @@ class World {
 
   /// @brief What every agent perceives that is on its way, or arrived in the last tick. Sets everything but `episode`
   /// and `last`.
+  /// @param workers share out the agents, where the number of bodies is limited; what is perceived does not depend on
+  /// their number
+  void perceive(const Vision& vision, Perceptions& perceptions, Workers& workers);
   void perceive(const Vision& vision, Perceptions& perceptions);
 
   /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
@@ -97,8 +102,21 @@ class World {
   void noteContacts();
   void placeObstacles();
   void rebuildGrid();
-  void perceiveBodies(const Agent& agent, const Rotation& frame, const Vision& vision, Perceptions& perceptions);
-  void perceiveWalls(const Agent& agent, const Rotation& frame, const Vision& vision, Perceptions& perceptions) const;
+  /// Working space of a worker, and what it has found.
+  struct Looker {
+    std::size_t begin = 0;  // its part of watchers_
+    std::size_t end = 0;
+    NeighbourSearch search;
+    Occlusion occlusion;
+    std::vector<PerceivedBody> bodies;  // of one agent
+    std::vector<Segment> walls;         // of all agents it looked for
+  };
+  void listAgents(Perceptions& perceptions);
+  void lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end, Perceptions& perceptions);
+  void gatherWalls(unsigned workers, Perceptions& perceptions) const;
+  void look(const Vision& vision, AgentPerception& self, Looker& looker) const;
+  void findBodies(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const;
+  void findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const;
   Agent* find(AgentId id);
   Agent& findWalking(AgentId id);
   void requireFreePlace(const Vector2& centre, double radius, bool agents_only);
@@ -117,14 +135,12 @@ class World {
   std::vector<Vector2> obstacle_velocities_;  // now
   NeighbourGrid grid_;                        // of the agents on their way and the obstacles
   std::vector<std::uint32_t> found_;          // scratch
-  struct NearBody {
-    double rim_distance = 0.0;
-    std::uint32_t body = 0;
-  };
-  std::vector<NearBody> near_;            // scratch
-  std::vector<SolidMotion::Disc> discs_;  // scratch
+  std::vector<SolidMotion::Disc> discs_;      // scratch
   SolidMotion solid_motion_;
-  Occlusion occlusion_;
+  std::vector<Looker> lookers_;           // one a worker
+  std::vector<std::uint32_t> watchers_;   // places in Perceptions::agents, neighbours in the grid one after the other
+  std::vector<std::uint32_t> places_;     // place in Perceptions::agents of each agent
+  std::vector<Vector2> disc_velocities_;  // of the discs of the grid
 };
 
 }  // namespace crowd

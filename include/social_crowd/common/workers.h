@@ -1,0 +1,65 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace crowd {
+
+/// @brief A few threads that share out a piece of work, and wait in between.
+class Workers {
+ public:
+  /// @param count how many work side by side, the caller of run() among them; 0 counts as 1
+  explicit Workers(unsigned count);
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+  Workers(Workers&&) = delete;
+  Workers& operator=(Workers&&) = delete;
+  ~Workers();
+
+  unsigned count() const { return static_cast<unsigned>(threads_.size()) + 1; }
+
+  /// @brief Cuts 0 .. size-1 into as many equal parts as there are workers, in order, and returns when all are done.
+  /// Rethrows what a part has thrown, of several the one of the lowest number. To be called by one thread at a time;
+  /// allocates nothing.
+  /// @param work called as work(worker, begin, end): its number, and its part [begin, end)
+  template <typename Work>
+  void run(std::size_t size, const Work& work) {
+    if (threads_.empty()) {
+      work(0U, std::size_t{0}, size);
+    } else {
+      share({[](const void* what, unsigned worker, std::size_t begin, std::size_t end) {
+               (*static_cast<const Work*>(what))(worker, begin, end);
+             },
+             &work},
+            size);
+    }
+  }
+
+ private:
+  /// Some callable, like std::function, but never on the heap.
+  struct Task {
+    void (*call)(const void*, unsigned, std::size_t, std::size_t) = nullptr;
+    const void* what = nullptr;
+  };
+  void share(const Task& task, std::size_t size);
+  void wait(unsigned worker);
+  void doPart(unsigned worker);
+
+  std::vector<std::thread> threads_;
+  std::mutex mutex_;
+  std::condition_variable begun_;
+  std::condition_variable done_;
+  // All under the mutex.
+  Task task_;
+  std::size_t size_ = 0;
+  std::size_t round_ = 0;
+  std::size_t working_ = 0;
+  bool stop_ = false;
+  std::vector<std::exception_ptr> problems_;  // of each worker
+};
+
+}  // namespace crowd
