@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crowd {
 namespace {
@@ -51,6 +52,7 @@ void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
   Track track;
   track.begin = world.tick();
   track.start = start.position;
+  track.goal = start.goals.front();
   track.position = start.position;
   track.speed = start.speed;
   track.result.straight_length = straightLength(start, goal_tolerance_);
@@ -61,6 +63,7 @@ void EpisodeMonitor::noteGoal(const Agent& agent, const Vector2& goal) {
   Track& track = tracks_[agent.id];
   const double length = (agent.pose.position - track.start).norm() + (goal - agent.pose.position).norm();
   track.result.straight_length = std::max(SHORTEST_LENGTH, length - goal_tolerance_);
+  track.goal = goal;
 }
 
 void EpisodeMonitor::observe(const World& world) {
@@ -79,6 +82,8 @@ void EpisodeMonitor::observeAgent(const Agent& agent, Track& track) const {
   if (velocity.norm() > MOVING && track.velocity.norm() > MOVING) {
     track.turn += std::abs(std::atan2(cross(track.velocity, velocity), track.velocity.dot(velocity)));
   }
+  track.result.distance_gained += (track.goal - track.position).norm() - (track.goal - agent.pose.position).norm();
+  track.goal = agent.goal();
   track.position = agent.pose.position;
   track.velocity = velocity;
   track.result.path_length += step.norm();
@@ -98,6 +103,9 @@ EpisodeResult EpisodeMonitor::result() const {
     agent.path_ratio = agent.path_length / agent.straight_length;
     agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.speed / agent.straight_length;
     agent.turn_per_metre = track.turn / std::max(SHORTEST_LENGTH, agent.path_length);
+    agent.gain_per_tick = agent.ticks > 0 ? agent.distance_gained / static_cast<double>(agent.ticks) : 0.0;
+    agent.path_per_gain = agent.distance_gained > 0.0 ? agent.path_length / agent.distance_gained
+                                                      : std::numeric_limits<double>::quiet_NaN();
     result.agents.push_back(agent);
   }
   return result;

@@ -202,6 +202,65 @@ TEST(AgentFigures, AfterArrivalNothingCounts) {
   EXPECT_EQ(result.touchedCount(), 0U);
 }
 
+// The thesis's two ratios, on walks worked out by hand.
+
+TEST(DistanceGained, StraightOnEveryStepIsAGain) {
+  const AgentResult result = walk(agent({0.0, 0.0}, {4.0, 0.0}, 1.0), times(3, AHEAD));
+  EXPECT_DOUBLE_EQ(result.distance_gained, 1.5);
+  EXPECT_DOUBLE_EQ(result.gain_per_tick, 0.5);  // the speed, in metres a tick
+  EXPECT_DOUBLE_EQ(result.path_per_gain, 1.0);
+}
+
+TEST(DistanceGained, AroundTheCornerOfATriangle) {
+  // 3 m at right angles to a goal 4 m away: it is 5 m away then. After 4 m more it is 3 m away.
+  AgentStart start = agent({0.0, 0.0}, {4.0, 0.0}, 1.0);
+  start.heading = PI / 2;
+  std::vector<RelativeAction> moves = times(6, AHEAD);
+  const AgentResult away = walk(start, moves);
+  EXPECT_NEAR(away.distance_gained, -1.0, 1e-12);
+  EXPECT_NEAR(away.gain_per_tick, -1.0 / 6.0, 1e-12);
+  EXPECT_TRUE(std::isnan(away.path_per_gain));
+  moves.push_back({-PI / 2, 1.0});
+  for (int i = 0; i < 7; ++i) moves.push_back(AHEAD);
+  const AgentResult around = walk(start, moves);
+  EXPECT_NEAR(around.distance_gained, 1.0, 1e-12);
+  EXPECT_NEAR(around.gain_per_tick, 1.0 / 14.0, 1e-12);
+  EXPECT_NEAR(around.path_per_gain, 7.0, 1e-9);
+}
+
+TEST(DistanceGained, WhoStandsGainsNothing) {
+  const AgentResult result = walk(agent({0.0, 0.0}, {2.0, 0.0}, 1.0), times(5, STAY));
+  EXPECT_EQ(result.distance_gained, 0.0);
+  EXPECT_EQ(result.gain_per_tick, 0.0);
+  EXPECT_TRUE(std::isnan(result.path_per_gain));
+}
+
+TEST(DistanceGained, IsSummedUpFromGoalToGoal) {
+  // 1 m to the first goal and 1.5 m towards the second: moving on to that is neither gain nor loss.
+  AgentStart start = agent({0.0, 0.0}, {1.0, 0.0}, 1.0);
+  start.goals.emplace_back(1.0, 2.0);
+  const AgentResult result = walk(start, {AHEAD, AHEAD, {PI / 2, 1.0}, AHEAD, AHEAD});
+  EXPECT_NEAR(result.distance_gained, 2.5, 1e-12);
+  EXPECT_NEAR(result.path_per_gain, 1.0, 1e-12);
+}
+
+TEST(DistanceGained, AGoalSetOnTheWayIsNoGainInItself) {
+  // 1 m towards a goal in front, then 1 m away from one behind.
+  const Scene scene = scenes::halfSeconds(scenes::scene({agent({0.0, 0.0}, {9.0, 0.0}, 1.0)}));
+  World world(scene);
+  EpisodeMonitor monitor(scene, world);
+  for (int tick = 0; tick < 4; ++tick) {
+    if (tick == 2) {
+      world.setGoal(0, {-5.0, 0.0});
+      monitor.noteGoal(world.agents()[0], {-5.0, 0.0});
+    }
+    world.step({{0, AHEAD}});
+    monitor.observe(world);
+    EXPECT_DOUBLE_EQ(monitor.result().agents[0].distance_gained, tick < 2 ? 0.5 * (tick + 1) : 1.0 - 0.5 * (tick - 1));
+  }
+  EXPECT_DOUBLE_EQ(monitor.result().agents[0].distance_gained, 0.0);
+}
+
 AgentResult agentResult(bool arrived, bool touched, double path, double time, double turn, double speed) {
   AgentResult result;
   result.arrived = arrived;

@@ -23,6 +23,9 @@ struct AgentResult {
   double time_ratio = 0.0;          ///< time * top speed / straight_length
   double turn_per_metre = 0.0;      ///< summed change of direction of motion per metre walked [rad/m]
   double max_speed_ratio = 0.0;     ///< fastest tick / top speed
+  double distance_gained = 0.0;     ///< by how much it came nearer to its goal, all goals it walked to summed up [m]
+  double gain_per_tick = 0.0;       ///< the thesis's distance gained per step: distance_gained / ticks [m]
+  double path_per_gain = 0.0;       ///< path_length / distance_gained; not a number if nothing was gained
 };
 
 /// @brief How an episode went.
@@ -62,6 +65,7 @@ class EpisodeMonitor {
   struct Track {
     std::uint64_t begin = 0;  // tick at which it came
     Vector2 start = Vector2::Zero();
+    Vector2 goal = Vector2::Zero();  // that it walks to in the next tick
     Vector2 position = Vector2::Zero();
     Vector2 velocity = Vector2::Zero();
     double turn = 0.0;
