@@ -69,6 +69,16 @@ void replaceFile(const std::string& file, const std::string& content) {
   }
 }
 
+GrowingFile::GrowingFile(std::string file, const std::string& first_line)
+    : file_(std::move(file)), stream_(file_, std::ios::binary | std::ios::trunc) {
+  append(first_line);
+}
+
+void GrowingFile::append(const std::string& text) {
+  stream_ << text << std::flush;
+  if (!stream_) throwSystem(file_, "cannot be written");
+}
+
 void makeFolder(const std::string& folder) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);

@@ -9,6 +9,7 @@
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/trajectory.h"
+#include "social_crowd/world/scene_document.h"
 
 namespace crowd {
 namespace {
@@ -20,13 +21,14 @@ Learner makeDemoLearner(const TrainedTable& trained) {
   return {trained.model, options, trained.table};
 }
 
-EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, bool record, Learner& learner) {
+EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const EvaluationPlan& plan, Learner& learner) {
   EvaluatedEpisode walked;
   walked.instance = instance;
+  if (plan.scenes) walked.scene = toDocument(scene);
   Episode episode(scene, instance, learner.model().vision());
   RelativeActions actions;
   for (;;) {
-    if (record) appendTrajectoryRows(instance, episode.world(), walked.trajectory);
+    if (plan.record) appendTrajectoryRows(instance, episode.world(), walked.trajectory);
     if (episode.isOver()) break;
     learner.decide(episode.perceptions(), actions);
     episode.step(actions.agents);
@@ -90,7 +92,7 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
       Learner learner = makeDemoLearner(trained);
       std::uint64_t instance = 0;
       while (run.next(instance)) {
-        run.bring(walk(scenarios.scene(plan.seed, instance), instance, plan.record, learner));
+        run.bring(walk(scenarios.scene(plan.seed, instance), instance, plan, learner));
       }
     } catch (...) {
       run.fail(std::current_exception());

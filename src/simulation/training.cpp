@@ -42,6 +42,13 @@ Training::Training(Recipe recipe)
       scenarios_(readAll(recipe_.training.scenarios)),
       learner_(recipe_.model, trainingOptions(recipe_)) {}
 
+Training::Training(Recipe recipe, TrainedTable begin) : Training(std::move(recipe)) {
+  requireFit(recipe_.model, begin.model, "the table to begin with");
+  learner_.takeTable(std::move(begin.table), TakeMethod::REPLACE);
+  learner_.setDecisions(begin.decisions);
+  decisions_before_ = begin.decisions;
+}
+
 EpisodeResult Training::runNextEpisode() {
   EpisodeResult result = runEpisode(scenarios_.scene(recipe_.training.seed, episode_), episode_, learner_);
   ++episode_;

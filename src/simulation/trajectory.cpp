@@ -1,10 +1,5 @@
 #include "social_crowd/simulation/trajectory.h"
 
-#include <cerrno>
-#include <cstring>
-
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 
 namespace crowd {
@@ -20,15 +15,6 @@ void appendTrajectoryRows(std::uint64_t instance, const World& world, std::strin
 }
 
 TrajectoryFile::TrajectoryFile(const std::string& folder, const std::string& name)
-    : path_(folder + "/" + name + ".csv") {
-  makeFolder(folder);
-  stream_.open(path_, std::ios::binary | std::ios::trunc);
-  append(TRAJECTORY_HEADER);
-}
-
-void TrajectoryFile::append(const std::string& rows) {
-  stream_ << rows << std::flush;
-  if (!stream_) throw FileError(path_ + ": cannot be written: " + std::strerror(errno));
-}
+    : file_((makeFolder(folder), folder + "/" + name + ".csv"), TRAJECTORY_HEADER) {}
 
 }  // namespace crowd

@@ -13,6 +13,7 @@
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/evaluation.h"
 #include "social_crowd/simulation/recipe.h"
+#include "social_crowd/simulation/record.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scenario_reader.h"
 
@@ -23,7 +24,9 @@ struct Arguments {
   std::string q_table;
   std::string config;
   std::string trajectories;
+  std::string scenes;
   std::string csv;
+  std::string record;
   std::vector<std::string> scenarios;
   EvaluationPlan plan;
 };
@@ -62,15 +65,42 @@ void useModelOf(const std::string& config, const std::string& file, TrainedTable
   trained.model = recipe.model;
 }
 
+std::string recordRows(const EvaluatedEpisode& walked) {
+  std::string rows;
+  appendRecordRows(walked.instance, walked.result, rows);
+  return rows;
+}
+
+/// What is written of each episode as soon as it has been walked.
+class Writing {
+ public:
+  Writing(const Arguments& arguments, const std::string& name) {
+    if (arguments.plan.record) trajectories_.emplace(arguments.trajectories, name);
+    if (!arguments.plan.scenes) return;
+    makeFolder(arguments.scenes);
+    scenes_.emplace(arguments.scenes + "/" + name + ".yaml",
+                    "# Drawn from " + name + ".yaml, one document an instance.\n");
+  }
+
+  void write(const EvaluatedEpisode& walked) {
+    if (trajectories_) trajectories_->append(walked.trajectory);
+    if (scenes_) scenes_->append(walked.scene);
+  }
+
+ private:
+  std::optional<TrajectoryFile> trajectories_;
+  std::optional<GrowingFile> scenes_;
+};
+
 Figures evaluateFile(const TrainedTable& trained, const Arguments& arguments, const std::string& name,
-                     const ScenarioList& scenarios) {
-  std::optional<TrajectoryFile> trajectories;
-  if (arguments.plan.record) trajectories.emplace(arguments.trajectories, name);
+                     const ScenarioList& scenarios, std::optional<GrowingFile>& record) {
+  Writing writing(arguments, name);
   const std::uint64_t episodes = arguments.plan.episodes > 0 ? arguments.plan.episodes : scenarios.size();
   ProgressBar bar(name, episodes);
   Figures figures;
   evaluate(trained, scenarios, arguments.plan, [&](EvaluatedEpisode& walked) {
-    if (trajectories) trajectories->append(walked.trajectory);
+    writing.write(walked);
+    if (record) record->append(recordRows(walked));
     figures.add(walked.result);
     if (bar.isDue(figures.episodes()) && figures.episodes() < episodes) bar.show(figures.episodes(), "");
     return !isInterrupted();
@@ -83,15 +113,18 @@ int evaluateAll(Arguments& arguments) {
   TrainedTable trained = loadQTable(arguments.q_table);
   if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, trained);
   arguments.plan.record = !arguments.trajectories.empty();
+  arguments.plan.scenes = !arguments.scenes.empty();
   // All files are read before the first is walked: an error in the last one is told at once.
   std::vector<ScenarioList> scenarios;
   for (const std::string& file : arguments.scenarios) scenarios.push_back(readScenarios(file));
+  std::optional<GrowingFile> record;
+  if (!arguments.record.empty()) record.emplace(arguments.record, RECORD_HEADER);
   catchInterrupts();
   std::string csv = CSV_HEADER;
   printHeader();
   for (std::size_t i = 0; i < scenarios.size() && !isInterrupted(); ++i) {
     const std::string name = stemOf(arguments.scenarios[i]);
-    const Figures figures = evaluateFile(trained, arguments, name, scenarios[i]);
+    const Figures figures = evaluateFile(trained, arguments, name, scenarios[i], record);
     printRow(name, figures);
     csv += csvRow(name, figures);
   }
@@ -114,6 +147,9 @@ int runMain(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   app.add_option("--trajectories", arguments.trajectories,
                  "folder for a NAME.csv (instance,tick,agent,x,y) a scenario file");
+  app.add_option("--scenes", arguments.scenes,
+                 "folder for a NAME.yaml a scenario file: what was drawn, one document an instance");
+  app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
   app.add_option("--csv", arguments.csv, "file for the figures");
   app.add_option("SCENARIO", arguments.scenarios, "scenario files")->required();
   app.footer("Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");

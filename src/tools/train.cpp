@@ -7,9 +7,11 @@
 
 #include "command_line.h"
 #include "progress_bar.h"
+#include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/recipe.h"
+#include "social_crowd/simulation/record.h"
 #include "social_crowd/simulation/training.h"
 
 namespace crowd {
@@ -18,6 +20,9 @@ namespace {
 struct Arguments {
   std::string config;
   std::string output;
+  std::string q_table;
+  std::string record;
+  std::string tables;
   std::optional<std::uint64_t> episodes;
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> save_every;
@@ -58,7 +63,20 @@ Recipe readRecipeFor(const Arguments& arguments) {
   if (arguments.episodes) recipe.training.episodes = *arguments.episodes;
   if (arguments.seed) recipe.training.seed = *arguments.seed;
   if (arguments.save_every) recipe.training.save_every = *arguments.save_every;
+  if (!arguments.tables.empty()) recipe.training.tables = parseTableUse(arguments.tables);
   return recipe;
+}
+
+Training beginTraining(const Arguments& arguments) {
+  Recipe recipe = readRecipeFor(arguments);
+  if (arguments.q_table.empty()) return Training(std::move(recipe));
+  return Training(std::move(recipe), loadQTable(arguments.q_table));
+}
+
+std::string recordRows(std::uint64_t episode, const EpisodeResult& result) {
+  std::string rows;
+  appendRecordRows(episode, result, rows);
+  return rows;
 }
 
 /// TABLE.txt -> TABLE_000500.txt: the table as it was after so many episodes.
@@ -69,18 +87,22 @@ std::string nameAfter(const std::string& output, std::uint64_t episode) {
 }
 
 int train(const Arguments& arguments) {
-  Training training(readRecipeFor(arguments));
+  Training training = beginTraining(arguments);
   saveQTable(arguments.output, training.trained());  // a name that cannot be written is told now, not after the work
+  std::optional<GrowingFile> record;
+  if (!arguments.record.empty()) record.emplace(arguments.record, RECORD_HEADER);
   const TrainingPlan& plan = training.recipe().training;
   ProgressBar bar("episode", plan.episodes);
   RecentRates rates;
   const auto note = [&] {
-    return rates.text() + "  " + formatCount(static_cast<double>(training.learner().decisions()) / bar.seconds()) +
+    return rates.text() + "  " + formatCount(static_cast<double>(training.decisions()) / bar.seconds()) +
            " decisions/s";
   };
   catchInterrupts();
   while (!training.isDone() && !isInterrupted()) {
-    rates.add(training.runNextEpisode());
+    const EpisodeResult result = training.runNextEpisode();
+    rates.add(result);
+    if (record) record->append(recordRows(training.episode() - 1, result));
     if (plan.save_every > 0 && training.episode() % plan.save_every == 0) {
       saveQTable(nameAfter(arguments.output, training.episode()), training.trained());
     }
@@ -105,6 +127,10 @@ int runMain(int argc, char** argv) {
   app.add_option("--seed", arguments.seed, "in place of the configuration's")->check(CLI::NonNegativeNumber);
   app.add_option("--save-every", arguments.save_every,
                  "also keep the table every so many episodes, as OUTPUT_000500.txt and so on");
+  app.add_option("--q-table", arguments.q_table, "goes on learning from this table")->check(CLI::ExistingFile);
+  app.add_option("--tables", arguments.tables, "one for all or each its own, in place of the configuration's")
+      ->check(CLI::IsMember({"shared", "own"}));
+  app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
   app.footer(
       "Ctrl-C ends the training and keeps what was learned so far.\n"
       "Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");

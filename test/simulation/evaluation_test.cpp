@@ -124,6 +124,26 @@ TEST(Evaluation, SeedDecidesOnThePlaces) {
   EXPECT_NE(one.at(0).trajectory, other.at(0).trajectory);
 }
 
+TEST(Evaluation, ScenesAreGivenOnRequest) {
+  EvaluationPlan plan = planOf(6, 2);
+  EXPECT_EQ(evaluateAll(plan).at(0).scene, "");
+  plan.scenes = true;
+  std::string documents;
+  for (const EvaluatedEpisode& walked : evaluateAll(plan)) documents += walked.scene;
+  const ScenarioList drawn = parseScenarios(documents, "drawn.yaml");
+  ASSERT_EQ(drawn.size(), 6U);
+  for (std::uint64_t i = 0; i < drawn.size(); ++i) {
+    // Whatever the seed, every instance is as it was drawn, and in its place.
+    const Scene scene = drawn.scene(1234, i);
+    const Scene expected = scenarios().scene(plan.seed, i);
+    EXPECT_EQ(scene.name, expected.name);
+    ASSERT_EQ(scene.agents.size(), expected.agents.size());
+    for (std::size_t k = 0; k < scene.agents.size(); ++k) {
+      EXPECT_EQ(scene.agents[k].position, expected.agents[k].position);
+    }
+  }
+}
+
 TEST(Evaluation, TrajectoryHasARowForEveryAgentAndTick) {
   const std::vector<EvaluatedEpisode> all = evaluateAll(planOf(3, 1));
   for (const EvaluatedEpisode& walked : all) {

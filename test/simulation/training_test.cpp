@@ -169,6 +169,42 @@ TEST(Training, WithOwnTablesEachAgentLearnsForItself) {
   EXPECT_TRUE(shared.learner().tableOf(0) == shared.learner().tableOf(1));
 }
 
+TEST(Training, GoesOnFromATable) {
+  const TemporaryFolder folder;
+  folder.write("s.yaml", twoAgents("pair"));
+  const TrainedTable first = train(recipeFor(folder, "s.yaml", 3, 1));
+  Training more(recipeFor(folder, "s.yaml", 2, 5, ", tables: own"), first);
+  EXPECT_TRUE(more.trained().table == first.table);
+  EXPECT_EQ(more.trained().decisions, first.decisions);
+  EXPECT_EQ(more.decisions(), 0U);
+  const EpisodeResult result = more.runNextEpisode();
+  EXPECT_EQ(more.decisions(), result.agents[0].ticks + result.agents[1].ticks);
+  EXPECT_EQ(more.trained().decisions, first.decisions + more.decisions());
+  // Both went on from what was given, each for itself.
+  EXPECT_TRUE(more.learner().tableOf(0) != first.table);
+  EXPECT_TRUE(more.learner().tableOf(0) != more.learner().tableOf(1));
+  for (const AgentId agent : {0U, 1U}) {
+    std::uint64_t visits = 0;
+    for (Row row = 0; row < first.table.rows(); ++row) {
+      for (Action action = 0; action < first.table.actions(); ++action) {
+        visits += more.learner().tableOf(agent).visits(row, action) - first.table.visits(row, action);
+      }
+    }
+    EXPECT_EQ(visits, result.agents[agent].ticks);
+  }
+}
+
+TEST(Training, GoesOnFromATableOfItsOwnStatesOnly) {
+  const TemporaryFolder folder;
+  folder.write("s.yaml", twoAgents("pair"));
+  Recipe other = recipeFor(folder, "s.yaml", 1, 1);
+  other.model = parseModel(
+      "{state_set: {type: nearest_obstacle, goal_sectors: 4}, action_set: {type: kings_moves}, "
+      "reward: {goal: cosine_cubed, obstacle_cost: 80}}");
+  const TrainedTable begin = train(other);
+  EXPECT_THROW(Training(recipeFor(folder, "s.yaml", 1, 1), begin), ShapeError);
+}
+
 TEST(Training, ResultSaysWhatItWasTrainedWith) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fstream>
 #include <string>
 
 namespace crowd {
@@ -10,6 +11,19 @@ std::string readFile(const std::string& file);
 /// @brief Replaces a file's content: writes a temporary file beside it, flushes it to the disk, then renames it; what
 /// was there before stays whole whatever happens. @throws FileError
 void replaceFile(const std::string& file, const std::string& content);
+
+/// @brief A text file that grows while a run goes on.
+class GrowingFile {
+ public:
+  /// @brief Begins the file anew. @throws FileError
+  GrowingFile(std::string file, const std::string& first_line);
+  /// @brief Appends a text and hands it to the system. @throws FileError
+  void append(const std::string& text);
+
+ private:
+  std::string file_;
+  std::ofstream stream_;
+};
 
 /// @brief Makes a folder and those above it. @throws FileError
 void makeFolder(const std::string& folder);

@@ -16,6 +16,7 @@ struct EvaluationPlan {
   std::uint64_t seed = 1;      ///< for placements at random
   unsigned threads = 1;        ///< results do not depend on it
   bool record = false;         ///< whether trajectories are wanted
+  bool scenes = false;         ///< whether scenes are wanted
 };
 
 /// @brief What an episode of an evaluation brought.
@@ -23,6 +24,7 @@ struct EvaluatedEpisode {
   std::uint64_t instance = 0;
   EpisodeResult result;
   std::string trajectory;  ///< rows for TrajectoryFile, if wanted
+  std::string scene;       ///< what it began with, as a document of a scenario file, if wanted
 };
 
 /// @brief Walks scenarios with a Q-table in demo mode. `deliver` is called once an episode, in order of the instances,

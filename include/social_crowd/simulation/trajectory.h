@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <string>
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
@@ -21,11 +21,10 @@ class TrajectoryFile {
   /// @brief Begins FOLDER/NAME.csv anew; makes the folder. @throws FileError
   TrajectoryFile(const std::string& folder, const std::string& name);
   /// @brief Appends the rows of an episode and hands them to the system. @throws FileError
-  void append(const std::string& rows);
+  void append(const std::string& rows) { file_.append(rows); }
 
  private:
-  std::string path_;
-  std::ofstream stream_;
+  GrowingFile file_;
 };
 
 }  // namespace crowd

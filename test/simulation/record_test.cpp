@@ -1,0 +1,65 @@
+#include "social_crowd/simulation/record.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace crowd {
+namespace {
+
+/// Numbers that binary fractions hold exactly, all different.
+AgentResult walked() {
+  AgentResult agent;
+  agent.arrived = true;
+  agent.ticks = 8;
+  agent.path_length = 4.0;
+  agent.path_ratio = 1.25;
+  agent.time_ratio = 1.5;
+  agent.turn_per_metre = 0.75;
+  agent.distance_gained = 3.5;
+  agent.gain_per_tick = 0.4375;
+  agent.path_per_gain = 1.125;
+  return agent;
+}
+
+std::string rowsOf(const std::string& scenario, std::vector<AgentResult> agents) {
+  EpisodeResult result;
+  result.scenario = scenario;
+  result.agents = std::move(agents);
+  std::string rows;
+  appendRecordRows(41, result, rows);
+  return rows;
+}
+
+TEST(Record, ARowAnAgent) {
+  AgentResult lost;
+  lost.touched = true;
+  lost.ticks = 20;
+  lost.path_per_gain = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(rowsOf("pair", {walked(), lost}),
+            "41,pair,0,1,0,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n"
+            "41,pair,1,0,1,20,0,0,0,0,0,0,nan\n");
+}
+
+TEST(Record, HeaderNamesEveryField) {
+  const std::string header = RECORD_HEADER;
+  const std::string row = rowsOf("pair", {walked()});
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
+  EXPECT_EQ(header.back(), '\n');
+}
+
+TEST(Record, WhoWasRemovedDoesNotCount) {
+  AgentResult removed = walked();
+  removed.removed = true;
+  EXPECT_EQ(rowsOf("pair", {removed, walked()}), "41,pair,1,1,0,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
+}
+
+TEST(Record, NamesWithCommasStayOneField) {
+  EXPECT_EQ(rowsOf("a \"wide\", long door", {walked()}),
+            "41,\"a \"\"wide\"\", long door\",0,1,0,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,101 @@
+#include "social_crowd/world/scene_document.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "social_crowd/common/random.h"
+#include "social_crowd/world/scenario_reader.h"
+#include "support/scenes.h"
+
+namespace crowd {
+namespace {
+
+constexpr double EPSILON = 1e-12;
+
+/// The scene that a reader of the document gets.
+Scene readBack(const Scene& scene) { return parseScenarios(toDocument(scene), "scene.yaml").scene(99, 0); }
+
+void expectNear(const Vector2& got, const Vector2& expected) { EXPECT_LT((got - expected).norm(), EPSILON); }
+
+void expectSame(const Scene& got, const Scene& expected) {
+  EXPECT_EQ(got.name, expected.name);
+  EXPECT_EQ(got.tick_duration, expected.tick_duration);
+  EXPECT_EQ(got.max_ticks, expected.max_ticks);
+  EXPECT_EQ(got.goal_tolerance, expected.goal_tolerance);
+  ASSERT_EQ(got.agents.size(), expected.agents.size());
+  for (std::size_t i = 0; i < got.agents.size(); ++i) {
+    const AgentStart& agent = got.agents[i];
+    const AgentStart& original = expected.agents[i];
+    expectNear(agent.position, original.position);
+    EXPECT_NEAR(wrapAngle(agent.heading - original.heading), 0.0, EPSILON);
+    ASSERT_EQ(agent.goals.size(), original.goals.size());
+    for (std::size_t goal = 0; goal < agent.goals.size(); ++goal) expectNear(agent.goals[goal], original.goals[goal]);
+    EXPECT_EQ(agent.speed, original.speed);
+    EXPECT_EQ(agent.radius, original.radius);
+  }
+  ASSERT_EQ(got.obstacles.size(), expected.obstacles.size());
+  for (std::size_t i = 0; i < got.obstacles.size(); ++i) {
+    EXPECT_EQ(got.obstacles[i].path.kind(), expected.obstacles[i].path.kind());
+    EXPECT_EQ(got.obstacles[i].radius, expected.obstacles[i].radius);
+    for (const double time : {0.0, 3.7, 50.1}) {
+      EXPECT_LT((got.obstacles[i].path.position(time) - expected.obstacles[i].path.position(time)).norm(), 1e-9);
+    }
+  }
+  ASSERT_EQ(got.walls.size(), expected.walls.size());
+  for (std::size_t i = 0; i < got.walls.size(); ++i) {
+    expectNear(got.walls[i].from, expected.walls[i].from);
+    expectNear(got.walls[i].to, expected.walls[i].to);
+  }
+}
+
+TEST(SceneDocument, TinySceneAsText) {
+  Scene scene = scenes::scene({{{1.0, -2.0}, PI / 2, {{1.0, 2.0}, {0.5, 2.0}}, 1.5, 0.25}},
+                              {scenes::pillar({0.0, 3.0}, 0.5), scenes::mover({4.0, 0.0}, {-0.5, 0.0}, 0.25)},
+                              {{{0.0, 5.0}, {1.0, 5.0}}});
+  scene.name = "Anna's";
+  EXPECT_EQ(toDocument(scene),
+            "---\n"
+            "name: 'Anna''s'\n"
+            "tick: 0.1\n"
+            "duration: 100\n"
+            "goal_tolerance: 0.25\n"
+            "agents:\n"
+            "  - {position: [1, -2], goals: [[1, 2], [0.5, 2]], speed: 1.5, radius: 0.25, heading: 90}\n"
+            "obstacles:\n"
+            "  - {position: [0, 3], radius: 0.5}\n"
+            "  - {position: [4, 0], radius: 0.25, velocity: [-0.5, 0]}\n"
+            "walls:\n"
+            "  - [[0, 5], [1, 5]]\n");
+  expectSame(readBack(scene), scene);
+}
+
+TEST(SceneDocument, ObstaclesOnTheirWays) {
+  Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
+  scene.obstacles.push_back({ObstaclePath::toAndFro({{3.0, 0.0}, {3.0, 4.0}, {6.0, 4.0}}, 0.7), 0.3});
+  scene.obstacles.push_back({ObstaclePath::loop({{-3.0, 0.0}, {-3.0, 4.0}, {-6.0, 4.0}}, 0.2), 0.4});
+  expectSame(readBack(scene), scene);
+}
+
+TEST(SceneDocument, WhatWasDrawnIsReadBack) {
+  const ScenarioList drawn = parseScenarios(
+      "name: drawn\n"
+      "units: thesis\n"
+      "duration: 777\n"
+      "goal_tolerance: 0.3\n"
+      "agents:\n"
+      "  - {count: 4, position: {box: [[-4, -4], [4, 4]]}, goal: {opposite: [0, 0]}, speed: [0.02, 0.04],\n"
+      "     radius: [0.2, 0.3], heading: [-180, 180]}\n"
+      "obstacles:\n"
+      "  - {count: 2, position: {box: [[-4, -4], [4, 4]]}, radius: [0.3, 0.5]}\n"
+      "  - {position: {box: [[-4, -4], [4, 4]]}, radius: 0.3, to_and_fro: {box: [[-4, -4], [4, 4]]}, speed: 0.01}\n",
+      "drawn.yaml");
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = drawn.scene(seed, seed);
+    expectSame(readBack(scene), scene);
+  }
+}
+
+}  // namespace
+}  // namespace crowd
