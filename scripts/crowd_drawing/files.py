@@ -1,0 +1,145 @@
+"""Reads what drawings are made of: scenario files and recorded trajectories."""
+import csv
+import math
+
+import yaml
+
+HEADER = ['instance', 'tick', 'agent', 'x', 'y']
+DEFAULT_TICK = 0.1  # [s]
+
+
+class InputError(Exception):
+    """A file that cannot be drawn; the message says which, where and why."""
+
+
+def read_walks(file, instance):
+    """Returns the walks of an instance, by agent: lists of (tick, x, y) [m]. Without an instance: of the first."""
+    walks = {}
+    with open(file, newline='', encoding='utf-8', errors='replace') as stream:
+        rows = csv.reader(stream)
+        if next(rows, None) != HEADER:
+            raise InputError(f"{file}:1: expected the header {','.join(HEADER)}")
+        for row in rows:
+            try:
+                row_instance, tick, agent = map(int, row[:3])
+                x, y = map(float, row[3:])
+            except ValueError:
+                raise InputError(f"{file}:{rows.line_num}: expected three whole numbers and two numbers, "
+                                 f"got '{','.join(row)}'") from None
+            if min(row_instance, tick, agent) < 0 or not (math.isfinite(x) and math.isfinite(y)):
+                raise InputError(f"{file}:{rows.line_num}: negative or not finite: '{','.join(row)}'")
+            if instance is None:
+                instance = row_instance
+            if row_instance == instance:
+                walks.setdefault(agent, []).append((tick, x, y))
+    if not walks:
+        raise InputError(f'{file}: holds no instance {instance}' if instance is not None else f'{file}: holds no walk')
+    for walk in walks.values():
+        walk.sort()
+    return instance, walks
+
+
+class Scene:
+    """What a scenario document says about agents, obstacles and walls, as far as it can be drawn."""
+
+    def __init__(self, document, place):
+        self.place = place
+        self.need(isinstance(document, dict), '', 'a map', document)
+        thesis = document.get('units') == 'thesis'
+        self.tick = self.number(document.get('tick', DEFAULT_TICK), 'tick')  # [s]
+        self.need(self.tick > 0, 'tick', 'a number above 0', self.tick)
+        self.speed_unit = 1.0 / self.tick if thesis else 1.0  # [m/s]
+        self.name = str(document.get('name', ''))
+        self.agents = self.entries(document, 'agents', self.agent)
+        self.obstacles = self.entries(document, 'obstacles', self.obstacle)
+        self.walls = [self.wall(wall, f'walls[{i}]') for i, wall in enumerate(self.listed(document, 'walls'))]
+
+    def need(self, condition, where, expected, got):
+        if not condition:
+            raise InputError(f"{self.place}: {where + ': ' if where else ''}expected {expected}, got {got!r}")
+
+    def listed(self, document, key):
+        value = document.get(key) or []
+        self.need(isinstance(value, list), key, 'a list', value)
+        return value
+
+    def number(self, value, where):
+        """A number, or the mean of a range [low, high]."""
+        values = value if isinstance(value, list) and len(value) == 2 else [value]
+        for element in values:
+            is_number = isinstance(element, (int, float)) and not isinstance(element, bool)
+            self.need(is_number and math.isfinite(element), where, 'a number or [low, high]', value)
+        return sum(values) / len(values)
+
+    def point(self, value, where):
+        """A point, or None for a region from which every episode draws anew."""
+        if isinstance(value, dict):
+            return None
+        self.need(isinstance(value, list) and len(value) == 2, where, '[x, y]', value)
+        return self.number(value[0], where), self.number(value[1], where)
+
+    def points(self, value, where):
+        """One point or a list of them, without those that are drawn anew."""
+        is_list = isinstance(value, list) and value and isinstance(value[0], (list, dict))
+        found = [self.point(element, where) for element in (value if is_list else [value])]
+        return [point for point in found if point is not None]
+
+    def entries(self, document, key, read):
+        """Reads a list of entries, of which each may stand for `count` bodies."""
+        bodies = []
+        for i, entry in enumerate(self.listed(document, key)):
+            where = f'{key}[{i}]'
+            self.need(isinstance(entry, dict), where, 'a map', entry)
+            for needed in ('position', 'radius'):
+                self.need(needed in entry, where, f'a {needed}', entry)
+            count = entry.get('count', 1)
+            self.need(isinstance(count, int) and count >= 0, f'{where}.count', 'a whole number', count)
+            bodies += [read(entry, where)] * count
+        return bodies
+
+    def radius(self, entry, where):
+        radius = self.number(entry['radius'], f'{where}.radius')
+        self.need(radius > 0, f'{where}.radius', 'a number above 0', radius)
+        return radius
+
+    def agent(self, entry, where):
+        goal = entry.get('goals', entry.get('goal'))
+        self.need(goal is not None, where, 'a goal', entry)
+        mirror = goal.get('opposite') if isinstance(goal, dict) else None
+        return {
+            'radius': self.radius(entry, where),
+            'goals': self.points(goal, f'{where}.goal'),
+            # The goal lies opposite the start, seen from here.
+            'mirror': None if mirror is None else self.point(mirror, f'{where}.goal.opposite'),
+        }
+
+    def obstacle(self, entry, where):
+        velocity = self.point(entry.get('velocity', [0, 0]), f'{where}.velocity') or (0, 0)
+        return {
+            'position': self.point(entry['position'], f'{where}.position'),
+            'radius': self.radius(entry, where),
+            'velocity': (velocity[0] * self.speed_unit, velocity[1] * self.speed_unit),
+            'to_and_fro': self.points(entry.get('to_and_fro', {}), f'{where}.to_and_fro'),
+            'waypoints': self.points(entry.get('waypoints', {}), f'{where}.waypoints'),
+            'speed': self.number(entry.get('speed', 0), f'{where}.speed') * self.speed_unit,
+        }
+
+    def wall(self, wall, where):
+        self.need(isinstance(wall, list) and len(wall) == 2, where, '[[x1, y1], [x2, y2]]', wall)
+        ends = [self.point(end, where) for end in wall]
+        self.need(None not in ends, where, '[[x1, y1], [x2, y2]]', wall)
+        return ends
+
+
+def read_scene(file, instance):
+    """Reads the document of an instance; the documents repeat where there are fewer of them than instances."""
+    loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
+    try:
+        with open(file, encoding='utf-8', errors='replace') as stream:
+            documents = [document for document in yaml.load_all(stream, loader) if document is not None]
+    except yaml.YAMLError as error:
+        raise InputError(f"{file}: not YAML: {' '.join(str(error).split())}") from None
+    if not documents:
+        raise InputError(f'{file}: holds no scenario')
+    index = instance % len(documents)
+    return Scene(documents[index], f'{file}: document {index + 1}')

@@ -1,0 +1,134 @@
+"""A drawing of a scene in metres."""
+import colorsys
+import math
+
+import matplotlib
+
+matplotlib.use('Agg')
+from matplotlib import pyplot  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
+from matplotlib.patches import Circle, FancyArrowPatch  # noqa: E402
+from matplotlib.patheffects import Normal, Stroke  # noqa: E402
+from matplotlib.transforms import ScaledTranslation  # noqa: E402
+
+LONGER_SIDE = 7.0  # of the axes [inch]
+MARGIN = 0.5  # of the picture around what is drawn [m]
+OBSTACLE_COLOUR = '0.62'
+START_ALPHA = 0.55
+# Strong colours that are easy to tell apart, none of them grey.
+FEW_COLOURS = ['#1f77b4', '#d62728', '#2ca02c', '#ff7f0e', '#9467bd', '#17becf', '#8c564b', '#e377c2', '#9a9a00']
+
+
+def colours_of(count):
+    """So many colours that neighbours in the list are easy to tell apart."""
+    if count <= len(FEW_COLOURS):
+        return FEW_COLOURS[:count]
+    golden = (math.sqrt(5) - 1) / 2
+    return [colorsys.hls_to_rgb((0.58 + golden * i) % 1.0, (0.32, 0.44, 0.56)[i % 3], 0.75) for i in range(count)]
+
+
+class Picture:
+    """A drawing in metres that grows with what is put into it; in a figure of its own, or in given axes."""
+
+    def __init__(self, axes=None):
+        self.figure, self.axes = (axes.figure, axes) if axes is not None else pyplot.subplots()
+        self.low = [math.inf, math.inf]
+        self.high = [-math.inf, -math.inf]
+
+    def show(self, point, radius=0.0):
+        """Makes sure that a disc is within the picture."""
+        for axis in (0, 1):
+            self.low[axis] = min(self.low[axis], point[axis] - radius)
+            self.high[axis] = max(self.high[axis], point[axis] + radius)
+
+    def disc(self, centre, radius, **style):
+        self.axes.add_patch(Circle(centre, radius, **style))
+
+    def arrow(self, start, end, style, **line):
+        self.axes.add_patch(FancyArrowPatch(start, end, arrowstyle=style, mutation_scale=12, shrinkA=0, shrinkB=0,
+                                            color='0.35', linewidth=1.2, zorder=2, **line))
+
+    def draw_obstacle(self, obstacle, duration):
+        """A disc where it starts, and arrows along where it goes within the duration [s]."""
+        start, radius = obstacle['position'], obstacle['radius']
+        if start is None:
+            return
+        self.show(start, radius)
+        self.disc(start, radius, facecolor=OBSTACLE_COLOUR, edgecolor='0.35', linewidth=0.8, zorder=1)
+        velocity = obstacle['velocity']
+        if velocity != (0, 0):
+            end = (start[0] + velocity[0] * duration, start[1] + velocity[1] * duration)
+            self.disc(end, radius, fill=False, edgecolor='0.35', linestyle='--', linewidth=0.8, zorder=1)
+            self.arrow(start, end, '-|>')
+        stops = [start] + obstacle['to_and_fro']
+        for here, there in zip(stops, stops[1:]):
+            self.arrow(here, there, '<|-|>')
+            self.show(there, radius)
+        stops = [start] + obstacle['waypoints'] + [start]
+        if len(stops) > 2:
+            for here, there in zip(stops, stops[1:]):
+                self.arrow(here, there, '-|>', linestyle='--' if there is start else '-')
+                self.show(there, radius)
+
+    def draw_wall(self, wall):
+        for end in wall:
+            self.show(end)
+        self.axes.plot(*zip(*wall), color='black', linewidth=3, solid_capstyle='round', zorder=3)
+
+    def draw_goals(self, goals, radius, colour):
+        """A cross at each goal, a little smaller than the body."""
+        arm = 0.55 * radius
+        for x, y in goals:
+            self.show((x, y), radius)
+            for slope in (-1, 1):
+                self.axes.plot([x - arm, x + arm], [y - slope * arm, y + slope * arm], color=colour, linewidth=2,
+                               zorder=8, path_effects=[Stroke(linewidth=4, foreground='white'), Normal()])
+
+    def draw_walk(self, walk, radius, ticks_per_dot, colour):
+        """The path with a dot each second, the body at its start and, as an outline, at its end."""
+        places = [(x, y) for _, x, y in walk]
+        dots = [(x, y) for tick, x, y in walk if tick % ticks_per_dot == 0]
+        for place in places:
+            self.show(place, radius)
+        self.axes.plot(*zip(*places), color=colour, linewidth=1.6, solid_joinstyle='round', zorder=5)
+        if dots:
+            self.axes.plot(*zip(*dots), linestyle='', marker='o', color=colour, markersize=3.2, zorder=6)
+        self.disc(places[0], radius, facecolor=colour, edgecolor='none', alpha=START_ALPHA, zorder=4)
+        self.disc(places[-1], radius, fill=False, edgecolor=colour, linewidth=1.4, zorder=7)
+
+    def add_legend(self, scene):
+        grey = '0.25'
+        entries = [
+            Line2D([], [], linestyle='', marker='o', color=grey, alpha=START_ALPHA, markersize=10, label='start'),
+            Line2D([], [], marker='o', color=grey, markersize=3.2, linewidth=1.6, label='path, a dot each second'),
+            Line2D([], [], linestyle='', marker='o', color=grey, fillstyle='none', markersize=10, label='end'),
+            Line2D([], [], linestyle='', marker='x', color=grey, markersize=8, markeredgewidth=2, label='goal'),
+        ]
+        if scene.obstacles:
+            entries.append(Line2D([], [], linestyle='', marker='o', color=OBSTACLE_COLOUR, markeredgecolor='0.35',
+                                  markersize=10, label='obstacle'))
+        if scene.walls:
+            entries.append(Line2D([], [], color='black', linewidth=3, label='wall'))
+        below_labels = ScaledTranslation(0, -0.45, self.figure.dpi_scale_trans)  # [inch]
+        self.axes.legend(handles=entries, loc='upper center', bbox_to_anchor=(0.5, 0), ncol=len(entries),
+                         bbox_transform=self.axes.transAxes + below_labels, frameon=False, fontsize=9,
+                         handletextpad=0.5, columnspacing=1.4)
+
+    def frame(self):
+        """Sets the limits so that everything is within them; returns width and height [m]."""
+        axes = self.axes
+        axes.set_xlim(self.low[0] - MARGIN, self.high[0] + MARGIN)
+        axes.set_ylim(self.low[1] - MARGIN, self.high[1] + MARGIN)
+        axes.set_aspect('equal')
+        axes.grid(color='0.92', linewidth=0.8)
+        axes.set_axisbelow(True)
+        return [self.high[axis] - self.low[axis] + 2 * MARGIN for axis in (0, 1)]
+
+    def save(self, file, title):
+        size = self.frame()
+        self.axes.set_title(title)
+        self.axes.set_xlabel('x [m]')
+        self.axes.set_ylabel('y [m]')
+        scale = LONGER_SIDE / max(size)
+        self.figure.set_size_inches(size[0] * scale + 1.5, size[1] * scale + 1.5)
+        self.figure.savefig(file, dpi=150, bbox_inches='tight')

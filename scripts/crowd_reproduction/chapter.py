@@ -1,0 +1,39 @@
+"""What an experiment has to tell: texts, tables and figures, in order."""
+import dataclasses
+import pathlib
+
+
+@dataclasses.dataclass(frozen=True)
+class Table:
+    """Rows of texts under a header; the first column names the row."""
+    title: str
+    header: list
+    rows: list
+
+
+@dataclasses.dataclass(frozen=True)
+class Figure:
+    """A picture with its caption."""
+    file: pathlib.Path
+    caption: str
+
+
+@dataclasses.dataclass
+class Chapter:
+    """All that is told of one experiment."""
+    name: str  # as scripts/reproduce knows it
+    title: str
+    parts: list = dataclasses.field(default_factory=list)  # texts, Tables and Figures
+    commands: list = dataclasses.field(default_factory=list)  # texts: those of one run, as an example
+
+    def tell(self, text):
+        self.parts.append(text)
+
+    def add_table(self, title, header, rows):
+        self.parts.append(Table(title, header, rows))
+
+    def add_figure(self, file, caption):
+        self.parts.append(Figure(file, caption))
+
+    def tables(self):
+        return [part for part in self.parts if isinstance(part, Table)]

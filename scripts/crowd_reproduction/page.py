@@ -1,0 +1,69 @@
+"""Writes the page that holds all figures and tables, and the tables by themselves."""
+import base64
+import html
+import pathlib
+
+from .chapter import Figure, Table
+
+STYLE = '''
+body { font-family: sans-serif; max-width: 75em; margin: 2em auto; padding: 0 1em; line-height: 1.4; color: #222; }
+table { border-collapse: collapse; margin: 1em 0; font-size: 0.9em; }
+caption { text-align: left; font-weight: bold; padding: 0.4em 0; }
+th, td { border-bottom: 1px solid #ccc; padding: 0.25em 0.7em; text-align: right; vertical-align: top; }
+th:first-child, td:first-child { text-align: left; }
+figure { margin: 1.5em 0; } img { max-width: 100%; } figcaption { color: #444; }
+code, pre { background: #f4f4f4; } pre { padding: 0.7em; overflow-x: auto; }
+'''
+
+
+def write_page(file, chapters, intro):
+    """One file without anything beside it: figures are within."""
+    contents = ''.join(f'<li><a href="#{chapter.name}">{html.escape(chapter.title)}</a></li>\n' for chapter in chapters)
+    body = ''.join(chapter_html(chapter) for chapter in chapters)
+    file.write_text(
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>The thesis, repeated</title>\n'
+        f'<style>{STYLE}</style></head><body>\n<h1>The thesis, repeated</h1>\n<p>{html.escape(intro)}</p>\n'
+        f'<ul>\n{contents}</ul>\n{body}</body></html>\n', encoding='utf-8')
+
+
+def chapter_html(chapter):
+    parts = ''.join(part_html(part, chapter.name) for part in chapter.parts)
+    commands = html.escape('\n'.join(chapter.commands))
+    return (f'<h2 id="{chapter.name}">{html.escape(chapter.title)}</h2>\n'
+            f'<p>All of this chapter: <code>scripts/reproduce {chapter.name}</code></p>\n{parts}'
+            f'<details><summary>The commands of one of its runs</summary><pre>{commands}</pre></details>\n')
+
+
+def part_html(part, name):
+    if isinstance(part, Table):
+        return table_html(part)
+    if isinstance(part, Figure):
+        picture = base64.b64encode(part.file.read_bytes()).decode()
+        return (f'<figure><img src="data:image/png;base64,{picture}" alt="{html.escape(part.caption)}">\n'
+                f'<figcaption>{html.escape(part.caption)}<br><code>scripts/reproduce {name}</code>: '
+                f'figures/{part.file.name}</figcaption></figure>\n')
+    return f'<p>{html.escape(part)}</p>\n'
+
+
+def table_html(table):
+    def row_html(cells, tag):
+        return '<tr>' + ''.join(f'<{tag}>{html.escape(cell)}</{tag}>' for cell in cells) + '</tr>\n'
+    rows = ''.join(row_html(row, 'td') for row in table.rows)
+    return f'<table><caption>{html.escape(table.title)}</caption>\n{row_html(table.header, "th")}{rows}</table>\n'
+
+
+def write_tables(folder, chapter):
+    """The chapter's texts and tables as Markdown, to be taken over into documents."""
+    folder.mkdir(parents=True, exist_ok=True)
+    lines = [f'# {chapter.title}', '']
+    for part in chapter.parts:
+        if isinstance(part, Table):
+            lines += [f'{part.title}:', '', markdown_row(part.header), '|---' * len(part.header) + '|']
+            lines += [markdown_row(row) for row in part.rows] + ['']
+        elif isinstance(part, str):
+            lines += [part, '']
+    pathlib.Path(folder / f'{chapter.name}.md').write_text('\n'.join(lines), encoding='utf-8')
+
+
+def markdown_row(cells):
+    return '| ' + ' | '.join(cells) + ' |'

@@ -1,0 +1,81 @@
+"""Reads what the tools write: records, figures, headers of Q-tables."""
+import csv
+
+import numpy
+
+TEXTS = ('scenario',)
+
+
+def read_csv(file):
+    """The columns of a CSV file by their names: arrays of numbers, lists of texts."""
+    with open(file, newline='', encoding='utf-8') as stream:
+        rows = csv.reader(stream)
+        names = next(rows)
+        columns = list(zip(*rows)) or [()] * len(names)
+    return {name: list(column) if name in TEXTS else numpy.array(column, dtype=float)
+            for name, column in zip(names, columns)}
+
+
+def percent(flags):
+    """How many of them are set [%]."""
+    return 100.0 * float(numpy.mean(flags)) if len(flags) else float('nan')
+
+
+def rates(record, rows=slice(None)):
+    """Success and contact [%], as shares of the agents in those rows of a record."""
+    return percent(record['arrived'][rows]), percent(record['touched'][rows])
+
+
+def of_scenario(record, name):
+    """The rows of a record that belong to a scenario."""
+    return numpy.array([scenario == name for scenario in record['scenario']], dtype=bool)
+
+
+def finite(values):
+    """Those that are numbers."""
+    return values[numpy.isfinite(values)]
+
+
+def median(values):
+    """The median of those that are numbers; nan if there is none."""
+    numbers = finite(values)
+    return float(numpy.median(numbers)) if len(numbers) else float('nan')
+
+
+def read_table_header(file):
+    """The header of a Q-table file, as texts by their keys."""
+    header = {}
+    with open(file, encoding='utf-8') as stream:
+        next(stream)
+        for line in stream:
+            if line.startswith('---'):
+                return header
+            key, _, value = line.partition(': ')
+            header[key] = value.strip()
+    raise ValueError(f'{file}: the header has no end')
+
+
+class Spread:
+    """A value for every seed."""
+
+    def __init__(self, values):
+        self.values = numpy.array(list(values), dtype=float)
+        if len(self.values) == 0:
+            self.values = numpy.array([float('nan')])
+        self.mean = float(numpy.mean(self.values))
+        self.deviation = float(numpy.std(self.values, ddof=1)) if len(self.values) > 1 else 0.0
+        self.low = float(numpy.min(self.values))
+        self.high = float(numpy.max(self.values))
+
+    @classmethod
+    def of_numbers(cls, values):
+        """Of the seeds for which there is a number."""
+        return cls(finite(numpy.array(list(values), dtype=float)))
+
+    def text(self, decimals=2):
+        """mean ± standard deviation (lowest-highest)"""
+        if numpy.isnan(self.mean):
+            return '-'
+        mean, deviation, low, high = (f'{value:.{decimals}f}' for value in
+                                      (self.mean, self.deviation, self.low, self.high))
+        return f'{mean} ± {deviation} ({low}-{high})'

@@ -1,0 +1,151 @@
+"""Runs of the tools, each in a folder of its own, as many at a time as there are processors to spare."""
+import concurrent.futures
+import dataclasses
+import hashlib
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import threading
+
+import yaml
+
+from .progress import ProgressBar
+
+STAMP = 'done.txt'  # in a run's folder: what it was made from
+
+
+class RunError(Exception):
+    """A tool that failed; the message has its last words."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """Commands that are carried out one after the other in a folder."""
+    folder: pathlib.Path
+    commands: list  # of lists of words; files that a run makes are relative to its folder
+    cost: float = 1.0  # about how long it takes [s]
+
+    def lines(self):
+        """Its commands as somebody would type them."""
+        return [' '.join(map(str, command)) for command in self.commands]
+
+    def stamp(self):
+        """Changes with the commands, the programs and every file that they read."""
+        digest = hashlib.sha256()
+        for command in self.commands:
+            for word in map(str, command):
+                digest.update(word.encode() + b'\0')
+                for file in files_behind(pathlib.Path(word)):
+                    digest.update(digest_of(file))
+        return digest.hexdigest()
+
+    def is_done(self):
+        """Whether its results are there, made from just these files."""
+        try:
+            return (self.folder / STAMP).read_text(encoding='utf-8') == self.stamp()
+        except OSError:
+            return False
+
+
+def files_behind(path):
+    """The file that a word of a command names, with the scenarios that a learning configuration trains on."""
+    if not (path.is_absolute() and path.is_file()):
+        return []
+    files = [path]
+    if path.name == 'train' or path.name == 'evaluate':
+        files += sorted(path.parent.parent.glob('libsocial_crowd_core.*'))
+    if path.suffix == '.yaml':
+        with open(path, encoding='utf-8') as stream:
+            training = (next(yaml.safe_load_all(stream)) or {}).get('training', {})
+        files += [path.parent / name for name in training.get('scenarios', [])]
+    return files
+
+
+digests = {}  # by file, its size and its time: programs are read once
+
+
+def digest_of(file):
+    """A digest of what a file holds."""
+    state = os.stat(file)
+    key = (str(file), state.st_size, state.st_mtime_ns)
+    if key not in digests:
+        digests[key] = hashlib.sha256(pathlib.Path(file).read_bytes()).digest()
+    return digests[key]
+
+
+class Runner:
+    """Carries out runs, a few at a time, and can be stopped."""
+
+    def __init__(self, processes):
+        self.processes = processes
+        self.lock = threading.Lock()
+        self.children = set()
+        self.stopped = False
+
+    def carry_out(self, runs):
+        """Carries out all of them with a bar on standard error; raises RunError at the first that fails."""
+        bar = ProgressBar(sum(run.cost for run in runs), len(runs))
+        bar.show()
+        with concurrent.futures.ThreadPoolExecutor(self.processes) as pool:
+            futures = {pool.submit(self.carry_out_one, run): run for run in runs}
+            try:
+                for future in self.as_they_end(futures, bar):
+                    future.result()
+                    bar.add(futures[future].cost)
+            except BaseException:
+                self.stop()
+                pool.shutdown(cancel_futures=True)
+                raise
+            finally:
+                bar.end()
+
+    @staticmethod
+    def as_they_end(futures, bar):
+        """Yields what has ended, and keeps the time left on the bar up to date."""
+        waiting = set(futures)
+        while waiting:
+            done, waiting = concurrent.futures.wait(waiting, 1.0, concurrent.futures.FIRST_COMPLETED)
+            bar.show()
+            yield from done
+
+    def carry_out_one(self, run):
+        """Begins a run anew; what is stamped is complete."""
+        shutil.rmtree(run.folder, ignore_errors=True)
+        run.folder.mkdir(parents=True)
+        stamp = run.stamp()
+        for command in run.commands:
+            self.execute(list(map(str, command)), run.folder)
+        (run.folder / STAMP).write_text(stamp, encoding='utf-8')
+
+    def execute(self, command, folder):
+        """Runs a program; what it prints goes into log.txt."""
+        with open(folder / 'log.txt', 'a', encoding='utf-8') as log:
+            log.write(' '.join(command) + '\n')
+            log.flush()
+            with self.lock:
+                if self.stopped:
+                    raise RunError('stopped')
+                # In a group of its own: Ctrl-C is for us, who pass it on.
+                child = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
+                                         start_new_session=True)
+                self.children.add(child)
+            status = child.wait()
+            with self.lock:
+                self.children.discard(child)
+        if status != 0:
+            raise RunError(f'{" ".join(command)}: exit status {status}\n{tail_of(folder / "log.txt")}')
+
+    def stop(self):
+        """Ends all that is under way and begins nothing more."""
+        with self.lock:
+            self.stopped = True
+            for child in self.children:
+                child.send_signal(signal.SIGINT)
+
+
+def tail_of(file, lines=5):
+    """The last lines of a log."""
+    return '\n'.join(re.split(r'[\r\n]+', file.read_text(encoding='utf-8', errors='replace').strip())[-lines:])

@@ -1,0 +1,49 @@
+"""Scenes with what was walked in them, as panels of figures."""
+from crowd_drawing.files import read_scene, read_walks
+from crowd_drawing.motion import place_of
+from crowd_drawing.picture import OBSTACLE_COLOUR, START_ALPHA, Picture, colours_of
+
+
+def draw_scene(axes, scenario, trajectories, instance):
+    """A scene with the whole paths of one instance; says how many ticks it took."""
+    _, walks = read_walks(trajectories, instance)
+    axes.set_xlabel('x [m]')
+    axes.set_ylabel('y [m]')
+    return draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), with_starts=True)
+
+
+def last_tick_of(walks):
+    """The tick at which the last one arrived, or time was up."""
+    return max(walk[-1][0] for walk in walks.values())
+
+
+def draw_moment(axes, scene, walks, tick, with_starts=False):
+    """Everybody at a tick, with goals and the paths so far; who has arrived stands as a circle at its end."""
+    picture = Picture(axes)
+    for obstacle in scene.obstacles:
+        centre = place_of(obstacle, tick * scene.tick)
+        picture.disc(centre, obstacle['radius'], facecolor=OBSTACLE_COLOUR, edgecolor='0.35', linewidth=0.8)
+        picture.show(centre, obstacle['radius'])
+    for wall in scene.walls:
+        picture.draw_wall(wall)
+    colours = colours_of(len(scene.agents))
+    for agent, walk in sorted(walks.items()):
+        draw_walker(picture, scene.agents[agent], walk, tick, colours[agent], with_starts)
+    picture.frame()
+    return tick
+
+
+def draw_walker(picture, body, walk, tick, colour, with_starts):
+    radius = body['radius']
+    picture.draw_goals(body['goals'], radius, colour)
+    places = [(x, y) for _, x, y in walk]
+    so_far = [(x, y) for at, x, y in walk if at <= tick]
+    for place in places:
+        picture.show(place, radius)
+    picture.axes.plot(*zip(*so_far), color=colour, linewidth=1.3, zorder=5)
+    if with_starts:
+        picture.disc(places[0], radius, facecolor=colour, edgecolor='none', alpha=START_ALPHA, zorder=4)
+    has_left = walk[-1][0] < tick or with_starts
+    style = {'fill': False, 'edgecolor': colour, 'linewidth': 1.2} if has_left else {
+        'facecolor': colour, 'edgecolor': 'none', 'alpha': 0.8}
+    picture.disc(so_far[-1], radius, zorder=7, **style)

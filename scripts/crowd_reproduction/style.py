@@ -1,0 +1,42 @@
+"""How figures look: one colour for one thing, in all of them."""
+import matplotlib
+
+matplotlib.use('Agg')
+from matplotlib import pyplot  # noqa: E402
+
+REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
+REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
+SET_COLOURS = {'nearest': '#009e73', 'occupancy': '#8e5ea2'}
+SET_NAMES = {'nearest': 'set 1, nearest obstacle', 'occupancy': 'set 2, occupancy'}
+PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
+THESIS_MARK = dict(marker='D', color='black', linestyle='', markersize=7, zorder=6)
+REFERENCE = '0.25'  # colour of lines that something is compared with
+
+SETTINGS = {
+    'figure.dpi': 110,
+    'savefig.dpi': 110,
+    'font.size': 10,
+    'axes.titlesize': 11,
+    'axes.grid': True,
+    'axes.axisbelow': True,
+    'grid.color': '0.9',
+    'axes.spines.top': False,
+    'axes.spines.right': False,
+    'legend.frameon': False,
+    'legend.fontsize': 9,
+}
+
+
+def new_figure(rows, columns, width, height, **options):
+    """A figure of so many panels, of that size [inch]."""
+    with matplotlib.rc_context(SETTINGS):
+        return pyplot.subplots(rows, columns, figsize=(width, height), squeeze=False, layout='constrained', **options)
+
+
+def save(figure, file):
+    """Writes a figure and forgets it."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with matplotlib.rc_context(SETTINGS):
+        figure.savefig(file)
+    pyplot.close(figure)
+    return file
