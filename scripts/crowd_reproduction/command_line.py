@@ -23,11 +23,12 @@ def parse_arguments(words):
     described = '\n'.join(f'  {experiment.NAME:18} {experiment.TITLE}' for experiment in experiments.ALL)
     parser = argparse.ArgumentParser(
         prog='reproduce', formatter_class=argparse.RawDescriptionHelpFormatter,
-        description='Repeats experiments of the thesis: trains, walks, draws its figures and writes a page with all of them.',
+        description='Repeats experiments of the thesis: trains, walks, draws its figures, writes a page with them.',
         epilog=f'experiments:\n{described}\n  {"all":18} all of them\n\n'
-               'Runs that were completed before are kept unless what they are made from has changed. Ctrl-C keeps the runs\n'
+               'Runs that were completed before are kept unless what they are made from has changed. Ctrl-C keeps the '
+               'runs\n'
                'that are done; the same command goes on from there.')
-    parser.add_argument('experiments', nargs='+', choices=[*NAMES, 'all'], metavar='EXPERIMENT', help='which, see below')
+    parser.add_argument('experiments', nargs='+', choices=[*NAMES, 'all'], metavar='EXPERIMENT', help='see below')
     parser.add_argument('--results', type=pathlib.Path, default=pathlib.Path('results'), metavar='FOLDER',
                         help='where everything goes (default: results)')
     parser.add_argument('--processes', type=positive, default=min(2, os.cpu_count() or 1), metavar='N',
@@ -82,8 +83,8 @@ def carry_out(setting, chosen, arguments):
         Runner(arguments.processes).carry_out(left)
     except KeyboardInterrupt:
         done = sum(run.is_done() for run in runs)
-        print(f'Interrupted: {done} of {len(runs)} runs are done and stay in {setting.results}; the same command goes on '
-              'from there.')
+        print(f'Interrupted: {done} of {len(runs)} runs are done and stay in {setting.results}; '
+              'the same command goes on from there.')
         return False
     return True
 
@@ -103,8 +104,8 @@ def draw(setting, chosen):
             for table in chapter.tables():
                 print_table(table)
     page = setting.results / 'index.html'
-    write_page(page, chapters, 'L. Casadiego, Social Crowd Controllers using Reinforcement Learning Methods (UPC, 2014): '
-               'its experiments as this package repeats them.'
+    write_page(page, chapters, 'L. Casadiego, Social Crowd Controllers using Reinforcement Learning Methods '
+               '(UPC, 2014): its experiments as this package repeats them.'
                + (' Quick numbers, which mean nothing.' if setting.quick else ''))
     return page
 

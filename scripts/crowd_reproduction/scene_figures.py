@@ -4,12 +4,12 @@ from crowd_drawing.motion import place_of
 from crowd_drawing.picture import OBSTACLE_COLOUR, START_ALPHA, Picture, colours_of
 
 
-def draw_scene(axes, scenario, trajectories, instance):
-    """A scene with the whole paths of one instance; says how many ticks it took."""
+def draw_scene(axes, scenario, trajectories, instance, colour=None):
+    """A scene with the whole paths of one instance."""
     _, walks = read_walks(trajectories, instance)
     axes.set_xlabel('x [m]')
     axes.set_ylabel('y [m]')
-    return draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), with_starts=True)
+    draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), colour, with_starts=True)
 
 
 def last_tick_of(walks):
@@ -17,8 +17,9 @@ def last_tick_of(walks):
     return max(walk[-1][0] for walk in walks.values())
 
 
-def draw_moment(axes, scene, walks, tick, with_starts=False):
-    """Everybody at a tick, with goals and the paths so far; who has arrived stands as a circle at its end."""
+def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False):
+    """Everybody at a tick, with goals and the paths so far; who has arrived is a circle at its end. All of them have
+    the colour, or each its own."""
     picture = Picture(axes)
     for obstacle in scene.obstacles:
         centre = place_of(obstacle, tick * scene.tick)
@@ -26,11 +27,10 @@ def draw_moment(axes, scene, walks, tick, with_starts=False):
         picture.show(centre, obstacle['radius'])
     for wall in scene.walls:
         picture.draw_wall(wall)
-    colours = colours_of(len(scene.agents))
+    colours = [colour] * len(scene.agents) if colour else colours_of(len(scene.agents))
     for agent, walk in sorted(walks.items()):
         draw_walker(picture, scene.agents[agent], walk, tick, colours[agent], with_starts)
     picture.frame()
-    return tick
 
 
 def draw_walker(picture, body, walk, tick, colour, with_starts):

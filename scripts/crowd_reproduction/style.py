@@ -27,6 +27,11 @@ SETTINGS = {
 }
 
 
+def short_set_name(states):
+    """set 1, set 2"""
+    return SET_NAMES[states].split(',')[0]
+
+
 def new_figure(rows, columns, width, height, **options):
     """A figure of so many panels, of that size [inch]."""
     with matplotlib.rc_context(SETTINGS):

@@ -27,8 +27,8 @@ def plan(setting):
 
 def make_run(setting, states, parameters, seed):
     return Run(setting.run_folder(NAME, run_name(states, parameters, seed)), [
-        [setting.tool('train'), setting.recipe(f'twins_{states}_{parameters}'), '--output', 'q_table.txt', '--seed', seed]
-        + (['--episodes', 40] if setting.quick else []),
+        [setting.tool('train'), setting.recipe(f'twins_{states}_{parameters}'), '--output', 'q_table.txt',
+         '--seed', seed] + (['--episodes', 40] if setting.quick else []),
         [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--seed', DEMO_SEED + seed, '--episodes',
          setting.count(EPISODES, 5), '--record', 'demo.csv', *map(setting.scenario, TESTS)],
         [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--seed', DEMO_SEED + seed, '--episodes',
@@ -40,9 +40,12 @@ def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
     chapter.tell(
-        'An agent and two obstacles of radius 0.4 m side by side across its way: a: they overlap; b: they all but touch; c: '
-        'the gap of 0.4 m is narrower than the agent (0.5 m); d: the gap of 1.1 m can be passed without coming within the '
-        'collision radius. State set 1 sees the nearer of the two only and cannot tell a gap from a wall. One table for all '
+        'An agent and two obstacles of radius 0.4 m side by side across its way: a: they overlap; b: they all but '
+        'touch; c: '
+        'the gap of 0.4 m is narrower than the agent (0.5 m); d: the gap of 1.1 m can be passed without coming within '
+        'the '
+        'collision radius. State set 1 sees the nearer of the two only and cannot tell a gap from a wall. One table '
+        'for all '
         f'four tests, trained on them for 16,000 episodes; {len(setting.seeds(SEEDS))} seeds, '
         f'{setting.count(EPISODES, 5)} episodes a test with start and goal at other places than in training.')
     add_paths(chapter, setting)
@@ -57,14 +60,16 @@ def add_paths(chapter, setting):
         for row, states in enumerate(SETS):
             folder = setting.run_folder(NAME, run_name(states, parameters, 1))
             for panel, (test, title) in zip(axes[row], TESTS.items()):
-                draw_scene(panel, folder / f'{test}.yaml', folder / f'{test}.csv', 0)
+                draw_scene(panel, folder / f'{test}.yaml', folder / f'{test}.csv', 0, style.SET_COLOURS[states])
                 panel.set_title(f'{title}\n{style.SET_NAMES[states]}')
                 panel.set_xlim(-3.1, 3.1)
                 panel.set_ylim(-3.3, 3.3)
                 panel.label_outer()
         chapter.add_figure(style.save(figure, setting.figure_file(f'twins_{parameters}')),
-                           f'After figures 4.13-4.16: walked paths of one demo episode, {style.PARAMETER_NAMES[parameters]}, '
-                           'seed 1. Above: state set 1, below: state set 2. Disc: start; circle: end; cross: goal; grey: '
+                           'After figures 4.13-4.16: walked paths of one demo episode, '
+                           f'{style.PARAMETER_NAMES[parameters]}, '
+                           'seed 1. Above: state set 1, below: state set 2. Disc: start; circle: end; cross: goal; '
+                           'grey: '
                            'obstacles. A path that ends far from the goal dances on the spot until time is up.')
 
 
@@ -81,7 +86,7 @@ def add_table(chapter, setting):
                                     for index in (0, 1))
                 ratios = [median(record['path_ratio'][rows_of & (record['arrived'] > 0)])
                           for record, rows_of in zip(records, chosen)]
-                rows.append([f'{style.PARAMETER_NAMES[parameters]}, {style.SET_NAMES[states]}, {title}', success.text(1),
-                             contact.text(1), Spread.of_numbers(ratios).text(2), visited.text(0)])
+                rows.append([f'{style.PARAMETER_NAMES[parameters]}, {style.SET_NAMES[states]}, {title}',
+                             success.text(1), contact.text(1), Spread.of_numbers(ratios).text(2), visited.text(0)])
     chapter.add_table('Twins tests: mean ± standard deviation over the seeds (lowest-highest)',
                       ['', 'success %', 'contact %', 'path ratio', 'rows visited in training'], rows)

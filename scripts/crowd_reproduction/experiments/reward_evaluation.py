@@ -65,7 +65,8 @@ def report(setting):
     records = {(reward, parameters, mode): read(setting, reward, parameters, mode)
                for reward in REWARDS for parameters in PARAMETERS for mode in (*MODES, 'free')}
     chapter.tell(
-        'One agent, one obstacle (radius 0.4 m) about half-way to its goal 4 m away, in another direction each episode; '
+        'One agent, one obstacle (radius 0.4 m) about half-way to its goal 4 m away, in another direction each '
+        'episode; '
         'state set 1, 2,000 training episodes of at most 2,000 decisions, then 2,000 demo episodes with the table just '
         f'learned, at other places, and 100 without the obstacle; {len(setting.seeds(SEEDS))} seeds.')
     add_scene(chapter, setting)
@@ -80,9 +81,11 @@ def report(setting):
 def add_scene(chapter, setting):
     folder = setting.run_folder(NAME, run_name('cosine_cubed', 'better', 1))
     figure, axes = style.new_figure(1, 1, 5.5, 4.5)
-    draw_scene(axes[0][0], folder / 'single_obstacle.yaml', folder / 'single_obstacle.csv', 0)
+    draw_scene(axes[0][0], folder / 'single_obstacle.yaml', folder / 'single_obstacle.csv', 0,
+               style.REWARD_COLOURS['cosine_cubed'])
     chapter.add_figure(style.save(figure, setting.figure_file('reward_scene')),
-                       'After figure 4.1: the experiment, with the path of a demo episode (cos³, better parameters). Disc: '
+                       'After figure 4.1: the experiment, with the path of a demo episode (cos³, better parameters). '
+                       'Disc: '
                        'start; circle: end; cross: goal; grey: obstacle.')
 
 
@@ -105,7 +108,8 @@ def add_scatters(chapter, setting, records, parameters):
         name = f'reward_{measure}_{parameters}'
         figures = '4.2-4.9' if parameters == 'thesis' else '4.2-4.9, repeated'
         chapter.add_figure(style.save(figure, setting.figure_file(name)),
-                           f'After figures {figures}: {label} in each episode, {style.PARAMETER_NAMES[parameters]}, seed 1; '
+                           f'After figures {figures}: {label} in each episode, {style.PARAMETER_NAMES[parameters]}, '
+                           'seed 1; '
                            'filled: the agent arrived; crosses: it did not.' + (
                                ' Episodes in which nothing was gained have no such ratio and are left out.'
                                if measure == 'path_per_gain' else ''))
@@ -114,8 +118,9 @@ def add_scatters(chapter, setting, records, parameters):
 def scatter(panel, record, measure, reward):
     values, arrived = record[measure], record['arrived'] > 0
     colour = style.REWARD_COLOURS[reward]
-    panel.plot(record['episode'][arrived], values[arrived], linestyle='', marker='.', markersize=3, color=colour, alpha=0.5)
-    panel.plot(record['episode'][~arrived], values[~arrived], linestyle='', marker='x', markersize=4, color=colour)
+    for chosen, look in ((arrived, {'marker': '.', 'markersize': 3, 'alpha': 0.5}),
+                         (~arrived, {'marker': 'x', 'markersize': 4})):
+        panel.plot(record['episode'][chosen], values[chosen], linestyle='', color=colour, **look)
     if measure == 'path_per_gain':
         panel.set_yscale('log')
 
@@ -132,7 +137,8 @@ def add_shares(chapter, setting, records):
                 if measure == 'success':
                     panel.plot([place], [THESIS_SUCCESS[reward, mode]], **style.THESIS_MARK,
                                label='reported in the thesis' if place == 0 else None)
-            panel.set_xticks(range(4), [f'{style.REWARD_NAMES[reward]},\n{mode}' for mode in MODES for reward in REWARDS])
+            labels = [f'{style.REWARD_NAMES[reward]},\n{mode}' for mode in MODES for reward in REWARDS]
+            panel.set_xticks(range(4), labels)
             panel.set_title(f'{measure}, {style.PARAMETER_NAMES[parameters]}')
         axes[0][column].set_ylim(0, 105)
     for row, measure in enumerate(('success', 'contact')):
@@ -140,7 +146,8 @@ def add_shares(chapter, setting, records):
     axes[1][0].set_ylim(bottom=0)
     axes[0][0].legend(loc='lower left')
     chapter.add_figure(style.save(figure, setting.figure_file('reward_shares')),
-                       'After figures 4.2-4.9: share of episodes in which the agent arrived (above), or touched the obstacle '
+                       'After figures 4.2-4.9: share of episodes in which the agent arrived (above), or touched the '
+                       'obstacle '
                        '(below). Bars: mean over the seeds; dots: single seeds; diamonds: the thesis.')
 
 
@@ -174,7 +181,8 @@ def add_free(chapter, setting, records):
     for panel in axes[0]:
         panel.set_xticks(range(4), labels, fontsize=8)
     chapter.add_figure(style.save(figure, setting.figure_file('reward_free')),
-                       'After figures 4.10-4.12: 100 demo episodes without the obstacle; a dot is a seed, bars are means.')
+                       'After figures 4.10-4.12: 100 demo episodes without the obstacle; a dot is a seed, bars are '
+                       'means.')
 
 
 def draw_spread(panel, place, values, colour):
@@ -218,7 +226,7 @@ def verdict(records):
         success, contact = (Spread(rates(record)[index] for record in records[reward, 'better', 'demo'])
                             for index in (0, 1))
         passed = (success.mean >= LEAST_MEAN_SUCCESS and success.low >= LEAST_SUCCESS and contact.mean <= MOST_CONTACT)
-        words.append(f'{style.REWARD_NAMES[reward]}: mean {success.mean:.2f} %, worst seed {success.low:.2f} %, contact '
-                     f'{contact.mean:.2f} %, {"passed" if passed else "NOT passed"}')
-    return (f'The bar for the better parameters in demo (success at least {LEAST_MEAN_SUCCESS:g} % in the mean, at least '
-            f'{LEAST_SUCCESS:g} % for every seed, contact at most {MOST_CONTACT:g} %): {"; ".join(words)}.')
+        words.append(f'{style.REWARD_NAMES[reward]}: mean {success.mean:.2f} %, worst seed {success.low:.2f} %, '
+                     f'contact {contact.mean:.2f} %, {"passed" if passed else "NOT passed"}')
+    return (f'The bar for the better parameters in demo (success at least {LEAST_MEAN_SUCCESS:g} % in the mean, '
+            f'at least {LEAST_SUCCESS:g} % for every seed, contact at most {MOST_CONTACT:g} %): {"; ".join(words)}.')
