@@ -49,10 +49,9 @@ def positive(text):
 
 def find_tools(given):
     """The folder of the programs; builds them in a clone where they are not beside this program."""
-    beside = pathlib.Path(sys.argv[0]).resolve().parent
-    for folder in [given] if given else [pathlib.Path(sys.argv[0]).parent.absolute(), beside]:
-        if all(os.access(folder / tool, os.X_OK) for tool in TOOLS):
-            return folder.resolve()
+    folder = given or pathlib.Path(sys.argv[0]).parent
+    if all(os.access(folder / tool, os.X_OK) for tool in TOOLS):
+        return folder.resolve()
     if given:
         raise RunError(f'{given}: has no train and evaluate')
     print('Building, which takes minutes the first time only', flush=True)
