@@ -1,6 +1,7 @@
 """Runs of the tools, each in a folder of its own, as many at a time as there are processors to spare."""
 import concurrent.futures
 import dataclasses
+import functools
 import hashlib
 import os
 import pathlib
@@ -58,10 +59,16 @@ def files_behind(path):
     if path.name == 'train' or path.name == 'evaluate':
         files += sorted(path.parent.parent.glob('libsocial_crowd_core.*'))
     if path.suffix == '.yaml':
-        with open(path, encoding='utf-8') as stream:
-            training = (next(yaml.safe_load_all(stream)) or {}).get('training', {})
-        files += [path.parent / name for name in training.get('scenarios', [])]
+        files += scenarios_of(path)
     return files
+
+
+@functools.lru_cache(maxsize=None)
+def scenarios_of(recipe):
+    """The scenarios that a learning configuration trains on; none if it is a scenario itself."""
+    with open(recipe, encoding='utf-8') as stream:
+        training = (next(yaml.safe_load_all(stream)) or {}).get('training', {})
+    return [recipe.parent / name for name in training.get('scenarios', [])]
 
 
 digests = {}  # by file, its size and its time: programs are read once

@@ -9,7 +9,7 @@ def draw_scene(axes, scenario, trajectories, instance, colour=None):
     _, walks = read_walks(trajectories, instance)
     axes.set_xlabel('x [m]')
     axes.set_ylabel('y [m]')
-    draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), colour, with_starts=True)
+    draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), colour, with_starts=True).frame()
 
 
 def last_tick_of(walks):
@@ -19,7 +19,7 @@ def last_tick_of(walks):
 
 def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False):
     """Everybody at a tick, with goals and the paths so far; who has arrived is a circle at its end. All of them have
-    the colour, or each its own."""
+    the colour, or each its own. Returns the picture, whose limits are not set yet."""
     picture = Picture(axes)
     for obstacle in scene.obstacles:
         centre = place_of(obstacle, tick * scene.tick)
@@ -30,7 +30,16 @@ def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False):
     colours = [colour] * len(scene.agents) if colour else colours_of(len(scene.agents))
     for agent, walk in sorted(walks.items()):
         draw_walker(picture, scene.agents[agent], walk, tick, colours[agent], with_starts)
-    picture.frame()
+    return picture
+
+
+def frame_alike(pictures):
+    """The same limits for all, so that everything is within each of them; returns width and height [m]."""
+    for picture in pictures:
+        for other in pictures:
+            picture.show(other.low)
+            picture.show(other.high)
+    return [picture.frame() for picture in pictures][0]
 
 
 def draw_walker(picture, body, walk, tick, colour, with_starts):

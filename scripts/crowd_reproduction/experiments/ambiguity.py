@@ -41,12 +41,9 @@ def report(setting):
     chapter = Chapter(NAME, TITLE)
     chapter.tell(
         'An agent and two obstacles of radius 0.4 m side by side across its way: a: they overlap; b: they all but '
-        'touch; c: '
-        'the gap of 0.4 m is narrower than the agent (0.5 m); d: the gap of 1.1 m can be passed without coming within '
-        'the '
-        'collision radius. State set 1 sees the nearer of the two only and cannot tell a gap from a wall. One table '
-        'for all '
-        f'four tests, trained on them for 16,000 episodes; {len(setting.seeds(SEEDS))} seeds, '
+        'touch; c: the gap of 0.4 m is narrower than the agent (0.5 m); d: the gap of 1.1 m can be passed without '
+        'coming within the collision radius. State set 1 sees the nearer of the two only and cannot tell a gap from a '
+        f'wall. One table for all four tests, trained on them for 16,000 episodes; {len(setting.seeds(SEEDS))} seeds, '
         f'{setting.count(EPISODES, 5)} episodes a test with start and goal at other places than in training.')
     add_paths(chapter, setting)
     add_table(chapter, setting)
@@ -67,10 +64,9 @@ def add_paths(chapter, setting):
                 panel.label_outer()
         chapter.add_figure(style.save(figure, setting.figure_file(f'twins_{parameters}')),
                            'After figures 4.13-4.16: walked paths of one demo episode, '
-                           f'{style.PARAMETER_NAMES[parameters]}, '
-                           'seed 1. Above: state set 1, below: state set 2. Disc: start; circle: end; cross: goal; '
-                           'grey: '
-                           'obstacles. A path that ends far from the goal dances on the spot until time is up.')
+                           f'{style.PARAMETER_NAMES[parameters]}, seed 1. Above: state set 1, below: state set 2. '
+                           'Disc: start; circle: end; cross: goal; grey: obstacles. A path that ends far from the '
+                           'goal dances on the spot until time is up.')
 
 
 def add_table(chapter, setting):

@@ -66,9 +66,13 @@ def report(setting):
                for reward in REWARDS for parameters in PARAMETERS for mode in (*MODES, 'free')}
     chapter.tell(
         'One agent, one obstacle (radius 0.4 m) about half-way to its goal 4 m away, in another direction each '
-        'episode; '
-        'state set 1, 2,000 training episodes of at most 2,000 decisions, then 2,000 demo episodes with the table just '
-        f'learned, at other places, and 100 without the obstacle; {len(setting.seeds(SEEDS))} seeds.')
+        'episode; state set 1, 2,000 training episodes of at most 2,000 decisions, then 2,000 demo episodes with the '
+        f'table just learned, at other places, and 100 without the obstacle; {len(setting.seeds(SEEDS))} seeds.')
+    chapter.tell(
+        "The thesis's parameters: step size 0.1, gamma 0.1, lambda 0, not tuned; it leaves open how often the agent "
+        'explores (here 10 % of the decisions), how ties are broken (here: the first action), the radius of the obstacle '
+        'and the heading at the start (here: towards the goal). Better parameters: gamma 0.9, step size 0.02, exploration '
+        'that falls from 100 % to 2 % within 1,500 episodes; their training rates hold the episodes spent on exploring.')
     add_scene(chapter, setting)
     for parameters in PARAMETERS:
         add_scatters(chapter, setting, records, parameters)
@@ -85,8 +89,7 @@ def add_scene(chapter, setting):
                style.REWARD_COLOURS['cosine_cubed'])
     chapter.add_figure(style.save(figure, setting.figure_file('reward_scene')),
                        'After figure 4.1: the experiment, with the path of a demo episode (cos³, better parameters). '
-                       'Disc: '
-                       'start; circle: end; cross: goal; grey: obstacle.')
+                       'Disc: start; circle: end; cross: goal; grey: obstacle.')
 
 
 def add_scatters(chapter, setting, records, parameters):
@@ -147,8 +150,7 @@ def add_shares(chapter, setting, records):
     axes[0][0].legend(loc='lower left')
     chapter.add_figure(style.save(figure, setting.figure_file('reward_shares')),
                        'After figures 4.2-4.9: share of episodes in which the agent arrived (above), or touched the '
-                       'obstacle '
-                       '(below). Bars: mean over the seeds; dots: single seeds; diamonds: the thesis.')
+                       'obstacle (below). Bars: mean over the seeds; dots: single seeds; diamonds: the thesis.')
 
 
 def draw_share(panel, place, values, colour):

@@ -5,7 +5,7 @@ from .. import style
 from ..chapter import Chapter
 from ..records import Spread, median, of_scenario, rates, read_csv, read_table_header
 from ..runs import Run
-from ..scene_figures import draw_moment, last_tick_of
+from ..scene_figures import draw_moment, frame_alike, last_tick_of
 
 NAME = 'scenarios'
 TITLE = 'Scenarios (figures 4.17-4.25)'
@@ -52,8 +52,7 @@ def report(setting):
         "The thesis's agents: they always walk at full speed, and walk through what they fail to avoid. One table for "
         "all "
         'scenarios, trained on a mix (single agents among obstacles, and crowds that learn in one shared table) so '
-        'that '
-        f'the states of occupancy are filled; {len(setting.seeds(SEEDS))} training seeds, '
+        f'that the states of occupancy are filled; {len(setting.seeds(SEEDS))} training seeds, '
         f'{setting.count(EPISODES, 1)} instances a scenario, whose starts are drawn anew each time.')
     add_table(chapter, setting)
     add_visits(chapter, setting)
@@ -65,39 +64,44 @@ def report(setting):
 def add_moments(chapter, setting, scenario):
     """Four moments of the first instance, both sets one above the other."""
     figure, axes = style.new_figure(len(SETS), len(MOMENTS), 13, 6.9)
+    pictures = []
     for row, states in enumerate(SETS):
         folder = setting.run_folder(NAME, run_name(states, DRAWN_PARAMETERS, 1))
         scene = read_scene(folder / f'{scenario}.yaml', 0)
         _, walks = read_walks(folder / f'{scenario}.csv', 0)
         for panel, moment in zip(axes[row], MOMENTS):
             tick = round(moment * last_tick_of(walks))
-            draw_moment(panel, scene, walks, tick)
+            pictures.append(draw_moment(panel, scene, walks, tick))
             panel.set_title(f'{style.short_set_name(states)}, {tick * scene.tick:.1f} s')
         axes[row][0].set_ylabel('y [m]')
     for panel in axes[-1]:
         panel.set_xlabel('x [m]')
+    width, height = frame_alike(pictures)
+    figure.set_size_inches(13, len(SETS) * (0.75 + 3.0 * height / width))
     chapter.add_figure(style.save(figure, setting.figure_file(f'scenario_{scenario}')),
                        f'After figures 4.17-4.25, {scenario}: {SCENARIOS[scenario]}. Four moments of one episode; '
                        f'above state set 1, below state set 2, {style.PARAMETER_NAMES[DRAWN_PARAMETERS]}, seed 1. '
-                       'Discs: '
-                       'bodies; circles: who has arrived and left; crosses: goals; grey: obstacles.')
+                       'Discs: bodies; circles: who has arrived and left; crosses: goals; grey: obstacles.')
 
 
 def add_table(chapter, setting):
     rows = []
+    records = {(states, parameters): [
+        read_csv(setting.run_folder(NAME, run_name(states, parameters, seed)) / 'demo.csv')
+        for seed in setting.seeds(SEEDS)] for states in SETS for parameters in PARAMETERS}
     for scenario in SCENARIOS:
         for parameters in PARAMETERS:
             for states in SETS:
                 rows.append([f'{scenario}, {style.short_set_name(states)}, {style.PARAMETER_NAMES[parameters]}',
-                             *measures_of(setting, states, parameters, scenario)])
+                             *measures_of(records[states, parameters], scenario)])
     chapter.add_table('Scenarios: mean ± standard deviation over the seeds (lowest-highest)',
                       ['', 'success %', 'contact %', 'path ratio'], rows)
 
 
-def measures_of(setting, states, parameters, scenario):
+def measures_of(records, scenario):
+    """Success, contact and path ratio in a scenario, over the records of all seeds."""
     success, contact, ratio = [], [], []
-    for seed in setting.seeds(SEEDS):
-        record = read_csv(setting.run_folder(NAME, run_name(states, parameters, seed)) / 'demo.csv')
+    for record in records:
         rows = of_scenario(record, scenario)
         arrived, touched = rates(record, rows)
         success.append(arrived)

@@ -58,10 +58,9 @@ def report(setting):
     chapter = Chapter(NAME, TITLE)
     chapter.tell(
         'A pioneer learns alone among obstacles, resting and moving, for so many episodes; then twelve agents on a '
-        'circle '
-        'walk to the opposite points by its table. Either the table stays as it is, or everybody goes on learning, in '
-        'a '
-        f'table of its own or all in one, for {setting.count(FURTHER_EPISODES, 2)} episodes, of which the last '
+        'circle walk to the opposite points by its table. Either the table stays as it is, or everybody goes on '
+        f'learning, in a table of its own or all in one, for {setting.count(FURTHER_EPISODES, 2)} episodes, of which '
+        'the last '
         f'{JUDGED_EPISODES} are judged; 1 % of the decisions are at random in them. The thesis\'s learning parameters, '
         f'{len(setting.seeds(SEEDS))} seeds.')
     curves = {(states, use): curve(setting, states, use) for states in SETS for use in USES}
@@ -101,8 +100,7 @@ def add_figure(chapter, setting, curves):
     axes[0][1].legend(loc='lower right')
     chapter.add_figure(style.save(figure, setting.figure_file('sharing')),
                        'Success and contact of a crowd of twelve against the number of episodes that the pioneer '
-                       'learned. '
-                       'Lines: mean over the seeds; bands: lowest to highest.')
+                       'learned. Lines: mean over the seeds; bands: lowest to highest.')
 
 
 def add_table(chapter, setting, curves):
