@@ -70,9 +70,10 @@ def report(setting):
         f'table just learned, at other places, and 100 without the obstacle; {len(setting.seeds(SEEDS))} seeds.')
     chapter.tell(
         "The thesis's parameters: step size 0.1, gamma 0.1, lambda 0, not tuned; it leaves open how often the agent "
-        'explores (here 10 % of the decisions), how ties are broken (here: the first action), the radius of the obstacle '
-        'and the heading at the start (here: towards the goal). Better parameters: gamma 0.9, step size 0.02, exploration '
-        'that falls from 100 % to 2 % within 1,500 episodes; their training rates hold the episodes spent on exploring.')
+        'explores (here 10 % of the decisions), how ties are broken (here: the first action), the radius of the '
+        'obstacle and the heading at the start (here: towards the goal). Better parameters: gamma 0.9, step size '
+        '0.02, exploration that falls from 100 % to 2 % within 1,500 episodes; their training rates hold the '
+        'episodes spent on exploring.')
     add_scene(chapter, setting)
     for parameters in PARAMETERS:
         add_scatters(chapter, setting, records, parameters)

@@ -107,7 +107,7 @@ def add_table(chapter, setting, curves):
     rows = []
     for states in SETS:
         for i, episodes in enumerate(episodes_of(setting)):
-            rows.append([f'{style.SET_NAMES[states]}, {episodes} episodes',
+            rows.append([f'{style.SET_NAMES[states]}, after episode {episodes}',
                          *(Spread(curves[states, use][i, :, index]).text(1) for use in USES for index in (0, 1))])
     header = ['', *(f'{use}: {measure} %' for use in ('fixed', 'own tables', 'one table') for measure in MEASURES)]
     chapter.add_table("A crowd of twelve with the pioneer's table: mean ± standard deviation over the seeds "
