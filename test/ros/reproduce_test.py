@@ -4,6 +4,7 @@ import csv
 import glob
 import math
 import os
+import pathlib
 import re
 import stat
 import statistics
@@ -16,6 +17,7 @@ SCRIPTS = support.in_package('scripts')
 sys.path.insert(0, SCRIPTS)
 from crowd_drawing.motion import place_of  # noqa: E402
 from crowd_reproduction.records import Spread, median, of_scenario, rates, read_csv  # noqa: E402
+from crowd_reproduction.runs import Run  # noqa: E402
 
 REWARDS = ('distance_gained', 'cosine_cubed')
 
@@ -119,6 +121,29 @@ class RecordsTest(support.CrowdTestCase):
         success, contact = rates(record, rows)
         self.assertAlmostEqual(success, 200.0 / 3.0)
         self.assertAlmostEqual(contact, 100.0 / 3.0)
+
+
+class RunTest(support.CrowdTestCase):
+    """When a run that was done before counts as done."""
+
+    def test_stamp_changes_with_all_that_it_is_made_from(self):
+        scenario = self.write('scenario.yaml', 'name: one\n')
+        recipe = self.write('recipe.yaml', 'training: {scenarios: [scenario.yaml]}\n')
+
+        def stamp(*words):
+            return Run(pathlib.Path(self.folder), [['train', recipe, *words]]).stamp()
+
+        stamps = [stamp('--seed', 1)]
+        self.assertEqual(stamp('--seed', 1), stamps[0])
+        stamps.append(stamp('--seed', 2))
+        self.write('scenario.yaml', 'name: another\n')
+        stamps.append(stamp('--seed', 1))
+        self.write('recipe.yaml', 'training: {scenarios: [scenario.yaml], episodes: 7}\n')
+        stamps.append(stamp('--seed', 1))
+        os.remove(scenario)
+        with self.assertRaises(OSError):
+            stamp('--seed', 1)
+        self.assertEqual(len(set(stamps)), 4)
 
 
 class MotionTest(support.CrowdTestCase):
