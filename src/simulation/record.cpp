@@ -21,7 +21,7 @@ void appendRecordRows(std::uint64_t episode, const EpisodeResult& result, std::s
     const AgentResult& agent = result.agents[i];
     if (agent.removed) continue;
     rows += begin + std::to_string(i) + (agent.arrived ? ",1" : ",0") + (agent.touched ? ",1," : ",0,") +
-            std::to_string(agent.ticks);
+            std::to_string(agent.blocked_moves) + "," + std::to_string(agent.ticks);
     for (const double value : {agent.path_length, agent.path_ratio, agent.time_ratio, agent.turn_per_metre,
                                agent.distance_gained, agent.gain_per_tick, agent.path_per_gain}) {
       rows += "," + toText(value);

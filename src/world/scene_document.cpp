@@ -53,7 +53,8 @@ std::string section(const std::string& key, const Bodies& bodies) {
 std::string toDocument(const Scene& scene) {
   return "---\nname: " + quoted(scene.name) + "\ntick: " + toText(scene.tick_duration) +
          "\nduration: " + toText(static_cast<double>(scene.max_ticks) * scene.tick_duration) +
-         "\ngoal_tolerance: " + toText(scene.goal_tolerance) + "\n" + section("agents", scene.agents) +
+         "\ngoal_tolerance: " + toText(scene.goal_tolerance) + "\n" +
+         (scene.contact == Contact::SOLID ? "contact: solid\n" : "") + section("agents", scene.agents) +
          section("obstacles", scene.obstacles) + section("walls", scene.walls);
 }
 

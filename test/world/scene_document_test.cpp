@@ -23,6 +23,7 @@ void expectSame(const Scene& got, const Scene& expected) {
   EXPECT_EQ(got.tick_duration, expected.tick_duration);
   EXPECT_EQ(got.max_ticks, expected.max_ticks);
   EXPECT_EQ(got.goal_tolerance, expected.goal_tolerance);
+  EXPECT_EQ(got.contact, expected.contact);
   ASSERT_EQ(got.agents.size(), expected.agents.size());
   for (std::size_t i = 0; i < got.agents.size(); ++i) {
     const AgentStart& agent = got.agents[i];
@@ -74,6 +75,12 @@ TEST(SceneDocument, ObstaclesOnTheirWays) {
   Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
   scene.obstacles.push_back({ObstaclePath::toAndFro({{3.0, 0.0}, {3.0, 4.0}, {6.0, 4.0}}, 0.7), 0.3});
   scene.obstacles.push_back({ObstaclePath::loop({{-3.0, 0.0}, {-3.0, 4.0}, {-6.0, 4.0}}, 0.2), 0.4});
+  expectSame(readBack(scene), scene);
+}
+
+TEST(SceneDocument, SolidWorldsStaySolid) {
+  Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
+  scene.contact = Contact::SOLID;
   expectSame(readBack(scene), scene);
 }
 
