@@ -40,6 +40,7 @@ Learner::Learner(Model model, Options options)
 
 Learner::Learner(Model model, Options options, QTable table)
     : model_(std::move(model)),
+      sight_{model_.state_set->distanceLimits().back(), model_.state_set->maxBodies()},
       options_(std::move(options)),
       parameters_(options_.plan.parameters),
       epsilon_(options_.plan.epsilon),
@@ -75,12 +76,23 @@ void Learner::beginEpisode(std::uint64_t episode) {
   forgetDecisions();
 }
 
+Perception Learner::perceptionOf(const Perceptions& perceptions, std::size_t index) const {
+  Perception seen(perceptions, index);
+  if (sight_.max_bodies == 0) return seen;  // then the state set takes what it looks at from whatever there is
+  std::size_t count = std::min<std::size_t>(sight_.max_bodies, seen.bodies.size());
+  const auto rim = [&](std::size_t body) { return seen.bodies[body].position.norm() - seen.bodies[body].radius; };
+  while (count > 0 && rim(count - 1) > sight_.radius) --count;  // the nearest comes first
+  seen.bodies = {seen.bodies.begin(), count};
+  return seen;
+}
+
 void Learner::findRows(const Perceptions& perceptions) {
   const std::size_t stride = model_.state_set->rowsPerPerception();
   rows_.resize(perceptions.agents.size() * stride);
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const AgentPerception& self = perceptions.agents[i];
-    if (serves(self.agent) && !self.arrived) model_.state_set->findRows({perceptions, i}, &rows_[i * stride]);
+    if (serves(self.agent) && !self.arrived)
+      model_.state_set->findRows(perceptionOf(perceptions, i), &rows_[i * stride]);
   }
 }
 
@@ -92,7 +104,7 @@ Rows Learner::rowsOf(std::size_t index) const {
 void Learner::learn(const Perceptions& perceptions) {
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const AgentPerception& now = perceptions.agents[i];
-    if (serves(now.agent)) learnOne({perceptions, i}, perceptions, rowsOf(i));
+    if (serves(now.agent)) learnOne(perceptionOf(perceptions, i), perceptions, rowsOf(i));
   }
 }
 
@@ -124,7 +136,7 @@ void Learner::choose(const Perceptions& perceptions, RelativeActions& actions) {
     memory.episode = perceptions.episode;
     memory.tick = perceptions.tick;
     memory.before = self;
-    actions.agents.push_back({self.agent, model_.action_set->relativeAction({perceptions, i}, action)});
+    actions.agents.push_back({self.agent, model_.action_set->relativeAction(perceptionOf(perceptions, i), action)});
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "social_crowd/learning/thesis_reward.h"
 #include "support/error_of.h"
 #include "support/learners.h"
@@ -179,6 +181,35 @@ TEST(Learner, LooksUpEveryActionInARowOfItsOwn) {
   EXPECT_EQ(learner.tableOf(1).visits(2, 1), 2U);
   EXPECT_EQ(learner.tableOf(1).visits(1, 0), 2U);
   EXPECT_EQ(learner.tableOf(1).visits(3, 1), 1U);
+}
+
+TEST(Learner, LooksAtNoMoreThanItsModelsVision) {
+  const Model two_within_three_metres = parseModel(
+      "{state_set: {type: anticipation, vision_radius: 3, max_bodies: 2}, action_set: {type: goal_fan}, "
+      "reward: {type: pace}}");
+  KeyedRandom random(11, KeyedRandom::EXPLORATION, {});
+  QTable table(two_within_three_metres.state_set->rowCount(), two_within_three_metres.action_set->size());
+  for (Row row = 0; row < table.rows(); ++row) {
+    for (Action action = 0; action < table.actions(); ++action) table.set(row, action, random.uniform(), 1);
+  }
+  Learner learner(two_within_three_metres, options(Mode::DEMO), table);
+  const auto answer = [&](const PerceptionsBuilder& told) {
+    const RelativeAction action = decide(learner, told).agents.at(0).action;
+    return std::pair<double, double>(action.rotation, action.speed_share);
+  };
+  int differed = 0;
+  for (int i = 0; i < 100; ++i) {
+    const PerceptionsBuilder nobody = PerceptionsBuilder().agent(0, {5.0, 0.0});
+    PerceptionsBuilder seen = nobody;
+    for (const double distance : {0.7, 0.9}) seen.body(polar(random.uniform(-90.0, 90.0), distance), 0.25);
+    PerceptionsBuilder told = seen;
+    for (const double distance : {0.95, 1.0, 4.0}) told.body(polar(random.uniform(-90.0, 90.0), distance), 0.25);
+    EXPECT_EQ(answer(told), answer(seen));
+    PerceptionsBuilder far = nobody;
+    EXPECT_EQ(answer(far.body(polar(0.0, 3.3), 0.25)), answer(nobody));
+    differed += answer(seen) != answer(nobody) ? 1 : 0;
+  }
+  EXPECT_GT(differed, 50);  // else there would be nothing to see
 }
 
 }  // namespace

@@ -47,6 +47,9 @@ class BenchmarkTest(support.CrowdTestCase):
     def test_first_instances_occupancy(self):
         self.check_first_instances(support.OCCUPANCY_TABLE)
 
+    def test_first_instances_anticipation(self):
+        self.check_first_instances(support.ANTICIPATION_TABLE)
+
     def check_score(self, name):
         """All 50 instances of a scenario are walked as without ROS, and the scorer can read the recording."""
         scenario = os.path.join(BENCHMARK, 'scenarios', f'{name}.yaml')

@@ -52,6 +52,7 @@ def in_package(*parts):
 
 NEAREST_TABLE = in_package('config', 'q_tables', 'thesis_nearest.txt')
 OCCUPANCY_TABLE = in_package('config', 'q_tables', 'thesis_occupancy.txt')
+ANTICIPATION_TABLE = in_package('config', 'q_tables', 'anticipation.txt')
 CIRCLE6 = in_package('config', 'scenarios', 'circle6.yaml')
 
 

@@ -108,6 +108,8 @@ class Learner {
   void checkShape(const QTable& table) const;
   void give(TablePointer& place, const QTable& table, TakeMethod method) const;
   void beginEpisode(std::uint64_t episode);
+  /// What an agent perceives, of that no more than the model's vision: others may have been told more.
+  Perception perceptionOf(const Perceptions& perceptions, std::size_t index) const;
   void findRows(const Perceptions& perceptions);
   Rows rowsOf(std::size_t index) const;
   void learn(const Perceptions& perceptions);
@@ -116,6 +118,7 @@ class Learner {
   Action chooseOne(const Perceptions& perceptions, const Rows& rows, Memory& memory, AgentId agent) const;
 
   Model model_;
+  Vision sight_;  // all that the state set looks at
   Options options_;
   LearningParameters parameters_;
   EpsilonSchedule epsilon_;
