@@ -44,7 +44,10 @@ AnticipationStates::AnticipationStates(const Parameters& parameters, std::shared
 AnticipationStates::Outlook AnticipationStates::describe(const Perception& perception,
                                                          const CandidateMove& move) const {
   const AgentPerception& self = perception.self;
-  const Vector2 velocity = move.wanted * self.speed * move.direction;
+  const double share = move.wanted > 0.0 ? move.share / move.wanted : 1.0;
+  // A move of which the rule leaves nothing is to stay, wherever it was to lead.
+  const bool blocked = !parameters_.shares.empty() && share < parameters_.shares.front();
+  const Vector2 velocity = (blocked ? 0.0 : move.wanted) * self.speed * move.direction;
   double reciprocal = NEVER;
   double selfish = NEVER;
   double fixed = NEVER;
@@ -67,7 +70,7 @@ AnticipationStates::Outlook AnticipationStates::describe(const Perception& perce
   return {before_goal(reciprocal),
           before_goal(selfish),
           before_goal(fixed),
-          move.wanted > 0.0 ? move.share / move.wanted : 1.0,
+          share,
           had_direction ? move.direction.x() : 1.0,
           0.0};
 }

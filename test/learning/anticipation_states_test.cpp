@@ -49,6 +49,24 @@ TEST(AnticipationStates, ObstaclesAndWallsYieldToNobody) {
   EXPECT_NEAR(ahead(scene).fixed_time, 2.0, 1e-9);
 }
 
+TEST(AnticipationStates, ABlockedMoveMeetsWhatStayingMeets) {
+  // 1.2 m apart, it comes with 0.1 m/s, the agent stood: 12 s if the agent stays; the wall is never met.
+  const auto scene = PerceptionsBuilder()
+                         .agent(0, {9.0, 0.0})
+                         .body({1.7, 0.0}, 0.25)
+                         .velocity({0.0, 0.0}, {-0.1, 0.0})
+                         .wall({0.85, -1.0}, {0.85, 1.0});
+  const auto blocked = states().describe(scene.perception(), {Vector2::UnitX(), 1.0, 0.04});
+  EXPECT_NEAR(blocked.selfish_time, 12.0, 1e-9);
+  EXPECT_NEAR(blocked.reciprocal_time, 12.0, 1e-9);
+  EXPECT_EQ(blocked.fixed_time, NEVER);
+  EXPECT_EQ(blocked.share, 0.04);
+  const auto cut = states().describe(scene.perception(), {Vector2::UnitX(), 1.0, 0.06});
+  EXPECT_NEAR(cut.selfish_time, 3.0, 1e-9);
+  EXPECT_NEAR(cut.reciprocal_time, 1.2 / 0.7, 1e-9);
+  EXPECT_NEAR(cut.fixed_time, 2.0, 1e-9);
+}
+
 TEST(AnticipationStates, WhatLiesBehindTheGoalDoesNotCount) {
   const auto scene = PerceptionsBuilder().agent(0, {1.0, 0.0}).body({2.0, 0.0}, 0.25).kind(BodyKind::OBSTACLE);
   EXPECT_EQ(ahead(scene).fixed_time, NEVER);
