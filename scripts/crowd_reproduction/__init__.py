@@ -1,1 +1,1 @@
-"""Repeats the experiments of the thesis: runs the tools, keeps their results, draws figures and writes a page."""
+"""Repeats the experiments of the thesis."""

@@ -16,8 +16,8 @@ from roslib.packages import find_node
 SCRIPTS = support.in_package('scripts')
 sys.path.insert(0, SCRIPTS)
 from crowd_drawing.motion import place_of  # noqa: E402
-from crowd_reproduction.records import Spread, median, of_scenario, rates, read_csv  # noqa: E402
-from crowd_reproduction.runs import Run  # noqa: E402
+from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv  # noqa: E402
+from crowd_experiments.runs import Run  # noqa: E402
 
 REWARDS = ('distance_gained', 'cosine_cubed')
 

@@ -1,9 +1,11 @@
 """Figures 4.13-4.16: two obstacles side by side, of which state set 1 sees the nearer one only."""
-from .. import style
-from ..chapter import Chapter
-from ..records import Spread, median, of_scenario, rates, read_csv, read_table_header
-from ..runs import Run
-from ..scene_figures import draw_scene
+from crowd_experiments import style
+from crowd_experiments.chapter import Chapter
+from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_table_header
+from crowd_experiments.runs import Run
+from crowd_experiments.scene_figures import draw_scene
+
+from .. import names
 
 NAME = 'ambiguity'
 TITLE = 'Ambiguity of state set 1: the twins tests (figures 4.13-4.16)'
@@ -64,7 +66,7 @@ def add_paths(chapter, setting):
                 panel.label_outer()
         chapter.add_figure(style.save(figure, setting.figure_file(f'twins_{parameters}')),
                            'After figures 4.13-4.16: walked paths of one demo episode, '
-                           f'{style.PARAMETER_NAMES[parameters]}, seed 1. Above: state set 1, below: state set 2. '
+                           f'{names.PARAMETER_NAMES[parameters]}, seed 1. Above: state set 1, below: state set 2. '
                            'Disc: start; circle: end; cross: goal; grey: obstacles. A path that ends far from the '
                            'goal dances on the spot until time is up.')
 
@@ -82,7 +84,7 @@ def add_table(chapter, setting):
                                     for index in (0, 1))
                 ratios = [median(record['path_ratio'][rows_of & (record['arrived'] > 0)])
                           for record, rows_of in zip(records, chosen)]
-                rows.append([f'{style.PARAMETER_NAMES[parameters]}, {style.SET_NAMES[states]}, {title}',
+                rows.append([f'{names.PARAMETER_NAMES[parameters]}, {style.SET_NAMES[states]}, {title}',
                              success.text(1), contact.text(1), Spread.of_numbers(ratios).text(2), visited.text(0)])
     chapter.add_table('Twins tests: mean ± standard deviation over the seeds (lowest-highest)',
                       ['', 'success %', 'contact %', 'path ratio', 'rows visited in training'], rows)

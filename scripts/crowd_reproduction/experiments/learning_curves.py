@@ -1,10 +1,12 @@
 """Rows and quality of a table against the episodes it has learned."""
 import numpy
 
-from .. import style
-from ..chapter import Chapter
-from ..records import Spread, of_scenario, rates, read_csv, read_table_header
-from ..runs import Run
+from crowd_experiments import style
+from crowd_experiments.chapter import Chapter
+from crowd_experiments.records import Spread, of_scenario, rates, read_csv, read_table_header
+from crowd_experiments.runs import Run
+
+from .. import names
 
 NAME = 'learning_curves'
 TITLE = 'Learning curves: a record of learning'
@@ -91,7 +93,7 @@ def add_figure(chapter, setting, curves):
                 panel.plot(curve.episodes, values, color=colour, linestyle=line,
                            label=f'{style.short_set_name(states)}, {SCENARIOS[scenario]}')
     for column, parameters in enumerate(PARAMETERS):
-        axes[0][column].set_title(style.PARAMETER_NAMES[parameters])
+        axes[0][column].set_title(names.PARAMETER_NAMES[parameters])
         axes[-1][column].set_xlabel('training episodes')
     for row, label in enumerate(('rows ever visited [%]', 'success in demo [% of the agents]',
                                  'contact in demo [% of the agents]')):
@@ -109,7 +111,7 @@ def add_table(chapter, setting, curves):
     for (states, parameters), curve in curves.items():
         chosen = sorted({0, len(curve.episodes) // 4, len(curve.episodes) // 2, len(curve.episodes) - 1})
         for i in chosen:
-            rows.append([f'{style.short_set_name(states)}, {style.PARAMETER_NAMES[parameters]}, '
+            rows.append([f'{style.short_set_name(states)}, {names.PARAMETER_NAMES[parameters]}, '
                          f'{curve.episodes[i]} episodes',
                          Spread(curve.rows[i]).text(0),
                          *(Spread(curve.rates[scenario][i, :, index]).text(1) for scenario in SCENARIOS

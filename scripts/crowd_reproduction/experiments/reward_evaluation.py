@@ -1,11 +1,13 @@
 """Figures 4.1-4.12: which reward teaches an agent better to walk around one obstacle."""
 import numpy
 
-from .. import style
-from ..chapter import Chapter
-from ..records import Spread, finite, median, rates, read_csv
-from ..runs import Run
-from ..scene_figures import draw_scene
+from crowd_experiments import style
+from crowd_experiments.chapter import Chapter
+from crowd_experiments.records import Spread, finite, median, rates, read_csv
+from crowd_experiments.runs import Run
+from crowd_experiments.scene_figures import draw_scene
+
+from .. import names
 
 NAME = 'reward_evaluation'
 TITLE = 'Evaluation of the rewards (figures 4.1-4.12)'
@@ -87,7 +89,7 @@ def add_scene(chapter, setting):
     folder = setting.run_folder(NAME, run_name('cosine_cubed', 'better', 1))
     figure, axes = style.new_figure(1, 1, 5.5, 4.5)
     draw_scene(axes[0][0], folder / 'single_obstacle.yaml', folder / 'single_obstacle.csv', 0,
-               style.REWARD_COLOURS['cosine_cubed'])
+               names.REWARD_COLOURS['cosine_cubed'])
     chapter.add_figure(style.save(figure, setting.figure_file('reward_scene')),
                        'After figure 4.1: the experiment, with the path of a demo episode (cos³, better parameters). '
                        'Disc: start; circle: end; cross: goal; grey: obstacle.')
@@ -104,7 +106,7 @@ def add_scatters(chapter, setting, records, parameters):
                 record = records[reward, parameters, mode][0]
                 scatter(axes[row][column], record, measure, reward)
                 axes[row][column].axhline(reference, color=style.REFERENCE, linewidth=1, linestyle='--', label=legend)
-                axes[row][column].set_title(f'{style.REWARD_NAMES[reward]}, {mode}')
+                axes[row][column].set_title(f'{names.REWARD_NAMES[reward]}, {mode}')
             axes[row][0].set_ylabel(label)
             axes[row][0].legend(loc='best')
         for panel in axes[1]:
@@ -112,7 +114,7 @@ def add_scatters(chapter, setting, records, parameters):
         name = f'reward_{measure}_{parameters}'
         figures = '4.2-4.9' if parameters == 'thesis' else '4.2-4.9, repeated'
         chapter.add_figure(style.save(figure, setting.figure_file(name)),
-                           f'After figures {figures}: {label} in each episode, {style.PARAMETER_NAMES[parameters]}, '
+                           f'After figures {figures}: {label} in each episode, {names.PARAMETER_NAMES[parameters]}, '
                            'seed 1; '
                            'filled: the agent arrived; crosses: it did not.' + (
                                ' Episodes in which nothing was gained have no such ratio and are left out.'
@@ -121,7 +123,7 @@ def add_scatters(chapter, setting, records, parameters):
 
 def scatter(panel, record, measure, reward):
     values, arrived = record[measure], record['arrived'] > 0
-    colour = style.REWARD_COLOURS[reward]
+    colour = names.REWARD_COLOURS[reward]
     for chosen, look in ((arrived, {'marker': '.', 'markersize': 3, 'alpha': 0.5}),
                          (~arrived, {'marker': 'x', 'markersize': 4})):
         panel.plot(record['episode'][chosen], values[chosen], linestyle='', color=colour, **look)
@@ -137,13 +139,13 @@ def add_shares(chapter, setting, records):
             panel = axes[row][column]
             for place, (mode, reward) in enumerate((mode, reward) for mode in MODES for reward in REWARDS):
                 values = [rates(record)[index] for record in records[reward, parameters, mode]]
-                draw_share(panel, place, values, style.REWARD_COLOURS[reward])
+                draw_share(panel, place, values, names.REWARD_COLOURS[reward])
                 if measure == 'success':
-                    panel.plot([place], [THESIS_SUCCESS[reward, mode]], **style.THESIS_MARK,
+                    panel.plot([place], [THESIS_SUCCESS[reward, mode]], **names.THESIS_MARK,
                                label='reported in the thesis' if place == 0 else None)
-            labels = [f'{style.REWARD_NAMES[reward]},\n{mode}' for mode in MODES for reward in REWARDS]
+            labels = [f'{names.REWARD_NAMES[reward]},\n{mode}' for mode in MODES for reward in REWARDS]
             panel.set_xticks(range(4), labels)
-            panel.set_title(f'{measure}, {style.PARAMETER_NAMES[parameters]}')
+            panel.set_title(f'{measure}, {names.PARAMETER_NAMES[parameters]}')
         axes[0][column].set_ylim(0, 105)
     for row, measure in enumerate(('success', 'contact')):
         axes[row][0].set_ylabel(f'{measure} [% of the episodes]')
@@ -169,7 +171,7 @@ def add_free(chapter, setting, records):
         panel = axes[0][column]
         for place, (parameters, reward) in enumerate((p, r) for p in PARAMETERS for r in REWARDS):
             values = [median(record[measure]) for record in records[reward, parameters, 'free']]
-            draw_spread(panel, place, values, style.REWARD_COLOURS[reward])
+            draw_spread(panel, place, values, names.REWARD_COLOURS[reward])
         panel.set_ylabel(label + '\nmedian of 100 episodes')
     axes[0][0].axhline(SPEED, color=style.REFERENCE, linewidth=1, linestyle='--', label="the agent's speed")
     axes[0][1].axhline(1.0, color=style.REFERENCE, linewidth=1, linestyle='--', label='straight way')
@@ -178,9 +180,9 @@ def add_free(chapter, setting, records):
         panel.legend()
     for place, (parameters, reward) in enumerate((p, r) for p in PARAMETERS for r in REWARDS):
         draw_share(axes[0][2], place, [rates(record)[0] for record in records[reward, parameters, 'free']],
-                   style.REWARD_COLOURS[reward])
+                   names.REWARD_COLOURS[reward])
     axes[0][2].set_ylabel('success [% of the episodes]')
-    labels = [f'{style.REWARD_NAMES[reward]},\n{parameters}' for parameters in PARAMETERS for reward in REWARDS]
+    labels = [f'{names.REWARD_NAMES[reward]},\n{parameters}' for parameters in PARAMETERS for reward in REWARDS]
     for panel in axes[0]:
         panel.set_xticks(range(4), labels, fontsize=8)
     chapter.add_figure(style.save(figure, setting.figure_file('reward_free')),
@@ -202,13 +204,13 @@ def add_tables(chapter, setting, records):
                 runs = records[reward, parameters, mode]
                 success, contact = (Spread(rates(record)[index] for record in runs) for index in (0, 1))
                 reported = f'{THESIS_SUCCESS[reward, mode]:.2f}' if parameters == 'thesis' else ''
-                rows.append([f'{style.PARAMETER_NAMES[parameters]}, {mode}, {style.REWARD_NAMES[reward]}', reported,
+                rows.append([f'{names.PARAMETER_NAMES[parameters]}, {mode}, {names.REWARD_NAMES[reward]}', reported,
                              success.text(), contact.text(), ratio_text(runs, 'gain_per_tick', 4),
                              ratio_text(runs, 'path_per_gain', 2)])
     for parameters in PARAMETERS:
         for reward in REWARDS:
             runs = records[reward, parameters, 'free']
-            rows.append([f'{style.PARAMETER_NAMES[parameters]}, without obstacle, {style.REWARD_NAMES[reward]}', '',
+            rows.append([f'{names.PARAMETER_NAMES[parameters]}, without obstacle, {names.REWARD_NAMES[reward]}', '',
                          Spread(rates(record)[0] for record in runs).text(), '-', ratio_text(runs, 'gain_per_tick', 4),
                          ratio_text(runs, 'path_per_gain', 2)])
     chapter.add_table('The four measures: mean ± standard deviation over the seeds (lowest-highest); of the two ratios '
@@ -229,7 +231,7 @@ def verdict(records):
         success, contact = (Spread(rates(record)[index] for record in records[reward, 'better', 'demo'])
                             for index in (0, 1))
         passed = (success.mean >= LEAST_MEAN_SUCCESS and success.low >= LEAST_SUCCESS and contact.mean <= MOST_CONTACT)
-        words.append(f'{style.REWARD_NAMES[reward]}: mean {success.mean:.2f} %, worst seed {success.low:.2f} %, '
+        words.append(f'{names.REWARD_NAMES[reward]}: mean {success.mean:.2f} %, worst seed {success.low:.2f} %, '
                      f'contact {contact.mean:.2f} %, {"passed" if passed else "NOT passed"}')
     return (f'The bar for the better parameters in demo (success at least {LEAST_MEAN_SUCCESS:g} % in the mean, '
             f'at least {LEAST_SUCCESS:g} % for every seed, contact at most {MOST_CONTACT:g} %): {"; ".join(words)}.')

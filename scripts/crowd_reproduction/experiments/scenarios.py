@@ -1,11 +1,12 @@
 """Figures 4.17-4.25: crowds that walk by what was learned on a mix of scenarios."""
 from crowd_drawing.files import read_scene, read_walks
+from crowd_experiments import style
+from crowd_experiments.chapter import Chapter
+from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_table_header
+from crowd_experiments.runs import Run
+from crowd_experiments.scene_figures import draw_moment, frame_alike, last_tick_of
 
-from .. import style
-from ..chapter import Chapter
-from ..records import Spread, median, of_scenario, rates, read_csv, read_table_header
-from ..runs import Run
-from ..scene_figures import draw_moment, frame_alike, last_tick_of
+from .. import names
 
 NAME = 'scenarios'
 TITLE = 'Scenarios (figures 4.17-4.25)'
@@ -80,7 +81,7 @@ def add_moments(chapter, setting, scenario):
     figure.set_size_inches(13, len(SETS) * (0.75 + 3.0 * height / width))
     chapter.add_figure(style.save(figure, setting.figure_file(f'scenario_{scenario}')),
                        f'After figures 4.17-4.25, {scenario}: {SCENARIOS[scenario]}. Four moments of one episode; '
-                       f'above state set 1, below state set 2, {style.PARAMETER_NAMES[DRAWN_PARAMETERS]}, seed 1. '
+                       f'above state set 1, below state set 2, {names.PARAMETER_NAMES[DRAWN_PARAMETERS]}, seed 1. '
                        'Discs: bodies; circles: who has arrived and left; crosses: goals; grey: obstacles.')
 
 
@@ -92,7 +93,7 @@ def add_table(chapter, setting):
     for scenario in SCENARIOS:
         for parameters in PARAMETERS:
             for states in SETS:
-                rows.append([f'{scenario}, {style.short_set_name(states)}, {style.PARAMETER_NAMES[parameters]}',
+                rows.append([f'{scenario}, {style.short_set_name(states)}, {names.PARAMETER_NAMES[parameters]}',
                              *measures_of(records[states, parameters], scenario)])
     chapter.add_table('Scenarios: mean ± standard deviation over the seeds (lowest-highest)',
                       ['', 'success %', 'contact %', 'path ratio'], rows)
@@ -118,7 +119,7 @@ def add_visits(chapter, setting):
                        for seed in setting.seeds(SEEDS)]
             visited = Spread(float(header['visited_rows']) for header in headers)
             decisions = Spread(float(header['decisions']) / 1e6 for header in headers)
-            rows.append([f'{style.SET_NAMES[states]}, {style.PARAMETER_NAMES[parameters]}', headers[0]['rows'],
+            rows.append([f'{style.SET_NAMES[states]}, {names.PARAMETER_NAMES[parameters]}', headers[0]['rows'],
                          visited.text(0), decisions.text(1)])
     chapter.add_table('Rows of the table that were ever visited in training',
                       ['', 'rows', 'visited', 'decisions learned from [million]'], rows)

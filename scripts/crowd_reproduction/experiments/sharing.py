@@ -1,10 +1,10 @@
 """One agent learns, many use what it learned: how long is the pioneer to learn before it shares?"""
 import numpy
 
-from .. import style
-from ..chapter import Chapter
-from ..records import Spread, rates, read_csv
-from ..runs import Run
+from crowd_experiments import style
+from crowd_experiments.chapter import Chapter
+from crowd_experiments.records import Spread, rates, read_csv
+from crowd_experiments.runs import Run
 
 NAME = 'sharing'
 TITLE = 'One agent learns, many use it'

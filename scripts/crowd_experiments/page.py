@@ -16,31 +16,32 @@ code, pre { background: #f4f4f4; } pre { padding: 0.7em; overflow-x: auto; }
 '''
 
 
-def write_page(file, chapters, intro):
-    """One file without anything beside it: figures are within."""
+def write_page(file, title, program, chapters, intro):
+    """One file without anything beside it: figures are within. `program` made it."""
     contents = ''.join(f'<li><a href="#{chapter.name}">{html.escape(chapter.title)}</a></li>\n' for chapter in chapters)
-    body = ''.join(chapter_html(chapter) for chapter in chapters)
+    body = ''.join(chapter_html(chapter, program) for chapter in chapters)
     file.write_text(
-        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>The thesis, repeated</title>\n'
-        f'<style>{STYLE}</style></head><body>\n<h1>The thesis, repeated</h1>\n<p>{html.escape(intro)}</p>\n'
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title>\n'
+        f'<style>{STYLE}</style></head><body>\n<h1>{html.escape(title)}</h1>\n<p>{html.escape(intro)}</p>\n'
         f'<ul>\n{contents}</ul>\n{body}</body></html>\n', encoding='utf-8')
 
 
-def chapter_html(chapter):
-    parts = ''.join(part_html(part, chapter.name) for part in chapter.parts)
+def chapter_html(chapter, program):
+    command = f'scripts/{program} {chapter.name}'
+    parts = ''.join(part_html(part, command) for part in chapter.parts)
     commands = html.escape('\n'.join(chapter.commands))
     return (f'<h2 id="{chapter.name}">{html.escape(chapter.title)}</h2>\n'
-            f'<p>All of this chapter: <code>scripts/reproduce {chapter.name}</code></p>\n{parts}'
+            f'<p>All of this chapter: <code>{command}</code></p>\n{parts}'
             f'<details><summary>The commands of one of its runs</summary><pre>{commands}</pre></details>\n')
 
 
-def part_html(part, name):
+def part_html(part, command):
     if isinstance(part, Table):
         return table_html(part)
     if isinstance(part, Figure):
         picture = base64.b64encode(part.file.read_bytes()).decode()
         return (f'<figure><img src="data:image/png;base64,{picture}" alt="{html.escape(part.caption)}">\n'
-                f'<figcaption>{html.escape(part.caption)}<br><code>scripts/reproduce {name}</code>: '
+                f'<figcaption>{html.escape(part.caption)}<br><code>{command}</code>: '
                 f'figures/{part.file.name}</figcaption></figure>\n')
     return f'<p>{html.escape(part)}</p>\n'
 
@@ -58,11 +59,15 @@ def write_tables(folder, chapter):
     lines = [f'# {chapter.title}', '']
     for part in chapter.parts:
         if isinstance(part, Table):
-            lines += [f'{part.title}:', '', markdown_row(part.header), '|---' * len(part.header) + '|']
-            lines += [markdown_row(row) for row in part.rows] + ['']
+            lines += [f'{part.title}:', '', *markdown_lines(part), '']
         elif isinstance(part, str):
             lines += [part, '']
     pathlib.Path(folder / f'{chapter.name}.md').write_text('\n'.join(lines), encoding='utf-8')
+
+
+def markdown_lines(table):
+    """A table in Markdown, without its title."""
+    return [markdown_row(table.header), '|---' * len(table.header) + '|', *map(markdown_row, table.rows)]
 
 
 def markdown_row(cells):

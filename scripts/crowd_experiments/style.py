@@ -4,12 +4,8 @@ import matplotlib
 matplotlib.use('Agg')
 from matplotlib import pyplot  # noqa: E402
 
-REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
-REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
 SET_COLOURS = {'nearest': '#009e73', 'occupancy': '#8e5ea2'}
 SET_NAMES = {'nearest': 'set 1, nearest obstacle', 'occupancy': 'set 2, occupancy'}
-PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
-THESIS_MARK = dict(marker='D', color='black', linestyle='', markersize=7, zorder=6)
 REFERENCE = '0.25'  # colour of lines that something is compared with
 
 SETTINGS = {

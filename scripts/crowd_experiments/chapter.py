@@ -21,7 +21,7 @@ class Figure:
 @dataclasses.dataclass
 class Chapter:
     """All that is told of one experiment."""
-    name: str  # as scripts/reproduce knows it
+    name: str  # as the program knows it
     title: str
     parts: list = dataclasses.field(default_factory=list)  # texts, Tables and Figures
     commands: list = dataclasses.field(default_factory=list)  # texts: those of one run, as an example

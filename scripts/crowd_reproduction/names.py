@@ -1,0 +1,5 @@
+"""What the thesis's experiments are drawn in beyond what all figures share."""
+REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
+REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
+PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
+THESIS_MARK = dict(marker='D', color='black', linestyle='', markersize=7, zorder=6)
