@@ -108,6 +108,7 @@ class Scene:
         mirror = goal.get('opposite') if isinstance(goal, dict) else None
         return {
             'radius': self.radius(entry, where),
+            'speed': self.number(entry.get('speed', 0), f'{where}.speed') * self.speed_unit,
             'goals': self.points(goal, f'{where}.goal'),
             # The goal lies opposite the start, seen from here.
             'mirror': None if mirror is None else self.point(mirror, f'{where}.goal.opposite'),

@@ -9,6 +9,7 @@ class Table:
     title: str
     header: list
     rows: list
+    name: str = ''  # by which a document asks for it
 
 
 @dataclasses.dataclass(frozen=True)
@@ -29,8 +30,8 @@ class Chapter:
     def tell(self, text):
         self.parts.append(text)
 
-    def add_table(self, title, header, rows):
-        self.parts.append(Table(title, header, rows))
+    def add_table(self, title, header, rows, name=''):
+        self.parts.append(Table(title, header, rows, name))
 
     def add_figure(self, file, caption):
         self.parts.append(Figure(file, caption))

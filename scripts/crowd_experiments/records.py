@@ -16,6 +16,19 @@ def read_csv(file):
             for name, column in zip(names, columns)}
 
 
+def read_tracks(file):
+    """The recorded places of every instance [m]: arrays (tick, agent, 2) that are nan once an agent has left."""
+    rows = numpy.loadtxt(file, delimiter=',', skiprows=1, ndmin=2)
+    tracks = {}
+    for instance in numpy.unique(rows[:, 0]):
+        of_instance = rows[rows[:, 0] == instance]
+        ticks, agents = of_instance[:, 1].astype(int), of_instance[:, 2].astype(int)
+        track = numpy.full((ticks.max() + 1, agents.max() + 1, 2), numpy.nan)
+        track[ticks, agents] = of_instance[:, 3:]
+        tracks[int(instance)] = track
+    return tracks
+
+
 def percent(flags):
     """How many of them are set [%]."""
     return 100.0 * float(numpy.mean(flags)) if len(flags) else float('nan')

@@ -17,9 +17,10 @@ def last_tick_of(walks):
     return max(walk[-1][0] for walk in walks.values())
 
 
-def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False):
+def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_ways=True):
     """Everybody at a tick, with goals and the paths so far; who has arrived is a circle at its end. All of them have
-    the colour, or each its own. Returns the picture, whose limits are not set yet."""
+    the colour, or each its own of a list. Without ways only who is still there is drawn. Returns the picture, whose
+    limits are not set yet."""
     picture = Picture(axes)
     for obstacle in scene.obstacles:
         centre = place_of(obstacle, tick * scene.tick)
@@ -27,10 +28,20 @@ def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False):
         picture.show(centre, obstacle['radius'])
     for wall in scene.walls:
         picture.draw_wall(wall)
-    colours = [colour] * len(scene.agents) if colour else colours_of(len(scene.agents))
+    if not isinstance(colour, list):
+        colour = [colour] * len(scene.agents) if colour else colours_of(len(scene.agents))
     for agent, walk in sorted(walks.items()):
-        draw_walker(picture, scene.agents[agent], walk, tick, colours[agent], with_starts)
+        if with_ways:
+            draw_walker(picture, scene.agents[agent], walk, tick, colour[agent], with_starts)
+        elif walk[-1][0] >= tick:
+            draw_body(picture, scene.agents[agent], walk, tick, colour[agent])
     return picture
+
+
+def draw_body(picture, body, walk, tick, colour):
+    place = next((x, y) for at, x, y in walk if at == tick)
+    picture.show(place, body['radius'])
+    picture.disc(place, body['radius'], facecolor=colour, edgecolor='none', alpha=0.8, zorder=7)
 
 
 def frame_alike(pictures):

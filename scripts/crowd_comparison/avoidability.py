@@ -1,0 +1,120 @@
+"""Contacts with obstacles that move and yield to nobody: could any move have avoided them?
+
+A contact begins at a tick at the end of which an agent overlaps a moving obstacle by more than 1 mm, and did not at the
+end of the tick before. It was avoidable if there is a tick within the last LOOK_BACK seconds before it from which the
+agent could have left by a plain move: walk straight on at one of HEADINGS headings, at full or half its top speed, or
+stand, from there until LOOK_ON seconds after the contact, without overlapping anybody or anything by more than 1 mm at
+the end of any tick; all others, those who give way to the agent too, walk as they were recorded. That is judged with
+hindsight: whether the agent could have known is not asked.
+"""
+import dataclasses
+import math
+
+import numpy
+
+from crowd_drawing.motion import place_of
+
+OVERLAP = 1e-3  # [m]
+LOOK_BACK = 3.0  # [s]
+LOOK_ON = 1.0  # [s]
+HEADINGS = 36
+SHARES = (0.5, 1.0)  # of the top speed
+TURNED_WITHIN = 1.0  # [s] before the contact: so recent a turn of the obstacle nobody could have foreseen
+
+
+@dataclasses.dataclass(frozen=True)
+class Contact:
+    """An agent and a moving obstacle begin to overlap at the end of a tick."""
+    agent: int
+    obstacle: int
+    tick: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Escape:
+    """A move that would have avoided a contact, from the place at the end of a tick on."""
+    tick: int
+    velocity: tuple  # [m/s]
+
+
+class Recording:
+    """A scene with what was walked in it."""
+
+    def __init__(self, scene, track):
+        """@param scene as drawn, with fixed places @param track places (tick, agent, 2) [m], nan once one has left"""
+        self.scene = scene
+        self.track = track
+        self.radii = numpy.array([agent['radius'] for agent in scene.agents])
+        ticks = len(track) + round(LOOK_ON / scene.tick)
+        self.obstacles = numpy.array([[place_of(obstacle, tick * scene.tick) for obstacle in scene.obstacles]
+                                      for tick in range(ticks)]).reshape(ticks, len(scene.obstacles), 2)
+        self.obstacle_radii = numpy.array([obstacle['radius'] for obstacle in scene.obstacles])
+
+    def is_moving(self, obstacle):
+        return bool(numpy.ptp(self.obstacles[:, obstacle], axis=0).any())
+
+    def contacts(self):
+        """All contacts with moving obstacles."""
+        found = []
+        for obstacle in range(len(self.obstacle_radii)):
+            if not self.is_moving(obstacle):
+                continue
+            away = self.track - self.obstacles[:len(self.track), obstacle][:, None]
+            overlap = numpy.hypot(away[..., 0], away[..., 1]) < self.radii + self.obstacle_radii[obstacle] - OVERLAP
+            begins = overlap[1:] & ~overlap[:-1]  # nan overlaps nothing
+            found += [Contact(int(agent), obstacle, int(tick) + 1) for tick, agent in zip(*numpy.nonzero(begins))]
+        return sorted(found, key=lambda contact: (contact.tick, contact.agent))
+
+    def last_escape(self, contact, among_others=True):
+        """The latest move that would have avoided a contact, None if there is none.
+        @param among_others False: as if no other agent were there"""
+        ticks_back = min(contact.tick, round(LOOK_BACK / self.scene.tick))
+        for tick in range(contact.tick - 1, contact.tick - ticks_back - 1, -1):
+            velocities = self.plain_moves(contact.agent)
+            clear = self.are_clear(contact, tick, velocities, among_others)
+            if clear.any():
+                return Escape(tick, tuple(velocities[numpy.argmax(clear)]))
+        return None
+
+    def plain_moves(self, agent):
+        """Standing, and straight on at each heading and share of the top speed (n, 2) [m/s]."""
+        angles = 2.0 * math.pi / HEADINGS * numpy.arange(HEADINGS)
+        directions = numpy.stack([numpy.cos(angles), numpy.sin(angles)], axis=1)
+        speed = self.scene.agents[agent]['speed']
+        return numpy.concatenate([numpy.zeros((1, 2)), *(share * speed * directions for share in SHARES)])
+
+    def are_clear(self, contact, begin, velocities, among_others):
+        """Which of the moves, from that tick on, touch nothing until LOOK_ON after the contact."""
+        end = contact.tick + round(LOOK_ON / self.scene.tick)
+        start, radius = self.track[begin, contact.agent], self.radii[contact.agent]
+        clear = numpy.ones(len(velocities), dtype=bool)
+        for tick in range(begin + 1, end + 1):
+            places = start + (tick - begin) * self.scene.tick * velocities
+            clear &= are_apart(places, self.obstacles[tick], radius + self.obstacle_radii)
+            if among_others and tick < len(self.track):
+                others = numpy.arange(len(self.radii)) != contact.agent
+                clear &= are_apart(places, self.track[tick, others], radius + self.radii[others])
+            for wall in self.scene.walls:
+                clear &= distances_to_wall(places, wall) >= radius - OVERLAP
+        return clear
+
+    def had_turned(self, contact):
+        """Whether the obstacle changed its direction shortly before."""
+        begin = max(0, contact.tick - round(TURNED_WITHIN / self.scene.tick))
+        steps = numpy.diff(self.obstacles[begin:contact.tick + 1, contact.obstacle], axis=0)
+        return bool((numpy.abs(steps - steps[-1]) > 1e-6).any())
+
+
+def are_apart(places, others, reaches):
+    """Which of the places are clear of all others; others that are nan are not there."""
+    away = places[:, None] - others[None]
+    return ~(numpy.hypot(away[..., 0], away[..., 1]) < reaches - OVERLAP).any(axis=1)
+
+
+def distances_to_wall(places, wall):
+    """Distances of places (n, 2) from a wall [m]."""
+    begin, end = numpy.array(wall[0]), numpy.array(wall[1])
+    along = end - begin
+    share = numpy.clip((places - begin) @ along / (along @ along), 0.0, 1.0)
+    away = places - begin - share[:, None] * along
+    return numpy.hypot(away[:, 0], away[:, 1])

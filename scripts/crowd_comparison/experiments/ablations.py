@@ -1,0 +1,125 @@
+"""Each idea of the anticipating crowd switched off once: what does it cost?"""
+import copy
+
+import yaml
+
+from crowd_experiments import style
+from crowd_experiments.chapter import Chapter
+from crowd_experiments.records import Spread
+from crowd_experiments.runs import Run
+
+from ..figures_csv import greatest, judged, least, not_slower, read_figures, time_against
+from ..models import COLOURS, ORCA, OURS
+from .benchmark import spread_text
+
+NAME = 'ablations'
+TITLE = 'Ablations'
+SEEDS = 3
+QUICK_EPISODES = 5
+WHOLE = 'everything'
+# What is put in place of the recipe's keys.
+ABLATIONS = {
+    WHOLE: {},
+    'no reciprocal time': {'state_set': {'reciprocal_times': []}},
+    'no selfish time': {'state_set': {'selfish_times': []}},
+    'no time to fixed things': {'state_set': {'fixed_times': []}},
+    'no share left': {'state_set': {'shares': []}},
+    'no turn in the state': {'state_set': {'turns': []}},
+    'no oncoming': {'state_set': {'oncoming': []}},
+    'gap shared half and half': {'action_set': {'gap_sharing': 'half'}},
+    'no contact rule': {'action_set': {'gap_sharing': 'none'}},
+    'no lane of movers': {'action_set': {'lane_time': 0}},
+    'no stay': {'action_set': {'stay': False}},
+    'no slow moves': {'action_set': {'slow_headings': []}},
+    'no conflict price': {'reward': {'conflict_price': 0}},
+    'no turn price': {'reward': {'turn_price': 0}},
+    'no rest price': {'reward': {'rest_price': 0}},
+    'gamma 0.95': {'learning': {'gamma': 0.95}},
+    'gamma 0.1, as the thesis': {'learning': {'gamma': 0.1}},
+    'fixed step size': {'learning': {'alpha': 0.1, 'alpha_decay': 0}},
+}
+QUICK_ABLATIONS = (WHOLE, 'no stay')
+
+
+def ablations_of(setting):
+    return setting.count(list(ABLATIONS), QUICK_ABLATIONS)
+
+
+def run_name(ablation, seed):
+    return f"{ablation.replace(' ', '_').replace(',', '')}_{seed:02d}"
+
+
+def plan(setting):
+    """A run for each ablation and training seed; none without a benchmark."""
+    if not setting.benchmark:
+        return []
+    return [make_run(setting, ablation, seed) for seed in setting.seeds(SEEDS, 1) for ablation in ablations_of(setting)]
+
+
+def make_run(setting, ablation, seed):
+    return Run(setting.run_folder(NAME, run_name(ablation, seed)), [
+        [setting.tool('train'), write_recipe(setting, ablation), '--output', 'q_table.txt', '--seed', seed]
+        + (['--episodes', QUICK_EPISODES] if setting.quick else []),
+        [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'figures.csv',
+         *setting.benchmark_scenarios()],
+    ], cost=14.0)
+
+
+def write_recipe(setting, ablation):
+    """The shipped recipe with what is switched off; left alone if it is there as it should be."""
+    shipped = setting.learning(OURS)
+    recipe = yaml.safe_load(shipped.read_text(encoding='utf-8'))
+    for section, changes in copy.deepcopy(ABLATIONS[ablation]).items():
+        recipe[section].update(changes)
+    training = recipe['training']
+    training['scenarios'] = [str((shipped.parent / name).resolve()) for name in training['scenarios']]
+    file = setting.results / 'recipes' / f"{run_name(ablation, 0)[:-3]}.yaml"
+    text = yaml.safe_dump(recipe, sort_keys=False, default_flow_style=None)
+    if not file.is_file() or file.read_text(encoding='utf-8') != text:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding='utf-8')
+    return file
+
+
+def report(setting):
+    """The chapter, from the runs' figures."""
+    orca = read_figures(setting.benchmark / 'reference.csv', ORCA)
+    found = {ablation: [read_figures(setting.run_folder(NAME, run_name(ablation, seed)) / 'figures.csv')
+                        for seed in setting.seeds(SEEDS, 1)] for ablation in ablations_of(setting)}
+    chapter = Chapter(NAME, TITLE)
+    chapter.tell(
+        'One idea switched off at a time, all else as in the recipe, trained anew with '
+        f'{len(setting.seeds(SEEDS, 1))} seeds each and walked through the benchmark. Contact, path and turning: the '
+        'worst scenario; clean: the worst scenario without door12, and the mean. Mean (lowest-highest) over the seeds.')
+    scenarios = judged(orca)
+    columns = {
+        'time / ORCA': (lambda f: time_against(f, orca), 3),
+        'not slower in': (lambda f: not_slower(f, orca), 0),
+        'contact %': (lambda f: greatest(f, 'contact_pct'), 2),
+        'clean %, worst': (lambda f: least(f, 'clean_pct', scenarios), 0),
+        'clean %, mean': (lambda f: Spread(f[name]['clean_pct'] for name in scenarios).mean, 1),
+        'path': (lambda f: greatest(f, 'path_ratio'), 3), 'turn rad/m': (lambda f: greatest(f, 'turn_rad_per_m'), 2)}
+    rows = [[ablation, *(spread_text([measure(figures) for figures in seeds], decimals)
+                         for measure, decimals in columns.values())] for ablation, seeds in found.items()]
+    chapter.add_table('What each idea is worth', ['', *columns], rows, 'ablations')
+    add_figure(chapter, setting, found, orca)
+    return chapter
+
+
+def add_figure(chapter, setting, found, orca):
+    """Time against ORCA's beside the mean share of clean instances."""
+    scenarios = judged(orca)
+    figure, axes = style.new_figure(1, 2, 11, 0.9 + 0.32 * len(found), sharey=True)
+    measures = (lambda f: time_against(f, orca), lambda f: Spread(f[name]['clean_pct'] for name in scenarios).mean)
+    labels = ("time / ORCA's, geometric mean (left: faster)", 'clean instances [%], mean over the scenarios')
+    names = list(found)[::-1]
+    for panel, measure, label in zip(axes[0], measures, labels):
+        for place, ablation in enumerate(names):
+            values = [measure(figures) for figures in found[ablation]]
+            colour = COLOURS[OURS] if ablation == WHOLE else '0.35'
+            panel.plot(values, [place] * len(values), 'o', color=colour, markersize=5)
+        panel.axvline(Spread(measure(figures) for figures in found[WHOLE]).mean, color=COLOURS[OURS], linewidth=1)
+        panel.set_xlabel(label)
+        panel.set_yticks(range(len(names)), names)
+    chapter.add_figure(style.save(figure, setting.figure_file('ablations')),
+                       'Each idea switched off once; a mark for each training seed, the line: everything on.')

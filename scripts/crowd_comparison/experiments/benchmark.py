@@ -1,0 +1,164 @@
+"""The steering benchmark: every learned model over training seeds, beside ORCA and social force."""
+import re
+import sys
+
+from crowd_experiments import style
+from crowd_experiments.chapter import Chapter
+from crowd_experiments.records import Spread
+from crowd_experiments.runs import Run
+
+from .. import bars
+from ..figures_csv import greatest, judged, largest_difference, least, not_slower, read_figures, time_against
+from ..models import COLOURS, LEARNED, NAMES, ORCA, OURS, REFERENCES
+
+NAME = 'benchmark'
+TITLE = 'The steering benchmark'
+SEEDS = 10
+QUICK_EPISODES = {'thesis_nearest': 20, 'thesis_occupancy': 20, 'anticipation': 5}
+COSTS = {'thesis_nearest': 2.0, 'thesis_occupancy': 12.0, 'anticipation': 14.0}  # [s]
+MEASURES = {'contact_pct': ('contact %', 1), 'clean_pct': ('clean %', 0), 'time_ratio': ('time', 3),
+            'path_ratio': ('path', 3), 'turn_rad_per_m': ('turn rad/m', 2)}
+SCORER = 'score.py'
+TOOK = re.compile(r'rows visited, took (?:(\d+):)?(\d+):(\d+)')
+
+
+def plan(setting):
+    """A run for each learned model and training seed, and one for the benchmark's scorer; none without a benchmark."""
+    if not setting.benchmark:
+        return []
+    runs = [make_run(setting, model, seed) for seed in setting.seeds(SEEDS) for model in LEARNED]
+    return runs + ([make_scored_run(setting)] if (setting.benchmark / SCORER).is_file() else [])
+
+
+def run_folder(setting, model, seed):
+    return setting.run_folder(NAME, f'{model}_{seed:02d}')
+
+
+def scored_folder(setting):
+    return setting.run_folder(NAME, 'scored')
+
+
+def make_run(setting, model, seed):
+    return Run(run_folder(setting, model, seed), [
+        [setting.tool('train'), setting.learning(model), '--output', 'q_table.txt', '--seed', seed]
+        + (['--episodes', QUICK_EPISODES[model]] if setting.quick else []),
+        [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'figures.csv',
+         *setting.benchmark_scenarios()],
+    ], cost=COSTS[model])
+
+
+def make_scored_run(setting):
+    """The shipped table, by evaluate and by the benchmark's scorer."""
+    return Run(scored_folder(setting), [
+        [setting.tool('evaluate'), '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'figures.csv',
+         '--trajectories', 'trajectories', *setting.benchmark_scenarios()],
+        [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
+         'scored.csv'],
+    ], cost=20.0)
+
+
+def report(setting):
+    """The chapter, from the runs' figures."""
+    learned = {model: [read_figures(run_folder(setting, model, seed) / 'figures.csv')
+                       for seed in setting.seeds(SEEDS)] for model in LEARNED}
+    references = {model: read_figures(setting.benchmark / 'reference.csv', model) for model in REFERENCES}
+    seconds = [training_seconds(run_folder(setting, OURS, seed)) for seed in setting.seeds(SEEDS)]
+    chapter = Chapter(NAME, TITLE)
+    chapter.tell(
+        f'Fixed scenes, the same for every model; {len(setting.seeds(SEEDS))} training seeds of each learned one. '
+        'Contact: agents whose body overlapped another one or a wall by more than 1 mm at the end of any tick; clean: '
+        'instances in which everybody arrived and nobody was in contact; time: time x top speed / straight way; path: '
+        'way walked / straight way; both of who arrived. Means over scenarios leave out door12, which needs a way to '
+        'be found around walls. Spreads are mean (lowest-highest) over the training seeds.')
+    chapter.add_table(f'What is asked for, of {NAMES[OURS]}', bars.HEADER,
+                      bars.rows(learned[OURS], references[ORCA], seconds), 'bars')
+    add_overview(chapter, learned, references)
+    add_times(chapter, setting, learned, references)
+    for key, (label, decimals) in MEASURES.items():
+        add_measure(chapter, learned, references, key, label, decimals)
+    add_score(chapter, setting)
+    return chapter
+
+
+def training_seconds(folder):
+    """How long the training took, by its own word [s]."""
+    hours, minutes, seconds = TOOK.search((folder / 'log.txt').read_text(encoding='utf-8')).groups()
+    return 3600 * int(hours or 0) + 60 * int(minutes) + int(seconds)
+
+
+def spread_text(values, decimals):
+    """mean (lowest-highest), or the number alone if there is no spread."""
+    spread = Spread(values)
+    mean, low, high = (f'{value:.{decimals}f}' for value in (spread.mean, spread.low, spread.high))
+    return mean if low == high else f'{mean} ({low}-{high})'
+
+
+def all_models(learned, references):
+    """Lists of figures by model: one for each seed, a single one for the references."""
+    return {**learned, **{model: [figures] for model, figures in references.items()}}
+
+
+def add_overview(chapter, learned, references):
+    orca = references[ORCA]
+    columns = {
+        'time / ORCA': lambda figures: time_against(figures, orca), 'not slower in': lambda f: not_slower(f, orca),
+        'greatest contact %': lambda f: greatest(f, 'contact_pct'),
+        'least clean %': lambda f: least(f, 'clean_pct', judged(f)),
+        'longest path': lambda f: greatest(f, 'path_ratio'),
+        'most turning rad/m': lambda f: greatest(f, 'turn_rad_per_m')}
+    decimals = (3, 0, 2, 0, 3, 2)
+    rows = [[NAMES[model], *(spread_text([measure(figures) for figures in seeds], places)
+                             for measure, places in zip(columns.values(), decimals))]
+            for model, seeds in all_models(learned, references).items()]
+    chapter.add_table(f'At a glance: geometric mean of time / that of ORCA with its parameters picked for each '
+                      f'scenario; in how many of {len(judged(orca))} scenarios it is not above; and the worst scenario '
+                      'of each (clean: without door12)', ['', *columns], rows, 'overview')
+
+
+def add_measure(chapter, learned, references, key, label, decimals):
+    models = all_models(learned, references)
+    rows = [[scenario, *(spread_text([figures[scenario][key] for figures in seeds], decimals)
+                         for seeds in models.values())] for scenario in references[ORCA]]
+    chapter.add_table(f'Scenario by scenario: {label}', ['scenario', *(NAMES[model] for model in models)], rows, key)
+
+
+def add_times(chapter, setting, learned, references):
+    """Time against ORCA's in every scenario, a mark for each model, a bar over the seeds of ours."""
+    orca = references[ORCA]
+    scenarios = sorted(orca, key=lambda name: Spread(f[name]['time_ratio'] for f in learned[OURS]).mean
+                       / orca[name]['time_ratio'])
+    figure, axes = style.new_figure(1, 1, 9, 0.9 + 0.3 * len(scenarios))
+    panel = axes[0][0]
+    places = range(len(scenarios))
+    for model, seeds in all_models(learned, references).items():
+        if model == ORCA:
+            continue
+        spreads = [Spread(f[name]['time_ratio'] / orca[name]['time_ratio'] for f in seeds) for name in scenarios]
+        panel.plot([spread.mean for spread in spreads], places, color=COLOURS[model], label=NAMES[model], linestyle='',
+                   marker='o' if model == OURS else 'd', markersize=7 if model == OURS else 5,
+                   zorder=6 if model == OURS else 4)
+        panel.hlines(places, [s.low for s in spreads], [s.high for s in spreads], color=COLOURS[model], linewidth=1)
+    panel.axvline(1.0, color=COLOURS[ORCA], linewidth=1.5, label=NAMES[ORCA])
+    panel.set_yticks(list(places), scenarios)
+    panel.set_xscale('log')
+    panel.set_xticks([0.6, 0.8, 1.0, 1.5, 2.0, 3.0], ['0.6', '0.8', '1', '1.5', '2', '3'])
+    panel.minorticks_off()
+    panel.set_xlabel("time / ORCA's time with its parameters picked for the scenario (left: faster)")
+    panel.legend(loc='lower right')
+    chapter.add_figure(style.save(figure, setting.figure_file('steering_times')),
+                       'Time against ORCA\'s, scenario by scenario; lines: lowest to highest over the training seeds. '
+                       'Faster and in contact is no achievement: the thesis\'s sets and social force walk through '
+                       'others.')
+
+
+def add_score(chapter, setting):
+    if not (setting.benchmark / SCORER).is_file():
+        chapter.tell(f'The benchmark has no {SCORER}: evaluate\'s figures are not checked against it.')
+        return
+    folder = scored_folder(setting)
+    scored = read_figures(folder / 'scored.csv')
+    difference = largest_difference(read_figures(folder / 'figures.csv'), scored)
+    chapter.add_table(
+        "evaluate's figures of the shipped table beside those of the benchmark's scorer, which reads its trajectories",
+        ['scenarios', 'figures compared', 'greatest difference'],
+        [[str(len(scored)), str(sum(len(row) for row in scored.values())), f'{difference:.1g}']], 'scorer')

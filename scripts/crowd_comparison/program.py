@@ -1,0 +1,49 @@
+"""The command line of scripts/compare."""
+import pathlib
+
+from crowd_experiments.program import Program, find_config, find_tools
+from crowd_experiments.runs import RunError
+
+from . import experiments
+from .document import fill_document
+from .setting import ComparisonSetting
+
+
+class ComparisonProgram(Program):
+    """A program that may be given the steering benchmark, and fills a document with what it measured."""
+
+    def parser(self):
+        parser = super().parser()
+        parser.add_argument('--benchmark', type=pathlib.Path, metavar='FOLDER',
+                            help='of the steering benchmark: scenarios/, reference.csv, score.py; what needs it is '
+                                 'left out without it')
+        parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md',
+                            help="also fill this document's tables, and the pictures it shows in images/ beside it")
+        return parser
+
+    def setting_of(self, arguments):
+        benchmark = arguments.benchmark
+        if benchmark and not (benchmark / 'reference.csv').is_file():
+            raise RunError(f'{benchmark}: has no reference.csv')
+        setting = ComparisonSetting(find_tools(arguments.tools), find_config(), arguments.results.absolute(),
+                                    arguments.quick, benchmark and benchmark.resolve())
+        for experiment in self.experiments:
+            if {'all', experiment.NAME} & set(arguments.experiments) and not experiment.plan(setting):
+                print(f'{experiment.NAME}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)
+        return setting
+
+    def draw(self, setting, chosen, arguments):
+        page = super().draw(setting, chosen, arguments)
+        if arguments.document:
+            chapters = self.chapters(setting, ())
+            for told in fill_document(arguments.document, chapters):
+                print(told)
+        return page
+
+
+PROGRAM = ComparisonProgram(
+    name='compare', title='Learned steering, compared', experiments=experiments.ALL,
+    description='Compares the learned crowds with each other and with ORCA and social force: trains, walks, measures, '
+                'draws\nfigures, writes a page with them.',
+    intro='One Q-table for all scenarios, a decision every 0.1 s; the thesis\'s state sets, the anticipating one, ORCA '
+          'and social force.')
