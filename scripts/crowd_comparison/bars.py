@@ -39,7 +39,7 @@ def rows(seeds, orca, seconds):
     """A row for each bar.
     @param seeds figures of each training seed, seed 1 first
     @param orca what time, path and turning are measured against
-    @param seconds how long each training took [s]"""
+    @param seconds processor time that each training took [s]"""
     scenarios = judged(orca)
     bars = [
         Bar('contact %, worst scenario', lambda f: greatest(f, 'contact_pct'), 0, 0),
@@ -59,7 +59,7 @@ def rows(seeds, orca, seconds):
         Bar('fastest tick / top speed', lambda f: greatest(f, 'max_speed_ratio'), 1.0, 1.0),
     ]
     cells = [bar.row(seeds) for bar in bars]
-    time = Bar('training time on one core [s]', lambda value: value, 60, 10, 0)
+    time = Bar('training, processor time [s]', lambda value: value, 60, 10, 1)
     return cells + [time.row(seconds)]
 
 

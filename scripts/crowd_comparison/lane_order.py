@@ -12,6 +12,7 @@ drawn at random, the square is 1 / n on average.
 import numpy
 
 STRETCH = 5.0  # [m] to either side of the corridor's middle: who is in it counts
+LEAST_WALKERS = 4  # of each way in the stretch, for the order over time to mean something
 HALF_WIDTH = 0.3  # [m] of a lane: whose centres are no further to the side walk in one lane with the walker
 
 
@@ -39,5 +40,9 @@ def order_above_chance(places, ways):
 
 
 def order_over_time(track, ways):
-    """The order above chance at every tick of a track (tick, agent, 2)."""
-    return numpy.array([order_above_chance(places, ways) for places in track])
+    """The order above chance at every tick of a track (tick, agent, 2); nan where few of one way are in the
+    stretch."""
+    here = numpy.abs(track[:, :, 0]) <= STRETCH
+    enough = numpy.all([here[:, numpy.equal(ways, way)].sum(axis=1) >= LEAST_WALKERS for way in (1, -1)], axis=0)
+    return numpy.array([order_above_chance(places, ways) if is_enough else float('nan')
+                        for places, is_enough in zip(track, enough)])

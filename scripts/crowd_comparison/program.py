@@ -32,13 +32,11 @@ class ComparisonProgram(Program):
                 print(f'{experiment.NAME}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)
         return setting
 
-    def draw(self, setting, chosen, arguments):
-        page = super().draw(setting, chosen, arguments)
+    def write(self, setting, chapters, arguments):
         if arguments.document:
-            chapters = self.chapters(setting, ())
             for told in fill_document(arguments.document, chapters):
                 print(told)
-        return page
+        return super().write(setting, chapters, arguments)
 
 
 PROGRAM = ComparisonProgram(

@@ -39,7 +39,7 @@ class Program:
             setting = self.setting_of(arguments)
             if not carry_out(setting, chosen, arguments):
                 return EXIT_INTERRUPTED
-            page = self.draw(setting, chosen, arguments)
+            page = self.write(setting, self.chapters(setting, chosen), arguments)
         except KeyboardInterrupt:
             print('Interrupted; what is done stays.')
             return EXIT_INTERRUPTED
@@ -76,16 +76,15 @@ class Program:
     def setting_of(self, arguments):
         return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick)
 
-    def draw(self, setting, chosen, _arguments):
-        """Figures, tables and the page; chapters of other experiments are on it if their runs are done. Returns the
-        page's file."""
+    def write(self, setting, chapters, _arguments):
+        """The page; returns its file."""
         page = setting.results / 'index.html'
-        write_page(page, self.title, self.name, self.chapters(setting, chosen),
+        write_page(page, self.title, self.name, chapters,
                    self.intro + (' Quick numbers, which mean nothing.' if setting.quick else ''))
         return page
 
     def chapters(self, setting, chosen):
-        """What can be told, with its tables written, and printed if it was asked for."""
+        """What was asked for, and what else is done: figures are drawn, tables written, those asked for printed."""
         chapters = []
         for experiment in self.experiments:
             runs = experiment.plan(setting)

@@ -16,6 +16,8 @@ import yaml
 from .progress import ProgressBar
 
 STAMP = 'done.txt'  # in a run's folder: what it was made from
+LOG = 'log.txt'  # in a run's folder: its commands, what they printed, how long they took
+PROCESSOR_TIME = 'processor time'
 
 
 class RunError(Exception):
@@ -128,8 +130,8 @@ class Runner:
         (run.folder / STAMP).write_text(stamp, encoding='utf-8')
 
     def execute(self, command, folder):
-        """Runs a program; what it prints goes into log.txt."""
-        with open(folder / 'log.txt', 'a', encoding='utf-8') as log:
+        """Runs a program; what it prints, and the processor time that it took, goes into log.txt."""
+        with open(folder / LOG, 'a', encoding='utf-8') as log:
             log.write(' '.join(command) + '\n')
             log.flush()
             with self.lock:
@@ -139,11 +141,13 @@ class Runner:
                 child = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
                                          start_new_session=True)
                 self.children.add(child)
-            status = child.wait()
+            _, status, usage = os.wait4(child.pid, 0)
             with self.lock:
+                child.returncode = os.waitstatus_to_exitcode(status)
                 self.children.discard(child)
-        if status != 0:
-            raise RunError(f'{" ".join(command)}: exit status {status}\n{tail_of(folder / "log.txt")}')
+            log.write(f'{PROCESSOR_TIME}: {usage.ru_utime + usage.ru_stime:.2f} s\n')
+        if child.returncode != 0:
+            raise RunError(f'{" ".join(command)}: exit status {child.returncode}\n{tail_of(folder / LOG)}')
 
     def stop(self):
         """Ends all that is under way and begins nothing more."""
@@ -151,6 +155,12 @@ class Runner:
             self.stopped = True
             for child in self.children:
                 child.send_signal(signal.SIGINT)
+
+
+def processor_seconds(folder):
+    """The processor time that each command of a run took [s]."""
+    log = (folder / LOG).read_text(encoding='utf-8', errors='replace')
+    return [float(seconds) for seconds in re.findall(rf'^{PROCESSOR_TIME}: ([\d.]+) s$', log, re.MULTILINE)]
 
 
 def tail_of(file, lines=5):

@@ -3,6 +3,7 @@
 import glob
 import math
 import os
+import pathlib
 import re
 import sys
 
@@ -21,6 +22,7 @@ from crowd_comparison.lane_order import lane_order, order_above_chance, order_ov
 from crowd_drawing.files import Scene  # noqa: E402
 from crowd_experiments.chapter import Chapter  # noqa: E402
 from crowd_experiments.records import read_tracks  # noqa: E402
+from crowd_experiments.runs import processor_seconds  # noqa: E402
 
 AGENT = '{position: [%g, %g], goal: [%g, %g], speed: 1.0, radius: 0.25}'
 SCENARIO = '''name: {name}
@@ -61,6 +63,12 @@ class LaneOrderTest(support.CrowdTestCase):
         places = numpy.array([[0, 0], [1, 0.1], [1, 0.5], [50, 0], [math.nan, math.nan]])
         self.assertEqual(lane_order(places, [1, 1, -1, -1, -1]), (1.0, 1.0))
         self.assertTrue(math.isnan(lane_order(places[2:], [1, -1, -1])[0]))
+
+    def test_few_walkers_are_no_order(self):
+        places = numpy.array([[x, 1.0 if x > 0 else -1.0] for x in (-4, -3, -2, -1, 1, 2, 3, 4)])
+        ways = [1] * 4 + [-1] * 4
+        self.assertEqual(order_over_time(places[None], ways)[0], 1.0)
+        self.assertTrue(math.isnan(order_over_time(places[None], [1] * 5 + [-1] * 3)[0]))
 
     def test_ways_at_random_are_no_order(self):
         random = numpy.random.default_rng(1)
@@ -159,7 +167,7 @@ class BarsTest(support.CrowdTestCase):
         self.assertEqual(rows['contact %, worst scenario'][4], '1 of 2')
         self.assertEqual(rows['clean %, worst scenario but door12'][4], 'all seeds')
         self.assertEqual(rows['clean %, worst scenario'][6], 'none')
-        self.assertEqual(rows['training time on one core [s]'][3:5], ['70', '1 of 2'])
+        self.assertEqual(rows['training, processor time [s]'][3:5], ['70.0', '1 of 2'])
 
     def test_largest_difference(self):
         one = {'near': {'a': 1.0, 'b': 2.0, 'c': 5.0}}
@@ -218,6 +226,8 @@ class CompareTest(support.CrowdTestCase):
         row = re.search(r'^\| near \| (\S+).*$', support.read_text(document), re.MULTILINE)
         self.assertIsNotNone(row, support.read_text(document))
         self.assertIn('| 1.100 | 1.500 | 1.200 |', row[0])
+        times = processor_seconds(pathlib.Path(self.path('results/runs/benchmark/thesis_nearest_01')))
+        self.assertEqual(len(times), 2)  # to train and to evaluate
         again = self.compare('benchmark', '--benchmark', self.path('benchmark'))
         self.assertEqual(again.wait(), 0, again.output())
         self.assertIn('6 runs, 6 of them done before', again.output())

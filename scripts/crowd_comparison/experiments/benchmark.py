@@ -1,11 +1,10 @@
 """The steering benchmark: every learned model over training seeds, beside ORCA and social force."""
-import re
 import sys
 
 from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread
-from crowd_experiments.runs import Run
+from crowd_experiments.runs import Run, processor_seconds
 
 from .. import bars
 from ..figures_csv import greatest, judged, largest_difference, least, not_slower, read_figures, time_against
@@ -19,7 +18,6 @@ COSTS = {'thesis_nearest': 2.0, 'thesis_occupancy': 12.0, 'anticipation': 14.0} 
 MEASURES = {'contact_pct': ('contact %', 1), 'clean_pct': ('clean %', 0), 'time_ratio': ('time', 3),
             'path_ratio': ('path', 3), 'turn_rad_per_m': ('turn rad/m', 2)}
 SCORER = 'score.py'
-TOOK = re.compile(r'rows visited, took (?:(\d+):)?(\d+):(\d+)')
 
 
 def plan(setting):
@@ -62,7 +60,7 @@ def report(setting):
     learned = {model: [read_figures(run_folder(setting, model, seed) / 'figures.csv')
                        for seed in setting.seeds(SEEDS)] for model in LEARNED}
     references = {model: read_figures(setting.benchmark / 'reference.csv', model) for model in REFERENCES}
-    seconds = [training_seconds(run_folder(setting, OURS, seed)) for seed in setting.seeds(SEEDS)]
+    seconds = [processor_seconds(run_folder(setting, OURS, seed))[0] for seed in setting.seeds(SEEDS)]
     chapter = Chapter(NAME, TITLE)
     chapter.tell(
         f'Fixed scenes, the same for every model; {len(setting.seeds(SEEDS))} training seeds of each learned one. '
@@ -78,12 +76,6 @@ def report(setting):
         add_measure(chapter, learned, references, key, label, decimals)
     add_score(chapter, setting)
     return chapter
-
-
-def training_seconds(folder):
-    """How long the training took, by its own word [s]."""
-    hours, minutes, seconds = TOOK.search((folder / 'log.txt').read_text(encoding='utf-8')).groups()
-    return 3600 * int(hours or 0) + 60 * int(minutes) + int(seconds)
 
 
 def spread_text(values, decimals):

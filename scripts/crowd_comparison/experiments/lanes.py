@@ -71,9 +71,9 @@ def add_curves(chapter, setting, curves):
     figure, axes = style.new_figure(1, 1, 9, 4)
     panel = axes[0][0]
     for model, values in curves.items():
-        present = ~numpy.isnan(values).all(axis=0)
+        present = ~numpy.isnan(values).any(axis=0)
         time = TICK * numpy.arange(values.shape[1])[present]
-        mean, deviation = numpy.nanmean(values[:, present], axis=0), numpy.nanstd(values[:, present], axis=0)
+        mean, deviation = values[:, present].mean(axis=0), values[:, present].std(axis=0)
         panel.plot(time, mean, color=COLOURS[model], label=NAMES[model])
         panel.fill_between(time, mean - deviation, mean + deviation, color=COLOURS[model], alpha=0.2, linewidth=0)
     panel.axhline(0.0, color=style.REFERENCE, linewidth=1, linestyle='--', label='chance')
@@ -83,7 +83,8 @@ def add_curves(chapter, setting, curves):
     panel.set_ylabel('order above chance')
     panel.legend(loc='upper left')
     chapter.add_figure(style.save(figure, setting.figure_file('lane_order')),
-                       'Lane order over time: mean and standard deviation over the placements.')
+                       'Lane order over time: mean and standard deviation over the placements, while both ways are '
+                       'walked in all of them.')
 
 
 def add_moments(chapter, setting):

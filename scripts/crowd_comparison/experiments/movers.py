@@ -61,17 +61,20 @@ def report(setting):
         f'{setting.count(EPISODES, 2)} placements. A contact was avoidable if at any tick within {LOOK_BACK:g} s '
         f'before it a plain move (straight on at one of {HEADINGS} headings, at full or half speed, or standing) '
         f'would have kept the agent clear of everything until {LOOK_ON:g} s after it, all others walking as they did; '
-        'judged with hindsight. Hemmed in: only without the other agents. Overrun: not even then. Turned: the obstacle '
-        f'had turned round within the last {TURNED_WITHIN:g} s.')
+        'judged with hindsight. Hemmed in: only without the other agents. Overrun: not even then. Avoidable to the '
+        f'last: still from the place at the end of the tick before. Turned: the obstacle had turned round within '
+        f'the last {TURNED_WITHIN:g} s.')
     contacts = {model: judged_contacts(folder(setting, model)) for model in LEARNED}
     rows = []
     for model, judged in contacts.items():
         success, contact = rates(read_csv(folder(setting, model) / 'record.csv'))
+        late = sum(escape is not None and escape.tick == touched.tick - 1 for _, touched, _, escape in judged)
         turned = sum(recording.had_turned(touched) for recording, touched, _, _ in judged)
         rows.append([NAMES[model], f'{success:.1f}', f'{contact:.1f}', str(len(judged)),
-                     *(str(sum(kind == found for _, _, found, _ in judged)) for kind in KINDS), str(turned)])
+                     *(str(sum(kind == found for _, _, found, _ in judged)) for kind in KINDS), str(late),
+                     str(turned)])
     chapter.add_table('Contacts with movers', ['', 'success %', 'agents in contact %', 'contacts with movers', *KINDS,
-                                               'turned'], rows, 'contacts')
+                                               'avoidable to the last', 'turned'], rows, 'contacts')
     add_panels(chapter, setting, contacts[OURS])
     return chapter
 
@@ -100,16 +103,20 @@ def draw_contact(panel, recording, contact, escape):
     scene, tick = recording.scene, contact.tick
     begin = max(0, tick - round(LOOK_BACK / scene.tick))
     picture = Picture(panel)
+    centre = recording.track[tick, contact.agent]
     for obstacle, radius in enumerate(recording.obstacle_radii):
+        if not is_near(recording.obstacles[tick, obstacle], centre):
+            continue
         way = recording.obstacles[begin:tick + 1, obstacle]
         panel.plot(*way.T, color='0.45', linewidth=1.3)
         picture.disc(way[-1], radius, facecolor=OBSTACLE_COLOUR, edgecolor='0.35')
     for agent, radius in enumerate(recording.radii):
+        if not is_near(recording.track[tick, agent], centre):
+            continue
         way = recording.track[begin:tick + 1, agent]
         colour = COLOURS[OURS] if agent == contact.agent else COLOURS['orca_best']
         panel.plot(*way.T, color=colour, linewidth=1.3, zorder=5)
         picture.disc(way[-1], radius, facecolor=colour, edgecolor='none', alpha=0.8, zorder=6)
-    centre = recording.track[tick, contact.agent]
     if escape:
         start = recording.track[escape.tick, contact.agent]
         end = start + (tick - escape.tick) * scene.tick * numpy.array(escape.velocity)
@@ -117,3 +124,8 @@ def draw_contact(panel, recording, contact, escape):
         picture.disc(end, recording.radii[contact.agent], fill=False, edgecolor=COLOURS[OURS], linestyle='--', zorder=7)
     picture.show(centre, REACH)
     picture.frame()
+
+
+def is_near(place, centre):
+    """Whether it can be seen in a picture around the centre; who has left is nowhere."""
+    return bool((numpy.abs(place - centre) < REACH + 1.0).all())
