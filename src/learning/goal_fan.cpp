@@ -18,14 +18,20 @@ GoalFan::GoalFan(const Parameters& parameters)
     : parameters_(parameters), rule_(parameters.gap_sharing, parameters.lane_time) {
   addBothSides(parameters.headings, 1.0);
   addBothSides(parameters.slow_headings, parameters.slow_share);
-  if (parameters.stay) moves_.push_back({Vector2::UnitX(), 0.0, true});  // stay, and go on looking the same way
+  if (parameters.stay) add(Vector2::UnitX(), 0.0, true, size());  // stay, and go on looking the same way
 }
 
 void GoalFan::addBothSides(const std::vector<double>& headings, double share) {
   for (const double heading : headings) {
-    moves_.push_back({unitVector(toRadians(heading)), share, false});
-    if (heading > 0.0 && heading < 180.0) moves_.push_back({unitVector(toRadians(-heading)), share, false});
+    const Action left = size();
+    const bool has_two_sides = heading > 0.0 && heading < 180.0;
+    add(unitVector(toRadians(heading)), share, false, has_two_sides ? left + 1 : left);
+    if (has_two_sides) add(unitVector(toRadians(-heading)), share, false, left);
   }
+}
+
+void GoalFan::add(const Vector2& direction, double share, bool from_heading, Action mirrored) {
+  moves_.push_back({direction, share, from_heading, mirrored});
 }
 
 CandidateMove GoalFan::moveOf(const FanMove& move, const Vector2& bearing) const {

@@ -11,6 +11,10 @@ namespace {
   throw InputError(what + ": expected " + expected + ", got '" + got + "'");
 }
 
+Mirror mirrorFor(const Model& model, const LearningParameters& parameters) {
+  return parameters.mirrored ? Mirror(*model.state_set, *model.action_set) : Mirror();
+}
+
 }  // namespace
 
 Mode parseMode(const std::string& text) {
@@ -43,6 +47,7 @@ Learner::Learner(Model model, Options options, QTable table)
       sight_{model_.state_set->distanceLimits().back(), model_.state_set->maxBodies()},
       options_(std::move(options)),
       parameters_(options_.plan.parameters),
+      mirror_(mirrorFor(model_, parameters_)),
       epsilon_(options_.plan.epsilon),
       base_(std::make_shared<QTable>(std::move(table))) {
   const std::string problems = parameters_.problems();
@@ -118,10 +123,10 @@ void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, c
     return;
   }
   if (now.arrived) {
-    memory.learner.learnTerminal(writable(memory), (*model_.reward)(memory.before, seen, 0), parameters_);
+    memory.learner.learnTerminal(writable(memory), (*model_.reward)(memory.before, seen, 0), parameters_, mirror_);
   } else {
     const double reward = (*model_.reward)(memory.before, seen, rows[0]);
-    memory.learner.learn(writable(memory), reward, rows, parameters_);
+    memory.learner.learn(writable(memory), reward, rows, parameters_, mirror_);
     if (perceptions.last) memory.learner.resetTraces();
   }
   ++decisions_;
@@ -179,6 +184,7 @@ void Learner::setParameters(const LearningParameters& parameters) {
   const std::string problems = parameters.problems();
   if (!problems.empty()) throw InputError(problems);
   parameters_ = parameters;
+  mirror_ = mirrorFor(model_, parameters_);
   epsilon_ = EpsilonSchedule::constant(parameters.epsilon);
 }
 

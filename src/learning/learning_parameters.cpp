@@ -68,6 +68,7 @@ LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
   readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, plan.parameters);
   readParameter(map, "gamma", &LearningParameters::gamma, plan.parameters);
   readParameter(map, "lambda", &LearningParameters::lambda, plan.parameters);
+  plan.parameters.mirrored = map.flag("mirrored", plan.parameters.mirrored);
   plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
   if (map.has("epsilon")) plan.epsilon = readEpsilon(map.need("epsilon"), map.placeOf("epsilon"));
   plan.parameters.epsilon = plan.epsilon.at(0);

@@ -55,10 +55,25 @@ Row NearestObstacleStates::terminal() const {
   return static_cast<Row>(goal_sectors_.count() * obstacle_states + goal_sectors_.count());  // (3.4)
 }
 
+NearestObstacleStates::Situation NearestObstacleStates::situationOf(Row row) const {
+  const int code = static_cast<int>(row) - goal_sectors_.count();
+  if (code < 0) return {static_cast<int>(row), 0, 0};
+  const int obstacle_states = obstacle_sectors_.count() * DistanceClasses::COUNT;
+  return {code / obstacle_states, code % obstacle_states / DistanceClasses::COUNT, code % DistanceClasses::COUNT + 1};
+}
+
+Row NearestObstacleStates::mirrored(Row row) const {
+  if (row >= terminal()) return row;
+  Situation situation = situationOf(row);
+  situation.goal_sector = goal_sectors_.mirrored(situation.goal_sector);
+  situation.obstacle_sector = obstacle_sectors_.mirrored(situation.obstacle_sector);
+  return rowOf(situation);
+}
+
 std::vector<int> NearestObstacleStates::distanceClasses(Row row) const {
-  const auto free_rows = static_cast<Row>(goal_sectors_.count());
-  if (row < free_rows || row >= terminal()) return {};
-  return {static_cast<int>((row - free_rows) % DistanceClasses::COUNT) + 1};
+  if (row >= terminal()) return {};
+  const int distance_class = situationOf(row).distance_class;
+  return distance_class > 0 ? std::vector<int>{distance_class} : std::vector<int>();
 }
 
 std::vector<OccupiedSector> NearestObstacleStates::occupiedSectors(const Perception& perception) const {

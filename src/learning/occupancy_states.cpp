@@ -83,14 +83,32 @@ Row OccupancyStates::rowOf(const Situation& situation) const {
   return codes_ * static_cast<Row>(situation.goal_sector) + code;  // (3.5)
 }
 
+OccupancyStates::Situation OccupancyStates::situationOf(Row row) const {
+  Situation situation;
+  situation.goal_sector = static_cast<int>(row / codes_);
+  Row code = row % codes_;
+  for (auto sector = static_cast<std::size_t>(sectors_.count()); sector-- > 0; code /= BASE) {
+    situation.distance_classes[sector] = static_cast<int>(code % BASE);
+  }
+  return situation;
+}
+
+Row OccupancyStates::mirrored(Row row) const {
+  if (row >= terminal()) return row;
+  const Situation situation = situationOf(row);
+  Situation mirrored;
+  mirrored.goal_sector = sectors_.mirrored(situation.goal_sector);
+  for (int sector = 0; sector < sectors_.count(); ++sector) {
+    const auto other_side = static_cast<std::size_t>(sectors_.mirrored(sector));
+    mirrored.distance_classes[other_side] = situation.distance_classes[static_cast<std::size_t>(sector)];
+  }
+  return rowOf(mirrored);
+}
+
 std::vector<int> OccupancyStates::distanceClasses(Row row) const {
   if (row >= terminal()) return {};
-  std::vector<int> classes(static_cast<std::size_t>(sectors_.count()));
-  Row code = row % codes_;
-  for (auto digit = classes.rbegin(); digit != classes.rend(); ++digit, code /= BASE) {
-    *digit = static_cast<int>(code % BASE);
-  }
-  return classes;
+  const Situation situation = situationOf(row);
+  return {situation.distance_classes.begin(), situation.distance_classes.begin() + sectors_.count()};
 }
 
 std::vector<OccupiedSector> OccupancyStates::occupiedSectors(const Perception& perception) const {

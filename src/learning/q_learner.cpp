@@ -11,6 +11,12 @@ double stepSize(const LearningParameters& parameters, std::uint32_t visits) {
   return std::max(parameters.alpha, std::pow(static_cast<double>(visits), -parameters.alpha_decay));
 }
 
+/// Counts a visit; returns by how much it moves the value (3.1).
+double visit(QTable& table, Row row, Action action, double target, const LearningParameters& parameters) {
+  table.countVisit(row, action);
+  return stepSize(parameters, table.visits(row, action)) * (target - table.value(row, action));
+}
+
 }  // namespace
 
 Action QLearner::chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any) {
@@ -35,25 +41,33 @@ void QLearner::noteDecision(const QTable& table, const Rows& rows, Action action
   action_ = action;
 }
 
-void QLearner::learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters) {
-  update(table, reward + parameters.gamma * table.greedyValue(next), parameters);
+void QLearner::learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters,
+                     const Mirror& mirror) {
+  update(table, reward + parameters.gamma * table.greedyValue(next), parameters, mirror);
 }
 
-void QLearner::learnTerminal(QTable& table, double reward, const LearningParameters& parameters) {
-  update(table, reward, parameters);
+void QLearner::learnTerminal(QTable& table, double reward, const LearningParameters& parameters, const Mirror& mirror) {
+  update(table, reward, parameters, mirror);
   resetTraces();
 }
 
-void QLearner::update(QTable& table, double target, const LearningParameters& parameters) {
-  table.countVisit(row_, action_);
-  const double alpha = stepSize(parameters, table.visits(row_, action_));
-  const double step = alpha * (target - table.value(row_, action_));  // (3.1)
+void QLearner::update(QTable& table, double target, const LearningParameters& parameters, const Mirror& mirror) {
+  const auto has_image = [&](Row row, Action action) {
+    return mirror.row(row) != row || mirror.action(action) != action;
+  };
+  const double step = visit(table, row_, action_, target, parameters);
+  const double mirrored_step =
+      has_image(row_, action_) ? visit(table, mirror.row(row_), mirror.action(action_), target, parameters) : step;
+  const auto add = [&](Row row, Action action, double eligibility) {
+    table.addTo(row, action, step * eligibility);
+    if (has_image(row, action)) table.addTo(mirror.row(row), mirror.action(action), mirrored_step * eligibility);
+  };
   if (parameters.lambda <= 0.0) {
-    table.addTo(row_, action_, step);
+    add(row_, action_, 1.0);
     return;
   }
   remember({row_, action_, 1.0});
-  for (const Trace& trace : traces_) table.addTo(trace.row, trace.action, step * trace.eligibility);
+  for (const Trace& trace : traces_) add(trace.row, trace.action, trace.eligibility);
 }
 
 void QLearner::remember(const Trace& trace) {

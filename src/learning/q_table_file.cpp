@@ -44,6 +44,7 @@ std::string headerOf(const TrainedTable& trained, std::size_t lines) {
   add("gamma", toText(trained.parameters.gamma));
   add("lambda", toText(trained.parameters.lambda));
   if (trained.parameters.alpha_decay > 0.0) add("alpha_decay", toText(trained.parameters.alpha_decay));
+  if (trained.parameters.mirrored) add("mirrored", "true");
   add("epsilon", toText(trained.parameters.epsilon));
   add("decisions", std::to_string(trained.decisions));
   add("seed", std::to_string(trained.seed));
@@ -139,6 +140,7 @@ Header readHeader(LineReader& lines) {
   readParameter(map, "gamma", &LearningParameters::gamma, header.parameters);
   readParameter(map, "lambda", &LearningParameters::lambda, header.parameters);
   readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, header.parameters);
+  header.parameters.mirrored = map.flag("mirrored", header.parameters.mirrored);
   readParameter(map, "epsilon", &LearningParameters::epsilon, header.parameters);
   header.decisions = map.count("decisions");
   header.seed = map.count("seed");

@@ -152,6 +152,7 @@ class RowPerAction : public StateSet {
     rows[0] = far;
     rows[1] = 2 + far;
   }
+  Row mirrored(Row row) const override { return row; }
   std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
   std::vector<OccupiedSector> occupiedSectors(const Perception& /*perception*/) const override { return {}; }
   std::vector<double> distanceLimits() const override { return {1.0}; }

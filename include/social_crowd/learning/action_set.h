@@ -27,6 +27,8 @@ class ActionSet {
   virtual RelativeAction relativeAction(const Perception& perception, Action action) const = 0;
   /// @brief The moves that all size() actions mean to an agent that perceives this.
   virtual void findMoves(const Perception& perception, CandidateMove* moves) const;
+  /// @brief The action that means the same with left and right exchanged.
+  virtual Action mirrored(Action action) const = 0;
   /// @brief Name and parameters as one canonical line of YAML; two sets are the same if these are.
   virtual std::string spec() const = 0;
 };

@@ -37,6 +37,8 @@ class AnticipationStates : public StateSet {
   Row rowCount() const override { return row_count_; }
   std::size_t rowsPerPerception() const override { return action_set_->size(); }
   void findRows(const Perception& perception, Row* rows) const override;
+  /// @brief The same row: none of its quantities tells left from right.
+  Row mirrored(Row row) const override { return row; }
   std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
   std::vector<OccupiedSector> occupiedSectors(const Perception& /*perception*/) const override { return {}; }
   std::vector<double> distanceLimits() const override { return {parameters_.vision_radius}; }

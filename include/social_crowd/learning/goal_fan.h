@@ -28,6 +28,7 @@ class GoalFan : public ActionSet {
   Action size() const override { return static_cast<Action>(moves_.size()); }
   RelativeAction relativeAction(const Perception& perception, Action action) const override;
   void findMoves(const Perception& perception, CandidateMove* moves) const override;
+  Action mirrored(Action action) const override { return moves_[action].mirrored; }
   std::string spec() const override;
 
  private:
@@ -35,8 +36,10 @@ class GoalFan : public ActionSet {
     Vector2 direction = Vector2::UnitX();  // measured from the goal's bearing
     double share = 0.0;
     bool from_heading = false;  // measured from the own heading instead
+    Action mirrored = 0;
   };
   void addBothSides(const std::vector<double>& headings, double share);
+  void add(const Vector2& direction, double share, bool from_heading, Action mirrored);
   CandidateMove moveOf(const FanMove& move, const Vector2& bearing) const;
 
   Parameters parameters_;

@@ -17,6 +17,7 @@ class KingsMoves : public ActionSet {
 
   Action size() const override { return static_cast<Action>(moves_.size()); }
   RelativeAction relativeAction(const Perception& perception, Action action) const override;
+  Action mirrored(Action action) const override { return (size() - action) % size(); }
   std::string spec() const override;
 
  private:

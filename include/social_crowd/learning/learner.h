@@ -121,6 +121,7 @@ class Learner {
   Vision sight_;  // all that the state set looks at
   Options options_;
   LearningParameters parameters_;
+  Mirror mirror_;
   EpsilonSchedule epsilon_;
   std::uint64_t episode_ = 0;
   bool began_ = false;

@@ -15,6 +15,7 @@ struct LearningParameters {
   double epsilon = 0.1;  ///< share of decisions taken at random while learning, 0 to 1
   /// The n-th visit of a row and action steps by n^-alpha_decay as long as that is above alpha, 0 (always alpha) to 1.
   double alpha_decay = 0.0;
+  bool mirrored = false;  ///< every experience is also learned with left and right exchanged
 
   /// @brief What is wrong with the numbers, in words; empty if nothing is.
   std::string problems() const;
@@ -42,7 +43,7 @@ struct LearningPlan {
   EpsilonSchedule epsilon;
 };
 
-/// @brief Reads a map {alpha, gamma, lambda, epsilon}, all optional; epsilon is a number or
+/// @brief Reads a map {alpha, alpha_decay, gamma, lambda, mirrored, epsilon}, all optional; epsilon is a number or
 /// {from, to, episodes, shape: linear|exponential}. @throws InputError
 LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place);
 

@@ -33,6 +33,7 @@ class NearestObstacleStates : public StateSet {
 
   Row rowCount() const override { return terminal() + 1; }
   void findRows(const Perception& perception, Row* rows) const override { *rows = rowOf(describe(perception)); }
+  Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
   std::vector<double> distanceLimits() const override;
@@ -40,6 +41,8 @@ class NearestObstacleStates : public StateSet {
 
   Situation describe(const Perception& perception) const;
   Row rowOf(const Situation& situation) const;
+  /// @brief What a row says; it must not be the terminal one.
+  Situation situationOf(Row row) const;
   /// @brief The row of an agent that has arrived (3.4).
   Row terminal() const;
 

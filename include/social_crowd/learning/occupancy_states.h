@@ -34,6 +34,7 @@ class OccupancyStates : public StateSet {
 
   Row rowCount() const override { return terminal() + 1; }
   void findRows(const Perception& perception, Row* rows) const override { *rows = rowOf(describe(perception)); }
+  Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
   std::vector<double> distanceLimits() const override;
@@ -41,6 +42,8 @@ class OccupancyStates : public StateSet {
 
   Situation describe(const Perception& perception) const;
   Row rowOf(const Situation& situation) const;
+  /// @brief What a row says; it must not be the terminal one.
+  Situation situationOf(Row row) const;
   /// @brief The row of an agent that has arrived.
   Row terminal() const { return codes_ * static_cast<Row>(sectors_.count()); }
 

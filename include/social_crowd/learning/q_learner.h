@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "social_crowd/learning/learning_parameters.h"
+#include "social_crowd/learning/mirror.h"
 #include "social_crowd/learning/q_table.h"
 
 namespace crowd {
@@ -11,7 +12,10 @@ namespace crowd {
 /// traces, and choice of actions. Knows nothing of perceptions.
 ///
 /// Use: choose an action for the rows of the present state, carry it out, then learn from the reward and the rows of
-/// the state it led to (or learnTerminal), choose again.
+/// the state it led to (or learnTerminal), choose again. With a mirror, the same targets also teach the mirror images
+/// of the decision and of those that traces lead back to, as if another agent had lived through all of it with left and
+/// right exchanged; what is its own mirror image is learned once. A table in which mirror images are equal stays so,
+/// bit for bit.
 class QLearner {
  public:
   /// @brief Greedy choice (pure control); of equal values the first.
@@ -25,10 +29,12 @@ class QLearner {
   void noteDecision(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters);
 
   /// @brief Learns from the noted decision: it brought `reward` and led to a state with these rows.
-  void learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters);
+  void learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters,
+             const Mirror& mirror = Mirror());
 
   /// @brief Learns from the noted decision: it brought `reward` and ended the episode; nothing is expected beyond.
-  void learnTerminal(QTable& table, double reward, const LearningParameters& parameters);
+  void learnTerminal(QTable& table, double reward, const LearningParameters& parameters,
+                     const Mirror& mirror = Mirror());
 
   bool hasDecision() const { return has_decision_; }
 
@@ -43,7 +49,7 @@ class QLearner {
   };
   static constexpr double NEGLIGIBLE_TRACE = 1e-6;
 
-  void update(QTable& table, double target, const LearningParameters& parameters);
+  void update(QTable& table, double target, const LearningParameters& parameters, const Mirror& mirror);
   void remember(const Trace& trace);
   void decayTraces(double factor);
 

@@ -23,6 +23,9 @@ class EvenSectors {
     const long rest = index % count_;
     return static_cast<int>(rest < 0 ? rest + count_ : rest);
   }
+  /// @brief The sector on the other side. What lies exactly on a limit has its mirror image in the next sector, as the
+  /// limit is the right one of both.
+  int mirrored(int index) const { return wrap(-static_cast<long>(index)); }
   /// @brief The right limit of a sector [rad].
   double rightLimit(long index) const { return (static_cast<double>(index) - 0.5) * width_; }
 
@@ -43,6 +46,8 @@ class MirroredSectors {
   int count() const { return 2 * static_cast<int>(limits_.size()); }
   /// @brief The sector of an angle in [-pi, pi].
   int indexOf(double angle) const;
+  /// @brief The sector on the other side.
+  int mirrored(int index) const { return (index + count() / 2) % count(); }
   /// @brief Right and left limit of a sector [rad].
   double rightLimit(int index) const;
   double leftLimit(int index) const;

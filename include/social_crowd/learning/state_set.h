@@ -42,6 +42,9 @@ class StateSet {
   virtual std::size_t rowsPerPerception() const { return 1; }
   /// @brief Writes rowsPerPerception() rows for what an agent on its way perceives.
   virtual void findRows(const Perception& perception, Row* rows) const = 0;
+  /// @brief The row that a perception maps to if left and right are exchanged in it; of several rows, that of the
+  /// mirrored action. A perception exactly on a limit of a sector may map to the neighbour of that row.
+  virtual Row mirrored(Row row) const = 0;
   /// @brief The distance classes that a row stands for: of each obstacle or sector it tells apart; empty if it tells of
   /// no obstacle. For rewards.
   virtual std::vector<int> distanceClasses(Row row) const = 0;
