@@ -1,20 +1,14 @@
 #include "social_crowd/learning/q_learner.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace crowd {
 namespace {
 
-double stepSize(const LearningParameters& parameters, std::uint32_t visits) {
-  if (parameters.alpha_decay <= 0.0) return parameters.alpha;
-  return std::max(parameters.alpha, std::pow(static_cast<double>(visits), -parameters.alpha_decay));
-}
-
 /// Counts a visit; returns by how much it moves the value (3.1).
 double visit(QTable& table, Row row, Action action, double target, const LearningParameters& parameters) {
   table.countVisit(row, action);
-  return stepSize(parameters, table.visits(row, action)) * (target - table.value(row, action));
+  return parameters.stepSize(table.visits(row, action)) * (target - table.value(row, action));
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ TrainingPlan readTrainingPlan(const YAML::Node& node, const YamlPlace& place) {
   plan.seed = map.count("seed", plan.seed);
   plan.tables = readTableUse(map, plan.tables);
   plan.save_every = static_cast<std::uint64_t>(map.whole("save_every", 0, INT64_MAX, 0));
+  plan.side_by_side = static_cast<std::uint32_t>(map.whole("side_by_side", 1, 1024, plan.side_by_side));
+  plan.turn = static_cast<std::uint32_t>(map.whole("turn", 1, INT32_MAX, plan.turn));
   map.finish();
   return plan;
 }

@@ -1,5 +1,9 @@
 #include "social_crowd/simulation/training.h"
 
+#include <algorithm>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/learning/merge_copies.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/world/scenario_reader.h"
 
@@ -24,6 +28,20 @@ Learner::Options trainingOptions(const Recipe& recipe) {
   return options;
 }
 
+std::vector<Learner> makeLearners(const Recipe& recipe) {
+  const TrainingPlan& plan = recipe.training;
+  if (plan.side_by_side > 1 && recipe.learning.parameters.lambda > 0.0) {
+    throw InputError("training.side_by_side: expected 1 with traces (learning.lambda above 0), got " +
+                     std::to_string(plan.side_by_side));
+  }
+  if (plan.side_by_side > 1 && plan.tables == TableUse::OWN) {
+    throw InputError("training.side_by_side: expected 1 with own tables, got " + std::to_string(plan.side_by_side));
+  }
+  std::vector<Learner> learners;
+  for (std::uint32_t i = 0; i < plan.side_by_side; ++i) learners.emplace_back(recipe.model, trainingOptions(recipe));
+  return learners;
+}
+
 }  // namespace
 
 EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& learner) {
@@ -37,26 +55,63 @@ EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& lear
   return episode.result();
 }
 
-Training::Training(Recipe recipe)
+Training::Training(Recipe recipe, unsigned threads)
     : recipe_(std::move(recipe)),
       scenarios_(readAll(recipe_.training.scenarios)),
-      learner_(recipe_.model, trainingOptions(recipe_)) {}
+      learners_(makeLearners(recipe_)),
+      workers_(std::min(threads, recipe_.training.side_by_side)) {}
 
-Training::Training(Recipe recipe, TrainedTable begin) : Training(std::move(recipe)) {
+Training::Training(Recipe recipe, TrainedTable begin, unsigned threads) : Training(std::move(recipe), threads) {
   requireFit(recipe_.model, begin.model, "the table to begin with");
-  learner_.takeTable(std::move(begin.table), TakeMethod::REPLACE);
-  learner_.setDecisions(begin.decisions);
+  for (Learner& learner : learners_) learner.takeTable(begin.table, TakeMethod::REPLACE);
+  learners_.front().setDecisions(begin.decisions);
   decisions_before_ = begin.decisions;
 }
 
-EpisodeResult Training::runNextEpisode() {
-  EpisodeResult result = runEpisode(scenarios_.scene(recipe_.training.seed, episode_), episode_, learner_);
-  ++episode_;
-  return result;
+std::vector<EpisodeResult> Training::runNextTurn() {
+  if (learners_.size() == 1) return runEpisodes(1);
+  QTable table = learner().tableOf(0);
+  std::vector<EpisodeResult> results = runEpisodes(recipe_.training.turn);
+  merge(std::move(table));
+  return results;
+}
+
+std::vector<EpisodeResult> Training::runEpisodes(std::uint64_t each) {
+  const std::uint64_t left = recipe_.training.episodes - episode_;
+  std::vector<EpisodeResult> results(std::min(left, each * learners_.size()));
+  workers_.run(learners_.size(), [&](unsigned /*worker*/, std::size_t first, std::size_t last) {
+    for (std::size_t number = first; number < last; ++number) {
+      const std::uint64_t end = std::min<std::uint64_t>((number + 1) * each, results.size());
+      for (std::uint64_t i = number * each; i < end; ++i) {
+        const Scene scene = scenarios_.scene(recipe_.training.seed, episode_ + i);
+        results[i] = runEpisode(scene, episode_ + i, learners_[number]);
+      }
+    }
+  });
+  episode_ += results.size();
+  return results;
+}
+
+void Training::merge(QTable table) {
+  std::vector<const QTable*> copies;
+  for (const Learner& learner : learners_) copies.push_back(&learner.tableOf(0));
+  workers_.run(table.rows(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
+    mergeCopies(copies, recipe_.learning.parameters, static_cast<Row>(begin), static_cast<Row>(end), table);
+  });
+  for (Learner& learner : learners_) learner.takeTable(table, TakeMethod::REPLACE);
+}
+
+std::uint64_t Training::allDecisions() const {
+  std::uint64_t sum = 0;
+  for (const Learner& learner : learners_) sum += learner.decisions();
+  return sum;
 }
 
 TrainedTable Training::trained() const {
-  return {recipe_.model, learner_.parameters(), learner_.decisions(), recipe_.training.seed, learner_.tableOf(0)};
+  LearningParameters parameters = learner().parameters();
+  if (episode_ > 0)
+    parameters.epsilon = recipe_.learning.epsilon.at(episode_ - 1);  // the last one's, whoever learned it
+  return {recipe_.model, parameters, allDecisions(), recipe_.training.seed, learner().tableOf(0)};
 }
 
 }  // namespace crowd

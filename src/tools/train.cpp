@@ -1,9 +1,11 @@
 // Trains a Q-table without ROS.
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <thread>
 
 #include "command_line.h"
 #include "progress_bar.h"
@@ -26,6 +28,7 @@ struct Arguments {
   std::optional<std::uint64_t> episodes;
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> save_every;
+  unsigned threads = 1;
 };
 
 /// Success and contact of the last episodes, in percent of the agents.
@@ -69,8 +72,8 @@ Recipe readRecipeFor(const Arguments& arguments) {
 
 Training beginTraining(const Arguments& arguments) {
   Recipe recipe = readRecipeFor(arguments);
-  if (arguments.q_table.empty()) return Training(std::move(recipe));
-  return Training(std::move(recipe), loadQTable(arguments.q_table));
+  if (arguments.q_table.empty()) return Training(std::move(recipe), arguments.threads);
+  return Training(std::move(recipe), loadQTable(arguments.q_table), arguments.threads);
 }
 
 std::string recordRows(std::uint64_t episode, const EpisodeResult& result) {
@@ -100,10 +103,13 @@ int train(const Arguments& arguments) {
   };
   catchInterrupts();
   while (!training.isDone() && !isInterrupted()) {
-    const EpisodeResult result = training.runNextEpisode();
-    rates.add(result);
-    if (record) record->append(recordRows(training.episode() - 1, result));
-    if (plan.save_every > 0 && training.episode() % plan.save_every == 0) {
+    const std::uint64_t before = training.episode();
+    std::uint64_t episode = before;
+    for (const EpisodeResult& result : training.runNextTurn()) {
+      rates.add(result);
+      if (record) record->append(recordRows(episode++, result));
+    }
+    if (plan.save_every > 0 && training.episode() / plan.save_every > before / plan.save_every) {
       saveQTable(nameAfter(arguments.output, training.episode()), training.trained());
     }
     if (bar.isDue(training.episode()) && !training.isDone()) bar.show(training.episode(), note());
@@ -120,6 +126,7 @@ int train(const Arguments& arguments) {
 int runMain(int argc, char** argv) {
   CLI::App app("Trains a Q-table: one agent or many learn to walk in the scenarios that CONFIG names.", "train");
   Arguments arguments;
+  arguments.threads = std::max(1U, std::thread::hardware_concurrency());
   app.add_option("CONFIG", arguments.config, "learning configuration, such as config/learning/thesis_nearest.yaml")
       ->required();
   app.add_option("--output,-o", arguments.output, "Q-table file to write")->required();
@@ -130,6 +137,9 @@ int runMain(int argc, char** argv) {
   app.add_option("--q-table", arguments.q_table, "goes on learning from this table")->check(CLI::ExistingFile);
   app.add_option("--tables", arguments.tables, "one for all or each its own, in place of the configuration's")
       ->check(CLI::IsMember({"shared", "own"}));
+  app.add_option("--threads", arguments.threads,
+                 "for learners side by side, results do not depend on it; else one per processor")
+      ->check(CLI::Range(1, 1024));
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
   app.footer(
       "Ctrl-C ends the training and keeps what was learned so far.\n"

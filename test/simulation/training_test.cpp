@@ -53,7 +53,7 @@ Recipe recipeFor(const TemporaryFolder& folder, const std::string& scenarios, st
 
 TrainedTable train(const Recipe& recipe) {
   Training training(recipe);
-  while (!training.isDone()) training.runNextEpisode();
+  while (!training.isDone()) training.runNextTurn();
   return training.trained();
 }
 
@@ -123,14 +123,14 @@ TEST(Training, TellsHowFarItIs) {
   EXPECT_FALSE(training.isDone());
   EXPECT_EQ(training.trained().decisions, 0U);
   EXPECT_EQ(training.trained().table.visitedRows(), 0U);
-  const EpisodeResult result = training.runNextEpisode();
+  const EpisodeResult result = training.runNextTurn().at(0);
   EXPECT_EQ(result.agents.size(), 2U);
   EXPECT_EQ(training.episode(), 1U);
   EXPECT_FALSE(training.isDone());
   // Every decision is learned from: one per agent and tick until it arrives.
   EXPECT_EQ(training.trained().decisions, result.agents[0].ticks + result.agents[1].ticks);
   EXPECT_GT(training.trained().table.visitedRows(), 0U);
-  training.runNextEpisode();
+  training.runNextTurn();
   EXPECT_TRUE(training.isDone());
 }
 
@@ -140,7 +140,7 @@ TEST(Training, PlaysAllScenariosRoundAndRound) {
   folder.write("t.yaml", twoAgents("third"));
   Training training(recipeFor(folder, "s.yaml, t.yaml", 7, 1));
   std::string names;
-  while (!training.isDone()) names += training.runNextEpisode().scenario + " ";
+  while (!training.isDone()) names += training.runNextTurn().at(0).scenario + " ";
   EXPECT_EQ(names, "first second third first second third first ");
 }
 
@@ -149,8 +149,8 @@ TEST(Training, PlacesDependOnSeedAndEpisodeAlone) {
   folder.write("s.yaml", twoAgents("pair", "[1, 2]"));
   const auto lengths = [&](std::uint64_t seed) {
     Training training(recipeFor(folder, "s.yaml", 2, seed));
-    const double first = training.runNextEpisode().agents[0].straight_length;
-    return std::make_pair(first, training.runNextEpisode().agents[0].straight_length);
+    const double first = training.runNextTurn().at(0).agents[0].straight_length;
+    return std::make_pair(first, training.runNextTurn().at(0).agents[0].straight_length);
   };
   EXPECT_NE(lengths(1).first, lengths(1).second);
   EXPECT_EQ(lengths(1), lengths(1));
@@ -161,11 +161,11 @@ TEST(Training, WithOwnTablesEachAgentLearnsForItself) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   Training training(recipeFor(folder, "s.yaml", 5, 1, ", tables: own"));
-  while (!training.isDone()) training.runNextEpisode();
+  while (!training.isDone()) training.runNextTurn();
   EXPECT_TRUE(training.learner().tableOf(0) != training.learner().tableOf(1));
   EXPECT_TRUE(training.trained().table == training.learner().tableOf(0));  // the pioneer's
   Training shared(recipeFor(folder, "s.yaml", 5, 1));
-  shared.runNextEpisode();
+  shared.runNextTurn();
   EXPECT_TRUE(shared.learner().tableOf(0) == shared.learner().tableOf(1));
 }
 
@@ -177,7 +177,7 @@ TEST(Training, GoesOnFromATable) {
   EXPECT_TRUE(more.trained().table == first.table);
   EXPECT_EQ(more.trained().decisions, first.decisions);
   EXPECT_EQ(more.decisions(), 0U);
-  const EpisodeResult result = more.runNextEpisode();
+  const EpisodeResult result = more.runNextTurn().at(0);
   EXPECT_EQ(more.decisions(), result.agents[0].ticks + result.agents[1].ticks);
   EXPECT_EQ(more.trained().decisions, first.decisions + more.decisions());
   // Both went on from what was given, each for itself.

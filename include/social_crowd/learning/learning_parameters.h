@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -17,6 +19,13 @@ struct LearningParameters {
   double alpha_decay = 0.0;
   bool mirrored = false;  ///< every experience is also learned with left and right exchanged
 
+  /// @brief Share of the way to the target that a value goes when its row and action are visited for the n-th time.
+  double stepSize(std::uint32_t visits) const {
+    if (alpha_decay <= 0.0) return alpha;
+    return std::max(alpha, std::pow(static_cast<double>(visits), -alpha_decay));
+  }
+  /// @brief Share that what a value was after `first` visits has in what it is after `last`.
+  double keptShare(std::uint32_t first, std::uint32_t last) const;
   /// @brief What is wrong with the numbers, in words; empty if nothing is.
   std::string problems() const;
 };

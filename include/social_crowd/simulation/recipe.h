@@ -16,7 +16,9 @@ struct TrainingPlan {
   std::uint64_t episodes = 0;
   std::uint64_t seed = 1;
   TableUse tables = TableUse::SHARED;
-  std::uint64_t save_every = 0;  ///< episodes; 0: at the end only
+  std::uint64_t save_every = 0;    ///< episodes; 0: at the end only
+  std::uint32_t side_by_side = 1;  ///< learners that learn at the same time, each in a copy of the table
+  std::uint32_t turn = 10;         ///< episodes of each of them until what they learned is merged
 };
 
 /// @brief A learning configuration file (config/learning/*.yaml): model, learning parameters and training plan.

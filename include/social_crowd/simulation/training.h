@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "social_crowd/common/workers.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/episode_result.h"
@@ -13,30 +15,43 @@ namespace crowd {
 /// @brief Plays an episode to its end with one learner.
 EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& learner);
 
-/// @brief Training without ROS, episode by episode. Depends on recipe and seed alone.
+/// @brief Training without ROS, turn by turn. Depends on recipe and seed alone, not on the number of threads.
+///
+/// One learner learns an episode a turn. Several side by side learn `turn` episodes each, one after the other, in a
+/// copy of the table of their own; then the copies are merged, and the next turn begins with what came of it.
 class Training {
  public:
-  /// @brief From nothing. @throws FileError, InputError if a scenario file cannot be read.
-  explicit Training(Recipe recipe);
+  /// @brief From nothing. @param threads how many at most walk episodes at the same time
+  /// @throws FileError, InputError if a scenario file cannot be read; InputError if the recipe asks for learners side
+  /// by side with traces or with own tables.
+  explicit Training(Recipe recipe, unsigned threads = 1);
   /// @brief Goes on from what was learned before; model and parameters are the recipe's, decisions add up.
   /// @throws ShapeError if the table is of another state set or action set; else as above.
-  Training(Recipe recipe, TrainedTable begin);
+  Training(Recipe recipe, TrainedTable begin, unsigned threads = 1);
 
-  /// @brief Walks the next episode and learns from it.
-  EpisodeResult runNextEpisode();
+  /// @brief Walks the episodes of the next turn and learns from them. @return how they went, in order.
+  std::vector<EpisodeResult> runNextTurn();
   bool isDone() const { return episode_ >= recipe_.training.episodes; }
+  /// @brief Episodes done.
   std::uint64_t episode() const { return episode_; }
   /// @brief Decisions learned from in this training.
-  std::uint64_t decisions() const { return learner_.decisions() - decisions_before_; }
+  std::uint64_t decisions() const { return allDecisions() - decisions_before_; }
   const Recipe& recipe() const { return recipe_; }
-  const Learner& learner() const { return learner_; }
+  /// @brief The learner; of several side by side the first.
+  const Learner& learner() const { return learners_.front(); }
   /// @brief What was learned so far; with own tables that of agent 0, the pioneer.
   TrainedTable trained() const;
 
  private:
+  std::uint64_t allDecisions() const;
+  /// Each learner walks so many of the next episodes, as long as there are any.
+  std::vector<EpisodeResult> runEpisodes(std::uint64_t each);
+  void merge(QTable table);
+
   Recipe recipe_;
   ScenarioList scenarios_;
-  Learner learner_;
+  std::vector<Learner> learners_;
+  Workers workers_;
   std::uint64_t decisions_before_ = 0;
   std::uint64_t episode_ = 0;
 };
