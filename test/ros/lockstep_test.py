@@ -28,10 +28,11 @@ class DemoTest(support.CrowdTestCase):
         return support.read_bytes(self.path('ros/' + support.recording_of(scenario)))
 
     def check(self, table):
-        """Compares the recordings; learners are there already. Who anticipates, walks into nothing."""
+        """Compares the recordings; learners are there already."""
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
         self.assert_same_recording(self.walk(), expected)
-        self.assertEqual(self.blocked > 0, table != support.ANTICIPATION_TABLE, 'moves blocked in the solid scenario')
+        if table != support.ANTICIPATION_TABLE:  # who anticipates may get through
+            self.assertGreater(self.blocked, 0, 'the solid scenario should block some moves')
 
     def check_one_learner(self, table):
         """One learner serves all agents."""
