@@ -48,7 +48,7 @@ void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, do
 }
 
 bool NeighbourSearch::sortByRank() {
-  std::array<float, MAX_RANKED> keys;  // in single precision twice as many are compared at once
+  std::array<float, MAX_RANKED> keys{};  // in single precision twice as many are compared at once
   for (std::size_t i = 0; i < count_; ++i) keys[i] = static_cast<float>(rims_[i]);
   std::uint32_t sum = 0;
   for (std::size_t i = 0; i < count_; ++i) {

@@ -58,14 +58,14 @@ void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin
   for (std::size_t i = begin; i < end; ++i) {
     AgentPerception& self = perceptions.agents[watchers_[i]];
     look(vision, self, looker);
-    auto place = perceptions.bodies.begin() + static_cast<std::ptrdiff_t>(vision.max_bodies * watchers_[i]);
+    std::size_t first = std::size_t{vision.max_bodies} * watchers_[i];
     if (vision.max_bodies == 0) {
-      const auto end_of_list = static_cast<std::ptrdiff_t>(perceptions.bodies.size());
-      perceptions.bodies.resize(perceptions.bodies.size() + looker.bodies.size());
-      place = perceptions.bodies.begin() + end_of_list;
+      first = perceptions.bodies.size();
+      perceptions.bodies.resize(first + looker.bodies.size());
     }
-    self.first_body = static_cast<std::uint32_t>(place - perceptions.bodies.begin());
-    std::copy(looker.bodies.begin(), looker.bodies.end(), place);
+    self.first_body = static_cast<std::uint32_t>(first);
+    std::copy(looker.bodies.begin(), looker.bodies.end(),
+              perceptions.bodies.begin() + static_cast<std::ptrdiff_t>(first));
   }
 }
 
