@@ -2,7 +2,8 @@
 
 namespace crowd {
 
-Workers::Workers(unsigned count) : problems_(count > 1 ? count : 0) {
+Workers::Workers(unsigned count) {
+  if (count > 1) problems_.resize(count);
   for (unsigned worker = 1; worker < count; ++worker) threads_.emplace_back([this, worker] { wait(worker); });
 }
 
