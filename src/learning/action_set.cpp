@@ -20,7 +20,7 @@ std::shared_ptr<const ActionSet> readGoalFan(YamlMap& map) {
   } catch (const InputError&) {
     throwExpected(map.placeOf("gap_sharing"), map.need("gap_sharing"), "none, half or moving");
   }
-  parameters.lane_time = map.number("lane_time", NumberRule::NOT_NEGATIVE, parameters.lane_time);
+  parameters.lookout = map.number("lookout", NumberRule::NOT_NEGATIVE, parameters.lookout);
   map.finish();
   return std::make_shared<GoalFan>(parameters);
 }

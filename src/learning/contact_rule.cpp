@@ -3,17 +3,13 @@
 #include <algorithm>
 
 #include "social_crowd/common/errors.h"
-#include "social_crowd/learning/time_to_contact.h"
+#include "social_crowd/learning/way_out.h"
 
 namespace crowd {
 namespace {
 
 /// Left free of every gap, so that what two agents work out in their own frames never adds up to more than it [m].
 constexpr double MARGIN = 1e-9;
-
-/// By how much a mover is to be cleared [m], and how much earlier than need be [s].
-constexpr double WAY_MARGIN = 0.02;
-constexpr double WAY_SLACK = 0.3;
 
 /// No displacement may reach further than `room` along `normal`.
 struct Limit {
@@ -40,14 +36,10 @@ Limit limitOfAgent(const AgentPerception& self, const PerceivedBody& other, doub
   return limit;
 }
 
-/// The room may be negative: something comes that leaves no place to stay.
-Limit limitOfObstacle(const AgentPerception& self, const PerceivedBody& other, double tick_duration) {
-  const Vector2 then = other.position + tick_duration * other.velocity;
-  const double distance = then.norm();
-  const double gap = distance - self.radius - other.radius;
-  const bool at_rest = other.velocity == Vector2::Zero();
-  Limit limit = limitOf(then, distance, gap);
-  if (at_rest) limit.room = std::max(0.0, limit.room);
+Limit limitOfObstacle(const AgentPerception& self, const PerceivedBody& other) {
+  const double distance = other.position.norm();
+  Limit limit = limitOf(other.position, distance, distance - self.radius - other.radius);
+  limit.room = std::max(0.0, limit.room);
   return limit;
 }
 
@@ -57,33 +49,6 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
   Limit limit = limitOf(nearest, distance, distance - self.radius);
   limit.room = std::max(0.0, limit.room);
   return limit;
-}
-
-/// The lane that a moving obstacle sweeps is a wall to those outside; who is in it may go on towards its limit only.
-Limit limitOfLane(const AgentPerception& self, const PerceivedBody& other, double lane_time) {
-  const Vector2 nearest = nearestPoint({other.position, other.position + lane_time * other.velocity}, Vector2::Zero());
-  const double distance = nearest.norm();
-  Limit limit = limitOf(nearest, distance, distance - self.radius - other.radius);
-  limit.room = std::max(0.0, limit.room);
-  return limit;
-}
-
-bool isMover(const PerceivedBody& body) { return body.kind == BodyKind::OBSTACLE && body.velocity != Vector2::Zero(); }
-
-/// Who stands in the way of a mover, and has no time to lose any more, goes out of it: moves that would not clear it
-/// become the straight way out.
-void clearWay(const AgentPerception& self, const PerceivedBody& mover, CandidateMove* moves, std::size_t count) {
-  const double reach = self.radius + mover.radius + WAY_MARGIN;
-  const Vector2 ahead = mover.velocity.normalized();
-  const double side = cross(ahead, -mover.position);
-  const double way_out = (reach - std::abs(side)) / self.speed;  // [s]
-  if (timeToContact(mover.position, -mover.velocity, reach) > way_out + WAY_SLACK) return;
-  const Vector2 left(-ahead.y(), ahead.x());
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vector2 velocity = moves[i].share * self.speed * moves[i].direction;
-    if (timeToContact(mover.position, velocity - mover.velocity, reach) >= NEVER) continue;
-    moves[i] = {side < 0.0 ? Vector2(-left) : left, 1.0, 1.0};
-  }
 }
 
 /// @param reach the longest displacement of a tick [m]
@@ -111,18 +76,24 @@ std::string toText(GapSharing sharing) {
 }
 
 void ContactRule::cut(const Perception& perception, CandidateMove* moves, std::size_t count) const {
+  cutToGaps(perception, moves, count);
+  if (sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
+  WayOut way_out(perception, lookout_);
+  if (!way_out.isNeeded()) return;
+  cutToGaps(perception, way_out.plainMoves(), way_out.plainMoveCount());
+  way_out.replaceUnsafe(moves, count);
+}
+
+void ContactRule::cutToGaps(const Perception& perception, CandidateMove* moves, std::size_t count) const {
   for (std::size_t i = 0; i < count; ++i) moves[i].share = moves[i].wanted;
   if (sharing_ == GapSharing::NONE) return;
   const AgentPerception& self = perception.self;
   const double reach = self.speed * perception.tick_duration;
   for (const PerceivedBody& body : perception.bodies) {
-    if (isMover(body)) clearWay(self, body, moves, count);
-  }
-  for (const PerceivedBody& body : perception.bodies) {
+    if (isMover(body)) continue;
     const Limit limit = body.kind == BodyKind::AGENT ? limitOfAgent(self, body, perception.tick_duration, sharing_)
-                                                     : limitOfObstacle(self, body, perception.tick_duration);
+                                                     : limitOfObstacle(self, body);
     apply(limit, reach, moves, count);
-    if (isMover(body) && lane_time_ > 0.0) apply(limitOfLane(self, body, lane_time_), reach, moves, count);
   }
   for (const Segment& wall : perception.walls) apply(limitOfWall(self, wall), reach, moves, count);
 }

@@ -15,7 +15,7 @@ Vector2 goalDirection(const Perception& perception) {
 }  // namespace
 
 GoalFan::GoalFan(const Parameters& parameters)
-    : parameters_(parameters), rule_(parameters.gap_sharing, parameters.lane_time) {
+    : parameters_(parameters), rule_(parameters.gap_sharing, parameters.lookout) {
   addBothSides(parameters.headings, 1.0);
   addBothSides(parameters.slow_headings, parameters.slow_share);
   if (parameters.stay) add(Vector2::UnitX(), 0.0, true, size());  // stay, and go on looking the same way
@@ -57,7 +57,7 @@ std::string GoalFan::spec() const {
   return std::string("{type: ") + TYPE + ", headings: " + toText(parameters_.headings) +
          ", slow_headings: " + toText(parameters_.slow_headings) + ", slow_share: " + toText(parameters_.slow_share) +
          ", stay: " + (parameters_.stay ? "true" : "false") + ", gap_sharing: " + toText(parameters_.gap_sharing) +
-         ", lane_time: " + toText(parameters_.lane_time) + "}";
+         ", lookout: " + toText(parameters_.lookout) + "}";
 }
 
 }  // namespace crowd

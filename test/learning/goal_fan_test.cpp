@@ -61,7 +61,7 @@ std::string specOf(const std::string& yaml) {
 TEST(GoalFan, IsWhatItsSpecSays) {
   const std::string spec =
       "{type: goal_fan, headings: [0, 45], slow_headings: [], slow_share: 0.25, stay: false, gap_sharing: half, "
-      "lane_time: 1.5}";
+      "lookout: 1.5}";
   EXPECT_EQ(specOf(spec), spec);
   EXPECT_EQ(specOf("{type: goal_fan}"), GoalFan().spec());
   const auto error = [](const std::string& yaml) { return errorOf<InputError>([&] { specOf(yaml); }); };

@@ -19,23 +19,26 @@ GapSharing parseGapSharing(const std::string& text);
 std::string toText(GapSharing sharing);
 
 /// @brief Cuts moves short so that nobody who follows the rule ever touches another one who does, a wall, or a thing at
-/// rest (docs/contact_rule.md has the proof).
+/// rest (docs/contact_rule.md has the proof), and that moving obstacles are kept clear of (see WayOut).
 ///
 /// Along the line between two agents each advances by no more than its share of the gap; both work out the same shares
-/// from what both know: their places, radii and last velocities. Of the gap to a wall or obstacle all may be used; an
-/// obstacle's own displacement is taken off first.
+/// from what both know: their places, radii and last velocities. Of the gap to a wall or an obstacle at rest all may be
+/// used.
 class ContactRule {
  public:
-  /// @param lane_time nobody enters the lane that a moving obstacle sweeps within this time [s]
-  ContactRule(GapSharing sharing, double lane_time) : sharing_(sharing), lane_time_(lane_time) {}
+  /// @param lookout how far ahead a way clear of moving obstacles is kept [s], see WayOut; 0: they are not kept clear
+  /// of
+  ContactRule(GapSharing sharing, double lookout) : sharing_(sharing), lookout_(lookout) {}
 
   GapSharing sharing() const { return sharing_; }
   /// @brief Sets the admissible share of each move, at most the wanted one. To stay is always admissible.
   void cut(const Perception& perception, CandidateMove* moves, std::size_t count) const;
 
  private:
+  void cutToGaps(const Perception& perception, CandidateMove* moves, std::size_t count) const;
+
   GapSharing sharing_;
-  double lane_time_;
+  double lookout_;
 };
 
 }  // namespace crowd

@@ -19,7 +19,7 @@ class GoalFan : public ActionSet {
     double slow_share = 0.5;                                           ///< of the top speed
     bool stay = true;                                                  ///< whether to stay is an action
     GapSharing gap_sharing = GapSharing::MOVING;
-    double lane_time = 1.0;  ///< nobody enters the lane that a moving obstacle sweeps within this time [s]
+    double lookout = 1.5;  ///< how far ahead a way clear of moving obstacles is kept [s]; 0: none
   };
 
   GoalFan() : GoalFan(Parameters()) {}

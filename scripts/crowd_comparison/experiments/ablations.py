@@ -28,7 +28,7 @@ ABLATIONS = {
     'no oncoming': {'state_set': {'oncoming': []}},
     'gap shared half and half': {'action_set': {'gap_sharing': 'half'}},
     'no contact rule': {'action_set': {'gap_sharing': 'none'}},
-    'no lane of movers': {'action_set': {'lane_time': 0}},
+    'no way out of movers': {'action_set': {'lookout': 0}},
     'no stay': {'action_set': {'stay': False}},
     'no slow moves': {'action_set': {'slow_headings': []}},
     'no conflict price': {'reward': {'conflict_price': 0}},
