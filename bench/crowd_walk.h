@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+
+#include "social_crowd/common/workers.h"
+#include "social_crowd/learning/learner.h"
+#include "social_crowd/world/scene.h"
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief A crowd to be walked: everybody on the way from anywhere to anywhere on a square floor without obstacles.
+struct CrowdPlan {
+  std::size_t agents = 10'000;
+  double density = 0.5;        ///< [agents per m2]
+  double vision_radius = 6.0;  ///< [m]; of what is perceived the 16 nearest bodies
+  unsigned threads = 1;
+};
+
+/// @brief The crowd's scene: mixed speeds and sizes, numbers in no order of places; the same every time.
+Scene makeCrowd(const CrowdPlan& plan);
+
+/// @brief A crowd that walks in demo mode with the shipped table `anticipation`.
+class CrowdWalk {
+ public:
+  explicit CrowdWalk(const CrowdPlan& plan);
+
+  /// @brief One crowd step: everybody perceives, decides and moves. @return how many did
+  std::size_t step();
+  const World& world() const { return world_; }
+  const Vision& vision() const { return vision_; }
+
+ private:
+  World world_;
+  Learner learner_;
+  Vision vision_;
+  Workers workers_;
+  Perceptions perceptions_;
+  RelativeActions actions_;
+};
+
+}  // namespace crowd
