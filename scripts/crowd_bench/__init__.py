@@ -1,0 +1,1 @@
+"""Measures what crowds cost: runs the benchmarks, draws sweeps, counts instructions."""

@@ -1,0 +1,67 @@
+"""The benchmarks: what each measures, in which unit, and the bar that it is to clear."""
+import dataclasses
+
+DECISIONS, AGENT_STEPS, TICKS, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
+    'decisions/s', 'agent steps/s', 'ticks/s', 'ms', 'MB', '% of a core')
+# What is better when it is less; all other units are rates.
+COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
+
+
+@dataclasses.dataclass(frozen=True)
+class Benchmark:
+    """One line of the table.
+
+    The ratio is how many times the yardstick's time the benchmark takes (rates: yardstick / value, times: value /
+    yardstick). Where `ratio_is_rate` it is the share of the yardstick's rate instead (value / yardstick)."""
+    name: str
+    what: str
+    unit: str
+    bar: float
+    yardstick: str = ''  # in words; empty: none
+    ratio_bar: float = None
+    ratio_is_rate: bool = False
+    ros: bool = False  # measured through ROS
+    repetitions: int = None  # else as many as are asked for
+
+    def ratio(self, value, yardstick):
+        """The benchmark against its yardstick; None where there is none."""
+        if not yardstick:
+            return None
+        return value / yardstick if self.ratio_is_rate or self.unit in COSTS else yardstick / value
+
+    def result(self, value, yardstick):
+        """What is told of it."""
+        return {'name': self.name, 'value': value, 'unit': self.unit, 'yardstick': yardstick,
+                'ratio': self.ratio(value, yardstick)}
+
+    def clears_bar(self, result):
+        """Whether value and ratio are as good as they are to be."""
+        value, ratio = result['value'], result['ratio']
+        fine = self.bar is None or (value <= self.bar if self.unit in COSTS else value >= self.bar)
+        if self.ratio_bar is None:
+            return fine
+        return fine and ratio is not None and (
+            ratio >= self.ratio_bar if self.ratio_is_rate else ratio <= self.ratio_bar)
+
+
+BENCHMARKS = (
+    Benchmark('train_occupancy', 'training, thesis set 2, one obstacle, one thread', DECISIONS, 8e6,
+              'the same loop without learning'),
+    Benchmark('train_anticipation', 'training, anticipation set, random crowds of 12, one thread', DECISIONS, 2e6),
+    Benchmark('crowd_step_10000', 'crowd step, anticipation set, demo, 10,000 agents, 0.5 per m², 6 m, 16 neighbours, '
+              'one thread', AGENT_STEPS, 2e6, 'finding the 16 nearest neighbours alone', ratio_bar=3.0),
+    Benchmark('crowd_step_10000_two_threads', 'the same, two threads', AGENT_STEPS, None, 'one thread', ratio_bar=1.8,
+              ratio_is_rate=True),
+    Benchmark('ros_lockstep_1000', 'ROS lockstep, 1,000 agents, one learner node', TICKS, 250,
+              'a bare round trip of such messages, plus the headless step', ratio_bar=1.6, ros=True),
+    Benchmark('ros_lockstep_12', 'ROS lockstep, 12 agents, one learner node', TICKS, 6000, 'the same', ratio_bar=1.6,
+              ros=True),
+    Benchmark('nodelets_1000', 'nodelets, 1,000 agents', TICKS, 800, 'the headless step', ratio_bar=0.5,
+              ratio_is_rate=True, ros=True),
+    Benchmark('real_time_1000', 'real time 10 Hz, 1,000 agents, markers and tf on, all nodes together', SHARE_OF_CORE,
+              40, ros=True),
+    Benchmark('q_table_load', 'loading a Q-table of 52,489 rows, all visited', MILLISECONDS, 50,
+              'reading as many bytes'),
+    Benchmark('q_table_save', 'saving it', MILLISECONDS, 100, 'writing as many bytes and flushing them to the disk'),
+    Benchmark('memory_100000', 'most memory of a walking crowd of 100,000 agents', MEGABYTES, 200, repetitions=1),
+)

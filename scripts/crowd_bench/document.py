@@ -1,0 +1,55 @@
+"""Fills the tables of docs/performance.md with what was measured; rows that were not measured again stay."""
+import datetime
+import os
+import pathlib
+import re
+
+from crowd_comparison.document import fill_document
+from crowd_experiments.chapter import Chapter
+
+from . import table
+from .catalogue import BENCHMARKS
+
+NAME = 'performance'  # tables are performance/benchmarks and so on
+ROW = re.compile(r'^\| (\w+) \|(.*)\|$', re.MULTILINE)
+
+
+def benchmark_rows(results, document):
+    """Rows of all benchmarks: from the results, else as they are in the document, else empty."""
+    measured = {result['name']: result for result in results}
+    before = {name: [cell.strip() for cell in [name, *cells.split('|')]] for name, cells in ROW.findall(document)}
+    rows = []
+    for benchmark in BENCHMARKS:
+        if benchmark.name in measured:
+            rows.append(table.row(measured[benchmark.name], benchmark))
+        else:
+            rows.append(before.get(benchmark.name, [benchmark.name, benchmark.what] + [''] * (len(table.HEADER) - 2)))
+    return rows
+
+
+def machine_text(repetitions):
+    """What it was measured on."""
+    models = re.findall(r'^model name\s*: (.*)$', pathlib.Path('/proc/cpuinfo').read_text(encoding='utf-8'),
+                        re.MULTILINE)
+    model = models[0] if models else os.uname().machine
+    load = os.getloadavg()[0]
+    return [['measured', datetime.date.today().isoformat()], ['processor', f'{model}, {os.cpu_count()} threads'],
+            ['repetitions', f'{repetitions}, of which the median'],
+            ['load when all was done', f'{load:.1f} (the benchmarks are 1 of it)']]
+
+
+def fill(file, results, sweeps, profiles, repetitions):
+    """Puts tables and pictures into the document. Returns what it asks for in vain.
+    @param sweeps measured (Sweep, points, picture)
+    @param profiles measured (Profile, rows)"""
+    chapter = Chapter(NAME, 'Performance')
+    if results:
+        rows = benchmark_rows(results, file.read_text(encoding='utf-8'))
+        chapter.add_table('Benchmarks', table.HEADER, rows, 'benchmarks')
+        chapter.add_table('Measured on', ['', ''], machine_text(repetitions), 'machine')
+    for sweep, points, picture in sweeps:
+        chapter.add_table(sweep.title, *sweep.table(points), sweep.name)
+        chapter.add_figure(picture, sweep.title)
+    for profile, rows in profiles:
+        chapter.add_table(profile.title, ['function', '% of all instructions'], rows, profile.name)
+    return fill_document(file, [chapter])

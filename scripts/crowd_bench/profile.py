@@ -1,0 +1,67 @@
+"""Where the time goes: instructions of each function, counted with callgrind."""
+import dataclasses
+import re
+import subprocess
+import tempfile
+
+from crowd_experiments.runs import RunError
+
+from .callgrind import COLLECT, require_valgrind
+from .core_benchmarks import PROGRAM
+
+MOST_LINES = 12
+LEAST_SHARE = 0.5  # [%]
+LINE = re.compile(r'^\s*[\d,]+ \(\s*([\d.]+)%\)\s+(?:\S*?:)?(.+?)(?: \[.*\])?$')
+ARGUMENTS = re.compile(r'\(.*$')
+
+
+@dataclasses.dataclass(frozen=True)
+class Profile:
+    """A benchmark that is run once, and the function of it that is looked into."""
+    name: str
+    title: str
+    benchmark: str
+    function: str
+
+    def measure(self, folder):
+        """Functions with the share of all instructions that are their own [%], most first."""
+        require_valgrind()
+        with tempfile.TemporaryDirectory() as scratch:
+            output = f'{scratch}/callgrind.out'
+            run(COLLECT + [f'--toggle-collect={self.function}', f'--callgrind-out-file={output}', folder / PROGRAM,
+                           f'--benchmark_filter=^{self.benchmark}(/iterations:[0-9]+)?$', '--benchmark_min_time=0'],
+                scratch)
+            return read_annotation(run(['callgrind_annotate', '--threshold=100', output], scratch))
+
+
+def run(command, folder):
+    """What a program prints."""
+    done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        raise RunError(f"{' '.join(map(str, command))} failed:\n{done.stderr}")
+    return done.stdout
+
+
+def read_annotation(text):
+    """[(function, share)] of what callgrind_annotate prints."""
+    shares = {}
+    for line in text.splitlines():
+        match = LINE.match(line)
+        if match and 'PROGRAM TOTALS' not in line:
+            name = ARGUMENTS.sub('', match[2].replace('(anonymous namespace)::', ''))
+            shares[name] = shares.get(name, 0.0) + float(match[1])
+    return sorted(shares.items(), key=lambda pair: -pair[1])
+
+
+def rows(shares):
+    """Cells of the functions that count."""
+    shown = [(name, share) for name, share in shares[:MOST_LINES] if share >= LEAST_SHARE]
+    others = 100.0 - sum(share for _, share in shown)
+    return [[f'`{name}`', f'{share:.1f}'] for name, share in shown] + [['all others', f'{max(0.0, others):.1f}']]
+
+
+PROFILES = (
+    Profile('profile_crowd_step', 'crowd step, 1,000 agents', 'crowd_step_agents/1000', 'crowd::CrowdWalk::step()'),
+    Profile('profile_training', 'training, thesis set 2, one obstacle', 'train_occupancy',
+            'crowd::Training::runNextTurn()'),
+)

@@ -1,0 +1,64 @@
+"""Sweeps: how the cost of a crowd step grows, and their pictures."""
+import dataclasses
+
+from crowd_experiments import style
+
+from .catalogue import AGENT_STEPS, DECISIONS
+
+COLOUR = '#1f77b4'
+PANEL = (4.6, 3.2)  # [inch]
+
+
+@dataclasses.dataclass(frozen=True)
+class Sweep:
+    """Benchmarks NAME/POINT of the core."""
+    name: str
+    title: str
+    label: str  # of the axis of its points
+    unit: str
+    scale: float = 1.0  # from the points of the benchmarks to those of the axis
+    logarithmic: bool = False
+    threads: bool = False  # told as how many times as fast as with one
+
+    def points(self, measured):
+        """Points of the axis with what is drawn: microseconds an agent step, or times as fast as with one thread."""
+        if self.threads:
+            return [(point, value / measured[0][1]) for point, value in measured]
+        return [(point * self.scale, 1e6 / value) for point, value in measured]
+
+    @property
+    def value_label(self):
+        return 'times as fast as with one' if self.threads else 'µs an agent step'
+
+    def table(self, measured):
+        """Header and rows."""
+        header = [self.label, 'M ' + self.unit, self.value_label]
+        rows = [[f'{point:,g}', f'{value / 1e6:.3f}', f'{drawn:.2f}']
+                for (point, drawn), (_, value) in zip(self.points(measured), measured)]
+        return header, rows
+
+    def draw(self, measured, file):
+        """The picture of what was measured."""
+        figure, axes = style.new_figure(1, 1, *PANEL)
+        panel = axes[0][0]
+        points = self.points(measured)
+        panel.plot(*zip(*points), marker='o', color=COLOUR)
+        if self.threads:
+            panel.plot([1, points[-1][0]], [1, points[-1][0]], color=style.REFERENCE, linestyle='--', linewidth=1)
+            panel.set_xticks([point for point, _ in points])
+        if self.logarithmic:
+            panel.set_xscale('log')
+        panel.set_ylim(bottom=0)
+        panel.set_title(self.title)
+        panel.set_xlabel(self.label)
+        panel.set_ylabel(self.value_label)
+        return style.save(figure, file)
+
+
+SWEEPS = (
+    Sweep('crowd_step_agents', 'Crowd step by agents, 0.5 per m²', 'agents', AGENT_STEPS, logarithmic=True),
+    Sweep('crowd_step_density', 'Crowd step by density, 10,000 agents', 'agents per m²', AGENT_STEPS, scale=0.01),
+    Sweep('crowd_step_vision', 'Crowd step by radius of vision, 10,000 agents', 'radius of vision [m]', AGENT_STEPS),
+    Sweep('crowd_step_threads', 'Crowd step by threads, 10,000 agents', 'threads', AGENT_STEPS, threads=True),
+    Sweep('train_threads', 'Training by threads, four learners side by side', 'threads', DECISIONS, threads=True),
+)

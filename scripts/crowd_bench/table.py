@@ -1,0 +1,62 @@
+"""Tells results: as lines while they come, as JSON, as rows of a document's table."""
+import json
+import os
+
+from .catalogue import COSTS
+
+KEYS = ('name', 'value', 'unit', 'yardstick', 'ratio')
+HEADER = ['name', 'what', 'bar', 'measured', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
+LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
+
+
+def quantity(value, unit):
+    """2510000, 'decisions/s' -> 2.51 M decisions/s"""
+    if value is None:
+        return ''
+    if abs(value) >= 1e5:
+        return f'{value / 1e6:.3g} M {unit}'
+    return f'{value:,.0f} {unit}' if abs(value) >= 1000 else f'{value:.3g} {unit}'
+
+
+def ratio_text(result):
+    return '' if result['ratio'] is None else f"{result['ratio']:.2f}"
+
+
+def bar_text(number, at_most, text):
+    """A bar in words; empty if there is none."""
+    return '' if number is None else f"{'≤' if at_most else '≥'} {text(number)}"
+
+
+def met_text(result, benchmark):
+    """Whether its bars are met; empty if it has none."""
+    if benchmark is None or benchmark.bar is None and benchmark.ratio_bar is None:
+        return ''
+    return 'yes' if benchmark.clears_bar(result) else 'no'
+
+
+def heading():
+    return LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
+
+
+def line(result, benchmark=None):
+    """A result for the eye."""
+    return LINE.format(result['name'], quantity(result['value'], result['unit']),
+                       quantity(result['yardstick'], result['unit']), ratio_text(result),
+                       met_text(result, benchmark)).rstrip()
+
+
+def row(result, benchmark):
+    """A result as cells of the document's table."""
+    def in_unit(value):
+        return quantity(value, benchmark.unit)
+    return [benchmark.name, benchmark.what, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
+            in_unit(result['value']), benchmark.yardstick, in_unit(result['yardstick']), ratio_text(result),
+            bar_text(benchmark.ratio_bar, not benchmark.ratio_is_rate, '{:g}'.format), met_text(result, benchmark)]
+
+
+def write_json(file, results):
+    """The list of {name, value, unit, yardstick, ratio}; whole at any time."""
+    beside = file.with_name(file.name + '.new')
+    beside.write_text(json.dumps([{key: result[key] for key in KEYS} for result in results], indent=2) + '\n',
+                      encoding='utf-8')
+    os.replace(beside, file)
