@@ -1,0 +1,154 @@
+#!/usr/bin/python3
+"""scripts/bench: what it makes of the figures of a program of benchmarks, which here are made by hand."""
+import json
+import os
+import pathlib
+import signal
+import sys
+
+import support
+
+SCRIPTS = support.in_package('scripts')
+sys.path.insert(0, SCRIPTS)
+from crowd_bench import document, profile, table  # noqa: E402
+from crowd_bench.catalogue import BENCHMARKS  # noqa: E402
+from crowd_bench.sweeps import SWEEPS  # noqa: E402
+
+# Answers as Google Benchmark does, with the values of each repetition; of None it does not come to an end.
+PROGRAM = '''#!/usr/bin/python3
+import json
+import re
+import sys
+import time
+options = dict(word.lstrip('-').split('=', 1) for word in sys.argv[1:])
+runs = []
+for name, (counter, values) in {values!r}.items():
+    if not re.search(options['benchmark_filter'], name):
+        continue
+    for value in values[:int(options['benchmark_repetitions'])]:
+        if value is None:
+            time.sleep(600)
+        runs.append({{'run_name': name, 'name': name, 'run_type': 'iteration', counter: value}})
+    runs.append({{'run_name': name, 'name': name + '_median', 'run_type': 'aggregate', counter: -1.0}})
+with open(options['benchmark_out'], 'w') as stream:
+    json.dump({{'benchmarks': runs}}, stream)
+'''
+VALUES = {
+    'train_occupancy': ('decisions_per_second', [1e6, 3e6, 2e6]),
+    'train_occupancy/yardstick': ('decisions_per_second', [5e6, 4e6, 3e6]),
+    'crowd_step_10000_two_threads/iterations:40/real_time': ('agent_steps_per_second', [3e6, 3e6, 3e6]),
+    'crowd_step_10000_two_threads/yardstick/iterations:40/real_time': ('agent_steps_per_second', [2e6, 2e6, 2e6]),
+    'q_table_load/real_time': ('real_time', [30.0, 31.0, 50.0]),
+    'q_table_load/yardstick/real_time': ('real_time', [0.5, 0.5, 0.5]),
+    'memory_100000/iterations:5': ('resident_megabytes', [150.0, 1000.0, 1000.0]),  # only the first means something
+    'crowd_step_agents/1000/iterations:40': ('agent_steps_per_second', [1e6, 1e6, 1e6]),
+    'crowd_step_agents/20000/iterations:40': ('agent_steps_per_second', [5e5, 5e5, 5e5]),
+    'q_table_save/real_time': ('real_time', [None]),
+}
+ENTRIES = {entry.name: entry for entry in BENCHMARKS + SWEEPS}
+
+
+class BenchTest(support.CrowdTestCase):
+    """The program as a whole."""
+
+    def bench(self, *words, program=PROGRAM.format(values=VALUES)):
+        """Starts scripts/bench with a program made by hand."""
+        os.makedirs(self.path('tools'), exist_ok=True)
+        os.chmod(self.write('tools/core_benchmarks', program), 0o755)
+        return self.start('bench', [os.path.join(SCRIPTS, 'bench'), '--tools', self.path('tools'), '--repetitions', '3',
+                                    '--plots', self.path('plots'), '--json', self.path('results.json'), *words])
+
+    def results(self):
+        """What was written, by name."""
+        return {result.pop('name'): result for result in json.loads(support.read_text(self.path('results.json')))}
+
+    def test_medians_and_ratios(self):
+        running = self.bench('train_occupancy', 'crowd_step_10000_two_threads', 'q_table_load', 'memory_100000')
+        self.assertEqual(running.wait(), 0, running.output())
+        self.assertEqual(self.results(), {
+            'train_occupancy': {'value': 2e6, 'unit': 'decisions/s', 'yardstick': 4e6, 'ratio': 2.0},
+            'crowd_step_10000_two_threads': {'value': 3e6, 'unit': 'agent steps/s', 'yardstick': 2e6, 'ratio': 1.5},
+            'q_table_load': {'value': 31.0, 'unit': 'ms', 'yardstick': 0.5, 'ratio': 62.0},
+            'memory_100000': {'value': 150.0, 'unit': 'MB', 'yardstick': None, 'ratio': None},
+        })
+        self.assertEqual(len(running.output().splitlines()), 5, 'a heading and a line each')
+
+    def test_sweeps_fill_the_document_with_pictures(self):
+        os.mkdir(self.path('images'))
+        page = self.write('page.md', '<!-- table performance/crowd_step_agents -->\n<!-- end -->\n'
+                                     '![](images/crowd_step_agents.png)\n')
+        running = self.bench('crowd_step_agents', '--document', page)
+        self.assertEqual(running.wait(), 0, running.output())
+        self.assert_says(support.read_text(page), '| 1,000 | 1.000 | 1.00 |\n| 20,000 | 0.500 | 2.00 |')
+        self.assertTrue(support.read_bytes(self.path('images/crowd_step_agents.png')).startswith(b'\x89PNG'))
+
+    def test_an_interrupt_keeps_what_is_measured(self):
+        running = self.bench('train_occupancy', 'q_table_save')
+        support.wait_for(lambda: 'train_occupancy  ' in running.output(), 'the first result')
+        running.signal(signal.SIGINT)
+        self.assertEqual(running.wait(), 130, running.output())
+        self.assertEqual(set(self.results()), {'train_occupancy'})
+
+    def test_what_goes_wrong_is_told(self):
+        broken = self.bench('train_occupancy', program='#!/bin/sh\necho out of order\nexit 3\n')
+        self.assertEqual(broken.wait(), 1)
+        self.assert_says(broken.output(), 'core_benchmarks failed', 'out of order')
+        lacking = self.bench('train_anticipation')
+        self.assertEqual(lacking.wait(), 1)
+        self.assert_says(lacking.output(), 'has no benchmark', 'train_anticipation')
+        self.assertEqual(self.bench('no_such_benchmark').wait(), 2)
+
+
+class TableTest(support.CrowdTestCase):
+    """Results against their bars, and as rows of the document."""
+
+    def test_bars(self):
+        for name, value, yardstick, expected in [
+                ('train_occupancy', 8e6, 9e6, True), ('train_occupancy', 7.9e6, 9e6, False),
+                ('crowd_step_10000', 2e6, 6e6, True), ('crowd_step_10000', 2e6, 6.1e6, False),
+                ('crowd_step_10000_two_threads', 1.8e6, 1e6, True), ('crowd_step_10000_two_threads', 9e9, 8e9, False),
+                ('ros_lockstep_1000', 250, 400, True), ('ros_lockstep_1000', 249, 249, False),
+                ('nodelets_1000', 800, 1600, True), ('nodelets_1000', 800, 1601, False),
+                ('real_time_1000', 40, None, True), ('real_time_1000', 41, None, False),
+                ('q_table_load', 50, 1, True), ('q_table_load', 51, 1, False)]:
+            benchmark = ENTRIES[name]
+            self.assertEqual(benchmark.clears_bar(benchmark.result(value, yardstick)), expected, (name, value))
+
+    def test_rows_that_were_not_measured_stay(self):
+        file = pathlib.Path(self.write('page.md', '<!-- table performance/benchmarks -->\n| name | what |\n|---|---|\n'
+                                                  '| q_table_save | a | b | c | d | e | f | g | h |\n<!-- end -->\n'))
+        load = ENTRIES['q_table_load']
+        slow = f'| q_table_load | {load.what} | ≤ 50 ms | 60 ms | {load.yardstick} | 0.5 ms | 120.00 |  | no |'
+        fast = f'| q_table_load | {load.what} | ≤ 50 ms | 40 ms | {load.yardstick} | 0.5 ms | 80.00 |  | yes |'
+        document.fill(file, [load.result(60.0, 0.5)], [], [], 3)
+        text = support.read_text(file)
+        self.assert_says(text, '| q_table_save | a | b | c | d | e | f | g | h |', slow,
+                         f"| train_occupancy | {ENTRIES['train_occupancy'].what} |  |")
+        document.fill(file, [load.result(40.0, 0.5)], [], [], 3)
+        self.assertEqual(support.read_text(file), text.replace(slow, fast))
+
+    def test_quantities(self):
+        self.assertEqual([table.quantity(value, 'x') for value in (2512345.0, 123456.0, 6543.2, 51.234, 0.4321, None)],
+                         ['2.51 M x', '0.123 M x', '6,543 x', '51.2 x', '0.432 x', ''])
+
+    def test_speed_up_by_threads(self):
+        sweep = ENTRIES['crowd_step_threads']
+        self.assertEqual(sweep.points([(1, 2e6), (2, 3e6)]), [(1, 1.0), (2, 1.5)])
+
+
+class ProfileTest(support.CrowdTestCase):
+    """Where the time goes."""
+
+    def test_annotation(self):
+        text = ('Ir\n---\n1,000 (100.0%)  PROGRAM TOTALS\n---\nIr  file:function\n---\n'
+                '600 (60.00%)  ???:crowd::World::look(crowd::Vision const&) const [/lib/core.so]\n'
+                '150 (15.00%)  ./math/./s_sin.c:__sincos_fma [/lib/libm.so.6]\n'
+                '200 (20.00%)  ???:crowd::World::look(crowd::Vision const&) const\'2 [/lib/core.so]\n'
+                ' 50 ( 5.00%)  ???:crowd::(anonymous namespace)::walk(int) [/lib/core.so]\n')
+        shares = profile.read_annotation(text)
+        self.assertEqual(shares, [('crowd::World::look', 80.0), ('__sincos_fma', 15.0), ('crowd::walk', 5.0)])
+        self.assertEqual(profile.rows(shares)[-1], ['all others', '0.0'])
+
+
+if __name__ == '__main__':
+    support.run('bench_test')

@@ -1,0 +1,67 @@
+#!/usr/bin/python3
+"""Small runs take as many instructions as they did when these were last counted."""
+import pathlib
+import sys
+
+import support
+from roslib.packages import find_node
+
+sys.path.insert(0, support.in_package('scripts'))
+from crowd_bench import instruction_counts  # noqa: E402
+from crowd_bench.callgrind import has_valgrind  # noqa: E402
+from crowd_experiments.runs import RunError  # noqa: E402
+
+ADVICE = 'If that is as it should be: scripts/count_instructions --keep'
+
+
+class InstructionCountsTest(support.CrowdTestCase):
+    """Skipped where counts cannot be compared: another compiler, other flags, another kind of processor."""
+
+    def setUp(self):
+        super().setUp()
+        if not has_valgrind():
+            self.skip('there is no valgrind')
+        self.tools = pathlib.Path(find_node('social_crowd', 'train')[0]).parent
+        try:
+            kind = instruction_counts.kind_of(self.tools)
+        except RunError as error:
+            self.skip(str(error))
+        self.kept = instruction_counts.read_kept()
+        if kind != self.kept['kind']:
+            self.skip(f"this is '{kind}', what was counted is '{self.kept['kind']}'")
+
+    def check(self, run):
+        count, kept = run.count(self.tools), self.kept['counts'][run.name]
+        self.assertTrue(instruction_counts.is_fine(count, kept),
+                        f'{count:,} instructions, {instruction_counts.change(count, kept):+.2f} %. {ADVICE}')
+
+    def test_evaluate(self):
+        self.check(instruction_counts.RUNS[0])
+
+    def test_train(self):
+        self.check(instruction_counts.RUNS[1])
+
+    def test_what_is_never_entered_counts_as_a_failure(self):
+        run = instruction_counts.RUNS[1]
+        with self.assertRaisesRegex(RunError, 'never entered'):
+            instruction_counts.CountedRun('none', 'crowd::noSuchFunction()', run.command).count(self.tools)
+
+
+class ComparisonTest(support.CrowdTestCase):
+    """Counts against those that are kept."""
+
+    def test_tolerance(self):
+        self.assertTrue(instruction_counts.is_fine(1019, 1000))
+        self.assertTrue(instruction_counts.is_fine(981, 1000))
+        self.assertFalse(instruction_counts.is_fine(1021, 1000))
+        self.assertFalse(instruction_counts.is_fine(979, 1000))
+
+    def test_what_is_kept_reads_back(self):
+        file = self.path('counts.yaml')
+        instruction_counts.write_kept('GNU 12 Release', {'train': 12345678901}, file)
+        self.assertEqual(instruction_counts.read_kept(file), {'kind': 'GNU 12 Release',
+                                                              'counts': {'train': 12345678901}})
+
+
+if __name__ == '__main__':
+    support.run('instruction_counts_test')
