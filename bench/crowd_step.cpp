@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "crowd_walk.h"
+#include "thread_counts.h"
 
 namespace crowd {
 namespace {
@@ -81,7 +82,7 @@ BENCHMARK(walkDensity)
 BENCHMARK(walkVision)->Name("crowd_step_vision")->DenseRange(1, 6)->Iterations(TICKS)->Unit(benchmark::kMillisecond);
 BENCHMARK(walkWithThreads)
     ->Name("crowd_step_threads")
-    ->DenseRange(1, 4)
+    ->Apply(useThreads)
     ->Iterations(TICKS)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

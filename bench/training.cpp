@@ -4,6 +4,7 @@
 
 #include "social_crowd/simulation/training.h"
 #include "social_crowd/world/scenario_reader.h"
+#include "thread_counts.h"
 
 namespace crowd {
 namespace {
@@ -22,8 +23,8 @@ Recipe recipeFor(const std::string& config, const std::string& scenario, std::ui
 
 Recipe occupancyRecipe() { return recipeFor("thesis_occupancy", ONE_OBSTACLE, 2000); }
 
-Recipe crowdRecipe(std::uint32_t side_by_side = 1) {
-  return recipeFor("anticipation", SOURCE_DIR "/bench/scenarios/random_crowd_12.yaml", 200, side_by_side);
+Recipe crowdRecipe(std::uint64_t episodes, std::uint32_t side_by_side = 1) {
+  return recipeFor("anticipation", SOURCE_DIR "/bench/scenarios/random_crowd_12.yaml", episodes, side_by_side);
 }
 
 void count(benchmark::State& state, std::uint64_t decisions) {
@@ -61,11 +62,12 @@ void walkOccupancy(benchmark::State& state) {
   count(state, decisions);
 }
 
-void trainAnticipation(benchmark::State& state) { train(state, crowdRecipe()); }
+void trainAnticipation(benchmark::State& state) { train(state, crowdRecipe(200)); }
 
+/// Two turns of ten episodes each.
 void trainSideBySide(benchmark::State& state) {
-  constexpr std::uint32_t LEARNERS = 4;
-  train(state, crowdRecipe(LEARNERS), static_cast<unsigned>(state.range(0)));
+  constexpr std::uint32_t LEARNERS = 16;
+  train(state, crowdRecipe(2 * 10 * LEARNERS, LEARNERS), static_cast<unsigned>(state.range(0)));
 }
 
 }  // namespace
@@ -74,7 +76,7 @@ BENCHMARK(trainOccupancy)->Name("train_occupancy")->Unit(benchmark::kMillisecond
 BENCHMARK(walkOccupancy)->Name("train_occupancy/yardstick")->Unit(benchmark::kMillisecond);
 BENCHMARK(trainAnticipation)->Name("train_anticipation")->Unit(benchmark::kMillisecond);
 
-// Sweep: threads that four learners side by side share.
-BENCHMARK(trainSideBySide)->Name("train_threads")->DenseRange(1, 4)->UseRealTime()->Unit(benchmark::kMillisecond);
+// Sweep: threads that 16 learners side by side share.
+BENCHMARK(trainSideBySide)->Name("train_threads")->Apply(useThreads)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace crowd

@@ -51,5 +51,5 @@ def fill(file, results, sweeps, profiles, repetitions):
         chapter.add_table(sweep.title, *sweep.table(points), sweep.name)
         chapter.add_figure(picture, sweep.title)
     for profile, rows in profiles:
-        chapter.add_table(profile.title, ['function', '% of all instructions'], rows, profile.name)
+        chapter.add_table(profile.title, profile.header, rows, profile.name)
     return fill_document(file, [chapter])

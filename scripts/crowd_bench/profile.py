@@ -12,6 +12,7 @@ from .core_benchmarks import PROGRAM
 MOST_LINES = 12
 LEAST_SHARE = 0.5  # [%]
 LINE = re.compile(r'^\s*[\d,]+ \(\s*([\d.]+)%\)\s+(?:\S*?:)?(.+?)(?: \[.*\])?$')
+LIBRARIES = 'mathematics, memory, the standard library'
 ARGUMENTS = re.compile(r'\(.*$')
 
 
@@ -22,16 +23,22 @@ class Profile:
     title: str
     benchmark: str
     function: str
+    by_class: bool = False  # tells of classes instead of functions, where these are many and small
+
+    @property
+    def header(self):
+        return ['class' if self.by_class else 'function', '% of all instructions']
 
     def measure(self, folder):
-        """Functions with the share of all instructions that are their own [%], most first."""
+        """Functions, or classes, with the share of all instructions that are their own [%], most first."""
         require_valgrind()
         with tempfile.TemporaryDirectory() as scratch:
             output = f'{scratch}/callgrind.out'
             run(COLLECT + [f'--toggle-collect={self.function}', f'--callgrind-out-file={output}', folder / PROGRAM,
                            f'--benchmark_filter=^{self.benchmark}(/iterations:[0-9]+)?$', '--benchmark_min_time=0'],
                 scratch)
-            return read_annotation(run(['callgrind_annotate', '--threshold=100', output], scratch))
+            shares = read_annotation(run(['callgrind_annotate', '--threshold=100', output], scratch))
+        return by_class(shares) if self.by_class else shares
 
 
 def run(command, folder):
@@ -50,6 +57,19 @@ def read_annotation(text):
         if match and 'PROGRAM TOTALS' not in line:
             name = ARGUMENTS.sub('', match[2].replace('(anonymous namespace)::', ''))
             shares[name] = shares.get(name, 0.0) + float(match[1])
+    return most_first(shares)
+
+
+def by_class(shares):
+    """The shares of functions summed up by class."""
+    sums = {}
+    for name, share in shares:
+        part = name.rpartition('::')[0] if name.startswith('crowd::') else LIBRARIES
+        sums[part] = sums.get(part, 0.0) + share
+    return most_first(sums)
+
+
+def most_first(shares):
     return sorted(shares.items(), key=lambda pair: -pair[1])
 
 
@@ -57,11 +77,15 @@ def rows(shares):
     """Cells of the functions that count."""
     shown = [(name, share) for name, share in shares[:MOST_LINES] if share >= LEAST_SHARE]
     others = 100.0 - sum(share for _, share in shown)
-    return [[f'`{name}`', f'{share:.1f}'] for name, share in shown] + [['all others', f'{max(0.0, others):.1f}']]
+    return [[text_of(name), f'{share:.1f}'] for name, share in shown] + [['all others', f'{max(0.0, others):.1f}']]
+
+
+def text_of(name):
+    return name if name == LIBRARIES else f'`{name}`'
 
 
 PROFILES = (
     Profile('profile_crowd_step', 'crowd step, 1,000 agents', 'crowd_step_agents/1000', 'crowd::CrowdWalk::step()'),
     Profile('profile_training', 'training, thesis set 2, one obstacle', 'train_occupancy',
-            'crowd::Training::runNextTurn()'),
+            'crowd::Training::runNextTurn()', by_class=True),
 )

@@ -136,9 +136,9 @@ def main(words=None):
         measuring = Measuring(arguments, arguments.tools.resolve() if arguments.tools else build())
         status = measure_all(measuring, chosen(arguments.names))
         if arguments.document:
-            for told in document.fill(arguments.document, measuring.results, measuring.sweeps, measuring.profiles,
-                                      arguments.repetitions):
-                print(told)
+            lacking = document.fill(arguments.document, measuring.results, measuring.sweeps, measuring.profiles,
+                                    arguments.repetitions)
+            print('\n'.join(lacking if 'all' in arguments.names else [f'{arguments.document}: filled']))
     except (RunError, OSError) as error:
         print(f'bench: {error}', file=sys.stderr)
         return EXIT_FAILED
@@ -146,12 +146,17 @@ def main(words=None):
 
 
 def measure_all(measuring, entries):
-    """Measures until it is interrupted; the exit status."""
+    """Measures until it is interrupted; what fails is told and left out. The exit status."""
+    status = EXIT_FINE
     try:
         print(table.heading(), flush=True)
         for entry in entries:
-            measuring.measure(entry)
+            try:
+                measuring.measure(entry)
+            except (RunError, RuntimeError, OSError) as error:  # RuntimeError: of benchmarks through ROS
+                tell(f'{entry.name}: failed: {error}')
+                status = EXIT_FAILED
     except KeyboardInterrupt:
         tell('Interrupted; what is measured stays.')
         return EXIT_INTERRUPTED
-    return EXIT_FINE
+    return status

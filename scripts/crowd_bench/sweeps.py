@@ -48,7 +48,7 @@ class Sweep:
             panel.set_xticks([point for point, _ in points])
         if self.logarithmic:
             panel.set_xscale('log')
-        panel.set_ylim(bottom=0)
+        panel.set_ylim(0, 1.15 * max(value for _, value in points))
         panel.set_title(self.title)
         panel.set_xlabel(self.label)
         panel.set_ylabel(self.value_label)
@@ -60,5 +60,5 @@ SWEEPS = (
     Sweep('crowd_step_density', 'Crowd step by density, 10,000 agents', 'agents per m²', AGENT_STEPS, scale=0.01),
     Sweep('crowd_step_vision', 'Crowd step by radius of vision, 10,000 agents', 'radius of vision [m]', AGENT_STEPS),
     Sweep('crowd_step_threads', 'Crowd step by threads, 10,000 agents', 'threads', AGENT_STEPS, threads=True),
-    Sweep('train_threads', 'Training by threads, four learners side by side', 'threads', DECISIONS, threads=True),
+    Sweep('train_threads', 'Training by threads, 16 learners side by side', 'threads', DECISIONS, threads=True),
 )

@@ -93,9 +93,10 @@ class BenchTest(support.CrowdTestCase):
         broken = self.bench('train_occupancy', program='#!/bin/sh\necho out of order\nexit 3\n')
         self.assertEqual(broken.wait(), 1)
         self.assert_says(broken.output(), 'core_benchmarks failed', 'out of order')
-        lacking = self.bench('train_anticipation')
+        lacking = self.bench('train_anticipation', 'q_table_load')
         self.assertEqual(lacking.wait(), 1)
         self.assert_says(lacking.output(), 'has no benchmark', 'train_anticipation')
+        self.assertEqual(set(self.results()), {'q_table_load'}, 'what follows is measured')
         self.assertEqual(self.bench('no_such_benchmark').wait(), 2)
 
 
@@ -148,6 +149,11 @@ class ProfileTest(support.CrowdTestCase):
         shares = profile.read_annotation(text)
         self.assertEqual(shares, [('crowd::World::look', 80.0), ('__sincos_fma', 15.0), ('crowd::walk', 5.0)])
         self.assertEqual(profile.rows(shares)[-1], ['all others', '0.0'])
+
+    def test_by_class(self):
+        shares = [('crowd::World::look', 40.0), ('sin', 20.0), ('crowd::World::step', 10.0), ('crowd::QTable::at', 9.0)]
+        self.assertEqual(profile.by_class(shares),
+                         [('crowd::World', 50.0), (profile.LIBRARIES, 20.0), ('crowd::QTable', 9.0)])
 
 
 if __name__ == '__main__':
