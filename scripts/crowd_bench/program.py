@@ -139,6 +139,8 @@ def main(words=None):
             lacking = document.fill(arguments.document, measuring.results, measuring.sweeps, measuring.profiles,
                                     arguments.repetitions)
             print('\n'.join(lacking if 'all' in arguments.names else [f'{arguments.document}: filled']))
+    except KeyboardInterrupt:
+        return EXIT_INTERRUPTED
     except (RunError, OSError) as error:
         print(f'bench: {error}', file=sys.stderr)
         return EXIT_FAILED

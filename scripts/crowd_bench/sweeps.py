@@ -31,11 +31,15 @@ class Sweep:
         return 'times as fast as with one' if self.threads else 'µs an agent step'
 
     def table(self, measured):
-        """Header and rows."""
+        """Header and rows; costs also as times the least of them, which tells how flat they are."""
+        points = self.points(measured)
         header = [self.label, 'M ' + self.unit, self.value_label]
         rows = [[f'{point:,g}', f'{value / 1e6:.3f}', f'{drawn:.2f}']
-                for (point, drawn), (_, value) in zip(self.points(measured), measured)]
-        return header, rows
+                for (point, drawn), (_, value) in zip(points, measured)]
+        if self.threads:
+            return header, rows
+        least = min(drawn for _, drawn in points)
+        return [*header, 'times the least'], [[*row, f'{drawn / least:.2f}'] for row, (_, drawn) in zip(rows, points)]
 
     def draw(self, measured, file):
         """The picture of what was measured."""

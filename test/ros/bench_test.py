@@ -79,7 +79,7 @@ class BenchTest(support.CrowdTestCase):
                                      '![](images/crowd_step_agents.png)\n')
         running = self.bench('crowd_step_agents', '--document', page)
         self.assertEqual(running.wait(), 0, running.output())
-        self.assert_says(support.read_text(page), '| 1,000 | 1.000 | 1.00 |\n| 20,000 | 0.500 | 2.00 |')
+        self.assert_says(support.read_text(page), '| 1,000 | 1.000 | 1.00 | 1.00 |\n| 20,000 | 0.500 | 2.00 | 2.00 |')
         self.assertTrue(support.read_bytes(self.path('images/crowd_step_agents.png')).startswith(b'\x89PNG'))
 
     def test_an_interrupt_keeps_what_is_measured(self):
