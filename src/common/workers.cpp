@@ -16,6 +16,11 @@ Workers::~Workers() {
   for (std::thread& thread : threads_) thread.join();
 }
 
+Workers& Workers::alone() {
+  static Workers alone(1);
+  return alone;
+}
+
 void Workers::share(const Task& task, std::size_t size) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/learning/time_to_contact.h"
+#include "social_crowd/common/vectorised.h"
 
 namespace crowd {
 namespace {
@@ -11,92 +11,66 @@ namespace {
 constexpr double LONGEST_TIME = 60.0;      // [s]
 constexpr double FASTEST_APPROACH = 10.0;  // [top speeds]
 
-/// How many limits a value reaches.
-Row classOf(double value, const std::vector<double>& limits) {
-  Row number = 0;
-  for (const double limit : limits) number += value >= limit ? 1 : 0;
-  return number;
-}
+using Lanes = MoveOutlooks::Lanes;
 
-/// Fastest approach of another agent if this one walked to its goal at full speed, in units of that.
-double fastestApproach(const Perception& perception) {
-  const AgentPerception& self = perception.self;
-  const Vector2 wish = self.speed * self.goal.normalized();
-  double fastest = 0.0;
-  for (const PerceivedBody& body : perception.bodies) {
-    if (body.kind != BodyKind::AGENT) continue;
-    fastest = std::max(fastest, body.position.normalized().dot(wish - body.velocity));
+/// The rows so far of all moves, LANES at a time.
+struct RowLanes {
+  alignas(32) std::array<Row, MoveOutlooks::LANES> rows{};
+};
+
+/// Another digit of the rows: the class of each value, that is how many limits it reaches.
+CROWD_VECTORISED void append(const Lanes& values, const std::vector<float>& limits, RowLanes& lanes) {
+  const Row base = static_cast<Row>(limits.size() + 1);
+  for (Row& row : lanes.rows) row *= base;
+  for (const float limit : limits) {
+    for (std::size_t i = 0; i < lanes.rows.size(); ++i) lanes.rows[i] += values[i] >= limit ? 1U : 0U;
   }
-  return fastest / self.speed;
 }
 
 }  // namespace
 
-AnticipationStates::AnticipationStates(const Parameters& parameters, std::shared_ptr<const ActionSet> action_set)
-    : parameters_(parameters), action_set_(std::move(action_set)) {
-  for (const double turn : parameters.turns) turn_limits_.push_back(-std::cos(toRadians(turn)));
-  for (const auto* limits : {&parameters_.reciprocal_times, &parameters_.selfish_times, &parameters_.fixed_times,
-                             &parameters_.shares, &parameters_.turns, &parameters_.oncoming}) {
-    row_count_ *= static_cast<Row>(limits->size() + 1);
-  }
+AnticipationStates::AnticipationStates(const Parameters& parameters, Action actions)
+    : parameters_(parameters), actions_(actions) {
+  std::vector<double> turns;
+  for (const double turn : parameters.turns) turns.push_back(-std::cos(toRadians(turn)));
+  addLimits(parameters.reciprocal_times, reciprocal_times_);
+  addLimits(parameters.selfish_times, selfish_times_);
+  addLimits(parameters.fixed_times, fixed_times_);
+  addLimits(parameters.shares, shares_);
+  addLimits(turns, turn_cosines_);
+  addLimits(parameters.oncoming, oncoming_);
+  if (!parameters.shares.empty()) least_share_ = parameters.shares.front();
 }
 
-AnticipationStates::Outlook AnticipationStates::describe(const Perception& perception,
-                                                         const CandidateMove& move) const {
-  const AgentPerception& self = perception.self;
-  const double share = move.wanted > 0.0 ? move.share / move.wanted : 1.0;
-  // A move of which the rule leaves nothing is to stay, wherever it was to lead.
-  const bool blocked = !parameters_.shares.empty() && share < parameters_.shares.front();
-  const Vector2 velocity = (blocked ? 0.0 : move.wanted) * self.speed * move.direction;
-  double reciprocal = NEVER;
-  double selfish = NEVER;
-  double fixed = NEVER;
-  for (const PerceivedBody& body : perception.bodies) {
-    const double reach = self.radius + body.radius;
-    const Vector2 relative = velocity - body.velocity;
-    const double time = timeToContact(body.position, relative, reach);
-    if (body.kind == BodyKind::OBSTACLE) {
-      fixed = std::min(fixed, time);
-      continue;
-    }
-    selfish = std::min(selfish, time);
-    reciprocal = std::min(reciprocal, timeToContact(body.position, relative + velocity - self.velocity, reach));
-  }
-  for (const Segment& wall : perception.walls) fixed = std::min(fixed, timeToContact(wall, velocity, self.radius));
-  // What lies behind the goal does not count.
-  const double time_to_goal = self.goal.norm() / self.speed;
-  const auto before_goal = [&](double time) { return time > time_to_goal ? NEVER : time; };
-  const bool had_direction = self.velocity != Vector2::Zero();
-  return {before_goal(reciprocal),
-          before_goal(selfish),
-          before_goal(fixed),
-          share,
-          had_direction ? move.direction.x() : 1.0,
-          0.0};
+void AnticipationStates::addLimits(const std::vector<double>& limits, Limits& single) {
+  single.assign(limits.begin(), limits.end());
+  row_count_ *= static_cast<Row>(limits.size() + 1);
 }
 
-Row AnticipationStates::rowOf(const Outlook& outlook) const {
-  Row row = 0;
-  const auto append = [&row](double value, const std::vector<double>& limits) {
-    row = row * static_cast<Row>(limits.size() + 1) + classOf(value, limits);
-  };
-  append(outlook.reciprocal_time, parameters_.reciprocal_times);
-  append(outlook.selfish_time, parameters_.selfish_times);
-  append(outlook.fixed_time, parameters_.fixed_times);
-  append(outlook.share, parameters_.shares);
-  append(-outlook.turn_cosine, turn_limits_);
-  append(outlook.oncoming, parameters_.oncoming);
-  return row;
+MoveOutlooks AnticipationStates::describe(const Perception& perception, const CandidateMove* moves,
+                                          std::size_t count) const {
+  return {perception, moves, count, least_share_};
 }
 
-void AnticipationStates::findRows(const Perception& perception, Row* rows) const {
-  std::vector<CandidateMove> moves(action_set_->size());
-  action_set_->findMoves(perception, moves.data());
-  const double oncoming = fastestApproach(perception);
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    Outlook outlook = describe(perception, moves[i]);
-    outlook.oncoming = oncoming;
-    rows[i] = rowOf(outlook);
+void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const {
+  RowLanes lanes;
+  Lanes turns;
+  Lanes oncoming;
+  for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = -outlooks.turn_cosines[i];
+  oncoming.fill(outlooks.oncoming);
+  append(outlooks.reciprocal_times, reciprocal_times_, lanes);
+  append(outlooks.selfish_times, selfish_times_, lanes);
+  append(outlooks.fixed_times, fixed_times_, lanes);
+  append(outlooks.shares, shares_, lanes);
+  append(turns, turn_cosines_, lanes);
+  append(oncoming, oncoming_, lanes);
+  std::copy_n(lanes.rows.begin(), count, rows);
+}
+
+void AnticipationStates::findRows(const Perception& perception, const CandidateMove* moves, Row* rows) const {
+  for (Action first = 0; first < actions_; first += MoveOutlooks::LANES) {
+    const std::size_t count = std::min<std::size_t>(actions_ - first, MoveOutlooks::LANES);
+    findRows(describe(perception, moves + first, count), count, rows + first);
   }
 }
 
@@ -109,8 +83,7 @@ std::string AnticipationStates::spec() const {
          ", oncoming: " + toText(parameters_.oncoming) + "}";
 }
 
-std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map,
-                                                       const std::shared_ptr<const ActionSet>& action_set) {
+std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action actions) {
   AnticipationStates::Parameters parameters;
   parameters.vision_radius = map.number("vision_radius", NumberRule::POSITIVE, parameters.vision_radius);
   parameters.max_bodies = static_cast<std::uint32_t>(map.whole("max_bodies", 0, INT32_MAX, parameters.max_bodies));
@@ -124,7 +97,7 @@ std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map,
   read("turns", 180.0, parameters.turns);
   read("oncoming", FASTEST_APPROACH, parameters.oncoming);
   map.finish();
-  return std::make_shared<AnticipationStates>(parameters, action_set);
+  return std::make_shared<AnticipationStates>(parameters, actions);
 }
 
 }  // namespace crowd

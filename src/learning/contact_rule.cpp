@@ -11,6 +11,9 @@ namespace {
 /// Left free of every gap, so that what two agents work out in their own frames never adds up to more than it [m].
 constexpr double MARGIN = 1e-9;
 
+/// More than the rounding of a distance [m].
+constexpr double ROUNDING = 1e-6;
+
 /// No displacement may reach further than `room` along `normal`.
 struct Limit {
   Vector2 normal = Vector2::Zero();
@@ -21,6 +24,15 @@ Limit limitOf(const Vector2& towards, double distance, double room) {
   // Bodies on one and the same point: no direction is better than another, and each is as far in the other as can be.
   if (distance <= 0.0) return {Vector2::Zero(), 0.0};
   return {towards / distance, room - MARGIN};
+}
+
+/// Whether an agent is so far away that its limit lies beyond the longest displacement of a tick: half of the gap does,
+/// less what the plane between both may go towards this one.
+bool isFar(const AgentPerception& self, const PerceivedBody& other, double reach, double tick_duration) {
+  const Vector2 sum = self.velocity + other.velocity;
+  const double drift = tick_duration * (std::abs(sum.x()) + std::abs(sum.y()));
+  const double near = self.radius + other.radius + 2.0 * (reach + MARGIN) + drift + ROUNDING;
+  return other.position.squaredNorm() > near * near;
 }
 
 Limit limitOfAgent(const AgentPerception& self, const PerceivedBody& other, double tick_duration, GapSharing sharing) {
@@ -77,7 +89,8 @@ std::string toText(GapSharing sharing) {
 
 void ContactRule::cut(const Perception& perception, CandidateMove* moves, std::size_t count) const {
   cutToGaps(perception, moves, count);
-  if (sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
+  const bool has_movers = std::any_of(perception.bodies.begin(), perception.bodies.end(), isMover);
+  if (!has_movers || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
   WayOut way_out(perception, lookout_);
   if (!way_out.isNeeded()) return;
   cutToGaps(perception, way_out.plainMoves(), way_out.plainMoveCount());
@@ -91,6 +104,7 @@ void ContactRule::cutToGaps(const Perception& perception, CandidateMove* moves, 
   const double reach = self.speed * perception.tick_duration;
   for (const PerceivedBody& body : perception.bodies) {
     if (isMover(body)) continue;
+    if (body.kind == BodyKind::AGENT && isFar(self, body, reach, perception.tick_duration)) continue;
     const Limit limit = body.kind == BodyKind::AGENT ? limitOfAgent(self, body, perception.tick_duration, sharing_)
                                                      : limitOfObstacle(self, body);
     apply(limit, reach, moves, count);

@@ -44,7 +44,7 @@ CandidateMove GoalFan::moveOf(const FanMove& move, const Vector2& bearing) const
 RelativeAction GoalFan::relativeAction(const Perception& perception, Action action) const {
   CandidateMove move = moveOf(moves_[action], goalDirection(perception));
   rule_.cut(perception, &move, 1);
-  return {bearingOf(move.direction), move.share};
+  return toAction(move);
 }
 
 void GoalFan::findMoves(const Perception& perception, CandidateMove* moves) const {

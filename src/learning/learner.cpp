@@ -45,6 +45,7 @@ Learner::Learner(Model model, Options options)
 Learner::Learner(Model model, Options options, QTable table)
     : model_(std::move(model)),
       sight_{model_.state_set->distanceLimits().back(), model_.state_set->maxBodies()},
+      stride_(model_.state_set->rowsPerPerception()),
       options_(std::move(options)),
       parameters_(options_.plan.parameters),
       mirror_(mirrorFor(model_, parameters_)),
@@ -63,15 +64,30 @@ void Learner::checkShape(const QTable& table) const {
                    " actions, got " + std::to_string(table.rows()) + " and " + std::to_string(table.actions()));
 }
 
-void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
+void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, Workers& workers) {
   if (!began_ || perceptions.episode != episode_) beginEpisode(perceptions.episode);
   actions.episode = perceptions.episode;
   actions.tick = perceptions.tick;
-  actions.agents.clear();
-  findRows(perceptions);
+  listGuests(perceptions, actions);
+  const std::size_t slots = options_.mode == Mode::TRAINING ? guests_.size() : workers.count();
+  rows_.resize(slots * stride_);
+  if (model_.state_set->needsMoves()) moves_.resize(slots * model_.action_set->size());
   // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
-  if (options_.mode == Mode::TRAINING) learn(perceptions);
-  if (!perceptions.last) choose(perceptions, actions);
+  if (options_.mode == Mode::TRAINING) learn(perceptions, workers);
+  if (!perceptions.last) choose(perceptions, actions, workers);
+}
+
+void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
+  guests_.clear();
+  std::uint32_t answers = 0;
+  for (std::uint32_t i = 0; i < perceptions.agents.size(); ++i) {
+    const AgentPerception& self = perceptions.agents[i];
+    if (!serves(self.agent)) continue;
+    guests_.push_back({i, places_.placeOf(self.agent), self.arrived ? NO_ANSWER : answers});
+    answers += self.arrived ? 0 : 1;
+  }
+  while (memories_.size() < places_.agents().size()) memories_.emplace_back().table = base_;
+  actions.agents.resize(perceptions.last ? 0 : answers);
 }
 
 void Learner::beginEpisode(std::uint64_t episode) {
@@ -91,31 +107,29 @@ Perception Learner::perceptionOf(const Perceptions& perceptions, std::size_t ind
   return seen;
 }
 
-void Learner::findRows(const Perceptions& perceptions) {
-  const std::size_t stride = model_.state_set->rowsPerPerception();
-  rows_.resize(perceptions.agents.size() * stride);
-  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
-    const AgentPerception& self = perceptions.agents[i];
-    if (serves(self.agent) && !self.arrived)
-      model_.state_set->findRows(perceptionOf(perceptions, i), &rows_[i * stride]);
+Learner::Choice Learner::choiceAt(std::size_t slot) {
+  return {&rows_[slot * stride_], moves_.empty() ? nullptr : &moves_[slot * model_.action_set->size()]};
+}
+
+void Learner::findRows(const Perception& seen, const Choice& choice) const {
+  if (choice.moves != nullptr) model_.action_set->findMoves(seen, choice.moves);
+  model_.state_set->findRows(seen, choice.moves, choice.rows);
+}
+
+void Learner::learn(const Perceptions& perceptions, Workers& workers) {
+  workers.run(guests_.size(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (guests_[i].answer != NO_ANSWER) findRows(perceptionOf(perceptions, guests_[i].index), choiceAt(i));
+    }
+  });
+  for (std::size_t i = 0; i < guests_.size(); ++i) {
+    learnOne(perceptionOf(perceptions, guests_[i].index), perceptions, rowsOf(choiceAt(i)),
+             memories_[guests_[i].place]);
   }
 }
 
-Rows Learner::rowsOf(std::size_t index) const {
-  const std::size_t stride = model_.state_set->rowsPerPerception();
-  return {&rows_[index * stride], stride == 1 ? 0U : 1U};
-}
-
-void Learner::learn(const Perceptions& perceptions) {
-  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
-    const AgentPerception& now = perceptions.agents[i];
-    if (serves(now.agent)) learnOne(perceptionOf(perceptions, i), perceptions, rowsOf(i));
-  }
-}
-
-void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows) {
+void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory) {
   const AgentPerception& now = seen.self;
-  Memory& memory = memoryOf(now.agent);
   if (!memory.learner.hasDecision()) return;
   // What was not carried out, or lies more than a tick back, taught nothing.
   if (!now.acted || memory.episode != perceptions.episode || memory.tick + 1 != perceptions.tick) {
@@ -132,33 +146,44 @@ void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, c
   ++decisions_;
 }
 
-void Learner::choose(const Perceptions& perceptions, RelativeActions& actions) {
-  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
-    const AgentPerception& self = perceptions.agents[i];
-    if (!serves(self.agent) || self.arrived) continue;
-    Memory& memory = memoryOf(self.agent);
-    const Action action = chooseOne(perceptions, rowsOf(i), memory, self.agent);
-    memory.episode = perceptions.episode;
-    memory.tick = perceptions.tick;
-    memory.before = self;
-    actions.agents.push_back({self.agent, model_.action_set->relativeAction(perceptionOf(perceptions, i), action)});
-  }
+void Learner::choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers) {
+  const bool exploring = options_.mode == Mode::TRAINING;
+  workers.run(guests_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Guest& guest = guests_[i];
+      if (guest.answer == NO_ANSWER) continue;
+      const Perception seen = perceptionOf(perceptions, guest.index);
+      const Choice choice = choiceAt(exploring ? i : worker);
+      if (!exploring) findRows(seen, choice);
+      const Action action = exploring ? chooseExploring(perceptions, seen.self, rowsOf(choice), memories_[guest.place])
+                                      : QLearner::chooseGreedy(*memories_[guest.place].table, rowsOf(choice));
+      actions.agents[guest.answer] = {seen.self.agent, actionOf(seen, choice, action)};
+    }
+  });
 }
 
-Action Learner::chooseOne(const Perceptions& perceptions, const Rows& rows, Memory& memory, AgentId agent) const {
-  if (options_.mode == Mode::DEMO) return QLearner::chooseGreedy(*memory.table, rows);
-  KeyedRandom random(options_.seed, KeyedRandom::EXPLORATION, {perceptions.episode, perceptions.tick, agent});
+Action Learner::chooseExploring(const Perceptions& perceptions, const AgentPerception& self, const Rows& rows,
+                                Memory& memory) const {
+  KeyedRandom random(options_.seed, KeyedRandom::EXPLORATION, {perceptions.episode, perceptions.tick, self.agent});
   const double draw = random.uniform();
   const double any = random.uniform();
   const Action action = QLearner::chooseExploring(*memory.table, rows, parameters_.epsilon, draw, any);
   memory.learner.noteDecision(*memory.table, rows, action, parameters_);
+  memory.episode = perceptions.episode;
+  memory.tick = perceptions.tick;
+  memory.before = self;
   return action;
 }
 
+RelativeAction Learner::actionOf(const Perception& seen, const Choice& choice, Action action) const {
+  if (choice.moves == nullptr) return model_.action_set->relativeAction(seen, action);
+  return toAction(choice.moves[action]);
+}
+
 Learner::Memory& Learner::memoryOf(AgentId agent) {
-  Memory& memory = memories_[agent];
-  if (memory.table == nullptr) memory.table = base_;
-  return memory;
+  const std::uint32_t place = places_.placeOf(agent);
+  if (place == memories_.size()) memories_.emplace_back().table = base_;
+  return memories_[place];
 }
 
 QTable& Learner::writable(Memory& memory) {
@@ -169,8 +194,7 @@ QTable& Learner::writable(Memory& memory) {
 
 std::vector<AgentId> Learner::servedAgents() const {
   if (!servesAll()) return {options_.agents.begin(), options_.agents.end()};
-  std::vector<AgentId> known;
-  for (const auto& [agent, memory] : memories_) known.push_back(agent);
+  std::vector<AgentId> known = places_.agents();
   std::sort(known.begin(), known.end());
   return known;
 }
@@ -189,8 +213,8 @@ void Learner::setParameters(const LearningParameters& parameters) {
 }
 
 const QTable& Learner::tableOf(AgentId agent) const {
-  const auto found = memories_.find(agent);
-  return found != memories_.end() ? *found->second.table : *base_;
+  const std::uint32_t place = places_.find(agent);
+  return place != AgentPlaces::NONE ? *memories_[place].table : *base_;
 }
 
 void Learner::give(TablePointer& place, const QTable& table, TakeMethod method) const {
@@ -203,7 +227,7 @@ void Learner::takeTable(QTable table, TakeMethod method) {
   checkShape(table);
   const bool merge_each = options_.tables == TableUse::OWN && method == TakeMethod::MERGE;
   give(base_, table, method);
-  for (auto& [agent, memory] : memories_) {
+  for (Memory& memory : memories_) {
     if (merge_each) {
       give(memory.table, table, method);
     } else {
@@ -219,7 +243,7 @@ void Learner::takeTable(AgentId agent, QTable table, TakeMethod method) {
 }
 
 void Learner::forgetDecisions() {
-  for (auto& [agent, memory] : memories_) memory.learner.resetTraces();
+  for (Memory& memory : memories_) memory.learner.resetTraces();
 }
 
 }  // namespace crowd

@@ -48,7 +48,7 @@ std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlP
     map.finish();
     return std::make_shared<NearestObstacleStates>(parameters);
   }
-  if (type == AnticipationStates::TYPE) return readAnticipationStates(map, action_set);
+  if (type == AnticipationStates::TYPE) return readAnticipationStates(map, action_set->size());
   if (type == OccupancyStates::TYPE) {
     OccupancyStates::Parameters parameters;
     parameters.sectors = static_cast<int>(map.whole("sectors", 2, OccupancyStates::MAX_SECTORS, parameters.sectors));

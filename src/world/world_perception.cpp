@@ -4,11 +4,6 @@
 
 namespace crowd {
 
-void World::perceive(const Vision& vision, Perceptions& perceptions) {
-  Workers alone(1);
-  perceive(vision, perceptions, alone);
-}
-
 void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& workers) {
   perceptions.tick = tick_;
   perceptions.tick_duration = tick_duration_;

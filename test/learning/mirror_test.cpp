@@ -74,7 +74,9 @@ PerceptionsBuilder anyPerception(std::uint64_t seed) {
 
 std::vector<Row> rowsOf(const Model& model, const Perception& perception) {
   std::vector<Row> rows(model.state_set->rowsPerPerception());
-  model.state_set->findRows(perception, rows.data());
+  std::vector<CandidateMove> moves(model.action_set->size());
+  model.action_set->findMoves(perception, moves.data());
+  model.state_set->findRows(perception, moves.data(), rows.data());
   return rows;
 }
 

@@ -20,6 +20,9 @@ class Workers {
   Workers& operator=(Workers&&) = delete;
   ~Workers();
 
+  /// @brief Nobody beside the caller of run(). Keeps nothing, so that any number of threads may work with it.
+  static Workers& alone();
+
   unsigned count() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
   /// @brief Cuts 0 .. size-1 into as many equal parts as there are workers, in order, and returns when all are done.

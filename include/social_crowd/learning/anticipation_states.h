@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "social_crowd/learning/action_set.h"
+#include "social_crowd/learning/move_outlooks.h"
 #include "social_crowd/learning/state_set.h"
 
 namespace crowd {
@@ -32,11 +33,13 @@ class AnticipationStates : public StateSet {
     std::vector<double> oncoming = {1.2};
   };
 
-  AnticipationStates(const Parameters& parameters, std::shared_ptr<const ActionSet> action_set);
+  /// @param actions number of actions of the action set
+  AnticipationStates(const Parameters& parameters, Action actions);
 
   Row rowCount() const override { return row_count_; }
-  std::size_t rowsPerPerception() const override { return action_set_->size(); }
-  void findRows(const Perception& perception, Row* rows) const override;
+  std::size_t rowsPerPerception() const override { return actions_; }
+  bool needsMoves() const override { return true; }
+  void findRows(const Perception& perception, const CandidateMove* moves, Row* rows) const override;
   /// @brief The same row: none of its quantities tells left from right.
   Row mirrored(Row row) const override { return row; }
   std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
@@ -45,27 +48,29 @@ class AnticipationStates : public StateSet {
   std::uint32_t maxBodies() const override { return parameters_.max_bodies; }
   std::string spec() const override;
 
-  /// @brief What would come of a move.
-  struct Outlook {
-    double reciprocal_time;  ///< [s]
-    double selfish_time;     ///< [s]
-    double fixed_time;       ///< [s]
-    double share;            ///< of the wanted displacement
-    double turn_cosine;
-    double oncoming;
-  };
-  Outlook describe(const Perception& perception, const CandidateMove& move) const;
-  Row rowOf(const Outlook& outlook) const;
+  /// @brief What would come of so many moves, MoveOutlooks::LANES at most.
+  MoveOutlooks describe(const Perception& perception, const CandidateMove* moves, std::size_t count) const;
+  /// @brief Writes a row for each of the first `count` moves.
+  void findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const;
 
  private:
+  /// Limits of classes, in single precision as what is compared with them.
+  using Limits = std::vector<float>;
+  void addLimits(const std::vector<double>& limits, Limits& single);
+
   Parameters parameters_;
-  std::shared_ptr<const ActionSet> action_set_;
-  std::vector<double> turn_limits_;  // minus the cosines, so that they rise
+  Action actions_;
+  Limits reciprocal_times_;
+  Limits selfish_times_;
+  Limits fixed_times_;
+  Limits shares_;
+  Limits turn_cosines_;  // minus the cosines, so that they rise
+  Limits oncoming_;
+  double least_share_ = 0.0;
   Row row_count_ = 1;
 };
 
 /// @brief Reads a map of the parameters, all optional. @throws InputError
-std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map,
-                                                       const std::shared_ptr<const ActionSet>& action_set);
+std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action actions);
 
 }  // namespace crowd

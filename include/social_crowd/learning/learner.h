@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <set>
-#include <unordered_map>
 #include <vector>
 
+#include "social_crowd/common/workers.h"
+#include "social_crowd/learning/agent_places.h"
 #include "social_crowd/learning/learning_parameters.h"
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/q_learner.h"
@@ -59,7 +60,8 @@ class Learner {
 
   /// @brief Learns from what the last decisions led to (training mode), then decides for every served agent that is on
   /// its way, unless the episode is over. `actions` is overwritten.
-  void decide(const Perceptions& perceptions, RelativeActions& actions);
+  /// @param workers share out the agents; what is learned and decided does not depend on their number
+  void decide(const Perceptions& perceptions, RelativeActions& actions, Workers& workers = Workers::alone());
 
   const Model& model() const { return model_; }
   bool serves(AgentId agent) const { return options_.agents.empty() || options_.agents.count(agent) > 0; }
@@ -102,23 +104,41 @@ class Learner {
     AgentPerception before;
   };
 
+  /// An agent of the present tick that is served.
+  struct Guest {
+    std::uint32_t index = 0;   // in the perceptions
+    std::uint32_t place = 0;   // of its memory
+    std::uint32_t answer = 0;  // place among the answers
+  };
+  static constexpr std::uint32_t NO_ANSWER = UINT32_MAX;  // arrived
+  /// What the actions mean to an agent, and the rows they are looked up in.
+  struct Choice {
+    Row* rows;
+    CandidateMove* moves;
+  };
+
   Memory& memoryOf(AgentId agent);
   /// The table to write into; a copy is made first where others still read it.
   QTable& writable(Memory& memory);
   void checkShape(const QTable& table) const;
   void give(TablePointer& place, const QTable& table, TakeMethod method) const;
   void beginEpisode(std::uint64_t episode);
+  void listGuests(const Perceptions& perceptions, RelativeActions& actions);
   /// What an agent perceives, of that no more than the model's vision: others may have been told more.
   Perception perceptionOf(const Perceptions& perceptions, std::size_t index) const;
-  void findRows(const Perceptions& perceptions);
-  Rows rowsOf(std::size_t index) const;
-  void learn(const Perceptions& perceptions);
-  void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows);
-  void choose(const Perceptions& perceptions, RelativeActions& actions);
-  Action chooseOne(const Perceptions& perceptions, const Rows& rows, Memory& memory, AgentId agent) const;
+  Choice choiceAt(std::size_t slot);
+  void findRows(const Perception& seen, const Choice& choice) const;
+  Rows rowsOf(const Choice& choice) const { return {choice.rows, stride_ == 1 ? 0U : 1U}; }
+  void learn(const Perceptions& perceptions, Workers& workers);
+  void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory);
+  void choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers);
+  Action chooseExploring(const Perceptions& perceptions, const AgentPerception& self, const Rows& rows,
+                         Memory& memory) const;
+  RelativeAction actionOf(const Perception& seen, const Choice& choice, Action action) const;
 
   Model model_;
-  Vision sight_;  // all that the state set looks at
+  Vision sight_;        // all that the state set looks at
+  std::size_t stride_;  // rows of a perception
   Options options_;
   LearningParameters parameters_;
   Mirror mirror_;
@@ -126,9 +146,13 @@ class Learner {
   std::uint64_t episode_ = 0;
   bool began_ = false;
   std::uint64_t decisions_ = 0;
-  TablePointer base_;  // of everybody (shared), or what newcomers begin with (own)
-  std::unordered_map<AgentId, Memory> memories_;
-  std::vector<Row> rows_;  // scratch: of all agents of a tick
+  TablePointer base_;   // of everybody (shared), or what newcomers begin with (own)
+  AgentPlaces places_;  // of memories
+  std::vector<Memory> memories_;
+  std::vector<Guest> guests_;  // scratch
+  // Scratch: of all guests while learning, else of each worker.
+  std::vector<Row> rows_;
+  std::vector<CandidateMove> moves_;
 };
 
 }  // namespace crowd

@@ -33,7 +33,9 @@ class OccupancyStates : public StateSet {
   explicit OccupancyStates(const Parameters& parameters);
 
   Row rowCount() const override { return terminal() + 1; }
-  void findRows(const Perception& perception, Row* rows) const override { *rows = rowOf(describe(perception)); }
+  void findRows(const Perception& perception, const CandidateMove* /*moves*/, Row* rows) const override {
+    *rows = rowOf(describe(perception));
+  }
   Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;

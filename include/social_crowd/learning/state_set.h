@@ -40,8 +40,11 @@ class StateSet {
   virtual Row rowCount() const = 0;
   /// @brief How many rows a perception maps to: 1, the same for all actions, or one per action.
   virtual std::size_t rowsPerPerception() const { return 1; }
+  /// @brief Whether findRows() looks at the moves.
+  virtual bool needsMoves() const { return false; }
   /// @brief Writes rowsPerPerception() rows for what an agent on its way perceives.
-  virtual void findRows(const Perception& perception, Row* rows) const = 0;
+  /// @param moves what the actions mean to it, see ActionSet::findMoves(); of no meaning unless needsMoves()
+  virtual void findRows(const Perception& perception, const CandidateMove* moves, Row* rows) const = 0;
   /// @brief The row that a perception maps to if left and right are exchanged in it; of several rows, that of the
   /// mirrored action. A perception exactly on a limit of a sector may map to the neighbour of that row.
   virtual Row mirrored(Row row) const = 0;

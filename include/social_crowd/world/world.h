@@ -73,8 +73,7 @@ class World {
   /// and `last`.
   /// @param workers share out the agents, where the number of bodies is limited; what is perceived does not depend on
   /// their number
-  void perceive(const Vision& vision, Perceptions& perceptions, Workers& workers);
-  void perceive(const Vision& vision, Perceptions& perceptions);
+  void perceive(const Vision& vision, Perceptions& perceptions, Workers& workers = Workers::alone());
 
   /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
   /// @throws InputError if any action is not finite or its share of the speed is not in 0..1; nothing has moved then.

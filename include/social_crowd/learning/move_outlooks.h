@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "social_crowd/learning/candidate_move.h"
+#include "social_crowd/world/perception.h"
+
+namespace crowd {
+
+/// @brief What would come of several moves, side by side and in single precision, so that the compiler makes vector
+/// instructions of every step.
+struct MoveOutlooks {
+  static constexpr std::size_t LANES = 24;  ///< moves that are looked at together
+  using Lanes = std::array<float, LANES>;
+
+  alignas(32) Lanes reciprocal_times;  ///< to contact with an agent that does its half [s]; NEVER if there is none
+  alignas(32) Lanes selfish_times;     ///< to contact with an agent that goes on as it does [s]
+  alignas(32) Lanes fixed_times;       ///< to contact with a wall or an obstacle [s]
+  alignas(32) Lanes shares;            ///< of the wanted displacement
+  alignas(32) Lanes turn_cosines;
+  float oncoming;  ///< fastest approach of another agent if this one walked to its goal at full speed, in units of that
+
+  /// @brief What would come of `count` moves, LANES at most; the other lanes hold anything.
+  /// @param least_share a move of which the contact rule leaves less is to stay, wherever it was to lead
+  MoveOutlooks(const Perception& perception, const CandidateMove* moves, std::size_t count, double least_share);
+};
+
+}  // namespace crowd
