@@ -15,16 +15,6 @@ void NeighbourGrid::add(const Vector2& centre, double radius, std::uint32_t body
   max_radius_ = std::max(max_radius_, radius);
 }
 
-std::int64_t NeighbourGrid::column(double x) const {
-  const double cell = std::floor((x - origin_.x()) / cell_size_);
-  return static_cast<std::int64_t>(std::clamp(cell, 0.0, static_cast<double>(columns_ - 1)));
-}
-
-std::int64_t NeighbourGrid::row(double y) const {
-  const double cell = std::floor((y - origin_.y()) / cell_size_);
-  return static_cast<std::int64_t>(std::clamp(cell, 0.0, static_cast<double>(rows_ - 1)));
-}
-
 void NeighbourGrid::build(double cell_size) {
   xs_.resize(added_.size());
   ys_.resize(added_.size());
@@ -83,6 +73,17 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
       if (limit >= 0.0 && (centre(i) - point).squaredNorm() <= limit * limit) found.push_back(bodies_[i]);
     }
   });
+}
+
+bool NeighbourGrid::isAnyNear(const Vector2& point, double distance, std::uint32_t except) const {
+  bool any = false;
+  forRunsNear(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const double limit = distance + radii_[i];
+      any |= (limit >= 0.0) & ((centre(i) - point).squaredNorm() <= limit * limit) & (bodies_[i] != except);
+    }
+  });
+  return any;
 }
 
 }  // namespace crowd

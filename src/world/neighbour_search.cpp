@@ -3,12 +3,56 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "social_crowd/common/vectorised.h"
 
 namespace crowd {
 namespace {
 
 // Up to so many candidates, comparing all with all beats sorting: no branch depends on them.
 constexpr std::size_t MAX_RANKED = 48;
+constexpr std::size_t LANES = 8;
+
+// In single precision twice as many are compared at once.
+using Keys = float __attribute__((vector_size(LANES * sizeof(float))));
+using Ranks = std::int32_t __attribute__((vector_size(LANES * sizeof(float))));
+
+/// Squared distances of discs from a point, and which (1, else 0) have their rim within the distance.
+CROWD_VECTORISED void measureDiscs(const NeighbourGrid& grid, const NeighbourGrid::Runs& runs, const Vector2& point,
+                                   double distance, double* __restrict squares, std::int64_t* __restrict near) {
+  const double x = point.x();
+  const double y = point.y();
+  for (const NeighbourGrid::Run& run : runs) {
+    const double* __restrict xs = grid.xs() + run.begin;
+    const double* __restrict ys = grid.ys() + run.begin;
+    const double* __restrict radii = grid.radii() + run.begin;
+    const std::size_t count = run.end - run.begin;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double dx = xs[i] - x;
+      const double dy = ys[i] - y;
+      const double limit = distance + radii[i];
+      squares[i] = dx * dx + dy * dy;
+      near[i] = squares[i] <= limit * limit ? 1 : 0;
+    }
+    squares += count;
+    near += count;
+  }
+}
+
+/// From squared distances of centres to distances of rims.
+CROWD_VECTORISED void findRims(const double* __restrict radii, std::size_t count, double* __restrict distances) {
+  for (std::size_t i = 0; i < count; ++i) distances[i] = std::sqrt(distances[i]) - radii[i];
+}
+
+/// How many of `count` keys are smaller than each of them. The keys are filled up with the highest to full lanes.
+CROWD_VECTORISED void rank(const Keys* keys, std::size_t count, Ranks* ranks) {
+  for (std::size_t block = 0; block * LANES < count; ++block) {
+    Ranks smaller{};
+    for (std::size_t j = 0; j < count; ++j) smaller -= keys[j / LANES][j % LANES] < keys[block];
+    ranks[block] = smaller;
+  }
+}
 
 }  // namespace
 
@@ -29,34 +73,44 @@ View<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vec
 }
 
 void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except) {
+  grid.findRunsNear(point, distance, runs_);
+  std::size_t count = 0;
+  for (const NeighbourGrid::Run& run : runs_) count += run.end - run.begin;
+  if (squares_.size() < count) {
+    squares_.resize(2 * count);
+    near_.resize(2 * count);
+    for (auto* list : {&radii_, &rims_}) list->resize(2 * count);
+    discs_.resize(2 * count);
+    found_.resize(2 * count);
+  }
+  measureDiscs(grid, runs_, point, distance, squares_.data(), near_.data());
   count_ = 0;
-  grid.forRunsNear(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
-    if (discs_.size() < count_ + (end - begin)) discs_.resize(2 * (count_ + (end - begin)));
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const double limit = distance + grid.radius(i);
-      const bool near = (grid.centre(i) - point).squaredNorm() <= limit * limit;
+  std::size_t next = 0;
+  for (const NeighbourGrid::Run& run : runs_) {
+    for (std::uint32_t i = run.begin; i < run.end; ++i, ++next) {
       // Written in any case and kept by counting on: a branch would be guessed wrong half of the time.
       discs_[count_] = i;
-      count_ += static_cast<std::size_t>(near & (limit >= 0.0) & (grid.body(i) != except));
+      radii_[count_] = grid.radius(i);
+      rims_[count_] = squares_[next];
+      count_ += static_cast<std::size_t>(near_[next]) & static_cast<std::size_t>(grid.body(i) != except);
     }
-  });
-  if (rims_.size() < count_) rims_.resize(discs_.size());
-  if (found_.size() < count_) found_.resize(discs_.size());
-  for (std::size_t i = 0; i < count_; ++i) {
-    rims_[i] = (grid.centre(discs_[i]) - point).norm() - grid.radius(discs_[i]);
   }
+  findRims(radii_.data(), count_, rims_.data());
 }
 
 bool NeighbourSearch::sortByRank() {
-  std::array<float, MAX_RANKED> keys{};  // in single precision twice as many are compared at once
-  for (std::size_t i = 0; i < count_; ++i) keys[i] = static_cast<float>(rims_[i]);
-  std::uint32_t sum = 0;
+  std::array<Keys, MAX_RANKED / LANES> keys{};
+  std::array<Ranks, MAX_RANKED / LANES> ranks;
+  const std::size_t padded = (count_ + LANES - 1) / LANES * LANES;
+  for (std::size_t i = 0; i < padded; ++i) {
+    keys[i / LANES][i % LANES] = i < count_ ? static_cast<float>(rims_[i]) : std::numeric_limits<float>::infinity();
+  }
+  rank(keys.data(), count_, ranks.data());
+  std::size_t sum = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    const float key = keys[i];
-    std::uint32_t rank = 0;
-    for (std::size_t j = 0; j < count_; ++j) rank += static_cast<std::uint32_t>(keys[j] < key);
-    found_[rank] = {rims_[i], discs_[i]};
-    sum += rank;
+    const auto place = static_cast<std::size_t>(ranks[i / LANES][i % LANES]);
+    found_[place] = {rims_[i], discs_[i]};
+    sum += place;
   }
   // Equal keys share a rank, so that the ranks add up to less than 0 + 1 + ... + (count - 1).
   return 2 * sum == count_ * (count_ - 1);

@@ -1,6 +1,7 @@
 #include "social_crowd/world/world.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 #include "social_crowd/common/errors.h"
@@ -15,6 +16,7 @@ Agent makeAgent(AgentId id, const AgentStart& start) {
   Agent agent;
   agent.id = id;
   agent.pose = {start.position, wrapAngle(start.heading)};
+  agent.ahead = unitVector(agent.pose.heading);
   agent.speed = start.speed;
   agent.radius = start.radius;
   agent.goals = start.goals;
@@ -64,8 +66,6 @@ void World::refresh() {
   rebuildGrid();
 }
 
-Agent* World::find(AgentId id) { return id < agents_.size() ? &agents_[id] : nullptr; }
-
 bool World::isActive(AgentId id) const { return id < agents_.size() && agents_[id].isWalking(); }
 
 void World::placeObstacles() {
@@ -86,37 +86,71 @@ void World::rebuildGrid() {
     grid_.add(obstacle_positions_[i], obstacles_[i].radius, static_cast<std::uint32_t>(agents_.size() + i));
   }
   grid_.build(CELL_SIZE);
+  disc_velocities_.resize(grid_.size());
+  for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
+    const std::uint32_t body = grid_.body(disc);
+    const bool is_agent = body < agents_.size();
+    disc_velocities_[disc] = is_agent ? agents_[body].velocity : obstacle_velocities_[body - agents_.size()];
+  }
 }
 
-void World::step(const std::vector<AgentAction>& actions) {
-  for (const AgentAction& given : actions) checkAction(given);
-  for (Agent& agent : agents_) {
-    agent.acted = false;
-    agent.blocked = false;
-    agent.in_contact = false;
-    agent.velocity = Vector2::Zero();
-  }
-  for (const AgentAction& given : actions) {
-    Agent* const agent = find(given.agent);
-    if (agent != nullptr && agent->isWalking() && !agent->acted) beginMove(*agent, given.action);
-  }
-  contact_ == Contact::SOLID ? moveSolids() : moveGhosts();
+void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
+  takeOrders(actions);
+  workers.run(agents_.size(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) beginMove(agents_[i], orders_[i]);
+  });
+  if (contact_ == Contact::SOLID) moveSolids();
   ++tick_;
   refresh();
-  noteContacts();  // who arrives in this tick still stands on the floor at its end
-  if (noteArrivals()) rebuildGrid();
+  // Who arrives in this tick still stands on the floor at its end: the grid is that of everybody.
+  arrivals_.assign(workers.count(), 0);
+  workers.run(agents_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals_[worker]);
+  });
+  const std::size_t arrived = std::accumulate(arrivals_.begin(), arrivals_.end(), std::size_t{0});
+  active_count_ -= arrived;
+  if (arrived > 0) rebuildGrid();
 }
 
-void World::beginMove(Agent& agent, const RelativeAction& action) const {
-  agent.pose.heading = wrapAngle(agent.pose.heading + action.rotation);
-  agent.velocity = action.speed_share * agent.speed * unitVector(agent.pose.heading);
-  agent.acted = true;
-}
-
-void World::moveGhosts() {
-  for (Agent& agent : agents_) {
-    if (agent.acted) agent.pose.position += tick_duration_ * agent.velocity;
+void World::takeOrders(const std::vector<AgentAction>& actions) {
+  for (const AgentAction& given : actions) checkAction(given);
+  orders_.assign(agents_.size(), nullptr);
+  for (const AgentAction& given : actions) {
+    if (given.agent < agents_.size() && orders_[given.agent] == nullptr) orders_[given.agent] = &given.action;
   }
+}
+
+void World::beginMove(Agent& agent, const RelativeAction* action) const {
+  agent.acted = action != nullptr && agent.isWalking();
+  agent.blocked = false;
+  agent.in_contact = false;
+  agent.velocity = Vector2::Zero();
+  if (!agent.acted) return;
+  agent.pose.heading = wrapAngle(agent.pose.heading + action->rotation);
+  agent.ahead = unitVector(agent.pose.heading);
+  agent.velocity = action->speed_share * agent.speed * agent.ahead;
+  if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
+}
+
+void World::endMove(Agent& agent, std::size_t& arrivals) const {
+  if (!agent.isWalking()) return;
+  agent.in_contact = agent.in_contact || touchesAnything(agent);
+  agent.touched = agent.touched || agent.in_contact;
+  if ((agent.goal() - agent.pose.position).norm() > goal_tolerance_) return;
+  if (++agent.next_goal < agent.goals.size()) {
+    ++agent.goal_number;
+    return;
+  }
+  agent.status = AgentStatus::ARRIVED;
+  agent.arrival_tick = tick_;
+  ++arrivals;
+}
+
+bool World::touchesAnything(const Agent& agent) const {
+  if (grid_.isAnyNear(agent.pose.position, agent.radius - CONTACT_OVERLAP, agent.id)) return true;
+  return std::any_of(walls_.begin(), walls_.end(), [&](const Segment& segment) {
+    return distanceTo(segment, agent.pose.position) < agent.radius - CONTACT_OVERLAP;
+  });
 }
 
 void World::moveSolids() {
@@ -140,35 +174,6 @@ void World::moveSolids() {
     agent.pose.position = outcome->position;
     agent.in_contact = outcome->touched;
     ++outcome;
-  }
-}
-
-bool World::noteArrivals() {
-  const std::size_t before = active_count_;
-  for (Agent& agent : agents_) {
-    if (!agent.isWalking() || (agent.goal() - agent.pose.position).norm() > goal_tolerance_) continue;
-    if (++agent.next_goal < agent.goals.size()) {
-      ++agent.goal_number;
-      continue;
-    }
-    agent.status = AgentStatus::ARRIVED;
-    agent.arrival_tick = tick_;
-    --active_count_;
-  }
-  return active_count_ != before;
-}
-
-void World::noteContacts() {
-  for (Agent& agent : agents_) {
-    if (!agent.isWalking()) continue;
-    found_.clear();
-    grid_.findNear(agent.pose.position, agent.radius - CONTACT_OVERLAP, found_);
-    const bool body = std::any_of(found_.begin(), found_.end(), [&](std::uint32_t other) { return other != agent.id; });
-    const bool wall = std::any_of(walls_.begin(), walls_.end(), [&](const Segment& segment) {
-      return distanceTo(segment, agent.pose.position) < agent.radius - CONTACT_OVERLAP;
-    });
-    agent.in_contact = agent.in_contact || body || wall;
-    agent.touched = agent.touched || agent.in_contact;
   }
 }
 

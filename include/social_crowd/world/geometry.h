@@ -44,7 +44,9 @@ inline double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() -
 /// @brief A turn of the coordinate frame with its sine and cosine at hand.
 class Rotation {
  public:
-  explicit Rotation(double heading) : cosine_(std::cos(heading)), sine_(std::sin(heading)) {}
+  explicit Rotation(double heading) : Rotation(unitVector(heading)) {}
+  /// @param ahead unit vector of the heading
+  explicit Rotation(const Vector2& ahead) : cosine_(ahead.x()), sine_(ahead.y()) {}
   /// @brief From the frame `map` into the frame that is turned by the heading.
   Vector2 intoFrame(const Vector2& v) const {
     return {cosine_ * v.x() + sine_ * v.y(), -sine_ * v.x() + cosine_ * v.y()};

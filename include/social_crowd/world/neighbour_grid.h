@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -25,27 +26,49 @@ class NeighbourGrid {
   /// @brief Number of discs, in order of the cells.
   std::size_t size() const { return bodies_.size(); }
   Vector2 centre(std::size_t disc) const { return {xs_[disc], ys_[disc]}; }
+  /// @brief The same as lists, for loops over runs of discs.
+  const double* xs() const { return xs_.data(); }
+  const double* ys() const { return ys_.data(); }
+  const double* radii() const { return radii_.data(); }
   double radius(std::size_t disc) const { return radii_[disc]; }
   std::uint32_t body(std::size_t disc) const { return bodies_[disc]; }
 
-  /// @brief Calls use(begin, end) for runs of discs that hold all whose rim is within `distance` [m] of the point, and
-  /// others.
-  template <typename Use>
-  void forRunsNear(const Vector2& point, double distance, const Use& use) const;
+  /// @brief Discs begin .. end-1, in order of the cells.
+  struct Run {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+  using Runs = std::vector<Run>;
+
+  /// @brief Writes runs of discs that hold all whose rim is within `distance` [m] of the point, and others.
+  void findRunsNear(const Vector2& point, double distance, Runs& runs) const {
+    runs.clear();
+    forRunsNear(point, distance, [&runs](std::uint32_t begin, std::uint32_t end) { runs.push_back({begin, end}); });
+  }
 
   /// @brief Appends to `found` the discs whose rim is within `distance` [m] of the point, in an order that depends on
   /// the discs alone.
   void findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const;
 
+  /// @brief Whether there is a disc whose rim is within `distance` [m] of the point. @param except a body not counted
+  bool isAnyNear(const Vector2& point, double distance, std::uint32_t except) const;
+
  private:
   static constexpr std::size_t MAX_CELLS = 1U << 20U;
   static constexpr std::size_t FEW = 8;  // so few discs are looked at one by one, in one cell
 
+  /// Calls use(begin, end) for each run.
+  template <typename Use>
+  void forRunsNear(const Vector2& point, double distance, const Use& use) const;
   void layOut(double cell_size);
   void countCells();
   void place(const Disc& disc, std::size_t where);
-  std::int64_t column(double x) const;
-  std::int64_t row(double y) const;
+  std::int64_t column(double x) const { return cellOf(x - origin_.x(), columns_); }
+  std::int64_t row(double y) const { return cellOf(y - origin_.y(), rows_); }
+  std::int64_t cellOf(double offset, std::int64_t cells) const {
+    // Cutting off the fraction rounds towards 0, where what lies before the first cell goes in any case.
+    return static_cast<std::int64_t>(std::clamp(offset / cell_size_, 0.0, static_cast<double>(cells - 1)));
+  }
 
   std::vector<Disc> added_;           // in order of add()
   std::vector<std::uint32_t> cells_;  // cell of each of them

@@ -35,8 +35,13 @@ class NeighbourSearch {
   // Candidates of the present search; the vectors only grow.
   std::size_t count_ = 0;
   std::vector<std::uint32_t> discs_;
+  std::vector<double> radii_;
   std::vector<double> rims_;
-  std::vector<NearDisc> found_;
+  std::vector<NearDisc> found_;  // sorted
+  // Of the discs of all runs.
+  NeighbourGrid::Runs runs_;
+  std::vector<double> squares_;
+  std::vector<std::int64_t> near_;
 };
 
 }  // namespace crowd

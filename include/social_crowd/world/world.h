@@ -24,6 +24,7 @@ enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
 struct Agent {
   AgentId id = 0;
   Pose pose;                           ///< in `map`
+  Vector2 ahead = Vector2::UnitX();    ///< unit vector of the heading
   Vector2 velocity = Vector2::Zero();  ///< of the last tick, `map` [m/s]
   double speed = 0.0;                  ///< top speed [m/s]
   double radius = 0.0;                 ///< [m]
@@ -76,8 +77,9 @@ class World {
   void perceive(const Vision& vision, Perceptions& perceptions, Workers& workers = Workers::alone());
 
   /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
+  /// @param workers share out the agents; what becomes of them does not depend on their number
   /// @throws InputError if any action is not finite or its share of the speed is not in 0..1; nothing has moved then.
-  void step(const std::vector<AgentAction>& actions);
+  void step(const std::vector<AgentAction>& actions, Workers& workers = Workers::alone());
 
   /// @brief Puts one more agent on the floor. Returns its number. @throws InputError if its place is taken, it has no
   /// goal, or a number is out of its range.
@@ -93,12 +95,11 @@ class World {
   void removeObstacle(std::size_t number);
 
  private:
-  void beginMove(Agent& agent, const RelativeAction& action) const;
-  void moveGhosts();
+  void takeOrders(const std::vector<AgentAction>& actions);
+  void beginMove(Agent& agent, const RelativeAction* action) const;
   void moveSolids();
-  /// Whether anybody left the floor.
-  bool noteArrivals();
-  void noteContacts();
+  void endMove(Agent& agent, std::size_t& arrivals) const;
+  bool touchesAnything(const Agent& agent) const;
   void placeObstacles();
   void rebuildGrid();
   /// Working space of a worker, and what it has found.
@@ -113,10 +114,11 @@ class World {
   void listAgents(Perceptions& perceptions);
   void lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end, Perceptions& perceptions);
   void gatherWalls(unsigned workers, Perceptions& perceptions) const;
-  void look(const Vision& vision, AgentPerception& self, Looker& looker) const;
-  void findBodies(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const;
+  void lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
+  /// Writes the bodies that the search has found.
+  void findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, PerceivedBody* bodies) const;
   void findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const;
-  Agent* find(AgentId id);
+  void hide(const Vision& vision, AgentPerception& self, Looker& looker) const;
   Agent& findWalking(AgentId id);
   void requireFreePlace(const Vector2& centre, double radius, bool agents_only);
   void refresh();
@@ -136,7 +138,9 @@ class World {
   std::vector<std::uint32_t> found_;          // scratch
   std::vector<SolidMotion::Disc> discs_;      // scratch
   SolidMotion solid_motion_;
-  std::vector<Looker> lookers_;           // one a worker
+  std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
+  std::vector<std::size_t> arrivals_;          // in a tick, of each worker
+  std::vector<Looker> lookers_;                // one a worker
   std::vector<std::uint32_t> watchers_;   // places in Perceptions::agents, neighbours in the grid one after the other
   std::vector<std::uint32_t> places_;     // place in Perceptions::agents of each agent
   std::vector<Vector2> disc_velocities_;  // of the discs of the grid
