@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "social_crowd/common/prefetch.h"
 #include "social_crowd/common/random.h"
 
 namespace crowd {
@@ -80,14 +81,29 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, W
 void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
   guests_.clear();
   std::uint32_t answers = 0;
-  for (std::uint32_t i = 0; i < perceptions.agents.size(); ++i) {
-    const AgentPerception& self = perceptions.agents[i];
+  for (const AgentPerception& self : perceptions.agents) {
+    Guest& guest = guests_.emplace_back();
     if (!serves(self.agent)) continue;
-    guests_.push_back({i, places_.placeOf(self.agent), self.arrived ? NO_ANSWER : answers});
-    answers += self.arrived ? 0 : 1;
+    guest.place = places_.placeOf(self.agent);
+    if (!self.arrived) guest.answer = answers++;
   }
   while (memories_.size() < places_.agents().size()) memories_.emplace_back().table = base_;
   actions.agents.resize(perceptions.last ? 0 : answers);
+}
+
+template <typename Work>
+void Learner::shareOut(const Perceptions& perceptions, Workers& workers, const Work& work) const {
+  const bool in_order = perceptions.order.size() == guests_.size();
+  workers.run(guests_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t index = in_order ? perceptions.order[i] : i;
+      if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
+      if (in_order && i + 1 < end) {
+        for (const PerceivedBody& body : Perception(perceptions, perceptions.order[i + 1]).bodies) prefetch(body);
+      }
+      if (guests_[index].answer != NOBODY) work(worker, index);
+    }
+  });
 }
 
 void Learner::beginEpisode(std::uint64_t episode) {
@@ -117,14 +133,12 @@ void Learner::findRows(const Perception& seen, const Choice& choice) const {
 }
 
 void Learner::learn(const Perceptions& perceptions, Workers& workers) {
-  workers.run(guests_.size(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (guests_[i].answer != NO_ANSWER) findRows(perceptionOf(perceptions, guests_[i].index), choiceAt(i));
-    }
+  shareOut(perceptions, workers, [&](unsigned /*worker*/, std::size_t index) {
+    findRows(perceptionOf(perceptions, index), choiceAt(index));
   });
   for (std::size_t i = 0; i < guests_.size(); ++i) {
-    learnOne(perceptionOf(perceptions, guests_[i].index), perceptions, rowsOf(choiceAt(i)),
-             memories_[guests_[i].place]);
+    if (guests_[i].place == NOBODY) continue;
+    learnOne(perceptionOf(perceptions, i), perceptions, rowsOf(choiceAt(i)), memories_[guests_[i].place]);
   }
 }
 
@@ -148,17 +162,15 @@ void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, c
 
 void Learner::choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers) {
   const bool exploring = options_.mode == Mode::TRAINING;
-  workers.run(guests_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Guest& guest = guests_[i];
-      if (guest.answer == NO_ANSWER) continue;
-      const Perception seen = perceptionOf(perceptions, guest.index);
-      const Choice choice = choiceAt(exploring ? i : worker);
-      if (!exploring) findRows(seen, choice);
-      const Action action = exploring ? chooseExploring(perceptions, seen.self, rowsOf(choice), memories_[guest.place])
-                                      : QLearner::chooseGreedy(*memories_[guest.place].table, rowsOf(choice));
-      actions.agents[guest.answer] = {seen.self.agent, actionOf(seen, choice, action)};
-    }
+  const bool shared = options_.tables == TableUse::SHARED;  // then memories need not be looked at
+  shareOut(perceptions, workers, [&](unsigned worker, std::size_t index) {
+    const Perception seen = perceptionOf(perceptions, index);
+    const Choice choice = choiceAt(exploring ? index : worker);
+    if (!exploring) findRows(seen, choice);
+    Memory& memory = memories_[guests_[index].place];
+    const Action action = exploring ? chooseExploring(perceptions, seen.self, rowsOf(choice), memory)
+                                    : QLearner::chooseGreedy(shared ? *base_ : *memory.table, rowsOf(choice));
+    actions.agents[guests_[index].answer] = {seen.self.agent, actionOf(seen, choice, action)};
   });
 }
 

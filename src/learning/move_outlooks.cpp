@@ -49,10 +49,14 @@ inline void noteContacts(const Courses& courses, const Other& other, float vx, f
   }
 }
 
-CROWD_VECTORISED void noteBodies(const Perception& perception, Courses& courses) {
+/// Returns the fastest approach of another agent if this one walked with the velocity `wish` [m/s].
+CROWD_VECTORISED float noteBodies(const Perception& perception, const Vector2& wish, Courses& courses) {
   const AgentPerception& self = perception.self;
   const auto wx = static_cast<float>(self.velocity.x());
   const auto wy = static_cast<float>(self.velocity.y());
+  const auto goal_x = static_cast<float>(wish.x());
+  const auto goal_y = static_cast<float>(wish.y());
+  float fastest = 0.0F;  // squared
   for (const PerceivedBody& body : perception.bodies) {
     const Other other = otherAt(body.position, self.radius + body.radius);
     const auto vx = static_cast<float>(body.velocity.x());
@@ -64,7 +68,11 @@ CROWD_VECTORISED void noteBodies(const Perception& perception, Courses& courses)
     noteContacts(courses, other, vx, vy, 1.0F, courses.selfish);
     // At 2u - w - v contact comes in half of the time that it takes at u - (w + v) / 2.
     noteContacts(courses, other, 0.5F * (wx + vx), 0.5F * (wy + vy), 2.0F, courses.reciprocal);
+    const float closing = std::max(0.0F, other.px * (goal_x - vx) + other.py * (goal_y - vy));
+    const float square = closing * closing / (other.px * other.px + other.py * other.py);
+    fastest = square > fastest ? square : fastest;
   }
+  return std::sqrt(fastest);
 }
 
 /// The wall's long side is reached where the line along it, moved by the radius, is crossed beside it.
@@ -104,23 +112,33 @@ CROWD_VECTORISED void toTimes(const Lanes& soonest, float time_to_goal, Lanes& t
   }
 }
 
-/// The square of the highest share of its full speed that an agent approaches with if this one walks to its goal.
-float fastestApproach(const Perception& perception) {
-  const AgentPerception& self = perception.self;
-  const Vector2 wish = self.speed * self.goal.normalized();
-  const auto wx = static_cast<float>(wish.x());
-  const auto wy = static_cast<float>(wish.y());
-  float fastest = 0.0F;  // squared
-  for (const PerceivedBody& body : perception.bodies) {
-    if (body.kind != BodyKind::AGENT) continue;
-    const auto px = static_cast<float>(body.position.x());
-    const auto py = static_cast<float>(body.position.y());
-    const float closing = px * (wx - static_cast<float>(body.velocity.x())) +  //
-                          py * (wy - static_cast<float>(body.velocity.y()));
-    const float square = closing * std::abs(closing) / (px * px + py * py);
-    fastest = square > fastest ? square : fastest;
+/// Moves side by side.
+struct MoveLanes {
+  alignas(32) Lanes x{};  // direction
+  alignas(32) Lanes y{};
+  alignas(32) Lanes wanted{};
+  alignas(32) Lanes left{};  // by the contact rule
+
+  MoveLanes(const CandidateMove* moves, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      x[i] = static_cast<float>(moves[i].direction.x());
+      y[i] = static_cast<float>(moves[i].direction.y());
+      wanted[i] = static_cast<float>(moves[i].wanted);
+      left[i] = static_cast<float>(moves[i].share);
+    }
   }
-  return std::sqrt(fastest) / static_cast<float>(self.speed);
+};
+
+/// Of a move of which the rule leaves too little the course is that of staying.
+CROWD_VECTORISED void findCourses(const MoveLanes& moves, float speed, float least_share, Lanes& shares,
+                                  Courses& courses) {
+  for (std::size_t i = 0; i < LANES; ++i) {
+    const float share = moves.left[i] / moves.wanted[i];
+    shares[i] = moves.wanted[i] > 0.0F ? share : 1.0F;
+    const float pace = shares[i] < least_share ? 0.0F : moves.wanted[i] * speed;
+    courses.ux[i] = pace * moves.x[i];
+    courses.uy[i] = pace * moves.y[i];
+  }
 }
 
 }  // namespace
@@ -128,27 +146,23 @@ float fastestApproach(const Perception& perception) {
 MoveOutlooks::MoveOutlooks(const Perception& perception, const CandidateMove* moves, std::size_t count,
                            double least_share) {
   const AgentPerception& self = perception.self;
+  const auto speed = static_cast<float>(self.speed);
+  const double distance = self.goal.norm();
+  const MoveLanes lanes(moves, count);
   Courses courses;
-  const bool had_direction = self.velocity != Vector2::Zero();
-  for (std::size_t i = 0; i < LANES; ++i) {
-    const CandidateMove& move = moves[std::min(i, count - 1)];
-    const double share = move.wanted > 0.0 ? move.share / move.wanted : 1.0;
-    const double pace = share < least_share ? 0.0 : move.wanted * self.speed;
-    courses.ux[i] = static_cast<float>(pace * move.direction.x());
-    courses.uy[i] = static_cast<float>(pace * move.direction.y());
-    shares[i] = static_cast<float>(share);
-    turn_cosines[i] = had_direction ? static_cast<float>(move.direction.x()) : 1.0F;
-  }
-  noteBodies(perception, courses);
+  findCourses(lanes, speed, static_cast<float>(least_share), shares, courses);
+  turn_cosines = lanes.x;
+  if (self.velocity == Vector2::Zero()) turn_cosines.fill(1.0F);
+  const double pace_to_goal = distance > 0.0 ? self.speed / distance : 0.0;
+  oncoming = noteBodies(perception, pace_to_goal * self.goal, courses) / speed;
   for (const Segment& wall : perception.walls) {
     noteEnds(wall, self.radius, courses);
     noteSide(wall, self.radius, courses);
   }
-  const auto time_to_goal = static_cast<float>(self.goal.norm() / self.speed);
+  const auto time_to_goal = static_cast<float>(distance / self.speed);
   toTimes(courses.reciprocal, time_to_goal, reciprocal_times);
   toTimes(courses.selfish, time_to_goal, selfish_times);
   toTimes(courses.fixed, time_to_goal, fixed_times);
-  oncoming = fastestApproach(perception);
 }
 
 }  // namespace crowd

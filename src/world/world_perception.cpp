@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "social_crowd/common/prefetch.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
@@ -13,12 +14,12 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
   if (vision.max_bodies == 0) {
     // One list behind the other, however long: that takes a single worker.
     perceptions.bodies.clear();
-    lookForSome(vision, 0, 0, watchers_.size(), perceptions);
+    lookForSome(vision, 0, 0, perceptions.order.size(), perceptions);
     gatherWalls(1, perceptions);
     return;
   }
   perceptions.bodies.resize(vision.max_bodies * perceptions.agents.size());
-  workers.run(watchers_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
+  workers.run(perceptions.order.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
     lookForSome(vision, worker, begin, end, perceptions);
   });
   gatherWalls(workers.count(), perceptions);
@@ -26,20 +27,20 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
 
 void World::listAgents(Perceptions& perceptions) {
   perceptions.agents.resize(agents_.size());
-  watchers_.clear();
+  perceptions.order.clear();
   places_.resize(agents_.size());
   std::uint32_t count = 0;
   for (const Agent& agent : agents_) {
     const bool just_arrived = agent.hasArrived() && agent.arrival_tick == tick_;
     if (!agent.isWalking() && !just_arrived) continue;
     places_[agent.id] = count;
-    if (just_arrived) watchers_.push_back(count);  // not in the grid any more
+    if (just_arrived) perceptions.order.push_back(count);  // not in the grid any more
     perceptions.agents[count++].agent = agent.id;
   }
   perceptions.agents.resize(count);
   for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
     const std::uint32_t body = grid_.body(disc);
-    if (body < agents_.size()) watchers_.push_back(places_[body]);
+    if (body < agents_.size()) perceptions.order.push_back(places_[body]);
   }
 }
 
@@ -52,7 +53,13 @@ void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin
   looker.end = end;
   looker.walls.clear();
   for (std::size_t i = begin; i < end; ++i) {
-    AgentPerception& self = perceptions.agents[watchers_[i]];
+    if (i + PREFETCH_AHEAD < end) {
+      const AgentPerception& next = perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]];
+      prefetch(next);
+      prefetch(agents_[next.agent]);
+      prefetch(agents_[perceptions.agents[perceptions.order[i + 1]].agent].goal());
+    }
+    AgentPerception& self = perceptions.agents[perceptions.order[i]];
     const Agent& agent = agents_[self.agent];
     const Rotation frame(agent.ahead);
     const auto found = looker.search.findNearest(grid_, agent.pose.position, vision.radius, most, agent.id);
@@ -83,7 +90,8 @@ void World::gatherWalls(unsigned workers, Perceptions& perceptions) const {
     const auto before = static_cast<std::uint32_t>(perceptions.walls.size());
     perceptions.walls.insert(perceptions.walls.end(), looker.walls.begin(), looker.walls.end());
     if (before == 0) continue;
-    for (std::size_t i = looker.begin; i < looker.end; ++i) perceptions.agents[watchers_[i]].first_wall += before;
+    for (std::size_t i = looker.begin; i < looker.end; ++i)
+      perceptions.agents[perceptions.order[i]].first_wall += before;
   }
 }
 

@@ -104,13 +104,12 @@ class Learner {
     AgentPerception before;
   };
 
-  /// An agent of the present tick that is served.
+  /// What is to be done about an agent of the present tick.
   struct Guest {
-    std::uint32_t index = 0;   // in the perceptions
-    std::uint32_t place = 0;   // of its memory
-    std::uint32_t answer = 0;  // place among the answers
+    std::uint32_t place = NOBODY;   // of its memory; NOBODY: it is not served
+    std::uint32_t answer = NOBODY;  // place among the answers; NOBODY: it has arrived
   };
-  static constexpr std::uint32_t NO_ANSWER = UINT32_MAX;  // arrived
+  static constexpr std::uint32_t NOBODY = UINT32_MAX;
   /// What the actions mean to an agent, and the rows they are looked up in.
   struct Choice {
     Row* rows;
@@ -129,6 +128,9 @@ class Learner {
   Choice choiceAt(std::size_t slot);
   void findRows(const Perception& seen, const Choice& choice) const;
   Rows rowsOf(const Choice& choice) const { return {choice.rows, stride_ == 1 ? 0U : 1U}; }
+  /// Calls work(worker, index) for all agents that are to answer.
+  template <typename Work>
+  void shareOut(const Perceptions& perceptions, Workers& workers, const Work& work) const;
   void learn(const Perceptions& perceptions, Workers& workers);
   void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory);
   void choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers);
@@ -149,8 +151,8 @@ class Learner {
   TablePointer base_;   // of everybody (shared), or what newcomers begin with (own)
   AgentPlaces places_;  // of memories
   std::vector<Memory> memories_;
-  std::vector<Guest> guests_;  // scratch
-  // Scratch: of all guests while learning, else of each worker.
+  std::vector<Guest> guests_;  // scratch, of all agents of a tick
+  // Scratch: of all agents of a tick while learning, else of each worker.
   std::vector<Row> rows_;
   std::vector<CandidateMove> moves_;
 };

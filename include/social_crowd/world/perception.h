@@ -56,6 +56,9 @@ struct Perceptions {
   std::vector<AgentPerception> agents;
   std::vector<PerceivedBody> bodies;  ///< of each agent the nearest rim first
   std::vector<Segment> walls;         ///< in the frame of the agent they belong to
+  /// Places of all agents, neighbours and what they perceive one after the other: the fastest way through large crowds.
+  /// Or empty.
+  std::vector<std::uint32_t> order;
 };
 
 /// @brief What one agent perceives at a tick: a view into Perceptions, valid as long as those are unchanged.

@@ -104,7 +104,7 @@ class World {
   void rebuildGrid();
   /// Working space of a worker, and what it has found.
   struct Looker {
-    std::size_t begin = 0;  // its part of watchers_
+    std::size_t begin = 0;  // its part of Perceptions::order
     std::size_t end = 0;
     NeighbourSearch search;
     Occlusion occlusion;
@@ -141,9 +141,8 @@ class World {
   std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
   std::vector<std::size_t> arrivals_;          // in a tick, of each worker
   std::vector<Looker> lookers_;                // one a worker
-  std::vector<std::uint32_t> watchers_;   // places in Perceptions::agents, neighbours in the grid one after the other
-  std::vector<std::uint32_t> places_;     // place in Perceptions::agents of each agent
-  std::vector<Vector2> disc_velocities_;  // of the discs of the grid
+  std::vector<std::uint32_t> places_;          // place in Perceptions::agents of each agent
+  std::vector<Vector2> disc_velocities_;       // of the discs of the grid
 };
 
 }  // namespace crowd
