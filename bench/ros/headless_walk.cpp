@@ -1,0 +1,35 @@
+#include <chrono>
+#include <iostream>
+
+#include "commands.h"
+#include "social_crowd/learning/learner.h"
+#include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/simulation/episode.h"
+#include "social_crowd/world/scenario_reader.h"
+
+namespace crowd::bench {
+
+void walkHeadless(const std::string& scenario, const std::string& q_table, unsigned max_bodies, unsigned warm_up,
+                  unsigned ticks) {
+  TrainedTable trained = loadQTable(q_table);
+  Learner::Options options;
+  options.plan.parameters = trained.parameters;
+  Learner learner(trained.model, options, std::move(trained.table));
+  Vision vision = learner.model().vision();
+  vision.max_bodies = max_bodies;
+  Episode episode(readScenarios(scenario).scene(1, 0), 0, vision);
+  RelativeActions actions;
+  const auto walk = [&](unsigned count) {
+    for (unsigned i = 0; i < count; ++i) {
+      learner.decide(episode.perceptions(), actions);
+      episode.step(actions.agents);
+    }
+  };
+  walk(warm_up);
+  const auto begin = std::chrono::steady_clock::now();
+  walk(ticks);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  std::cout << ticks / seconds.count() << std::endl;
+}
+
+}  // namespace crowd::bench

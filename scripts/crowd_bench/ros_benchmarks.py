@@ -1,0 +1,147 @@
+#!/usr/bin/python3
+"""Benchmarks of the nodes: lockstep through ROS and through nodelets, and the load of a crowd in real time.
+
+Each starts a master and nodes of its own. `value` is ticks/s or % of a core; `yardstick` is in the same unit. `ratio`
+is how many times the yardstick's time a tick through ROS takes, or, of nodelets, the share of the headless rate that
+they reach.
+"""
+import json
+import math
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+from crowd_bench.ros_system import REPOSITORY, RosSystem, arguments_of, cpu_seconds, program  # noqa: E402
+
+Q_TABLE = os.path.join(REPOSITORY, 'config', 'q_tables', 'anticipation.txt')
+MAX_BODIES = 16  # all that the table looks at
+WARM_UP = 30  # ticks
+CROWD_TICKS = 250
+FEW_TICKS = 8000
+REAL_TIME = 10.0  # [s]
+ROUNDS = 3  # the best of them counts: the others were disturbed
+
+
+def crowd_scenario():
+    """1,000 agents, 0.5 per square metre, on their way all the time."""
+    half = math.sqrt(1000 / 0.5) / 2
+    box = f'{{box: [[{-half:.2f}, {-half:.2f}], [{half:.2f}, {half:.2f}]]}}'
+    goals = ', '.join([box] * 12)
+    return ('name: crowd\nduration: 600\ngoal_tolerance: 0.3\nagents:\n'
+            f'  - {{count: 1000, position: {box}, goals: [{goals}], speed: [1.0, 1.5], radius: [0.2, 0.3]}}\n')
+
+
+def few_scenario():
+    """12 agents that cross a circle to and fro."""
+    lines = ['name: few', 'duration: 5000', 'goal_tolerance: 0.3', 'agents:']
+    for i in range(12):
+        x, y = (5.0 * function(2.0 * math.pi * i / 12) for function in (math.cos, math.sin))
+        ways = ', '.join([f'[{-x:.3f}, {-y:.3f}], [{x:.3f}, {y:.3f}]'] * 1000)
+        lines.append(f'  - {{position: [{x:.3f}, {y:.3f}], goals: [{ways}], speed: {1 + 0.04 * i:.2f}, radius: 0.25}}')
+    return '\n'.join(lines) + '\n'
+
+
+def controller_parameters(scenario, **others):
+    """Parameters of a controller that waits for `step`."""
+    return {'scenario': scenario, 'max_bodies': MAX_BODIES, 'pace': 'fast', 'paused': True, 'answer_deadline': 60.0,
+            **others}
+
+
+def headless_rate(system, scenario, ticks):
+    """Ticks/s without ROS."""
+    return max(system.figures('ros_bench', 'headless', scenario, Q_TABLE, MAX_BODIES, WARM_UP, ticks)[0]
+               for _ in range(ROUNDS))
+
+
+def lockstep_rate(system, ticks):
+    """Ticks/s of the controller that is there, and the sizes of its messages [bytes]."""
+    rounds = [system.figures('ros_bench', 'lockstep', WARM_UP, ticks) for _ in range(ROUNDS)]
+    return max(rate for rate, _, _ in rounds), [int(size) for size in rounds[-1][1:]]
+
+
+def lockstep(text, ticks):
+    """Controller and learner as nodes."""
+    with RosSystem() as system:
+        scenario = system.write('scenario.yaml', text)
+        system.start_node('learner', q_table=Q_TABLE)
+        system.start_node('crowd_controller', **controller_parameters(scenario))
+        rate, sizes = lockstep_rate(system, ticks)
+    with RosSystem() as system:
+        scenario = system.write('scenario.yaml', text)
+        system.start('echo', [program('ros_bench'), 'echo', str(sizes[1])])
+        trips = max(system.figures('ros_bench', 'round_trip', sizes[0], WARM_UP, 2000)[0] for _ in range(ROUNDS))
+        headless = headless_rate(system, scenario, ticks)
+    yardstick = 1.0 / (1.0 / trips + 1.0 / headless)
+    detail = {'round_trips': trips, 'headless': headless, 'perceptions_bytes': sizes[0], 'actions_bytes': sizes[1]}
+    return figure(rate, 'ticks/s', yardstick, yardstick / rate, detail)
+
+
+def ros_lockstep_1000():
+    """1,000 agents, one learner node."""
+    return lockstep(crowd_scenario(), CROWD_TICKS)
+
+
+def ros_lockstep_12():
+    """12 agents, one learner node."""
+    return lockstep(few_scenario(), FEW_TICKS)
+
+
+def nodelets_1000():
+    """Controller and learner as nodelets in one manager."""
+    with RosSystem() as system:
+        scenario = system.write('scenario.yaml', crowd_scenario())
+        nodelet = '/usr/bin/nodelet'
+        system.start('manager', [nodelet, 'manager', '__name:=manager'])
+        for kind, parameters in (('learner', {'q_table': Q_TABLE}),
+                                 ('crowd_controller', controller_parameters(scenario))):
+            system.start(kind, [nodelet, 'load', f'social_crowd/{kind}', 'manager', f'__name:={kind}',
+                                *arguments_of(parameters)])
+        rate, _ = lockstep_rate(system, CROWD_TICKS)
+        headless = headless_rate(system, scenario, CROWD_TICKS)
+    return figure(rate, 'ticks/s', headless, rate / headless, {'headless': headless})
+
+
+def real_time_1000():
+    """1,000 agents in real time at 10 Hz with markers and frames: what all nodes together take of a core."""
+    with RosSystem() as system:
+        scenario = system.write('scenario.yaml', crowd_scenario())
+        parameters = controller_parameters(scenario, pace=1.0, paused=False, publish_tf=True)
+        kinds = {'learner': {'q_table': Q_TABLE}, 'crowd_markers': {}, 'crowd_controller': parameters}
+        nodes = {kind: system.start_node(kind, **parameters) for kind, parameters in kinds.items()}
+        system.start('sink', [program('ros_bench'), 'sink', 'markers', '/tf'])
+        time.sleep(5.0)  # until everybody has found everybody, and paths have grown
+        before = {kind: cpu_seconds([node]) for kind, node in nodes.items()}
+        begin = time.monotonic()
+        time.sleep(REAL_TIME)
+        seconds = time.monotonic() - begin
+        shares = {kind: 100.0 * (cpu_seconds([node]) - before[kind]) / seconds for kind, node in nodes.items()}
+        system.check()
+    return figure(sum(shares.values()), '% of a core', None, None, shares)
+
+
+def figure(value, unit, yardstick, ratio, detail):
+    """A benchmark's result but for its name."""
+    return {'value': value, 'unit': unit, 'yardstick': yardstick, 'ratio': ratio, 'detail': detail}
+
+
+BENCHMARKS = {function.__name__: function for function in
+              (ros_lockstep_1000, ros_lockstep_12, nodelets_1000, real_time_1000)}
+
+
+def run(names):
+    """Runs benchmarks one after the other; a list of {name, value, unit, yardstick, ratio, detail}."""
+    return [{'name': name, **BENCHMARKS[name]()} for name in names]
+
+
+def main():
+    """Runs those that are named, else all, and prints their results as JSON."""
+    names = sys.argv[1:] or list(BENCHMARKS)
+    unknown = [name for name in names if name not in BENCHMARKS]
+    if unknown:
+        sys.exit(f'ros_benchmarks: unknown {", ".join(unknown)}; there are {", ".join(BENCHMARKS)}')
+    print(json.dumps(run(names), indent=2))
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,123 @@
+"""A ROS system of its own for a benchmark: a master on a free port, nodes, and their end."""
+import os
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+BUILD = os.environ.get('SOCIAL_CROWD_BUILD', os.path.join(REPOSITORY, '.build'))
+PROGRAMS = os.path.join(BUILD, 'devel', 'lib', 'social_crowd')
+PATIENCE = 300.0  # [s] for any command
+CLOCK_TICKS = os.sysconf('SC_CLK_TCK')  # a second, of the times in /proc
+
+
+def program(name):
+    """A program of this package."""
+    return os.path.join(PROGRAMS, name)
+
+
+class RosSystem:
+    """Starts a master and nodes, each with its output in a file; ends them all when it is left."""
+
+    def __enter__(self):
+        self.folder = tempfile.TemporaryDirectory(prefix='social_crowd_bench_')
+        self.processes = []
+        with socket.socket() as free:
+            free.bind(('127.0.0.1', 0))
+            port = free.getsockname()[1]
+        master = {'ROS_MASTER_URI': f'http://127.0.0.1:{port}', 'ROS_HOSTNAME': '127.0.0.1'}
+        self.environment = {**os.environ, **master, 'ROS_LOG_DIR': self.path('logs')}
+        self.environment.pop('ROS_NAMESPACE', None)
+        self.start('rosmaster', ['/usr/bin/rosmaster', '--core', '-p', str(port)])
+        self.wait_for(lambda: self.answers(port), 'the master')
+        return self
+
+    def __exit__(self, *_):
+        for process in reversed(self.processes):
+            if process.poll() is None:
+                process.send_signal(signal.SIGINT)
+        for process in reversed(self.processes):
+            try:
+                process.wait(10.0)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+        self.folder.cleanup()
+
+    @staticmethod
+    def answers(port):
+        """Whether somebody listens at a port."""
+        with socket.socket() as client:
+            return client.connect_ex(('127.0.0.1', port)) == 0
+
+    def wait_for(self, condition, what):
+        """Polls until the condition holds."""
+        deadline = time.monotonic() + PATIENCE
+        while not condition():
+            self.check()
+            if time.monotonic() > deadline:
+                raise RuntimeError(f'waited {PATIENCE:g} s in vain for {what}')
+            time.sleep(0.05)
+
+    def check(self):
+        """Raises an error if a process has ended that should not have."""
+        for process in self.processes:
+            if process.poll() not in (None, 0):
+                with open(process.log, encoding='utf-8', errors='replace') as stream:
+                    raise RuntimeError(f'{process.args} ended with status {process.returncode}:\n{stream.read()}')
+
+    def path(self, name):
+        """A path in the system's folder."""
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, text):
+        """Writes a file in the system's folder; its path."""
+        with open(self.path(name), 'w', encoding='utf-8') as stream:
+            stream.write(text)
+        return self.path(name)
+
+    def start(self, name, command):
+        """Starts a process in the package's environment; it has its own name for a log."""
+        log = self.path(f'{len(self.processes)}_{name}.log')
+        with open(log, 'wb') as stream:
+            process = subprocess.Popen(self.wrapped(command), stdin=subprocess.DEVNULL, stdout=stream, stderr=stream,
+                                       env=self.environment)
+        process.log = log
+        self.processes.append(process)
+        return process
+
+    def start_node(self, kind, **parameters):
+        """Starts a node of this package with private parameters."""
+        return self.start(kind, [program(kind), *arguments_of(parameters)])
+
+    def figures(self, *command):
+        """Runs a program of this package to its end; the numbers on the last line that it prints."""
+        words = [program(command[0]), *(str(word) for word in command[1:])]
+        done = subprocess.run(self.wrapped(words), stdout=subprocess.PIPE, text=True, timeout=PATIENCE,
+                              env=self.environment, check=False)
+        self.check()
+        if done.returncode != 0:
+            raise RuntimeError(f'{words} ended with status {done.returncode}')
+        return [float(word) for word in done.stdout.splitlines()[-1].split()]
+
+    @staticmethod
+    def wrapped(command):
+        """The same command, run where the package is known to ROS."""
+        return [os.path.join(BUILD, 'devel', 'env.sh'), *command]
+
+
+def arguments_of(parameters):
+    """Private parameters as arguments of a node."""
+    return [f'_{name}:={value}' for name, value in parameters.items()]
+
+
+def cpu_seconds(processes):
+    """The time that processes and all their threads have used so far [s]."""
+    ticks = 0
+    for process in processes:
+        with open(f'/proc/{process.pid}/stat', encoding='utf-8') as stream:
+            fields = stream.read().rpartition(')')[2].split()
+        ticks += int(fields[11]) + int(fields[12])  # user and system
+    return ticks / CLOCK_TICKS
