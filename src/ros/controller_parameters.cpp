@@ -10,6 +10,7 @@ namespace {
 constexpr double MAX_PACE = 1e6;
 constexpr double MAX_DEADLINE = 3600.0;  // [s]
 constexpr double MAX_VISION = 1e3;       // [m]
+constexpr double MAX_RATE = 1e6;         // [Hz]
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 constexpr const char* FAST = "fast";
 
@@ -42,6 +43,7 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.vision.max_bodies =
       static_cast<std::uint32_t>(parameters.whole("max_bodies", read.vision.max_bodies, 0, MAX_WHOLE));
   read.vision.occlusion = parameters.flag("occlusion", read.vision.occlusion);
+  read.agents_rate = parameters.number("agents_rate", read.agents_rate, 0.0, MAX_RATE);
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
   read.publish_clock = parameters.flag("publish_clock", read.publish_clock);
   read.trajectories = parameters.text("trajectories", "");

@@ -1,87 +1,9 @@
 #include "social_crowd/ros/conversions.h"
 
-#include <cmath>
-
-#include "social_crowd/common/errors.h"
-
 namespace crowd {
 namespace {
 
-social_crowd::AgentPerception toMessage(const AgentPerception& self) {
-  social_crowd::AgentPerception message;
-  message.agent = self.agent;
-  message.pose.x = self.pose.position.x();
-  message.pose.y = self.pose.position.y();
-  message.pose.theta = self.pose.heading;
-  message.velocity_x = self.velocity.x();
-  message.velocity_y = self.velocity.y();
-  message.speed = self.speed;
-  message.radius = self.radius;
-  message.goal_x = self.goal.x();
-  message.goal_y = self.goal.y();
-  message.goal_number = self.goal_number;
-  message.arrived = self.arrived ? 1 : 0;
-  message.acted = self.acted ? 1 : 0;
-  message.first_body = self.first_body;
-  message.body_count = self.body_count;
-  message.first_wall = self.first_wall;
-  message.wall_count = self.wall_count;
-  return message;
-}
-
-AgentPerception fromMessage(const social_crowd::AgentPerception& message) {
-  AgentPerception self;
-  self.agent = message.agent;
-  self.pose = {{message.pose.x, message.pose.y}, message.pose.theta};
-  self.velocity = {message.velocity_x, message.velocity_y};
-  self.speed = message.speed;
-  self.radius = message.radius;
-  self.goal = {message.goal_x, message.goal_y};
-  self.goal_number = message.goal_number;
-  self.arrived = message.arrived != 0;
-  self.acted = message.acted != 0;
-  self.first_body = message.first_body;
-  self.body_count = message.body_count;
-  self.first_wall = message.first_wall;
-  self.wall_count = message.wall_count;
-  return self;
-}
-
-social_crowd::PerceivedBody toMessage(const PerceivedBody& body) {
-  social_crowd::PerceivedBody message;
-  message.kind = static_cast<std::uint8_t>(body.kind);
-  message.x = body.position.x();
-  message.y = body.position.y();
-  message.velocity_x = body.velocity.x();
-  message.velocity_y = body.velocity.y();
-  message.radius = body.radius;
-  return message;
-}
-
-PerceivedBody fromMessage(const social_crowd::PerceivedBody& message) {
-  PerceivedBody body;
-  body.kind = message.kind == social_crowd::PerceivedBody::AGENT ? BodyKind::AGENT : BodyKind::OBSTACLE;
-  body.position = {message.x, message.y};
-  body.velocity = {message.velocity_x, message.velocity_y};
-  body.radius = message.radius;
-  return body;
-}
-
-social_crowd::PerceivedWall toMessage(const Segment& wall) {
-  social_crowd::PerceivedWall message;
-  message.from_x = wall.from.x();
-  message.from_y = wall.from.y();
-  message.to_x = wall.to.x();
-  message.to_y = wall.to.y();
-  return message;
-}
-
-Segment fromMessage(const social_crowd::PerceivedWall& message) {
-  return {{message.from_x, message.from_y}, {message.to_x, message.to_y}};
-}
-
-social_crowd::AgentState toMessage(const Agent& agent) {
-  social_crowd::AgentState message;
+void toMessage(const Agent& agent, social_crowd::AgentState& message) {
   message.agent = agent.id;
   message.pose.x = agent.pose.position.x();
   message.pose.y = agent.pose.position.y();
@@ -95,7 +17,11 @@ social_crowd::AgentState toMessage(const Agent& agent) {
   message.touched = agent.touched ? 1 : 0;
   message.blocked = agent.blocked ? 1 : 0;
   message.blocked_moves = agent.blocked_moves;
-  return message;
+}
+
+void toMessages(const std::vector<Agent>& agents, std::vector<social_crowd::AgentState>& messages) {
+  messages.resize(agents.size());
+  for (std::size_t i = 0; i < agents.size(); ++i) toMessage(agents[i], messages[i]);
 }
 
 std::vector<social_crowd::ObstacleState> obstacleStates(const World& world) {
@@ -127,21 +53,6 @@ social_crowd::AgentResult toMessage(const AgentResult& result, std::size_t agent
   return message;
 }
 
-void checkPart(std::uint32_t first, std::uint32_t count, std::size_t size, const char* what) {
-  if (std::uint64_t{first} + count <= size) return;
-  throw InputError(std::string("perceptions: the ") + what + " of an agent lie beyond the list of " +
-                   std::to_string(size));
-}
-
-void checkNumbers(const AgentPerception& self) {
-  const bool finite = std::isfinite(self.goal.x()) && std::isfinite(self.goal.y()) && std::isfinite(self.speed) &&
-                      std::isfinite(self.radius);
-  if (!finite)
-    throw InputError("perceptions: goal, speed or radius of agent " + std::to_string(self.agent) +
-                     " is not a finite number");
-  if (self.agent >= AGENT_LIMIT) throw InputError("perceptions: there is no agent " + std::to_string(self.agent));
-}
-
 }  // namespace
 
 geometry_msgs::Point toPoint(const Vector2& v) {
@@ -161,67 +72,10 @@ geometry_msgs::Vector3 toVector3(const Vector2& v) {
 Vector2 fromPoint(const geometry_msgs::Point& point) { return {point.x, point.y}; }
 Vector2 fromVector3(const geometry_msgs::Vector3& vector) { return {vector.x, vector.y}; }
 
-void toMessage(const Perceptions& perceptions, social_crowd::Perceptions& message) {
-  message.episode = perceptions.episode;
-  message.tick = perceptions.tick;
-  message.tick_duration = perceptions.tick_duration;
-  message.last = perceptions.last ? 1 : 0;
-  message.agents.clear();
-  message.bodies.clear();
-  message.walls.clear();
-  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
-    message.agents.push_back(toMessage(perceptions.agents[i]));
-    message.agents.back().first_body = static_cast<std::uint32_t>(message.bodies.size());
-    for (const PerceivedBody& body : Perception(perceptions, i).bodies) message.bodies.push_back(toMessage(body));
-  }
-  for (const Segment& wall : perceptions.walls) message.walls.push_back(toMessage(wall));
-}
-
-void fromMessage(const social_crowd::Perceptions& message, Perceptions& perceptions) {
-  perceptions.episode = message.episode;
-  perceptions.tick = message.tick;
-  perceptions.tick_duration = message.tick_duration;
-  perceptions.last = message.last != 0;
-  perceptions.agents.clear();
-  perceptions.bodies.clear();
-  perceptions.walls.clear();
-  for (const auto& self : message.agents) {
-    perceptions.agents.push_back(fromMessage(self));
-    checkNumbers(perceptions.agents.back());
-    checkPart(self.first_body, self.body_count, message.bodies.size(), "bodies");
-    checkPart(self.first_wall, self.wall_count, message.walls.size(), "walls");
-  }
-  for (const auto& body : message.bodies) perceptions.bodies.push_back(fromMessage(body));
-  for (const auto& wall : message.walls) perceptions.walls.push_back(fromMessage(wall));
-}
-
-void toMessage(const RelativeActions& actions, social_crowd::RelativeActions& message) {
-  message.episode = actions.episode;
-  message.tick = actions.tick;
-  message.agents.clear();
-  for (const AgentAction& given : actions.agents) {
-    social_crowd::RelativeAction action;
-    action.agent = given.agent;
-    action.rotation = given.action.rotation;
-    action.speed_share = given.action.speed_share;
-    message.agents.push_back(action);
-  }
-}
-
-void fromMessage(const social_crowd::RelativeActions& message, RelativeActions& actions) {
-  actions.episode = message.episode;
-  actions.tick = message.tick;
-  actions.agents.clear();
-  for (const auto& action : message.agents) {
-    actions.agents.push_back({action.agent, {action.rotation, action.speed_share}});
-  }
-}
-
 void toMessage(const World& world, social_crowd::AgentStates& message) {
   message.tick = world.tick();
   message.time = world.time();
-  message.agents.clear();
-  for (const Agent& agent : world.agents()) message.agents.push_back(toMessage(agent));
+  toMessages(world.agents(), message.agents);
   message.obstacles = obstacleStates(world);
 }
 
@@ -244,8 +98,7 @@ void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& m
   message.max_ticks = scene.max_ticks;
   message.goal_tolerance = scene.goal_tolerance;
   message.contact = static_cast<std::uint8_t>(scene.contact);
-  message.agents.clear();
-  for (const Agent& agent : world.agents()) message.agents.push_back(toMessage(agent));
+  toMessages(world.agents(), message.agents);
   message.obstacles = obstacleStates(world);
   message.walls.clear();
   for (const Segment& segment : scene.walls) {

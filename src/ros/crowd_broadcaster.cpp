@@ -1,7 +1,8 @@
 #include "social_crowd/ros/crowd_broadcaster.h"
 
-#include <geometry_msgs/TransformStamped.h>
 #include <rosgraph_msgs/Clock.h>
+
+#include <cmath>
 
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
@@ -18,12 +19,13 @@ CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParamet
     : run_(ros::WallTime::now().toNSec()),  // no two controllers start in the same nanosecond
       publish_clock_(parameters.publish_clock),
       clock_(1, 0),  // zero means to ROS that there is no time yet
-      perceptions_(node.advertise<social_crowd::Perceptions>(names::PERCEPTIONS, QUEUE, LATCHED)),
+      perceptions_(node, names::PERCEPTIONS, QUEUE),
+      agents_period_(parameters.agents_rate > 0.0 ? 1.0 / parameters.agents_rate : 0.0),
       agents_(node.advertise<social_crowd::AgentStates>(names::AGENTS, QUEUE)),
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
       results_(node.advertise<social_crowd::EpisodeResult>(names::EPISODE_RESULTS, QUEUE)) {
   if (publish_clock_) clock_publisher_ = node.advertise<rosgraph_msgs::Clock>(names::CLOCK, QUEUE);
-  if (parameters.publish_tf) frames_ = std::make_unique<tf2_ros::TransformBroadcaster>();
+  if (parameters.publish_tf) frames_publisher_ = node.advertise<tf2_msgs::TFMessage>(names::TF, QUEUE);
 }
 
 std_msgs::Header CrowdBroadcaster::header() const {
@@ -42,18 +44,32 @@ void CrowdBroadcaster::advanceClock(double seconds) {
 }
 
 void CrowdBroadcaster::publishPerceptions(const Episode& episode) {
-  const auto message = boost::make_shared<social_crowd::Perceptions>();
-  toMessage(episode.perceptions(), *message);
-  message->run = run_;
+  const auto message = boost::make_shared<PerceptionsMessage>();
   message->header = header();
+  message->run = run_;
+  message->shared = episode.sharedPerceptions();
   perceptions_.publish(message);
-  last_perceptions_ = message;
 }
 
-void CrowdBroadcaster::publishAgents(const Episode& episode) {
-  if (frames_ != nullptr) publishFrames(episode);
-  if (agents_.getNumSubscribers() == 0) return;
-  const auto message = boost::make_shared<social_crowd::AgentStates>();
+bool CrowdBroadcaster::hasToldAgents(const Episode& episode) const {
+  return agents_told_ == std::pair(episode.number(), episode.world().tick());
+}
+
+void CrowdBroadcaster::tellAgents(const Episode& episode) {
+  const bool is_due = agents_period_.isZero() || ros::SteadyTime::now() - agents_told_at_ >= agents_period_;
+  if (is_due) tellAgentsNow(episode);
+}
+
+void CrowdBroadcaster::tellAgentsNow(const Episode& episode) {
+  if (hasToldAgents(episode)) return;
+  agents_told_ = {episode.number(), episode.world().tick()};
+  agents_told_at_ = ros::SteadyTime::now();
+  if (agents_.getNumSubscribers() > 0) publishStates(episode);
+  if (frames_publisher_ && frames_publisher_.getNumSubscribers() > 0) publishFrames(episode);
+}
+
+void CrowdBroadcaster::publishStates(const Episode& episode) {
+  const social_crowd::AgentStatesPtr message = states_.next();
   toMessage(episode.world(), *message);
   message->header = header();
   message->episode = episode.number();
@@ -61,18 +77,19 @@ void CrowdBroadcaster::publishAgents(const Episode& episode) {
 }
 
 void CrowdBroadcaster::publishFrames(const Episode& episode) {
-  std::vector<geometry_msgs::TransformStamped> frames;
+  const std_msgs::Header now = header();
+  std::size_t count = 0;
+  frames_.transforms.resize(episode.world().activeCount());
   for (const Agent& agent : episode.world().agents()) {
     if (!agent.isWalking()) continue;
-    geometry_msgs::TransformStamped frame;
-    frame.header = header();
+    geometry_msgs::TransformStamped& frame = frames_.transforms[count++];
+    frame.header = now;
     frame.child_frame_id = names::AGENT_FRAME_PREFIX + std::to_string(agent.id);
     frame.transform.translation = toVector3(agent.pose.position);
     frame.transform.rotation.z = std::sin(agent.pose.heading / 2.0);
     frame.transform.rotation.w = std::cos(agent.pose.heading / 2.0);
-    frames.push_back(frame);
   }
-  frames_->sendTransform(frames);
+  frames_publisher_.publish(frames_);
 }
 
 void CrowdBroadcaster::publishScenario(const Episode& episode, std::uint64_t instance) {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "social_crowd/common/files.h"
-#include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/tick_subscriber.h"
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
@@ -30,36 +30,33 @@ std::string listOf(const std::vector<AgentId>& agents) {
 
 CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
     : parameters_(readControllerParameters(private_node)),
-      node_(node),
-      broadcaster_(node, parameters_),
+      node_(loop_.adopt(node)),
+      broadcaster_(node_, parameters_),
       seed_(parameters_.seed),
       lockstep_(parameters_.misses_until_absent),
       paused_(parameters_.paused),
       services_(private_node, SERVICE_THREADS) {
   const std::string file = findScenario(parameters_.scenario, parameters_.scenario_folder);
   useScenarios(readScenarios(file), file);
-  node_.setCallbackQueue(&loop_.queue());
-  actions_ =
-      node_.subscribe(names::ACTIONS, QUEUE, &CrowdController::takeActions, this, ros::TransportHints().tcpNoDelay());
+  actions_ = subscribeToTicks<ActionsMessage>(node_, names::ACTIONS, QUEUE,
+                                              [this](const auto& message) { takeActions(message); });
   advertiseServices();
 }
 
-void CrowdController::takeActions(const social_crowd::RelativeActions::ConstPtr& message) {
-  RelativeActions actions;
-  fromMessage(*message, actions);
+void CrowdController::takeActions(const ActionsMessage::ConstPtr& message) {
   // Answers are latched: a learner may still hold one to a controller that was here before.
   if (message->run == broadcaster_.run()) {
-    lockstep_.take(actions);
+    lockstep_.take(message->content);
   } else {
-    lockstep_.drop(actions);
+    lockstep_.drop(message->content);
   }
 }
 
 void CrowdController::run() {
   services_.start();
-  while (ros::ok() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
+  while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
     waitWhilePaused();
-    if (ros::ok()) walkTick();
+    if (!loop_.isClosed()) walkTick();
   }
   finishSteps();
   noteRest();
@@ -106,10 +103,11 @@ void CrowdController::beginEpisode() {
   next_tick_ = Clock::now();
   broadcaster_.advanceClock(episode_->scene().tick_duration);
   broadcaster_.publishScenario(*episode_, instance_);
-  broadcaster_.publishAgents(*episode_);
+  broadcaster_.tellAgentsNow(*episode_);
 }
 
 void CrowdController::endEpisode() {
+  broadcaster_.tellAgentsNow(*episode_);
   broadcaster_.publishPerceptions(*episode_);  // the last ones: learners learn from them and do not answer
   broadcaster_.publishResult(*episode_, instance_, lockstep_.missedCount(), lockstep_.droppedCount());
   const EpisodeResult result = episode_->result();
@@ -133,7 +131,8 @@ void CrowdController::logResult(const EpisodeResult& result) {
 }
 
 void CrowdController::waitWhilePaused() {
-  while (ros::ok() && !mayWalk()) {
+  while (!loop_.isClosed() && !mayWalk()) {
+    broadcaster_.tellAgentsNow(*episode_);
     noteRest();
     loop_.run(IDLE);
     next_tick_ = Clock::now();
@@ -148,13 +147,13 @@ void CrowdController::walkTick() {
   }
   lockstep_.open(episode_->number(), episode_->perceptions().tick, asked);
   broadcaster_.publishPerceptions(*episode_);
+  broadcaster_.tellAgents(*episode_);  // while learners decide
   next_repeat_ = Clock::now() + REPEAT;
   awaitAnswers();
-  if (cut_off_ || !ros::ok()) return;  // another episode has begun
+  if (cut_off_ || loop_.isClosed()) return;  // another episode has begun
   lockstep_.close();
   episode_->step(lockstep_.answers());
   broadcaster_.advanceClock(episode_->scene().tick_duration);
-  broadcaster_.publishAgents(*episode_);
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
   keepPace();
   if (!cut_off_ && episode_->isOver()) endEpisode();
@@ -165,7 +164,7 @@ void CrowdController::awaitAnswers() {
   const Clock since = Clock::now();
   if (lockstep_.isDeserted()) return awaitSomebody(since);
   const Clock deadline = since + ros::WallDuration(parameters_.answer_deadline);
-  while (ros::ok() && !cut_off_ && !lockstep_.isComplete()) {
+  while (!loop_.isClosed() && !cut_off_ && !lockstep_.isComplete()) {
     const Clock now = Clock::now();
     repeatForNewcomers();
     if (now >= deadline) {
@@ -186,7 +185,7 @@ void CrowdController::repeatForNewcomers() {
 
 void CrowdController::awaitNewcomers(const Clock& since) {
   const Clock deadline = since + ros::WallDuration(parameters_.start_deadline);
-  while (ros::ok() && !cut_off_ && lockstep_.awaitsNewcomer()) {
+  while (!loop_.isClosed() && !cut_off_ && lockstep_.awaitsNewcomer()) {
     warnOfSilence(since);
     repeatForNewcomers();
     if (Clock::now() >= deadline) return lockstep_.giveUpOnNewcomers();
@@ -198,7 +197,7 @@ void CrowdController::awaitSomebody(const Clock& since) {
   // With nobody left to wait for, a tick lasts as long as in real time: the episode neither hangs nor rushes by.
   const double seconds = std::min(parameters_.answer_deadline, episode_->scene().tick_duration);
   const Clock deadline = since + ros::WallDuration(seconds);
-  while (ros::ok() && !cut_off_ && lockstep_.isDeserted() && Clock::now() < deadline) {
+  while (!loop_.isClosed() && !cut_off_ && lockstep_.isDeserted() && Clock::now() < deadline) {
     warnOfSilence(since);
     loop_.run(std::min(IDLE, deadline - Clock::now()));
   }
@@ -219,14 +218,16 @@ void CrowdController::warnOfSilence(const Clock& since) {
 void CrowdController::serveUntil(const Clock& until) {
   do {
     loop_.run(std::max(ros::WallDuration(0.0), std::min(IDLE, until - Clock::now())));
-  } while (ros::ok() && !cut_off_ && Clock::now() < until);
+  } while (!loop_.isClosed() && !cut_off_ && Clock::now() < until);
 }
 
 void CrowdController::keepPace() {
   if (parameters_.pace <= 0.0) return;
   next_tick_ += ros::WallDuration(episode_->scene().tick_duration / parameters_.pace);
   if ((Clock::now() - next_tick_).toSec() > MAX_LAG) next_tick_ = Clock::now();
-  if (Clock::now() < next_tick_) serveUntil(next_tick_);
+  if (Clock::now() >= next_tick_) return;
+  broadcaster_.tellAgents(*episode_);
+  serveUntil(next_tick_);
 }
 
 void CrowdController::noteStep() {

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t QUEUE = 100;        // messages
 constexpr std::uint32_t MARKERS_QUEUE = 2;  // messages; only the newest counts
 constexpr double WARNING_PERIOD = 10.0;     // [s]
+const ros::WallDuration IDLE(0.1);          // between two looks whether ROS still runs
 const ros::WallDuration REPEAT_AFTER(1.0);
 
 constexpr double MIN_RATE = 0.1;       // [Hz]
@@ -46,7 +47,9 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& p
     : CrowdMarkers(node, readMarkerParameters(private_node)) {}
 
 CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& parameters)
-    : node_(node), shows_sectors_(parameters.options.agent != MarkerOptions::NO_AGENT), scene_(parameters.options) {
+    : node_(loop_.adopt(node)),
+      shows_sectors_(parameters.options.agent != MarkerOptions::NO_AGENT),
+      scene_(parameters.options) {
   publisher_ = node_.advertise<visualization_msgs::MarkerArray>(names::MARKERS, MARKERS_QUEUE);
   agents_ = node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
                                                        [this](const auto& message) { scene_.take(message); });
@@ -56,7 +59,9 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& 
                                  [this](const ros::WallTimerEvent& /*event*/) { publish(); });
 }
 
-void CrowdMarkers::run() { ros::spin(); }
+void CrowdMarkers::run() {
+  while (!loop_.isClosed()) loop_.run(IDLE);
+}
 
 template <typename Message>
 ros::Subscriber CrowdMarkers::subscribe(const char* topic) {
@@ -71,7 +76,7 @@ ros::Subscriber CrowdMarkers::subscribe(const char* topic) {
 
 void CrowdMarkers::subscribeToPerceptions(bool wanted) {
   if (wanted == static_cast<bool>(perceptions_)) return;
-  perceptions_ = wanted ? subscribe<social_crowd::Perceptions>(names::PERCEPTIONS) : ros::Subscriber();
+  perceptions_ = wanted ? subscribe<PerceptionsMessage>(names::PERCEPTIONS) : ros::Subscriber();
 }
 
 void CrowdMarkers::publish() {

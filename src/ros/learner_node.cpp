@@ -1,7 +1,6 @@
 #include "social_crowd/ros/learner_node.h"
 
 #include <social_crowd/LoadQTable.h>
-#include <social_crowd/RelativeActions.h>
 #include <social_crowd/SaveQTable.h>
 #include <social_crowd/SetLearningParameters.h>
 #include <social_crowd/SetMode.h>
@@ -11,8 +10,8 @@
 #include <filesystem>
 
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/tick_subscriber.h"
 
 namespace crowd {
 namespace {
@@ -30,21 +29,21 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
     : LearnerNode(node, private_node, readLearnerParameters(private_node)) {}
 
 LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node, LearnerParameters parameters)
-    : node_(node),
+    : node_(loop_.adopt(node)),
+      name_(private_node.getNamespace()),
       on_share_(parameters.on_share),
       save_to_(parameters.save_to),
       save_every_(parameters.save_every),
       learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
+      // Latched: the first answer may be given before the controller has connected.
+      actions_publisher_(node_, names::ACTIONS, QUEUE),
       taking_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
-  node_.setCallbackQueue(&loop_.queue());
-  // Latched: the first answer may be given before the controller has connected.
-  actions_publisher_ = node_.advertise<social_crowd::RelativeActions>(names::ACTIONS, QUEUE, LATCHED);
   status_publisher_ = node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, LATCHED);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
-  perceptions_subscriber_ = node_.subscribe(names::PERCEPTIONS, QUEUE, &LearnerNode::takePerceptions, this,
-                                            ros::TransportHints().tcpNoDelay());
+  perceptions_subscriber_ = subscribeToTicks<PerceptionsMessage>(
+      node_, names::PERCEPTIONS, QUEUE, [this](const auto& message) { takePerceptions(message); });
   advertiseServices();
 }
 
@@ -52,14 +51,14 @@ void LearnerNode::run() {
   publishStatus();
   taking_.start();
   services_.start();
-  while (ros::ok()) loop_.run(IDLE);
+  while (!loop_.isClosed()) loop_.run(IDLE);
   loop_.close();
   services_.stop();
   taking_.stop();
   if (!save_to_.empty()) saveAll();
 }
 
-void LearnerNode::takePerceptions(const social_crowd::Perceptions::ConstPtr& message) {
+void LearnerNode::takePerceptions(const PerceptionsMessage::ConstPtr& message) {
   try {
     answer(*message);
   } catch (const Error& error) {
@@ -67,29 +66,31 @@ void LearnerNode::takePerceptions(const social_crowd::Perceptions::ConstPtr& mes
   }
 }
 
-void LearnerNode::answer(const social_crowd::Perceptions& message) {
-  if (isRepeated(message)) return actions_publisher_.publish(last_reply_);
+void LearnerNode::answer(const PerceptionsMessage& message) {
+  if (isRepeated(message)) return actions_publisher_.repeat();
+  const Perceptions& perceptions = message.content();
+  requireSound(perceptions);
   const bool new_run = message.run != run_;
   if (new_run) learner_.forgetDecisions();
+  const bool new_episode = new_run || episodes_ == 0 || perceptions.episode != episode_;
   run_ = message.run;
-  const bool new_episode = new_run || episodes_ == 0 || message.episode != perceptions_.episode;
-  fromMessage(message, perceptions_);
-  learner_.decide(perceptions_, actions_);
-  if (!actions_.agents.empty()) {
-    const auto reply = boost::make_shared<social_crowd::RelativeActions>();
-    toMessage(actions_, *reply);
+  episode_ = perceptions.episode;
+  tick_ = perceptions.tick;
+  const ActionsMessage::Ptr reply = replies_.next();
+  learner_.decide(perceptions, reply->content);
+  if (!reply->content.agents.empty()) {
     reply->run = message.run;
     reply->header.stamp = message.header.stamp;
     reply->header.frame_id = names::MAP_FRAME;
     actions_publisher_.publish(reply);
-    last_reply_ = reply;
   }
   if (new_episode) noteEpisode();
 }
 
-bool LearnerNode::isRepeated(const social_crowd::Perceptions& message) const {
-  return last_reply_ != nullptr && message.run == run_ && message.episode == last_reply_->episode &&
-         message.tick == last_reply_->tick && message.header.stamp == last_reply_->header.stamp;
+bool LearnerNode::isRepeated(const PerceptionsMessage& message) const {
+  const ActionsMessage::ConstPtr& last = actions_publisher_.last();
+  return last != nullptr && message.run == run_ && message.content().episode == last->content.episode &&
+         message.content().tick == last->content.tick && message.header.stamp == last->header.stamp;
 }
 
 void LearnerNode::noteEpisode() {
@@ -102,7 +103,7 @@ void LearnerNode::noteEpisode() {
 }
 
 void LearnerNode::noteStatus(const social_crowd::LearnerStatus::ConstPtr& status) {
-  if (status->node != ros::this_node::getName()) others_[status->node] = *status;
+  if (status->node != name_) others_[status->node] = *status;
 }
 
 void LearnerNode::publishStatus() {
@@ -111,9 +112,9 @@ void LearnerNode::publishStatus() {
   social_crowd::LearnerStatus status;
   status.header.stamp = ros::Time::now();
   status.header.frame_id = names::MAP_FRAME;
-  status.episode = perceptions_.episode;
-  status.tick = perceptions_.tick;
-  status.node = ros::this_node::getName();
+  status.episode = episode_;
+  status.tick = tick_;
+  status.node = name_;
   status.mode = toText(learner_.mode());
   status.tables = toText(learner_.tableUse());
   status.serves_all = learner_.servesAll() ? 1 : 0;
@@ -151,7 +152,7 @@ void LearnerNode::saveAll() const {
 void LearnerNode::requireServed(AgentId agent) const {
   const std::vector<AgentId> served = learner_.servedAgents();
   if (std::binary_search(served.begin(), served.end(), agent)) return;
-  throw InputError("agent " + std::to_string(agent) + " is not served by " + ros::this_node::getName());
+  throw InputError("agent " + std::to_string(agent) + " is not served by " + name_);
 }
 
 std::string LearnerNode::parametersText() const {

@@ -1,9 +1,9 @@
 #include "social_crowd/ros/marker_scene.h"
 
 #include <boost/make_shared.hpp>
+#include <utility>
 
 #include "social_crowd/learning/model.h"
-#include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/marker_drawings.h"
 
 namespace crowd {
@@ -28,16 +28,16 @@ void copyPart(const std::vector<T>& list, std::uint32_t first, std::uint32_t cou
   if (std::uint64_t{first} + count <= list.size()) copy.assign(list.begin() + first, list.begin() + first + count);
 }
 
-/// The same message with one agent only, or none if it is not there.
-social_crowd::Perceptions only(std::int64_t agent, const social_crowd::Perceptions& message) {
-  social_crowd::Perceptions own;
-  own.episode = message.episode;
-  own.tick = message.tick;
-  own.tick_duration = message.tick_duration;
-  for (const social_crowd::AgentPerception& self : message.agents) {
+/// The same with one agent only, or none if it is not there.
+Perceptions only(std::int64_t agent, const Perceptions& perceptions) {
+  Perceptions own;
+  own.episode = perceptions.episode;
+  own.tick = perceptions.tick;
+  own.tick_duration = perceptions.tick_duration;
+  for (const AgentPerception& self : perceptions.agents) {
     if (self.agent != agent) continue;
-    copyPart(message.bodies, self.first_body, self.body_count, own.bodies);
-    copyPart(message.walls, self.first_wall, self.wall_count, own.walls);
+    copyPart(perceptions.bodies, self.first_body, self.body_count, own.bodies);
+    copyPart(perceptions.walls, self.first_wall, self.wall_count, own.walls);
     own.agents.push_back(self);
     own.agents.back().first_body = own.agents.back().first_wall = 0;
     break;
@@ -82,10 +82,12 @@ void MarkerScene::show(const AgentStates::ConstPtr& states) {
   changed_ = true;
 }
 
-void MarkerScene::take(const social_crowd::Perceptions& message) {
+void MarkerScene::take(const PerceptionsMessage& message) {
   perceptions_ = Perceptions();
   changed_ = true;
-  fromMessage(only(options_.agent, message), perceptions_);
+  Perceptions own = only(options_.agent, message.content());
+  requireSound(own);
+  perceptions_ = std::move(own);
 }
 
 void MarkerScene::take(const social_crowd::LearnerStatus& message) {

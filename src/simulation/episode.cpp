@@ -3,8 +3,7 @@
 namespace crowd {
 
 Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision)
-    : scene_(std::move(scene)), world_(scene_), vision_(vision), monitor_(scene_, world_) {
-  perceptions_.episode = number;
+    : scene_(std::move(scene)), world_(scene_), vision_(vision), monitor_(scene_, world_), number_(number) {
   perceive();
 }
 
@@ -15,8 +14,11 @@ void Episode::step(const std::vector<AgentAction>& actions) {
 }
 
 void Episode::perceive() {
-  world_.perceive(vision_, perceptions_);
-  perceptions_.last = world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks;
+  perceptions_.reset();
+  perceptions_ = buffers_.next();
+  world_.perceive(vision_, *perceptions_);
+  perceptions_->episode = number_;
+  perceptions_->last = world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks;
 }
 
 AgentId Episode::spawnAgent(const AgentStart& start) {

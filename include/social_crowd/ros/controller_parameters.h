@@ -20,6 +20,7 @@ struct ControllerParameters {
   double answer_deadline = 1.0;  ///< ~answer_deadline: how long to wait for an answer [s], wall clock
   int misses_until_absent = 3;   ///< ~misses_until_absent: missed answers in a row until an agent is not waited for
   Vision vision;                 ///< ~vision_radius [m], ~max_bodies (0: no limit), ~occlusion
+  double agents_rate = 50.0;     ///< ~agents_rate: agents and tf are told at most so often [Hz]; 0: every tick
   bool publish_tf = false;       ///< ~publish_tf: map -> agent_<id>
   bool publish_clock = false;    ///< ~publish_clock: simulated time on /clock
   std::string trajectories;      ///< ~trajectories: folder for recordings; empty: none

@@ -4,35 +4,20 @@
 #include <geometry_msgs/Vector3.h>
 #include <social_crowd/AgentStates.h>
 #include <social_crowd/EpisodeResult.h>
-#include <social_crowd/Perceptions.h>
-#include <social_crowd/RelativeActions.h>
 #include <social_crowd/Scenario.h>
 
 #include "social_crowd/simulation/episode_result.h"
-#include "social_crowd/world/perception.h"
-#include "social_crowd/world/relative_action.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
-/// Conversions between messages (namespace social_crowd) and core types (namespace crowd): all of them, and only here.
-/// Numbers go over unchanged, bit for bit. The header of a message is left to the caller.
+/// Conversions between messages (namespace social_crowd) and core types (namespace crowd); those of every tick are in
+/// tick_messages.h. Numbers go over unchanged, bit for bit. The header of a message is left to the caller.
 namespace crowd {
-
-/// @brief Numbers of agents from here on are taken for damaged messages.
-constexpr AgentId AGENT_LIMIT = 10'000'000;
 
 geometry_msgs::Point toPoint(const Vector2& v);
 geometry_msgs::Vector3 toVector3(const Vector2& v);
 Vector2 fromPoint(const geometry_msgs::Point& point);
 Vector2 fromVector3(const geometry_msgs::Vector3& vector);
-
-void toMessage(const Perceptions& perceptions, social_crowd::Perceptions& message);
-/// @throws InputError if the message contradicts itself: parts beyond the lists, numbers that are not finite.
-void fromMessage(const social_crowd::Perceptions& message, Perceptions& perceptions);
-
-void toMessage(const RelativeActions& actions, social_crowd::RelativeActions& message);
-/// Whether the actions are sound is judged by who takes them.
-void fromMessage(const social_crowd::RelativeActions& message, RelativeActions& actions);
 
 /// @brief Agents and obstacles as they are now, tick and time; not header and episode.
 void toMessage(const World& world, social_crowd::AgentStates& message);

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <ros/ros.h>
-#include <social_crowd/Perceptions.h>
-#include <tf2_ros/transform_broadcaster.h>
+#include <social_crowd/AgentStates.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <cstdint>
-#include <memory>
+#include <optional>
+#include <utility>
 
+#include "social_crowd/common/recycler.h"
 #include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/ros/latched_publisher.h"
+#include "social_crowd/ros/tick_messages.h"
 #include "social_crowd/simulation/episode.h"
 
 namespace crowd {
@@ -15,15 +19,19 @@ namespace crowd {
 /// @brief Everything the crowd controller tells the world: perceptions, where everybody is, results, tf and clock.
 class CrowdBroadcaster {
  public:
+  /// @param node its queue serves learners that come later
   CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters);
 
   /// @brief Moves the simulated clock and publishes it, where a clock is asked for.
   void advanceClock(double seconds);
   void publishPerceptions(const Episode& episode);
   /// @brief The same message once more, for learners that were connecting when it was sent.
-  void repeatPerceptions() { perceptions_.publish(last_perceptions_); }
-  /// @brief Agents, and tf where it is asked for.
-  void publishAgents(const Episode& episode);
+  void repeatPerceptions() const { perceptions_.repeat(); }
+  /// @brief Agents, and tf where it is asked for, if somebody listens; unless this tick's were told already, or others
+  /// so short ago that the rate would be exceeded.
+  void tellAgents(const Episode& episode);
+  /// @brief The same however short ago: nothing will be told for a while.
+  void tellAgentsNow(const Episode& episode);
   void publishScenario(const Episode& episode, std::uint64_t instance);
   void publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed, std::uint64_t dropped);
 
@@ -32,18 +40,24 @@ class CrowdBroadcaster {
 
  private:
   std_msgs::Header header() const;
+  bool hasToldAgents(const Episode& episode) const;
+  void publishStates(const Episode& episode);
   void publishFrames(const Episode& episode);
 
   std::uint64_t run_;
   bool publish_clock_;
   ros::Time clock_;
-  ros::Publisher perceptions_;
-  boost::shared_ptr<social_crowd::Perceptions> last_perceptions_;
+  LatchedPublisher<PerceptionsMessage> perceptions_;
+  ros::WallDuration agents_period_;
+  ros::SteadyTime agents_told_at_;
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> agents_told_;  // episode and tick
   ros::Publisher agents_;
+  Recycler<social_crowd::AgentStatesPtr> states_;
   ros::Publisher scenario_;
   ros::Publisher results_;
   ros::Publisher clock_publisher_;
-  std::unique_ptr<tf2_ros::TransformBroadcaster> frames_;
+  ros::Publisher frames_publisher_;  // none where no tf is asked for
+  tf2_msgs::TFMessage frames_;       // of the last tick that was published
 };
 
 }  // namespace crowd

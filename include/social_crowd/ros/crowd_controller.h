@@ -1,7 +1,6 @@
 #pragma once
 
 #include <ros/ros.h>
-#include <social_crowd/RelativeActions.h>
 
 #include <cstdint>
 #include <future>
@@ -13,6 +12,7 @@
 #include "social_crowd/ros/crowd_broadcaster.h"
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/services.h"
+#include "social_crowd/ros/tick_messages.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/lockstep.h"
 #include "social_crowd/simulation/trajectory.h"
@@ -28,8 +28,10 @@ class CrowdController {
   /// @throws InputError naming bad parameters or what is wrong with the scenario file; FileError.
   CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// @brief Walks episodes until as many as wanted are done or ROS shuts down.
+  /// @brief Walks episodes until as many as wanted are done, it is stopped, or ROS shuts down.
   void run();
+  /// @brief From another thread: lets run() return soon.
+  void stop() { loop_.close(); }
 
  private:
   using Clock = ros::WallTime;
@@ -41,7 +43,7 @@ class CrowdController {
   };
 
   void advertiseServices();
-  void takeActions(const social_crowd::RelativeActions::ConstPtr& message);
+  void takeActions(const ActionsMessage::ConstPtr& message);
 
   void useScenarios(ScenarioList scenarios, const std::string& file);
   std::optional<TrajectoryFile> beginRecording(const std::string& name) const;
@@ -74,8 +76,8 @@ class CrowdController {
   void logResult(const EpisodeResult& result);
 
   ControllerParameters parameters_;
-  ros::NodeHandle node_;
   MainLoop loop_;
+  ros::NodeHandle node_;
   CrowdBroadcaster broadcaster_;
   ros::Subscriber actions_;
 

@@ -2,6 +2,7 @@
 
 #include <ros/ros.h>
 
+#include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/marker_scene.h"
 
 namespace crowd {
@@ -26,8 +27,10 @@ class CrowdMarkers {
   /// @throws InputError naming bad parameters.
   CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// @brief Draws until ROS shuts down.
+  /// @brief Draws until it is stopped or ROS shuts down.
   void run();
+  /// @brief From another thread: lets run() return soon.
+  void stop() { loop_.close(); }
 
  private:
   CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& parameters);
@@ -37,6 +40,7 @@ class CrowdMarkers {
   void subscribeToPerceptions(bool wanted);
   void publish();
 
+  MainLoop loop_;
   ros::NodeHandle node_;
   bool shows_sectors_;
   MarkerScene scene_;

@@ -2,8 +2,6 @@
 
 #include <ros/ros.h>
 #include <social_crowd/LearnerStatus.h>
-#include <social_crowd/Perceptions.h>
-#include <social_crowd/RelativeActions.h>
 #include <social_crowd/ShareQTable.h>
 #include <social_crowd/TakeQTable.h>
 
@@ -11,10 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/common/recycler.h"
 #include "social_crowd/learning/learner.h"
+#include "social_crowd/ros/latched_publisher.h"
 #include "social_crowd/ros/learner_parameters.h"
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/services.h"
+#include "social_crowd/ros/tick_messages.h"
 
 namespace crowd {
 
@@ -25,17 +26,19 @@ class LearnerNode {
   /// @throws InputError naming bad parameters.
   LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// @brief Answers perceptions until ROS shuts down; then saves the table, where that is asked for.
+  /// @brief Answers perceptions until it is stopped or ROS shuts down; then saves the table, where that is asked for.
   void run();
+  /// @brief From another thread: lets run() return soon.
+  void stop() { loop_.close(); }
 
  private:
   LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node, LearnerParameters parameters);
 
   void advertiseServices();
-  void takePerceptions(const social_crowd::Perceptions::ConstPtr& message);
-  void answer(const social_crowd::Perceptions& message);
+  void takePerceptions(const PerceptionsMessage::ConstPtr& message);
+  void answer(const PerceptionsMessage& message);
   /// Whether it was answered already: the controller repeats what it still waits for.
-  bool isRepeated(const social_crowd::Perceptions& message) const;
+  bool isRepeated(const PerceptionsMessage& message) const;
   void noteEpisode();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
@@ -53,24 +56,23 @@ class LearnerNode {
   std::vector<AgentId> shareWithin(const social_crowd::ShareQTable::Request& request, const TrainedTable& table);
   std::vector<AgentId> giveTo(const std::vector<AgentId>& agents, const TrainedTable& trained, TakeMethod method);
 
-  ros::NodeHandle node_;
   MainLoop loop_;
+  ros::NodeHandle node_;
+  std::string name_;  // of the node; its services are below it
   TakeMethod on_share_;
   std::string save_to_;
   std::uint64_t save_every_;
   Learner learner_;
 
-  // Scratch, so that a tick allocates nothing once warm.
-  Perceptions perceptions_;
-  RelativeActions actions_;
-
-  social_crowd::RelativeActions::Ptr last_reply_;
+  Recycler<ActionsMessage::Ptr> replies_;
   std::uint64_t run_ = 0;       // of the controller heard last
+  std::uint64_t episode_ = 0;   // of the last perceptions
+  std::uint64_t tick_ = 0;      // of the last perceptions
   std::uint64_t episodes_ = 0;  // begun
   ros::WallTime last_status_;
   std::map<std::string, social_crowd::LearnerStatus> others_;  // other learners, by node name
 
-  ros::Publisher actions_publisher_;
+  LatchedPublisher<ActionsMessage> actions_publisher_;
   ros::Publisher status_publisher_;
   ros::Subscriber perceptions_subscriber_;
   ros::Subscriber status_subscriber_;

@@ -16,15 +16,20 @@ namespace crowd {
 
 /// @brief The one thread that owns a node's state: callbacks of its subscriptions run here, and whatever service
 /// threads ask for, one at a time. So nothing else needs a lock.
+///
+/// It goes on until ROS shuts down, its owner has nothing left to do, or another thread closes it.
 class MainLoop {
  public:
-  /// @brief The queue for the node's subscriptions.
-  ros::CallbackQueue& queue() { return queue_; }
+  /// @brief The same node handle, with all its callbacks served here.
+  ros::NodeHandle adopt(ros::NodeHandle node) {
+    node.setCallbackQueue(&queue_);
+    return node;
+  }
 
   /// @brief Waits for something to do, at most so long, then does all there is.
   void run(const ros::WallDuration& wait) { queue_.callAvailable(wait); }
 
-  /// @brief From now on nobody serves the queue; who still asks is told so.
+  /// @brief Ends it, also from another thread: what is under way comes to its end, who asks for more is told so.
   void close() { closed_ = true; }
   bool isClosed() const { return closed_ || !ros::ok(); }
 

@@ -2,7 +2,6 @@
 
 #include <social_crowd/AgentStates.h>
 #include <social_crowd/LearnerStatus.h>
-#include <social_crowd/Perceptions.h>
 #include <social_crowd/Scenario.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -13,6 +12,7 @@
 
 #include "social_crowd/learning/state_set.h"
 #include "social_crowd/ros/marker_paths.h"
+#include "social_crowd/ros/tick_messages.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {
@@ -52,7 +52,7 @@ class MarkerScene {
   void take(const social_crowd::AgentStates::ConstPtr& message);
   void take(const social_crowd::Scenario& message);
   /// @throws InputError if what the chosen agent perceives is damaged.
-  void take(const social_crowd::Perceptions& message);
+  void take(const PerceptionsMessage& message);
   /// @throws InputError if the model in the status is none; the scene stays as it is.
   void take(const social_crowd::LearnerStatus& message);
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
+#include "social_crowd/common/recycler.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/world/scene.h"
@@ -17,12 +19,14 @@ class Episode {
   Episode(Scene scene, std::uint64_t number, const Vision& vision);
 
   /// @brief What everybody perceives now; `last` once the episode is over.
-  const Perceptions& perceptions() const { return perceptions_; }
+  const Perceptions& perceptions() const { return *perceptions_; }
+  /// @brief The same to be kept: it stays as it is while somebody holds it.
+  std::shared_ptr<const Perceptions> sharedPerceptions() const { return perceptions_; }
   /// @brief Moves everybody for one tick; who has no action stays. @throws InputError, nothing has moved then.
   void step(const std::vector<AgentAction>& actions);
-  bool isOver() const { return perceptions_.last; }
+  bool isOver() const { return perceptions_->last; }
 
-  std::uint64_t number() const { return perceptions_.episode; }
+  std::uint64_t number() const { return number_; }
   const Scene& scene() const { return scene_; }
   const World& world() const { return world_; }
   EpisodeResult result() const { return monitor_.result(); }
@@ -41,7 +45,9 @@ class Episode {
   World world_;
   Vision vision_;
   EpisodeMonitor monitor_;
-  Perceptions perceptions_;
+  std::uint64_t number_;
+  Recycler<std::shared_ptr<Perceptions>> buffers_;
+  std::shared_ptr<Perceptions> perceptions_;
 };
 
 }  // namespace crowd

@@ -1,0 +1,262 @@
+#include "social_crowd/ros/tick_messages.h"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "social_crowd/common/errors.h"
+
+namespace crowd {
+namespace {
+
+using ros::serialization::IStream;
+using ros::serialization::OStream;
+
+// Bytes on the wire: what the .msg files say, packed.
+constexpr std::uint32_t NUMBER = sizeof(double);
+constexpr std::uint32_t COUNT = sizeof(std::uint32_t);
+constexpr std::uint32_t WIRE_BODY = 1 + 5 * NUMBER;
+constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
+constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
+constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
+constexpr std::uint32_t WIRE_PERCEPTIONS = 4 * NUMBER + 1 + 3 * COUNT;  // all but header and lists
+constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;
+
+/// Puts numbers one behind the other where there is room for them, which is asked for once a list.
+class Writer {
+ public:
+  explicit Writer(std::uint8_t* place) : place_(place) {}
+
+  template <typename... Numbers>
+  void put(const Numbers&... numbers) {
+    (putOne(numbers), ...);
+  }
+  void put(const Vector2& v) { put(v.x(), v.y()); }
+
+ private:
+  template <typename Number>
+  void putOne(const Number& number) {
+    std::memcpy(place_, &number, sizeof(number));
+    place_ += sizeof(number);
+  }
+
+  std::uint8_t* place_;
+};
+
+/// Takes them again.
+class Reader {
+ public:
+  explicit Reader(const std::uint8_t* place) : place_(place) {}
+
+  template <typename Number>
+  void take(Number& number) {
+    std::memcpy(&number, place_, sizeof(number));
+    place_ += sizeof(number);
+  }
+  void take(Vector2& v) {
+    take(v.x());
+    take(v.y());
+  }
+  void take(bool& flag) { flag = takeByte() != 0; }
+  std::uint8_t takeByte() { return *place_++; }
+
+ private:
+  const std::uint8_t* place_;
+};
+
+void put(Writer& writer, const AgentPerception& self, std::uint32_t first_body) {
+  writer.put(self.agent);
+  writer.put(self.pose.position);
+  writer.put(self.pose.heading);
+  writer.put(self.velocity);
+  writer.put(self.speed, self.radius);
+  writer.put(self.goal);
+  writer.put(self.goal_number, std::uint8_t{self.arrived}, std::uint8_t{self.acted});
+  writer.put(first_body, self.body_count, self.first_wall, self.wall_count);
+}
+
+void take(Reader& reader, AgentPerception& self) {
+  reader.take(self.agent);
+  reader.take(self.pose.position);
+  reader.take(self.pose.heading);
+  reader.take(self.velocity);
+  reader.take(self.speed);
+  reader.take(self.radius);
+  reader.take(self.goal);
+  reader.take(self.goal_number);
+  reader.take(self.arrived);
+  reader.take(self.acted);
+  reader.take(self.first_body);
+  reader.take(self.body_count);
+  reader.take(self.first_wall);
+  reader.take(self.wall_count);
+}
+
+void put(Writer& writer, const PerceivedBody& body) {
+  writer.put(static_cast<std::uint8_t>(body.kind));
+  writer.put(body.position);
+  writer.put(body.velocity);
+  writer.put(body.radius);
+}
+
+void take(Reader& reader, PerceivedBody& body) {
+  const std::uint8_t kind = reader.takeByte();
+  body.kind = kind == social_crowd::PerceivedBody::AGENT ? BodyKind::AGENT : BodyKind::OBSTACLE;
+  reader.take(body.position);
+  reader.take(body.velocity);
+  reader.take(body.radius);
+}
+
+void put(Writer& writer, const Segment& wall) {
+  writer.put(wall.from);
+  writer.put(wall.to);
+}
+
+void take(Reader& reader, Segment& wall) {
+  reader.take(wall.from);
+  reader.take(wall.to);
+}
+
+void put(Writer& writer, const AgentAction& action) {
+  writer.put(action.agent, action.action.rotation, action.action.speed_share);
+}
+
+void take(Reader& reader, AgentAction& action) {
+  reader.take(action.agent);
+  reader.take(action.action.rotation);
+  reader.take(action.action.speed_share);
+}
+
+/// Room for a list of so many elements, its length already written.
+Writer beginList(OStream& stream, std::size_t count, std::uint32_t size) {
+  stream.next(static_cast<std::uint32_t>(count));
+  return Writer(stream.advance(static_cast<std::uint32_t>(count) * size));
+}
+
+template <typename Element>
+void putList(OStream& stream, const std::vector<Element>& list, std::uint32_t size) {
+  Writer writer = beginList(stream, list.size(), size);
+  for (const Element& element : list) put(writer, element);
+}
+
+template <typename Element>
+void takeList(IStream& stream, std::vector<Element>& list, std::uint32_t size) {
+  std::uint32_t count = 0;
+  stream.next(count);
+  if (count > stream.getLength() / size) ros::serialization::throwStreamOverrun();
+  Reader reader(stream.advance(count * size));
+  list.resize(count);
+  for (Element& element : list) take(reader, element);
+}
+
+std::size_t countBodies(const Perceptions& perceptions) {
+  std::size_t count = 0;
+  for (const AgentPerception& self : perceptions.agents) count += self.body_count;
+  return count;
+}
+
+/// Bodies go agent by agent, without the gaps that may be between them.
+void putAgentsAndBodies(OStream& stream, const Perceptions& perceptions) {
+  Writer agents = beginList(stream, perceptions.agents.size(), WIRE_SELF);
+  std::uint32_t first_body = 0;
+  for (const AgentPerception& self : perceptions.agents) {
+    put(agents, self, first_body);
+    first_body += self.body_count;
+  }
+  Writer bodies = beginList(stream, first_body, WIRE_BODY);
+  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
+    for (const PerceivedBody& body : Perception(perceptions, i).bodies) put(bodies, body);
+  }
+}
+
+void checkPart(std::uint32_t first, std::uint32_t count, std::size_t size, const char* what) {
+  if (std::uint64_t{first} + count <= size) return;
+  throw InputError(std::string("perceptions: the ") + what + " of an agent lie beyond the list of " +
+                   std::to_string(size));
+}
+
+void checkNumbers(const AgentPerception& self) {
+  const bool finite = std::isfinite(self.goal.x()) && std::isfinite(self.goal.y()) && std::isfinite(self.speed) &&
+                      std::isfinite(self.radius);
+  if (!finite)
+    throw InputError("perceptions: goal, speed or radius of agent " + std::to_string(self.agent) +
+                     " is not a finite number");
+  if (self.agent >= AGENT_LIMIT) throw InputError("perceptions: there is no agent " + std::to_string(self.agent));
+}
+
+}  // namespace
+
+void requireSound(const Perceptions& perceptions) {
+  for (const AgentPerception& self : perceptions.agents) {
+    checkNumbers(self);
+    checkPart(self.first_body, self.body_count, perceptions.bodies.size(), "bodies");
+    checkPart(self.first_wall, self.wall_count, perceptions.walls.size(), "walls");
+  }
+}
+
+}  // namespace crowd
+
+namespace ros::serialization {
+
+using crowd::ActionsMessage;
+using crowd::Perceptions;
+using crowd::PerceptionsMessage;
+
+void Serializer<PerceptionsMessage>::write(OStream& stream, const PerceptionsMessage& message) {
+  const Perceptions& content = message.content();
+  stream.next(message.header);
+  stream.next(content.episode);
+  stream.next(content.tick);
+  stream.next(content.tick_duration);
+  stream.next(message.run);
+  stream.next(std::uint8_t{content.last});
+  crowd::putAgentsAndBodies(stream, content);
+  crowd::putList(stream, content.walls, crowd::WIRE_WALL);
+}
+
+void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& message) {
+  message.shared.reset();
+  Perceptions& content = message.received;
+  std::uint8_t last = 0;
+  stream.next(message.header);
+  stream.next(content.episode);
+  stream.next(content.tick);
+  stream.next(content.tick_duration);
+  stream.next(message.run);
+  stream.next(last);
+  content.last = last != 0;
+  crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
+  crowd::takeList(stream, content.bodies, crowd::WIRE_BODY);
+  crowd::takeList(stream, content.walls, crowd::WIRE_WALL);
+}
+
+std::uint32_t Serializer<PerceptionsMessage>::serializedLength(const PerceptionsMessage& message) {
+  const Perceptions& content = message.content();
+  const std::size_t lists = content.agents.size() * crowd::WIRE_SELF + crowd::countBodies(content) * crowd::WIRE_BODY +
+                            content.walls.size() * crowd::WIRE_WALL;
+  return serializationLength(message.header) + crowd::WIRE_PERCEPTIONS + static_cast<std::uint32_t>(lists);
+}
+
+void Serializer<ActionsMessage>::write(OStream& stream, const ActionsMessage& message) {
+  stream.next(message.header);
+  stream.next(message.content.episode);
+  stream.next(message.content.tick);
+  stream.next(message.run);
+  crowd::putList(stream, message.content.agents, crowd::WIRE_ACTION);
+}
+
+void Serializer<ActionsMessage>::read(IStream& stream, ActionsMessage& message) {
+  stream.next(message.header);
+  stream.next(message.content.episode);
+  stream.next(message.content.tick);
+  stream.next(message.run);
+  crowd::takeList(stream, message.content.agents, crowd::WIRE_ACTION);
+}
+
+std::uint32_t Serializer<ActionsMessage>::serializedLength(const ActionsMessage& message) {
+  const auto lists = static_cast<std::uint32_t>(message.content.agents.size()) * crowd::WIRE_ACTION;
+  return serializationLength(message.header) + crowd::WIRE_ACTIONS + lists;
+}
+
+}  // namespace ros::serialization
