@@ -16,6 +16,7 @@ from crowd_bench.ros_system import REPOSITORY, RosSystem, arguments_of, cpu_seco
 
 Q_TABLE = os.path.join(REPOSITORY, 'config', 'q_tables', 'anticipation.txt')
 MAX_BODIES = 16  # all that the table looks at
+NODELET = ['rosrun', 'nodelet', 'nodelet']
 WARM_UP = 30  # ticks
 CROWD_TICKS = 250
 FEW_TICKS = 8000
@@ -49,9 +50,8 @@ def controller_parameters(scenario, **others):
 
 
 def headless_rate(system, scenario, ticks):
-    """Ticks/s without ROS."""
-    return max(system.figures('ros_bench', 'headless', scenario, Q_TABLE, MAX_BODIES, WARM_UP, ticks)[0]
-               for _ in range(ROUNDS))
+    """Ticks/s without ROS, of the same ticks."""
+    return max(system.figures('ros_bench', 'headless', scenario, Q_TABLE, MAX_BODIES, WARM_UP, ticks, ROUNDS))
 
 
 def lockstep_rate(system, ticks):
@@ -91,11 +91,10 @@ def nodelets_1000():
     """Controller and learner as nodelets in one manager."""
     with RosSystem() as system:
         scenario = system.write('scenario.yaml', crowd_scenario())
-        nodelet = '/usr/bin/nodelet'
-        system.start('manager', [nodelet, 'manager', '__name:=manager'])
+        system.start('manager', [*NODELET, 'manager', '__name:=manager'])
         for kind, parameters in (('learner', {'q_table': Q_TABLE}),
                                  ('crowd_controller', controller_parameters(scenario))):
-            system.start(kind, [nodelet, 'load', f'social_crowd/{kind}', 'manager', f'__name:={kind}',
+            system.start(kind, [*NODELET, 'load', f'social_crowd/{kind}', 'manager', f'__name:={kind}',
                                 *arguments_of(parameters)])
         rate, _ = lockstep_rate(system, CROWD_TICKS)
         headless = headless_rate(system, scenario, CROWD_TICKS)

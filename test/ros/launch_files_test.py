@@ -5,6 +5,7 @@ import re
 
 import rospy
 import support
+from social_crowd.msg import AgentStates
 
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 2
@@ -57,6 +58,17 @@ class DemoTest(LaunchTestCase):
         recording = self.check(q_table=support.OCCUPANCY_TABLE, learners='per_agent')
         expected = self.headless(SCENARIO, support.OCCUPANCY_TABLE, episodes=EPISODES, seed=5)
         self.assert_same_recording(recording, expected)
+
+    def test_nodelets(self):
+        recording = self.check(q_table=support.NEAREST_TABLE, nodelets='true')
+        self.assert_same_recording(recording, self.headless(SCENARIO, episodes=EPISODES, seed=5))
+
+    def test_nodelets_stopped_by_hand(self):
+        launched = self.launch('demo.launch', nodelets='true')
+        rospy.wait_for_service(f'{self.namespace}/learner/set_mode', support.PATIENCE)
+        self.listen('agents', AgentStates).wait(what='that they walk')
+        self.assertEqual(launched.stop(), 0)
+        self.assert_no_complaint(launched, 'ERROR|FATAL')
 
     def test_training_with_simulated_time_and_frames(self):
         """Everything else that it offers, at once."""

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace crowd {
+
+/// @brief A node that runs in a thread of its own, so that it can live beside others in one process.
+template <typename Node>
+class NodeThread {
+ public:
+  /// @param name for messages
+  /// @param at_end called in that thread when the node ends by itself
+  /// @throws whatever the node throws if it cannot begin.
+  NodeThread(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const std::string& name,
+             std::function<void()> at_end)
+      : node_(node, private_node), thread_([this, name, at_end = std::move(at_end)] { run(name, at_end); }) {}
+  /// @brief Ends the node: what it has under way comes to its end first.
+  ~NodeThread() {
+    stopped_ = true;
+    node_.stop();
+    thread_.join();
+  }
+  NodeThread(const NodeThread&) = delete;
+  NodeThread& operator=(const NodeThread&) = delete;
+
+ private:
+  void run(const std::string& name, const std::function<void()>& at_end) {
+    try {
+      node_.run();
+    } catch (const std::exception& error) {
+      ROS_FATAL("%s: %s", name.c_str(), error.what());
+    }
+    if (!stopped_ && ros::ok()) at_end();
+  }
+
+  Node node_;
+  std::atomic<bool> stopped_{false};
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace crowd

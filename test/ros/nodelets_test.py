@@ -1,0 +1,180 @@
+#!/usr/bin/python3
+"""Controller, learner and markers as nodelets: they do what the nodes do, and come and go without a trace."""
+import os
+import xmlrpc.client
+
+import rosgraph
+import rospy
+import support
+from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
+from visualization_msgs.msg import MarkerArray
+
+SCENARIO = support.data('lockstep.yaml')
+EPISODES = 8  # so that each of the four documents is walked twice
+NODELET = ['rosrun', 'nodelet', 'nodelet']
+
+
+class NodeletTestCase(support.CrowdTestCase):
+    """Loads nodelets into a manager."""
+
+    def setUp(self):
+        super().setUp()
+        self.manager = self.start('manager', NODELET + ['manager', '__name:=manager'])
+
+    def load(self, kind, name='', **parameters):
+        """Starts the process that loads a nodelet, and unloads it when it ends."""
+        name = name or kind
+        for key, value in parameters.items():
+            rospy.set_param(f'{self.namespace}/{name}/{key}', value)
+        return self.start(f'load_{name}', NODELET + ['load', f'social_crowd/{kind}', 'manager', f'__name:={name}'])
+
+    def load_controller(self, scenario=SCENARIO, **parameters):
+        """Loads a controller that is in no hurry with its learners."""
+        patient = {'scenario': scenario, 'pace': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0}
+        return self.load('crowd_controller', **dict(patient, **parameters))
+
+    def wait_loaded(self, name):
+        """Waits until the process that loads a nodelet has done so: then it lets the manager know that it is alive."""
+        signs = self.listen('manager/bond', rospy.AnyMsg)
+        full_name = f'{self.namespace}/{name}'
+        signs.wait(lambda sign: sign._connection_header['callerid'] == full_name, f'of {name}')
+
+    def publishers(self, topic):
+        """Names of the nodes that publish a topic."""
+        publishers = rosgraph.Master('/nodelets_test').getSystemState()[0]
+        return [name for entry, names in publishers if entry == f'{self.namespace}/{topic}' for name in names]
+
+    def assert_manager_is_well(self):
+        """Checks that the manager still runs, and that it ends as it should once all nodelets are unloaded."""
+        self.assertTrue(self.manager.is_running(), self.manager.output())
+        for loader in self.processes[1:]:
+            loader.stop()
+        self.assertEqual(self.manager.stop(), 0)
+
+
+class DemoTest(NodeletTestCase):
+    """The recording of a run with nodelets against that of `evaluate`."""
+
+    def test_the_same_recording_as_without_ros(self):
+        for table in (support.NEAREST_TABLE, support.ANTICIPATION_TABLE):
+            folder = self.path(os.path.basename(table))
+            learner = self.load('learner', q_table=table)
+            controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=folder)
+            self.assertEqual(controller.wait(), 0)  # it unloads itself when it is done, and whoever loaded it ends
+            recording = support.read_bytes(os.path.join(folder, 'lockstep.csv'))
+            self.assert_same_recording(recording, self.headless(SCENARIO, table, episodes=EPISODES, seed=5))
+            self.assertEqual(learner.stop(), 0)
+        self.assert_manager_is_well()
+
+    def test_a_learner_node_and_a_controller_nodelet(self):
+        self.start_learner()
+        controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=self.path('ros'))
+        self.assertEqual(controller.wait(), 0)
+        expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
+        self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
+
+    def test_two_learner_nodelets(self):
+        self.load('learner', 'learner_a', q_table=support.NEAREST_TABLE, agents=[0, 1, 2])
+        self.load('learner', 'learner_b', q_table=support.NEAREST_TABLE, agents=[3, 4, 5])
+        results = self.listen('episode_results', EpisodeResult)
+        controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=self.path('ros'))
+        results.wait_connected()
+        self.assertEqual(controller.wait(), 0)
+        expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
+        self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
+
+    def test_ticks_go_by_pointer(self):
+        """roscpp counts the bytes of what was written out: of pointers there are none."""
+        self.load('learner', q_table=support.NEAREST_TABLE)
+        self.load_controller(paused=True)
+        self.step(20)
+        for topic in ('perceptions', 'actions'):
+            messages, size = self.received(topic)
+            self.assertGreaterEqual(messages, 20, topic)
+            self.assertEqual(size, 0, topic)
+        self.assertGreater(self.received('learner_status')[1], 0, 'otherwise roscpp would not count')
+
+    def received(self, topic):
+        """Messages and bytes of a topic that nodelets have received so far."""
+        master = rosgraph.Master('/nodelets_test')
+        manager = xmlrpc.client.ServerProxy(master.lookupNode(f'{self.namespace}/manager'))
+        subscriptions = manager.getBusStats('/nodelets_test')[1]
+        links = [link for name, links in subscriptions if name == f'{self.namespace}/{topic}' for link in links]
+        return sum(link[2] for link in links), sum(link[1] for link in links)
+
+
+class TrainingTest(NodeletTestCase):
+    """The table learned in a nodelet against that of `train`."""
+
+    def test_the_same_table_as_without_ros(self):
+        learning = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
+        recipe = self.write('recipe.yaml', support.recipe_text(SCENARIO, 5, 3, 'shared', learning))
+        self.tool('train', recipe, '--output', self.path('headless.txt'))
+        decisions = support.QTableFile(self.path('headless.txt')).header['decisions']
+        status = self.listen('learner_status', LearnerStatus)
+        learner = self.load('learner', mode='training', config=recipe, seed=3, save_to=self.path('ros.txt'))
+        status.wait(what='that the learner is there')
+        self.assertEqual(self.load_controller(episodes=5, seed=3).wait(), 0)
+
+        def has_all():
+            self.succeed('learner/save_q_table', file=self.path('saved.txt'), agent=0)
+            return support.QTableFile(self.path('saved.txt')).header['decisions'] >= decisions
+
+        support.wait_for(has_all, f'{decisions} decisions learned from')
+        self.assertEqual(learner.stop(), 0)  # unloads it, and it saves what it has learned
+        support.wait_for(lambda: support.read_bytes(self.path('ros.txt')), 'the table saved at the end')
+        self.assertEqual(support.read_text(self.path('ros.txt')), support.read_text(self.path('headless.txt')))
+        self.assert_manager_is_well()
+
+
+class LoadingTest(NodeletTestCase):
+    """Nodelets that come and go."""
+
+    def test_a_learner_that_goes_and_comes_again(self):
+        agents = self.listen('agents', AgentStates)
+        learner = self.load('learner', q_table=support.NEAREST_TABLE)
+        self.load_controller(support.CIRCLE6, paused=True)
+        agents.wait_connected()
+        self.step(3)
+        self.assertEqual(learner.stop(), 0)
+        self.assertEqual(self.publishers('actions'), [])
+        later = self.call_later('crowd_controller/step', ticks=3)
+        self.load('learner', q_table=support.NEAREST_TABLE)
+        self.assertTrue(later.result('an answer of the learner that came').success)
+        moved = agents.wait_at(0, 6).agents[0].pose
+        self.assertNotEqual((moved.x, moved.y), (agents.wait_at(0, 3).agents[0].pose.x, moved.y))
+        self.assert_manager_is_well()
+
+    def test_a_controller_that_is_unloaded_while_it_waits(self):
+        """For a learner that never comes; others in the manager are not disturbed."""
+        self.load('crowd_markers')
+        status = self.listen('learner_status', LearnerStatus)
+        for _ in range(2):
+            controller = self.load_controller()
+            self.wait_loaded('crowd_controller')
+            self.assertEqual(controller.stop(), 0)
+            self.assertEqual(self.publishers('perceptions'), [])
+        self.load('learner', q_table=support.NEAREST_TABLE)
+        status.wait(what='of another nodelet')
+        self.assert_manager_is_well()
+
+    def test_bad_parameters_are_named_and_the_manager_goes_on(self):
+        refused = self.load_controller(pace='slow', no_such_name=1)
+        self.assertNotEqual(refused.wait(), 0)
+        support.wait_for(lambda: '~no_such_name' in self.manager.output(), 'a message of the manager')
+        self.assert_says(self.manager.output(), 'bad parameters', '~pace', "'slow'")
+        rospy.delete_param(f'{self.namespace}/crowd_controller')
+        self.load('learner', q_table=support.NEAREST_TABLE)
+        self.assertEqual(self.load_controller(episodes=1).wait(), 0)
+        self.assert_manager_is_well()
+
+    def test_markers(self):
+        markers = self.listen('markers', MarkerArray)
+        self.load('crowd_markers')
+        self.load('learner', q_table=support.NEAREST_TABLE)
+        self.load_controller(pace=1.0)
+        markers.wait(lambda array: any(marker.ns == 'paths' and marker.points for marker in array.markers), 'of paths')
+
+
+if __name__ == '__main__':
+    support.run('nodelets_test')
