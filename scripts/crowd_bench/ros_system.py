@@ -6,6 +6,8 @@ import subprocess
 import tempfile
 import time
 
+from crowd_experiments.runs import RunError
+
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 BUILD = os.environ.get('SOCIAL_CROWD_BUILD', os.path.join(REPOSITORY, '.build'))
 PROGRAMS = os.path.join(BUILD, 'devel', 'lib', 'social_crowd')
@@ -58,7 +60,7 @@ class RosSystem:
         while not condition():
             self.check()
             if time.monotonic() > deadline:
-                raise RuntimeError(f'waited {PATIENCE:g} s in vain for {what}')
+                raise RunError(f'waited {PATIENCE:g} s in vain for {what}')
             time.sleep(0.05)
 
     def check(self):
@@ -66,7 +68,7 @@ class RosSystem:
         for process in self.processes:
             if process.poll() not in (None, 0):
                 with open(process.log, encoding='utf-8', errors='replace') as stream:
-                    raise RuntimeError(f'{process.args} ended with status {process.returncode}:\n{stream.read()}')
+                    raise RunError(f'{process.args} ended with status {process.returncode}:\n{stream.read()}')
 
     def path(self, name):
         """A path in the system's folder."""
@@ -99,7 +101,7 @@ class RosSystem:
                               env=self.environment, check=False)
         self.check()
         if done.returncode != 0:
-            raise RuntimeError(f'{words} ended with status {done.returncode}')
+            raise RunError(f'{words} ended with status {done.returncode}')
         return [float(word) for word in done.stdout.splitlines()[-1].split()]
 
     @staticmethod
