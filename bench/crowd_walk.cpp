@@ -74,8 +74,8 @@ CrowdWalk::CrowdWalk(const CrowdPlan& plan)
 
 std::size_t CrowdWalk::step() {
   world_.perceive(vision_, perceptions_, workers_);
-  learner_.decide(perceptions_, actions_);
-  world_.step(actions_.agents);
+  learner_.decide(perceptions_, actions_, workers_);
+  world_.step(actions_.agents, workers_);
   return actions_.agents.size();
 }
 
