@@ -94,16 +94,19 @@ void Learner::listGuests(const Perceptions& perceptions, RelativeActions& action
 template <typename Work>
 void Learner::shareOut(const Perceptions& perceptions, Workers& workers, const Work& work) const {
   const bool in_order = perceptions.order.size() == guests_.size();
-  workers.run(guests_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t index = in_order ? perceptions.order[i] : i;
-      if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
-      if (in_order && i + 1 < end) {
-        for (const PerceivedBody& body : Perception(perceptions, perceptions.order[i + 1]).bodies) prefetch(body);
-      }
-      if (guests_[index].answer != NOBODY) work(worker, index);
-    }
-  });
+  workers.run(
+      guests_.size(),
+      [&](unsigned worker, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::size_t index = in_order ? perceptions.order[i] : i;
+          if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
+          if (in_order && i + 1 < end) {
+            for (const PerceivedBody& body : Perception(perceptions, perceptions.order[i + 1]).bodies) prefetch(body);
+          }
+          if (guests_[index].answer != NOBODY) work(worker, index);
+        }
+      },
+      FEW_AGENTS);
 }
 
 void Learner::beginEpisode(std::uint64_t episode) {

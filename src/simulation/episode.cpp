@@ -2,21 +2,26 @@
 
 namespace crowd {
 
-Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision)
-    : scene_(std::move(scene)), world_(scene_), vision_(vision), monitor_(scene_, world_), number_(number) {
+Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Workers& workers)
+    : scene_(std::move(scene)),
+      world_(scene_),
+      vision_(vision),
+      workers_(&workers),
+      monitor_(scene_, world_),
+      number_(number) {
   perceive();
 }
 
 void Episode::step(const std::vector<AgentAction>& actions) {
-  world_.step(actions);
-  monitor_.observe(world_);
+  world_.step(actions, *workers_);
+  monitor_.observe(world_, *workers_);
   perceive();
 }
 
 void Episode::perceive() {
   perceptions_.reset();
   perceptions_ = buffers_.next();
-  world_.perceive(vision_, *perceptions_);
+  world_.perceive(vision_, *perceptions_, *workers_);
   perceptions_->episode = number_;
   perceptions_->last = world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks;
 }

@@ -66,14 +66,17 @@ void EpisodeMonitor::noteGoal(const Agent& agent, const Vector2& goal) {
   track.goal = goal;
 }
 
-void EpisodeMonitor::observe(const World& world) {
+void EpisodeMonitor::observe(const World& world, Workers& workers) {
   ticks_ = world.tick();
-  for (std::size_t i = 0; i < tracks_.size(); ++i) {
-    const Agent& agent = world.agents()[i];
-    tracks_[i].result.removed = agent.status == AgentStatus::REMOVED;
-    const bool just_arrived = agent.hasArrived() && agent.arrival_tick == ticks_;
-    if (agent.isWalking() || just_arrived) observeAgent(agent, tracks_[i]);
-  }
+  const auto observe_some = [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Agent& agent = world.agents()[i];
+      tracks_[i].result.removed = agent.status == AgentStatus::REMOVED;
+      const bool just_arrived = agent.hasArrived() && agent.arrival_tick == ticks_;
+      if (agent.isWalking() || just_arrived) observeAgent(agent, tracks_[i]);
+    }
+  };
+  workers.run(tracks_.size(), observe_some, FEW_AGENTS);
 }
 
 void EpisodeMonitor::observeAgent(const Agent& agent, Track& track) const {

@@ -1,5 +1,6 @@
 #include "social_crowd/simulation/evaluation.h"
 
+#include <algorithm>
 #include <exception>
 #include <future>
 #include <map>
@@ -21,16 +22,17 @@ Learner makeDemoLearner(const TrainedTable& trained) {
   return {trained.model, options, trained.table};
 }
 
-EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const EvaluationPlan& plan, Learner& learner) {
+EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const EvaluationPlan& plan, Learner& learner,
+                      Workers& workers) {
   EvaluatedEpisode walked;
   walked.instance = instance;
   if (plan.scenes) walked.scene = toDocument(scene);
-  Episode episode(scene, instance, learner.model().vision());
+  Episode episode(scene, instance, learner.model().vision(), workers);
   RelativeActions actions;
   for (;;) {
     if (plan.record) appendTrajectoryRows(instance, episode.world(), walked.trajectory);
     if (episode.isOver()) break;
-    learner.decide(episode.perceptions(), actions);
+    learner.decide(episode.perceptions(), actions, workers);
     episode.step(actions.agents);
   }
   walked.result = episode.result();
@@ -86,20 +88,24 @@ class OrderedRun {
 
 void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
               const std::function<bool(EvaluatedEpisode&)>& deliver) {
-  OrderedRun run(plan.episodes > 0 ? plan.episodes : scenarios.size(), deliver);
+  const std::uint64_t episodes = plan.episodes > 0 ? plan.episodes : scenarios.size();
+  OrderedRun run(episodes, deliver);
+  // Threads that are left when every episode has one share out the agents within.
+  const auto side_by_side = static_cast<unsigned>(std::clamp<std::uint64_t>(episodes, 1, std::max(1U, plan.threads)));
   const auto work = [&] {
     try {
+      Workers workers(plan.threads / side_by_side);
       Learner learner = makeDemoLearner(trained);
       std::uint64_t instance = 0;
       while (run.next(instance)) {
-        run.bring(walk(scenarios.scene(plan.seed, instance), instance, plan, learner));
+        run.bring(walk(scenarios.scene(plan.seed, instance), instance, plan, learner, workers));
       }
     } catch (...) {
       run.fail(std::current_exception());
     }
   };
   std::vector<std::future<void>> threads;
-  for (unsigned i = 1; i < plan.threads; ++i) threads.push_back(std::async(std::launch::async, work));
+  for (unsigned i = 1; i < side_by_side; ++i) threads.push_back(std::async(std::launch::async, work));
   work();
   for (const std::future<void>& thread : threads) thread.wait();
   run.rethrow();

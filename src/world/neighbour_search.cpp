@@ -99,6 +99,8 @@ void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, do
 }
 
 bool NeighbourSearch::sortByRank() {
+  if (count_ == 1) found_[0] = {rims_[0], discs_[0]};
+  if (count_ <= 1) return true;
   std::array<Keys, MAX_RANKED / LANES> keys{};
   std::array<Ranks, MAX_RANKED / LANES> ranks;
   const std::size_t padded = (count_ + LANES - 1) / LANES * LANES;

@@ -96,17 +96,23 @@ void World::rebuildGrid() {
 
 void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
   takeOrders(actions);
-  workers.run(agents_.size(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) beginMove(agents_[i], orders_[i]);
-  });
+  workers.run(
+      agents_.size(),
+      [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) beginMove(agents_[i], orders_[i]);
+      },
+      FEW_AGENTS);
   if (contact_ == Contact::SOLID) moveSolids();
   ++tick_;
   refresh();
   // Who arrives in this tick still stands on the floor at its end: the grid is that of everybody.
   arrivals_.assign(workers.count(), 0);
-  workers.run(agents_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals_[worker]);
-  });
+  workers.run(
+      agents_.size(),
+      [&](unsigned worker, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals_[worker]);
+      },
+      FEW_AGENTS);
   const std::size_t arrived = std::accumulate(arrivals_.begin(), arrivals_.end(), std::size_t{0});
   active_count_ -= arrived;
   if (arrived > 0) rebuildGrid();

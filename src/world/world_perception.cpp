@@ -11,6 +11,10 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
   perceptions.walls.clear();
   listAgents(perceptions);
   lookers_.resize(std::max<std::size_t>(lookers_.size(), workers.count()));
+  for (Looker& looker : lookers_) {
+    looker.begin = looker.end = 0;
+    looker.walls.clear();
+  }
   if (vision.max_bodies == 0) {
     // One list behind the other, however long: that takes a single worker.
     perceptions.bodies.clear();
@@ -19,9 +23,12 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
     return;
   }
   perceptions.bodies.resize(vision.max_bodies * perceptions.agents.size());
-  workers.run(perceptions.order.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
-    lookForSome(vision, worker, begin, end, perceptions);
-  });
+  workers.run(
+      perceptions.order.size(),
+      [&](unsigned worker, std::size_t begin, std::size_t end) {
+        lookForSome(vision, worker, begin, end, perceptions);
+      },
+      FEW_AGENTS);
   gatherWalls(workers.count(), perceptions);
 }
 
@@ -51,7 +58,6 @@ void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin
   Looker& looker = lookers_[worker];
   looker.begin = begin;
   looker.end = end;
-  looker.walls.clear();
   for (std::size_t i = begin; i < end; ++i) {
     if (i + PREFETCH_AHEAD < end) {
       const AgentPerception& next = perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]];

@@ -327,7 +327,7 @@ std::vector<double> numbersOf(const Perception& seen) {
 TEST(PerceptionProperty, DoesNotDependOnTheNumberOfWorkers) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     for (const Vision vision : {Vision{4.0, 0}, Vision{4.0, 5}, Vision{8.0, 5, true}}) {
-      World world(scenes::randomScene(seed));
+      World world(scenes::randomScene(seed, seed % 2 == 0 ? 30 : 400, 15.0));
       Perceptions expected;
       world.perceive(vision, expected);
       for (const unsigned count : {2U, 7U}) {

@@ -29,9 +29,10 @@ class Workers {
   /// Rethrows what a part has thrown, of several the one of the lowest number. To be called by one thread at a time;
   /// allocates nothing.
   /// @param work called as work(worker, begin, end): its number, and its part [begin, end)
+  /// @param few up to so many are done by the caller alone, sooner than the others wake up
   template <typename Work>
-  void run(std::size_t size, const Work& work) {
-    if (threads_.empty()) {
+  void run(std::size_t size, const Work& work, std::size_t few = 0) {
+    if (threads_.empty() || size <= few) {
       work(0U, std::size_t{0}, size);
     } else {
       share({[](const void* what, unsigned worker, std::size_t begin, std::size_t end) {

@@ -16,7 +16,8 @@ namespace crowd {
 class Episode {
  public:
   /// @param number goes into the perceptions; learners draw their exploration from it.
-  Episode(Scene scene, std::uint64_t number, const Vision& vision);
+  /// @param workers share out the agents as long as the episode lives; what comes of it does not depend on their number
+  Episode(Scene scene, std::uint64_t number, const Vision& vision, Workers& workers = Workers::alone());
 
   /// @brief What everybody perceives now; `last` once the episode is over.
   const Perceptions& perceptions() const { return *perceptions_; }
@@ -44,6 +45,7 @@ class Episode {
   Scene scene_;
   World world_;
   Vision vision_;
+  Workers* workers_;
   EpisodeMonitor monitor_;
   std::uint64_t number_;
   Recycler<std::shared_ptr<Perceptions>> buffers_;

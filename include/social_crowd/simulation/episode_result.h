@@ -54,8 +54,8 @@ class EpisodeMonitor {
   /// @brief Takes note that an agent has another goal [m]; its straight way goes on to that from where it is.
   void noteGoal(const Agent& agent, const Vector2& goal);
 
-  /// @brief To be called after every step.
-  void observe(const World& world);
+  /// @brief To be called after every step. @param workers share out the agents
+  void observe(const World& world, Workers& workers = Workers::alone());
   EpisodeResult result() const;
 
  private:

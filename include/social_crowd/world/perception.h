@@ -11,6 +11,9 @@ namespace crowd {
 
 using AgentId = std::uint32_t;
 
+/// @brief A tick of so many agents takes less time than it takes other threads to wake up.
+constexpr std::size_t FEW_AGENTS = 128;
+
 /// @brief How far and how much an agent perceives.
 struct Vision {
   double radius = 6.0;           ///< to the other's rim [m]

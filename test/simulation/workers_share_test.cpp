@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/training.h"
+#include "support/scenes.h"
+#include "support/worlds.h"
+
+namespace crowd {
+namespace {
+
+/// More agents than are done by one worker alone, walls, obstacles and movers among them.
+Scene crowd(std::uint64_t seed) {
+  Scene scene = scenes::randomScene(seed, 500, 20.0);
+  while (scene.agents.size() <= 2 * FEW_AGENTS) scene.agents.push_back(scene.agents[scene.agents.size() / 2]);
+  scene.max_ticks = 30;
+  return scene;
+}
+
+Learner makeLearner(Mode mode) {
+  const Model model = parseModel(
+      "{state_set: {type: anticipation}, action_set: {type: goal_fan, gap_sharing: moving}, reward: {type: pace}}");
+  KeyedRandom random(3, KeyedRandom::PLACEMENT, {});
+  QTable table(model.state_set->rowCount(), model.action_set->size());
+  for (Row row = 0; row < table.rows(); ++row) {
+    for (Action action = 0; action < table.actions(); ++action) table.set(row, action, random.uniform(), 1);
+  }
+  Learner::Options options;
+  options.mode = mode;
+  return {model, options, std::move(table)};
+}
+
+struct Walked {
+  std::vector<double> state;
+  std::vector<double> figures;
+  QTable table;
+};
+
+Walked walk(const Scene& scene, Mode mode, unsigned threads) {
+  Workers workers(threads);
+  Learner learner = makeLearner(mode);
+  Episode episode(scene, 1, learner.model().vision(), workers);
+  RelativeActions actions;
+  learner.decide(episode.perceptions(), actions, workers);
+  while (!episode.isOver()) {
+    episode.step(actions.agents);
+    learner.decide(episode.perceptions(), actions, workers);
+  }
+  Walked walked{stateOf(episode.world()), {}, learner.tableOf(0)};
+  for (const AgentResult& agent : episode.result().agents) {
+    walked.figures.insert(walked.figures.end(), {agent.path_length, agent.turn_per_metre, agent.touched ? 1.0 : 0.0});
+  }
+  return walked;
+}
+
+TEST(WorkersShare, AnEpisodeDoesNotDependOnTheirNumber) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Scene ghosts = crowd(seed);
+    for (const Scene& scene : {ghosts, scenes::solid(ghosts)}) {
+      for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
+        const Walked expected = walk(scene, mode, 1);
+        for (const unsigned threads : {2U, 7U}) {
+          SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << toText(mode) << ", " << threads << " threads");
+          const Walked walked = walk(scene, mode, threads);
+          EXPECT_EQ(walked.state, expected.state);
+          EXPECT_EQ(walked.figures, expected.figures);
+          EXPECT_TRUE(walked.table == expected.table);
+        }
+      }
+    }
+  }
+}
+
+TEST(WorkersShare, TheCrowdWalksAndLearns) {
+  const Walked before = walk(crowd(1), Mode::DEMO, 1);
+  const Walked learned = walk(crowd(1), Mode::TRAINING, 1);
+  EXPECT_NE(before.state, learned.state);
+  EXPECT_FALSE(before.table == learned.table);
+}
+
+}  // namespace
+}  // namespace crowd
