@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "social_crowd/simulation/episode.h"
+#include "support/scenes.h"
+
+namespace {
+
+std::atomic<std::uint64_t> allocations{0};
+
+void* allocate(std::size_t size) {
+  ++allocations;
+  if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// What this executable allocates is counted. Forms for arrays and without exceptions end up here, too.
+void* operator new(std::size_t size) { return allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
+
+namespace crowd {
+namespace {
+
+/// A lattice of agents that walk to and fro past each other, and a wall.
+Scene lattice() {
+  constexpr int COLUMNS = 20;
+  Scene scene = scenes::scene({});
+  for (int i = 0; i < COLUMNS * COLUMNS; ++i) {
+    const Vector2 place(1.4 * (i % COLUMNS), 1.4 * (i / COLUMNS));
+    const Vector2 goal = place + Vector2(i % 2 == 0 ? 100.0 : -100.0, 0.0);
+    scene.agents.push_back(scenes::agent(place, goal));
+  }
+  scene.walls.push_back({{-50.0, -1.0}, {80.0, -1.0}});
+  // Far corners, so that the floor does not grow.
+  scene.obstacles = {scenes::pillar({-40.0, -40.0}, 0.5), scenes::pillar({70.0, 70.0}, 0.5)};
+  return scene;
+}
+
+Learner makeLearner(Mode mode) {
+  Learner::Options options;
+  options.mode = mode;
+  return {parseModel("{state_set: {type: anticipation}, action_set: {type: goal_fan}, reward: {type: pace}}"), options};
+}
+
+std::uint64_t allocationsOfWarmTicks(Mode mode, unsigned threads) {
+  Workers workers(threads);
+  Learner learner = makeLearner(mode);
+  Episode episode(lattice(), 0, learner.model().vision(), workers);
+  RelativeActions actions;
+  const auto walk = [&](int ticks) {
+    for (; ticks > 0; --ticks) {
+      learner.decide(episode.perceptions(), actions, workers);
+      episode.step(actions.agents);
+    }
+  };
+  walk(150);
+  const std::uint64_t before = allocations;
+  walk(10);
+  return allocations - before;
+}
+
+TEST(Allocations, AreCounted) {
+  const std::uint64_t before = allocations;
+  const std::vector<int> something(100);
+  EXPECT_EQ(allocations - before, 1U) << something.size();
+}
+
+TEST(Allocations, ATickMakesNoneOnceWarm) {
+  for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
+    for (const unsigned threads : {1U, 2U}) {
+      EXPECT_EQ(allocationsOfWarmTicks(mode, threads), 0U) << toText(mode) << ", " << threads << " threads";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace crowd
