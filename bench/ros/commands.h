@@ -7,12 +7,12 @@
 /// The commands of `ros_bench`. Each prints its figures on one line, separated by blanks.
 namespace crowd::bench {
 
-/// @brief Walks a scenario without ROS in one thread and prints ticks a second, of each round.
-/// @param warm_up ticks before those that are timed, in each round
+/// @brief Walks a scenario without ROS in one thread and prints ticks a second.
+/// @param warm_up ticks before those that are timed
 void walkHeadless(const std::string& scenario, const std::string& q_table, unsigned max_bodies, unsigned warm_up,
-                  unsigned ticks, unsigned rounds);
+                  unsigned ticks);
 
-/// @brief Lets a paused crowd_controller walk and prints ticks a second, bytes of perceptions and bytes of actions.
+/// @brief Lets a paused crowd_controller walk from the scenario's beginning and prints ticks a second, bytes of perceptions and bytes of actions.
 void timeLockstep(unsigned warm_up, unsigned ticks);
 
 /// @brief The other end of roundTrip(): answers every message with one of so many bytes, until it is stopped.

@@ -10,7 +10,7 @@
 namespace crowd::bench {
 
 void walkHeadless(const std::string& scenario, const std::string& q_table, unsigned max_bodies, unsigned warm_up,
-                  unsigned ticks, unsigned rounds) {
+                  unsigned ticks) {
   TrainedTable trained = loadQTable(q_table);
   Learner::Options options;
   options.plan.parameters = trained.parameters;
@@ -25,14 +25,11 @@ void walkHeadless(const std::string& scenario, const std::string& q_table, unsig
       episode.step(actions.agents);
     }
   };
-  for (unsigned i = 0; i < rounds; ++i) {
-    walk(warm_up);
-    const auto begin = std::chrono::steady_clock::now();
-    walk(ticks);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    std::cout << (i > 0 ? " " : "") << ticks / seconds.count();
-  }
-  std::cout << std::endl;
+  walk(warm_up);
+  const auto begin = std::chrono::steady_clock::now();
+  walk(ticks);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  std::cout << ticks / seconds.count() << std::endl;
 }
 
 }  // namespace crowd::bench

@@ -1,5 +1,6 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <social_crowd/Reset.h>
 #include <social_crowd/Step.h>
 
 #include <iostream>
@@ -11,15 +12,25 @@
 namespace crowd::bench {
 namespace {
 
+template <typename Service>
+void call(const char* name, Service& service) {
+  const bool reached = ros::service::call(name, service);
+  if (!reached || service.response.success == 0) throw Error(name + (": " + service.response.message));
+}
+
+void reset() {
+  social_crowd::Reset reset;
+  reset.request.keep_seed = 1;
+  call("crowd_controller/reset", reset);
+}
+
 /// Walks so many ticks; the time it takes [s].
 double walk(unsigned ticks) {
   social_crowd::Step step;
   step.request.ticks = ticks;
   const ros::WallTime begin = ros::WallTime::now();
-  const bool reached = ros::service::call("crowd_controller/step", step);
-  const double seconds = (ros::WallTime::now() - begin).toSec();
-  if (!reached || step.response.success == 0) throw Error("crowd_controller/step: " + step.response.message);
-  return seconds;
+  call("crowd_controller/step", step);
+  return (ros::WallTime::now() - begin).toSec();
 }
 
 /// Size of the messages of a topic while the crowd walks.
@@ -47,6 +58,7 @@ class Scales {
 void timeLockstep(unsigned warm_up, unsigned ticks) {
   ros::NodeHandle node;
   ros::service::waitForService("crowd_controller/step");
+  reset();
   walk(warm_up);
   const double seconds = walk(ticks);
   // Only afterwards, as one more subscriber costs time.

@@ -20,7 +20,6 @@ int runMain(int argc, char** argv) {
   unsigned max_bodies = 0;
   unsigned warm_up = 0;
   unsigned count = 1;
-  unsigned rounds = 1;
   std::size_t bytes = 0;
 
   CLI::App* const headless = app.add_subcommand("headless", "walk without ROS; ticks/s");
@@ -34,14 +33,13 @@ int runMain(int argc, char** argv) {
     timed->add_option("warm_up", warm_up)->required();
     timed->add_option("count", count)->required()->check(CLI::PositiveNumber);
   }
-  headless->add_option("rounds", rounds)->check(CLI::PositiveNumber);
   CLI::App* const answering = app.add_subcommand("echo", "answer round_trip's messages");
   answering->add_option("bytes", bytes)->required();
   CLI::App* const sinking = app.add_subcommand("sink", "take in topics");
   sinking->add_option("topics", topics)->required();
   CLI11_PARSE(app, argc, argv);
 
-  if (headless->parsed()) walkHeadless(scenario, q_table, max_bodies, warm_up, count, rounds);
+  if (headless->parsed()) walkHeadless(scenario, q_table, max_bodies, warm_up, count);
   if (lockstep->parsed()) timeLockstep(warm_up, count);
   if (trip->parsed()) roundTrip(bytes, warm_up, count);
   if (answering->parsed()) echo(bytes);
