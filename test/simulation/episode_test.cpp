@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "social_crowd/common/errors.h"
 #include "support/scenes.h"
@@ -43,6 +45,21 @@ TEST(Episode, PerceptionsFollowEachStep) {
   EXPECT_EQ(seen.episode, NUMBER);
   EXPECT_EQ(seen.agents[0].goal, Vector2(1.0, 0.0));
   EXPECT_EQ(seen.agents[1].goal, Vector2(1.5, 0.0));
+}
+
+TEST(Episode, PerceptionsStayAsTheyAreWhileSomebodyHoldsThem) {
+  Episode episode(oneAndTwoMetres(), NUMBER, Vision());
+  std::vector<std::shared_ptr<const Perceptions>> held;
+  for (std::uint64_t tick = 0; tick < 3; ++tick) {
+    held.push_back(episode.sharedPerceptions());
+    EXPECT_EQ(held.back().get(), &episode.perceptions());
+    episode.step({ahead(1)});
+  }
+  for (std::uint64_t tick = 0; tick < 3; ++tick) {
+    EXPECT_EQ(held[tick]->tick, tick);
+    EXPECT_EQ(held[tick]->episode, NUMBER);
+    EXPECT_EQ(held[tick]->agents[1].goal, Vector2(2.0 - 0.5 * static_cast<double>(tick), 0.0));
+  }
 }
 
 TEST(Episode, PerceivesAsFarAsItWasTold) {
