@@ -19,10 +19,10 @@ MAX_BODIES = 16  # all that the table looks at
 NODELET = ['rosrun', 'nodelet', 'nodelet']
 WARM_UP = 30  # ticks
 CROWD_TICKS = 250
-FEW_TICKS = 8000
-TRIPS = 2000
+FEW_TICKS = 2500
+TRIPS = 2500
 REAL_TIME = 10.0  # [s]
-ROUNDS = 5  # the best of them counts: the others were disturbed
+ROUNDS = 7  # the best of them counts: the others were disturbed
 
 
 def crowd_scenario():
