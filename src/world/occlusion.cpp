@@ -9,6 +9,8 @@ namespace {
 /// Shares of a chord, and of distances, that are too small to be anything but rounding.
 constexpr double HAIR = 1e-9;
 
+double rimDistance(const PerceivedBody& body) { return body.position.norm() - body.radius; }
+
 }  // namespace
 
 Occlusion::Screen Occlusion::screenOf(const PerceivedBody& body) {
@@ -25,6 +27,14 @@ Occlusion::Screen Occlusion::screenOf(const Segment& wall) {
   const double width = cross(wall.from, wall.to);
   if (std::abs(width) <= HAIR * wall.from.norm() * wall.to.norm()) return {};
   return width > 0.0 ? Screen{wall.from, wall.to, true} : Screen{wall.to, wall.from, true};
+}
+
+PerceivedBody Occlusion::spanned(const PerceivedBody& body, const Screen& chord, const Part& part) {
+  const Vector2 to_the_left = (chord.left - chord.right).normalized();
+  PerceivedBody disc = body;
+  disc.position += (part.from + part.to - 1.0) * body.radius * to_the_left;
+  disc.radius *= part.to - part.from;
+  return disc;
 }
 
 void Occlusion::addHiddenPart(const Screen& seen, const Screen& other) {
@@ -69,14 +79,13 @@ void Occlusion::apply(std::vector<PerceivedBody>& bodies, std::size_t first_body
                       std::size_t first_wall, double radius) {
   screens_.clear();
   for (std::size_t i = first_wall; i < walls.size(); ++i) screens_.push_back(screenOf(walls[i]));
-  leaveOutBodies(bodies, first_body);
+  const std::size_t wall_count = screens_.size();
+  screenBodies(bodies, first_body);
+  cutBodies(bodies, first_body, wall_count, radius);
   cutWalls(walls, first_wall, radius);
 }
 
-void Occlusion::leaveOutBodies(std::vector<PerceivedBody>& bodies, std::size_t first) {
-  // Near ones come first and hide most of the others, which then need not be looked at as screens: what they hide is
-  // hidden by those in front of them as well.
-  const std::size_t wall_count = screens_.size();
+void Occlusion::screenBodies(std::vector<PerceivedBody>& bodies, std::size_t first) {
   std::size_t kept = first;
   for (std::size_t i = first; i < bodies.size(); ++i) {
     const Screen screen = screenOf(bodies[i]);
@@ -85,13 +94,30 @@ void Occlusion::leaveOutBodies(std::vector<PerceivedBody>& bodies, std::size_t f
     bodies[kept++] = bodies[i];
   }
   bodies.resize(kept);
-  // A body with its rim a bit further away may still stand before one that is larger.
-  kept = first;
-  for (std::size_t i = first; i < bodies.size(); ++i) {
-    const std::size_t own = wall_count + i - first;
-    if (!visibleParts(screens_[own], own).empty()) bodies[kept++] = bodies[i];
+}
+
+void Occlusion::cutBodies(std::vector<PerceivedBody>& bodies, std::size_t first, std::size_t first_screen,
+                          double radius) {
+  // From the back: what is seen of a body is never nearer than the whole of it, so that it can only move towards those
+  // that are in their places already.
+  std::size_t kept = bodies.size();
+  for (std::size_t i = bodies.size(); i-- > first;) {
+    const std::size_t own = first_screen + i - first;
+    if (visibleParts(screens_[own], own).empty()) continue;
+    const Part hull = {visible_.front().from, visible_.back().to};
+    if (hull.isAll()) {
+      bodies[--kept] = bodies[i];
+      continue;
+    }
+    const PerceivedBody seen = spanned(bodies[i], screens_[own], hull);
+    const double rim = rimDistance(seen);
+    if (rim > radius) continue;
+    std::size_t next = kept--;
+    for (; next < bodies.size() && rimDistance(bodies[next]) < rim; ++next) bodies[next - 1] = bodies[next];
+    bodies[next - 1] = seen;
   }
-  bodies.resize(kept);
+  const auto begin = bodies.begin();
+  bodies.erase(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(kept));
 }
 
 void Occlusion::cutWalls(std::vector<Segment>& walls, std::size_t first, double radius) {

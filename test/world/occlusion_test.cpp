@@ -2,17 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
+#include <vector>
 
+#include "support/sceneries.h"
 #include "support/scenes.h"
 
 namespace crowd {
 namespace {
 
-constexpr double FAR = 100.0;  // radius of vision [m]
+using sceneries::body;
+using sceneries::FAR;
+using sceneries::find;
+using sceneries::look;
+using sceneries::numbered;
+using sceneries::numberOf;
+using sceneries::Scenery;
 
 /// A line of sight three up for four ahead, and how to get to its left.
 const Vector2 SIGHT(0.8, 0.6);
@@ -21,26 +27,7 @@ const Vector2 LEFT(-0.6, 0.8);
 constexpr double BIG_DISTANCE = 2.0;
 constexpr double BIG_RADIUS = 1.2;
 
-PerceivedBody body(const Vector2& position, double radius) {
-  PerceivedBody made;
-  made.position = position;
-  made.radius = radius;
-  return made;
-}
-
 const PerceivedBody BIG = body({BIG_DISTANCE, 0.0}, BIG_RADIUS);
-
-struct Scenery {
-  std::vector<PerceivedBody> bodies;
-  std::vector<Segment> walls;
-};
-
-/// What is left to be seen.
-Scenery look(Scenery scenery, double radius = FAR) {
-  Occlusion occlusion;
-  occlusion.apply(scenery.bodies, 0, scenery.walls, 0, radius);
-  return scenery;
-}
 
 Vector2 turned(const Vector2& v, double angle) { return Rotation(angle).outOfFrame(v); }
 
@@ -52,16 +39,25 @@ Scenery turned(Scenery scenery, double angle) {
 
 /// Whether the last body of a scenery is seen, whichever way the agent looks.
 bool sees(const Scenery& scenery) {
-  const Vector2 last = scenery.bodies.back().position;
   const auto seen_at = [&](double angle) {
-    const Scenery seen = look(turned(scenery, angle));
-    return std::any_of(seen.bodies.begin(), seen.bodies.end(), [&](const PerceivedBody& body) {
-      return (body.position - turned(last, angle)).norm() < 1e-9 && body.radius == scenery.bodies.back().radius;
-    });
+    const Scenery seen = look(turned(numbered(scenery), angle));
+    return find(seen, scenery.bodies.size() - 1) != nullptr;
   };
   const bool seen = seen_at(0.0);
   for (int i = 1; i < 24; ++i) EXPECT_EQ(seen_at(i * PI / 12.0), seen) << "turned by " << 15 * i << " degrees";
   return seen;
+}
+
+/// Whichever way the agent looks, it perceives the last body of the scenery as that disc.
+void expectLast(const Scenery& scenery, const Vector2& position, double radius) {
+  for (int i = 0; i < 24; ++i) {
+    SCOPED_TRACE("turned by " + std::to_string(15 * i) + " degrees");
+    const Scenery seen = look(turned(numbered(scenery), i * PI / 12.0));
+    const PerceivedBody* const last = find(seen, scenery.bodies.size() - 1);
+    ASSERT_NE(last, nullptr);
+    EXPECT_LT((last->position - turned(position, i * PI / 12.0)).norm(), 1e-12);
+    EXPECT_NEAR(last->radius, radius, 1e-12);
+  }
 }
 
 void expectWalls(const Scenery& seen, const std::vector<Segment>& expected) {
@@ -84,13 +80,6 @@ TEST(OcclusionOfBodies, EndsAtTheLineOfSightThatTouchesTheOther) {
   const Vector2 behind = 5.0 * SIGHT - 0.5 * LEFT;
   EXPECT_FALSE(sees({{BIG, body(behind, 0.4999)}, {}}));
   EXPECT_TRUE(sees({{BIG, body(behind, 0.5001)}, {}}));
-}
-
-TEST(OcclusionOfBodies, HalfHiddenIsPerceivedWhole) {
-  const Scenery seen = look({{BIG, body(5.0 * SIGHT, 0.5)}, {}});
-  ASSERT_EQ(seen.bodies.size(), 2U);
-  EXPECT_EQ(seen.bodies[1].position, Vector2(4.0, 3.0));
-  EXPECT_EQ(seen.bodies[1].radius, 0.5);
 }
 
 TEST(OcclusionOfBodies, BehindAWall) {
@@ -135,9 +124,9 @@ TEST(OcclusionOfBodies, TheFlankMayBeHiddenByOneWithAFurtherRim) {
   const PerceivedBody near = body(unitVector(toRadians(-5.0)), 0.6);
   const PerceivedBody large = body({5.0, 0.0}, 3.0);
   const PerceivedBody at_flank = body(2.5 * unitVector(toRadians(34.5)), 0.22);
-  const Scenery seen = look({{near, large, at_flank}, {}});
-  ASSERT_EQ(seen.bodies.size(), 2U);
-  EXPECT_EQ(seen.bodies[1].position, at_flank.position);
+  EXPECT_FALSE(sees({{near, at_flank, large}, {}}));
+  EXPECT_TRUE(sees({{near, large, at_flank}, {}}));
+  EXPECT_EQ(look({{near, large, at_flank}, {}}).bodies.size(), 2U);
   EXPECT_EQ(look({{near, large}, {}}).bodies.size(), 2U);
 }
 
@@ -152,6 +141,85 @@ TEST(OcclusionOfBodies, WallsSeenEdgeOnHideNothing) {
   EXPECT_EQ(seen.bodies.size(), 1U);
   expectWalls(seen, {{{1.0, 0.0}, {3.0, 0.0}}});
   EXPECT_EQ(look({{body({5.0, 0.0}, 0.2)}, {{{-1.0, 0.0}, {3.0, 0.0}}}}).bodies.size(), 1U);  // through the agent
+}
+
+/// The chord of this one stands 3.2 m ahead and reaches 2.4 m to either side.
+const PerceivedBody LARGE = body({5.0, 0.0}, 3.0);
+
+/// A wall 1 m ahead that hides these shares of the chord, from the right.
+Segment hiding(double from, double to) { return {{1.0, 0.75 * (2.0 * from - 1.0)}, {1.0, 0.75 * (2.0 * to - 1.0)}}; }
+
+TEST(OcclusionOfParts, HalfBehindAnother) {
+  // The line of sight that touches the big one goes through the centre: the left half is seen.
+  expectLast({{BIG, body(5.0 * SIGHT, 0.5)}, {}}, 5.0 * SIGHT + 0.25 * LEFT, 0.25);
+}
+
+TEST(OcclusionOfParts, BehindTheEndOfAWall) {
+  expectLast({{LARGE}, {hiding(-0.1, 0.25)}}, {5.0, 0.75}, 2.25);
+  expectLast({{LARGE}, {hiding(0.4, 1.1)}}, {5.0, -1.8}, 1.2);
+  expectLast({{LARGE}, {hiding(-0.1, 0.2), hiding(0.6, 1.1)}}, {5.0, -0.6}, 1.2);
+}
+
+TEST(OcclusionOfParts, WholeWhereNeitherFlankIsHidden) {
+  const std::vector<Scenery> sceneries = {{{LARGE}, {hiding(0.3, 0.6)}},
+                                          {{LARGE}, {hiding(0.001, 0.4), hiding(0.5, 0.999)}},
+                                          {{body({1.0, 0.0}, 0.1), LARGE}, {}},  // a narrow post
+                                          {{LARGE}, {hiding(-1.0, -0.1)}},
+                                          {{LARGE}, {}}};
+  for (std::size_t i = 0; i < sceneries.size(); ++i) {
+    const PerceivedBody seen = look(sceneries[i]).bodies.back();
+    EXPECT_EQ(seen.position, LARGE.position) << i;
+    EXPECT_EQ(seen.radius, LARGE.radius) << i;
+  }
+}
+
+TEST(OcclusionOfParts, JumpsToTheRestWithTheLastGlimpseBesideAPost) {
+  expectLast({{LARGE}, {hiding(0.001, 0.4)}}, LARGE.position, LARGE.radius);
+  expectLast({{LARGE}, {hiding(-0.001, 0.4)}}, {5.0, 1.2}, 1.8);
+}
+
+TEST(OcclusionOfParts, ShrinksToNothing) {
+  expectLast({{LARGE}, {hiding(-0.1, 0.99)}}, {5.0, 2.97}, 0.03);
+  expectLast({{LARGE}, {hiding(-0.1, 0.9999)}}, {5.0, 2.9997}, 0.0003);
+  EXPECT_FALSE(sees({{LARGE}, {hiding(-0.1, 1.0001)}}));
+}
+
+TEST(OcclusionOfParts, HidesAsTheWholeBodyDoes) {
+  // What is perceived of the large one ends 5 degrees before the line of sight that touches it; who is hidden there
+  // touches that line.
+  const Segment wall = hiding(-0.1, 0.9);
+  EXPECT_TRUE(sees({{LARGE}, {wall}}));
+  EXPECT_FALSE(sees({{LARGE, body(6.0 * SIGHT - 0.06 * LEFT, 0.0599)}, {wall}}));
+  EXPECT_TRUE(sees({{LARGE, body(6.0 * SIGHT - 0.06 * LEFT, 0.0601)}, {wall}}));
+}
+
+TEST(OcclusionOfParts, BeyondTheRadiusOfVisionIsLeftOut) {
+  const Scenery cut = {{LARGE}, {hiding(-0.1, 0.25)}};
+  const double rim = std::hypot(5.0, 0.75) - 2.25;  // 2.8 m; of the whole body 2 m
+  EXPECT_EQ(look(cut, rim + 1e-9).bodies.size(), 1U);
+  EXPECT_EQ(look(cut, rim - 1e-9).bodies.size(), 0U);
+  EXPECT_EQ(look({{LARGE}, {hiding(0.3, 0.6)}}, 2.0).bodies.size(), 1U);
+}
+
+TEST(OcclusionOfParts, StandInOrderOfWhatIsSeen) {
+  // The rim of the large one goes from 2 to 2.8 m.
+  const Scenery seen = look(
+      numbered({{body({-1.5, 0.0}, 0.5), LARGE, body({-2.0, -2.0}, 0.3), body({0.0, 3.0}, 0.3), body({0.0, -4.0}, 0.5)},
+                {hiding(-0.1, 0.25)}}));
+  std::vector<std::size_t> order;
+  for (const PerceivedBody& body : seen.bodies) order.push_back(numberOf(body));
+  EXPECT_EQ(order, (std::vector<std::size_t>{0, 2, 3, 1, 4}));
+}
+
+TEST(OcclusionOfParts, EqualOnesStayInOrder) {
+  // Bodies in the same place do not hide each other.
+  const Scenery seen = look(numbered({{LARGE, LARGE, LARGE}, {hiding(-0.1, 0.25)}}));
+  ASSERT_EQ(seen.bodies.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(numberOf(seen.bodies[i]), i);
+    EXPECT_EQ(seen.bodies[i].position, seen.bodies[0].position);
+    EXPECT_LT(seen.bodies[i].radius, 2.3);
+  }
 }
 
 TEST(OcclusionOfWalls, CutByABody) {
@@ -201,12 +269,17 @@ TEST(OcclusionOfWalls, PartsBeyondTheRadiusOfVisionAreLeftOut) {
 }
 
 TEST(OcclusionOfOthers, StaysAsItIs) {
-  std::vector<PerceivedBody> bodies = {BIG, body({9.0, 0.0}, 0.1), BIG, body({5.0, 0.0}, 0.1)};
+  // Of those before, one would be hidden and one partly.
+  std::vector<PerceivedBody> bodies = {BIG, body({9.0, 0.0}, 0.1),  body(5.0 * SIGHT, 0.5),
+                                       BIG, body(5.0 * SIGHT, 0.5), body({5.0, 0.0}, 0.1)};
   std::vector<Segment> walls = {{{7.0, -0.1}, {7.0, 0.1}}, {{8.0, -0.1}, {8.0, 0.1}}};
   Occlusion occlusion;
-  occlusion.apply(bodies, 2, walls, 1, FAR);
-  ASSERT_EQ(bodies.size(), 3U);
+  occlusion.apply(bodies, 3, walls, 1, FAR);
+  ASSERT_EQ(bodies.size(), 5U);
   EXPECT_EQ(bodies[1].position, Vector2(9.0, 0.0));
+  EXPECT_EQ(bodies[2].position, Vector2(5.0 * SIGHT));
+  EXPECT_EQ(bodies[2].radius, 0.5);
+  EXPECT_NEAR(bodies[4].radius, 0.25, 1e-12);
   ASSERT_EQ(walls.size(), 1U);
   EXPECT_EQ(walls[0].from, Vector2(7.0, -0.1));
 }
@@ -243,186 +316,16 @@ TEST(OcclusionInTheWorld, MaxBodiesCountsThoseThatAreSeen) {
   EXPECT_EQ(first.bodies[1].position, Vector2(0.0, 5.0));
 }
 
-/// Random bodies in order of their rims, and walls; on request none of them overlap, but for walls that cross.
-Scenery randomScenery(std::uint64_t seed, bool apart) {
-  KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
-  Scenery made;
-  for (std::uint32_t i = random.below(4); i > 0; --i) {
-    const Vector2 from = scenes::randomPoint(random, 6.0);
-    made.walls.push_back({from, scenes::randomPoint(random, 6.0)});
-  }
-  for (std::uint32_t i = 2 + random.below(25); i > 0; --i) {
-    const PerceivedBody next = body(scenes::randomPoint(random, 6.0), random.uniform(0.05, 1.0));
-    const auto overlaps = [&](const PerceivedBody& other) {
-      return (other.position - next.position).norm() < other.radius + next.radius;
-    };
-    const auto crosses = [&](const Segment& wall) { return distanceTo(wall, next.position) < next.radius; };
-    const bool blocked = next.position.norm() < next.radius + 0.1 ||
-                         std::any_of(made.bodies.begin(), made.bodies.end(), overlaps) ||
-                         std::any_of(made.walls.begin(), made.walls.end(), crosses);
-    if (!apart || !blocked) made.bodies.push_back(next);
-  }
-  std::sort(made.bodies.begin(), made.bodies.end(), [](const PerceivedBody& a, const PerceivedBody& b) {
-    return a.position.norm() - a.radius < b.position.norm() - b.radius;
-  });
-  return made;
-}
-
-bool contains(const Scenery& scenery, const PerceivedBody& body) {
-  return std::any_of(scenery.bodies.begin(), scenery.bodies.end(),
-                     [&](const PerceivedBody& other) { return other.position == body.position; });
-}
-
-constexpr double NO_HIT = std::numeric_limits<double>::infinity();
-
-/// How far a line of sight goes until it meets the body [m].
-double sightTo(const PerceivedBody& body, const Vector2& sight) {
-  const double along = body.position.dot(sight);
-  const double aside = cross(sight, body.position);
-  if (along < 0.0 || std::abs(aside) > body.radius) return NO_HIT;
-  return along - std::sqrt(body.radius * body.radius - aside * aside);
-}
-
-double sightTo(const Segment& wall, const Vector2& sight) {
-  const Vector2 along = wall.to - wall.from;
-  const double share = cross(wall.from, sight) / cross(sight, along);
-  const double distance = cross(wall.from, along) / cross(sight, along);
-  return share >= 0.0 && share <= 1.0 && distance > 0.0 ? distance : NO_HIT;
-}
-
-/// The bearings at which anything begins, ends or crosses, in order.
-std::vector<double> criticalBearings(const Scenery& scenery) {
-  std::vector<double> bearings = {-PI, PI};
-  for (const PerceivedBody& body : scenery.bodies) {
-    const double half = std::asin(body.radius / body.position.norm());
-    bearings.push_back(wrapAngle(bearingOf(body.position) - half));
-    bearings.push_back(wrapAngle(bearingOf(body.position) + half));
-  }
-  for (const Segment& wall : scenery.walls) {
-    bearings.push_back(bearingOf(wall.from));
-    bearings.push_back(bearingOf(wall.to));
-    for (const Segment& other : scenery.walls) {
-      const Vector2 along = wall.to - wall.from;
-      const double share = cross(other.from - wall.from, other.to - other.from) / cross(along, other.to - other.from);
-      if (share > 0.0 && share < 1.0) bearings.push_back(bearingOf(wall.from + share * along));
-    }
-  }
-  std::sort(bearings.begin(), bearings.end());
-  return bearings;
-}
-
-/// What is seen, by looking in the middle between all bearings at which anything changes: which bodies, and how long
-/// the seen parts of the walls are together [m].
-struct Seen {
-  std::vector<bool> bodies;
-  double wall_length = 0.0;
-};
-
-Seen lookEverywhere(const Scenery& scenery) {
-  Seen seen;
-  seen.bodies.resize(scenery.bodies.size());
-  const std::vector<double> bearings = criticalBearings(scenery);
-  for (std::size_t i = 1; i < bearings.size(); ++i) {
-    const Vector2 sight = unitVector(0.5 * (bearings[i - 1] + bearings[i]));
-    double nearest = NO_HIT;
-    std::size_t body = scenery.bodies.size();
-    const Segment* wall = nullptr;
-    for (std::size_t k = 0; k < scenery.bodies.size(); ++k) {
-      const double distance = sightTo(scenery.bodies[k], sight);
-      if (distance < nearest) {
-        nearest = distance;
-        body = k;
-      }
-    }
-    for (const Segment& candidate : scenery.walls) {
-      const double distance = sightTo(candidate, sight);
-      if (distance < nearest) {
-        nearest = distance;
-        wall = &candidate;
-      }
-    }
-    if (bearings[i] - bearings[i - 1] < 1e-7) continue;
-    if (wall == nullptr && body < seen.bodies.size()) seen.bodies[body] = true;
-    if (wall == nullptr) continue;
-    const auto meet = [&](double bearing) -> Vector2 {
-      const Vector2 along = wall->to - wall->from;
-      const double share = cross(wall->from, unitVector(bearing)) / cross(unitVector(bearing), along);
-      return wall->from + std::clamp(share, 0.0, 1.0) * along;
-    };
-    seen.wall_length += (meet(bearings[i]) - meet(bearings[i - 1])).norm();
-  }
-  return seen;
-}
-
-TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
-  std::size_t hidden = 0;
-  std::size_t in_sight = 0;
-  double hidden_length = 0.0;
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scenery scenery = randomScenery(seed, true);
-    const Scenery seen = look(scenery);
-    const Seen expected = lookEverywhere(scenery);
-    for (std::size_t i = 0; i < scenery.bodies.size(); ++i) {
-      EXPECT_EQ(contains(seen, scenery.bodies[i]), expected.bodies[i]) << "body " << i;
-      ++(expected.bodies[i] ? in_sight : hidden);
-    }
-    double length = 0.0;
-    for (const Segment& wall : seen.walls) length += (wall.to - wall.from).norm();
-    EXPECT_NEAR(length, expected.wall_length, 1e-4);
-    for (const Segment& wall : scenery.walls) hidden_length += (wall.to - wall.from).norm();
-    hidden_length -= length;
-  }
-  EXPECT_GT(hidden, 500U);
-  EXPECT_GT(in_sight, 500U);
-  EXPECT_GT(hidden_length, 500.0);
-}
-
-TEST(OcclusionProperty, TakingSomethingAwayHidesNobody) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scenery scenery = randomScenery(seed, seed % 2 == 0);
-    const Scenery seen = look(scenery);
-    for (std::size_t i = 0; i < scenery.bodies.size() + scenery.walls.size(); ++i) {
-      Scenery less = scenery;
-      if (i < less.bodies.size()) {
-        less.bodies.erase(less.bodies.begin() + static_cast<std::ptrdiff_t>(i));
-      } else {
-        less.walls.erase(less.walls.begin() + static_cast<std::ptrdiff_t>(i - less.bodies.size()));
-      }
-      const Scenery seen_then = look(less);
-      for (const PerceivedBody& body : seen.bodies) {
-        EXPECT_EQ(contains(seen_then, body), contains(less, body)) << "without " << i;
-      }
-    }
-  }
-}
-
-TEST(OcclusionProperty, NearestBodyIsAlwaysSeenAndOrderIsKept) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Scenery scenery = randomScenery(seed, true);
-    scenery.walls.clear();
-    if (scenery.bodies.empty()) continue;
-    const Scenery seen = look(scenery);
-    ASSERT_FALSE(seen.bodies.empty());
-    EXPECT_EQ(seen.bodies[0].position, scenery.bodies[0].position);
-    std::size_t last = 0;
-    for (const PerceivedBody& body : seen.bodies) {
-      std::size_t place = last;
-      while (place < scenery.bodies.size() && scenery.bodies[place].position != body.position) ++place;
-      ASSERT_LT(place, scenery.bodies.size());
-      last = place;
-    }
-  }
-}
-
-TEST(OcclusionProperty, WhatIsHiddenHidesNothing) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scenery seen = look(randomScenery(seed, true));
-    EXPECT_EQ(look(seen).bodies.size(), seen.bodies.size());
-  }
+TEST(OcclusionInTheWorld, MaxBodiesCountsTheNearestPartsThatAreSeen) {
+  Scene scene = scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({0.0, 2.75})},
+                              {scenes::pillar(LARGE.position, LARGE.radius)}, {hiding(-0.1, 0.25)});
+  World world(scene);
+  Perceptions seen;
+  world.perceive({6.0, 1, false}, seen);
+  EXPECT_EQ(Perception(seen, 0).bodies[0].position, LARGE.position);
+  world.perceive({6.0, 1, true}, seen);  // the rim that is left of the pillar is 2.8 m away, the agent's 2.5 m
+  ASSERT_EQ(seen.agents[0].body_count, 1U);
+  EXPECT_EQ(Perception(seen, 0).bodies[0].position, Vector2(0.0, 2.75));
 }
 
 }  // namespace

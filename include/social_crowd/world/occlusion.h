@@ -9,8 +9,12 @@ namespace crowd {
 
 /// @brief Leaves out of a perception what nearer bodies and walls hide from the agent's centre.
 ///
-/// Of a body that is partly hidden the rest tells where it is and how large: it is perceived whole. Only one of which
-/// nothing at all is seen is left out. Walls are cut to the parts that are seen.
+/// A body of which nothing is seen is left out. Of one that is partly hidden that disc is perceived which the part from
+/// the first to the last that is seen of it spans: shares a to b of its chord, from the right, make a disc of radius
+/// (b - a) R, shifted by (a + b - 1) R to the left along the chord. It lies within the body, is the body itself where
+/// neither flank is hidden, and shrinks to nothing with the last of it that is seen; when a glimpse beside another part
+/// is lost, it jumps to that other part. Bodies hide as they are, however little is seen of them. Walls are cut to the
+/// parts that are seen.
 ///
 /// A disc is looked at as its chord between the two points where the lines of sight touch it, a wall as what it is:
 /// things that do not overlap stand before each other as these chords do. So all is done with cross products, and
@@ -19,8 +23,8 @@ namespace crowd {
 class Occlusion {
  public:
   /// @param bodies from number `first_body` on, and walls from `first_wall` on, are those of one agent, in its frame;
-  /// what lies before stays as it is. Bodies stay in their order.
-  /// @param radius of vision; parts of walls that lie beyond are left out, too [m]
+  /// what lies before stays as it is. Bodies come and leave nearest rim first; equal ones stay in their order.
+  /// @param radius of vision; parts of bodies and walls that lie beyond are left out, too [m]
   void apply(std::vector<PerceivedBody>& bodies, std::size_t first_body, std::vector<Segment>& walls,
              std::size_t first_wall, double radius);
 
@@ -56,10 +60,16 @@ class Occlusion {
 
   static Screen screenOf(const PerceivedBody& body);
   static Screen screenOf(const Segment& wall);
+  /// The disc that a part of a body's chord spans.
+  static PerceivedBody spanned(const PerceivedBody& body, const Screen& chord, const Part& part);
   void addHiddenPart(const Screen& seen, const Screen& other);
   /// Finds the parts of a thing that the screens leave to be seen; its own number among them, or a number beyond them.
   const std::vector<Part>& visibleParts(const Screen& seen, std::size_t own);
-  void leaveOutBodies(std::vector<PerceivedBody>& bodies, std::size_t first);
+  /// Adds the screens of the bodies. Near ones come first and hide most of the others, which then need not be looked
+  /// at as screens and are left out: what they hide is hidden by those in front of them as well.
+  void screenBodies(std::vector<PerceivedBody>& bodies, std::size_t first);
+  /// Leaves what is seen of them: also one with its rim a bit further away may stand before one that is larger.
+  void cutBodies(std::vector<PerceivedBody>& bodies, std::size_t first, std::size_t first_screen, double radius);
   void cutWalls(std::vector<Segment>& walls, std::size_t first, double radius);
 
   std::vector<Screen> screens_;  // of the walls, then of the bodies

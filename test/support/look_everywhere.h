@@ -1,0 +1,128 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "support/sceneries.h"
+
+/// What is seen of a scenery without overlaps, found the long way: along lines of sight in all directions that matter.
+namespace crowd::sceneries {
+
+constexpr double NO_HIT = std::numeric_limits<double>::infinity();
+
+/// How far a line of sight goes until it meets the body [m].
+inline double sightTo(const PerceivedBody& body, const Vector2& sight) {
+  const double along = body.position.dot(sight);
+  const double aside = cross(sight, body.position);
+  if (along < 0.0 || std::abs(aside) > body.radius) return NO_HIT;
+  return along - std::sqrt(body.radius * body.radius - aside * aside);
+}
+
+inline double sightTo(const Segment& wall, const Vector2& sight) {
+  const Vector2 along = wall.to - wall.from;
+  const double share = cross(wall.from, sight) / cross(sight, along);
+  const double distance = cross(wall.from, along) / cross(sight, along);
+  return share >= 0.0 && share <= 1.0 && distance > 0.0 ? distance : NO_HIT;
+}
+
+/// The bearings at which anything begins, ends or crosses, in order.
+inline std::vector<double> criticalBearings(const Scenery& scenery) {
+  std::vector<double> bearings = {-PI, PI};
+  for (const PerceivedBody& body : scenery.bodies) {
+    const double half = std::asin(body.radius / body.position.norm());
+    bearings.push_back(wrapAngle(bearingOf(body.position) - half));
+    bearings.push_back(wrapAngle(bearingOf(body.position) + half));
+  }
+  for (const Segment& wall : scenery.walls) {
+    bearings.push_back(bearingOf(wall.from));
+    bearings.push_back(bearingOf(wall.to));
+    for (const Segment& other : scenery.walls) {
+      const Vector2 along = wall.to - wall.from;
+      const double share = cross(other.from - wall.from, other.to - other.from) / cross(along, other.to - other.from);
+      if (share > 0.0 && share < 1.0) bearings.push_back(bearingOf(wall.from + share * along));
+    }
+  }
+  std::sort(bearings.begin(), bearings.end());
+  return bearings;
+}
+
+/// Bearings from the right to the left, measured from the bearing of a body's centre.
+struct Range {
+  double from;
+  double to;
+};
+
+/// What is seen, by looking in the middle between all bearings at which anything changes: of each body the ranges in
+/// which it is in front, from the right, and how long the seen parts of the walls are together [m].
+struct Seen {
+  std::vector<std::vector<Range>> bodies;
+  double wall_length = 0.0;
+};
+
+/// Ranges less wide than this may be rounding.
+constexpr double NARROW = 1e-7;
+
+/// The same ranges, from the right, with those that meet made one.
+inline std::vector<Range> joined(std::vector<Range> ranges) {
+  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.from < b.from; });
+  std::vector<Range> made;
+  for (const Range& range : ranges) {
+    if (made.empty() || range.from > made.back().to + 2.0 * NARROW) {
+      made.push_back(range);
+    } else {
+      made.back().to = range.to;
+    }
+  }
+  return made;
+}
+
+/// The length of wall between two lines of sight that meet it [m].
+inline double lengthBetween(const Segment& wall, double right, double left) {
+  const auto meet = [&](double bearing) -> Vector2 {
+    const Vector2 along = wall.to - wall.from;
+    const double share = cross(wall.from, unitVector(bearing)) / cross(unitVector(bearing), along);
+    return wall.from + std::clamp(share, 0.0, 1.0) * along;
+  };
+  return (meet(left) - meet(right)).norm();
+}
+
+/// The thing that a line of sight meets first, or null.
+template <typename Thing>
+const Thing* firstMet(const std::vector<Thing>& things, const Vector2& sight, double& nearest) {
+  const Thing* first = nullptr;
+  for (const Thing& thing : things) {
+    const double distance = sightTo(thing, sight);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    first = &thing;
+  }
+  return first;
+}
+
+/// Of numbered bodies.
+inline Seen lookEverywhere(const Scenery& scenery) {
+  Seen seen;
+  seen.bodies.resize(scenery.bodies.size());
+  const std::vector<double> bearings = criticalBearings(scenery);
+  for (std::size_t i = 1; i < bearings.size(); ++i) {
+    const double half = 0.5 * (bearings[i] - bearings[i - 1]);
+    const double middle = bearings[i - 1] + half;
+    if (2.0 * half < NARROW) continue;
+    double nearest = NO_HIT;
+    const PerceivedBody* body = firstMet(scenery.bodies, unitVector(middle), nearest);
+    const Segment* wall = firstMet(scenery.walls, unitVector(middle), nearest);
+    if (wall != nullptr) {
+      seen.wall_length += lengthBetween(*wall, bearings[i - 1], bearings[i]);
+    } else if (body != nullptr) {
+      const double aside = wrapAngle(middle - bearingOf(body->position));
+      seen.bodies[numberOf(*body)].push_back({aside - half, aside + half});
+    }
+  }
+  for (std::vector<Range>& ranges : seen.bodies) ranges = joined(ranges);
+  return seen;
+}
+
+}  // namespace crowd::sceneries

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/world/occlusion.h"
+#include "support/scenes.h"
+
+/// What one agent has around it, in its frame, and what is left of it to be seen. Bodies are told apart by their
+/// numbers: they are perceived elsewhere and smaller where they are partly hidden.
+namespace crowd::sceneries {
+
+constexpr double FAR = 100.0;  // radius of vision [m]
+
+struct Scenery {
+  std::vector<PerceivedBody> bodies;
+  std::vector<Segment> walls;
+};
+
+inline PerceivedBody body(const Vector2& position, double radius) {
+  PerceivedBody made;
+  made.position = position;
+  made.radius = radius;
+  return made;
+}
+
+/// The number is kept where occlusion changes nothing.
+inline void setNumber(PerceivedBody& body, std::size_t number) { body.velocity.x() = static_cast<double>(number); }
+inline std::size_t numberOf(const PerceivedBody& body) { return static_cast<std::size_t>(body.velocity.x()); }
+
+/// The same with bodies numbered from 0 in their order.
+inline Scenery numbered(Scenery scenery) {
+  for (std::size_t i = 0; i < scenery.bodies.size(); ++i) setNumber(scenery.bodies[i], i);
+  return scenery;
+}
+
+/// The body of that number, or null where it is not among them.
+inline const PerceivedBody* find(const Scenery& scenery, std::size_t number) {
+  const auto found = std::find_if(scenery.bodies.begin(), scenery.bodies.end(),
+                                  [&](const PerceivedBody& body) { return numberOf(body) == number; });
+  return found == scenery.bodies.end() ? nullptr : &*found;
+}
+
+/// What is left to be seen.
+inline Scenery look(Scenery scenery, double radius = FAR) {
+  Occlusion occlusion;
+  occlusion.apply(scenery.bodies, 0, scenery.walls, 0, radius);
+  return scenery;
+}
+
+inline double rimDistance(const PerceivedBody& body) { return body.position.norm() - body.radius; }
+
+inline void sortByRim(Scenery& scenery) {
+  std::sort(scenery.bodies.begin(), scenery.bodies.end(),
+            [](const PerceivedBody& a, const PerceivedBody& b) { return rimDistance(a) < rimDistance(b); });
+}
+
+inline bool overlap(const PerceivedBody& a, const PerceivedBody& b) {
+  return (a.position - b.position).norm() < a.radius + b.radius;
+}
+
+/// Whether a body overlaps any thing of the scenery but the body of that number.
+inline bool overlapsAny(const PerceivedBody& body, const Scenery& scenery, std::size_t but) {
+  return std::any_of(scenery.bodies.begin(), scenery.bodies.end(),
+                     [&](const PerceivedBody& other) { return numberOf(other) != but && overlap(body, other); }) ||
+         std::any_of(scenery.walls.begin(), scenery.walls.end(),
+                     [&](const Segment& wall) { return distanceTo(wall, body.position) < body.radius; });
+}
+
+/// Random bodies in order of their rims, and walls; on request none of them overlap, but for walls that cross. No rim
+/// is nearer than `clearance`.
+inline Scenery randomScenery(std::uint64_t seed, bool apart, double clearance = 0.1) {
+  KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+  Scenery made;
+  for (std::uint32_t i = random.below(4); i > 0; --i) {
+    const Vector2 from = scenes::randomPoint(random, 6.0);
+    made.walls.push_back({from, scenes::randomPoint(random, 6.0)});
+  }
+  for (std::uint32_t i = 2 + random.below(25); i > 0; --i) {
+    PerceivedBody next = body(scenes::randomPoint(random, 6.0), random.uniform(0.05, 1.0));
+    setNumber(next, made.bodies.size());
+    const bool blocked = rimDistance(next) < clearance || overlapsAny(next, made, numberOf(next));
+    if (!apart || !blocked) made.bodies.push_back(next);
+  }
+  sortByRim(made);
+  return numbered(made);
+}
+
+}  // namespace crowd::sceneries
