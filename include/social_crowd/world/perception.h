@@ -24,7 +24,7 @@ struct Vision {
 /// @brief What kind of body is perceived.
 enum class BodyKind : std::uint8_t { AGENT = 0, OBSTACLE = 1 };
 
-/// @brief Another body in the frame of the agent that perceives it (x ahead, y left).
+/// @brief Another body, or what is seen of it, in the frame of the agent that perceives it (x ahead, y left).
 struct PerceivedBody {
   Vector2 position = Vector2::Zero();  ///< of the centre [m]
   Vector2 velocity = Vector2::Zero();  ///< over ground, of the last tick [m/s]
