@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "social_crowd/common/vectorised.h"
@@ -46,11 +47,13 @@ CROWD_VECTORISED void findRims(const double* __restrict radii, std::size_t count
 }
 
 /// How many of `count` keys are smaller than each of them. The keys are filled up with the highest to full lanes.
-CROWD_VECTORISED void rank(const Keys* keys, std::size_t count, Ranks* ranks) {
-  for (std::size_t block = 0; block * LANES < count; ++block) {
+CROWD_VECTORISED void rank(const float* __restrict keys, std::size_t count, std::int32_t* __restrict ranks) {
+  for (std::size_t block = 0; block < count; block += LANES) {
+    Keys own;
+    std::memcpy(&own, keys + block, sizeof(own));
     Ranks smaller{};
-    for (std::size_t j = 0; j < count; ++j) smaller -= keys[j / LANES][j % LANES] < keys[block];
-    ranks[block] = smaller;
+    for (std::size_t j = 0; j < count; ++j) smaller -= keys[j] < own;
+    std::memcpy(ranks + block, &smaller, sizeof(smaller));
   }
 }
 
@@ -101,16 +104,14 @@ void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, do
 bool NeighbourSearch::sortByRank() {
   if (count_ == 1) found_[0] = {rims_[0], discs_[0]};
   if (count_ <= 1) return true;
-  std::array<Keys, MAX_RANKED / LANES> keys{};
-  std::array<Ranks, MAX_RANKED / LANES> ranks;
-  const std::size_t padded = (count_ + LANES - 1) / LANES * LANES;
-  for (std::size_t i = 0; i < padded; ++i) {
-    keys[i / LANES][i % LANES] = i < count_ ? static_cast<float>(rims_[i]) : std::numeric_limits<float>::infinity();
-  }
+  alignas(32) std::array<float, MAX_RANKED> keys;
+  alignas(32) std::array<std::int32_t, MAX_RANKED> ranks;
+  keys.fill(std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < count_; ++i) keys[i] = static_cast<float>(rims_[i]);
   rank(keys.data(), count_, ranks.data());
   std::size_t sum = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    const auto place = static_cast<std::size_t>(ranks[i / LANES][i % LANES]);
+    const auto place = static_cast<std::size_t>(ranks[i]);
     found_[place] = {rims_[i], discs_[i]};
     sum += place;
   }
