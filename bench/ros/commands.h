@@ -12,7 +12,8 @@ namespace crowd::bench {
 void walkHeadless(const std::string& scenario, const std::string& q_table, unsigned max_bodies, unsigned warm_up,
                   unsigned ticks);
 
-/// @brief Lets a paused crowd_controller walk from the scenario's beginning and prints ticks a second, bytes of perceptions and bytes of actions.
+/// @brief Lets a paused crowd_controller walk from the scenario's beginning and prints ticks a second, bytes of
+/// perceptions and bytes of actions.
 void timeLockstep(unsigned warm_up, unsigned ticks);
 
 /// @brief The other end of roundTrip(): answers every message with one of so many bytes, until it is stopped.
