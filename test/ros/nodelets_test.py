@@ -73,6 +73,17 @@ class DemoTest(NodeletTestCase):
         expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
 
+    def test_a_controller_alone_in_its_process(self):
+        """Without a manager that it could be unloaded from, it ends the process when it is done."""
+        self.start_learner()
+        parameters = {'scenario': support.CIRCLE6, 'pace': 'fast', 'episodes': 1, 'answer_deadline': 60.0}
+        for key, value in parameters.items():
+            rospy.set_param(f'{self.namespace}/crowd_controller/{key}', value)
+        alone = self.start('alone', NODELET + ['standalone', 'social_crowd/crowd_controller',
+                                               '__name:=crowd_controller'])
+        self.assertEqual(alone.wait(), 0)
+        self.assert_says(alone.output(), 'episode 0 (circle6')
+
     def test_two_learner_nodelets(self):
         self.load('learner', 'learner_a', q_table=support.NEAREST_TABLE, agents=[0, 1, 2])
         self.load('learner', 'learner_b', q_table=support.NEAREST_TABLE, agents=[3, 4, 5])
