@@ -14,10 +14,11 @@ EPISODES = 8  # so that each of the four documents is walked twice
 class DemoTest(support.CrowdTestCase):
     """Agents that walk by a table: the recording of the run through ROS against that of `evaluate`."""
 
-    def walk(self, scenario=SCENARIO, episodes=EPISODES, seed=5):
+    def walk(self, scenario=SCENARIO, episodes=EPISODES, seed=5, **parameters):
         """Walks episodes through ROS; the recording. Nothing may be missed or dropped on the way."""
         results = self.listen('episode_results', EpisodeResult)
-        controller = self.start_controller(scenario, episodes=episodes, seed=seed, trajectories=self.path('ros'))
+        controller = self.start_controller(scenario, episodes=episodes, seed=seed, trajectories=self.path('ros'),
+                                           **parameters)
         results.wait_connected()
         self.assertEqual(controller.wait(), 0)
         support.wait_for(lambda: len(results.messages) >= episodes, 'the results of all episodes')
@@ -86,6 +87,17 @@ class DemoTest(support.CrowdTestCase):
         """Otherwise the tests above would not notice if the controller ignored its seed."""
         recordings = [self.headless(SCENARIO, episodes=EPISODES, seed=seed) for seed in (5, 6)]
         self.assertNotEqual(*recordings)
+
+    def test_what_is_hidden(self):
+        """Agents that do not perceive what others and walls hide; the learner takes the nearest 16 of what they see."""
+        recipe = support.read_text(support.in_package('config', 'learning', 'anticipation.yaml'))
+        recipe = recipe.replace('../scenarios', support.in_package('config', 'scenarios'))
+        recipe = self.write('recipe.yaml', recipe + 'vision: {occlusion: true}\n')
+        table = self.path('table.txt')
+        self.tool('train', recipe, '--output', table, '--episodes', 20)
+        expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
+        self.start_learner(q_table=table)
+        self.assert_same_recording(self.walk(occlusion=True, vision_radius=6.0 + 1e-6), expected)
 
     def test_bodies_at_the_edge_of_vision(self):
         """A body exactly at the radius of vision is perceived in both runs or in neither."""
