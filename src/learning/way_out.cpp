@@ -71,8 +71,8 @@ void WayOut::addPlainMoves() {
   }
 }
 
-/// When whoever walks straight on from `start`, where it is in a tick, stands before an agent, an obstacle or a wall
-/// [s].
+/// When whoever walks straight on from `start`, where it is in a tick, stands before an obstacle, a wall, or an agent
+/// that goes on as it does or stops [s].
 double WayOut::blockedAfter(const Vector2& start, const Vector2& velocity) const {
   const double radius = perception_.self.radius;
   double time = NEVER;
@@ -81,6 +81,7 @@ double WayOut::blockedAfter(const Vector2& start, const Vector2& velocity) const
     const Vector2 place = body.position + perception_.tick_duration * body.velocity - start;
     const double reach = radius + body.radius + (body.kind == BodyKind::AGENT ? DOUBT : 0.0);
     time = std::min(time, timeToContact(place, velocity - body.velocity, reach));
+    time = std::min(time, timeToContact(place, velocity, reach));
   }
   for (const Segment& wall : perception_.walls) {
     time = std::min(time, timeToContact(Segment{wall.from - start, wall.to - start}, velocity, radius));
