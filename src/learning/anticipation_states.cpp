@@ -15,7 +15,7 @@ using Lanes = MoveOutlooks::Lanes;
 
 /// The rows so far of all moves, LANES at a time.
 struct RowLanes {
-  alignas(32) std::array<Row, MoveOutlooks::LANES> rows{};
+  alignas(64) std::array<Row, MoveOutlooks::LANES> rows{};
 };
 
 /// Another digit of the rows: the class of each value, that is how many limits it reaches.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "social_crowd/common/vectorised.h"
 #include "social_crowd/learning/time_to_contact.h"
@@ -16,62 +17,155 @@ constexpr float AT_ONCE = 1e30F;  // [1/s]
 
 /// Velocities of the moves, and how soon each would touch something: 1 / time, 0 for never.
 struct Courses {
-  alignas(32) Lanes ux;  // [m/s]
-  alignas(32) Lanes uy;
-  alignas(32) Lanes reciprocal{};  // [1/s]
-  alignas(32) Lanes selfish{};
-  alignas(32) Lanes fixed{};
+  std::size_t count;
+  alignas(64) Lanes ux;  // [m/s]
+  alignas(64) Lanes uy;
+  alignas(64) Lanes reciprocal{};  // [1/s]
+  alignas(64) Lanes selfish{};
+  alignas(64) Lanes fixed{};
 };
 
-/// Another disc, seen from the agent.
-struct Other {
-  float px;  // [m]
-  float py;
-  float apart;  // square of the distance less that of the reach, 0 if they overlap [m2]
+/// Discs as the agent sees them, side by side. A place that nothing was put at stands for a disc that is never touched.
+struct Discs {
+  static constexpr std::size_t SIZE = 16;
+  using Floats = std::array<float, SIZE>;
+
+  alignas(64) Floats px{};  // [m]
+  alignas(64) Floats py{};
+  alignas(64) Floats vx{};  // [m/s]
+  alignas(64) Floats vy{};
+  alignas(64) Floats apart;  // square of the distance less that of the reach, 0 if they overlap [m2]
+
+  Discs() { apart.fill(1.0F); }
+
+  void put(std::size_t i, const Vector2& place, const Vector2& velocity, double reach) {
+    px[i] = static_cast<float>(place.x());
+    py[i] = static_cast<float>(place.y());
+    vx[i] = static_cast<float>(velocity.x());
+    vy[i] = static_cast<float>(velocity.y());
+    apart[i] = static_cast<float>(std::max(0.0, place.squaredNorm() - reach * reach));
+  }
 };
 
-Other otherAt(const Vector2& place, double reach) {
-  const double apart = place.squaredNorm() - reach * reach;
-  return {static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(std::max(0.0, apart))};
+using Eight = float __attribute__((vector_size(8 * sizeof(float))));
+using Four = float __attribute__((vector_size(4 * sizeof(float))));
+
+/// Of the first and the second half the higher values.
+template <typename Half, typename Whole>
+inline void fold(const Whole& values, Half& higher) {
+  static_assert(sizeof(Whole) == 2 * sizeof(Half), "two halves");
+  Half other;
+  std::memcpy(&higher, &values, sizeof(Half));
+  std::memcpy(&other, reinterpret_cast<const char*>(&values) + sizeof(Half), sizeof(Half));
+  higher = higher > other ? higher : other;
+}
+
+inline float highest(const Discs::Floats& values) {
+  Eight eight;
+  Four four;
+  fold(values, eight);
+  fold(eight, four);
+  return std::max(std::max(four[0], four[1]), std::max(four[2], four[3]));
 }
 
 /// Of the roots of |p - t r| = reach, t = apart / (p.r + sqrt(inside)) is the smaller one; of its inverse, the largest
-/// is kept. Where it is not real, or behind (negative), the comparison fails. `pace` is by how much faster time goes.
-inline void noteContacts(const Courses& courses, const Other& other, float vx, float vy, float pace, Lanes& soonest) {
-  const float per_root = other.apart > 0.0F ? pace / other.apart : AT_ONCE;
-  for (std::size_t i = 0; i < LANES; ++i) {
-    const float rx = courses.ux[i] - vx;
-    const float ry = courses.uy[i] - vy;
-    const float closing = other.px * rx + other.py * ry;
-    const float square = rx * rx + ry * ry;
-    const float soon = (closing + std::sqrt(closing * closing - square * other.apart)) * per_root;
-    soonest[i] = soon > soonest[i] ? soon : soonest[i];
+/// is kept. Where it is not real, or behind (negative), the comparison fails.
+/// @param vx velocities of the discs instead of their own
+inline void noteContacts(const Courses& courses, const Discs& discs, const Discs::Floats& vx, const Discs::Floats& vy,
+                         Lanes& soonest) {
+  alignas(64) Discs::Floats per_root;
+  for (std::size_t i = 0; i < Discs::SIZE; ++i) per_root[i] = discs.apart[i] > 0.0F ? 1.0F / discs.apart[i] : AT_ONCE;
+  for (std::size_t move = 0; move < courses.count; ++move) {
+    const float ux = courses.ux[move];
+    const float uy = courses.uy[move];
+    alignas(64) Discs::Floats inverses;
+    for (std::size_t i = 0; i < Discs::SIZE; ++i) {
+      const float rx = ux - vx[i];
+      const float ry = uy - vy[i];
+      const float closing = discs.px[i] * rx + discs.py[i] * ry;
+      const float square = rx * rx + ry * ry;
+      const float soon = (closing + std::sqrt(closing * closing - square * discs.apart[i])) * per_root[i];
+      inverses[i] = soon > 0.0F ? soon : 0.0F;
+    }
+    soonest[move] = std::max(soonest[move], highest(inverses));
   }
 }
 
-/// Returns the fastest approach of another agent if this one walked with the velocity `wish` [m/s].
-CROWD_VECTORISED float noteBodies(const Perception& perception, const Vector2& wish, Courses& courses) {
-  const AgentPerception& self = perception.self;
-  const auto wx = static_cast<float>(self.velocity.x());
-  const auto wy = static_cast<float>(self.velocity.y());
-  const auto goal_x = static_cast<float>(wish.x());
-  const auto goal_y = static_cast<float>(wish.y());
-  float fastest = 0.0F;  // squared
-  for (const PerceivedBody& body : perception.bodies) {
-    const Other other = otherAt(body.position, self.radius + body.radius);
-    const auto vx = static_cast<float>(body.velocity.x());
-    const auto vy = static_cast<float>(body.velocity.y());
-    if (body.kind == BodyKind::OBSTACLE) {
-      noteContacts(courses, other, vx, vy, 1.0F, courses.fixed);
-      continue;
-    }
-    noteContacts(courses, other, vx, vy, 1.0F, courses.selfish);
-    // At 2u - w - v contact comes in half of the time that it takes at u - (w + v) / 2.
-    noteContacts(courses, other, 0.5F * (wx + vx), 0.5F * (wy + vy), 2.0F, courses.reciprocal);
-    const float closing = std::max(0.0F, other.px * (goal_x - vx) + other.py * (goal_y - vy));
-    const float square = closing * closing / (other.px * other.px + other.py * other.py);
-    fastest = square > fastest ? square : fastest;
+/// The square of the fastest approach of any disc, seen with a velocity [m2/s2].
+inline float fastestApproach(const Discs& discs, const Vector2& velocity) {
+  const auto x = static_cast<float>(velocity.x());
+  const auto y = static_cast<float>(velocity.y());
+  alignas(64) Discs::Floats squares;
+  for (std::size_t i = 0; i < Discs::SIZE; ++i) {
+    const float closing = discs.px[i] * (x - discs.vx[i]) + discs.py[i] * (y - discs.vy[i]);
+    const float square = closing * closing / (discs.px[i] * discs.px[i] + discs.py[i] * discs.py[i]);
+    squares[i] = closing > 0.0F ? square : 0.0F;
   }
+  return highest(squares);
+}
+
+/// Notes contacts with agents, and the square of their fastest approach if this one walked with the velocity `wish`.
+CROWD_VECTORISED void noteAgents(const Discs& agents, const Vector2& velocity, const Vector2& wish, Courses& courses,
+                                 float& fastest) {
+  noteContacts(courses, agents, agents.vx, agents.vy, courses.selfish);
+  // At 2u - w - v contact comes in half of the time that it takes at u - (w + v) / 2.
+  alignas(64) Discs::Floats mean_vx;
+  alignas(64) Discs::Floats mean_vy;
+  const auto wx = static_cast<float>(velocity.x());
+  const auto wy = static_cast<float>(velocity.y());
+  for (std::size_t i = 0; i < Discs::SIZE; ++i) mean_vx[i] = 0.5F * (wx + agents.vx[i]);
+  for (std::size_t i = 0; i < Discs::SIZE; ++i) mean_vy[i] = 0.5F * (wy + agents.vy[i]);
+  noteContacts(courses, agents, mean_vx, mean_vy, courses.reciprocal);
+  fastest = std::max(fastest, fastestApproach(agents, wish));
+}
+
+CROWD_VECTORISED void noteFixed(const Discs& discs, Courses& courses) {
+  noteContacts(courses, discs, discs.vx, discs.vy, courses.fixed);
+}
+
+/// Takes discs one by one and has them noted Discs::SIZE at a time.
+template <typename Note>
+class Collector {
+ public:
+  explicit Collector(const Note& note) : note_(note) {}
+  void add(const Vector2& place, const Vector2& velocity, double reach) {
+    discs_.put(count_++, place, velocity, reach);
+    if (count_ == Discs::SIZE) noteAll();
+  }
+  /// What was noted before may be noted again: that changes nothing.
+  void noteAll() {
+    if (count_ > 0) note_(discs_);
+    count_ = 0;
+  }
+
+ private:
+  const Note& note_;
+  Discs discs_;
+  std::size_t count_ = 0;
+};
+
+/// Notes contacts with bodies and with the ends of walls. Returns the fastest approach of another agent if this one
+/// walked with the velocity `wish` [m/s].
+float noteDiscs(const Perception& perception, const Vector2& wish, Courses& courses) {
+  const AgentPerception& self = perception.self;
+  float fastest = 0.0F;  // squared
+  const auto note_agents = [&](const Discs& discs) { noteAgents(discs, self.velocity, wish, courses, fastest); };
+  const auto note_fixed = [&](const Discs& discs) { noteFixed(discs, courses); };
+  Collector agents(note_agents);
+  Collector fixed(note_fixed);
+  for (const PerceivedBody& body : perception.bodies) {
+    const double reach = self.radius + body.radius;
+    if (body.kind == BodyKind::AGENT) {
+      agents.add(body.position, body.velocity, reach);
+    } else {
+      fixed.add(body.position, body.velocity, reach);
+    }
+  }
+  for (const Segment& wall : perception.walls) {
+    for (const Vector2* end : {&wall.from, &wall.to}) fixed.add(*end, Vector2::Zero(), self.radius);
+  }
+  agents.noteAll();
+  fixed.noteAll();
   return std::sqrt(fastest);
 }
 
@@ -98,26 +192,21 @@ CROWD_VECTORISED void noteSide(const Segment& wall, double radius, Courses& cour
   }
 }
 
-CROWD_VECTORISED void noteEnds(const Segment& wall, double radius, Courses& courses) {
-  for (const Vector2* end : {&wall.from, &wall.to}) {
-    noteContacts(courses, otherAt(*end, radius), 0.0F, 0.0F, 1.0F, courses.fixed);
-  }
-}
-
 /// What lies behind the goal does not count.
-CROWD_VECTORISED void toTimes(const Lanes& soonest, float time_to_goal, Lanes& times) {
+/// @param unit of the times that the inverses stand for [s]
+CROWD_VECTORISED void toTimes(const Lanes& soonest, float unit, float time_to_goal, Lanes& times) {
   for (std::size_t i = 0; i < LANES; ++i) {
-    const float time = 1.0F / soonest[i];
+    const float time = unit / soonest[i];
     times[i] = time > time_to_goal ? static_cast<float>(NEVER) : time;
   }
 }
 
 /// Moves side by side.
 struct MoveLanes {
-  alignas(32) Lanes x{};  // direction
-  alignas(32) Lanes y{};
-  alignas(32) Lanes wanted{};
-  alignas(32) Lanes left{};  // by the contact rule
+  alignas(64) Lanes x{};  // direction
+  alignas(64) Lanes y{};
+  alignas(64) Lanes wanted{};
+  alignas(64) Lanes left{};  // by the contact rule
 
   MoveLanes(const CandidateMove* moves, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -150,19 +239,17 @@ MoveOutlooks::MoveOutlooks(const Perception& perception, const CandidateMove* mo
   const double distance = self.goal.norm();
   const MoveLanes lanes(moves, count);
   Courses courses;
+  courses.count = count;
   findCourses(lanes, speed, static_cast<float>(least_share), shares, courses);
   turn_cosines = lanes.x;
   if (self.velocity == Vector2::Zero()) turn_cosines.fill(1.0F);
   const double pace_to_goal = distance > 0.0 ? self.speed / distance : 0.0;
-  oncoming = noteBodies(perception, pace_to_goal * self.goal, courses) / speed;
-  for (const Segment& wall : perception.walls) {
-    noteEnds(wall, self.radius, courses);
-    noteSide(wall, self.radius, courses);
-  }
+  oncoming = noteDiscs(perception, pace_to_goal * self.goal, courses) / speed;
+  for (const Segment& wall : perception.walls) noteSide(wall, self.radius, courses);
   const auto time_to_goal = static_cast<float>(distance / self.speed);
-  toTimes(courses.reciprocal, time_to_goal, reciprocal_times);
-  toTimes(courses.selfish, time_to_goal, selfish_times);
-  toTimes(courses.fixed, time_to_goal, fixed_times);
+  toTimes(courses.reciprocal, 0.5F, time_to_goal, reciprocal_times);
+  toTimes(courses.selfish, 1.0F, time_to_goal, selfish_times);
+  toTimes(courses.fixed, 1.0F, time_to_goal, fixed_times);
 }
 
 }  // namespace crowd

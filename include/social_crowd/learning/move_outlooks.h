@@ -14,11 +14,11 @@ struct MoveOutlooks {
   static constexpr std::size_t LANES = 20;  ///< moves that are looked at together
   using Lanes = std::array<float, LANES>;
 
-  alignas(32) Lanes reciprocal_times;  ///< to contact with an agent that does its half [s]; NEVER if there is none
-  alignas(32) Lanes selfish_times;     ///< to contact with an agent that goes on as it does [s]
-  alignas(32) Lanes fixed_times;       ///< to contact with a wall or an obstacle [s]
-  alignas(32) Lanes shares;            ///< of the wanted displacement
-  alignas(32) Lanes turn_cosines;
+  alignas(64) Lanes reciprocal_times;  ///< to contact with an agent that does its half [s]; NEVER if there is none
+  alignas(64) Lanes selfish_times;     ///< to contact with an agent that goes on as it does [s]
+  alignas(64) Lanes fixed_times;       ///< to contact with a wall or an obstacle [s]
+  alignas(64) Lanes shares;            ///< of the wanted displacement
+  alignas(64) Lanes turn_cosines;
   float oncoming;  ///< fastest approach of another agent if this one walked to its goal at full speed, in units of that
 
   /// @brief What would come of `count` moves, LANES at most; the other lanes hold anything.
