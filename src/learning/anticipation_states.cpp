@@ -1,6 +1,7 @@
 #include "social_crowd/learning/anticipation_states.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/common/vectorised.h"
@@ -13,17 +14,26 @@ constexpr double FASTEST_APPROACH = 10.0;  // [top speeds]
 
 using Lanes = MoveOutlooks::Lanes;
 
-/// The rows so far of all moves, LANES at a time.
-struct RowLanes {
-  alignas(64) std::array<Row, MoveOutlooks::LANES> rows{};
-};
+/// The rows so far of all moves.
+using RowLanes = std::array<Row, MoveOutlooks::LANES>;
+
+// Lanes that fit into a register, so that what is counted stays there.
+constexpr std::size_t BLOCK = 8;
+using Values = float __attribute__((vector_size(BLOCK * sizeof(float))));
+using Counts = std::int32_t __attribute__((vector_size(BLOCK * sizeof(float))));
+static_assert(MoveOutlooks::LANES % BLOCK == 0, "whole blocks");
 
 /// Another digit of the rows: the class of each value, that is how many limits it reaches.
-CROWD_VECTORISED void append(const Lanes& values, const std::vector<float>& limits, RowLanes& lanes) {
-  const Row base = static_cast<Row>(limits.size() + 1);
-  for (Row& row : lanes.rows) row *= base;
-  for (const float limit : limits) {
-    for (std::size_t i = 0; i < lanes.rows.size(); ++i) lanes.rows[i] += values[i] >= limit ? 1U : 0U;
+CROWD_VECTORISED void append(const Lanes& values, const std::vector<float>& limits, RowLanes& rows) {
+  const auto base = static_cast<std::int32_t>(limits.size() + 1);
+  for (std::size_t first = 0; first < rows.size(); first += BLOCK) {
+    Values block;
+    Counts digits;
+    std::memcpy(&block, &values[first], sizeof(block));
+    std::memcpy(&digits, &rows[first], sizeof(digits));
+    digits *= base;
+    for (const float limit : limits) digits -= block >= limit;  // true is -1
+    std::memcpy(&rows[first], &digits, sizeof(digits));
   }
 }
 
@@ -53,18 +63,18 @@ MoveOutlooks AnticipationStates::describe(const Perception& perception, const Ca
 }
 
 void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const {
-  RowLanes lanes;
+  RowLanes rows_so_far{};
   Lanes turns;
   Lanes oncoming;
   for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = -outlooks.turn_cosines[i];
   oncoming.fill(outlooks.oncoming);
-  append(outlooks.reciprocal_times, reciprocal_times_, lanes);
-  append(outlooks.selfish_times, selfish_times_, lanes);
-  append(outlooks.fixed_times, fixed_times_, lanes);
-  append(outlooks.shares, shares_, lanes);
-  append(turns, turn_cosines_, lanes);
-  append(oncoming, oncoming_, lanes);
-  std::copy_n(lanes.rows.begin(), count, rows);
+  append(outlooks.reciprocal_times, reciprocal_times_, rows_so_far);
+  append(outlooks.selfish_times, selfish_times_, rows_so_far);
+  append(outlooks.fixed_times, fixed_times_, rows_so_far);
+  append(outlooks.shares, shares_, rows_so_far);
+  append(turns, turn_cosines_, rows_so_far);
+  append(oncoming, oncoming_, rows_so_far);
+  std::copy_n(rows_so_far.begin(), count, rows);
 }
 
 void AnticipationStates::findRows(const Perception& perception, const CandidateMove* moves, Row* rows) const {

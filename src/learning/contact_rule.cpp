@@ -1,8 +1,10 @@
 #include "social_crowd/learning/contact_rule.h"
 
 #include <algorithm>
+#include <array>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/vectorised.h"
 #include "social_crowd/learning/way_out.h"
 
 namespace crowd {
@@ -63,14 +65,54 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
   return limit;
 }
 
-/// @param reach the longest displacement of a tick [m]
-void apply(const Limit& limit, double reach, CandidateMove* moves, std::size_t count) {
-  if (limit.room >= reach) return;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double advance = reach * limit.normal.dot(moves[i].direction);
-    const bool too_far = advance > 0.0 && moves[i].share * advance > limit.room;
-    if (too_far) moves[i].share = std::max(0.0, limit.room / advance);
+/// Moves side by side.
+struct MoveLanes {
+  static constexpr std::size_t SIZE = 24;
+  using Lanes = std::array<double, SIZE>;
+
+  alignas(64) Lanes x{};  // direction
+  alignas(64) Lanes y{};
+  alignas(64) Lanes share{};
+
+  MoveLanes(const CandidateMove* moves, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      x[i] = moves[i].direction.x();
+      y[i] = moves[i].direction.y();
+      share[i] = moves[i].wanted;
+    }
   }
+};
+
+/// @param reach the longest displacement of a tick [m]
+CROWD_VECTORISED void apply(const Limit& limit, double reach, MoveLanes& moves) {
+  const double nx = limit.normal.x();
+  const double ny = limit.normal.y();
+  for (std::size_t i = 0; i < MoveLanes::SIZE; ++i) {
+    const double advance = reach * (nx * moves.x[i] + ny * moves.y[i]);
+    const bool too_far = (advance > 0.0) & (moves.share[i] * advance > limit.room);
+    const double left = limit.room / advance;
+    moves.share[i] = too_far ? left : moves.share[i];
+  }
+}
+
+/// Cuts moves to the gaps, MoveLanes::SIZE at most.
+void cutSome(const Perception& perception, GapSharing sharing, CandidateMove* moves, std::size_t count) {
+  MoveLanes lanes(moves, count);
+  const AgentPerception& self = perception.self;
+  const double reach = self.speed * perception.tick_duration;
+  const auto keep = [&](const Limit& limit) {
+    if (limit.room < reach) apply(limit, reach, lanes);
+  };
+  for (const PerceivedBody& body : perception.bodies) {
+    if (isMover(body)) continue;
+    if (body.kind == BodyKind::OBSTACLE) {
+      keep(limitOfObstacle(self, body));
+    } else if (!isFar(self, body, reach, perception.tick_duration)) {
+      keep(limitOfAgent(self, body, perception.tick_duration, sharing));
+    }
+  }
+  for (const Segment& wall : perception.walls) keep(limitOfWall(self, wall));
+  for (std::size_t i = 0; i < count; ++i) moves[i].share = lanes.share[i];
 }
 
 }  // namespace
@@ -98,18 +140,13 @@ void ContactRule::cut(const Perception& perception, CandidateMove* moves, std::s
 }
 
 void ContactRule::cutToGaps(const Perception& perception, CandidateMove* moves, std::size_t count) const {
-  for (std::size_t i = 0; i < count; ++i) moves[i].share = moves[i].wanted;
-  if (sharing_ == GapSharing::NONE) return;
-  const AgentPerception& self = perception.self;
-  const double reach = self.speed * perception.tick_duration;
-  for (const PerceivedBody& body : perception.bodies) {
-    if (isMover(body)) continue;
-    if (body.kind == BodyKind::AGENT && isFar(self, body, reach, perception.tick_duration)) continue;
-    const Limit limit = body.kind == BodyKind::AGENT ? limitOfAgent(self, body, perception.tick_duration, sharing_)
-                                                     : limitOfObstacle(self, body);
-    apply(limit, reach, moves, count);
+  if (sharing_ == GapSharing::NONE) {
+    for (std::size_t i = 0; i < count; ++i) moves[i].share = moves[i].wanted;
+    return;
   }
-  for (const Segment& wall : perception.walls) apply(limitOfWall(self, wall), reach, moves, count);
+  for (std::size_t first = 0; first < count; first += MoveLanes::SIZE) {
+    cutSome(perception, sharing_, moves + first, std::min<std::size_t>(count - first, MoveLanes::SIZE));
+  }
 }
 
 }  // namespace crowd

@@ -4,7 +4,7 @@
 /// the processor has. The loops in it give the same bits either way, as nothing is contracted or reordered
 /// (CMakeLists.txt).
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
-#define CROWD_VECTORISED __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#define CROWD_VECTORISED __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define CROWD_VECTORISED
 #endif

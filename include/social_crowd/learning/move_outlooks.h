@@ -11,7 +11,7 @@ namespace crowd {
 /// @brief What would come of several moves, side by side and in single precision, so that the compiler makes vector
 /// instructions of every step.
 struct MoveOutlooks {
-  static constexpr std::size_t LANES = 20;  ///< moves that are looked at together
+  static constexpr std::size_t LANES = 24;  ///< moves that are looked at together
   using Lanes = std::array<float, LANES>;
 
   alignas(64) Lanes reciprocal_times;  ///< to contact with an agent that does its half [s]; NEVER if there is none
