@@ -14,26 +14,28 @@ constexpr double FASTEST_APPROACH = 10.0;  // [top speeds]
 
 using Lanes = MoveOutlooks::Lanes;
 
-/// The rows so far of all moves.
-using RowLanes = std::array<Row, MoveOutlooks::LANES>;
-
 // Lanes that fit into a register, so that what is counted stays there.
 constexpr std::size_t BLOCK = 8;
 using Values = float __attribute__((vector_size(BLOCK * sizeof(float))));
 using Counts = std::int32_t __attribute__((vector_size(BLOCK * sizeof(float))));
 static_assert(MoveOutlooks::LANES % BLOCK == 0, "whole blocks");
 
-/// Another digit of the rows: the class of each value, that is how many limits it reaches.
-CROWD_VECTORISED void append(const Lanes& values, const std::vector<float>& limits, RowLanes& rows) {
-  const auto base = static_cast<std::int32_t>(limits.size() + 1);
+/// A digit of the rows of all moves: the class of each value, that is how many limits it reaches.
+struct Digit {
+  const Lanes& values;
+  const std::vector<float>& limits;
+};
+
+CROWD_VECTORISED void combine(const std::array<Digit, 6>& digits, std::array<Row, MoveOutlooks::LANES>& rows) {
   for (std::size_t first = 0; first < rows.size(); first += BLOCK) {
-    Values block;
-    Counts digits;
-    std::memcpy(&block, &values[first], sizeof(block));
-    std::memcpy(&digits, &rows[first], sizeof(digits));
-    digits *= base;
-    for (const float limit : limits) digits -= block >= limit;  // true is -1
-    std::memcpy(&rows[first], &digits, sizeof(digits));
+    Counts block{};
+    for (const Digit& digit : digits) {
+      Values values;
+      std::memcpy(&values, &digit.values[first], sizeof(values));
+      block *= static_cast<std::int32_t>(digit.limits.size() + 1);
+      for (const float limit : digit.limits) block -= values >= limit;  // true is -1
+    }
+    std::memcpy(&rows[first], &block, sizeof(block));
   }
 }
 
@@ -63,18 +65,19 @@ MoveOutlooks AnticipationStates::describe(const Perception& perception, const Ca
 }
 
 void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const {
-  RowLanes rows_so_far{};
-  Lanes turns;
-  Lanes oncoming;
+  alignas(64) Lanes turns;
+  alignas(64) Lanes oncoming;
+  alignas(64) std::array<Row, MoveOutlooks::LANES> all;
   for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = -outlooks.turn_cosines[i];
   oncoming.fill(outlooks.oncoming);
-  append(outlooks.reciprocal_times, reciprocal_times_, rows_so_far);
-  append(outlooks.selfish_times, selfish_times_, rows_so_far);
-  append(outlooks.fixed_times, fixed_times_, rows_so_far);
-  append(outlooks.shares, shares_, rows_so_far);
-  append(turns, turn_cosines_, rows_so_far);
-  append(oncoming, oncoming_, rows_so_far);
-  std::copy_n(rows_so_far.begin(), count, rows);
+  combine({{{outlooks.reciprocal_times, reciprocal_times_},
+            {outlooks.selfish_times, selfish_times_},
+            {outlooks.fixed_times, fixed_times_},
+            {outlooks.shares, shares_},
+            {turns, turn_cosines_},
+            {oncoming, oncoming_}}},
+          all);
+  std::copy_n(all.begin(), count, rows);
 }
 
 void AnticipationStates::findRows(const Perception& perception, const CandidateMove* moves, Row* rows) const {

@@ -65,20 +65,21 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
   return limit;
 }
 
-/// Moves side by side.
+/// Moves side by side; the last one again in the lanes that are left.
 struct MoveLanes {
   static constexpr std::size_t SIZE = 24;
   using Lanes = std::array<double, SIZE>;
 
-  alignas(64) Lanes x{};  // direction
-  alignas(64) Lanes y{};
-  alignas(64) Lanes share{};
+  alignas(64) Lanes x;  // direction
+  alignas(64) Lanes y;
+  alignas(64) Lanes share;
 
   MoveLanes(const CandidateMove* moves, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] = moves[i].direction.x();
-      y[i] = moves[i].direction.y();
-      share[i] = moves[i].wanted;
+    for (std::size_t i = 0; i < SIZE; ++i) {
+      const CandidateMove& move = moves[std::min(i, count - 1)];
+      x[i] = move.direction.x();
+      y[i] = move.direction.y();
+      share[i] = move.wanted;
     }
   }
 };

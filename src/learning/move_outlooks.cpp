@@ -15,28 +15,36 @@ constexpr std::size_t LANES = MoveOutlooks::LANES;
 
 constexpr float AT_ONCE = 1e30F;  // [1/s]
 
-/// Velocities of the moves, and how soon each would touch something: 1 / time, 0 for never.
+/// Velocities of the moves, and how soon each would touch something: 1 / time.
 struct Courses {
   std::size_t count;
   alignas(64) Lanes ux;  // [m/s]
   alignas(64) Lanes uy;
-  alignas(64) Lanes reciprocal{};  // [1/s]
-  alignas(64) Lanes selfish{};
-  alignas(64) Lanes fixed{};
+  alignas(64) Lanes reciprocal;  // [1/s]
+  alignas(64) Lanes selfish;
+  alignas(64) Lanes fixed;
+
+  explicit Courses(std::size_t moves) : count(moves) {
+    for (Lanes* soonest : {&reciprocal, &selfish, &fixed}) soonest->fill(static_cast<float>(1.0 / NEVER));
+  }
 };
 
-/// Discs as the agent sees them, side by side. A place that nothing was put at stands for a disc that is never touched.
+/// Discs as the agent sees them, side by side. A place that nothing was put at stands for a disc that flies away.
 struct Discs {
   static constexpr std::size_t SIZE = 16;
+  static constexpr float FLYING = 1e6F;  // [m/s]
   using Floats = std::array<float, SIZE>;
 
-  alignas(64) Floats px{};  // [m]
-  alignas(64) Floats py{};
-  alignas(64) Floats vx{};  // [m/s]
-  alignas(64) Floats vy{};
+  alignas(64) Floats px;  // [m]
+  alignas(64) Floats py;
+  alignas(64) Floats vx;  // [m/s]
+  alignas(64) Floats vy;
   alignas(64) Floats apart;  // square of the distance less that of the reach, 0 if they overlap [m2]
 
-  Discs() { apart.fill(1.0F); }
+  Discs() {
+    for (Floats* floats : {&px, &py, &apart}) floats->fill(1.0F);
+    for (Floats* floats : {&vx, &vy}) floats->fill(FLYING);
+  }
 
   void put(std::size_t i, const Vector2& place, const Vector2& velocity, double reach) {
     px[i] = static_cast<float>(place.x());
@@ -201,19 +209,20 @@ CROWD_VECTORISED void toTimes(const Lanes& soonest, float unit, float time_to_go
   }
 }
 
-/// Moves side by side.
+/// Moves side by side; the last one again in the lanes that are left.
 struct MoveLanes {
-  alignas(64) Lanes x{};  // direction
-  alignas(64) Lanes y{};
-  alignas(64) Lanes wanted{};
-  alignas(64) Lanes left{};  // by the contact rule
+  alignas(64) Lanes x;  // direction
+  alignas(64) Lanes y;
+  alignas(64) Lanes wanted;
+  alignas(64) Lanes left;  // by the contact rule
 
   MoveLanes(const CandidateMove* moves, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] = static_cast<float>(moves[i].direction.x());
-      y[i] = static_cast<float>(moves[i].direction.y());
-      wanted[i] = static_cast<float>(moves[i].wanted);
-      left[i] = static_cast<float>(moves[i].share);
+    for (std::size_t i = 0; i < LANES; ++i) {
+      const CandidateMove& move = moves[std::min(i, count - 1)];
+      x[i] = static_cast<float>(move.direction.x());
+      y[i] = static_cast<float>(move.direction.y());
+      wanted[i] = static_cast<float>(move.wanted);
+      left[i] = static_cast<float>(move.share);
     }
   }
 };
@@ -238,8 +247,7 @@ MoveOutlooks::MoveOutlooks(const Perception& perception, const CandidateMove* mo
   const auto speed = static_cast<float>(self.speed);
   const double distance = self.goal.norm();
   const MoveLanes lanes(moves, count);
-  Courses courses;
-  courses.count = count;
+  Courses courses(count);
   findCourses(lanes, speed, static_cast<float>(least_share), shares, courses);
   turn_cosines = lanes.x;
   if (self.velocity == Vector2::Zero()) turn_cosines.fill(1.0F);

@@ -21,7 +21,7 @@ struct MoveOutlooks {
   alignas(64) Lanes turn_cosines;
   float oncoming;  ///< fastest approach of another agent if this one walked to its goal at full speed, in units of that
 
-  /// @brief What would come of `count` moves, LANES at most; the other lanes hold anything.
+  /// @brief What would come of `count` moves, 1 to LANES; the other lanes hold anything.
   /// @param least_share a move of which the contact rule leaves less is to stay, wherever it was to lead
   MoveOutlooks(const Perception& perception, const CandidateMove* moves, std::size_t count, double least_share);
 };
