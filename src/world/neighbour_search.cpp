@@ -41,35 +41,6 @@ CROWD_VECTORISED void measureDiscs(const NeighbourGrid& grid, const NeighbourGri
   }
 }
 
-/// What was measured of the discs of all runs.
-struct Measured {
-  const double* squares;
-  const std::int64_t* near;
-};
-
-/// Where candidates are written.
-struct Candidates {
-  std::uint32_t* discs;
-  double* radii;
-  double* squares;
-};
-
-/// Writes those that are near, but for one body; returns how many. Places behind them are written, too.
-std::size_t keepNear(const NeighbourGrid& grid, const NeighbourGrid::Runs& runs, Measured measured,
-                     std::uint32_t except, const Candidates& kept) {
-  std::size_t count = 0;
-  for (const NeighbourGrid::Run& run : runs) {
-    for (std::uint32_t i = run.begin; i < run.end; ++i, ++measured.squares, ++measured.near) {
-      // Written in any case and kept by counting on: a branch would be guessed wrong half of the time.
-      kept.discs[count] = i;
-      kept.radii[count] = grid.radius(i);
-      kept.squares[count] = *measured.squares;
-      count += static_cast<std::size_t>(*measured.near) & static_cast<std::size_t>(grid.body(i) != except);
-    }
-  }
-  return count;
-}
-
 /// From squared distances of centres to distances of rims.
 CROWD_VECTORISED void findRims(const double* __restrict radii, std::size_t count, double* __restrict distances) {
   for (std::size_t i = 0; i < count; ++i) distances[i] = std::sqrt(distances[i]) - radii[i];
@@ -116,7 +87,17 @@ void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, do
     found_.resize(2 * count);
   }
   measureDiscs(grid, runs_, point, distance, squares_.data(), near_.data());
-  count_ = keepNear(grid, runs_, {squares_.data(), near_.data()}, except, {discs_.data(), radii_.data(), rims_.data()});
+  count_ = 0;
+  std::size_t next = 0;
+  for (const NeighbourGrid::Run& run : runs_) {
+    for (std::uint32_t i = run.begin; i < run.end; ++i, ++next) {
+      // Written in any case and kept by counting on: a branch would be guessed wrong half of the time.
+      discs_[count_] = i;
+      radii_[count_] = grid.radius(i);
+      rims_[count_] = squares_[next];
+      count_ += static_cast<std::size_t>(near_[next]) & static_cast<std::size_t>(grid.body(i) != except);
+    }
+  }
   findRims(radii_.data(), count_, rims_.data());
 }
 
