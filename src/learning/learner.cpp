@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "social_crowd/common/prefetch.h"
-#include "social_crowd/common/random.h"
 
 namespace crowd {
 namespace {
@@ -51,6 +50,7 @@ Learner::Learner(Model model, Options options, QTable table)
       parameters_(options_.plan.parameters),
       mirror_(mirrorFor(model_, parameters_)),
       epsilon_(options_.plan.epsilon),
+      chance_(options_.seed, KeyedRandom::EXPLORATION, {episode_}),
       base_(std::make_shared<QTable>(std::move(table))) {
   const std::string problems = parameters_.problems();
   if (!problems.empty()) throw InputError(problems);
@@ -112,6 +112,7 @@ void Learner::shareOut(const Perceptions& perceptions, Workers& workers, const W
 void Learner::beginEpisode(std::uint64_t episode) {
   began_ = true;
   episode_ = episode;
+  chance_ = KeyedRandom(options_.seed, KeyedRandom::EXPLORATION, {episode});
   parameters_.epsilon = epsilon_.at(episode);
   forgetDecisions();
 }
@@ -166,20 +167,21 @@ void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, c
 void Learner::choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers) {
   const bool exploring = options_.mode == Mode::TRAINING;
   const bool shared = options_.tables == TableUse::SHARED;  // then memories need not be looked at
+  const KeyedRandom chance = chance_.with(perceptions.tick);
   shareOut(perceptions, workers, [&](unsigned worker, std::size_t index) {
     const Perception seen = perceptionOf(perceptions, index);
     const Choice choice = choiceAt(exploring ? index : worker);
     if (!exploring) findRows(seen, choice);
     Memory& memory = memories_[guests_[index].place];
-    const Action action = exploring ? chooseExploring(perceptions, seen.self, rowsOf(choice), memory)
+    const Action action = exploring ? chooseExploring(chance, perceptions, seen.self, rowsOf(choice), memory)
                                     : QLearner::chooseGreedy(shared ? *base_ : *memory.table, rowsOf(choice));
     actions.agents[guests_[index].answer] = {seen.self.agent, actionOf(seen, choice, action)};
   });
 }
 
-Action Learner::chooseExploring(const Perceptions& perceptions, const AgentPerception& self, const Rows& rows,
-                                Memory& memory) const {
-  KeyedRandom random(options_.seed, KeyedRandom::EXPLORATION, {perceptions.episode, perceptions.tick, self.agent});
+Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
+                                const Rows& rows, Memory& memory) const {
+  KeyedRandom random = chance.with(self.agent);
   const double draw = random.uniform();
   const double any = random.uniform();
   const Action action = QLearner::chooseExploring(*memory.table, rows, parameters_.epsilon, draw, any);

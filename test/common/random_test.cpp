@@ -36,6 +36,13 @@ void expectEven(const std::vector<double>& draws) {
   for (const int count : tenths) EXPECT_NEAR(count, 10000, 500);
 }
 
+TEST(KeyedRandom, TakesItsKeyAtOnceOrPartByPart) {
+  const KeyedRandom whole(7, KeyedRandom::EXPLORATION, {11, 12, 13});
+  const KeyedRandom begun(7, KeyedRandom::EXPLORATION, {11});
+  EXPECT_EQ(firstNumbers(begun.with(12).with(13)), firstNumbers(whole));
+  EXPECT_NE(firstNumbers(begun.with(13).with(12)), firstNumbers(whole));
+}
+
 TEST(KeyedRandom, DrawsTheSameForTheSameKey) {
   EXPECT_EQ(firstNumbers({1, KeyedRandom::PLACEMENT, {2, 3}}), firstNumbers({1, KeyedRandom::PLACEMENT, {2, 3}}));
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "social_crowd/common/random.h"
 #include "social_crowd/common/workers.h"
 #include "social_crowd/learning/agent_places.h"
 #include "social_crowd/learning/learning_parameters.h"
@@ -134,8 +135,9 @@ class Learner {
   void learn(const Perceptions& perceptions, Workers& workers);
   void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory);
   void choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers);
-  Action chooseExploring(const Perceptions& perceptions, const AgentPerception& self, const Rows& rows,
-                         Memory& memory) const;
+  /// @param chance that of the tick
+  Action chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
+                         const Rows& rows, Memory& memory) const;
   RelativeAction actionOf(const Perception& seen, const Choice& choice, Action action) const;
 
   Model model_;
@@ -146,6 +148,7 @@ class Learner {
   Mirror mirror_;
   EpsilonSchedule epsilon_;
   std::uint64_t episode_ = 0;
+  KeyedRandom chance_;  // of the episode
   bool began_ = false;
   std::uint64_t decisions_ = 0;
   TablePointer base_;   // of everybody (shared), or what newcomers begin with (own)
