@@ -11,6 +11,9 @@ namespace {
 /// Nearer than this a wall passes through the agent's centre, and directions to its parts mean nothing [m].
 constexpr double NO_DIRECTION = 1e-9;
 
+/// How far guessed directions to a disc's tangents may be off [rad]: two bearings, and the root of a difference.
+constexpr double SPAN_ERROR = 2.0 * QUICK_BEARING_ERROR + 1e-6;
+
 /// Where the ray of an angle meets the line through the segment; the nearer end where they are parallel.
 Vector2 meetRay(const Segment& segment, double angle) {
   const Vector2 ray = unitVector(angle);
@@ -30,7 +33,7 @@ OccupancyStates::OccupancyStates(const Parameters& parameters)
 
 OccupancyStates::Situation OccupancyStates::describe(const Perception& perception) const {
   Situation situation;
-  situation.goal_sector = sectors_.indexOf(bearingOf(perception.self.goal));
+  situation.goal_sector = sectors_.indexOf(perception.self.goal);
   for (const PerceivedBody& body : perception.bodies) addBody(body, situation);
   for (const Segment& wall : perception.walls) addWall(wall, situation);
   return situation;
@@ -51,10 +54,15 @@ void OccupancyStates::addBody(const PerceivedBody& body, Situation& situation) c
   if (distance_class == 0) return;
   if (distance <= body.radius) return occupyAll(situation, distance_class);  // the agent stands inside
   // Seen from the agent the disc spans the angles between its two tangents; it reaches into all sectors of that span.
-  const double bearing = bearingOf(body.position);
-  const double half_span = std::asin(body.radius / distance);
-  const long first = sectors_.unwrappedIndexOf(bearing - half_span);
-  const long last = std::min(sectors_.unwrappedIndexOf(bearing + half_span), first + sectors_.count() - 1);
+  const double guess = quickBearingOf(body.position);
+  const double tangent = std::sqrt((distance - body.radius) * (distance + body.radius));
+  const double half_guess = quickBearingOf({tangent, body.radius});
+  const auto half_span = [&] { return std::asin(body.radius / distance); };
+  const long first =
+      sectors_.unwrappedIndexOf(guess - half_guess, SPAN_ERROR, [&] { return bearingOf(body.position) - half_span(); });
+  const long left =
+      sectors_.unwrappedIndexOf(guess + half_guess, SPAN_ERROR, [&] { return bearingOf(body.position) + half_span(); });
+  const long last = std::min(left, first + sectors_.count() - 1);
   for (long sector = first; sector <= last; ++sector) occupy(situation, sector, distance_class);
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <limits>
 #include <string>
@@ -20,6 +22,14 @@ void expectWrapped(double angle) {
   SCOPED_TRACE(testing::Message() << "angle " << std::setprecision(17) << angle);
   ASSERT_GE(wrapAngle(angle), -PI);
   ASSERT_LT(wrapAngle(angle), PI);
+}
+
+TEST(WrapAngle, IsTheExactRestOfWholeTurns) {
+  for (int i = -4000; i <= 4000; ++i) {
+    const double angle = i * 0.00321;
+    const double rest = std::remainder(angle, 2.0 * PI);  // never rounded
+    EXPECT_EQ(wrapAngle(angle), rest) << "angle " << std::setprecision(17) << angle;
+  }
 }
 
 TEST(WrapAngle, LeavesAloneWhatIsInRange) {
@@ -79,6 +89,16 @@ TEST(Angles, BearingCountsCounterclockwiseFromX) {
   EXPECT_DOUBLE_EQ(bearingOf({-1.0, 0.0}), PI);
   EXPECT_DOUBLE_EQ(bearingOf({1.0, -1.0}), -PI / 4);
   EXPECT_EQ(bearingOf({0.0, 0.0}), 0.0);
+}
+
+TEST(Angles, QuickBearingIsNearTheBearing) {
+  double worst = 0.0;
+  for (int i = 0; i < 360000; ++i) {
+    const Vector2 direction = 0.1 * (1 + i % 7) * unitVector(toRadians(1e-3 * i - 180.0 + 5e-4));
+    worst = std::max(worst, std::abs(quickBearingOf(direction) - bearingOf(direction)));
+  }
+  EXPECT_LT(worst, QUICK_BEARING_ERROR);
+  EXPECT_TRUE(std::isnan(quickBearingOf({0.0, 0.0})));
 }
 
 TEST(Angles, UnitVectorPointsAlongItsHeading) {

@@ -10,16 +10,33 @@ namespace crowd {
 /// right limit and not its left one.
 class EvenSectors {
  public:
-  explicit EvenSectors(int count) : count_(count), width_(2.0 * PI / count) {}
+  explicit EvenSectors(int count) : count_(count), width_(2.0 * PI / count), per_radian_(count / (2.0 * PI)) {}
 
   int count() const { return count_; }
   /// @brief Width of a sector [rad].
   double width() const { return width_; }
   /// @brief The sector of an angle [rad], whatever its multiple of the full circle.
   int indexOf(double angle) const { return wrap(unwrappedIndexOf(angle)); }
+  /// @brief The sector of a direction: exactly that of its bearing, which is found out next to a limit only.
+  int indexOf(const Vector2& direction) const {
+    return wrap(unwrappedIndexOf(quickBearingOf(direction), QUICK_BEARING_ERROR, [&] { return bearingOf(direction); }));
+  }
   /// @brief The same not yet taken modulo the number of sectors, for sweeping an interval of angles.
   long unwrappedIndexOf(double angle) const { return static_cast<long>(std::floor(angle / width_ + 0.5)); }
+  /// @brief The same of an angle in (-2 pi, 2 pi) of which a guess that is at most `error` off [rad] nearly always says
+  /// enough. @param angle tells the angle itself
+  template <typename Angle>
+  long unwrappedIndexOf(double guess, double error, const Angle& angle) const {
+    const double place = guess * per_radian_ + (0.5 + 2.0 * count_);
+    const double margin = error * per_radian_ + ROUNDING;
+    if (!(place > 0.0 && place < 4.0 * count_)) return unwrappedIndexOf(angle());
+    const auto whole = static_cast<long>(place);
+    const double share = place - static_cast<double>(whole);
+    return share > margin && share < 1.0 - margin ? whole - 2L * count_ : unwrappedIndexOf(angle());
+  }
   int wrap(long index) const {
+    if (index >= 0 && index < count_) return static_cast<int>(index);
+    if (index < 0 && index >= -count_) return static_cast<int>(index + count_);
     const long rest = index % count_;
     return static_cast<int>(rest < 0 ? rest + count_ : rest);
   }
@@ -30,8 +47,11 @@ class EvenSectors {
   double rightLimit(long index) const { return (static_cast<double>(index) - 0.5) * width_; }
 
  private:
+  static constexpr double ROUNDING = 1e-9;  // far more than comes together, far less than a sector
+
   int count_;
   double width_;
+  double per_radian_;
 };
 
 /// @brief Sectors that mirror left and right and may be of uneven width: finer in front (thesis fig. 3.6).
