@@ -2,15 +2,12 @@
 
 namespace crowd {
 
-std::uint32_t AgentPlaces::find(AgentId agent) const {
-  if (agent < FEW) return agent < listed_.size() ? listed_[agent] : NONE;
+std::uint32_t AgentPlaces::findOther(AgentId agent) const {
   const auto found = others_.find(agent);
   return found == others_.end() ? NONE : found->second;
 }
 
-std::uint32_t AgentPlaces::placeOf(AgentId agent) {
-  const std::uint32_t known = find(agent);
-  if (known != NONE) return known;
+std::uint32_t AgentPlaces::addPlace(AgentId agent) {
   const auto place = static_cast<std::uint32_t>(agents_.size());
   agents_.push_back(agent);
   if (agent >= FEW) {

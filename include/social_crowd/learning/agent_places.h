@@ -14,14 +14,23 @@ class AgentPlaces {
   static constexpr std::uint32_t NONE = UINT32_MAX;
 
   /// @brief The agent's place; a new one if it was not met before.
-  std::uint32_t placeOf(AgentId agent);
+  std::uint32_t placeOf(AgentId agent) {
+    const std::uint32_t known = find(agent);
+    return known != NONE ? known : addPlace(agent);
+  }
   /// @brief The agent's place, or NONE.
-  std::uint32_t find(AgentId agent) const;
+  std::uint32_t find(AgentId agent) const {
+    if (agent >= FEW) return findOther(agent);
+    return agent < listed_.size() ? listed_[agent] : NONE;
+  }
   /// @brief Who has which place.
   const std::vector<AgentId>& agents() const { return agents_; }
 
  private:
   static constexpr AgentId FEW = 1U << 20U;  // numbers below this are looked up in a list, others in a hash table
+
+  std::uint32_t findOther(AgentId agent) const;
+  std::uint32_t addPlace(AgentId agent);
 
   std::vector<AgentId> agents_;
   std::vector<std::uint32_t> listed_;

@@ -21,6 +21,8 @@ struct Rows {
   const Row* first = nullptr;
   std::size_t stride = 0;
   Row operator[](Action action) const { return first[action * stride]; }
+  /// @brief Whether all actions stand in one and the same row.
+  bool isOne() const { return stride == 0; }
 };
 
 /// @brief A sector around an agent and the distance class of what is in it; for pictures.
