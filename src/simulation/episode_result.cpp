@@ -10,6 +10,15 @@ namespace {
 /// Ratios to shorter ways than this would say nothing [m].
 constexpr double SHORTEST_LENGTH = 0.1;
 
+/// From one vector to the other, counterclockwise [rad], in [-pi, pi].
+double angleBetween(const Vector2& from, const Vector2& to) {
+  const double sine = cross(from, to);
+  const double cosine = from.dot(to);
+  // Who walks straight on turns by nothing but rounding; the series of the arc tangent ends after its first term there.
+  if (std::abs(sine) < 1e-12 * cosine) return sine / cosine;
+  return std::atan2(sine, cosine);
+}
+
 double straightLength(const AgentStart& start, double goal_tolerance) {
   double length = -goal_tolerance;
   Vector2 from = start.position;
@@ -54,6 +63,7 @@ void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
   track.start = start.position;
   track.goal = start.goals.front();
   track.position = start.position;
+  track.distance = (track.goal - track.position).norm();
   track.speed = start.speed;
   track.result.straight_length = straightLength(start, goal_tolerance_);
   tracks_.push_back(track);
@@ -64,6 +74,7 @@ void EpisodeMonitor::noteGoal(const Agent& agent, const Vector2& goal) {
   const double length = (agent.pose.position - track.start).norm() + (goal - agent.pose.position).norm();
   track.result.straight_length = std::max(SHORTEST_LENGTH, length - goal_tolerance_);
   track.goal = goal;
+  track.distance = (goal - track.position).norm();
 }
 
 void EpisodeMonitor::observe(const World& world, Workers& workers) {
@@ -82,15 +93,18 @@ void EpisodeMonitor::observe(const World& world, Workers& workers) {
 void EpisodeMonitor::observeAgent(const Agent& agent, Track& track) const {
   const Vector2 step = agent.pose.position - track.position;
   const Vector2 velocity = step / tick_duration_;
-  if (velocity.norm() > MOVING && track.velocity.norm() > MOVING) {
-    track.turn += std::abs(std::atan2(cross(track.velocity, velocity), track.velocity.dot(velocity)));
-  }
-  track.result.distance_gained += (track.goal - track.position).norm() - (track.goal - agent.pose.position).norm();
+  const double pace = velocity.norm();
+  if (pace > MOVING && track.pace > MOVING) track.turn += std::abs(angleBetween(track.velocity, velocity));
+  const double distance = (track.goal - agent.pose.position).norm();
+  track.result.distance_gained += track.distance - distance;
+  const bool same_goal = agent.goal() == track.goal;
   track.goal = agent.goal();
   track.position = agent.pose.position;
+  track.distance = same_goal ? distance : (track.goal - track.position).norm();
   track.velocity = velocity;
+  track.pace = pace;
   track.result.path_length += step.norm();
-  track.result.max_speed_ratio = std::max(track.result.max_speed_ratio, velocity.norm() / track.speed);
+  track.result.max_speed_ratio = std::max(track.result.max_speed_ratio, pace / track.speed);
   track.result.ticks = ticks_ - track.begin;
   track.result.touched = agent.touched;
   track.result.blocked_moves = agent.blocked_moves;

@@ -68,6 +68,8 @@ class EpisodeMonitor {
     Vector2 goal = Vector2::Zero();  // that it walks to in the next tick
     Vector2 position = Vector2::Zero();
     Vector2 velocity = Vector2::Zero();
+    double pace = 0.0;      // length of the velocity
+    double distance = 0.0;  // from the goal
     double turn = 0.0;
     double speed = 0.0;
     AgentResult result;
