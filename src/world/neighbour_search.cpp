@@ -57,10 +57,16 @@ CROWD_VECTORISED void rank(const float* __restrict keys, std::size_t count, std:
   }
 }
 
+bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
+  if (a.rim_distance != b.rim_distance) return a.rim_distance < b.rim_distance;
+  return grid.body(a.disc) < grid.body(b.disc);
+}
+
 }  // namespace
 
 View<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vector2& point, double distance,
                                             std::size_t most, std::uint32_t except) {
+  if (grid.isList()) return findInList(grid, point, distance, most, except);
   const bool all = most == 0;
   // A quarter more than last time: with neighbours spread evenly that is enough more often than not.
   double reach = all ? distance : std::min(distance, 1.25 * last_reach_);
@@ -73,6 +79,22 @@ View<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vec
   if (count_ > MAX_RANKED || !sortByRank()) sortBySelection(grid, wanted);
   if (!all) last_reach_ = count_ < most ? distance : std::max(0.0, found_[wanted - 1].rim_distance);
   return {found_.data(), wanted};
+}
+
+View<NearDisc> NeighbourSearch::findInList(const NeighbourGrid& grid, const Vector2& point, double distance,
+                                           std::size_t most, std::uint32_t except) {
+  found_.resize(std::max(found_.size(), grid.size()));
+  std::size_t count = 0;
+  for (std::uint32_t disc = 0; disc < grid.size(); ++disc) {
+    const double square = (grid.centre(disc) - point).squaredNorm();
+    const double limit = distance + grid.radius(disc);
+    if (square > limit * limit || grid.body(disc) == except) continue;
+    const NearDisc found = {std::sqrt(square) - grid.radius(disc), disc};
+    std::size_t place = count++;
+    for (; place > 0 && isNearer(grid, found, found_[place - 1]); --place) found_[place] = found_[place - 1];
+    found_[place] = found;
+  }
+  return {found_.data(), most == 0 ? count : std::min(count, most)};
 }
 
 void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except) {
@@ -121,10 +143,7 @@ bool NeighbourSearch::sortByRank() {
 
 void NeighbourSearch::sortBySelection(const NeighbourGrid& grid, std::size_t most) {
   for (std::size_t i = 0; i < count_; ++i) found_[i] = {rims_[i], discs_[i]};
-  const auto nearer = [&grid](const NearDisc& a, const NearDisc& b) {
-    return a.rim_distance < b.rim_distance ||
-           (a.rim_distance == b.rim_distance && grid.body(a.disc) < grid.body(b.disc));
-  };
+  const auto nearer = [&grid](const NearDisc& a, const NearDisc& b) { return isNearer(grid, a, b); };
   const auto end = found_.begin() + static_cast<std::ptrdiff_t>(count_);
   const auto wanted = found_.begin() + static_cast<std::ptrdiff_t>(most);
   if (wanted != end) std::nth_element(found_.begin(), wanted, end, nearer);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
@@ -77,6 +78,26 @@ void World::placeObstacles() {
   }
 }
 
+void World::moveObstacles() {
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    const ObstaclePath& path = obstacles_[i].path;
+    if (!path.moves()) continue;
+    obstacle_positions_[i] = path.position(time());
+    obstacle_velocities_[i] = path.velocity(time());
+  }
+}
+
+void World::updateGrid() {
+  if (!grid_.isList()) return rebuildGrid();
+  for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
+    const std::uint32_t body = grid_.body(disc);
+    const bool is_agent = body < agents_.size();
+    const std::size_t obstacle = body - agents_.size();
+    grid_.move(disc, is_agent ? agents_[body].pose.position : obstacle_positions_[obstacle]);
+    disc_velocities_[disc] = is_agent ? agents_[body].velocity : obstacle_velocities_[obstacle];
+  }
+}
+
 void World::rebuildGrid() {
   grid_.clear();
   for (const Agent& agent : agents_) {
@@ -99,12 +120,13 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
   workers.run(
       agents_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) beginMove(agents_[i], orders_[i]);
+        for (std::size_t i = begin; i < end; ++i) beginMove(agents_[i], std::exchange(orders_[i], nullptr));
       },
       FEW_AGENTS);
   if (contact_ == Contact::SOLID) moveSolids();
   ++tick_;
-  refresh();
+  moveObstacles();
+  updateGrid();
   // Who arrives in this tick still stands on the floor at its end: the grid is that of everybody.
   arrivals_.assign(workers.count(), 0);
   workers.run(
@@ -120,7 +142,7 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
 
 void World::takeOrders(const std::vector<AgentAction>& actions) {
   for (const AgentAction& given : actions) checkAction(given);
-  orders_.assign(agents_.size(), nullptr);
+  orders_.resize(agents_.size(), nullptr);  // beginMove() takes them all
   for (const AgentAction& given : actions) {
     if (given.agent < agents_.size() && orders_[given.agent] == nullptr) orders_[given.agent] = &given.action;
   }
@@ -132,8 +154,10 @@ void World::beginMove(Agent& agent, const RelativeAction* action) const {
   agent.in_contact = false;
   agent.velocity = Vector2::Zero();
   if (!agent.acted) return;
-  agent.pose.heading = wrapAngle(agent.pose.heading + action->rotation);
-  agent.ahead = unitVector(agent.pose.heading);
+  if (action->rotation != 0.0) {
+    agent.pose.heading = wrapAngle(agent.pose.heading + action->rotation);
+    agent.ahead = unitVector(agent.pose.heading);
+  }
   agent.velocity = action->speed_share * agent.speed * agent.ahead;
   if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
 }

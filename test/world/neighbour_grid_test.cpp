@@ -122,6 +122,15 @@ TEST(NeighbourGrid, FindsWhatLookingAtAllFinds) {
   EXPECT_GT(found_discs, 1000U);  // or there was nothing to compare
 }
 
+TEST(NeighbourGrid, DiscsOfAListMove) {
+  NeighbourGrid grid = gridOf({{{0.0, 0.0}, 0.5, 5}, {{9.0, 0.0}, 0.5, 6}}, 2.0);
+  ASSERT_TRUE(grid.isList());
+  grid.move(1, {-2.0, 1.0});
+  EXPECT_EQ(find(grid, {-2.0, 3.0}, 1.5), Found{6});
+  EXPECT_TRUE(find(grid, {9.0, 0.0}, 1.0).empty());
+  EXPECT_EQ(find(grid, {0.0, 0.0}, 1.0), Found{5});
+}
+
 TEST(NeighbourGrid, HugeExtentsNeitherCostMemoryNorLoseDiscs) {
   for (const double extent : {1e5, 1e7, 1e9}) {
     SCOPED_TRACE("extent " + std::to_string(extent));

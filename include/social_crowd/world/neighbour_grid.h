@@ -23,6 +23,14 @@ class NeighbourGrid {
   /// @brief Sorts what was added into cells of about this size [m]; to be called after the last add().
   void build(double cell_size);
 
+  /// @brief Whether there are so few discs that they are kept in order of add(), and may move().
+  bool isList() const { return bodies_.size() <= FEW; }
+  /// @brief Puts a disc of a list in another place [m].
+  void move(std::size_t disc, const Vector2& centre) {
+    xs_[disc] = centre.x();
+    ys_[disc] = centre.y();
+  }
+
   /// @brief Number of discs, in order of the cells.
   std::size_t size() const { return bodies_.size(); }
   Vector2 centre(std::size_t disc) const { return {xs_[disc], ys_[disc]}; }
@@ -87,7 +95,7 @@ class NeighbourGrid {
 
 template <typename Use>
 void NeighbourGrid::forRunsNear(const Vector2& point, double distance, const Use& use) const {
-  if (bodies_.size() <= FEW) {
+  if (isList()) {
     if (!bodies_.empty()) use(0U, static_cast<std::uint32_t>(bodies_.size()));
     return;
   }

@@ -101,7 +101,10 @@ class World {
   void endMove(Agent& agent, std::size_t& arrivals) const;
   bool touchesAnything(const Agent& agent) const;
   void placeObstacles();
+  void moveObstacles();
   void rebuildGrid();
+  /// Everybody who was on the floor when the grid was built has moved.
+  void updateGrid();
   /// Working space of a worker, and what it has found.
   struct Looker {
     std::size_t begin = 0;  // its part of Perceptions::order
