@@ -79,10 +79,12 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, W
 }
 
 void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
-  guests_.clear();
+  guests_.resize(perceptions.agents.size());
   std::uint32_t answers = 0;
-  for (const AgentPerception& self : perceptions.agents) {
-    Guest& guest = guests_.emplace_back();
+  for (std::size_t i = 0; i < guests_.size(); ++i) {
+    const AgentPerception& self = perceptions.agents[i];
+    Guest& guest = guests_[i];
+    guest = Guest();
     if (!serves(self.agent)) continue;
     guest.place = places_.placeOf(self.agent);
     if (!self.arrived) guest.answer = answers++;
@@ -93,20 +95,23 @@ void Learner::listGuests(const Perceptions& perceptions, RelativeActions& action
 
 template <typename Work>
 void Learner::shareOut(const Perceptions& perceptions, Workers& workers, const Work& work) const {
+  if (guests_.size() <= FEW_AGENTS) {  // so few stay in the cache, in whichever order
+    for (std::size_t index = 0; index < guests_.size(); ++index) {
+      if (guests_[index].answer != NOBODY) work(0U, index);
+    }
+    return;
+  }
   const bool in_order = perceptions.order.size() == guests_.size();
-  workers.run(
-      guests_.size(),
-      [&](unsigned worker, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const std::size_t index = in_order ? perceptions.order[i] : i;
-          if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
-          if (in_order && i + 1 < end) {
-            for (const PerceivedBody& body : Perception(perceptions, perceptions.order[i + 1]).bodies) prefetch(body);
-          }
-          if (guests_[index].answer != NOBODY) work(worker, index);
-        }
-      },
-      FEW_AGENTS);
+  workers.run(guests_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t index = in_order ? perceptions.order[i] : i;
+      if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
+      if (in_order && i + 1 < end) {
+        for (const PerceivedBody& body : Perception(perceptions, perceptions.order[i + 1]).bodies) prefetch(body);
+      }
+      if (guests_[index].answer != NOBODY) work(worker, index);
+    }
+  });
 }
 
 void Learner::beginEpisode(std::uint64_t episode) {
