@@ -76,6 +76,14 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
 }
 
 bool NeighbourGrid::isAnyNear(const Vector2& point, double distance, std::uint32_t except) const {
+  if (isList()) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const double limit = distance + radii_[i];
+      if (limit < 0.0 || bodies_[i] == except) continue;
+      if ((centre(i) - point).squaredNorm() <= limit * limit) return true;
+    }
+    return false;
+  }
   bool any = false;
   forRunsNear(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; ++i) {

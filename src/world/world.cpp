@@ -1,7 +1,7 @@
 #include "social_crowd/world/world.h"
 
 #include <algorithm>
-#include <numeric>
+#include <atomic>
 #include <string>
 #include <utility>
 
@@ -38,10 +38,12 @@ void requirePoint(const std::string& what, const Vector2& point) {
   requireFinite(what, point.y());
 }
 
-void checkAction(const AgentAction& given) {
+bool isSound(const RelativeAction& action) {
+  return std::isfinite(action.rotation) && action.speed_share >= 0.0 && action.speed_share <= 1.0;
+}
+
+[[noreturn]] void throwUnsound(const AgentAction& given) {
   const RelativeAction& action = given.action;
-  const bool fine = std::isfinite(action.rotation) && action.speed_share >= 0.0 && action.speed_share <= 1.0;
-  if (fine) return;
   throw InputError("agent " + std::to_string(given.agent) +
                    ": expected a finite rotation and a share of the speed from 0 to 1, got rotation " +
                    toText(action.rotation) + " and share " + toText(action.speed_share));
@@ -128,20 +130,23 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
   moveObstacles();
   updateGrid();
   // Who arrives in this tick still stands on the floor at its end: the grid is that of everybody.
-  arrivals_.assign(workers.count(), 0);
+  std::atomic<std::size_t> arrived{0};
   workers.run(
       agents_.size(),
-      [&](unsigned worker, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals_[worker]);
+      [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
+        std::size_t arrivals = 0;
+        for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals);
+        if (arrivals > 0) arrived += arrivals;
       },
       FEW_AGENTS);
-  const std::size_t arrived = std::accumulate(arrivals_.begin(), arrivals_.end(), std::size_t{0});
   active_count_ -= arrived;
   if (arrived > 0) rebuildGrid();
 }
 
 void World::takeOrders(const std::vector<AgentAction>& actions) {
-  for (const AgentAction& given : actions) checkAction(given);
+  for (const AgentAction& given : actions) {
+    if (!isSound(given.action)) throwUnsound(given);
+  }
   orders_.resize(agents_.size(), nullptr);  // beginMove() takes them all
   for (const AgentAction& given : actions) {
     if (given.agent < agents_.size() && orders_[given.agent] == nullptr) orders_[given.agent] = &given.action;

@@ -34,21 +34,23 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
 
 void World::listAgents(Perceptions& perceptions) {
   perceptions.agents.resize(agents_.size());
-  perceptions.order.clear();
+  perceptions.order.resize(agents_.size());
   places_.resize(agents_.size());
   std::uint32_t count = 0;
+  std::size_t ordered = 0;
   for (const Agent& agent : agents_) {
     const bool just_arrived = agent.hasArrived() && agent.arrival_tick == tick_;
     if (!agent.isWalking() && !just_arrived) continue;
     places_[agent.id] = count;
-    if (just_arrived) perceptions.order.push_back(count);  // not in the grid any more
+    if (just_arrived) perceptions.order[ordered++] = count;  // not in the grid any more
     perceptions.agents[count++].agent = agent.id;
   }
   perceptions.agents.resize(count);
   for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
     const std::uint32_t body = grid_.body(disc);
-    if (body < agents_.size()) perceptions.order.push_back(places_[body]);
+    if (body < agents_.size()) perceptions.order[ordered++] = places_[body];
   }
+  perceptions.order.resize(ordered);
 }
 
 void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end,
@@ -91,6 +93,7 @@ void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin
 }
 
 void World::gatherWalls(unsigned workers, Perceptions& perceptions) const {
+  if (walls_.empty()) return;
   for (unsigned worker = 0; worker < workers; ++worker) {
     const Looker& looker = lookers_[worker];
     const auto before = static_cast<std::uint32_t>(perceptions.walls.size());

@@ -142,7 +142,6 @@ class World {
   std::vector<SolidMotion::Disc> discs_;      // scratch
   SolidMotion solid_motion_;
   std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
-  std::vector<std::size_t> arrivals_;          // in a tick, of each worker
   std::vector<Looker> lookers_;                // one a worker
   std::vector<std::uint32_t> places_;          // place in Perceptions::agents of each agent
   std::vector<Vector2> disc_velocities_;       // of the discs of the grid
