@@ -79,12 +79,10 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, W
 }
 
 void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
-  guests_.resize(perceptions.agents.size());
+  guests_.clear();
   std::uint32_t answers = 0;
-  for (std::size_t i = 0; i < guests_.size(); ++i) {
-    const AgentPerception& self = perceptions.agents[i];
-    Guest& guest = guests_[i];
-    guest = Guest();
+  for (const AgentPerception& self : perceptions.agents) {
+    Guest& guest = guests_.emplace_back();
     if (!serves(self.agent)) continue;
     guest.place = places_.placeOf(self.agent);
     if (!self.arrived) guest.answer = answers++;

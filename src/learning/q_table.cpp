@@ -18,6 +18,21 @@ double meanOf(double first, double second, double share_of_second) {
   return std::clamp(mean, std::min(first, second), std::max(first, second));
 }
 
+/// The first of `count` numbers that is the highest.
+template <typename ValueOf>
+Action firstHighest(Action count, const ValueOf& value_of) {
+  Action best = 0;
+  double highest = value_of(0);
+  for (Action action = 1; action < count; ++action) {
+    const double candidate = value_of(action);
+    if (candidate > highest) {
+      highest = candidate;
+      best = action;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 QTable::QTable(Row rows, Action actions) : rows_(rows), actions_(actions) {
@@ -33,28 +48,9 @@ void QTable::set(Row row, Action action, double value, std::uint32_t visits) {
 }
 
 Action QTable::greedyAction(const Rows& rows) const {
-  if (rows.isOne()) return greedyAction(rows[0]);
-  Action best = 0;
-  double highest = value(rows[0], 0);
-  for (Action action = 1; action < actions_; ++action) {
-    const double candidate = value(rows[action], action);
-    if (candidate > highest) {
-      highest = candidate;
-      best = action;
-    }
-  }
-  return best;
-}
-
-Action QTable::greedyAction(Row row) const {
-  // The highest is found first, without a branch that depends on the values.
-  const double* values = &values_[index(row, 0)];
-  double highest = values[0];
-  for (Action action = 1; action < actions_; ++action) highest = values[action] > highest ? values[action] : highest;
-  for (Action action = 0; action < actions_; ++action) {
-    if (values[action] == highest) return action;
-  }
-  return 0;  // no number at all
+  if (!rows.isOne()) return firstHighest(actions_, [&](Action action) { return value(action, rows); });
+  const double* values = &values_[index(rows[0], 0)];
+  return firstHighest(actions_, [values](Action action) { return values[action]; });
 }
 
 bool QTable::isVisited(Row row) const {

@@ -45,7 +45,6 @@ class QTable {
   friend bool operator!=(const QTable& a, const QTable& b) { return !(a == b); }
 
  private:
-  Action greedyAction(Row row) const;
   std::size_t index(Row row, Action action) const { return static_cast<std::size_t>(row) * actions_ + action; }
   double value(Action action, const Rows& rows) const { return value(rows[action], action); }
 
