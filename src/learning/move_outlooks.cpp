@@ -76,23 +76,39 @@ inline float highest(const Discs::Floats& values) {
   return std::max(std::max(four[0], four[1]), std::max(four[2], four[3]));
 }
 
-/// Of the roots of |p - t r| = reach, t = apart / (p.r + sqrt(inside)) is the smaller one; of its inverse, the largest
-/// is kept. Where it is not real, or behind (negative), the comparison fails.
+/// Of the roots of |p - t r| = reach, t = apart / (p.r + sqrt(inside)) is the smaller one. Returns its inverse; what is
+/// not real, or behind (negative), fails in comparisons with what is above 0.
+inline float inverseTime(float px, float py, float rx, float ry, float apart, float per_root) {
+  const float closing = px * rx + py * ry;
+  const float square = rx * rx + ry * ry;
+  return (closing + std::sqrt(closing * closing - square * apart)) * per_root;
+}
+
+/// Notes contacts with the first `count` discs. Few of them would leave lanes idle: then moves are side by side.
 /// @param vx velocities of the discs instead of their own
-inline void noteContacts(const Courses& courses, const Discs& discs, const Discs::Floats& vx, const Discs::Floats& vy,
-                         Lanes& soonest) {
+inline void noteContacts(const Courses& courses, const Discs& discs, std::size_t count, const Discs::Floats& vx,
+                         const Discs::Floats& vy, Lanes& soonest) {
+  constexpr std::size_t FEW = 5;
   alignas(64) Discs::Floats per_root;
   for (std::size_t i = 0; i < Discs::SIZE; ++i) per_root[i] = discs.apart[i] > 0.0F ? 1.0F / discs.apart[i] : AT_ONCE;
+  if (count <= FEW) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float px = discs.px[i];
+      const float py = discs.py[i];
+      for (std::size_t move = 0; move < LANES; ++move) {
+        const float soon =
+            inverseTime(px, py, courses.ux[move] - vx[i], courses.uy[move] - vy[i], discs.apart[i], per_root[i]);
+        soonest[move] = soon > soonest[move] ? soon : soonest[move];
+      }
+    }
+    return;
+  }
   for (std::size_t move = 0; move < courses.count; ++move) {
     const float ux = courses.ux[move];
     const float uy = courses.uy[move];
     alignas(64) Discs::Floats inverses;
     for (std::size_t i = 0; i < Discs::SIZE; ++i) {
-      const float rx = ux - vx[i];
-      const float ry = uy - vy[i];
-      const float closing = discs.px[i] * rx + discs.py[i] * ry;
-      const float square = rx * rx + ry * ry;
-      const float soon = (closing + std::sqrt(closing * closing - square * discs.apart[i])) * per_root[i];
+      const float soon = inverseTime(discs.px[i], discs.py[i], ux - vx[i], uy - vy[i], discs.apart[i], per_root[i]);
       inverses[i] = soon > 0.0F ? soon : 0.0F;
     }
     soonest[move] = std::max(soonest[move], highest(inverses));
@@ -113,9 +129,9 @@ inline float fastestApproach(const Discs& discs, const Vector2& velocity) {
 }
 
 /// Notes contacts with agents, and the square of their fastest approach if this one walked with the velocity `wish`.
-CROWD_VECTORISED void noteAgents(const Discs& agents, const Vector2& velocity, const Vector2& wish, Courses& courses,
-                                 float& fastest) {
-  noteContacts(courses, agents, agents.vx, agents.vy, courses.selfish);
+CROWD_VECTORISED void noteAgents(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish,
+                                 Courses& courses, float& fastest) {
+  noteContacts(courses, agents, count, agents.vx, agents.vy, courses.selfish);
   // At 2u - w - v contact comes in half of the time that it takes at u - (w + v) / 2.
   alignas(64) Discs::Floats mean_vx;
   alignas(64) Discs::Floats mean_vy;
@@ -123,12 +139,12 @@ CROWD_VECTORISED void noteAgents(const Discs& agents, const Vector2& velocity, c
   const auto wy = static_cast<float>(velocity.y());
   for (std::size_t i = 0; i < Discs::SIZE; ++i) mean_vx[i] = 0.5F * (wx + agents.vx[i]);
   for (std::size_t i = 0; i < Discs::SIZE; ++i) mean_vy[i] = 0.5F * (wy + agents.vy[i]);
-  noteContacts(courses, agents, mean_vx, mean_vy, courses.reciprocal);
+  noteContacts(courses, agents, count, mean_vx, mean_vy, courses.reciprocal);
   fastest = std::max(fastest, fastestApproach(agents, wish));
 }
 
-CROWD_VECTORISED void noteFixed(const Discs& discs, Courses& courses) {
-  noteContacts(courses, discs, discs.vx, discs.vy, courses.fixed);
+CROWD_VECTORISED void noteFixed(const Discs& discs, std::size_t count, Courses& courses) {
+  noteContacts(courses, discs, count, discs.vx, discs.vy, courses.fixed);
 }
 
 /// Takes discs one by one and has them noted Discs::SIZE at a time.
@@ -142,7 +158,7 @@ class Collector {
   }
   /// What was noted before may be noted again: that changes nothing.
   void noteAll() {
-    if (count_ > 0) note_(discs_);
+    if (count_ > 0) note_(discs_, count_);
     count_ = 0;
   }
 
@@ -157,8 +173,10 @@ class Collector {
 float noteDiscs(const Perception& perception, const Vector2& wish, Courses& courses) {
   const AgentPerception& self = perception.self;
   float fastest = 0.0F;  // squared
-  const auto note_agents = [&](const Discs& discs) { noteAgents(discs, self.velocity, wish, courses, fastest); };
-  const auto note_fixed = [&](const Discs& discs) { noteFixed(discs, courses); };
+  const auto note_agents = [&](const Discs& discs, std::size_t count) {
+    noteAgents(discs, count, self.velocity, wish, courses, fastest);
+  };
+  const auto note_fixed = [&](const Discs& discs, std::size_t count) { noteFixed(discs, count, courses); };
   Collector agents(note_agents);
   Collector fixed(note_fixed);
   for (const PerceivedBody& body : perception.bodies) {
