@@ -67,6 +67,7 @@ MoveOutlooks AnticipationStates::describe(const Perception& perception, const Ca
 void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const {
   alignas(64) Lanes turns;
   alignas(64) Lanes oncoming;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): combine() writes it
   alignas(64) std::array<Row, MoveOutlooks::LANES> all;
   for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = -outlooks.turn_cosines[i];
   oncoming.fill(outlooks.oncoming);

@@ -74,6 +74,7 @@ struct MoveLanes {
   alignas(64) Lanes y;
   alignas(64) Lanes share;
 
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
   MoveLanes(const CandidateMove* moves, std::size_t count) {
     for (std::size_t i = 0; i < SIZE; ++i) {
       const CandidateMove& move = moves[std::min(i, count - 1)];

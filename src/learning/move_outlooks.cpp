@@ -24,6 +24,7 @@ struct Courses {
   alignas(64) Lanes selfish;
   alignas(64) Lanes fixed;
 
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
   explicit Courses(std::size_t moves) : count(moves) {
     for (Lanes* soonest : {&reciprocal, &selfish, &fixed}) soonest->fill(static_cast<float>(1.0 / NEVER));
   }
@@ -41,6 +42,7 @@ struct Discs {
   alignas(64) Floats vy;
   alignas(64) Floats apart;  // square of the distance less that of the reach, 0 if they overlap [m2]
 
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
   Discs() {
     for (Floats* floats : {&px, &py, &apart}) floats->fill(1.0F);
     for (Floats* floats : {&vx, &vy}) floats->fill(FLYING);
@@ -234,6 +236,7 @@ struct MoveLanes {
   alignas(64) Lanes wanted;
   alignas(64) Lanes left;  // by the contact rule
 
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
   MoveLanes(const CandidateMove* moves, std::size_t count) {
     for (std::size_t i = 0; i < LANES; ++i) {
       const CandidateMove& move = moves[std::min(i, count - 1)];
@@ -259,6 +262,7 @@ CROWD_VECTORISED void findCourses(const MoveLanes& moves, float speed, float lea
 
 }  // namespace
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
 MoveOutlooks::MoveOutlooks(const Perception& perception, const CandidateMove* moves, std::size_t count,
                            double least_share) {
   const AgentPerception& self = perception.self;
