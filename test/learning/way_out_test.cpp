@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/contact_rule.h"
 #include "social_crowd/world/scenario_reader.h"
@@ -20,8 +22,8 @@ struct Moves {
 };
 
 Moves movesIn(const PerceptionsBuilder& scene) {
-  CandidateMove moves[] = {Moves().ahead, Moves().stay};
-  ContactRule(GapSharing::MOVING, LOOKOUT).cut(scene.perception(), moves, 2);
+  std::array<CandidateMove, 2> moves = {Moves().ahead, Moves().stay};
+  ContactRule(GapSharing::MOVING, LOOKOUT).cut(scene.perception(), moves.data(), moves.size());
   return {moves[0], moves[1]};
 }
 
