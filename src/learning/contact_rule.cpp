@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/vectorised.h"
@@ -99,11 +100,13 @@ CROWD_VECTORISED void apply(const Limit& limit, double reach, MoveLanes& moves) 
 
 /// Cuts moves to the gaps, MoveLanes::SIZE at most.
 void cutSome(const Perception& perception, GapSharing sharing, CandidateMove* moves, std::size_t count) {
-  MoveLanes lanes(moves, count);
+  std::optional<MoveLanes> lanes;  // where nothing is near they are not needed
   const AgentPerception& self = perception.self;
   const double reach = self.speed * perception.tick_duration;
   const auto keep = [&](const Limit& limit) {
-    if (limit.room < reach) apply(limit, reach, lanes);
+    if (limit.room >= reach) return;
+    if (!lanes) lanes.emplace(moves, count);
+    apply(limit, reach, *lanes);
   };
   for (const PerceivedBody& body : perception.bodies) {
     if (isMover(body)) continue;
@@ -114,7 +117,7 @@ void cutSome(const Perception& perception, GapSharing sharing, CandidateMove* mo
     }
   }
   for (const Segment& wall : perception.walls) keep(limitOfWall(self, wall));
-  for (std::size_t i = 0; i < count; ++i) moves[i].share = lanes.share[i];
+  for (std::size_t i = 0; i < count; ++i) moves[i].share = lanes ? lanes->share[i] : moves[i].wanted;
 }
 
 }  // namespace
