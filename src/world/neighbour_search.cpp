@@ -126,8 +126,8 @@ void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, do
 bool NeighbourSearch::sortByRank() {
   if (count_ == 1) found_[0] = {rims_[0], discs_[0]};
   if (count_ <= 1) return true;
-  alignas(32) std::array<float, MAX_RANKED> keys;
-  alignas(32) std::array<std::int32_t, MAX_RANKED> ranks;
+  alignas(32) std::array<float, MAX_RANKED> keys;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
+  alignas(32) std::array<std::int32_t, MAX_RANKED> ranks;  // NOLINT(cppcoreguidelines-pro-type-member-init): by rank()
   keys.fill(std::numeric_limits<float>::infinity());
   for (std::size_t i = 0; i < count_; ++i) keys[i] = static_cast<float>(rims_[i]);
   rank(keys.data(), count_, ranks.data());

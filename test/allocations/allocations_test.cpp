@@ -32,7 +32,8 @@ Scene lattice() {
   constexpr int COLUMNS = 20;
   Scene scene = scenes::scene({});
   for (int i = 0; i < COLUMNS * COLUMNS; ++i) {
-    const Vector2 place(1.4 * (i % COLUMNS), 1.4 * (i / COLUMNS));
+    const int row = i / COLUMNS;
+    const Vector2 place(1.4 * (i % COLUMNS), 1.4 * row);
     const Vector2 goal = place + Vector2(i % 2 == 0 ? 100.0 : -100.0, 0.0);
     scene.agents.push_back(scenes::agent(place, goal));
   }
