@@ -20,7 +20,7 @@ PerceptionsBuilder anyScene(KeyedRandom& random) {
   PerceptionsBuilder scene;
   scene.agent(0, anyVector(random, 6.0));
   const Vector2 own = random.below(5) == 0 ? Vector2(Vector2::Zero()) : anyVector(random, 0.3);
-  for (std::uint32_t left = random.below(20); left > 0; --left) {
+  for (std::uint32_t left = random.below(50); left > 0; --left) {
     scene.body(anyVector(random, 3.0), random.uniform(0.05, 0.5));
     scene.velocity(own, random.below(4) == 0 ? Vector2(Vector2::Zero()) : anyVector(random, 0.5));
     scene.kind(random.below(3) == 0 ? BodyKind::OBSTACLE : BodyKind::AGENT);
