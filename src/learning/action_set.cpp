@@ -33,11 +33,12 @@ std::shared_ptr<const ActionSet> readKingsMoves(YamlMap& map) {
 
 }  // namespace
 
-void ActionSet::findMoves(const Perception& perception, CandidateMove* moves) const {
+void ActionSet::findMoves(const Perception& perception, MoveBlock* moves) const {
   for (Action action = 0; action < size(); ++action) {
     const RelativeAction move = relativeAction(perception, action);
-    moves[action] = {unitVector(move.rotation), move.speed_share, move.speed_share};
+    setMove(moves, action, {unitVector(move.rotation), move.speed_share, move.speed_share});
   }
+  repeatLast(moves, size());
 }
 
 std::shared_ptr<const ActionSet> makeActionSet(const YAML::Node& node, const YamlPlace& place) {

@@ -59,7 +59,7 @@ void AnticipationStates::addLimits(const std::vector<double>& limits, Limits& si
   row_count_ *= static_cast<Row>(limits.size() + 1);
 }
 
-MoveOutlooks AnticipationStates::describe(const Perception& perception, const CandidateMove* moves,
+MoveOutlooks AnticipationStates::describe(const Perception& perception, const MoveBlock& moves,
                                           std::size_t count) const {
   return {perception, moves, count, least_share_};
 }
@@ -81,10 +81,10 @@ void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t coun
   std::copy_n(all.begin(), count, rows);
 }
 
-void AnticipationStates::findRows(const Perception& perception, const CandidateMove* moves, Row* rows) const {
+void AnticipationStates::findRows(const Perception& perception, const MoveBlock* moves, Row* rows) const {
   for (Action first = 0; first < actions_; first += MoveOutlooks::LANES) {
     const std::size_t count = std::min<std::size_t>(actions_ - first, MoveOutlooks::LANES);
-    findRows(describe(perception, moves + first, count), count, rows + first);
+    findRows(describe(perception, *moves++, count), count, rows + first);
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/vectorised.h"
@@ -66,31 +65,11 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
   return limit;
 }
 
-/// Moves side by side; the last one again in the lanes that are left.
-struct MoveLanes {
-  static constexpr std::size_t SIZE = 24;
-  using Lanes = std::array<double, SIZE>;
-
-  alignas(64) Lanes x;  // direction
-  alignas(64) Lanes y;
-  alignas(64) Lanes share;
-
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
-  MoveLanes(const CandidateMove* moves, std::size_t count) {
-    for (std::size_t i = 0; i < SIZE; ++i) {
-      const CandidateMove& move = moves[std::min(i, count - 1)];
-      x[i] = move.direction.x();
-      y[i] = move.direction.y();
-      share[i] = move.wanted;
-    }
-  }
-};
-
 /// @param reach the longest displacement of a tick [m]
-CROWD_VECTORISED void apply(const Limit& limit, double reach, MoveLanes& moves) {
+CROWD_VECTORISED void apply(const Limit& limit, double reach, MoveBlock& moves) {
   const double nx = limit.normal.x();
   const double ny = limit.normal.y();
-  for (std::size_t i = 0; i < MoveLanes::SIZE; ++i) {
+  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
     const double advance = reach * (nx * moves.x[i] + ny * moves.y[i]);
     const bool too_far = (advance > 0.0) & (moves.share[i] * advance > limit.room);
     const double left = limit.room / advance;
@@ -98,27 +77,34 @@ CROWD_VECTORISED void apply(const Limit& limit, double reach, MoveLanes& moves) 
   }
 }
 
-/// Cuts moves to the gaps, MoveLanes::SIZE at most.
-void cutSome(const Perception& perception, GapSharing sharing, CandidateMove* moves, std::size_t count) {
-  std::optional<MoveLanes> lanes;  // where nothing is near they are not needed
-  const AgentPerception& self = perception.self;
-  const double reach = self.speed * perception.tick_duration;
-  const auto keep = [&](const Limit& limit) {
-    if (limit.room >= reach) return;
-    if (!lanes) lanes.emplace(moves, count);
-    apply(limit, reach, *lanes);
-  };
-  for (const PerceivedBody& body : perception.bodies) {
-    if (isMover(body)) continue;
-    if (body.kind == BodyKind::OBSTACLE) {
-      keep(limitOfObstacle(self, body));
-    } else if (!isFar(self, body, reach, perception.tick_duration)) {
-      keep(limitOfAgent(self, body, perception.tick_duration, sharing));
+void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t count) {
+  if (limit.room >= reach) return;
+  for (std::size_t block = 0; block < blocksOf(count); ++block) apply(limit, reach, moves[block]);
+}
+
+/// The next bodies that may limit a move, those that are near and not movers.
+class NearBodies {
+ public:
+  static constexpr std::size_t MOST = 32;
+
+  NearBodies(const Perception& perception, std::size_t first, double reach) {
+    const std::size_t end = std::min(first + MOST, perception.bodies.size());
+    for (std::size_t i = first; i < end; ++i) {
+      const PerceivedBody& body = perception.bodies[i];
+      const bool agent = body.kind == BodyKind::AGENT;
+      const bool limits = agent ? !isFar(perception.self, body, reach, perception.tick_duration) : !isMover(body);
+      // Written in any case and kept by counting on: a branch would often be guessed wrong.
+      near_[count_] = &body;
+      count_ += limits ? 1 : 0;
     }
   }
-  for (const Segment& wall : perception.walls) keep(limitOfWall(self, wall));
-  for (std::size_t i = 0; i < count; ++i) moves[i].share = lanes ? lanes->share[i] : moves[i].wanted;
-}
+  const PerceivedBody* const* begin() const { return near_.data(); }
+  const PerceivedBody* const* end() const { return near_.data() + count_; }
+
+ private:
+  std::array<const PerceivedBody*, MOST> near_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -134,7 +120,7 @@ std::string toText(GapSharing sharing) {
   return sharing == GapSharing::HALF ? "half" : "moving";
 }
 
-void ContactRule::cut(const Perception& perception, CandidateMove* moves, std::size_t count) const {
+void ContactRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {
   cutToGaps(perception, moves, count);
   const bool has_movers = std::any_of(perception.bodies.begin(), perception.bodies.end(), isMover);
   if (!has_movers || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
@@ -144,14 +130,19 @@ void ContactRule::cut(const Perception& perception, CandidateMove* moves, std::s
   way_out.replaceUnsafe(moves, count);
 }
 
-void ContactRule::cutToGaps(const Perception& perception, CandidateMove* moves, std::size_t count) const {
-  if (sharing_ == GapSharing::NONE) {
-    for (std::size_t i = 0; i < count; ++i) moves[i].share = moves[i].wanted;
-    return;
+void ContactRule::cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const {
+  for (std::size_t block = 0; block < blocksOf(count); ++block) moves[block].share = moves[block].wanted;
+  if (sharing_ == GapSharing::NONE) return;
+  const AgentPerception& self = perception.self;
+  const double reach = self.speed * perception.tick_duration;
+  for (std::size_t first = 0; first < perception.bodies.size(); first += NearBodies::MOST) {
+    for (const PerceivedBody* body : NearBodies(perception, first, reach)) {
+      const bool agent = body->kind == BodyKind::AGENT;
+      cutToGap(agent ? limitOfAgent(self, *body, perception.tick_duration, sharing_) : limitOfObstacle(self, *body),
+               reach, moves, count);
+    }
   }
-  for (std::size_t first = 0; first < count; first += MoveLanes::SIZE) {
-    cutSome(perception, sharing_, moves + first, std::min<std::size_t>(count - first, MoveLanes::SIZE));
-  }
+  for (const Segment& wall : perception.walls) cutToGap(limitOfWall(self, wall), reach, moves, count);
 }
 
 }  // namespace crowd

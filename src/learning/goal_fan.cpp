@@ -1,6 +1,7 @@
 #include "social_crowd/learning/goal_fan.h"
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/vectorised.h"
 
 namespace crowd {
 namespace {
@@ -12,45 +13,63 @@ Vector2 goalDirection(const Perception& perception) {
   return perception.self.goal / distance;
 }
 
+/// The fan around another bearing than the heading.
+/// @param turned so many moves are measured from there, the others from the heading
+CROWD_VECTORISED void turn(const MoveBlock& fan, const Vector2& bearing, std::size_t turned, MoveBlock& moves) {
+  const double cosine = bearing.x();
+  const double sine = bearing.y();
+  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
+    const double x = cosine * fan.x[i] - sine * fan.y[i];
+    const double y = sine * fan.x[i] + cosine * fan.y[i];
+    moves.x[i] = i < turned ? x : fan.x[i];
+    moves.y[i] = i < turned ? y : fan.y[i];
+  }
+  moves.wanted = fan.wanted;
+  moves.share = fan.wanted;
+}
+
 }  // namespace
 
 GoalFan::GoalFan(const Parameters& parameters)
     : parameters_(parameters), rule_(parameters.gap_sharing, parameters.lookout) {
   addBothSides(parameters.headings, 1.0);
   addBothSides(parameters.slow_headings, parameters.slow_share);
-  if (parameters.stay) add(Vector2::UnitX(), 0.0, true, size());  // stay, and go on looking the same way
+  turned_ = size();
+  if (parameters.stay) add(Vector2::UnitX(), 0.0, size());  // stay, and go on looking the same way
+  repeatLast(fan_.data(), size());
 }
 
 void GoalFan::addBothSides(const std::vector<double>& headings, double share) {
   for (const double heading : headings) {
     const Action left = size();
     const bool has_two_sides = heading > 0.0 && heading < 180.0;
-    add(unitVector(toRadians(heading)), share, false, has_two_sides ? left + 1 : left);
-    if (has_two_sides) add(unitVector(toRadians(-heading)), share, false, left);
+    add(unitVector(toRadians(heading)), share, has_two_sides ? left + 1 : left);
+    if (has_two_sides) add(unitVector(toRadians(-heading)), share, left);
   }
 }
 
-void GoalFan::add(const Vector2& direction, double share, bool from_heading, Action mirrored) {
-  moves_.push_back({direction, share, from_heading, mirrored});
-}
-
-CandidateMove GoalFan::moveOf(const FanMove& move, const Vector2& bearing) const {
-  const Vector2& d = move.direction;
-  if (move.from_heading) return {d, move.share, move.share};
-  return {
-      {bearing.x() * d.x() - bearing.y() * d.y(), bearing.y() * d.x() + bearing.x() * d.y()}, move.share, move.share};
+void GoalFan::add(const Vector2& direction, double share, Action mirrored) {
+  fan_.resize(blocksOf(mirrored_.size() + 1));
+  setMove(fan_.data(), mirrored_.size(), {direction, share, share});
+  mirrored_.push_back(mirrored);
 }
 
 RelativeAction GoalFan::relativeAction(const Perception& perception, Action action) const {
-  CandidateMove move = moveOf(moves_[action], goalDirection(perception));
+  MoveBlock move;  // NOLINT(cppcoreguidelines-pro-type-member-init): turn() writes it
+  const std::size_t lane = action % MoveBlock::SIZE;
+  turn(fan_[action / MoveBlock::SIZE], goalDirection(perception), action < turned_ ? MoveBlock::SIZE : 0, move);
+  move.set(0, move.move(lane));
   rule_.cut(perception, &move, 1);
-  return toAction(move);
+  return toAction(move.move(0));
 }
 
-void GoalFan::findMoves(const Perception& perception, CandidateMove* moves) const {
+void GoalFan::findMoves(const Perception& perception, MoveBlock* moves) const {
   const Vector2 bearing = goalDirection(perception);
-  for (std::size_t i = 0; i < moves_.size(); ++i) moves[i] = moveOf(moves_[i], bearing);
-  rule_.cut(perception, moves, moves_.size());
+  for (std::size_t block = 0; block < fan_.size(); ++block) {
+    const std::size_t first = block * MoveBlock::SIZE;
+    turn(fan_[block], bearing, turned_ > first ? turned_ - first : 0, moves[block]);
+  }
+  rule_.cut(perception, moves, size());
 }
 
 std::string GoalFan::spec() const {

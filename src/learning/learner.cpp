@@ -72,7 +72,7 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, W
   listGuests(perceptions, actions);
   const std::size_t slots = options_.mode == Mode::TRAINING ? guests_.size() : workers.count();
   rows_.resize(slots * stride_);
-  if (model_.state_set->needsMoves()) moves_.resize(slots * model_.action_set->size());
+  if (model_.state_set->needsMoves()) moves_.resize(slots * blocksOf(model_.action_set->size()));
   // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
   if (options_.mode == Mode::TRAINING) learn(perceptions, workers);
   if (!perceptions.last) choose(perceptions, actions, workers);
@@ -131,7 +131,7 @@ Perception Learner::perceptionOf(const Perceptions& perceptions, std::size_t ind
 }
 
 Learner::Choice Learner::choiceAt(std::size_t slot) {
-  return {&rows_[slot * stride_], moves_.empty() ? nullptr : &moves_[slot * model_.action_set->size()]};
+  return {&rows_[slot * stride_], moves_.empty() ? nullptr : &moves_[slot * blocksOf(model_.action_set->size())]};
 }
 
 void Learner::findRows(const Perception& seen, const Choice& choice) const {
@@ -197,7 +197,7 @@ Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& pe
 
 RelativeAction Learner::actionOf(const Perception& seen, const Choice& choice, Action action) const {
   if (choice.moves == nullptr) return model_.action_set->relativeAction(seen, action);
-  return toAction(choice.moves[action]);
+  return toAction(moveAt(choice.moves, action));
 }
 
 Learner::Memory& Learner::memoryOf(AgentId agent) {

@@ -41,21 +41,33 @@ struct Discs {
   alignas(64) Floats vx;  // [m/s]
   alignas(64) Floats vy;
   alignas(64) Floats apart;  // square of the distance less that of the reach, 0 if they overlap [m2]
-
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
-  Discs() {
-    for (Floats* floats : {&px, &py, &apart}) floats->fill(1.0F);
-    for (Floats* floats : {&vx, &vy}) floats->fill(FLYING);
-  }
-
-  void put(std::size_t i, const Vector2& place, const Vector2& velocity, double reach) {
-    px[i] = static_cast<float>(place.x());
-    py[i] = static_cast<float>(place.y());
-    vx[i] = static_cast<float>(velocity.x());
-    vy[i] = static_cast<float>(velocity.y());
-    apart[i] = static_cast<float>(std::max(0.0, place.squaredNorm() - reach * reach));
-  }
 };
+
+/// The same as they are given.
+struct GivenDiscs {
+  using Doubles = std::array<double, Discs::SIZE>;
+
+  alignas(64) Doubles px;  // [m]
+  alignas(64) Doubles py;
+  alignas(64) Doubles vx;  // [m/s]
+  alignas(64) Doubles vy;
+  alignas(64) Doubles reach;  // [m]
+};
+
+/// Takes over the first `count` discs. What stands behind them is of no meaning, and must not matter.
+CROWD_VECTORISED void layOut(const GivenDiscs& given, std::size_t count, Discs& discs) {
+  for (std::size_t i = 0; i < Discs::SIZE; ++i) {
+    const double px = given.px[i];
+    const double py = given.py[i];
+    const double apart = (px * px + py * py) - given.reach[i] * given.reach[i];
+    const bool is_there = i < count;
+    discs.px[i] = is_there ? static_cast<float>(px) : 1.0F;
+    discs.py[i] = is_there ? static_cast<float>(py) : 1.0F;
+    discs.vx[i] = is_there ? static_cast<float>(given.vx[i]) : Discs::FLYING;
+    discs.vy[i] = is_there ? static_cast<float>(given.vy[i]) : Discs::FLYING;
+    discs.apart[i] = is_there ? static_cast<float>(apart > 0.0 ? apart : 0.0) : 1.0F;
+  }
+}
 
 using Eight = float __attribute__((vector_size(8 * sizeof(float))));
 using Four = float __attribute__((vector_size(4 * sizeof(float))));
@@ -155,18 +167,24 @@ class Collector {
  public:
   explicit Collector(const Note& note) : note_(note) {}
   void add(const Vector2& place, const Vector2& velocity, double reach) {
-    discs_.put(count_++, place, velocity, reach);
-    if (count_ == Discs::SIZE) noteAll();
+    given_.px[count_] = place.x();
+    given_.py[count_] = place.y();
+    given_.vx[count_] = velocity.x();
+    given_.vy[count_] = velocity.y();
+    given_.reach[count_] = reach;
+    if (++count_ == Discs::SIZE) noteAll();
   }
-  /// What was noted before may be noted again: that changes nothing.
   void noteAll() {
-    if (count_ > 0) note_(discs_, count_);
+    if (count_ == 0) return;
+    Discs discs;
+    layOut(given_, count_, discs);
+    note_(discs, count_);
     count_ = 0;
   }
 
  private:
   const Note& note_;
-  Discs discs_;
+  GivenDiscs given_;  // the first count_
   std::size_t count_ = 0;
 };
 
@@ -229,50 +247,35 @@ CROWD_VECTORISED void toTimes(const Lanes& soonest, float unit, float time_to_go
   }
 }
 
-/// Moves side by side; the last one again in the lanes that are left.
-struct MoveLanes {
-  alignas(64) Lanes x;  // direction
-  alignas(64) Lanes y;
-  alignas(64) Lanes wanted;
-  alignas(64) Lanes left;  // by the contact rule
-
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
-  MoveLanes(const CandidateMove* moves, std::size_t count) {
-    for (std::size_t i = 0; i < LANES; ++i) {
-      const CandidateMove& move = moves[std::min(i, count - 1)];
-      x[i] = static_cast<float>(move.direction.x());
-      y[i] = static_cast<float>(move.direction.y());
-      wanted[i] = static_cast<float>(move.wanted);
-      left[i] = static_cast<float>(move.share);
-    }
-  }
-};
-
 /// Of a move of which the rule leaves too little the course is that of staying.
-CROWD_VECTORISED void findCourses(const MoveLanes& moves, float speed, float least_share, Lanes& shares,
+CROWD_VECTORISED void findCourses(const MoveBlock& moves, float speed, float least_share, Lanes& shares,
                                   Courses& courses) {
   for (std::size_t i = 0; i < LANES; ++i) {
-    const float share = moves.left[i] / moves.wanted[i];
-    shares[i] = moves.wanted[i] > 0.0F ? share : 1.0F;
-    const float pace = shares[i] < least_share ? 0.0F : moves.wanted[i] * speed;
-    courses.ux[i] = pace * moves.x[i];
-    courses.uy[i] = pace * moves.y[i];
+    const auto wanted = static_cast<float>(moves.wanted[i]);
+    const float share = static_cast<float>(moves.share[i]) / wanted;
+    shares[i] = wanted > 0.0F ? share : 1.0F;
+    const float pace = shares[i] < least_share ? 0.0F : wanted * speed;
+    courses.ux[i] = pace * static_cast<float>(moves.x[i]);
+    courses.uy[i] = pace * static_cast<float>(moves.y[i]);
   }
+}
+
+/// @param walking whether the agent walked in the last tick: else no move is a turn
+CROWD_VECTORISED void findTurns(const MoveBlock& moves, bool walking, Lanes& cosines) {
+  for (std::size_t i = 0; i < LANES; ++i) cosines[i] = walking ? static_cast<float>(moves.x[i]) : 1.0F;
 }
 
 }  // namespace
 
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
-MoveOutlooks::MoveOutlooks(const Perception& perception, const CandidateMove* moves, std::size_t count,
+MoveOutlooks::MoveOutlooks(const Perception& perception, const MoveBlock& moves, std::size_t count,
                            double least_share) {
   const AgentPerception& self = perception.self;
   const auto speed = static_cast<float>(self.speed);
   const double distance = self.goal.norm();
-  const MoveLanes lanes(moves, count);
   Courses courses(count);
-  findCourses(lanes, speed, static_cast<float>(least_share), shares, courses);
-  turn_cosines = lanes.x;
-  if (self.velocity == Vector2::Zero()) turn_cosines.fill(1.0F);
+  findCourses(moves, speed, static_cast<float>(least_share), shares, courses);
+  findTurns(moves, self.velocity != Vector2::Zero(), turn_cosines);
   const double pace_to_goal = distance > 0.0 ? self.speed / distance : 0.0;
   oncoming = noteDiscs(perception, pace_to_goal * self.goal, courses) / speed;
   for (const Segment& wall : perception.walls) noteSide(wall, self.radius, courses);

@@ -53,7 +53,7 @@ void WayOut::findMovers() {
 
 void WayOut::addPlainMoves() {
   const auto add = [this](const Vector2& direction, double share) {
-    plain_moves_[plain_move_count_++] = {direction, share, share};
+    setMove(plain_moves_.data(), plain_move_count_++, {direction, share, share});
   };
   add(Vector2::UnitX(), 1.0);
   add(Vector2::UnitX(), 0.0);
@@ -69,6 +69,7 @@ void WayOut::addPlainMoves() {
       add(turn.x() * ahead - turn.y() * left, 1.0);
     }
   }
+  repeatLast(plain_moves_.data(), plain_move_count_);
 }
 
 /// When whoever walks straight on from `start`, where it is in a tick, stands before an obstacle, a wall, or an agent
@@ -128,7 +129,7 @@ double WayOut::clearTime(const CandidateMove& move, Case& a_case) const {
   for (std::size_t i = 0; i < plain_move_count_ && longest < lookout_; ++i) {
     // What was the way out from a neighbouring place is likely to be one from here.
     const std::size_t next = (a_case.last_way + i) % plain_move_count_;
-    const CandidateMove& plain = plain_moves_[next];
+    const CandidateMove plain = plainMove(next);
     const Vector2 onwards = plain.wanted * perception_.self.speed * plain.direction;
     longest = std::max(longest, tick + clearTimeFrom(end, onwards, a_case));
     if (longest >= lookout_) a_case.last_way = next;
@@ -149,9 +150,9 @@ double WayOut::safety(const CandidateMove& move) {
   return 2.0 * lookout_ + clearTime(move, with_room_);
 }
 
-const CandidateMove& WayOut::bestPlainMove(const Vector2& wish) const {
+CandidateMove WayOut::bestPlainMove(const Vector2& wish) const {
   const auto rank = [&](std::size_t i) {
-    const Vector2 velocity = velocityOf(plain_moves_[i]);
+    const Vector2 velocity = velocityOf(plainMove(i));
     return std::make_tuple(safeties_[i], -(velocity - wish).squaredNorm(), velocity.x(),
                            velocity.dot(perception_.self.goal));
   };
@@ -159,18 +160,19 @@ const CandidateMove& WayOut::bestPlainMove(const Vector2& wish) const {
   for (std::size_t i = 1; i < plain_move_count_; ++i) {
     if (rank(i) > rank(best)) best = i;
   }
-  return plain_moves_[best];
+  return plainMove(best);
 }
 
-void WayOut::replaceUnsafe(CandidateMove* moves, std::size_t count) {
+void WayOut::replaceUnsafe(MoveBlock* moves, std::size_t count) {
   bool are_plain_moves_judged = false;
   for (std::size_t i = 0; i < count; ++i) {
-    if (safety(moves[i]) >= CASES * lookout_) continue;
+    const CandidateMove move = moveAt(moves, i);
+    if (safety(move) >= CASES * lookout_) continue;
     if (!are_plain_moves_judged) {
-      for (std::size_t p = 0; p < plain_move_count_; ++p) safeties_[p] = safety(plain_moves_[p]);
+      for (std::size_t p = 0; p < plain_move_count_; ++p) safeties_[p] = safety(plainMove(p));
       are_plain_moves_judged = true;
     }
-    moves[i] = bestPlainMove(velocityOf(moves[i]));
+    setMove(moves, i, bestPlainMove(velocityOf(move)));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "social_crowd/learning/kings_moves.h"
 #include "social_crowd/learning/time_to_contact.h"
 #include "support/error_of.h"
+#include "support/moves.h"
 #include "support/perceptions.h"
 
 namespace crowd {
@@ -30,7 +31,7 @@ struct Outlook {
 };
 
 Outlook describe(const PerceptionsBuilder& scene, const CandidateMove& move) {
-  const MoveOutlooks all = states().describe(scene.perception(), &move, 1);
+  const MoveOutlooks all = states().describe(scene.perception(), toBlocks({move})[0], 1);
   return {all.reciprocal_times[0], all.selfish_times[0], all.fixed_times[0],
           all.shares[0],           all.turn_cosines[0],  all.oncoming};
 }
@@ -39,7 +40,8 @@ Outlook describe(const PerceptionsBuilder& scene, const CandidateMove& move) {
 Outlook ahead(const PerceptionsBuilder& scene) { return describe(scene, {Vector2::UnitX(), 1.0, 1.0}); }
 
 Row rowOf(const Outlook& outlook) {
-  MoveOutlooks lanes = states().describe(PerceptionsBuilder().agent(0, {1.0, 0.0}).perception(), &ANY_MOVE, 1);
+  MoveOutlooks lanes =
+      states().describe(PerceptionsBuilder().agent(0, {1.0, 0.0}).perception(), toBlocks({ANY_MOVE})[0], 1);
   lanes.reciprocal_times[0] = static_cast<float>(outlook.reciprocal_time);
   lanes.selfish_times[0] = static_cast<float>(outlook.selfish_time);
   lanes.fixed_times[0] = static_cast<float>(outlook.fixed_time);
@@ -52,8 +54,7 @@ Row rowOf(const Outlook& outlook) {
 }
 
 std::vector<Row> rowsOf(const AnticipationStates& states, const ActionSet& actions, const PerceptionsBuilder& scene) {
-  std::vector<CandidateMove> moves(actions.size());
-  actions.findMoves(scene.perception(), moves.data());
+  const std::vector<MoveBlock> moves = movesOf(actions, scene.perception());
   std::vector<Row> rows(states.rowsPerPerception());
   states.findRows(scene.perception(), moves.data(), rows.data());
   return rows;

@@ -7,6 +7,7 @@
 #include "social_crowd/world/scenario_reader.h"
 #include "social_crowd/world/world.h"
 #include "support/error_of.h"
+#include "support/moves.h"
 #include "support/perceptions.h"
 
 namespace crowd {
@@ -16,9 +17,7 @@ constexpr double LOOKOUT = 1.5;  // [s]
 
 /// What is left of a move straight ahead at full speed.
 double shareAhead(GapSharing sharing, const PerceptionsBuilder& scene) {
-  CandidateMove move{Vector2::UnitX(), 1.0, 1.0};
-  ContactRule(sharing, LOOKOUT).cut(scene.perception(), &move, 1);
-  return move.share;
+  return cut(ContactRule(sharing, LOOKOUT), scene.perception(), {{Vector2::UnitX(), 1.0, 1.0}})[0].share;
 }
 
 /// An agent of radius 0.25 that walks at 0.3 m/s: 0.03 m a tick; the other one ahead, so far from rim to rim.
@@ -46,8 +45,8 @@ TEST(ContactRule, GivesTheWholeGapToAThingAtRest) {
 }
 
 TEST(ContactRule, CutsByTheComponentTowardsTheOther) {
-  CandidateMove moves[] = {{unitVector(toRadians(60.0)), 1.0, 1.0}, {unitVector(toRadians(90.0)), 1.0, 1.0}};
-  ContactRule(GapSharing::HALF, LOOKOUT).cut(facing(0.006).perception(), moves, 2);
+  const auto moves = cut(ContactRule(GapSharing::HALF, LOOKOUT), facing(0.006).perception(),
+                         {{unitVector(toRadians(60.0)), 1.0, 1.0}, {unitVector(toRadians(90.0)), 1.0, 1.0}});
   EXPECT_NEAR(moves[0].share, 0.2, 1e-6);  // 0.015 of its 0.03 lead towards the other, 0.003 may
   EXPECT_EQ(moves[1].share, 1.0);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/error_of.h"
+#include "support/moves.h"
 #include "support/perceptions.h"
 
 namespace crowd {
@@ -42,14 +43,14 @@ TEST(GoalFan, TellsOfAllMovesWhatItTellsOfEach) {
   const GoalFan fan;
   const auto scene =
       PerceptionsBuilder().agent(0, polar(25.0, 5.0)).body({0.51, 0.02}, 0.25).wall({-1, 0.26}, {1, 0.26});
-  std::vector<CandidateMove> moves(fan.size());
-  fan.findMoves(scene.perception(), moves.data());
+  const std::vector<MoveBlock> moves = movesOf(fan, scene.perception());
   bool cut = false;
   for (Action action = 0; action < fan.size(); ++action) {
     const RelativeAction alone = fan.relativeAction(scene.perception(), action);
-    EXPECT_EQ(alone.speed_share, moves[action].share);
-    EXPECT_EQ(alone.rotation, bearingOf(moves[action].direction));
-    cut = cut || moves[action].share < moves[action].wanted;
+    const CandidateMove move = moveAt(moves.data(), action);
+    EXPECT_EQ(alone.speed_share, move.share);
+    EXPECT_EQ(alone.rotation, bearingOf(move.direction));
+    cut = cut || move.share < move.wanted;
   }
   EXPECT_TRUE(cut);
 }

@@ -147,7 +147,7 @@ class RowPerAction : public StateSet {
  public:
   Row rowCount() const override { return 5; }
   std::size_t rowsPerPerception() const override { return 2; }
-  void findRows(const Perception& perception, const CandidateMove* /*moves*/, Row* rows) const override {
+  void findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const override {
     const Row far = perception.self.goal.norm() > 2.0 ? 1 : 0;
     rows[0] = far;
     rows[1] = 2 + far;

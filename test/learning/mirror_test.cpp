@@ -5,6 +5,7 @@
 #include "social_crowd/learning/q_table_file.h"
 #include "support/error_of.h"
 #include "support/learners.h"
+#include "support/moves.h"
 
 namespace crowd {
 namespace {
@@ -74,8 +75,7 @@ PerceptionsBuilder anyPerception(std::uint64_t seed) {
 
 std::vector<Row> rowsOf(const Model& model, const Perception& perception) {
   std::vector<Row> rows(model.state_set->rowsPerPerception());
-  std::vector<CandidateMove> moves(model.action_set->size());
-  model.action_set->findMoves(perception, moves.data());
+  const std::vector<MoveBlock> moves = movesOf(*model.action_set, perception);
   model.state_set->findRows(perception, moves.data(), rows.data());
   return rows;
 }

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/contact_rule.h"
 #include "social_crowd/world/scenario_reader.h"
 #include "social_crowd/world/world.h"
+#include "support/moves.h"
 #include "support/perceptions.h"
 
 namespace crowd {
@@ -22,8 +21,7 @@ struct Moves {
 };
 
 Moves movesIn(const PerceptionsBuilder& scene) {
-  std::array<CandidateMove, 2> moves = {Moves().ahead, Moves().stay};
-  ContactRule(GapSharing::MOVING, LOOKOUT).cut(scene.perception(), moves.data(), moves.size());
+  const auto moves = cut(ContactRule(GapSharing::MOVING, LOOKOUT), scene.perception(), {Moves().ahead, Moves().stay});
   return {moves[0], moves[1]};
 }
 
@@ -96,8 +94,8 @@ int ticksInContact(double lookout, std::uint64_t seed) {
     const Perception perception(perceptions, 0);
     CandidateMove move{unitVector(is_out ? back : 2.0 * PI * random.uniform()), 1.0, 1.0};
     if (tick % 10 < 5) move = {Vector2::UnitX(), random.uniform(), 1.0};
-    ContactRule(GapSharing::MOVING, lookout).cut(perception, &move, 1);
-    world.step({{self.agent, {bearingOf(move.direction), move.share}}});
+    move = cut(ContactRule(GapSharing::MOVING, lookout), perception, {move})[0];
+    world.step({{self.agent, toAction(move)}});
     const Agent& agent = world.agents().front();
     for (const Obstacle& o : world.obstacles()) {
       const double away = (agent.pose.position - o.path.position(world.time())).norm();

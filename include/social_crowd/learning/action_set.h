@@ -26,7 +26,8 @@ class ActionSet {
   /// @brief The move that an action means to an agent that perceives this.
   virtual RelativeAction relativeAction(const Perception& perception, Action action) const = 0;
   /// @brief The moves that all size() actions mean to an agent that perceives this.
-  virtual void findMoves(const Perception& perception, CandidateMove* moves) const;
+  /// @param moves blocksOf(size()) blocks, to be written
+  virtual void findMoves(const Perception& perception, MoveBlock* moves) const;
   /// @brief The action that means the same with left and right exchanged.
   virtual Action mirrored(Action action) const = 0;
   /// @brief Name and parameters as one canonical line of YAML; two sets are the same if these are.

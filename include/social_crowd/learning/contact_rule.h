@@ -32,10 +32,10 @@ class ContactRule {
 
   GapSharing sharing() const { return sharing_; }
   /// @brief Sets the admissible share of each move, at most the wanted one. To stay is always admissible.
-  void cut(const Perception& perception, CandidateMove* moves, std::size_t count) const;
+  void cut(const Perception& perception, MoveBlock* moves, std::size_t count) const;
 
  private:
-  void cutToGaps(const Perception& perception, CandidateMove* moves, std::size_t count) const;
+  void cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const;
 
   GapSharing sharing_;
   double lookout_;

@@ -25,26 +25,21 @@ class GoalFan : public ActionSet {
   GoalFan() : GoalFan(Parameters()) {}
   explicit GoalFan(const Parameters& parameters);
 
-  Action size() const override { return static_cast<Action>(moves_.size()); }
+  Action size() const override { return static_cast<Action>(mirrored_.size()); }
   RelativeAction relativeAction(const Perception& perception, Action action) const override;
-  void findMoves(const Perception& perception, CandidateMove* moves) const override;
-  Action mirrored(Action action) const override { return moves_[action].mirrored; }
+  void findMoves(const Perception& perception, MoveBlock* moves) const override;
+  Action mirrored(Action action) const override { return mirrored_[action]; }
   std::string spec() const override;
 
  private:
-  struct FanMove {
-    Vector2 direction = Vector2::UnitX();  // measured from the goal's bearing
-    double share = 0.0;
-    bool from_heading = false;  // measured from the own heading instead
-    Action mirrored = 0;
-  };
   void addBothSides(const std::vector<double>& headings, double share);
-  void add(const Vector2& direction, double share, bool from_heading, Action mirrored);
-  CandidateMove moveOf(const FanMove& move, const Vector2& bearing) const;
+  void add(const Vector2& direction, double share, Action mirrored);
 
   Parameters parameters_;
   ContactRule rule_;
-  std::vector<FanMove> moves_;
+  std::vector<MoveBlock> fan_;  // around the heading
+  std::size_t turned_ = 0;      // so many of its moves are measured from the goal's bearing instead
+  std::vector<Action> mirrored_;
 };
 
 }  // namespace crowd

@@ -114,7 +114,7 @@ class Learner {
   /// What the actions mean to an agent, and the rows they are looked up in.
   struct Choice {
     Row* rows;
-    CandidateMove* moves;
+    MoveBlock* moves;
   };
 
   Memory& memoryOf(AgentId agent);
@@ -157,7 +157,7 @@ class Learner {
   std::vector<Guest> guests_;  // scratch, of all agents of a tick
   // Scratch: of all agents of a tick while learning, else of each worker.
   std::vector<Row> rows_;
-  std::vector<CandidateMove> moves_;
+  std::vector<MoveBlock> moves_;
 };
 
 }  // namespace crowd

@@ -11,7 +11,7 @@ namespace crowd {
 /// @brief What would come of several moves, side by side and in single precision, so that the compiler makes vector
 /// instructions of every step.
 struct MoveOutlooks {
-  static constexpr std::size_t LANES = 24;  ///< moves that are looked at together
+  static constexpr std::size_t LANES = MoveBlock::SIZE;  ///< moves that are looked at together
   using Lanes = std::array<float, LANES>;
 
   alignas(64) Lanes reciprocal_times;  ///< to contact with an agent that does its half [s]; NEVER if there is none
@@ -21,9 +21,9 @@ struct MoveOutlooks {
   alignas(64) Lanes turn_cosines;
   float oncoming;  ///< fastest approach of another agent if this one walked to its goal at full speed, in units of that
 
-  /// @brief What would come of `count` moves, 1 to LANES; the other lanes hold anything.
+  /// @brief What would come of the first `count` moves of a block, 1 to LANES; the other lanes hold anything.
   /// @param least_share a move of which the contact rule leaves less is to stay, wherever it was to lead
-  MoveOutlooks(const Perception& perception, const CandidateMove* moves, std::size_t count, double least_share);
+  MoveOutlooks(const Perception& perception, const MoveBlock& moves, std::size_t count, double least_share);
 };
 
 }  // namespace crowd

@@ -32,7 +32,7 @@ class NearestObstacleStates : public StateSet {
   explicit NearestObstacleStates(const Parameters& parameters);
 
   Row rowCount() const override { return terminal() + 1; }
-  void findRows(const Perception& perception, const CandidateMove* /*moves*/, Row* rows) const override {
+  void findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const override {
     *rows = rowOf(describe(perception));
   }
   Row mirrored(Row row) const override;

@@ -46,7 +46,7 @@ class StateSet {
   virtual bool needsMoves() const { return false; }
   /// @brief Writes rowsPerPerception() rows for what an agent on its way perceives.
   /// @param moves what the actions mean to it, see ActionSet::findMoves(); of no meaning unless needsMoves()
-  virtual void findRows(const Perception& perception, const CandidateMove* moves, Row* rows) const = 0;
+  virtual void findRows(const Perception& perception, const MoveBlock* moves, Row* rows) const = 0;
   /// @brief The row that a perception maps to if left and right are exchanged in it; of several rows, that of the
   /// mirrored action. A perception exactly on a limit of a sector may map to the neighbour of that row.
   virtual Row mirrored(Row row) const = 0;

@@ -26,10 +26,10 @@ class WayOut {
   /// @brief Whether a mover is near enough to matter.
   bool isNeeded() const { return mover_count_ > 0; }
   /// @brief To stay, straight on, and headings measured from the ways of the nearest movers.
-  CandidateMove* plainMoves() { return plain_moves_.data(); }
+  MoveBlock* plainMoves() { return plain_moves_.data(); }
   std::size_t plainMoveCount() const { return plain_move_count_; }
   /// @brief Replaces the moves that are not safe. The shares of the plain moves are to be cut before.
-  void replaceUnsafe(CandidateMove* moves, std::size_t count);
+  void replaceUnsafe(MoveBlock* moves, std::size_t count);
 
  private:
   static constexpr std::size_t MOST_MOVERS = 4;  // the nearest, in time
@@ -55,13 +55,14 @@ class WayOut {
   double timeToTouch(const CandidateMove& move, const Case& a_case) const;
   double clearTimeFrom(const Vector2& start, const Vector2& velocity, const Case& a_case) const;
   double blockedAfter(const Vector2& start, const Vector2& velocity) const;
-  const CandidateMove& bestPlainMove(const Vector2& wish) const;
+  CandidateMove plainMove(std::size_t i) const { return moveAt(plain_moves_.data(), i); }
+  CandidateMove bestPlainMove(const Vector2& wish) const;
 
   const Perception& perception_;
   double lookout_;
   std::array<const PerceivedBody*, MOST_MOVERS> movers_{};
   std::size_t mover_count_ = 0;
-  std::array<CandidateMove, MOST_PLAIN_MOVES> plain_moves_{};
+  std::array<MoveBlock, blocksOf(MOST_PLAIN_MOVES)> plain_moves_;
   std::array<double, MOST_PLAIN_MOVES> safeties_{};
   std::size_t plain_move_count_ = 0;
   Case as_they_go_;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/learning/action_set.h"
+#include "social_crowd/learning/contact_rule.h"
+
+namespace crowd {
+
+/// @brief Moves laid out in blocks.
+inline std::vector<MoveBlock> toBlocks(const std::vector<CandidateMove>& moves) {
+  std::vector<MoveBlock> blocks(blocksOf(moves.size()));
+  for (std::size_t i = 0; i < moves.size(); ++i) setMove(blocks.data(), i, moves[i]);
+  repeatLast(blocks.data(), moves.size());
+  return blocks;
+}
+
+/// @brief The moves of all actions, in blocks.
+inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception& perception) {
+  std::vector<MoveBlock> blocks(blocksOf(actions.size()));
+  actions.findMoves(perception, blocks.data());
+  return blocks;
+}
+
+/// @brief What a contact rule makes of moves.
+inline std::vector<CandidateMove> cut(const ContactRule& rule, const Perception& perception,
+                                      std::vector<CandidateMove> moves) {
+  std::vector<MoveBlock> blocks = toBlocks(moves);
+  rule.cut(perception, blocks.data(), moves.size());
+  for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = moveAt(blocks.data(), i);
+  return moves;
+}
+
+}  // namespace crowd
