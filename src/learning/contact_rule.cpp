@@ -28,15 +28,6 @@ Limit limitOf(const Vector2& towards, double distance, double room) {
   return {towards / distance, room - MARGIN};
 }
 
-/// Whether an agent is so far away that its limit lies beyond the longest displacement of a tick: half of the gap does,
-/// less what the plane between both may go towards this one.
-bool isFar(const AgentPerception& self, const PerceivedBody& other, double reach, double tick_duration) {
-  const Vector2 sum = self.velocity + other.velocity;
-  const double drift = tick_duration * (std::abs(sum.x()) + std::abs(sum.y()));
-  const double near = self.radius + other.radius + 2.0 * (reach + MARGIN) + drift + ROUNDING;
-  return other.position.squaredNorm() > near * near;
-}
-
 Limit limitOfAgent(const AgentPerception& self, const PerceivedBody& other, double tick_duration, GapSharing sharing) {
   const double distance = other.position.norm();
   const double gap = std::max(0.0, distance - self.radius - other.radius);
@@ -82,27 +73,49 @@ void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t co
   for (std::size_t block = 0; block < blocksOf(count); ++block) apply(limit, reach, moves[block]);
 }
 
-/// The next bodies that may limit a move, those that are near and not movers.
-class NearBodies {
+/// Some bodies, and those among them that may limit a move: obstacles that do not move, and agents that are not so far
+/// away that their limit lies beyond the longest displacement of a tick. An agent's does if half of the gap does, less
+/// what the plane between both may go towards this one.
+class LimitingBodies {
  public:
-  static constexpr std::size_t MOST = 32;
+  static constexpr std::size_t MOST = PerceivedBodies::MARGIN;
 
-  NearBodies(const Perception& perception, std::size_t first, double reach) {
-    const std::size_t end = std::min(first + MOST, perception.bodies.size());
-    for (std::size_t i = first; i < end; ++i) {
-      const PerceivedBody& body = perception.bodies[i];
-      const bool agent = body.kind == BodyKind::AGENT;
-      const bool limits = agent ? !isFar(perception.self, body, reach, perception.tick_duration) : !isMover(body);
+  /// From a number on, MOST at most.
+  LimitingBodies(const Perception& perception, std::size_t first, double reach) {
+    std::array<std::int64_t, MOST> near;  // NOLINT(cppcoreguidelines-pro-type-member-init): findNear() writes it
+    findNear(perception.bodies, first, perception.self, reach, perception.tick_duration, near);
+    const std::size_t end = std::min(MOST, perception.bodies.size() - first);
+    for (std::size_t i = 0; i < end; ++i) {
       // Written in any case and kept by counting on: a branch would often be guessed wrong.
-      near_[count_] = &body;
-      count_ += limits ? 1 : 0;
+      limiting_[count_] = first + i;
+      const bool is_agent = perception.bodies.kinds()[first + i] == BodyKind::AGENT;
+      count_ += is_agent ? static_cast<std::size_t>(near[i]) : (isMover(perception.bodies[first + i]) ? 0 : 1);
     }
   }
-  const PerceivedBody* const* begin() const { return near_.data(); }
-  const PerceivedBody* const* end() const { return near_.data() + count_; }
+  const std::size_t* begin() const { return limiting_.data(); }
+  const std::size_t* end() const { return limiting_.data() + count_; }
 
  private:
-  std::array<const PerceivedBody*, MOST> near_;
+  /// 1 for those that are not far, 0 for others.
+  CROWD_VECTORISED static void findNear(const PerceivedBodiesView& bodies, std::size_t first,
+                                        const AgentPerception& self, double reach, double tick_duration,
+                                        std::array<std::int64_t, MOST>& near) {
+    const double* xs = bodies.xs() + first;
+    const double* ys = bodies.ys() + first;
+    const double* vxs = bodies.vxs() + first;
+    const double* vys = bodies.vys() + first;
+    const double* radii = bodies.radii() + first;
+    const double vx = self.velocity.x();
+    const double vy = self.velocity.y();
+    const double room = 2.0 * (reach + MARGIN);
+    for (std::size_t i = 0; i < MOST; ++i) {
+      const double drift = tick_duration * (std::abs(vx + vxs[i]) + std::abs(vy + vys[i]));
+      const double apart = self.radius + radii[i] + room + drift + ROUNDING;
+      near[i] = xs[i] * xs[i] + ys[i] * ys[i] > apart * apart ? 0 : 1;
+    }
+  }
+
+  std::array<std::size_t, MOST> limiting_;
   std::size_t count_ = 0;
 };
 
@@ -135,10 +148,11 @@ void ContactRule::cutToGaps(const Perception& perception, MoveBlock* moves, std:
   if (sharing_ == GapSharing::NONE) return;
   const AgentPerception& self = perception.self;
   const double reach = self.speed * perception.tick_duration;
-  for (std::size_t first = 0; first < perception.bodies.size(); first += NearBodies::MOST) {
-    for (const PerceivedBody* body : NearBodies(perception, first, reach)) {
-      const bool agent = body->kind == BodyKind::AGENT;
-      cutToGap(agent ? limitOfAgent(self, *body, perception.tick_duration, sharing_) : limitOfObstacle(self, *body),
+  for (std::size_t first = 0; first < perception.bodies.size(); first += LimitingBodies::MOST) {
+    for (const std::size_t i : LimitingBodies(perception, first, reach)) {
+      const PerceivedBody body = perception.bodies[i];
+      const bool agent = body.kind == BodyKind::AGENT;
+      cutToGap(agent ? limitOfAgent(self, body, perception.tick_duration, sharing_) : limitOfObstacle(self, body),
                reach, moves, count);
     }
   }

@@ -78,6 +78,19 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, W
   if (!perceptions.last) choose(perceptions, actions, workers);
 }
 
+void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const {
+  space.rows.resize(stride_);
+  if (model_.state_set->needsMoves()) space.moves.resize(blocksOf(model_.action_set->size()));
+  const Choice choice = {space.rows.data(), space.moves.empty() ? nullptr : space.moves.data()};
+  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
+    const Perception seen = perceptionOf(perceptions, i);
+    if (seen.self.arrived || !serves(seen.self.agent)) continue;
+    findRows(seen, choice);
+    const Action action = QLearner::chooseGreedy(tableOf(seen.self.agent), rowsOf(choice));
+    actions.push_back({seen.self.agent, actionOf(seen, choice, action)});
+  }
+}
+
 void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
   guests_.clear();
   std::uint32_t answers = 0;
@@ -105,7 +118,6 @@ void Learner::shareOut(const Perceptions& perceptions, Workers& workers, const W
       const std::size_t index = in_order ? perceptions.order[i] : i;
       if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
       if (in_order && i + 1 < end) {
-        for (const PerceivedBody& body : Perception(perceptions, perceptions.order[i + 1]).bodies) prefetch(body);
       }
       if (guests_[index].answer != NOBODY) work(worker, index);
     }
@@ -126,7 +138,7 @@ Perception Learner::perceptionOf(const Perceptions& perceptions, std::size_t ind
   std::size_t count = std::min<std::size_t>(sight_.max_bodies, seen.bodies.size());
   const auto rim = [&](std::size_t body) { return seen.bodies[body].position.norm() - seen.bodies[body].radius; };
   while (count > 0 && rim(count - 1) > sight_.radius) --count;  // the nearest comes first
-  seen.bodies = {seen.bodies.begin(), count};
+  seen.bodies = seen.bodies.front(count);
   return seen;
 }
 

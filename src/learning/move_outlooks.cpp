@@ -41,33 +41,54 @@ struct Discs {
   alignas(64) Floats vx;  // [m/s]
   alignas(64) Floats vy;
   alignas(64) Floats apart;  // square of the distance less that of the reach, 0 if they overlap [m2]
+
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written by convert(), and zeroing first takes time
+  Discs() = default;
+  /// Makes those from a number on fly away.
+  void leaveOut(std::size_t first) {
+    for (std::size_t i = first; i < SIZE; ++i) {
+      px[i] = py[i] = apart[i] = 1.0F;
+      vx[i] = vy[i] = FLYING;
+    }
+  }
 };
 
-/// The same as they are given.
+/// Takes over discs as they are given, in double precision; `reach` is from a disc's centre to that of an agent that
+/// touches it [m].
+CROWD_VECTORISED void convert(const double* px, const double* py, const double* vx, const double* vy,
+                              const double* radii, double radius, Discs& discs) {
+  for (std::size_t i = 0; i < Discs::SIZE; ++i) {
+    const double reach = radius + radii[i];
+    const double apart = (px[i] * px[i] + py[i] * py[i]) - reach * reach;
+    discs.px[i] = static_cast<float>(px[i]);
+    discs.py[i] = static_cast<float>(py[i]);
+    discs.vx[i] = static_cast<float>(vx[i]);
+    discs.vy[i] = static_cast<float>(vy[i]);
+    discs.apart[i] = static_cast<float>(apart > 0.0 ? apart : 0.0);
+  }
+}
+
+/// Discs that are taken one by one, in double precision.
 struct GivenDiscs {
   using Doubles = std::array<double, Discs::SIZE>;
 
-  alignas(64) Doubles px;  // [m]
-  alignas(64) Doubles py;
-  alignas(64) Doubles vx;  // [m/s]
-  alignas(64) Doubles vy;
-  alignas(64) Doubles reach;  // [m]
-};
+  std::size_t count = 0;
+  Doubles px;  // [m]
+  Doubles py;
+  Doubles vx;  // [m/s]
+  Doubles vy;
+  Doubles radii;  // [m]
 
-/// Takes over the first `count` discs. What stands behind them is of no meaning, and must not matter.
-CROWD_VECTORISED void layOut(const GivenDiscs& given, std::size_t count, Discs& discs) {
-  for (std::size_t i = 0; i < Discs::SIZE; ++i) {
-    const double px = given.px[i];
-    const double py = given.py[i];
-    const double apart = (px * px + py * py) - given.reach[i] * given.reach[i];
-    const bool is_there = i < count;
-    discs.px[i] = is_there ? static_cast<float>(px) : 1.0F;
-    discs.py[i] = is_there ? static_cast<float>(py) : 1.0F;
-    discs.vx[i] = is_there ? static_cast<float>(given.vx[i]) : Discs::FLYING;
-    discs.vy[i] = is_there ? static_cast<float>(given.vy[i]) : Discs::FLYING;
-    discs.apart[i] = is_there ? static_cast<float>(apart > 0.0 ? apart : 0.0) : 1.0F;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count` mean anything
+  GivenDiscs() = default;
+  void add(const Vector2& place, const Vector2& velocity, double radius) {
+    px[count] = place.x();
+    py[count] = place.y();
+    vx[count] = velocity.x();
+    vy[count] = velocity.y();
+    radii[count++] = radius;
   }
-}
+};
 
 using Eight = float __attribute__((vector_size(8 * sizeof(float))));
 using Four = float __attribute__((vector_size(4 * sizeof(float))));
@@ -161,60 +182,6 @@ CROWD_VECTORISED void noteFixed(const Discs& discs, std::size_t count, Courses& 
   noteContacts(courses, discs, count, discs.vx, discs.vy, courses.fixed);
 }
 
-/// Takes discs one by one and has them noted Discs::SIZE at a time.
-template <typename Note>
-class Collector {
- public:
-  explicit Collector(const Note& note) : note_(note) {}
-  void add(const Vector2& place, const Vector2& velocity, double reach) {
-    given_.px[count_] = place.x();
-    given_.py[count_] = place.y();
-    given_.vx[count_] = velocity.x();
-    given_.vy[count_] = velocity.y();
-    given_.reach[count_] = reach;
-    if (++count_ == Discs::SIZE) noteAll();
-  }
-  void noteAll() {
-    if (count_ == 0) return;
-    Discs discs;
-    layOut(given_, count_, discs);
-    note_(discs, count_);
-    count_ = 0;
-  }
-
- private:
-  const Note& note_;
-  GivenDiscs given_;  // the first count_
-  std::size_t count_ = 0;
-};
-
-/// Notes contacts with bodies and with the ends of walls. Returns the fastest approach of another agent if this one
-/// walked with the velocity `wish` [m/s].
-float noteDiscs(const Perception& perception, const Vector2& wish, Courses& courses) {
-  const AgentPerception& self = perception.self;
-  float fastest = 0.0F;  // squared
-  const auto note_agents = [&](const Discs& discs, std::size_t count) {
-    noteAgents(discs, count, self.velocity, wish, courses, fastest);
-  };
-  const auto note_fixed = [&](const Discs& discs, std::size_t count) { noteFixed(discs, count, courses); };
-  Collector agents(note_agents);
-  Collector fixed(note_fixed);
-  for (const PerceivedBody& body : perception.bodies) {
-    const double reach = self.radius + body.radius;
-    if (body.kind == BodyKind::AGENT) {
-      agents.add(body.position, body.velocity, reach);
-    } else {
-      fixed.add(body.position, body.velocity, reach);
-    }
-  }
-  for (const Segment& wall : perception.walls) {
-    for (const Vector2* end : {&wall.from, &wall.to}) fixed.add(*end, Vector2::Zero(), self.radius);
-  }
-  agents.noteAll();
-  fixed.noteAll();
-  return std::sqrt(fastest);
-}
-
 /// The wall's long side is reached where the line along it, moved by the radius, is crossed beside it.
 CROWD_VECTORISED void noteSide(const Segment& wall, double radius, Courses& courses) {
   const double length = (wall.to - wall.from).norm();
@@ -236,6 +203,81 @@ CROWD_VECTORISED void noteSide(const Segment& wall, double radius, Courses& cour
     const float soon = beside ? closing * per_closing : 0.0F;
     courses.fixed[i] = soon > courses.fixed[i] ? soon : courses.fixed[i];
   }
+}
+
+/// Takes discs one by one and notes them Discs::SIZE at a time.
+template <typename Note>
+class Collector {
+ public:
+  /// @param radius of the agent [m]
+  Collector(double radius, const Note& note) : radius_(radius), note_(note) {}
+  void add(const Vector2& place, const Vector2& velocity, double radius) {
+    given_.add(place, velocity, radius);
+    if (given_.count == Discs::SIZE) noteAll();
+  }
+  void noteAll() {
+    if (given_.count == 0) return;
+    Discs discs;
+    convert(given_.px.data(), given_.py.data(), given_.vx.data(), given_.vy.data(), given_.radii.data(), radius_,
+            discs);
+    discs.leaveOut(given_.count);
+    note_(discs, given_.count);
+    given_.count = 0;
+  }
+
+ private:
+  double radius_;
+  const Note& note_;
+  GivenDiscs given_;
+};
+
+/// Notes contacts with bodies and with walls. Returns the fastest approach of another agent if this one walked with the
+/// velocity `wish` [m/s].
+float noteAll(const Perception& perception, const Vector2& wish, Courses& courses) {
+  const AgentPerception& self = perception.self;
+  float fastest = 0.0F;  // squared
+  const auto note_agents = [&](const Discs& discs, std::size_t count) {
+    noteAgents(discs, count, self.velocity, wish, courses, fastest);
+  };
+  const auto note_fixed = [&](const Discs& discs, std::size_t count) { noteFixed(discs, count, courses); };
+  Collector agents(self.radius, note_agents);
+  Collector fixed(self.radius, note_fixed);
+  for (const PerceivedBody& body : perception.bodies) {
+    if (body.kind == BodyKind::AGENT) {
+      agents.add(body.position, body.velocity, body.radius);
+    } else {
+      fixed.add(body.position, body.velocity, body.radius);
+    }
+  }
+  for (const Segment& wall : perception.walls) {
+    for (const Vector2* end : {&wall.from, &wall.to}) fixed.add(*end, Vector2::Zero(), 0.0);
+    noteSide(wall, self.radius, courses);
+  }
+  agents.noteAll();
+  fixed.noteAll();
+  return std::sqrt(fastest);
+}
+
+/// The same where there is nobody but agents: they are side by side already.
+float noteAgentsAlone(const Perception& perception, const Vector2& wish, Courses& courses) {
+  static_assert(Discs::SIZE <= PerceivedBodies::MARGIN, "all lanes can be read");
+  const AgentPerception& self = perception.self;
+  const PerceivedBodiesView& bodies = perception.bodies;
+  float fastest = 0.0F;  // squared
+  for (std::size_t i = 0; i < bodies.size(); i += Discs::SIZE) {
+    const std::size_t count = std::min(Discs::SIZE, bodies.size() - i);
+    Discs discs;
+    convert(bodies.xs() + i, bodies.ys() + i, bodies.vxs() + i, bodies.vys() + i, bodies.radii() + i, self.radius,
+            discs);
+    discs.leaveOut(count);
+    noteAgents(discs, count, self.velocity, wish, courses, fastest);
+  }
+  return std::sqrt(fastest);
+}
+
+bool areAgents(const PerceivedBodiesView& bodies) {
+  const BodyKind* const end = bodies.kinds() + bodies.size();
+  return std::find(bodies.kinds(), end, BodyKind::OBSTACLE) == end;
 }
 
 /// What lies behind the goal does not count.
@@ -277,8 +319,9 @@ MoveOutlooks::MoveOutlooks(const Perception& perception, const MoveBlock& moves,
   findCourses(moves, speed, static_cast<float>(least_share), shares, courses);
   findTurns(moves, self.velocity != Vector2::Zero(), turn_cosines);
   const double pace_to_goal = distance > 0.0 ? self.speed / distance : 0.0;
-  oncoming = noteDiscs(perception, pace_to_goal * self.goal, courses) / speed;
-  for (const Segment& wall : perception.walls) noteSide(wall, self.radius, courses);
+  const bool alone = perception.walls.empty() && areAgents(perception.bodies);
+  const Vector2 wish = pace_to_goal * self.goal;
+  oncoming = (alone ? noteAgentsAlone(perception, wish, courses) : noteAll(perception, wish, courses)) / speed;
   const auto time_to_goal = static_cast<float>(distance / self.speed);
   toTimes(courses.reciprocal, 0.5F, time_to_goal, reciprocal_times);
   toTimes(courses.selfish, 1.0F, time_to_goal, selfish_times);

@@ -36,18 +36,20 @@ WayOut::WayOut(const Perception& perception, double lookout) : perception_(perce
 }
 
 void WayOut::findMovers() {
-  const auto later = [this](const PerceivedBody* a, const PerceivedBody* b) {
-    return soonestContact(perception_.self, *a) < soonestContact(perception_.self, *b);
+  const auto later = [this](std::size_t a, std::size_t b) {
+    return soonestContact(perception_.self, perception_.bodies[a]) <
+           soonestContact(perception_.self, perception_.bodies[b]);
   };
-  for (const PerceivedBody& body : perception_.bodies) {
+  for (std::size_t i = 0; i < perception_.bodies.size(); ++i) {
+    const PerceivedBody body = perception_.bodies[i];
     if (!isMover(body) || soonestContact(perception_.self, body) > lookout_) continue;
     const auto end = movers_.begin() + static_cast<std::ptrdiff_t>(mover_count_);
-    const auto place = std::upper_bound(movers_.begin(), end, &body, later);
+    const auto place = std::upper_bound(movers_.begin(), end, i, later);
     if (place == movers_.end()) continue;
     mover_count_ = std::min(mover_count_ + 1, MOST_MOVERS);
     std::move_backward(place, movers_.begin() + static_cast<std::ptrdiff_t>(mover_count_ - 1),
                        movers_.begin() + static_cast<std::ptrdiff_t>(mover_count_));
-    *place = &body;
+    *place = i;
   }
 }
 
@@ -59,7 +61,7 @@ void WayOut::addPlainMoves() {
   add(Vector2::UnitX(), 0.0);
   for (std::size_t m = 0; m < mover_count_; ++m) {
     // Measured from a mover's way they stay the same from tick to tick, as long as it goes straight on.
-    const Vector2 ahead = movers_[m]->velocity.normalized();
+    const Vector2 ahead = perception_.bodies[movers_[m]].velocity.normalized();
     const Vector2 left(-ahead.y(), ahead.x());
     add(ahead, 1.0);
     add(-ahead, 1.0);
@@ -93,10 +95,11 @@ double WayOut::blockedAfter(const Vector2& start, const Vector2& velocity) const
 /// When a mover is touched by who makes a move [s].
 double WayOut::timeToTouch(const CandidateMove& move, const Case& a_case) const {
   double time = NEVER;
-  for (const PerceivedBody& body : perception_.bodies) {
+  for (std::size_t i = 0; i < perception_.bodies.size(); ++i) {
+    const PerceivedBody body = perception_.bodies[i];
     if (!isMover(body)) continue;
     const double reach = perception_.self.radius + body.radius + CLEARANCE;
-    time = std::min(time, timeToContact(body.position, velocityOf(move) - a_case.velocityOf(body), reach));
+    time = std::min(time, timeToContact(body.position, velocityOf(move) - a_case.velocityOf(i, body), reach));
   }
   return time;
 }
@@ -106,10 +109,11 @@ double WayOut::timeToTouch(const CandidateMove& move, const Case& a_case) const 
 double WayOut::clearTimeFrom(const Vector2& start, const Vector2& velocity, const Case& a_case) const {
   const double blocked = velocity == Vector2::Zero() ? NEVER : blockedAfter(start, velocity);
   double clear = NEVER;
-  for (const PerceivedBody& body : perception_.bodies) {
+  for (std::size_t i = 0; i < perception_.bodies.size(); ++i) {
+    const PerceivedBody body = perception_.bodies[i];
     if (!isMover(body)) continue;
     const double reach = perception_.self.radius + body.radius + a_case.clearance;
-    const Vector2 its = a_case.velocityOf(body);
+    const Vector2 its = a_case.velocityOf(i, body);
     const Vector2 place = body.position + perception_.tick_duration * its - start;
     double time = timeToContact(place, velocity - its, reach);
     if (time > blocked) time = blocked + timeToContact(place + blocked * (its - velocity), -its, reach);

@@ -23,9 +23,10 @@ AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& scenario) {
 }
 
 /// Copies a part of a list, if it is one: else the reader of the copy finds too few.
-template <typename T>
-void copyPart(const std::vector<T>& list, std::uint32_t first, std::uint32_t count, std::vector<T>& copy) {
-  if (std::uint64_t{first} + count <= list.size()) copy.assign(list.begin() + first, list.begin() + first + count);
+template <typename List>
+void copyPart(const List& list, std::uint32_t first, std::uint32_t count, List& copy) {
+  if (std::uint64_t{first} + count > list.size()) return;
+  for (std::uint32_t i = first; i < first + count; ++i) copy.push_back(list[i]);
 }
 
 /// The same with one agent only, or none if it is not there.

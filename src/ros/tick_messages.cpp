@@ -100,12 +100,14 @@ void put(Writer& writer, const PerceivedBody& body) {
   writer.put(body.radius);
 }
 
-void take(Reader& reader, PerceivedBody& body) {
+PerceivedBody takeBody(Reader& reader) {
+  PerceivedBody body;
   const std::uint8_t kind = reader.takeByte();
   body.kind = kind == social_crowd::PerceivedBody::AGENT ? BodyKind::AGENT : BodyKind::OBSTACLE;
   reader.take(body.position);
   reader.take(body.velocity);
   reader.take(body.radius);
+  return body;
 }
 
 void put(Writer& writer, const Segment& wall) {
@@ -140,14 +142,26 @@ void putList(OStream& stream, const std::vector<Element>& list, std::uint32_t si
   for (const Element& element : list) put(writer, element);
 }
 
+/// The elements of a list, behind its length. @throws StreamOverrun if there are fewer
+Reader openList(IStream& stream, std::uint32_t& count, std::uint32_t size) {
+  stream.next(count);
+  if (count > stream.getLength() / size) ros::serialization::throwStreamOverrun();
+  return Reader(stream.advance(count * size));
+}
+
 template <typename Element>
 void takeList(IStream& stream, std::vector<Element>& list, std::uint32_t size) {
   std::uint32_t count = 0;
-  stream.next(count);
-  if (count > stream.getLength() / size) ros::serialization::throwStreamOverrun();
-  Reader reader(stream.advance(count * size));
+  Reader reader = openList(stream, count, size);
   list.resize(count);
   for (Element& element : list) take(reader, element);
+}
+
+void takeBodies(IStream& stream, PerceivedBodies& bodies) {
+  std::uint32_t count = 0;
+  Reader reader = openList(stream, count, WIRE_BODY);
+  bodies.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) bodies.set(i, takeBody(reader));
 }
 
 std::size_t countBodies(const Perceptions& perceptions) {
@@ -227,7 +241,7 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   stream.next(last);
   content.last = last != 0;
   crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
-  crowd::takeList(stream, content.bodies, crowd::WIRE_BODY);
+  crowd::takeBodies(stream, content.bodies);
   crowd::takeList(stream, content.walls, crowd::WIRE_WALL);
 }
 

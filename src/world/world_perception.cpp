@@ -55,8 +55,6 @@ void World::listAgents(Perceptions& perceptions) {
 
 void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end,
                         Perceptions& perceptions) {
-  // Where bodies hide each other, all of them are needed to tell whom one sees.
-  const std::size_t most = vision.occlusion ? 0 : vision.max_bodies;
   Looker& looker = lookers_[worker];
   looker.begin = begin;
   looker.end = end;
@@ -68,28 +66,58 @@ void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin
       prefetch(agents_[perceptions.agents[perceptions.order[i + 1]].agent].goal());
     }
     AgentPerception& self = perceptions.agents[perceptions.order[i]];
-    const Agent& agent = agents_[self.agent];
-    const Rotation frame(agent.ahead);
-    const auto found = looker.search.findNearest(grid_, agent.pose.position, vision.radius, most, agent.id);
     const std::size_t first = vision.max_bodies > 0 ? vision.max_bodies * i : perceptions.bodies.size();
-    self.first_body = static_cast<std::uint32_t>(first);
-    self.body_count = static_cast<std::uint32_t>(found.size());
-    self.first_wall = static_cast<std::uint32_t>(looker.walls.size());
-    lookAtSelf(agent, frame, self);
-    findWalls(vision, agent, frame, looker);
-    if (vision.occlusion) {
-      looker.bodies.resize(found.size());
-      findBodies(found, agent, frame, looker.bodies.data());
-      hide(vision, self, looker);
-    }
-    self.wall_count = static_cast<std::uint32_t>(looker.walls.size()) - self.first_wall;
-    if (vision.max_bodies == 0) perceptions.bodies.resize(first + self.body_count);
-    if (vision.occlusion) {
-      std::copy_n(looker.bodies.data(), self.body_count, perceptions.bodies.data() + first);
-    } else {
-      findBodies(found, agent, frame, perceptions.bodies.data() + first);
-    }
+    look(vision, agents_[self.agent], first, looker, self, perceptions);
   }
+}
+
+void World::perceiveSome(const Vision& vision, std::size_t begin, std::size_t end, Looker& looker,
+                         Perceptions& perceptions) const {
+  perceptions.tick = tick_;
+  perceptions.tick_duration = tick_duration_;
+  perceptions.order.clear();
+  perceptions.agents.resize(end - begin);
+  perceptions.bodies.resize(vision.max_bodies * (end - begin));
+  looker.walls.clear();
+  std::size_t count = 0;
+  for (std::size_t disc = begin; disc < end; ++disc) {
+    if (disc + PREFETCH_AHEAD < grid_.size()) {
+      const std::uint32_t next = grid_.body(disc + PREFETCH_AHEAD);
+      if (next < agents_.size()) prefetch(agents_[next]);
+      const std::uint32_t soon = grid_.body(disc + 1);
+      if (soon < agents_.size()) prefetch(agents_[soon].goal());
+    }
+    const std::uint32_t body = grid_.body(disc);
+    if (body >= agents_.size()) continue;
+    const std::size_t first = vision.max_bodies > 0 ? vision.max_bodies * count : perceptions.bodies.size();
+    AgentPerception& self = perceptions.agents[count++];
+    self.agent = body;
+    look(vision, agents_[body], first, looker, self, perceptions);
+  }
+  perceptions.agents.resize(count);
+  std::swap(perceptions.walls, looker.walls);
+}
+
+void World::look(const Vision& vision, const Agent& agent, std::size_t first, Looker& looker, AgentPerception& self,
+                 Perceptions& perceptions) const {
+  // Where bodies hide each other, all of them are needed to tell whom one sees.
+  const std::size_t most = vision.occlusion ? 0 : vision.max_bodies;
+  const Rotation frame(agent.ahead);
+  const auto found = looker.search.findNearest(grid_, agent.pose.position, vision.radius, most, agent.id);
+  self.first_body = static_cast<std::uint32_t>(first);
+  self.body_count = static_cast<std::uint32_t>(found.size());
+  self.first_wall = static_cast<std::uint32_t>(looker.walls.size());
+  lookAtSelf(agent, frame, self);
+  findWalls(vision, agent, frame, looker);
+  if (vision.occlusion) {
+    looker.near.resize(found.size());
+    findBodies(found, agent, frame, 0, looker.near);
+    hide(vision, self, looker);
+  }
+  self.wall_count = static_cast<std::uint32_t>(looker.walls.size()) - self.first_wall;
+  if (vision.max_bodies == 0) perceptions.bodies.resize(first + self.body_count);
+  if (!vision.occlusion) return findBodies(found, agent, frame, first, perceptions.bodies);
+  for (std::size_t i = 0; i < looker.bodies.size(); ++i) perceptions.bodies.set(first + i, looker.bodies[i]);
 }
 
 void World::gatherWalls(unsigned workers, Perceptions& perceptions) const {
@@ -115,14 +143,13 @@ void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerceptio
   self.acted = agent.acted;
 }
 
-void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame,
-                       PerceivedBody* bodies) const {
-  for (const NearDisc& near : found) {
-    PerceivedBody& body = *bodies++;
-    body.position = frame.intoFrame(grid_.centre(near.disc) - agent.pose.position);
-    body.velocity = frame.intoFrame(disc_velocities_[near.disc]);
-    body.radius = grid_.radius(near.disc);
-    body.kind = grid_.body(near.disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE;
+void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
+                       PerceivedBodies& bodies) const {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::uint32_t disc = found[i].disc;
+    bodies.set(first + i,
+               {frame.intoFrame(grid_.centre(disc) - agent.pose.position), frame.intoFrame(disc_velocities_[disc]),
+                grid_.radius(disc), grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE});
   }
 }
 
@@ -136,6 +163,8 @@ void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& 
 
 /// Leaves what is seen of the looker's bodies and walls.
 void World::hide(const Vision& vision, AgentPerception& self, Looker& looker) const {
+  const PerceivedBodiesView near(looker.near, 0, looker.near.size());
+  looker.bodies.assign(near.begin(), near.end());
   looker.occlusion.apply(looker.bodies, 0, looker.walls, self.first_wall, vision.radius);
   const bool too_many = vision.max_bodies > 0 && looker.bodies.size() > vision.max_bodies;
   if (too_many) looker.bodies.resize(vision.max_bodies);

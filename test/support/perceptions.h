@@ -44,14 +44,18 @@ class PerceptionsBuilder {
 
   /// @brief What the body is.
   PerceptionsBuilder& kind(BodyKind kind) {
-    all_.bodies.back().kind = kind;
+    PerceivedBody body = all_.bodies[all_.bodies.size() - 1];
+    body.kind = kind;
+    all_.bodies.set(all_.bodies.size() - 1, body);
     return *this;
   }
 
   /// @brief How the agent and its body moved in the last tick, in the agent's frame [m/s].
   PerceptionsBuilder& velocity(const Vector2& own, const Vector2& of_body) {
     all_.agents.back().velocity = own;
-    all_.bodies.back().velocity = of_body;
+    PerceivedBody body = all_.bodies[all_.bodies.size() - 1];
+    body.velocity = of_body;
+    all_.bodies.set(all_.bodies.size() - 1, body);
     return *this;
   }
 

@@ -86,7 +86,7 @@ TEST(PerceptionFrame, VelocityOfWhoStopsIsZeroAgain) {
   world.step({});
   const Perceptions seen = perceive(world);
   expectVector(seen.agents[0].velocity, 0.0, 0.0);
-  expectVector(seen.bodies.at(0).velocity, 0.0, 0.0);
+  expectVector(seen.bodies[0].velocity, 0.0, 0.0);
 }
 
 TEST(PerceptionFrame, GoalIsTheNextOfSeveral) {

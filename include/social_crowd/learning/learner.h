@@ -64,6 +64,16 @@ class Learner {
   /// @param workers share out the agents; what is learned and decided does not depend on their number
   void decide(const Perceptions& perceptions, RelativeActions& actions, Workers& workers = Workers::alone());
 
+  /// @brief Working space of one thread that decides.
+  struct Space {
+    std::vector<Row> rows;
+    std::vector<MoveBlock> moves;
+  };
+  /// @brief Decides greedily for everybody in the perceptions, with the tables as they are: what decide() does in demo
+  /// mode, but without an own table for whom it did not know before. Any number of threads may do that, each with
+  /// working space of its own.
+  void decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const;
+
   const Model& model() const { return model_; }
   bool serves(AgentId agent) const { return options_.agents.empty() || options_.agents.count(agent) > 0; }
   bool servesAll() const { return options_.agents.empty(); }

@@ -33,17 +33,18 @@ class WayOut {
 
  private:
   static constexpr std::size_t MOST_MOVERS = 4;  // the nearest, in time
+  static constexpr std::size_t NOBODY = SIZE_MAX;
   static constexpr std::size_t HEADINGS = 16;
   static constexpr std::size_t MOST_PLAIN_MOVES = 2 + MOST_MOVERS * HEADINGS;
 
   /// What the way is to be clear of.
   struct Case {
-    const PerceivedBody* turned = nullptr;  // the mover that turns round now
-    double clearance = 0.0;                 // [m]
-    std::size_t last_way = 0;               // the plain move that was a way out when last asked
+    std::size_t turned = NOBODY;  // the number of the mover that turns round now
+    double clearance = 0.0;       // [m]
+    std::size_t last_way = 0;     // the plain move that was a way out when last asked
 
-    Vector2 velocityOf(const PerceivedBody& mover) const {
-      return &mover == turned ? Vector2(-mover.velocity) : mover.velocity;
+    Vector2 velocityOf(std::size_t number, const PerceivedBody& mover) const {
+      return number == turned ? Vector2(-mover.velocity) : mover.velocity;
     }
   };
 
@@ -60,7 +61,7 @@ class WayOut {
 
   const Perception& perception_;
   double lookout_;
-  std::array<const PerceivedBody*, MOST_MOVERS> movers_{};
+  std::array<std::size_t, MOST_MOVERS> movers_{};  // their numbers among the bodies
   std::size_t mover_count_ = 0;
   std::array<MoveBlock, blocksOf(MOST_PLAIN_MOVES)> plain_moves_;
   std::array<double, MOST_PLAIN_MOVES> safeties_{};

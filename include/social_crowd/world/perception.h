@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "social_crowd/world/geometry.h"
+#include "social_crowd/world/perceived_bodies.h"
 #include "social_crowd/world/view.h"
 
 namespace crowd {
@@ -19,17 +20,6 @@ struct Vision {
   double radius = 6.0;           ///< to the other's rim [m]
   std::uint32_t max_bodies = 0;  ///< the nearest so many bodies only, of those that are seen; 0: no limit
   bool occlusion = false;        ///< what nearer bodies and walls hide is not perceived (see Occlusion)
-};
-
-/// @brief What kind of body is perceived.
-enum class BodyKind : std::uint8_t { AGENT = 0, OBSTACLE = 1 };
-
-/// @brief Another body, or what is seen of it, in the frame of the agent that perceives it (x ahead, y left).
-struct PerceivedBody {
-  Vector2 position = Vector2::Zero();  ///< of the centre [m]
-  Vector2 velocity = Vector2::Zero();  ///< over ground, of the last tick [m/s]
-  double radius = 0.0;                 ///< [m]
-  BodyKind kind = BodyKind::AGENT;
 };
 
 /// @brief What an agent knows of itself at a tick.
@@ -57,8 +47,8 @@ struct Perceptions {
   double tick_duration = 0.0;  ///< [s]
   bool last = false;           ///< the episode ends here: nobody is to answer
   std::vector<AgentPerception> agents;
-  std::vector<PerceivedBody> bodies;  ///< of each agent the nearest rim first
-  std::vector<Segment> walls;         ///< in the frame of the agent they belong to
+  PerceivedBodies bodies;      ///< of each agent the nearest rim first
+  std::vector<Segment> walls;  ///< in the frame of the agent they belong to
   /// Places of all agents, neighbours and what they perceive one after the other: the fastest way through large crowds.
   /// Or empty.
   std::vector<std::uint32_t> order;
@@ -67,13 +57,13 @@ struct Perceptions {
 /// @brief What one agent perceives at a tick: a view into Perceptions, valid as long as those are unchanged.
 struct Perception {
   const AgentPerception& self;
-  View<PerceivedBody> bodies;
+  PerceivedBodiesView bodies;
   View<Segment> walls;
   double tick_duration;  ///< [s]
 
   Perception(const Perceptions& all, std::size_t index)
       : self(all.agents[index]),
-        bodies(all.bodies.data() + self.first_body, self.body_count),
+        bodies(all.bodies, self.first_body, self.body_count),
         walls(all.walls.data() + self.first_wall, self.wall_count),
         tick_duration(all.tick_duration) {}
 };

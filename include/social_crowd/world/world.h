@@ -76,6 +76,24 @@ class World {
   /// their number
   void perceive(const Vision& vision, Perceptions& perceptions, Workers& workers = Workers::alone());
 
+  /// @brief Working space of one thread that perceives.
+  struct Looker {
+    std::size_t begin = 0;  ///< its part of Perceptions::order
+    std::size_t end = 0;
+    NeighbourSearch search;
+    Occlusion occlusion;
+    PerceivedBodies near;               ///< all near one agent, some perhaps hidden
+    std::vector<PerceivedBody> bodies;  ///< those that are not
+    std::vector<Segment> walls;         ///< of all agents it looked for
+  };
+
+  /// @brief Bodies on the floor: agents on their way and obstacles.
+  std::size_t bodyCount() const { return grid_.size(); }
+  /// @brief The same as perceive(), for those agents alone that are among the bodies begin .. end-1. Neighbours stand
+  /// one after the other. Any number of threads may do that, each with working space and perceptions of its own.
+  void perceiveSome(const Vision& vision, std::size_t begin, std::size_t end, Looker& looker,
+                    Perceptions& perceptions) const;
+
   /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
   /// @param workers share out the agents; what becomes of them does not depend on their number
   /// @throws InputError if any action is not finite or its share of the speed is not in 0..1; nothing has moved then.
@@ -105,21 +123,16 @@ class World {
   void rebuildGrid();
   /// Everybody who was on the floor when the grid was built has moved.
   void updateGrid();
-  /// Working space of a worker, and what it has found.
-  struct Looker {
-    std::size_t begin = 0;  // its part of Perceptions::order
-    std::size_t end = 0;
-    NeighbourSearch search;
-    Occlusion occlusion;
-    std::vector<PerceivedBody> bodies;  // of one agent
-    std::vector<Segment> walls;         // of all agents it looked for
-  };
   void listAgents(Perceptions& perceptions);
   void lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end, Perceptions& perceptions);
+  /// Writes what an agent perceives; its bodies from `first` on, its walls behind those of the looker.
+  void look(const Vision& vision, const Agent& agent, std::size_t first, Looker& looker, AgentPerception& self,
+            Perceptions& perceptions) const;
   void gatherWalls(unsigned workers, Perceptions& perceptions) const;
   void lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
   /// Writes the bodies that the search has found.
-  void findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, PerceivedBody* bodies) const;
+  void findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
+                  PerceivedBodies& bodies) const;
   void findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const;
   void hide(const Vision& vision, AgentPerception& self, Looker& looker) const;
   Agent& findWalking(AgentId id);

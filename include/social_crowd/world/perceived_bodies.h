@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+#include "social_crowd/world/geometry.h"
+
+namespace crowd {
+
+/// @brief What kind of body is perceived.
+enum class BodyKind : std::uint8_t { AGENT = 0, OBSTACLE = 1 };
+
+/// @brief Another body, or what is seen of it, in the frame of the agent that perceives it (x ahead, y left).
+struct PerceivedBody {
+  Vector2 position = Vector2::Zero();  ///< of the centre [m]
+  Vector2 velocity = Vector2::Zero();  ///< over ground, of the last tick [m/s]
+  double radius = 0.0;                 ///< [m]
+  BodyKind kind = BodyKind::AGENT;
+};
+
+/// @brief A list of bodies that is kept as a list of each of their numbers, so that loops over many bodies can be done
+/// with vector instructions.
+class PerceivedBodies {
+ public:
+  /// @brief So many numbers behind the last may be read, whatever they are: loops need not end with the bodies.
+  static constexpr std::size_t MARGIN = 16;
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
+  /// @brief What is new is to be set.
+  void resize(std::size_t size) {
+    size_ = size;
+    if (kinds_.size() < size + MARGIN) grow(size);
+  }
+  void push_back(const PerceivedBody& body) {  // NOLINT(readability-identifier-naming): as all lists have it
+    resize(size_ + 1);
+    set(size_ - 1, body);
+  }
+  PerceivedBody operator[](std::size_t i) const { return {{xs_[i], ys_[i]}, {vxs_[i], vys_[i]}, radii_[i], kinds_[i]}; }
+  void set(std::size_t i, const PerceivedBody& body) {
+    xs_[i] = body.position.x();
+    ys_[i] = body.position.y();
+    vxs_[i] = body.velocity.x();
+    vys_[i] = body.velocity.y();
+    radii_[i] = body.radius;
+    kinds_[i] = body.kind;
+  }
+
+  /// @brief Their numbers one by one, see PerceivedBody; margins included.
+  const double* xs() const { return xs_.data(); }
+  const double* ys() const { return ys_.data(); }
+  const double* vxs() const { return vxs_.data(); }
+  const double* vys() const { return vys_.data(); }
+  const double* radii() const { return radii_.data(); }
+  const BodyKind* kinds() const { return kinds_.data(); }
+
+ private:
+  void grow(std::size_t size);
+
+  std::size_t size_ = 0;
+  std::vector<double> xs_;
+  std::vector<double> ys_;
+  std::vector<double> vxs_;
+  std::vector<double> vys_;
+  std::vector<double> radii_;
+  std::vector<BodyKind> kinds_;
+};
+
+/// @brief Some of the bodies of a list, one after the other.
+class PerceivedBodiesView {
+ public:
+  PerceivedBodiesView(const PerceivedBodies& bodies, std::size_t first, std::size_t count)
+      : bodies_(&bodies), first_(first), count_(count) {}
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  PerceivedBody operator[](std::size_t i) const { return (*bodies_)[first_ + i]; }
+  /// @brief The first so many of them.
+  PerceivedBodiesView front(std::size_t count) const { return {*bodies_, first_, count}; }
+
+  const double* xs() const { return bodies_->xs() + first_; }
+  const double* ys() const { return bodies_->ys() + first_; }
+  const double* vxs() const { return bodies_->vxs() + first_; }
+  const double* vys() const { return bodies_->vys() + first_; }
+  const double* radii() const { return bodies_->radii() + first_; }
+  const BodyKind* kinds() const { return bodies_->kinds() + first_; }
+
+  /// @brief Goes from body to body.
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = PerceivedBody;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const PerceivedBody*;
+    using reference = PerceivedBody;
+
+    Iterator(const PerceivedBodies& bodies, std::size_t i) : bodies_(&bodies), i_(i) {}
+    PerceivedBody operator*() const { return (*bodies_)[i_]; }
+    Iterator& operator++() {
+      ++i_;
+      return *this;
+    }
+    bool operator==(const Iterator& other) const { return i_ == other.i_; }
+    bool operator!=(const Iterator& other) const { return i_ != other.i_; }
+
+   private:
+    const PerceivedBodies* bodies_;
+    std::size_t i_;
+  };
+  Iterator begin() const { return {*bodies_, first_}; }
+  Iterator end() const { return {*bodies_, first_ + count_}; }
+
+ private:
+  const PerceivedBodies* bodies_;
+  std::size_t first_;
+  std::size_t count_;
+};
+
+}  // namespace crowd
