@@ -73,10 +73,9 @@ CrowdWalk::CrowdWalk(const CrowdPlan& plan)
 }
 
 std::size_t CrowdWalk::step() {
-  world_.perceive(vision_, perceptions_, workers_);
-  learner_.decide(perceptions_, actions_, workers_);
-  world_.step(actions_.agents, workers_);
-  return actions_.agents.size();
+  crowd_.decide(world_, vision_, learner_, actions_, workers_);
+  world_.step(actions_, workers_);
+  return actions_.size();
 }
 
 }  // namespace crowd

@@ -4,6 +4,7 @@
 
 #include "social_crowd/common/workers.h"
 #include "social_crowd/learning/learner.h"
+#include "social_crowd/simulation/greedy_crowd.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
@@ -35,8 +36,8 @@ class CrowdWalk {
   Learner learner_;
   Vision vision_;
   Workers workers_;
-  Perceptions perceptions_;
-  RelativeActions actions_;
+  GreedyCrowd crowd_;
+  std::vector<AgentAction> actions_;
 };
 
 }  // namespace crowd

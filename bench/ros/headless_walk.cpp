@@ -21,7 +21,7 @@ void walkHeadless(const std::string& scenario, const std::string& q_table, unsig
   RelativeActions actions;
   const auto walk = [&](unsigned count) {
     for (unsigned i = 0; i < count; ++i) {
-      learner.decide(episode.perceptions(), actions);
+      episode.decide(learner, actions);
       episode.step(actions.agents);
     }
   };

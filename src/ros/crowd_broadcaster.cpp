@@ -43,7 +43,7 @@ void CrowdBroadcaster::advanceClock(double seconds) {
   clock_publisher_.publish(message);
 }
 
-void CrowdBroadcaster::publishPerceptions(const Episode& episode) {
+void CrowdBroadcaster::publishPerceptions(Episode& episode) {
   const auto message = boost::make_shared<PerceptionsMessage>();
   message->header = header();
   message->run = run_;

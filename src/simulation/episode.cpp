@@ -8,51 +8,60 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Worker
       vision_(vision),
       workers_(&workers),
       monitor_(scene_, world_),
-      number_(number) {
-  perceive();
-}
+      number_(number) {}
 
 void Episode::step(const std::vector<AgentAction>& actions) {
   world_.step(actions, *workers_);
   monitor_.observe(world_, *workers_);
-  perceive();
+  perceptions_.reset();
 }
 
-void Episode::perceive() {
-  perceptions_.reset();
+bool Episode::isOver() const { return world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks; }
+
+const std::shared_ptr<Perceptions>& Episode::perceive() {
+  if (perceptions_ != nullptr) return perceptions_;
   perceptions_ = buffers_.next();
   world_.perceive(vision_, *perceptions_, *workers_);
   perceptions_->episode = number_;
-  perceptions_->last = world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks;
+  perceptions_->last = isOver();
+  return perceptions_;
+}
+
+void Episode::decide(Learner& learner, RelativeActions& actions) {
+  if (learner.mode() != Mode::DEMO) return learner.decide(perceptions(), actions, *workers_);
+  actions.episode = number_;
+  actions.tick = world_.tick();
+  actions.agents.clear();
+  if (!isOver()) crowd_.decide(world_, vision_, learner, actions.agents, *workers_);
 }
 
 AgentId Episode::spawnAgent(const AgentStart& start) {
   const AgentId id = world_.spawnAgent(start);
   monitor_.watch(start, world_);
-  perceive();
+  perceptions_.reset();
   return id;
 }
 
 void Episode::removeAgent(AgentId id) {
   world_.removeAgent(id);
-  perceive();
+  perceptions_.reset();
 }
 
 void Episode::setGoal(AgentId id, const Vector2& goal) {
   world_.setGoal(id, goal);
   monitor_.noteGoal(world_.agents()[id], goal);
-  perceive();
+  perceptions_.reset();
 }
 
 std::size_t Episode::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
   const std::size_t number = world_.spawnObstacle(position, velocity, radius);
-  perceive();
+  perceptions_.reset();
   return number;
 }
 
 void Episode::removeObstacle(std::size_t number) {
   world_.removeObstacle(number);
-  perceive();
+  perceptions_.reset();
 }
 
 }  // namespace crowd

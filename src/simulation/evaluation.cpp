@@ -32,7 +32,7 @@ EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const Evaluati
   for (;;) {
     if (plan.record) appendTrajectoryRows(instance, episode.world(), walked.trajectory);
     if (episode.isOver()) break;
-    learner.decide(episode.perceptions(), actions, workers);
+    episode.decide(learner, actions);
     episode.step(actions.agents);
   }
   walked.result = episode.result();

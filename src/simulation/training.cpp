@@ -47,10 +47,10 @@ std::vector<Learner> makeLearners(const Recipe& recipe) {
 EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& learner) {
   Episode episode(scene, number, learner.model().vision());
   RelativeActions actions;
-  learner.decide(episode.perceptions(), actions);
+  episode.decide(learner, actions);
   while (!episode.isOver()) {
     episode.step(actions.agents);
-    learner.decide(episode.perceptions(), actions);
+    episode.decide(learner, actions);
   }
   return episode.result();
 }

@@ -56,7 +56,7 @@ std::uint64_t allocationsOfWarmTicks(Mode mode, unsigned threads) {
   RelativeActions actions;
   const auto walk = [&](int ticks) {
     for (; ticks > 0; --ticks) {
-      learner.decide(episode.perceptions(), actions, workers);
+      episode.decide(learner, actions);
       episode.step(actions.agents);
     }
   };

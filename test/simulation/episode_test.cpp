@@ -28,7 +28,7 @@ Scene oneAndTwoMetres() {
 }
 
 TEST(Episode, BeginsAtTickZeroWithEverybodyPerceived) {
-  const Episode episode(oneAndTwoMetres(), NUMBER, Vision());
+  Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   EXPECT_EQ(episode.number(), NUMBER);
   EXPECT_EQ(episode.perceptions().episode, NUMBER);
   EXPECT_EQ(episode.perceptions().tick, 0U);

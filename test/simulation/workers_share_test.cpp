@@ -35,16 +35,17 @@ struct Walked {
   QTable table;
 };
 
-Walked walk(const Scene& scene, Mode mode, unsigned threads) {
+/// @param at_once for all agents of a tick, as for a node, or as the headless runs have it
+Walked walk(const Scene& scene, Mode mode, unsigned threads, bool at_once = false) {
   Workers workers(threads);
   Learner learner = makeLearner(mode);
   Episode episode(scene, 1, learner.model().vision(), workers);
   RelativeActions actions;
-  learner.decide(episode.perceptions(), actions, workers);
-  while (!episode.isOver()) {
-    episode.step(actions.agents);
-    learner.decide(episode.perceptions(), actions, workers);
-  }
+  const auto decide = [&] {
+    if (at_once) return learner.decide(episode.perceptions(), actions, workers);
+    episode.decide(learner, actions);
+  };
+  for (decide(); !episode.isOver(); decide()) episode.step(actions.agents);
   Walked walked{stateOf(episode.world()), {}, learner.tableOf(0)};
   for (const AgentResult& agent : episode.result().agents) {
     walked.figures.insert(walked.figures.end(), {agent.path_length, agent.turn_per_metre, agent.touched ? 1.0 : 0.0});
@@ -58,13 +59,16 @@ TEST(WorkersShare, AnEpisodeDoesNotDependOnTheirNumber) {
     for (const Scene& scene : {ghosts, scenes::solid(ghosts)}) {
       for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
         const Walked expected = walk(scene, mode, 1);
-        for (const unsigned threads : {2U, 7U}) {
-          SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << toText(mode) << ", " << threads << " threads");
-          const Walked walked = walk(scene, mode, threads);
+        const auto expect_same = [&](unsigned threads, bool at_once) {
+          SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << toText(mode) << ", " << threads << " threads"
+                                          << (at_once ? ", all at once" : ""));
+          const Walked walked = walk(scene, mode, threads, at_once);
           EXPECT_EQ(walked.state, expected.state);
           EXPECT_EQ(walked.figures, expected.figures);
           EXPECT_TRUE(walked.table == expected.table);
-        }
+        };
+        for (const unsigned threads : {2U, 7U}) expect_same(threads, false);
+        for (const unsigned threads : {1U, 2U, 7U}) expect_same(threads, true);
       }
     }
   }

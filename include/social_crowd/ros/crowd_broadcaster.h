@@ -24,7 +24,7 @@ class CrowdBroadcaster {
 
   /// @brief Moves the simulated clock and publishes it, where a clock is asked for.
   void advanceClock(double seconds);
-  void publishPerceptions(const Episode& episode);
+  void publishPerceptions(Episode& episode);
   /// @brief The same message once more, for learners that were connecting when it was sent.
   void repeatPerceptions() const { perceptions_.repeat(); }
   /// @brief Agents, and tf where it is asked for, if somebody listens; unless this tick's were told already, or others

@@ -6,6 +6,7 @@
 #include "social_crowd/common/recycler.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode_result.h"
+#include "social_crowd/simulation/greedy_crowd.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
@@ -20,12 +21,15 @@ class Episode {
   Episode(Scene scene, std::uint64_t number, const Vision& vision, Workers& workers = Workers::alone());
 
   /// @brief What everybody perceives now; `last` once the episode is over.
-  const Perceptions& perceptions() const { return *perceptions_; }
+  const Perceptions& perceptions() { return *perceive(); }
   /// @brief The same to be kept: it stays as it is while somebody holds it.
-  std::shared_ptr<const Perceptions> sharedPerceptions() const { return perceptions_; }
+  std::shared_ptr<const Perceptions> sharedPerceptions() { return perceive(); }
+  /// @brief What the learner decides for everybody on perceptions(): the same as Learner::decide(), but in demo mode
+  /// sooner (see GreedyCrowd), and then it does not come to know the agents.
+  void decide(Learner& learner, RelativeActions& actions);
   /// @brief Moves everybody for one tick; who has no action stays. @throws InputError, nothing has moved then.
   void step(const std::vector<AgentAction>& actions);
-  bool isOver() const { return perceptions_->last; }
+  bool isOver() const;
 
   std::uint64_t number() const { return number_; }
   const Scene& scene() const { return scene_; }
@@ -40,7 +44,7 @@ class Episode {
   void removeObstacle(std::size_t number);
 
  private:
-  void perceive();
+  const std::shared_ptr<Perceptions>& perceive();
 
   Scene scene_;
   World world_;
@@ -49,7 +53,8 @@ class Episode {
   EpisodeMonitor monitor_;
   std::uint64_t number_;
   Recycler<std::shared_ptr<Perceptions>> buffers_;
-  std::shared_ptr<Perceptions> perceptions_;
+  std::shared_ptr<Perceptions> perceptions_;  // none as long as nobody asks
+  GreedyCrowd crowd_;
 };
 
 }  // namespace crowd

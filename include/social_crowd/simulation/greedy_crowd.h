@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/learning/learner.h"
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief Decides greedily for everybody in a world, a few neighbours at a time, whose perceptions stay in the cache
+/// until they have decided and are then forgotten. The same decisions as of World::perceive() and Learner::decide() in
+/// demo mode, sooner and with less memory.
+class GreedyCrowd {
+ public:
+  /// @param workers share out the agents; what is decided does not depend on their number
+  /// @param actions is overwritten
+  void decide(const World& world, const Vision& vision, const Learner& learner, std::vector<AgentAction>& actions,
+              Workers& workers = Workers::alone());
+
+ private:
+  /// What a worker needs.
+  struct Desk {
+    World::Looker looker;
+    Perceptions perceptions;
+    Learner::Space space;
+    std::vector<AgentAction> actions;
+  };
+
+  std::vector<Desk> desks_;
+};
+
+}  // namespace crowd
