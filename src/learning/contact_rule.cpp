@@ -84,13 +84,16 @@ class LimitingBodies {
   LimitingBodies(const Perception& perception, std::size_t first, double reach) {
     std::array<std::int64_t, MOST> near;  // NOLINT(cppcoreguidelines-pro-type-member-init): findNear() writes it
     findNear(perception.bodies, first, perception.self, reach, perception.tick_duration, near);
+    const BodyKind* const kinds = perception.bodies.kinds() + first;
     const std::size_t end = std::min(MOST, perception.bodies.size() - first);
+    std::size_t count = 0;
     for (std::size_t i = 0; i < end; ++i) {
       // Written in any case and kept by counting on: a branch would often be guessed wrong.
-      limiting_[count_] = first + i;
-      const bool is_agent = perception.bodies.kinds()[first + i] == BodyKind::AGENT;
-      count_ += is_agent ? static_cast<std::size_t>(near[i]) : (isMover(perception.bodies[first + i]) ? 0 : 1);
+      limiting_[count] = first + i;
+      const bool is_agent = kinds[i] == BodyKind::AGENT;
+      count += is_agent ? static_cast<std::size_t>(near[i]) : (isMover(perception.bodies[first + i]) ? 0 : 1);
     }
+    count_ = count;
   }
   const std::size_t* begin() const { return limiting_.data(); }
   const std::size_t* end() const { return limiting_.data() + count_; }
@@ -135,8 +138,7 @@ std::string toText(GapSharing sharing) {
 
 void ContactRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {
   cutToGaps(perception, moves, count);
-  const bool has_movers = std::any_of(perception.bodies.begin(), perception.bodies.end(), isMover);
-  if (!has_movers || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
+  if (!perception.bodies.hasObstacles() || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
   WayOut way_out(perception, lookout_);
   if (!way_out.isNeeded()) return;
   cutToGaps(perception, way_out.plainMoves(), way_out.plainMoveCount());

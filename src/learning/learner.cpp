@@ -136,8 +136,7 @@ Perception Learner::perceptionOf(const Perceptions& perceptions, std::size_t ind
   Perception seen(perceptions, index);
   if (sight_.max_bodies == 0) return seen;  // then the state set takes what it looks at from whatever there is
   std::size_t count = std::min<std::size_t>(sight_.max_bodies, seen.bodies.size());
-  const auto rim = [&](std::size_t body) { return seen.bodies[body].position.norm() - seen.bodies[body].radius; };
-  while (count > 0 && rim(count - 1) > sight_.radius) --count;  // the nearest comes first
+  while (count > 0 && rimDistance(seen.bodies[count - 1]) > sight_.radius) --count;  // the nearest comes first
   seen.bodies = seen.bodies.front(count);
   return seen;
 }

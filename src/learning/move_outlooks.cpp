@@ -275,11 +275,6 @@ float noteAgentsAlone(const Perception& perception, const Vector2& wish, Courses
   return std::sqrt(fastest);
 }
 
-bool areAgents(const PerceivedBodiesView& bodies) {
-  const BodyKind* const end = bodies.kinds() + bodies.size();
-  return std::find(bodies.kinds(), end, BodyKind::OBSTACLE) == end;
-}
-
 /// What lies behind the goal does not count.
 /// @param unit of the times that the inverses stand for [s]
 CROWD_VECTORISED void toTimes(const Lanes& soonest, float unit, float time_to_goal, Lanes& times) {
@@ -319,7 +314,7 @@ MoveOutlooks::MoveOutlooks(const Perception& perception, const MoveBlock& moves,
   findCourses(moves, speed, static_cast<float>(least_share), shares, courses);
   findTurns(moves, self.velocity != Vector2::Zero(), turn_cosines);
   const double pace_to_goal = distance > 0.0 ? self.speed / distance : 0.0;
-  const bool alone = perception.walls.empty() && areAgents(perception.bodies);
+  const bool alone = perception.walls.empty() && !perception.bodies.hasObstacles();
   const Vector2 wish = pace_to_goal * self.goal;
   oncoming = (alone ? noteAgentsAlone(perception, wish, courses) : noteAll(perception, wish, courses)) / speed;
   const auto time_to_goal = static_cast<float>(distance / self.speed);

@@ -4,15 +4,21 @@
 #include <cmath>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/vectorised.h"
 #include "social_crowd/learning/time_to_contact.h"
 
 namespace crowd {
 namespace {
 
-bool touchesAnybody(const Perception& perception) {
-  return std::any_of(perception.bodies.begin(), perception.bodies.end(), [&](const PerceivedBody& body) {
-    return body.position.norm() < perception.self.radius + body.radius;
-  });
+CROWD_VECTORISED bool touchesAnybody(const PerceivedBodiesView& bodies, double radius) {
+  const double* const xs = bodies.xs();
+  const double* const ys = bodies.ys();
+  const double* const radii = bodies.radii();
+  std::int64_t touches = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    touches |= std::sqrt(xs[i] * xs[i] + ys[i] * ys[i]) < radius + radii[i] ? 1 : 0;
+  }
+  return touches != 0;
 }
 
 }  // namespace
@@ -30,7 +36,7 @@ double PaceReward::operator()(const AgentPerception& before, const Perception& a
   const double turn = std::abs(wrapAngle(self.pose.heading - before.pose.heading));
   const double rest = 1.0 - self.velocity.norm() / self.speed;
   double reward = progress - 1.0 - parameters_.turn_price * turn - parameters_.rest_price * rest;
-  if (touchesAnybody(after)) reward -= parameters_.contact_price;
+  if (touchesAnybody(after.bodies, self.radius)) reward -= parameters_.contact_price;
   return self.arrived ? reward : reward + conflictPart(after);
 }
 

@@ -9,8 +9,6 @@ namespace {
 /// Shares of a chord, and of distances, that are too small to be anything but rounding.
 constexpr double HAIR = 1e-9;
 
-double rimDistance(const PerceivedBody& body) { return body.position.norm() - body.radius; }
-
 }  // namespace
 
 Occlusion::Screen Occlusion::screenOf(const PerceivedBody& body) {

@@ -51,8 +51,6 @@ inline Scenery look(Scenery scenery, double radius = FAR) {
   return scenery;
 }
 
-inline double rimDistance(const PerceivedBody& body) { return body.position.norm() - body.radius; }
-
 inline void sortByRim(Scenery& scenery) {
   std::sort(scenery.bodies.begin(), scenery.bodies.end(),
             [](const PerceivedBody& a, const PerceivedBody& b) { return rimDistance(a) < rimDistance(b); });

@@ -112,7 +112,7 @@ TEST(OcclusionProperty, DiscsLieWithinTheBodiesInOrderOfTheirRims) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double radius = seed % 3 == 0 ? 4.0 : sceneries::FAR;
     Scenery scenery = randomScenery(seed, seed % 2 == 0);
-    const auto beyond = [&](const PerceivedBody& body) { return sceneries::rimDistance(body) > radius; };
+    const auto beyond = [&](const PerceivedBody& body) { return rimDistance(body) > radius; };
     scenery.bodies.erase(std::find_if(scenery.bodies.begin(), scenery.bodies.end(), beyond), scenery.bodies.end());
     const Scenery seen = look(scenery, radius);
     double last = -sceneries::FAR;
@@ -120,9 +120,9 @@ TEST(OcclusionProperty, DiscsLieWithinTheBodiesInOrderOfTheirRims) {
       const PerceivedBody& body = scenery.bodies[numberOf(disc)];
       EXPECT_GT(disc.radius, 0.0);
       EXPECT_LE((disc.position - body.position).norm() + disc.radius, body.radius + 1e-12);
-      EXPECT_LE(last, sceneries::rimDistance(disc));
-      EXPECT_LE(sceneries::rimDistance(disc), radius);
-      last = sceneries::rimDistance(disc);
+      EXPECT_LE(last, rimDistance(disc));
+      EXPECT_LE(rimDistance(disc), radius);
+      last = rimDistance(disc);
     }
   }
 }
@@ -179,7 +179,7 @@ TEST(OcclusionProperty, DiscsChangeLittleWhereBodiesMoveLittle) {
       SCOPED_TRACE("tick " + std::to_string(tick));
       mover.position += STEP * unitVector(static_cast<double>(seed));
       const bool in_the_way =
-          sceneries::rimDistance(mover) < 1.0 || sceneries::overlapsAny(mover, scenery, numberOf(mover));
+          rimDistance(mover) < 1.0 || sceneries::overlapsAny(mover, scenery, numberOf(mover));
       if (in_the_way || mover.position.norm() > 9.5) {
         before.reset();
         continue;

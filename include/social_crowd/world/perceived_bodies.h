@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct PerceivedBody {
   double radius = 0.0;                 ///< [m]
   BodyKind kind = BodyKind::AGENT;
 };
+
+/// @brief How far its rim is away; negative from a point within it [m].
+inline double rimDistance(const PerceivedBody& body) { return body.position.norm() - body.radius; }
 
 /// @brief A list of bodies that is kept as a list of each of their numbers, so that loops over many bodies can be done
 /// with vector instructions.
@@ -77,6 +81,8 @@ class PerceivedBodiesView {
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
   PerceivedBody operator[](std::size_t i) const { return (*bodies_)[first_ + i]; }
+  /// @brief Whether not all of them are agents.
+  bool hasObstacles() const { return std::memchr(kinds(), static_cast<int>(BodyKind::OBSTACLE), count_) != nullptr; }
   /// @brief The first so many of them.
   PerceivedBodiesView front(std::size_t count) const { return {*bodies_, first_, count}; }
 
