@@ -18,21 +18,6 @@ double meanOf(double first, double second, double share_of_second) {
   return std::clamp(mean, std::min(first, second), std::max(first, second));
 }
 
-/// The first of `count` numbers that is the highest.
-template <typename ValueOf>
-Action firstHighest(Action count, const ValueOf& value_of) {
-  Action best = 0;
-  double highest = value_of(0);
-  for (Action action = 1; action < count; ++action) {
-    const double candidate = value_of(action);
-    if (candidate > highest) {
-      highest = candidate;
-      best = action;
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 QTable::QTable(Row rows, Action actions) : rows_(rows), actions_(actions) {
@@ -48,9 +33,26 @@ void QTable::set(Row row, Action action, double value, std::uint32_t visits) {
 }
 
 Action QTable::greedyAction(const Rows& rows) const {
-  if (!rows.isOne()) return firstHighest(actions_, [&](Action action) { return value(action, rows); });
+  if (!rows.isOne()) return greedyAmong(rows);
+  // To compare all with the highest costs less than to remember which it was.
   const double* values = &values_[index(rows[0], 0)];
-  return firstHighest(actions_, [values](Action action) { return values[action]; });
+  const double highest = highestOf(rows[0]);
+  Action action = 0;
+  while (values[action] < highest) ++action;
+  return action;
+}
+
+Action QTable::greedyAmong(const Rows& rows) const {
+  Action best = 0;
+  double highest = value(0, rows);
+  for (Action action = 1; action < actions_; ++action) {
+    const double candidate = value(action, rows);
+    if (candidate > highest) {
+      highest = candidate;
+      best = action;
+    }
+  }
+  return best;
 }
 
 bool QTable::isVisited(Row row) const {

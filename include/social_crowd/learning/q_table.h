@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "social_crowd/learning/state_set.h"
+#include "social_crowd/world/geometry.h"
 
 namespace crowd {
 
@@ -30,7 +31,9 @@ class QTable {
   /// @brief The action of the highest value; of equal ones the first, so that ties break the same way every time.
   Action greedyAction(const Rows& rows) const;
   /// @brief The highest value.
-  double greedyValue(const Rows& rows) const { return value(greedyAction(rows), rows); }
+  double greedyValue(const Rows& rows) const {
+    return rows.isOne() ? highestOf(rows[0]) : value(greedyAction(rows), rows);
+  }
 
   /// @brief Whether any action of the row was ever decided on.
   bool isVisited(Row row) const;
@@ -47,6 +50,13 @@ class QTable {
  private:
   std::size_t index(Row row, Action action) const { return static_cast<std::size_t>(row) * actions_ + action; }
   double value(Action action, const Rows& rows) const { return value(rows[action], action); }
+  Action greedyAmong(const Rows& rows) const;
+  double highestOf(Row row) const {
+    const double* values = &values_[index(row, 0)];
+    Vector2 highest = Vector2::Constant(values[actions_ - 1]);
+    for (Action action = 0; action + 1 < actions_; action += 2) highest = highest.cwiseMax(Vector2(values + action));
+    return highest.maxCoeff();
+  }
 
   Row rows_;
   Action actions_;
