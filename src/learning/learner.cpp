@@ -46,6 +46,7 @@ Learner::Learner(Model model, Options options, QTable table)
     : model_(std::move(model)),
       sight_{model_.state_set->distanceLimits().back(), model_.state_set->maxBodies()},
       stride_(model_.state_set->rowsPerPerception()),
+      moves_stride_(model_.state_set->needsMoves() ? blocksOf(model_.action_set->size()) : 0),
       options_(std::move(options)),
       parameters_(options_.plan.parameters),
       mirror_(mirrorFor(model_, parameters_)),
@@ -72,7 +73,7 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, W
   listGuests(perceptions, actions);
   const std::size_t slots = options_.mode == Mode::TRAINING ? guests_.size() : workers.count();
   rows_.resize(slots * stride_);
-  if (model_.state_set->needsMoves()) moves_.resize(slots * blocksOf(model_.action_set->size()));
+  moves_.resize(slots * moves_stride_);
   // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
   if (options_.mode == Mode::TRAINING) learn(perceptions, workers);
   if (!perceptions.last) choose(perceptions, actions, workers);
@@ -80,8 +81,8 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, W
 
 void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const {
   space.rows.resize(stride_);
-  if (model_.state_set->needsMoves()) space.moves.resize(blocksOf(model_.action_set->size()));
-  const Choice choice = {space.rows.data(), space.moves.empty() ? nullptr : space.moves.data()};
+  space.moves.resize(moves_stride_);
+  const Choice choice = {space.rows.data(), moves_stride_ == 0 ? nullptr : space.moves.data()};
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const Perception seen = perceptionOf(perceptions, i);
     if (seen.self.arrived || !serves(seen.self.agent)) continue;
@@ -92,10 +93,11 @@ void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::
 }
 
 void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
-  guests_.clear();
+  guests_.resize(perceptions.agents.size());
   std::uint32_t answers = 0;
-  for (const AgentPerception& self : perceptions.agents) {
-    Guest& guest = guests_.emplace_back();
+  for (std::size_t i = 0; i < guests_.size(); ++i) {
+    const AgentPerception& self = perceptions.agents[i];
+    Guest& guest = guests_[i] = Guest();
     if (!serves(self.agent)) continue;
     guest.place = places_.placeOf(self.agent);
     if (!self.arrived) guest.answer = answers++;
@@ -132,17 +134,14 @@ void Learner::beginEpisode(std::uint64_t episode) {
   forgetDecisions();
 }
 
-Perception Learner::perceptionOf(const Perceptions& perceptions, std::size_t index) const {
-  Perception seen(perceptions, index);
-  if (sight_.max_bodies == 0) return seen;  // then the state set takes what it looks at from whatever there is
+void Learner::cutToSight(Perception& seen) const {
   std::size_t count = std::min<std::size_t>(sight_.max_bodies, seen.bodies.size());
   while (count > 0 && rimDistance(seen.bodies[count - 1]) > sight_.radius) --count;  // the nearest comes first
   seen.bodies = seen.bodies.front(count);
-  return seen;
 }
 
 Learner::Choice Learner::choiceAt(std::size_t slot) {
-  return {&rows_[slot * stride_], moves_.empty() ? nullptr : &moves_[slot * blocksOf(model_.action_set->size())]};
+  return {&rows_[slot * stride_], moves_stride_ == 0 ? nullptr : &moves_[slot * moves_stride_]};
 }
 
 void Learner::findRows(const Perception& seen, const Choice& choice) const {
@@ -217,11 +216,7 @@ Learner::Memory& Learner::memoryOf(AgentId agent) {
   return memories_[place];
 }
 
-QTable& Learner::writable(Memory& memory) {
-  const bool read_by_others = options_.tables == TableUse::OWN && memory.table.use_count() > 1;
-  if (read_by_others) memory.table = std::make_shared<QTable>(*memory.table);
-  return *memory.table;
-}
+void Learner::copyTable(Memory& memory) { memory.table = std::make_shared<QTable>(*memory.table); }
 
 std::vector<AgentId> Learner::servedAgents() const {
   if (!servesAll()) return {options_.agents.begin(), options_.agents.end()};

@@ -129,13 +129,22 @@ class Learner {
 
   Memory& memoryOf(AgentId agent);
   /// The table to write into; a copy is made first where others still read it.
-  QTable& writable(Memory& memory);
+  QTable& writable(Memory& memory) {
+    if (options_.tables == TableUse::OWN && memory.table.use_count() > 1) copyTable(memory);
+    return *memory.table;
+  }
+  static void copyTable(Memory& memory);
   void checkShape(const QTable& table) const;
   void give(TablePointer& place, const QTable& table, TakeMethod method) const;
   void beginEpisode(std::uint64_t episode);
   void listGuests(const Perceptions& perceptions, RelativeActions& actions);
   /// What an agent perceives, of that no more than the model's vision: others may have been told more.
-  Perception perceptionOf(const Perceptions& perceptions, std::size_t index) const;
+  Perception perceptionOf(const Perceptions& perceptions, std::size_t index) const {
+    Perception seen(perceptions, index);
+    if (sight_.max_bodies > 0) cutToSight(seen);  // else the state set takes what it looks at from whatever there is
+    return seen;
+  }
+  void cutToSight(Perception& seen) const;
   Choice choiceAt(std::size_t slot);
   void findRows(const Perception& seen, const Choice& choice) const;
   Rows rowsOf(const Choice& choice) const { return {choice.rows, stride_ == 1 ? 0U : 1U}; }
@@ -151,8 +160,9 @@ class Learner {
   RelativeAction actionOf(const Perception& seen, const Choice& choice, Action action) const;
 
   Model model_;
-  Vision sight_;        // all that the state set looks at
-  std::size_t stride_;  // rows of a perception
+  Vision sight_;              // all that the state set looks at
+  std::size_t stride_;        // rows of a perception
+  std::size_t moves_stride_;  // blocks of moves that the state set looks at
   Options options_;
   LearningParameters parameters_;
   Mirror mirror_;

@@ -16,6 +16,10 @@ class Mirror {
 
   Row row(Row row) const { return rows_.empty() ? row : rows_[row]; }
   Action action(Action action) const { return actions_.empty() ? action : actions_[action]; }
+  /// @brief Whether the mirror image of a row and action is another one.
+  bool hasImage(Row row, Action action) const {
+    return !rows_.empty() && (rows_[row] != row || actions_[action] != action);
+  }
 
  private:
   std::vector<Row> rows_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "social_crowd/learning/learning_parameters.h"
@@ -23,23 +24,43 @@ class QLearner {
 
   /// @brief Epsilon-greedy choice: with probability epsilon any action, else the greedy one.
   /// @param draw uniform in [0, 1), decides whether to explore; @param any uniform in [0, 1), decides on which action.
-  static Action chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any);
+  static Action chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any) {
+    if (draw >= epsilon) return chooseGreedy(table, rows);
+    return std::min(static_cast<Action>(any * table.actions()), table.actions() - 1);
+  }
 
   /// @brief Notes that an action was taken; the next learn() is about it. Cuts the traces if the action is not greedy.
-  void noteDecision(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters);
+  void noteDecision(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters) {
+    if (parameters.lambda > 0.0) {
+      fadeTraces(table, rows, action, parameters);
+    } else {
+      traces_.clear();
+    }
+    has_decision_ = true;
+    row_ = rows[action];
+    action_ = action;
+  }
 
   /// @brief Learns from the noted decision: it brought `reward` and led to a state with these rows.
   void learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters,
-             const Mirror& mirror = Mirror());
+             const Mirror& mirror = Mirror()) {
+    update(table, reward + parameters.gamma * table.greedyValue(next), parameters, mirror);
+  }
 
   /// @brief Learns from the noted decision: it brought `reward` and ended the episode; nothing is expected beyond.
   void learnTerminal(QTable& table, double reward, const LearningParameters& parameters,
-                     const Mirror& mirror = Mirror());
+                     const Mirror& mirror = Mirror()) {
+    update(table, reward, parameters, mirror);
+    resetTraces();
+  }
 
   bool hasDecision() const { return has_decision_; }
 
   /// @brief Forgets the noted decision and the traces; the table stays.
-  void resetTraces();
+  void resetTraces() {
+    has_decision_ = false;
+    traces_.clear();
+  }
 
  private:
   struct Trace {
@@ -50,6 +71,8 @@ class QLearner {
   static constexpr double NEGLIGIBLE_TRACE = 1e-6;
 
   void update(QTable& table, double target, const LearningParameters& parameters, const Mirror& mirror);
+  void fadeTraces(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters);
+  void addToTraces(QTable& table, double step, double mirrored_step, const Mirror& mirror);
   void remember(const Trace& trace);
   void decayTraces(double factor);
 
