@@ -92,7 +92,7 @@ void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::
   }
 }
 
-void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
+inline void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
   guests_.resize(perceptions.agents.size());
   std::uint32_t answers = 0;
   for (std::size_t i = 0; i < guests_.size(); ++i) {
@@ -140,16 +140,16 @@ void Learner::cutToSight(Perception& seen) const {
   seen.bodies = seen.bodies.front(count);
 }
 
-Learner::Choice Learner::choiceAt(std::size_t slot) {
+inline Learner::Choice Learner::choiceAt(std::size_t slot) {
   return {&rows_[slot * stride_], moves_stride_ == 0 ? nullptr : &moves_[slot * moves_stride_]};
 }
 
-void Learner::findRows(const Perception& seen, const Choice& choice) const {
+inline void Learner::findRows(const Perception& seen, const Choice& choice) const {
   if (choice.moves != nullptr) model_.action_set->findMoves(seen, choice.moves);
   model_.state_set->findRows(seen, choice.moves, choice.rows);
 }
 
-void Learner::learn(const Perceptions& perceptions, Workers& workers) {
+inline void Learner::learn(const Perceptions& perceptions, Workers& workers) {
   shareOut(perceptions, workers, [&](unsigned /*worker*/, std::size_t index) {
     findRows(perceptionOf(perceptions, index), choiceAt(index));
   });
@@ -159,7 +159,8 @@ void Learner::learn(const Perceptions& perceptions, Workers& workers) {
   }
 }
 
-void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory) {
+inline void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows,
+                              Memory& memory) {
   const AgentPerception& now = seen.self;
   if (!memory.learner.hasDecision()) return;
   // What was not carried out, or lies more than a tick back, taught nothing.
@@ -177,7 +178,7 @@ void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, c
   ++decisions_;
 }
 
-void Learner::choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers) {
+inline void Learner::choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers) {
   const bool exploring = options_.mode == Mode::TRAINING;
   const bool shared = options_.tables == TableUse::SHARED;  // then memories need not be looked at
   const KeyedRandom chance = chance_.with(perceptions.tick);
@@ -192,8 +193,8 @@ void Learner::choose(const Perceptions& perceptions, RelativeActions& actions, W
   });
 }
 
-Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
-                                const Rows& rows, Memory& memory) const {
+inline Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions,
+                                       const AgentPerception& self, const Rows& rows, Memory& memory) const {
   KeyedRandom random = chance.with(self.agent);
   const double draw = random.uniform();
   const double any = random.uniform();
@@ -205,7 +206,7 @@ Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& pe
   return action;
 }
 
-RelativeAction Learner::actionOf(const Perception& seen, const Choice& choice, Action action) const {
+inline RelativeAction Learner::actionOf(const Perception& seen, const Choice& choice, Action action) const {
   if (choice.moves == nullptr) return model_.action_set->relativeAction(seen, action);
   return toAction(moveAt(choice.moves, action));
 }

@@ -29,30 +29,47 @@ Vector2 meetRay(const Segment& segment, double angle) {
 OccupancyStates::OccupancyStates(const Parameters& parameters)
     : parameters_(parameters), sectors_(parameters.sectors), codes_(1) {
   for (int i = 0; i < parameters.sectors; ++i) codes_ *= BASE;
+  for (SectorSet set = 0; set <= allSectors(); ++set) {
+    Situation situation;
+    for (unsigned sector = 0; sector < MAX_SECTORS; ++sector) {
+      situation.distance_classes[sector] = static_cast<int>(set >> sector & 1U);
+    }
+    set_codes_.push_back(rowOf(situation));
+  }
+}
+
+void OccupancyStates::findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const {
+  Occupied occupied{};
+  for (const PerceivedBody& body : perception.bodies) addBody(body, occupied);
+  for (const Segment& wall : perception.walls) addWall(wall, occupied);
+  Row row = codes_ * static_cast<Row>(sectors_.indexOf(perception.self.goal));  // (3.5)
+  Row distance_class = 0;
+  SectorSet nearer = 0;
+  for (const SectorSet set : occupied) {
+    row += ++distance_class * set_codes_[set & ~nearer];
+    nearer |= set;
+  }
+  *rows = row;
 }
 
 OccupancyStates::Situation OccupancyStates::describe(const Perception& perception) const {
-  Situation situation;
-  situation.goal_sector = sectors_.indexOf(perception.self.goal);
-  for (const PerceivedBody& body : perception.bodies) addBody(body, situation);
-  for (const Segment& wall : perception.walls) addWall(wall, situation);
-  return situation;
+  Row row = 0;
+  findRows(perception, nullptr, &row);
+  return situationOf(row);
 }
 
-void OccupancyStates::occupy(Situation& situation, long sector, int distance_class) const {
-  int& present = situation.distance_classes[static_cast<std::size_t>(sectors_.wrap(sector))];
-  if (present == 0 || distance_class < present) present = distance_class;
+inline OccupancyStates::SectorSet OccupancyStates::sectorsFrom(long first, long last) const {
+  const long count = std::min<long>(last - first + 1, sectors_.count());
+  const SectorSet beyond_a_circle = ((1U << static_cast<unsigned>(count)) - 1U)
+                                    << static_cast<unsigned>(sectors_.wrap(first));
+  return (beyond_a_circle | beyond_a_circle >> static_cast<unsigned>(sectors_.count())) & allSectors();
 }
 
-void OccupancyStates::occupyAll(Situation& situation, int distance_class) const {
-  for (int sector = 0; sector < sectors_.count(); ++sector) occupy(situation, sector, distance_class);
-}
-
-void OccupancyStates::addBody(const PerceivedBody& body, Situation& situation) const {
+inline void OccupancyStates::addBody(const PerceivedBody& body, Occupied& occupied) const {
   const double distance = body.position.norm();
   const int distance_class = parameters_.distances.classOf(distance - body.radius);
   if (distance_class == 0) return;
-  if (distance <= body.radius) return occupyAll(situation, distance_class);  // the agent stands inside
+  if (distance <= body.radius) return occupy(occupied, allSectors(), distance_class);  // the agent stands inside
   // Seen from the agent the disc spans the angles between its two tangents; it reaches into all sectors of that span.
   const double guess = quickBearingOf(body.position);
   const double tangent = std::sqrt((distance - body.radius) * (distance + body.radius));
@@ -60,14 +77,13 @@ void OccupancyStates::addBody(const PerceivedBody& body, Situation& situation) c
   const auto half_span = [&] { return std::asin(body.radius / distance); };
   const long first =
       sectors_.unwrappedIndexOf(guess - half_guess, SPAN_ERROR, [&] { return bearingOf(body.position) - half_span(); });
-  const long left =
+  const long last =
       sectors_.unwrappedIndexOf(guess + half_guess, SPAN_ERROR, [&] { return bearingOf(body.position) + half_span(); });
-  const long last = std::min(left, first + sectors_.count() - 1);
-  for (long sector = first; sector <= last; ++sector) occupy(situation, sector, distance_class);
+  occupy(occupied, sectorsFrom(first, last), distance_class);
 }
 
-void OccupancyStates::addWall(const Segment& wall, Situation& situation) const {
-  if (nearestPoint(wall, Vector2::Zero()).norm() <= NO_DIRECTION) return occupyAll(situation, 1);
+void OccupancyStates::addWall(const Segment& wall, Occupied& occupied) const {
+  if (nearestPoint(wall, Vector2::Zero()).norm() <= NO_DIRECTION) return occupy(occupied, allSectors(), 1);
   const bool counterclockwise = cross(wall.from, wall.to) >= 0.0;
   const Segment sweep = counterclockwise ? wall : Segment{wall.to, wall.from};
   const double begin = bearingOf(sweep.from);
@@ -79,7 +95,7 @@ void OccupancyStates::addWall(const Segment& wall, Situation& situation) const {
     const Segment part = {sector == first ? sweep.from : meetRay(sweep, sectors_.rightLimit(sector)),
                           sector == last ? sweep.to : meetRay(sweep, sectors_.rightLimit(sector + 1))};
     const int distance_class = parameters_.distances.classOf(distanceTo(part, Vector2::Zero()));
-    if (distance_class > 0) occupy(situation, sector, distance_class);
+    if (distance_class > 0) occupy(occupied, sectorsFrom(sector, sector), distance_class);
   }
 }
 

@@ -80,7 +80,7 @@ void World::placeObstacles() {
   }
 }
 
-void World::moveObstacles() {
+inline void World::moveObstacles() {
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
     const ObstaclePath& path = obstacles_[i].path;
     if (!path.moves()) continue;
@@ -89,7 +89,7 @@ void World::moveObstacles() {
   }
 }
 
-void World::updateGrid() {
+inline void World::updateGrid() {
   if (!grid_.isList()) return rebuildGrid();
   for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
     const std::uint32_t body = grid_.body(disc);
@@ -143,7 +143,7 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
   if (arrived > 0) rebuildGrid();
 }
 
-void World::takeOrders(const std::vector<AgentAction>& actions) {
+inline void World::takeOrders(const std::vector<AgentAction>& actions) {
   for (const AgentAction& given : actions) {
     if (!isSound(given.action)) throwUnsound(given);
   }
@@ -153,7 +153,7 @@ void World::takeOrders(const std::vector<AgentAction>& actions) {
   }
 }
 
-void World::beginMove(Agent& agent, const RelativeAction* action) const {
+inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
   agent.acted = action != nullptr && agent.isWalking();
   agent.blocked = false;
   agent.in_contact = false;
@@ -167,7 +167,7 @@ void World::beginMove(Agent& agent, const RelativeAction* action) const {
   if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
 }
 
-void World::endMove(Agent& agent, std::size_t& arrivals) const {
+inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
   if (!agent.isWalking()) return;
   agent.in_contact = agent.in_contact || touchesAnything(agent);
   agent.touched = agent.touched || agent.in_contact;
@@ -181,7 +181,7 @@ void World::endMove(Agent& agent, std::size_t& arrivals) const {
   ++arrivals;
 }
 
-bool World::touchesAnything(const Agent& agent) const {
+inline bool World::touchesAnything(const Agent& agent) const {
   if (grid_.isAnyNear(agent.pose.position, agent.radius - CONTACT_OVERLAP, agent.id)) return true;
   return std::any_of(walls_.begin(), walls_.end(), [&](const Segment& segment) {
     return distanceTo(segment, agent.pose.position) < agent.radius - CONTACT_OVERLAP;

@@ -32,7 +32,7 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
   gatherWalls(workers.count(), perceptions);
 }
 
-void World::listAgents(Perceptions& perceptions) {
+inline void World::listAgents(Perceptions& perceptions) {
   perceptions.agents.resize(agents_.size());
   perceptions.order.resize(agents_.size());
   places_.resize(agents_.size());
@@ -53,8 +53,8 @@ void World::listAgents(Perceptions& perceptions) {
   perceptions.order.resize(ordered);
 }
 
-void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end,
-                        Perceptions& perceptions) {
+inline void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end,
+                               Perceptions& perceptions) {
   Looker& looker = lookers_[worker];
   looker.begin = begin;
   looker.end = end;
@@ -98,8 +98,8 @@ void World::perceiveSome(const Vision& vision, std::size_t begin, std::size_t en
   std::swap(perceptions.walls, looker.walls);
 }
 
-void World::look(const Vision& vision, const Agent& agent, std::size_t first, Looker& looker, AgentPerception& self,
-                 Perceptions& perceptions) const {
+inline void World::look(const Vision& vision, const Agent& agent, std::size_t first, Looker& looker,
+                        AgentPerception& self, Perceptions& perceptions) const {
   // Where bodies hide each other, all of them are needed to tell whom one sees.
   const std::size_t most = vision.occlusion ? 0 : vision.max_bodies;
   const Rotation frame(agent.ahead);
@@ -120,7 +120,7 @@ void World::look(const Vision& vision, const Agent& agent, std::size_t first, Lo
   for (std::size_t i = 0; i < looker.bodies.size(); ++i) perceptions.bodies.set(first + i, looker.bodies[i]);
 }
 
-void World::gatherWalls(unsigned workers, Perceptions& perceptions) const {
+inline void World::gatherWalls(unsigned workers, Perceptions& perceptions) const {
   if (walls_.empty()) return;
   for (unsigned worker = 0; worker < workers; ++worker) {
     const Looker& looker = lookers_[worker];
@@ -132,7 +132,7 @@ void World::gatherWalls(unsigned workers, Perceptions& perceptions) const {
   }
 }
 
-void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {
+inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {
   self.pose = agent.pose;
   self.velocity = frame.intoFrame(agent.velocity);
   self.speed = agent.speed;
@@ -143,8 +143,8 @@ void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerceptio
   self.acted = agent.acted;
 }
 
-void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
-                       PerceivedBodies& bodies) const {
+inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
+                              PerceivedBodies& bodies) const {
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::uint32_t disc = found[i].disc;
     bodies.set(first + i,
@@ -153,7 +153,7 @@ void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Ro
   }
 }
 
-void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const {
+inline void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const {
   for (const Segment& wall : walls_) {
     if (distanceTo(wall, agent.pose.position) > vision.radius) continue;
     looker.walls.push_back(
@@ -162,7 +162,7 @@ void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& 
 }
 
 /// Leaves what is seen of the looker's bodies and walls.
-void World::hide(const Vision& vision, AgentPerception& self, Looker& looker) const {
+inline void World::hide(const Vision& vision, AgentPerception& self, Looker& looker) const {
   const PerceivedBodiesView near(looker.near, 0, looker.near.size());
   looker.bodies.assign(near.begin(), near.end());
   looker.occlusion.apply(looker.bodies, 0, looker.walls, self.first_wall, vision.radius);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "social_crowd/learning/distance_classes.h"
 #include "social_crowd/learning/sectors.h"
@@ -33,9 +35,7 @@ class OccupancyStates : public StateSet {
   explicit OccupancyStates(const Parameters& parameters);
 
   Row rowCount() const override { return terminal() + 1; }
-  void findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const override {
-    *rows = rowOf(describe(perception));
-  }
+  void findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const override;
   Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
@@ -52,14 +52,24 @@ class OccupancyStates : public StateSet {
  private:
   static constexpr int BASE = DistanceClasses::COUNT + 1;
 
-  void occupy(Situation& situation, long sector, int distance_class) const;
-  void occupyAll(Situation& situation, int distance_class) const;
-  void addBody(const PerceivedBody& body, Situation& situation) const;
-  void addWall(const Segment& wall, Situation& situation) const;
+  /// A set of sectors: bit 0 is sector 0.
+  using SectorSet = std::uint32_t;
+  /// By distance class, from 1, the sectors that something of that class reaches into.
+  using Occupied = std::array<SectorSet, DistanceClasses::COUNT>;
+
+  SectorSet allSectors() const { return (1U << static_cast<unsigned>(sectors_.count())) - 1U; }
+  /// From one sector to another, counterclockwise; numbers not yet taken modulo, at most a full circle apart.
+  SectorSet sectorsFrom(long first, long last) const;
+  static void occupy(Occupied& occupied, SectorSet sectors, int distance_class) {
+    occupied[static_cast<std::size_t>(distance_class) - 1] |= sectors;
+  }
+  void addBody(const PerceivedBody& body, Occupied& occupied) const;
+  void addWall(const Segment& wall, Occupied& occupied) const;
 
   Parameters parameters_;
   EvenSectors sectors_;
-  Row codes_;  // 3^sectors
+  Row codes_;                   // 3^sectors
+  std::vector<Row> set_codes_;  // of each set of sectors, if class 1 is in all of it and no other is occupied
 };
 
 }  // namespace crowd
