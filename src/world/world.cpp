@@ -65,6 +65,8 @@ World::World(const Scene& scene)
 }
 
 void World::refresh() {
+  orders_.resize(agents_.size(), nullptr);
+  places_.resize(agents_.size());
   placeObstacles();
   rebuildGrid();
 }
@@ -74,29 +76,32 @@ bool World::isActive(AgentId id) const { return id < agents_.size() && agents_[i
 void World::placeObstacles() {
   obstacle_positions_.clear();
   obstacle_velocities_.clear();
+  moving_obstacles_.clear();
   for (const Obstacle& obstacle : obstacles_) {
+    if (obstacle.path.moves()) moving_obstacles_.push_back(obstacle_positions_.size());
     obstacle_positions_.push_back(obstacle.path.position(time()));
     obstacle_velocities_.push_back(obstacle.path.velocity(time()));
   }
 }
 
 inline void World::moveObstacles() {
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    const ObstaclePath& path = obstacles_[i].path;
-    if (!path.moves()) continue;
-    obstacle_positions_[i] = path.position(time());
-    obstacle_velocities_[i] = path.velocity(time());
+  for (const std::size_t i : moving_obstacles_) {
+    obstacle_positions_[i] = obstacles_[i].path.position(time());
+    obstacle_velocities_[i] = obstacles_[i].path.velocity(time());
   }
 }
 
 inline void World::updateGrid() {
   if (!grid_.isList()) return rebuildGrid();
-  for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
-    const std::uint32_t body = grid_.body(disc);
-    const bool is_agent = body < agents_.size();
-    const std::size_t obstacle = body - agents_.size();
-    grid_.move(disc, is_agent ? agents_[body].pose.position : obstacle_positions_[obstacle]);
-    disc_velocities_[disc] = is_agent ? agents_[body].velocity : obstacle_velocities_[obstacle];
+  std::size_t disc = 0;
+  for (const Agent& agent : agents_) {
+    if (!agent.isWalking()) continue;
+    grid_.move(disc, agent.pose.position);
+    disc_velocities_[disc++] = agent.velocity;
+  }
+  for (const std::size_t i : moving_obstacles_) {
+    grid_.move(disc + i, obstacle_positions_[i]);
+    disc_velocities_[disc + i] = obstacle_velocities_[i];
   }
 }
 
@@ -139,17 +144,18 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
         if (arrivals > 0) arrived += arrivals;
       },
       FEW_AGENTS);
-  active_count_ -= arrived;
-  if (arrived > 0) rebuildGrid();
+  just_arrived_count_ = arrived;
+  if (just_arrived_count_ == 0) return;
+  active_count_ -= just_arrived_count_;
+  rebuildGrid();
 }
 
 inline void World::takeOrders(const std::vector<AgentAction>& actions) {
   for (const AgentAction& given : actions) {
     if (!isSound(given.action)) throwUnsound(given);
   }
-  orders_.resize(agents_.size(), nullptr);  // beginMove() takes them all
   for (const AgentAction& given : actions) {
-    if (given.agent < agents_.size() && orders_[given.agent] == nullptr) orders_[given.agent] = &given.action;
+    if (given.agent < orders_.size() && orders_[given.agent] == nullptr) orders_[given.agent] = &given.action;
   }
 }
 
@@ -182,10 +188,12 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
 }
 
 inline bool World::touchesAnything(const Agent& agent) const {
-  if (grid_.isAnyNear(agent.pose.position, agent.radius - CONTACT_OVERLAP, agent.id)) return true;
-  return std::any_of(walls_.begin(), walls_.end(), [&](const Segment& segment) {
-    return distanceTo(segment, agent.pose.position) < agent.radius - CONTACT_OVERLAP;
-  });
+  const double reach = agent.radius - CONTACT_OVERLAP;
+  if (grid_.isAnyNear(agent.pose.position, reach, agent.id)) return true;
+  for (const Segment& wall : walls_) {
+    if (distanceTo(wall, agent.pose.position) < reach) return true;
+  }
+  return false;
 }
 
 void World::moveSolids() {

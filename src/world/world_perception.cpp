@@ -10,7 +10,7 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
   perceptions.tick_duration = tick_duration_;
   perceptions.walls.clear();
   listAgents(perceptions);
-  lookers_.resize(std::max<std::size_t>(lookers_.size(), workers.count()));
+  if (lookers_.size() < workers.count()) lookers_.resize(workers.count());
   for (Looker& looker : lookers_) {
     looker.begin = looker.end = 0;
     looker.walls.clear();
@@ -33,24 +33,23 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
 }
 
 inline void World::listAgents(Perceptions& perceptions) {
-  perceptions.agents.resize(agents_.size());
-  perceptions.order.resize(agents_.size());
-  places_.resize(agents_.size());
+  perceptions.agents.resize(active_count_ + just_arrived_count_);
+  perceptions.order.resize(perceptions.agents.size());
+  AgentPerception* const listed = perceptions.agents.data();
+  std::uint32_t* ordered = perceptions.order.data();
   std::uint32_t count = 0;
-  std::size_t ordered = 0;
   for (const Agent& agent : agents_) {
     const bool just_arrived = agent.hasArrived() && agent.arrival_tick == tick_;
     if (!agent.isWalking() && !just_arrived) continue;
     places_[agent.id] = count;
-    if (just_arrived) perceptions.order[ordered++] = count;  // not in the grid any more
-    perceptions.agents[count++].agent = agent.id;
+    if (just_arrived) *ordered++ = count;  // not in the grid any more
+    listed[count++].agent = agent.id;
   }
-  perceptions.agents.resize(count);
+  const std::size_t agents = places_.size();
   for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
     const std::uint32_t body = grid_.body(disc);
-    if (body < agents_.size()) perceptions.order[ordered++] = places_[body];
+    if (body < agents) *ordered++ = places_[body];
   }
-  perceptions.order.resize(ordered);
 }
 
 inline void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end,

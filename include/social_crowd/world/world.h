@@ -147,12 +147,14 @@ class World {
   std::vector<Obstacle> obstacles_;
   std::vector<Segment> walls_;
   std::size_t active_count_ = 0;
+  std::size_t just_arrived_count_ = 0;  // in the last tick
 
   std::vector<Vector2> obstacle_positions_;   // now
   std::vector<Vector2> obstacle_velocities_;  // now
-  NeighbourGrid grid_;                        // of the agents on their way and the obstacles
-  std::vector<std::uint32_t> found_;          // scratch
-  std::vector<SolidMotion::Disc> discs_;      // scratch
+  std::vector<std::size_t> moving_obstacles_;
+  NeighbourGrid grid_;                    // of the agents on their way and the obstacles
+  std::vector<std::uint32_t> found_;      // scratch
+  std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;
   std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
   std::vector<Looker> lookers_;                // one a worker
