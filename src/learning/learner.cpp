@@ -72,8 +72,10 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, W
   actions.tick = perceptions.tick;
   listGuests(perceptions, actions);
   const std::size_t slots = options_.mode == Mode::TRAINING ? guests_.size() : workers.count();
-  rows_.resize(slots * stride_);
-  moves_.resize(slots * moves_stride_);
+  if (rows_.size() < slots * stride_) {
+    rows_.resize(slots * stride_);
+    moves_.resize(slots * moves_stride_);
+  }
   // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
   if (options_.mode == Mode::TRAINING) learn(perceptions, workers);
   if (!perceptions.last) choose(perceptions, actions, workers);
@@ -94,28 +96,26 @@ void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::
 
 inline void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
   guests_.resize(perceptions.agents.size());
+  Guest* guest = guests_.data();
   std::uint32_t answers = 0;
-  for (std::size_t i = 0; i < guests_.size(); ++i) {
-    const AgentPerception& self = perceptions.agents[i];
-    Guest& guest = guests_[i] = Guest();
-    if (!serves(self.agent)) continue;
-    guest.place = places_.placeOf(self.agent);
-    if (!self.arrived) guest.answer = answers++;
+  for (const AgentPerception& self : perceptions.agents) {
+    const bool served = serves(self.agent);
+    *guest++ = {served ? placeOf(self.agent) : NOBODY, served && !self.arrived ? answers++ : NOBODY};
   }
-  while (memories_.size() < places_.agents().size()) memories_.emplace_back().table = base_;
   actions.agents.resize(perceptions.last ? 0 : answers);
 }
 
 template <typename Work>
 void Learner::shareOut(const Perceptions& perceptions, Workers& workers, const Work& work) const {
-  if (guests_.size() <= FEW_AGENTS) {  // so few stay in the cache, in whichever order
-    for (std::size_t index = 0; index < guests_.size(); ++index) {
+  const std::size_t size = guests_.size();
+  if (size <= FEW_AGENTS) {  // so few stay in the cache, in whichever order
+    for (std::size_t index = 0; index < size; ++index) {
       if (guests_[index].answer != NOBODY) work(0U, index);
     }
     return;
   }
-  const bool in_order = perceptions.order.size() == guests_.size();
-  workers.run(guests_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
+  const bool in_order = perceptions.order.size() == size;
+  workers.run(size, [&](unsigned worker, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t index = in_order ? perceptions.order[i] : i;
       if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
@@ -153,7 +153,8 @@ inline void Learner::learn(const Perceptions& perceptions, Workers& workers) {
   shareOut(perceptions, workers, [&](unsigned /*worker*/, std::size_t index) {
     findRows(perceptionOf(perceptions, index), choiceAt(index));
   });
-  for (std::size_t i = 0; i < guests_.size(); ++i) {
+  const std::size_t size = guests_.size();
+  for (std::size_t i = 0; i < size; ++i) {
     if (guests_[i].place == NOBODY) continue;
     learnOne(perceptionOf(perceptions, i), perceptions, rowsOf(choiceAt(i)), memories_[guests_[i].place]);
   }
@@ -211,10 +212,9 @@ inline RelativeAction Learner::actionOf(const Perception& seen, const Choice& ch
   return toAction(moveAt(choice.moves, action));
 }
 
-Learner::Memory& Learner::memoryOf(AgentId agent) {
-  const std::uint32_t place = places_.placeOf(agent);
-  if (place == memories_.size()) memories_.emplace_back().table = base_;
-  return memories_[place];
+std::uint32_t Learner::addMemory(AgentId agent) {
+  memories_.emplace_back().table = base_;
+  return places_.placeOf(agent);
 }
 
 void Learner::copyTable(Memory& memory) { memory.table = std::make_shared<QTable>(*memory.table); }
@@ -266,7 +266,7 @@ void Learner::takeTable(QTable table, TakeMethod method) {
 void Learner::takeTable(AgentId agent, QTable table, TakeMethod method) {
   if (options_.tables == TableUse::SHARED) return takeTable(std::move(table), method);
   checkShape(table);
-  give(memoryOf(agent).table, table, method);
+  give(memories_[placeOf(agent)].table, table, method);
 }
 
 void Learner::forgetDecisions() {

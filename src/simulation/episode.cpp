@@ -13,17 +13,18 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Worker
 void Episode::step(const std::vector<AgentAction>& actions) {
   world_.step(actions, *workers_);
   monitor_.observe(world_, *workers_);
-  perceptions_.reset();
+  are_current_ = false;
 }
 
 bool Episode::isOver() const { return world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks; }
 
 const std::shared_ptr<Perceptions>& Episode::perceive() {
-  if (perceptions_ != nullptr) return perceptions_;
-  perceptions_ = buffers_.next();
+  if (are_current_) return perceptions_;
+  buffers_.renew(perceptions_);
   world_.perceive(vision_, *perceptions_, *workers_);
   perceptions_->episode = number_;
   perceptions_->last = isOver();
+  are_current_ = true;
   return perceptions_;
 }
 
@@ -38,30 +39,30 @@ void Episode::decide(Learner& learner, RelativeActions& actions) {
 AgentId Episode::spawnAgent(const AgentStart& start) {
   const AgentId id = world_.spawnAgent(start);
   monitor_.watch(start, world_);
-  perceptions_.reset();
+  are_current_ = false;
   return id;
 }
 
 void Episode::removeAgent(AgentId id) {
   world_.removeAgent(id);
-  perceptions_.reset();
+  are_current_ = false;
 }
 
 void Episode::setGoal(AgentId id, const Vector2& goal) {
   world_.setGoal(id, goal);
   monitor_.noteGoal(world_.agents()[id], goal);
-  perceptions_.reset();
+  are_current_ = false;
 }
 
 std::size_t Episode::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
   const std::size_t number = world_.spawnObstacle(position, velocity, radius);
-  perceptions_.reset();
+  are_current_ = false;
   return number;
 }
 
 void Episode::removeObstacle(std::size_t number) {
   world_.removeObstacle(number);
-  perceptions_.reset();
+  are_current_ = false;
 }
 
 }  // namespace crowd

@@ -21,6 +21,7 @@ Agent makeAgent(AgentId id, const AgentStart& start) {
   agent.speed = start.speed;
   agent.radius = start.radius;
   agent.goals = start.goals;
+  agent.present_goal = start.goals.front();
   return agent;
 }
 
@@ -179,6 +180,7 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
   agent.touched = agent.touched || agent.in_contact;
   if ((agent.goal() - agent.pose.position).norm() > goal_tolerance_) return;
   if (++agent.next_goal < agent.goals.size()) {
+    agent.present_goal = agent.goals[agent.next_goal];
     ++agent.goal_number;
     return;
   }
@@ -265,6 +267,7 @@ void World::setGoal(AgentId id, const Vector2& goal) {
   Agent& agent = findWalking(id);
   agent.goals = {goal};
   agent.next_goal = 0;
+  agent.present_goal = goal;
   ++agent.goal_number;
 }
 

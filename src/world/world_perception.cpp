@@ -62,7 +62,6 @@ inline void World::lookForSome(const Vision& vision, unsigned worker, std::size_
       const AgentPerception& next = perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]];
       prefetch(next);
       prefetch(agents_[next.agent]);
-      prefetch(agents_[perceptions.agents[perceptions.order[i + 1]].agent].goal());
     }
     AgentPerception& self = perceptions.agents[perceptions.order[i]];
     const std::size_t first = vision.max_bodies > 0 ? vision.max_bodies * i : perceptions.bodies.size();
@@ -83,8 +82,6 @@ void World::perceiveSome(const Vision& vision, std::size_t begin, std::size_t en
     if (disc + PREFETCH_AHEAD < grid_.size()) {
       const std::uint32_t next = grid_.body(disc + PREFETCH_AHEAD);
       if (next < agents_.size()) prefetch(agents_[next]);
-      const std::uint32_t soon = grid_.body(disc + 1);
-      if (soon < agents_.size()) prefetch(agents_[soon].goal());
     }
     const std::uint32_t body = grid_.body(disc);
     if (body >= agents_.size()) continue;

@@ -12,6 +12,17 @@ namespace crowd {
 template <typename Pointer>
 class Recycler {
  public:
+  /// @brief Another object in place of the one that is held, or the same if nobody else holds it.
+  void renew(Pointer& held) {
+    constexpr long BY_BOTH = 2;
+    if (!spares_.empty() && held == spares_.front() && held.use_count() == BY_BOTH) {
+      std::atomic_thread_fence(std::memory_order_acquire);  // as in next()
+      return;
+    }
+    held.reset();
+    held = next();
+  }
+
   Pointer next() {
     for (const Pointer& spare : spares_) {
       if (spare.use_count() > 1) continue;

@@ -32,7 +32,7 @@ class Workers {
   /// @param few up to so many are done by the caller alone, sooner than the others wake up
   template <typename Work>
   void run(std::size_t size, const Work& work, std::size_t few = 0) {
-    if (threads_.empty() || size <= few) {
+    if (size <= few || threads_.empty()) {
       work(0U, std::size_t{0}, size);
     } else {
       share({[](const void* what, unsigned worker, std::size_t begin, std::size_t end) {

@@ -117,8 +117,8 @@ class Learner {
 
   /// What is to be done about an agent of the present tick.
   struct Guest {
-    std::uint32_t place = NOBODY;   // of its memory; NOBODY: it is not served
-    std::uint32_t answer = NOBODY;  // place among the answers; NOBODY: it has arrived
+    std::uint32_t place;   // of its memory; NOBODY: it is not served
+    std::uint32_t answer;  // place among the answers; NOBODY: it has arrived
   };
   static constexpr std::uint32_t NOBODY = UINT32_MAX;
   /// What the actions mean to an agent, and the rows they are looked up in.
@@ -127,7 +127,12 @@ class Learner {
     MoveBlock* moves;
   };
 
-  Memory& memoryOf(AgentId agent);
+  /// Of its memory; a new one if the agent was not met before.
+  std::uint32_t placeOf(AgentId agent) {
+    const std::uint32_t known = places_.find(agent);
+    return known != AgentPlaces::NONE ? known : addMemory(agent);
+  }
+  std::uint32_t addMemory(AgentId agent);
   /// The table to write into; a copy is made first where others still read it.
   QTable& writable(Memory& memory) {
     if (options_.tables == TableUse::OWN && memory.table.use_count() > 1) copyTable(memory);

@@ -10,7 +10,12 @@ namespace crowd {
 /// right limit and not its left one.
 class EvenSectors {
  public:
-  explicit EvenSectors(int count) : count_(count), width_(2.0 * PI / count), per_radian_(count / (2.0 * PI)) {}
+  explicit EvenSectors(int count)
+      : count_(count),
+        width_(2.0 * PI / count),
+        per_radian_(count / (2.0 * PI)),
+        two_circles_(2.0 * count),
+        place_of_ahead_(two_circles_ + 0.5) {}
 
   int count() const { return count_; }
   /// @brief Width of a sector [rad].
@@ -27,16 +32,14 @@ class EvenSectors {
   /// enough. @param angle tells the angle itself
   template <typename Angle>
   long unwrappedIndexOf(double guess, double error, const Angle& angle) const {
-    const double place = guess * per_radian_ + (0.5 + 2.0 * count_);
-    const double margin = error * per_radian_ + ROUNDING;
-    if (!(place > 0.0 && place < 4.0 * count_)) return unwrappedIndexOf(angle());
+    const double place = guess * per_radian_ + place_of_ahead_;
+    if (!(std::abs(place - two_circles_) < two_circles_)) return unwrappedIndexOf(angle());
     const auto whole = static_cast<long>(place);
-    const double share = place - static_cast<double>(whole);
-    return share > margin && share < 1.0 - margin ? whole - 2L * count_ : unwrappedIndexOf(angle());
+    const double off_middle = std::abs(place - static_cast<double>(whole) - 0.5);
+    return off_middle < 0.5 - ROUNDING - error * per_radian_ ? whole - 2L * count_ : unwrappedIndexOf(angle());
   }
   int wrap(long index) const {
-    if (index >= 0 && index < count_) return static_cast<int>(index);
-    if (index < 0 && index >= -count_) return static_cast<int>(index + count_);
+    if (index >= -count_ && index < count_) return static_cast<int>(index) + (index < 0 ? count_ : 0);
     const long rest = index % count_;
     return static_cast<int>(rest < 0 ? rest + count_ : rest);
   }
@@ -52,6 +55,8 @@ class EvenSectors {
   int count_;
   double width_;
   double per_radian_;
+  double two_circles_;     // in sectors
+  double place_of_ahead_;  // so many sectors to the left of two circles to the right
 };
 
 /// @brief Sectors that mirror left and right and may be of uneven width: finer in front (thesis fig. 3.6).

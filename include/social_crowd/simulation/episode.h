@@ -53,7 +53,8 @@ class Episode {
   EpisodeMonitor monitor_;
   std::uint64_t number_;
   Recycler<std::shared_ptr<Perceptions>> buffers_;
-  std::shared_ptr<Perceptions> perceptions_;  // none as long as nobody asks
+  std::shared_ptr<Perceptions> perceptions_;  // those of the last time that somebody asked
+  bool are_current_ = false;
   GreedyCrowd crowd_;
 };
 

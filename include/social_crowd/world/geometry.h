@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 namespace crowd {
@@ -46,13 +47,14 @@ constexpr double QUICK_BEARING_ERROR = 2e-5;
 inline double quickBearingOf(const Vector2& v) {
   const double x = std::abs(v.x());
   const double y = std::abs(v.y());
-  const double ratio = y > x ? x / y : y / x;
+  const double ratio = std::min(x, y) / std::max(x, y);
   const double square = ratio * ratio;
   const double series =
       0.9998660 + square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351)));
+  // Without branches: which octant it is cannot be guessed.
   const double of_octant = ratio * series;
-  const double of_quadrant = y > x ? 0.5 * PI - of_octant : of_octant;
-  return std::copysign(v.x() < 0.0 ? PI - of_quadrant : of_quadrant, v.y());
+  const double of_quadrant = std::abs((y > x ? 0.5 * PI : 0.0) - of_octant);
+  return std::copysign((v.x() < 0.0 ? PI : 0.0) - of_quadrant, v.y());
 }
 
 /// @brief Unit vector of a heading.

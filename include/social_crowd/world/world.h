@@ -30,7 +30,8 @@ struct Agent {
   double radius = 0.0;                 ///< [m]
   std::vector<Vector2> goals;          ///< [m], `map`
   std::size_t next_goal = 0;
-  std::uint32_t goal_number = 0;  ///< counts the goals it has had
+  Vector2 present_goal = Vector2::Zero();  ///< that it walks to, or has arrived at [m]
+  std::uint32_t goal_number = 0;           ///< counts the goals it has had
   AgentStatus status = AgentStatus::WALKING;
   std::uint64_t arrival_tick = 0;   ///< the tick at whose start it was there, if arrived
   bool acted = false;               ///< an action of its own was carried out in the last tick
@@ -41,7 +42,8 @@ struct Agent {
 
   bool isWalking() const { return status == AgentStatus::WALKING; }
   bool hasArrived() const { return status == AgentStatus::ARRIVED; }
-  const Vector2& goal() const { return goals[next_goal < goals.size() ? next_goal : goals.size() - 1]; }
+  /// @brief The goal that it walks to; of one that has arrived the last.
+  const Vector2& goal() const { return present_goal; }
 };
 
 /// @brief The floor with everybody on it: moves agents and obstacles tick by tick and tells what each agent perceives.
