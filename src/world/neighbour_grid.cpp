@@ -38,14 +38,14 @@ void NeighbourGrid::layOut(double cell_size) {
     high = high.cwiseMax(disc.centre);
   }
   origin_ = low;
-  cell_size_ = cell_size;
+  cells_per_metre_ = 1.0 / cell_size;
   const Vector2 size = high - low;
   // A few far-away bodies must not cost memory: cells grow until they are few enough.
-  while ((size.x() / cell_size_ + 1.0) * (size.y() / cell_size_ + 1.0) > static_cast<double>(MAX_CELLS)) {
-    cell_size_ *= 2.0;
+  while ((size.x() * cells_per_metre_ + 1.0) * (size.y() * cells_per_metre_ + 1.0) > static_cast<double>(MAX_CELLS)) {
+    cells_per_metre_ /= 2.0;
   }
-  columns_ = static_cast<std::int64_t>(size.x() / cell_size_) + 1;
-  rows_ = static_cast<std::int64_t>(size.y() / cell_size_) + 1;
+  columns_ = static_cast<std::int64_t>(size.x() * cells_per_metre_) + 1;
+  rows_ = static_cast<std::int64_t>(size.y() * cells_per_metre_) + 1;
 }
 
 void NeighbourGrid::countCells() {
@@ -64,6 +64,14 @@ void NeighbourGrid::place(const Disc& disc, std::size_t where) {
   ys_[where] = disc.centre.y();
   radii_[where] = disc.radius;
   bodies_[where] = disc.body;
+}
+
+View<NeighbourGrid::Run> NeighbourGrid::findRunsNear(const Vector2& point, double distance, Runs& space) const {
+  const Cells cells = cellsNear(point, distance);
+  const auto count = static_cast<std::size_t>(cells.top - cells.bottom + 1);
+  if (space.size() < count) space.resize(2 * count);
+  for (std::size_t i = 0; i < count; ++i) space[i] = runOf(cells, cells.bottom + static_cast<std::int64_t>(i));
+  return {space.data(), count};
 }
 
 void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const {

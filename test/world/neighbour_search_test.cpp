@@ -70,6 +70,23 @@ TEST(NeighbourSearch, NobodyThere) {
   EXPECT_TRUE(search(looking, empty, {1.0, 2.0}, 6.0, 0).empty());
 }
 
+/// Searches of the same object, one after the other from anywhere, by all ways of gathering.
+void compareWithAll(const std::vector<Disc>& discs, double extent, KeyedRandom& random) {
+  const NeighbourGrid grid = gridOf(discs);
+  NeighbourSearch plain(gatherAnywhere);
+  NeighbourSearch fastest(fastestGather());
+  for (int i = 0; i < 100; ++i) {
+    const Vector2 point = scenes::randomPoint(random, 1.2 * extent);
+    const double distance = random.uniform(0.0, 10.0);
+    const std::size_t most = random.below(20);
+    const std::uint32_t except =
+        random.below(2) == 0 ? NOBODY : random.below(static_cast<std::uint32_t>(discs.size()) + 1);
+    const std::vector<Near> expected = sortAll(discs, point, distance, most, except);
+    ASSERT_EQ(search(plain, grid, point, distance, most, except), expected);
+    ASSERT_EQ(search(fastest, grid, point, distance, most, except), expected);
+  }
+}
+
 TEST(NeighbourSearch, FindsTheFirstOfAllSorted) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -82,15 +99,54 @@ TEST(NeighbourSearch, FindsTheFirstOfAllSorted) {
       if (seed % 3 == 0) discs[i].centre = (discs[i].centre * 2.0).array().round() / 2.0;
       if (seed % 3 == 0) discs[i].radius = 0.25;
     }
+    ASSERT_NO_FATAL_FAILURE(compareWithAll(discs, extent, random));
+  }
+}
+
+TEST(NeighbourSearch, InClustersAndOnTheSameSpot) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    std::vector<Disc> discs(9 + random.below(300));
+    const double extent = random.uniform(1.0, 40.0);
+    Vector2 cluster = Vector2::Zero();
+    for (std::uint32_t i = 0; i < discs.size(); ++i) {
+      if (random.below(seed % 2 == 0 ? 100 : 20) == 0) cluster = scenes::randomPoint(random, extent);
+      const bool same_spot = i > 0 && random.below(10) == 0;
+      discs[i] = {cluster + scenes::randomPoint(random, 1.0), random.uniform(0.2, 0.3), i};
+      if (same_spot) discs[i] = {discs[i - 1].centre, discs[i - 1].radius, i};
+    }
+    ASSERT_NO_FATAL_FAILURE(compareWithAll(discs, extent, random));
+  }
+}
+
+// Apart in double precision, equal in single: the order is that of the former.
+TEST(NeighbourSearch, NearlyEquallyNear) {
+  std::vector<Disc> discs;
+  for (std::uint32_t i = 0; i < 40; ++i) discs.push_back({{1.0, 1e-9 * ((7 * i) % 40)}, 0.25, i});
+  const NeighbourGrid grid = gridOf(discs);
+  NeighbourSearch looking;
+  EXPECT_EQ(search(looking, grid, {0.0, -1.0}, 6.0, 16), sortAll(discs, {0.0, -1.0}, 6.0, 16));
+  EXPECT_EQ(search(looking, grid, {0.0, -1.0}, 6.0, 0), sortAll(discs, {0.0, -1.0}, 6.0, 0));
+}
+
+// In order of the grid's cells, each search begins where the last one ended.
+TEST(NeighbourSearch, EverybodyOfACrowdThatGrowsDenser) {
+  for (const std::size_t most : {1U, 5U, 15U, 16U, 17U, 31U, 32U, 33U, 47U, 48U, 49U, 70U}) {
+    SCOPED_TRACE(testing::Message() << "most " << most);
+    KeyedRandom random(most, KeyedRandom::PLACEMENT, {});
+    std::vector<Disc> discs;
+    for (std::uint32_t i = 0; i < 600; ++i) {
+      const double y = random.uniform(0.0, 1.0);
+      discs.push_back({{random.uniform(-15.0, 15.0), 40.0 * y * y * y}, random.uniform(0.2, 0.3), i});
+    }
     const NeighbourGrid grid = gridOf(discs);
-    NeighbourSearch looking;
-    for (int i = 0; i < 100; ++i) {
-      const Vector2 point = scenes::randomPoint(random, 1.2 * extent);
-      const double distance = random.uniform(0.0, 10.0);
-      const std::size_t most = random.below(20);
-      const std::uint32_t except =
-          random.below(2) == 0 ? NOBODY : random.below(static_cast<std::uint32_t>(discs.size()) + 1);
-      ASSERT_EQ(search(looking, grid, point, distance, most, except), sortAll(discs, point, distance, most, except));
+    NeighbourSearch plain(gatherAnywhere);
+    NeighbourSearch fastest(fastestGather());
+    for (std::size_t disc = 0; disc < grid.size(); ++disc) {
+      const auto expected = sortAll(discs, grid.centre(disc), 6.0, most, grid.body(disc));
+      ASSERT_EQ(search(plain, grid, grid.centre(disc), 6.0, most, grid.body(disc)), expected);
+      ASSERT_EQ(search(fastest, grid, grid.centre(disc), 6.0, most, grid.body(disc)), expected);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "social_crowd/world/geometry.h"
+#include "social_crowd/world/view.h"
 
 namespace crowd {
 
@@ -38,6 +39,7 @@ class NeighbourGrid {
   const double* xs() const { return xs_.data(); }
   const double* ys() const { return ys_.data(); }
   const double* radii() const { return radii_.data(); }
+  const std::uint32_t* bodies() const { return bodies_.data(); }
   double radius(std::size_t disc) const { return radii_[disc]; }
   std::uint32_t body(std::size_t disc) const { return bodies_[disc]; }
 
@@ -48,11 +50,9 @@ class NeighbourGrid {
   };
   using Runs = std::vector<Run>;
 
-  /// @brief Writes runs of discs that hold all whose rim is within `distance` [m] of the point, and others.
-  void findRunsNear(const Vector2& point, double distance, Runs& runs) const {
-    runs.clear();
-    forRunsNear(point, distance, [&runs](std::uint32_t begin, std::uint32_t end) { runs.push_back({begin, end}); });
-  }
+  /// @brief Runs of discs, some of them empty, that hold all whose rim is within `distance` [m] of the point, and
+  /// others. Not of a list. @param space where they are written; it only grows
+  View<Run> findRunsNear(const Vector2& point, double distance, Runs& space) const;
 
   /// @brief Appends to `found` the discs whose rim is within `distance` [m] of the point, in an order that depends on
   /// the discs alone.
@@ -65,6 +65,23 @@ class NeighbourGrid {
   static constexpr std::size_t MAX_CELLS = 1U << 20U;
   static constexpr std::size_t FEW = 8;  // so few discs are looked at one by one, in one cell
 
+  /// A rectangle of cells; a row of cells is one run of discs.
+  struct Cells {
+    std::int64_t left;
+    std::int64_t right;
+    std::int64_t bottom;
+    std::int64_t top;
+  };
+  /// Where discs are whose rim may be within the distance.
+  Cells cellsNear(const Vector2& point, double distance) const {
+    const double reach = distance + max_radius_;
+    return {column(point.x() - reach), column(point.x() + reach), row(point.y() - reach), row(point.y() + reach)};
+  }
+  Run runOf(const Cells& cells, std::int64_t row) const {
+    const std::int64_t first = row * columns_;
+    return {first_[static_cast<std::size_t>(first + cells.left)],
+            first_[static_cast<std::size_t>(first + cells.right) + 1]};
+  }
   /// Calls use(begin, end) for each run.
   template <typename Use>
   void forRunsNear(const Vector2& point, double distance, const Use& use) const;
@@ -75,19 +92,19 @@ class NeighbourGrid {
   std::int64_t row(double y) const { return cellOf(y - origin_.y(), rows_); }
   std::int64_t cellOf(double offset, std::int64_t cells) const {
     // Cutting off the fraction rounds towards 0, where what lies before the first cell goes in any case.
-    return static_cast<std::int64_t>(std::clamp(offset / cell_size_, 0.0, static_cast<double>(cells - 1)));
+    return static_cast<std::int64_t>(std::clamp(offset * cells_per_metre_, 0.0, static_cast<double>(cells - 1)));
   }
 
   std::vector<Disc> added_;           // in order of add()
   std::vector<std::uint32_t> cells_;  // cell of each of them
   std::vector<std::uint32_t> first_;  // first_[c]: first disc of cell c
-  // Discs cell by cell; a row of cells is one run of discs.
+  // Discs cell by cell.
   std::vector<double> xs_;
   std::vector<double> ys_;
   std::vector<double> radii_;
   std::vector<std::uint32_t> bodies_;
   Vector2 origin_ = Vector2::Zero();
-  double cell_size_ = 1.0;
+  double cells_per_metre_ = 1.0;
   double max_radius_ = 0.0;
   std::int64_t columns_ = 0;
   std::int64_t rows_ = 0;
@@ -99,14 +116,10 @@ void NeighbourGrid::forRunsNear(const Vector2& point, double distance, const Use
     if (!bodies_.empty()) use(0U, static_cast<std::uint32_t>(bodies_.size()));
     return;
   }
-  const double reach = distance + max_radius_;
-  const std::int64_t left = column(point.x() - reach);
-  const std::int64_t right = column(point.x() + reach);
-  const std::int64_t top = row(point.y() + reach);
-  for (std::int64_t r = row(point.y() - reach); r <= top; ++r) {
-    const auto begin = first_[static_cast<std::size_t>(r * columns_ + left)];
-    const auto end = first_[static_cast<std::size_t>(r * columns_ + right) + 1];
-    if (begin < end) use(begin, end);
+  const Cells cells = cellsNear(point, distance);
+  for (std::int64_t r = cells.bottom; r <= cells.top; ++r) {
+    const Run run = runOf(cells, r);
+    if (run.begin < run.end) use(run.begin, run.end);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "social_crowd/world/neighbour_candidates.h"
 #include "social_crowd/world/neighbour_grid.h"
 #include "social_crowd/world/view.h"
 
@@ -19,6 +20,8 @@ struct NearDisc {
 /// is found does not depend on that.
 class NeighbourSearch {
  public:
+  explicit NeighbourSearch(Gather collect = fastestGather()) : collect_(collect) {}
+
   /// @brief The discs whose rim is within `distance` [m] of the point, nearest rim first, equal ones by their body's
   /// number; not more than `most` of them (0: all). Valid until the next search.
   /// @param except a body that is left out
@@ -34,17 +37,12 @@ class NeighbourSearch {
   bool sortByRank();
   void sortBySelection(const NeighbourGrid& grid, std::size_t most);
 
+  Gather collect_;
   double last_reach_ = 0.0;  // [m]; how far the last search had to look
-  // Candidates of the present search; the vectors only grow.
-  std::size_t count_ = 0;
-  std::vector<std::uint32_t> discs_;
-  std::vector<double> radii_;
-  std::vector<double> rims_;
-  std::vector<NearDisc> found_;  // sorted
-  // Of the discs of all runs.
+  // Working space; the vectors only grow.
   NeighbourGrid::Runs runs_;
-  std::vector<double> squares_;
-  std::vector<std::int64_t> near_;
+  NeighbourCandidates candidates_;
+  std::vector<NearDisc> found_;  // sorted
 };
 
 }  // namespace crowd
