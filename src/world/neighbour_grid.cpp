@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-namespace crowd {
+#include "social_crowd/world/neighbour_look.h"
 
+namespace crowd {
 void NeighbourGrid::clear() {
   added_.clear();
   bodies_.clear();
@@ -75,30 +76,40 @@ View<NeighbourGrid::Run> NeighbourGrid::findRunsNear(const Vector2& point, doubl
 }
 
 void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const {
-  forRunsNear(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin; i < end; ++i) {
+  const auto look = [&](const Run& run) {
+    for (std::uint32_t i = run.begin; i < run.end; ++i) {
       const double limit = distance + radii_[i];
       if (limit >= 0.0 && (centre(i) - point).squaredNorm() <= limit * limit) found.push_back(bodies_[i]);
     }
-  });
+  };
+  if (isList()) return look({0, static_cast<std::uint32_t>(size())});
+  const Cells cells = cellsNear(point, distance);
+  for (std::int64_t r = cells.bottom; r <= cells.top; ++r) look(runOf(cells, r));
 }
 
 bool NeighbourGrid::isAnyNear(const Vector2& point, double distance, std::uint32_t except) const {
-  if (isList()) {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const double limit = distance + radii_[i];
-      if (limit < 0.0 || bodies_[i] == except) continue;
-      if ((centre(i) - point).squaredNorm() <= limit * limit) return true;
-    }
-    return false;
+  return isList() ? isAnyInList(point, distance, except) : isAnyInCells(point, distance, except);
+}
+
+bool NeighbourGrid::isAnyInList(const Vector2& point, double distance, std::uint32_t except) const {
+  // One is often the body that asks, and the others are soon told from each other: branches are guessed well here.
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double limit = distance + radii_[i];
+    if (limit < 0.0 || bodies_[i] == except) continue;
+    if ((centre(i) - point).squaredNorm() <= limit * limit) return true;
   }
-  bool any = false;
-  forRunsNear(point, distance, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const double limit = distance + radii_[i];
-      any |= (limit >= 0.0) & ((centre(i) - point).squaredNorm() <= limit * limit) & (bodies_[i] != except);
-    }
-  });
+  return false;
+}
+
+bool NeighbourGrid::isAnyInCells(const Vector2& point, double distance, std::uint32_t except) const {
+  static const auto LOOK = fastestLook();
+  const Cells cells = cellsNear(point, distance);
+  // Nearly always one or two rows. Both are looked at in any case: a branch would be guessed wrong half of the time.
+  bool any = LOOK(*this, runOf(cells, cells.bottom), runOf(cells, cells.top), point, distance, except);
+  for (std::int64_t r = cells.bottom + 1; r < cells.top && !any; ++r) {
+    const Run run = runOf(cells, r);
+    any = lookAnywhere(*this, run, run, point, distance, except);
+  }
   return any;
 }
 

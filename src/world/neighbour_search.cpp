@@ -53,7 +53,12 @@ bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
 
 View<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vector2& point, double distance,
                                             std::size_t most, std::uint32_t except) {
-  if (grid.isList()) return findInList(grid, point, distance, most, except);
+  return grid.isList() ? findInList(grid, point, distance, most, except)
+                       : findInCells(grid, point, distance, most, except);
+}
+
+View<NearDisc> NeighbourSearch::findInCells(const NeighbourGrid& grid, const Vector2& point, double distance,
+                                            std::size_t most, std::uint32_t except) {
   const bool all = most == 0;
   // A quarter more than last time: with neighbours spread evenly that is enough more often than not.
   double reach = all ? distance : std::min(distance, 1.25 * last_reach_);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "social_crowd/world/neighbour_look.h"
 #include "support/scenes.h"
 
 namespace crowd {
@@ -120,6 +121,59 @@ TEST(NeighbourGrid, FindsWhatLookingAtAllFinds) {
     found_discs += lookAtAll(discs, {0.0, 0.0}, extent).size();
   }
   EXPECT_GT(found_discs, 1000U);  // or there was nothing to compare
+}
+
+TEST(NeighbourGrid, AnyIsNearWhereSomeAreFound) {
+  std::size_t times = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    const double extent = random.uniform(1.0, 50.0);
+    const std::vector<Disc> discs = randomDiscs(random, extent);
+    const NeighbourGrid grid = gridOf(discs, random.uniform(0.1, 4.0));
+    for (int i = 0; i < 50 && !discs.empty(); ++i) {
+      const Disc& disc = discs[random.below(static_cast<std::uint32_t>(discs.size()))];
+      const double distance = random.uniform(-0.5, random.below(4) == 0 ? 10.0 : 0.5);
+      Found others = find(grid, disc.centre, distance);
+      others.erase(std::remove(others.begin(), others.end(), disc.body), others.end());
+      EXPECT_EQ(grid.isAnyNear(disc.centre, distance, disc.body), !others.empty());
+      times += others.empty() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(times, 300U);   // or none was ever near
+  EXPECT_LT(times, 2700U);  // or always
+}
+
+TEST(NeighbourGrid, EveryWayOfLookingTellsTheSame) {
+  std::size_t times = 0;
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    std::vector<Disc> discs(9 + random.below(30));
+    for (Disc& disc : discs) disc = {scenes::randomPoint(random, 4.0), random.uniform(0.0, 0.5), random.below(20)};
+    const NeighbourGrid grid = gridOf(discs, 2.0);
+    const auto randomRun = [&] {
+      const std::uint32_t begin = random.below(static_cast<std::uint32_t>(discs.size()) + 1);
+      return NeighbourGrid::Run{begin, begin + random.below(static_cast<std::uint32_t>(discs.size()) + 1 - begin)};
+    };
+    const NeighbourGrid::Run one = randomRun();
+    const NeighbourGrid::Run other = random.below(2) == 0 ? one : randomRun();
+    const Vector2 point = scenes::randomPoint(random, 4.0);
+    const double distance = random.uniform(-0.5, 1.5);
+    const std::uint32_t except = random.below(20);
+    bool expected = false;
+    for (const NeighbourGrid::Run& run : {one, other}) {
+      for (std::uint32_t i = run.begin; i < run.end; ++i) {
+        const double rim = (grid.centre(i) - point).norm() - grid.radius(i);
+        expected = expected || (rim <= distance && grid.body(i) != except);
+      }
+    }
+    EXPECT_EQ(lookAnywhere(grid, one, other, point, distance, except), expected);
+    EXPECT_EQ(fastestLook()(grid, one, other, point, distance, except), expected);
+    times += expected ? 1 : 0;
+  }
+  EXPECT_GT(times, 200U);   // or none was ever near
+  EXPECT_LT(times, 1800U);  // or always
 }
 
 TEST(NeighbourGrid, DiscsOfAListMove) {

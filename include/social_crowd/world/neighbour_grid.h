@@ -74,7 +74,7 @@ class NeighbourGrid {
   };
   /// Where discs are whose rim may be within the distance.
   Cells cellsNear(const Vector2& point, double distance) const {
-    const double reach = distance + max_radius_;
+    const double reach = std::max(0.0, distance + max_radius_);
     return {column(point.x() - reach), column(point.x() + reach), row(point.y() - reach), row(point.y() + reach)};
   }
   Run runOf(const Cells& cells, std::int64_t row) const {
@@ -82,9 +82,8 @@ class NeighbourGrid {
     return {first_[static_cast<std::size_t>(first + cells.left)],
             first_[static_cast<std::size_t>(first + cells.right) + 1]};
   }
-  /// Calls use(begin, end) for each run.
-  template <typename Use>
-  void forRunsNear(const Vector2& point, double distance, const Use& use) const;
+  bool isAnyInList(const Vector2& point, double distance, std::uint32_t except) const;
+  bool isAnyInCells(const Vector2& point, double distance, std::uint32_t except) const;
   void layOut(double cell_size);
   void countCells();
   void place(const Disc& disc, std::size_t where);
@@ -109,18 +108,5 @@ class NeighbourGrid {
   std::int64_t columns_ = 0;
   std::int64_t rows_ = 0;
 };
-
-template <typename Use>
-void NeighbourGrid::forRunsNear(const Vector2& point, double distance, const Use& use) const {
-  if (isList()) {
-    if (!bodies_.empty()) use(0U, static_cast<std::uint32_t>(bodies_.size()));
-    return;
-  }
-  const Cells cells = cellsNear(point, distance);
-  for (std::int64_t r = cells.bottom; r <= cells.top; ++r) {
-    const Run run = runOf(cells, r);
-    if (run.begin < run.end) use(run.begin, run.end);
-  }
-}
 
 }  // namespace crowd
