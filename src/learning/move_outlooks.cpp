@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "social_crowd/common/vectorised.h"
+#include "social_crowd/learning/contact_times.h"
 #include "social_crowd/learning/time_to_contact.h"
 
 namespace crowd {
@@ -12,46 +12,6 @@ namespace {
 
 using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
-
-constexpr float AT_ONCE = 1e30F;  // [1/s]
-
-/// Velocities of the moves, and how soon each would touch something: 1 / time.
-struct Courses {
-  std::size_t count;
-  alignas(64) Lanes ux;  // [m/s]
-  alignas(64) Lanes uy;
-  alignas(64) Lanes reciprocal;  // [1/s]
-  alignas(64) Lanes selfish;
-  alignas(64) Lanes fixed;
-
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
-  explicit Courses(std::size_t moves) : count(moves) {
-    for (Lanes* soonest : {&reciprocal, &selfish, &fixed}) soonest->fill(static_cast<float>(1.0 / NEVER));
-  }
-};
-
-/// Discs as the agent sees them, side by side. A place that nothing was put at stands for a disc that flies away.
-struct Discs {
-  static constexpr std::size_t SIZE = 16;
-  static constexpr float FLYING = 1e6F;  // [m/s]
-  using Floats = std::array<float, SIZE>;
-
-  alignas(64) Floats px;  // [m]
-  alignas(64) Floats py;
-  alignas(64) Floats vx;  // [m/s]
-  alignas(64) Floats vy;
-  alignas(64) Floats apart;  // square of the distance less that of the reach, 0 if they overlap [m2]
-
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written by convert(), and zeroing first takes time
-  Discs() = default;
-  /// Makes those from a number on fly away.
-  void leaveOut(std::size_t first) {
-    for (std::size_t i = first; i < SIZE; ++i) {
-      px[i] = py[i] = apart[i] = 1.0F;
-      vx[i] = vy[i] = FLYING;
-    }
-  }
-};
 
 /// Takes over discs as they are given, in double precision; `reach` is from a disc's centre to that of an agent that
 /// touches it [m].
@@ -89,98 +49,6 @@ struct GivenDiscs {
     radii[count++] = radius;
   }
 };
-
-using Eight = float __attribute__((vector_size(8 * sizeof(float))));
-using Four = float __attribute__((vector_size(4 * sizeof(float))));
-
-/// Of the first and the second half the higher values.
-template <typename Half, typename Whole>
-inline void fold(const Whole& values, Half& higher) {
-  static_assert(sizeof(Whole) == 2 * sizeof(Half), "two halves");
-  Half other;
-  std::memcpy(&higher, &values, sizeof(Half));
-  std::memcpy(&other, reinterpret_cast<const char*>(&values) + sizeof(Half), sizeof(Half));
-  higher = higher > other ? higher : other;
-}
-
-inline float highest(const Discs::Floats& values) {
-  Eight eight;
-  Four four;
-  fold(values, eight);
-  fold(eight, four);
-  return std::max(std::max(four[0], four[1]), std::max(four[2], four[3]));
-}
-
-/// Of the roots of |p - t r| = reach, t = apart / (p.r + sqrt(inside)) is the smaller one. Returns its inverse; what is
-/// not real, or behind (negative), fails in comparisons with what is above 0.
-inline float inverseTime(float px, float py, float rx, float ry, float apart, float per_root) {
-  const float closing = px * rx + py * ry;
-  const float square = rx * rx + ry * ry;
-  return (closing + std::sqrt(closing * closing - square * apart)) * per_root;
-}
-
-/// Notes contacts with the first `count` discs. Few of them would leave lanes idle: then moves are side by side.
-/// @param vx velocities of the discs instead of their own
-inline void noteContacts(const Courses& courses, const Discs& discs, std::size_t count, const Discs::Floats& vx,
-                         const Discs::Floats& vy, Lanes& soonest) {
-  constexpr std::size_t FEW = 5;
-  alignas(64) Discs::Floats per_root;
-  for (std::size_t i = 0; i < Discs::SIZE; ++i) per_root[i] = discs.apart[i] > 0.0F ? 1.0F / discs.apart[i] : AT_ONCE;
-  if (count <= FEW) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float px = discs.px[i];
-      const float py = discs.py[i];
-      for (std::size_t move = 0; move < LANES; ++move) {
-        const float soon =
-            inverseTime(px, py, courses.ux[move] - vx[i], courses.uy[move] - vy[i], discs.apart[i], per_root[i]);
-        soonest[move] = soon > soonest[move] ? soon : soonest[move];
-      }
-    }
-    return;
-  }
-  for (std::size_t move = 0; move < courses.count; ++move) {
-    const float ux = courses.ux[move];
-    const float uy = courses.uy[move];
-    alignas(64) Discs::Floats inverses;
-    for (std::size_t i = 0; i < Discs::SIZE; ++i) {
-      const float soon = inverseTime(discs.px[i], discs.py[i], ux - vx[i], uy - vy[i], discs.apart[i], per_root[i]);
-      inverses[i] = soon > 0.0F ? soon : 0.0F;
-    }
-    soonest[move] = std::max(soonest[move], highest(inverses));
-  }
-}
-
-/// The square of the fastest approach of any disc, seen with a velocity [m2/s2].
-inline float fastestApproach(const Discs& discs, const Vector2& velocity) {
-  const auto x = static_cast<float>(velocity.x());
-  const auto y = static_cast<float>(velocity.y());
-  alignas(64) Discs::Floats squares;
-  for (std::size_t i = 0; i < Discs::SIZE; ++i) {
-    const float closing = discs.px[i] * (x - discs.vx[i]) + discs.py[i] * (y - discs.vy[i]);
-    const float square = closing * closing / (discs.px[i] * discs.px[i] + discs.py[i] * discs.py[i]);
-    squares[i] = closing > 0.0F ? square : 0.0F;
-  }
-  return highest(squares);
-}
-
-/// Notes contacts with agents, and the square of their fastest approach if this one walked with the velocity `wish`.
-CROWD_VECTORISED void noteAgents(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish,
-                                 Courses& courses, float& fastest) {
-  noteContacts(courses, agents, count, agents.vx, agents.vy, courses.selfish);
-  // At 2u - w - v contact comes in half of the time that it takes at u - (w + v) / 2.
-  alignas(64) Discs::Floats mean_vx;
-  alignas(64) Discs::Floats mean_vy;
-  const auto wx = static_cast<float>(velocity.x());
-  const auto wy = static_cast<float>(velocity.y());
-  for (std::size_t i = 0; i < Discs::SIZE; ++i) mean_vx[i] = 0.5F * (wx + agents.vx[i]);
-  for (std::size_t i = 0; i < Discs::SIZE; ++i) mean_vy[i] = 0.5F * (wy + agents.vy[i]);
-  noteContacts(courses, agents, count, mean_vx, mean_vy, courses.reciprocal);
-  fastest = std::max(fastest, fastestApproach(agents, wish));
-}
-
-CROWD_VECTORISED void noteFixed(const Discs& discs, std::size_t count, Courses& courses) {
-  noteContacts(courses, discs, count, discs.vx, discs.vy, courses.fixed);
-}
 
 /// The wall's long side is reached where the line along it, moved by the radius, is crossed beside it.
 CROWD_VECTORISED void noteSide(const Segment& wall, double radius, Courses& courses) {

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "social_crowd/learning/move_outlooks.h"
+#include "social_crowd/learning/time_to_contact.h"
+
+namespace crowd {
+
+constexpr float AT_ONCE = 1e30F;  // [1/s]
+
+/// @brief Velocities of the moves, and how soon each would touch something: 1 / time.
+struct Courses {
+  using Lanes = MoveOutlooks::Lanes;
+
+  std::size_t count;
+  alignas(64) Lanes ux;  ///< [m/s]
+  alignas(64) Lanes uy;
+  alignas(64) Lanes reciprocal;  ///< [1/s]
+  alignas(64) Lanes selfish;
+  alignas(64) Lanes fixed;
+
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
+  explicit Courses(std::size_t moves) : count(moves) {
+    for (Lanes* soonest : {&reciprocal, &selfish, &fixed}) soonest->fill(static_cast<float>(1.0 / NEVER));
+  }
+};
+
+/// @brief Discs as the agent sees them, side by side. A place that nothing was put at stands for a disc that flies
+/// away.
+struct Discs {
+  static constexpr std::size_t SIZE = 16;
+  static constexpr float FLYING = 1e6F;  ///< [m/s]
+  using Floats = std::array<float, SIZE>;
+
+  alignas(64) Floats px;  ///< [m]
+  alignas(64) Floats py;
+  alignas(64) Floats vx;  ///< [m/s]
+  alignas(64) Floats vy;
+  alignas(64) Floats apart;  ///< square of the distance less that of the reach, 0 if they overlap [m2]
+
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): whoever makes them writes them, and zeroing takes time
+  Discs() = default;
+  /// @brief Makes those from a number on fly away.
+  void leaveOut(std::size_t first) {
+    for (std::size_t i = first; i < SIZE; ++i) {
+      px[i] = py[i] = apart[i] = 1.0F;
+      vx[i] = vy[i] = FLYING;
+    }
+  }
+};
+
+/// @brief Notes contacts with agents, and the square of their fastest approach if this one walked with another
+/// velocity.
+/// @param count the first so many discs are agents, and those behind them fly away
+/// @param velocity of the agent in the last tick [m/s]
+/// @param wish the other velocity [m/s]
+/// @param fastest raised to the square [m2/s2]
+void noteAgents(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish, Courses& courses,
+                float& fastest);
+
+/// @brief Notes contacts with what yields to nobody.
+void noteFixed(const Discs& discs, std::size_t count, Courses& courses);
+
+/// @brief noteAgents() for any processor.
+void noteAgentsPlainly(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish,
+                       Courses& courses, float& fastest);
+
+}  // namespace crowd

@@ -1,0 +1,216 @@
+#include "social_crowd/learning/wide_contact_times.h"
+
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
+#define CROWD_WIDELY __attribute__((target("avx512f,avx512dq,avx512cd")))
+// The compiler's own header leaves undefined what is not used.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <immintrin.h>
+#pragma GCC diagnostic pop
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace crowd {
+#ifdef CROWD_WIDELY
+namespace {
+
+using Lanes = MoveOutlooks::Lanes;
+using Masks = std::array<std::uint16_t, MoveOutlooks::LANES>;
+constexpr std::size_t WIDTH = 16;
+static_assert(Discs::SIZE == WIDTH && MoveOutlooks::LANES == WIDTH + WIDTH / 2, "discs and moves in so many registers");
+
+/// Discs in registers. The velocities of the second kind are the means of theirs and the agent's.
+struct WideDiscs {
+  __m512 px, py, vx, vy, mean_vx, mean_vy, apart, per_root;
+};
+
+/// For each move a bit for every disc that it might touch.
+struct Hits {
+  alignas(64) Masks selfish;
+  alignas(64) Masks reciprocal;
+};
+
+/// Of a disc that moves with v a velocity u leads into the cone round p whose sine is reach / |p| if
+/// reach p.(u - v) >= root of apart |p x (u - v)|. Rounding opens that cone by up to 0.0015 [rad] where a time is
+/// worked out, and by 0.0001 here: it is opened by more than both. A pair too many costs time, but changes nothing.
+struct Cones {
+  __m512 along_x, along_y;    // reach p
+  __m512 across_x, across_y;  // root of apart p, turned to the left
+  __m512 opening;
+};
+
+/// What v is to a Cones.
+struct Apexes {
+  __m512 along, across;
+};
+
+/// The root but for 2^-14 of it; for what is less than 1e-30 that of 1e-30.
+CROWD_WIDELY inline __m512 roughRoot(__m512 value) {
+  const __m512 positive = _mm512_max_ps(value, _mm512_set1_ps(1e-30F));
+  return positive * _mm512_rsqrt14_ps(positive);
+}
+
+CROWD_WIDELY inline __m512 join(const float* low, const float* high) {
+  return _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(low)), _mm256_load_ps(high), 1);
+}
+
+CROWD_WIDELY inline __m512 larger(__m512 a, __m512 b) { return _mm512_max_ps(_mm512_abs_ps(a), _mm512_abs_ps(b)); }
+
+CROWD_WIDELY inline Cones conesOf(const WideDiscs& discs) {
+  const __m512 square = discs.px * discs.px + discs.py * discs.py;
+  const __m512 reach = roughRoot(square - discs.apart);
+  const __m512 root = roughRoot(discs.apart);
+  return {reach * discs.px, reach * discs.py, root * -discs.py, root * discs.px, square / 256.0F};
+}
+
+/// @param fastest no component of a move's velocity is above [m/s]
+CROWD_WIDELY inline Apexes apexesOf(const Cones& cones, __m512 vx, __m512 vy, __m512 fastest) {
+  constexpr float TINY = 1e-15F;  // products of less lose digits
+  const __m512 slack = cones.opening * (fastest + larger(vx, vy)) + TINY;
+  return {cones.along_x * vx + cones.along_y * vy - slack, cones.across_x * vx + cones.across_y * vy};
+}
+
+CROWD_WIDELY inline __mmask16 hitsOf(__m512 along, __m512 across, const Apexes& apexes) {
+  return _mm512_cmp_ps_mask(_mm512_abs_ps(across - apexes.across), along - apexes.along, _CMP_NGT_UQ);
+}
+
+/// The highest component of a move's velocity.
+CROWD_WIDELY inline __m512 fastestOf(const Courses& courses) {
+  const __m512 second =
+      larger(join(&courses.ux[WIDTH], &courses.ux[WIDTH]), join(&courses.uy[WIDTH], &courses.uy[WIDTH]));
+  const __m512 highest =
+      _mm512_max_ps(larger(_mm512_load_ps(courses.ux.data()), _mm512_load_ps(courses.uy.data())), second);
+  return _mm512_set1_ps(std::max(_mm512_reduce_max_ps(highest), 1e-12F));
+}
+
+CROWD_WIDELY inline void findHits(const Courses& courses, const WideDiscs& discs, Hits& hits) {
+  const Cones cones = conesOf(discs);
+  const __m512 fastest = fastestOf(courses);
+  const Apexes selfish = apexesOf(cones, discs.vx, discs.vy, fastest);
+  const Apexes reciprocal = apexesOf(cones, discs.mean_vx, discs.mean_vy, fastest);
+  for (std::size_t move = 0; move < courses.count; ++move) {
+    const __m512 ux = _mm512_set1_ps(courses.ux[move]);
+    const __m512 uy = _mm512_set1_ps(courses.uy[move]);
+    const __m512 along = cones.along_x * ux + cones.along_y * uy;
+    const __m512 across = cones.across_x * ux + cones.across_y * uy;
+    hits.selfish[move] = hitsOf(along, across, selfish);
+    hits.reciprocal[move] = hitsOf(along, across, reciprocal);
+  }
+}
+
+/// Sixteen pairs of a move and a kind of contact, and the discs that are still to be looked at.
+struct WideMoves {
+  __m512 ux, uy, soonest;
+  __m512i kind;  // 0: selfish, Discs::SIZE: reciprocal
+  __m512i hits;
+};
+
+CROWD_WIDELY inline bool isAnyLeft(const WideMoves& moves) {
+  return _mm512_test_epi32_mask(moves.hits, moves.hits) != 0;
+}
+
+/// Looks at the next disc of each move; at the last one where none is left, which changes nothing.
+CROWD_WIDELY inline void noteNext(const WideDiscs& discs, WideMoves& moves) {
+  const __m512i zeros = _mm512_lzcnt_epi32(moves.hits);
+  moves.hits = _mm512_xor_si512(moves.hits, _mm512_srlv_epi32(_mm512_set1_epi32(INT32_MIN), zeros));
+  // Disc 31 - zeros, and the kind.
+  const __m512i disc = _mm512_or_si512(_mm512_andnot_si512(zeros, _mm512_set1_epi32(15)), moves.kind);
+  const __m512 px = _mm512_permutexvar_ps(disc, discs.px);
+  const __m512 py = _mm512_permutexvar_ps(disc, discs.py);
+  const __m512 rx = moves.ux - _mm512_permutex2var_ps(discs.vx, disc, discs.mean_vx);
+  const __m512 ry = moves.uy - _mm512_permutex2var_ps(discs.vy, disc, discs.mean_vy);
+  // As inverseTime() does it.
+  const __m512 closing = px * rx + py * ry;
+  const __m512 square = rx * rx + ry * ry;
+  const __m512 inside = closing * closing - square * _mm512_permutexvar_ps(disc, discs.apart);
+  const __m512 soon = (closing + _mm512_sqrt_ps(inside)) * _mm512_permutexvar_ps(disc, discs.per_root);
+  moves.soonest = _mm512_max_ps(soon, moves.soonest);  // the second if one is not a number
+}
+
+/// The first moves.
+CROWD_WIDELY inline WideMoves loadFirst(const Courses& courses, const Lanes& soonest, const Masks& hits,
+                                        std::uint32_t kind) {
+  return {_mm512_load_ps(courses.ux.data()), _mm512_load_ps(courses.uy.data()), _mm512_load_ps(soonest.data()),
+          _mm512_set1_epi32(static_cast<int>(kind)),
+          _mm512_cvtepu16_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(hits.data())))};
+}
+
+/// The moves behind those, of both kinds.
+CROWD_WIDELY inline WideMoves loadSecond(const Courses& courses, const Hits& hits) {
+  const __m128i selfish = _mm_load_si128(reinterpret_cast<const __m128i*>(&hits.selfish[WIDTH]));
+  const __m128i reciprocal = _mm_load_si128(reinterpret_cast<const __m128i*>(&hits.reciprocal[WIDTH]));
+  return {join(&courses.ux[WIDTH], &courses.ux[WIDTH]), join(&courses.uy[WIDTH], &courses.uy[WIDTH]),
+          join(&courses.selfish[WIDTH], &courses.reciprocal[WIDTH]),
+          _mm512_inserti64x4(_mm512_setzero_si512(), _mm256_set1_epi32(Discs::SIZE), 1),
+          _mm512_cvtepu16_epi32(_mm256_inserti128_si256(_mm256_castsi128_si256(selfish), reciprocal, 1))};
+}
+
+CROWD_WIDELY inline WideDiscs load(const Discs& discs, const Vector2& velocity) {
+  WideDiscs wide;
+  wide.px = _mm512_load_ps(discs.px.data());
+  wide.py = _mm512_load_ps(discs.py.data());
+  wide.vx = _mm512_load_ps(discs.vx.data());
+  wide.vy = _mm512_load_ps(discs.vy.data());
+  wide.mean_vx = 0.5F * (static_cast<float>(velocity.x()) + wide.vx);
+  wide.mean_vy = 0.5F * (static_cast<float>(velocity.y()) + wide.vy);
+  wide.apart = _mm512_load_ps(discs.apart.data());
+  const __mmask16 is_apart = _mm512_cmp_ps_mask(wide.apart, _mm512_setzero_ps(), _CMP_GT_OQ);
+  wide.per_root = _mm512_mask_div_ps(_mm512_set1_ps(AT_ONCE), is_apart, _mm512_set1_ps(1.0F), wide.apart);
+  return wide;
+}
+
+/// The square of the fastest approach of any disc, seen with a velocity [m2/s2].
+CROWD_WIDELY inline float fastestApproach(const WideDiscs& discs, const Vector2& velocity) {
+  const __m512 closing = discs.px * (static_cast<float>(velocity.x()) - discs.vx) +
+                         discs.py * (static_cast<float>(velocity.y()) - discs.vy);
+  const __m512 distance = discs.px * discs.px + discs.py * discs.py;  // squared
+  const __mmask16 closes = _mm512_cmp_ps_mask(closing, _mm512_setzero_ps(), _CMP_GT_OQ);
+  return _mm512_reduce_max_ps(_mm512_maskz_div_ps(closes, closing * closing, distance));
+}
+
+}  // namespace
+
+bool mayNoteWidely() {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd");
+}
+
+CROWD_WIDELY void noteAgentsWidely(const Discs& agents, const Vector2& velocity, const Vector2& wish, Courses& courses,
+                                   float& fastest) {
+  const WideDiscs discs = load(agents, velocity);
+  Hits hits{};
+  findHits(courses, discs, hits);
+  WideMoves selfish = loadFirst(courses, courses.selfish, hits.selfish, 0);
+  WideMoves reciprocal = loadFirst(courses, courses.reciprocal, hits.reciprocal, Discs::SIZE);
+  do {
+    noteNext(discs, selfish);
+    noteNext(discs, reciprocal);
+  } while (isAnyLeft(selfish) || isAnyLeft(reciprocal));
+  _mm512_store_ps(courses.selfish.data(), selfish.soonest);
+  _mm512_store_ps(courses.reciprocal.data(), reciprocal.soonest);
+  if (courses.count > WIDTH) {
+    WideMoves both = loadSecond(courses, hits);
+    do {
+      noteNext(discs, both);
+    } while (isAnyLeft(both));
+    _mm256_store_ps(&courses.selfish[WIDTH], _mm512_castps512_ps256(both.soonest));
+    _mm256_store_ps(&courses.reciprocal[WIDTH], _mm512_extractf32x8_ps(both.soonest, 1));
+  }
+  fastest = std::max(fastest, fastestApproach(discs, wish));
+}
+
+#else
+
+bool mayNoteWidely() { return false; }
+
+void noteAgentsWidely(const Discs& agents, const Vector2& velocity, const Vector2& wish, Courses& courses,
+                      float& fastest) {
+  noteAgentsPlainly(agents, Discs::SIZE, velocity, wish, courses, fastest);
+}
+
+#endif
+
+}  // namespace crowd
