@@ -109,9 +109,7 @@ struct WideMoves {
   __m512i hits;
 };
 
-CROWD_WIDELY inline bool isAnyLeft(const WideMoves& moves) {
-  return _mm512_test_epi32_mask(moves.hits, moves.hits) != 0;
-}
+CROWD_WIDELY inline bool isAny(__m512i hits) { return _mm512_test_epi32_mask(hits, hits) != 0; }
 
 /// Looks at the next disc of each move; at the last one where none is left, which changes nothing.
 CROWD_WIDELY inline void noteNext(const WideDiscs& discs, WideMoves& moves) {
@@ -188,14 +186,14 @@ CROWD_WIDELY void noteAgentsWidely(const Discs& agents, const Vector2& velocity,
   do {
     noteNext(discs, selfish);
     noteNext(discs, reciprocal);
-  } while (isAnyLeft(selfish) || isAnyLeft(reciprocal));
+  } while (isAny(_mm512_or_si512(selfish.hits, reciprocal.hits)));
   _mm512_store_ps(courses.selfish.data(), selfish.soonest);
   _mm512_store_ps(courses.reciprocal.data(), reciprocal.soonest);
   if (courses.count > WIDTH) {
     WideMoves both = loadSecond(courses, hits);
     do {
       noteNext(discs, both);
-    } while (isAnyLeft(both));
+    } while (isAny(both.hits));
     _mm256_store_ps(&courses.selfish[WIDTH], _mm512_castps512_ps256(both.soonest));
     _mm256_store_ps(&courses.reciprocal[WIDTH], _mm512_extractf32x8_ps(both.soonest, 1));
   }
