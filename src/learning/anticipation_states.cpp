@@ -23,19 +23,36 @@ static_assert(MoveOutlooks::LANES % BLOCK == 0, "whole blocks");
 /// A digit of the rows of all moves: the class of each value, that is how many limits it reaches.
 struct Digit {
   const Lanes& values;
+  float sign;  // what is compared is sign * value
   const std::vector<float>& limits;
 };
 
-CROWD_VECTORISED void combine(const std::array<Digit, 6>& digits, std::array<Row, MoveOutlooks::LANES>& rows) {
-  for (std::size_t first = 0; first < rows.size(); first += BLOCK) {
-    Counts block{};
-    for (const Digit& digit : digits) {
-      Values values;
-      std::memcpy(&values, &digit.values[first], sizeof(values));
-      block *= static_cast<std::int32_t>(digit.limits.size() + 1);
-      for (const float limit : digit.limits) block -= values >= limit;  // true is -1
+/// The row of each of the first `count` moves. The last digit is the same for all of them.
+CROWD_VECTORISED void combine(const std::array<Digit, 5>& digits, float last, const std::vector<float>& last_limits,
+                              std::size_t count, Row* rows) {
+  constexpr std::size_t BLOCKS = MoveOutlooks::LANES / BLOCK;
+  std::array<Counts, BLOCKS> counts{};
+  for (const Digit& digit : digits) {
+    std::array<Values, BLOCKS> values;
+    for (std::size_t i = 0; i < BLOCKS; ++i) {
+      std::memcpy(&values[i], &digit.values[i * BLOCK], sizeof(Values));
+      values[i] *= digit.sign;
+      counts[i] *= static_cast<std::int32_t>(digit.limits.size() + 1);
     }
-    std::memcpy(&rows[first], &block, sizeof(block));
+    for (const float limit : digit.limits) {
+      for (std::size_t i = 0; i < BLOCKS; ++i) counts[i] -= values[i] >= limit;  // true is -1
+    }
+  }
+  Counts last_class{};
+  for (const float limit : last_limits) last_class -= Values{} + last >= limit;
+  for (Counts& block : counts) block = block * static_cast<std::int32_t>(last_limits.size() + 1) + last_class;
+  for (std::size_t first = 0; first < count; first += BLOCK) {
+    const Counts& block = counts[first / BLOCK];
+    if (first + BLOCK <= count) {
+      std::memcpy(&rows[first], &block, sizeof(block));
+    } else {
+      for (std::size_t i = first; i < count; ++i) rows[i] = static_cast<Row>(block[i - first]);
+    }
   }
 }
 
@@ -65,20 +82,12 @@ MoveOutlooks AnticipationStates::describe(const Perception& perception, const Mo
 }
 
 void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const {
-  alignas(64) Lanes turns;
-  alignas(64) Lanes oncoming;
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): combine() writes it
-  alignas(64) std::array<Row, MoveOutlooks::LANES> all;
-  for (std::size_t i = 0; i < turns.size(); ++i) turns[i] = -outlooks.turn_cosines[i];
-  oncoming.fill(outlooks.oncoming);
-  combine({{{outlooks.reciprocal_times, reciprocal_times_},
-            {outlooks.selfish_times, selfish_times_},
-            {outlooks.fixed_times, fixed_times_},
-            {outlooks.shares, shares_},
-            {turns, turn_cosines_},
-            {oncoming, oncoming_}}},
-          all);
-  std::copy_n(all.begin(), count, rows);
+  combine({{{outlooks.reciprocal_times, 1.0F, reciprocal_times_},
+            {outlooks.selfish_times, 1.0F, selfish_times_},
+            {outlooks.fixed_times, 1.0F, fixed_times_},
+            {outlooks.shares, 1.0F, shares_},
+            {outlooks.turn_cosines, -1.0F, turn_cosines_}}},
+          outlooks.oncoming, oncoming_, count, rows);
 }
 
 void AnticipationStates::findRows(const Perception& perception, const MoveBlock* moves, Row* rows) const {
