@@ -5,8 +5,7 @@ namespace {
 
 /// Counts a visit; returns by how much it moves the value (3.1).
 double visit(QTable& table, Row row, Action action, double target, const LearningParameters& parameters) {
-  table.countVisit(row, action);
-  return parameters.stepSize(table.visits(row, action)) * (target - table.value(row, action));
+  return parameters.stepSize(table.countVisit(row, action)) * (target - table.value(row, action));
 }
 
 }  // namespace

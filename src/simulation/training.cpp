@@ -45,7 +45,8 @@ std::vector<Learner> makeLearners(const Recipe& recipe) {
 }  // namespace
 
 EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& learner) {
-  Episode episode(scene, number, learner.model().vision());
+  Workers& workers = Workers::alone();
+  Episode episode(scene, number, learner.model().vision(), workers);
   RelativeActions actions;
   episode.decide(learner, actions);
   while (!episode.isOver()) {

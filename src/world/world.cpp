@@ -125,8 +125,9 @@ void World::rebuildGrid() {
 
 void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
   takeOrders(actions);
+  const std::size_t agents = orders_.size();
   workers.run(
-      agents_.size(),
+      agents,
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) beginMove(agents_[i], std::exchange(orders_[i], nullptr));
       },
@@ -138,7 +139,7 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
   // Who arrives in this tick still stands on the floor at its end: the grid is that of everybody.
   std::atomic<std::size_t> arrived{0};
   workers.run(
-      agents_.size(),
+      agents,
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         std::size_t arrivals = 0;
         for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals);

@@ -18,13 +18,13 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
   if (vision.max_bodies == 0) {
     // One list behind the other, however long: that takes a single worker.
     perceptions.bodies.clear();
-    lookForSome(vision, 0, 0, perceptions.order.size(), perceptions);
+    lookForSome(vision, 0, 0, perceptions.agents.size(), perceptions);
     gatherWalls(1, perceptions);
     return;
   }
   perceptions.bodies.resize(vision.max_bodies * perceptions.agents.size());
   workers.run(
-      perceptions.order.size(),
+      perceptions.agents.size(),
       [&](unsigned worker, std::size_t begin, std::size_t end) {
         lookForSome(vision, worker, begin, end, perceptions);
       },
@@ -34,16 +34,23 @@ void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& wo
 
 inline void World::listAgents(Perceptions& perceptions) {
   perceptions.agents.resize(active_count_ + just_arrived_count_);
-  perceptions.order.resize(perceptions.agents.size());
+  perceptions.order.clear();
   AgentPerception* const listed = perceptions.agents.data();
-  std::uint32_t* ordered = perceptions.order.data();
   std::uint32_t count = 0;
   for (const Agent& agent : agents_) {
-    const bool just_arrived = agent.hasArrived() && agent.arrival_tick == tick_;
-    if (!agent.isWalking() && !just_arrived) continue;
-    places_[agent.id] = count;
-    if (just_arrived) *ordered++ = count;  // not in the grid any more
+    if (!agent.isWalking() && !hasJustArrived(agent)) continue;
     listed[count++].agent = agent.id;
+  }
+  if (!grid_.isList()) orderAgents(perceptions);
+}
+
+void World::orderAgents(Perceptions& perceptions) {
+  perceptions.order.resize(perceptions.agents.size());
+  std::uint32_t* ordered = perceptions.order.data();
+  for (std::uint32_t place = 0; place < perceptions.agents.size(); ++place) {
+    const AgentId agent = perceptions.agents[place].agent;
+    places_[agent] = place;
+    if (hasJustArrived(agents_[agent])) *ordered++ = place;  // not in the grid any more
   }
   const std::size_t agents = places_.size();
   for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
@@ -59,11 +66,11 @@ inline void World::lookForSome(const Vision& vision, unsigned worker, std::size_
   looker.end = end;
   for (std::size_t i = begin; i < end; ++i) {
     if (i + PREFETCH_AHEAD < end) {
-      const AgentPerception& next = perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]];
+      const AgentPerception& next = perceptions.inOrder(i + PREFETCH_AHEAD);
       prefetch(next);
       prefetch(agents_[next.agent]);
     }
-    AgentPerception& self = perceptions.agents[perceptions.order[i]];
+    AgentPerception& self = perceptions.inOrder(i);
     const std::size_t first = vision.max_bodies > 0 ? vision.max_bodies * i : perceptions.bodies.size();
     look(vision, agents_[self.agent], first, looker, self, perceptions);
   }
@@ -104,7 +111,7 @@ inline void World::look(const Vision& vision, const Agent& agent, std::size_t fi
   self.body_count = static_cast<std::uint32_t>(found.size());
   self.first_wall = static_cast<std::uint32_t>(looker.walls.size());
   lookAtSelf(agent, frame, self);
-  findWalls(vision, agent, frame, looker);
+  if (!walls_.empty()) findWalls(vision, agent, frame, looker);
   if (vision.occlusion) {
     looker.near.resize(found.size());
     findBodies(found, agent, frame, 0, looker.near);
@@ -123,8 +130,7 @@ inline void World::gatherWalls(unsigned workers, Perceptions& perceptions) const
     const auto before = static_cast<std::uint32_t>(perceptions.walls.size());
     perceptions.walls.insert(perceptions.walls.end(), looker.walls.begin(), looker.walls.end());
     if (before == 0) continue;
-    for (std::size_t i = looker.begin; i < looker.end; ++i)
-      perceptions.agents[perceptions.order[i]].first_wall += before;
+    for (std::size_t i = looker.begin; i < looker.end; ++i) perceptions.inOrder(i).first_wall += before;
   }
 }
 

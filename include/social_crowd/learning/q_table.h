@@ -23,9 +23,10 @@ class QTable {
   void set(Row row, Action action, double value, std::uint32_t visits);
   /// @brief Adds to a value.
   void addTo(Row row, Action action, double change) { values_[index(row, action)] += change; }
-  void countVisit(Row row, Action action) {
+  /// @brief Counts a decision that the value is learned from. @return how many there are now
+  std::uint32_t countVisit(Row row, Action action) {
     std::uint32_t& visits = visits_[index(row, action)];
-    visits += visits != UINT32_MAX ? 1 : 0;
+    return visits += visits != UINT32_MAX ? 1 : 0;
   }
 
   /// @brief The action of the highest value; of equal ones the first, so that ties break the same way every time.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 
 namespace crowd {
@@ -28,10 +27,8 @@ constexpr double toDegrees(double radians) { return radians * (180.0 / PI); }
 
 /// @brief The same angle in [-pi, pi).
 inline double wrapAngle(double angle) {
-  if (angle >= -PI && angle < PI) return angle;
-  // Within a quarter of a circle beyond one turn these differences are exact.
-  if (angle >= PI && angle < 2.5 * PI) return angle - 2.0 * PI;
-  if (angle < -PI && angle > -2.5 * PI) return angle + 2.0 * PI;
+  // Within a quarter of a circle beyond one turn these differences are exact. No branch depends on the direction.
+  if (std::abs(angle) < 2.5 * PI) return angle - (angle >= PI ? 2.0 * PI : 0.0) - (angle < -PI ? -2.0 * PI : 0.0);
   const double wrapped = std::remainder(angle, 2.0 * PI);
   return wrapped >= -PI && wrapped < PI ? wrapped : -PI;
 }
@@ -45,15 +42,14 @@ constexpr double QUICK_BEARING_ERROR = 2e-5;
 /// @brief bearingOf() within QUICK_BEARING_ERROR, in a fraction of the time; not a number for the zero vector. Source:
 /// Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.47.
 inline double quickBearingOf(const Vector2& v) {
-  const double x = std::abs(v.x());
-  const double y = std::abs(v.y());
-  const double ratio = std::min(x, y) / std::max(x, y);
+  const Vector2 sides = v.cwiseAbs();
+  const double ratio = sides.minCoeff() / sides.maxCoeff();
   const double square = ratio * ratio;
   const double series =
       0.9998660 + square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351)));
   // Without branches: which octant it is cannot be guessed.
   const double of_octant = ratio * series;
-  const double of_quadrant = std::abs((y > x ? 0.5 * PI : 0.0) - of_octant);
+  const double of_quadrant = std::abs((sides.y() > sides.x() ? 0.5 * PI : 0.0) - of_octant);
   return std::copysign((v.x() < 0.0 ? PI : 0.0) - of_quadrant, v.y());
 }
 

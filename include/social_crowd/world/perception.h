@@ -50,8 +50,10 @@ struct Perceptions {
   PerceivedBodies bodies;      ///< of each agent the nearest rim first
   std::vector<Segment> walls;  ///< in the frame of the agent they belong to
   /// Places of all agents, neighbours and what they perceive one after the other: the fastest way through large crowds.
-  /// Or empty.
+  /// Empty where agents are few.
   std::vector<std::uint32_t> order;
+
+  AgentPerception& inOrder(std::size_t i) { return agents[order.empty() ? i : order[i]]; }
 };
 
 /// @brief What one agent perceives at a tick: a view into Perceptions, valid as long as those are unchanged.

@@ -126,6 +126,8 @@ class World {
   /// Everybody who was on the floor when the grid was built has moved.
   void updateGrid();
   void listAgents(Perceptions& perceptions);
+  void orderAgents(Perceptions& perceptions);
+  bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
   void lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end, Perceptions& perceptions);
   /// Writes what an agent perceives; its bodies from `first` on, its walls behind those of the looker.
   void look(const Vision& vision, const Agent& agent, std::size_t first, Looker& looker, AgentPerception& self,
