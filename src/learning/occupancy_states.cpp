@@ -73,7 +73,7 @@ inline void OccupancyStates::addBody(const PerceivedBody& body, Occupied& occupi
   // Seen from the agent the disc spans the angles between its two tangents; it reaches into all sectors of that span.
   const double guess = quickBearingOf(body.position);
   const double tangent = std::sqrt((distance - body.radius) * (distance + body.radius));
-  const double half_guess = quickBearingOf({tangent, body.radius});
+  const double half_guess = quickAcuteBearingOf({tangent, body.radius});
   const auto half_span = [&] { return std::asin(body.radius / distance); };
   const long first =
       sectors_.unwrappedIndexOf(guess - half_guess, SPAN_ERROR, [&] { return bearingOf(body.position) - half_span(); });

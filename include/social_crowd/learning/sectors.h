@@ -11,11 +11,7 @@ namespace crowd {
 class EvenSectors {
  public:
   explicit EvenSectors(int count)
-      : count_(count),
-        width_(2.0 * PI / count),
-        per_radian_(count / (2.0 * PI)),
-        two_circles_(2.0 * count),
-        place_of_ahead_(two_circles_ + 0.5) {}
+      : count_(count), width_(2.0 * PI / count), per_radian_(count / (2.0 * PI)), place_of_ahead_(2.0 * count + 0.5) {}
 
   int count() const { return count_; }
   /// @brief Width of a sector [rad].
@@ -33,7 +29,7 @@ class EvenSectors {
   template <typename Angle>
   long unwrappedIndexOf(double guess, double error, const Angle& angle) const {
     const double place = guess * per_radian_ + place_of_ahead_;
-    if (!(std::abs(place - two_circles_) < two_circles_)) return unwrappedIndexOf(angle());
+    if (!(place > 0.0)) return unwrappedIndexOf(angle());  // there is none
     const auto whole = static_cast<long>(place);
     const double off_middle = std::abs(place - static_cast<double>(whole) - 0.5);
     return off_middle < 0.5 - ROUNDING - error * per_radian_ ? whole - 2L * count_ : unwrappedIndexOf(angle());
@@ -55,7 +51,6 @@ class EvenSectors {
   int count_;
   double width_;
   double per_radian_;
-  double two_circles_;     // in sectors
   double place_of_ahead_;  // so many sectors to the left of two circles to the right
 };
 

@@ -39,18 +39,20 @@ inline double bearingOf(const Vector2& v) { return std::atan2(v.y(), v.x()); }
 /// @brief How far quickBearingOf() may be off [rad]; it is 1.15e-5 at most.
 constexpr double QUICK_BEARING_ERROR = 2e-5;
 
-/// @brief bearingOf() within QUICK_BEARING_ERROR, in a fraction of the time; not a number for the zero vector. Source:
-/// Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.47.
-inline double quickBearingOf(const Vector2& v) {
-  const Vector2 sides = v.cwiseAbs();
-  const double ratio = sides.minCoeff() / sides.maxCoeff();
+/// @brief Bearing of a vector of the first quadrant within QUICK_BEARING_ERROR; not a number for the zero vector.
+/// Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.47.
+inline double quickAcuteBearingOf(const Vector2& v) {
+  const double ratio = v.minCoeff() / v.maxCoeff();
   const double square = ratio * ratio;
   const double series =
       0.9998660 + square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351)));
-  // Without branches: which octant it is cannot be guessed.
-  const double of_octant = ratio * series;
-  const double of_quadrant = std::abs((sides.y() > sides.x() ? 0.5 * PI : 0.0) - of_octant);
-  return std::copysign((v.x() < 0.0 ? PI : 0.0) - of_quadrant, v.y());
+  // Without a branch: which octant it is cannot be foreseen.
+  return std::abs((v.y() > v.x() ? 0.5 * PI : 0.0) - ratio * series);
+}
+
+/// @brief bearingOf() within QUICK_BEARING_ERROR, in a fraction of the time; not a number for the zero vector.
+inline double quickBearingOf(const Vector2& v) {
+  return std::copysign((v.x() < 0.0 ? PI : 0.0) - quickAcuteBearingOf(v.cwiseAbs()), v.y());
 }
 
 /// @brief Unit vector of a heading.
