@@ -178,8 +178,7 @@ TEST(OcclusionProperty, DiscsChangeLittleWhereBodiesMoveLittle) {
     for (int tick = 0; tick < 1000; ++tick) {
       SCOPED_TRACE("tick " + std::to_string(tick));
       mover.position += STEP * unitVector(static_cast<double>(seed));
-      const bool in_the_way =
-          rimDistance(mover) < 1.0 || sceneries::overlapsAny(mover, scenery, numberOf(mover));
+      const bool in_the_way = rimDistance(mover) < 1.0 || sceneries::overlapsAny(mover, scenery, numberOf(mover));
       if (in_the_way || mover.position.norm() > 9.5) {
         before.reset();
         continue;
