@@ -33,6 +33,7 @@ CROWD_VECTORISED void combine(const std::array<Digit, 5>& digits, float last, co
   constexpr std::size_t BLOCKS = MoveOutlooks::LANES / BLOCK;
   std::array<Counts, BLOCKS> counts{};
   for (const Digit& digit : digits) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written right below
     std::array<Values, BLOCKS> values;
     for (std::size_t i = 0; i < BLOCKS; ++i) {
       std::memcpy(&values[i], &digit.values[i * BLOCK], sizeof(Values));
