@@ -96,11 +96,13 @@ class PerceivedBodiesView {
   /// @brief Goes from body to body.
   class Iterator {
    public:
+    // NOLINTBEGIN(readability-identifier-naming): the names that the standard library asks for
     using iterator_category = std::input_iterator_tag;
     using value_type = PerceivedBody;
     using difference_type = std::ptrdiff_t;
     using pointer = const PerceivedBody*;
     using reference = PerceivedBody;
+    // NOLINTEND(readability-identifier-naming)
 
     Iterator(const PerceivedBodies& bodies, std::size_t i) : bodies_(&bodies), i_(i) {}
     PerceivedBody operator*() const { return (*bodies_)[i_]; }
