@@ -81,6 +81,7 @@ class LimitingBodies {
   static constexpr std::size_t MOST = PerceivedBodies::MARGIN;
 
   /// From a number on, MOST at most.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count_` mean anything
   LimitingBodies(const Perception& perception, std::size_t first, double reach) {
     std::array<std::int64_t, MOST> near;  // NOLINT(cppcoreguidelines-pro-type-member-init): findNear() writes it
     findNear(perception.bodies, first, perception.self, reach, perception.tick_duration, near);

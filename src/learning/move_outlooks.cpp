@@ -29,6 +29,7 @@ CROWD_VECTORISED void convert(const double* px, const double* py, const double* 
 }
 
 /// Discs that are taken one by one, in double precision.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count` mean anything
 struct GivenDiscs {
   using Doubles = std::array<double, Discs::SIZE>;
 
@@ -85,7 +86,7 @@ class Collector {
   }
   void noteAll() {
     if (given_.count == 0) return;
-    Discs discs;
+    Discs discs;  // NOLINT(cppcoreguidelines-pro-type-member-init): convert() writes them
     convert(given_.px.data(), given_.py.data(), given_.vx.data(), given_.vy.data(), given_.radii.data(), radius_,
             discs);
     discs.leaveOut(given_.count);
@@ -134,7 +135,7 @@ float noteAgentsAlone(const Perception& perception, const Vector2& wish, Courses
   float fastest = 0.0F;  // squared
   for (std::size_t i = 0; i < bodies.size(); i += Discs::SIZE) {
     const std::size_t count = std::min(Discs::SIZE, bodies.size() - i);
-    Discs discs;
+    Discs discs;  // NOLINT(cppcoreguidelines-pro-type-member-init): convert() writes them
     convert(bodies.xs() + i, bodies.ys() + i, bodies.vxs() + i, bodies.vys() + i, bodies.radii() + i, self.radius,
             discs);
     discs.leaveOut(count);

@@ -26,6 +26,7 @@ double soonestContact(const AgentPerception& self, const PerceivedBody& mover) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the plain moves that are counted mean anything
 WayOut::WayOut(const Perception& perception, double lookout) : perception_(perception), lookout_(lookout) {
   findMovers();
   if (!isNeeded()) return;
