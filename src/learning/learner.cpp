@@ -119,8 +119,6 @@ void Learner::shareOut(const Perceptions& perceptions, Workers& workers, const W
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t index = in_order ? perceptions.order[i] : i;
       if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
-      if (in_order && i + 1 < end) {
-      }
       if (guests_[index].answer != NOBODY) work(worker, index);
     }
   });
