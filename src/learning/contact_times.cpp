@@ -89,7 +89,6 @@ inline float fastestApproach(const Discs& discs, const Vector2& velocity) {
 
 }  // namespace
 
-/// Notes contacts with agents, and the square of their fastest approach if this one walked with the velocity `wish`.
 CROWD_VECTORISED void noteAgentsPlainly(const Discs& agents, std::size_t count, const Vector2& velocity,
                                         const Vector2& wish, Courses& courses, float& fastest) {
   noteContacts(courses, agents, count, agents.vx, agents.vy, courses.selfish);

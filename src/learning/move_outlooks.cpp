@@ -13,8 +13,8 @@ namespace {
 using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
 
-/// Takes over discs as they are given, in double precision; `reach` is from a disc's centre to that of an agent that
-/// touches it [m].
+/// Takes over discs as they are given, in double precision.
+/// @param radius of the agent [m]
 CROWD_VECTORISED void convert(const double* px, const double* py, const double* vx, const double* vy,
                               const double* radii, double radius, Discs& discs) {
   for (std::size_t i = 0; i < Discs::SIZE; ++i) {

@@ -23,6 +23,7 @@ class Recycler {
     held = next();
   }
 
+  /// @brief An object that nobody else holds, a new one if there is none.
   Pointer next() {
     for (const Pointer& spare : spares_) {
       if (spare.use_count() > 1) continue;

@@ -11,7 +11,7 @@
 
 namespace crowd {
 
-/// @brief Whether this processor runs functions that are CROWD_AVX512.
+/// @brief Whether this processor runs functions that are CROWD_AVX512. There only where that is defined.
 inline bool hasAvx512() {
   return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
          __builtin_cpu_supports("bmi2") != 0 && __builtin_cpu_supports("popcnt") != 0;

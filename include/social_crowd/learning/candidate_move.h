@@ -26,9 +26,10 @@ struct MoveBlock {
 
   alignas(64) Lanes x;  ///< of the directions
   alignas(64) Lanes y;
-  alignas(64) Lanes wanted;
+  alignas(64) Lanes wanted;  ///< as in CandidateMove
   alignas(64) Lanes share;
 
+  /// @brief The move in a lane.
   CandidateMove move(std::size_t lane) const { return {{x[lane], y[lane]}, wanted[lane], share[lane]}; }
   void set(std::size_t lane, const CandidateMove& move) {
     x[lane] = move.direction.x();
@@ -41,7 +42,7 @@ struct MoveBlock {
 /// @brief How many blocks hold so many moves.
 constexpr std::size_t blocksOf(std::size_t moves) { return (moves + MoveBlock::SIZE - 1) / MoveBlock::SIZE; }
 
-/// @brief One of the moves of a list of blocks.
+/// @brief One of the moves of a list of blocks: reads it, and writes it.
 inline CandidateMove moveAt(const MoveBlock* blocks, std::size_t i) {
   return blocks[i / MoveBlock::SIZE].move(i % MoveBlock::SIZE);
 }

@@ -31,7 +31,9 @@ class ContactRule {
   ContactRule(GapSharing sharing, double lookout) : sharing_(sharing), lookout_(lookout) {}
 
   GapSharing sharing() const { return sharing_; }
-  /// @brief Sets the admissible share of each move, at most the wanted one. To stay is always admissible.
+  /// @brief Sets the admissible share of each of the first `count` moves, at most the wanted one. Where a way out of
+  /// moving obstacles asks for another move, that takes its place. To stay is always admissible.
+  /// @param moves blocksOf(count) blocks
   void cut(const Perception& perception, MoveBlock* moves, std::size_t count) const;
 
  private:

@@ -8,27 +8,29 @@
 
 namespace crowd {
 
+/// @brief 1 / time to contact of what touches already.
 constexpr float AT_ONCE = 1e30F;  // [1/s]
 
 /// @brief Velocities of the moves, and how soon each would touch something: 1 / time.
 struct Courses {
   using Lanes = MoveOutlooks::Lanes;
 
-  std::size_t count;
+  std::size_t count;     ///< moves; lanes behind them repeat one
   alignas(64) Lanes ux;  ///< [m/s]
   alignas(64) Lanes uy;
   alignas(64) Lanes reciprocal;  ///< [1/s]
   alignas(64) Lanes selfish;
   alignas(64) Lanes fixed;
 
+  /// @brief Of so many moves whose velocities are yet to be written, and that touch nothing.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
   explicit Courses(std::size_t moves) : count(moves) {
     for (Lanes* soonest : {&reciprocal, &selfish, &fixed}) soonest->fill(static_cast<float>(1.0 / NEVER));
   }
 };
 
-/// @brief Discs as the agent sees them, side by side. A place that nothing was put at stands for a disc that flies
-/// away.
+/// @brief Discs as the agent sees them, side by side. Places that are left are to hold discs that fly away, see
+/// leaveOut().
 struct Discs {
   static constexpr std::size_t SIZE = 16;
   static constexpr float FLYING = 1e6F;  ///< [m/s]
@@ -61,6 +63,7 @@ void noteAgents(const Discs& agents, std::size_t count, const Vector2& velocity,
                 float& fastest);
 
 /// @brief Notes contacts with what yields to nobody.
+/// @param count as of noteAgents()
 void noteFixed(const Discs& discs, std::size_t count, Courses& courses);
 
 /// @brief noteAgents() for any processor.

@@ -69,9 +69,10 @@ class Learner {
     std::vector<Row> rows;
     std::vector<MoveBlock> moves;
   };
-  /// @brief Decides greedily for everybody in the perceptions, with the tables as they are: what decide() does in demo
-  /// mode, but without an own table for whom it did not know before. Any number of threads may do that, each with
+  /// @brief Decides greedily for everybody served that is on its way, with the tables as they are: what decide() does
+  /// in demo mode, but nothing is kept of whom it did not know before. Any number of threads may do that, each with
   /// working space of its own.
+  /// @param actions decisions are added behind those that are there
   void decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const;
 
   const Model& model() const { return model_; }

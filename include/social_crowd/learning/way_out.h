@@ -25,10 +25,11 @@ class WayOut {
 
   /// @brief Whether a mover is near enough to matter.
   bool isNeeded() const { return mover_count_ > 0; }
-  /// @brief To stay, straight on, and headings measured from the ways of the nearest movers.
+  /// @brief To stay, straight on, and headings measured from the ways of the nearest movers; in blocks.
   MoveBlock* plainMoves() { return plain_moves_.data(); }
   std::size_t plainMoveCount() const { return plain_move_count_; }
-  /// @brief Replaces the moves that are not safe. The shares of the plain moves are to be cut before.
+  /// @brief Replaces those of the first `count` moves that are not safe. The shares of the plain moves are to be cut
+  /// before.
   void replaceUnsafe(MoveBlock* moves, std::size_t count);
 
  private:

@@ -25,7 +25,7 @@ class Episode {
   /// @brief The same to be kept: it stays as it is while somebody holds it.
   std::shared_ptr<const Perceptions> sharedPerceptions() { return perceive(); }
   /// @brief What the learner decides for everybody on perceptions(): the same as Learner::decide(), but in demo mode
-  /// sooner (see GreedyCrowd), and then it does not come to know the agents.
+  /// sooner (see GreedyCrowd), in another order of agents, and it does not come to know them.
   void decide(Learner& learner, RelativeActions& actions);
   /// @brief Moves everybody for one tick; who has no action stays. @throws InputError, nothing has moved then.
   void step(const std::vector<AgentAction>& actions);

@@ -13,7 +13,7 @@ namespace crowd {
 class GreedyCrowd {
  public:
   /// @param workers share out the agents; what is decided does not depend on their number
-  /// @param actions is overwritten
+  /// @param actions is overwritten; neighbours stand one after the other
   void decide(const World& world, const Vision& vision, const Learner& learner, std::vector<AgentAction>& actions,
               Workers& workers = Workers::alone());
 

@@ -18,7 +18,9 @@ struct NeighbourCandidates {
   std::vector<double> squares;       ///< squared distances of their centres from the point [m2]
   std::vector<double> rims;          ///< distances of their rims from the point [m], once findRims() was called
 
+  /// @brief Makes the lists long enough for so many discs and a block.
   void makeRoom(std::size_t most);
+  /// @brief Writes `rims`.
   void findRims();
 };
 

@@ -19,7 +19,9 @@ class NeighbourGrid {
     std::uint32_t body = 0;
   };
 
+  /// @brief Takes everything out.
   void clear();
+  /// @brief Adds a disc (see Disc), which is found once build() was called.
   void add(const Vector2& centre, double radius, std::uint32_t body);
   /// @brief Sorts what was added into cells of about this size [m]; to be called after the last add().
   void build(double cell_size);

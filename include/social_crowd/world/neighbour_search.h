@@ -12,7 +12,7 @@ namespace crowd {
 /// @brief A disc that was found, and how far its rim is away [m]; negative from a point within it.
 struct NearDisc {
   double rim_distance = 0.0;
-  std::uint32_t disc = 0;  ///< its place in the grid, see NeighbourGrid::disc()
+  std::uint32_t disc = 0;  ///< its place in the grid, see NeighbourGrid
 };
 
 /// @brief Finds the discs of a grid that are nearest to a point. One object serves one thread; it keeps its working
@@ -20,6 +20,7 @@ struct NearDisc {
 /// is found does not depend on that.
 class NeighbourSearch {
  public:
+  /// @param collect how candidates are gathered; what is found is the same whichever way
   explicit NeighbourSearch(Gather collect = fastestGather()) : collect_(collect) {}
 
   /// @brief The discs whose rim is within `distance` [m] of the point, nearest rim first, equal ones by their body's

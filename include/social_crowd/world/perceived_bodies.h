@@ -34,15 +34,17 @@ class PerceivedBodies {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   void clear() { size_ = 0; }
-  /// @brief What is new is to be set.
+  /// @brief Changes the length; what is new is to be set.
   void resize(std::size_t size) {
     size_ = size;
     if (kinds_.size() < size + MARGIN) grow(size);
   }
+  /// @brief Adds a body behind the last.
   void push_back(const PerceivedBody& body) {  // NOLINT(readability-identifier-naming): as all lists have it
     resize(size_ + 1);
     set(size_ - 1, body);
   }
+  /// @brief Body number `i`, as a copy; set() writes it.
   PerceivedBody operator[](std::size_t i) const { return {{xs_[i], ys_[i]}, {vxs_[i], vys_[i]}, radii_[i], kinds_[i]}; }
   void set(std::size_t i, const PerceivedBody& body) {
     xs_[i] = body.position.x();
@@ -73,7 +75,7 @@ class PerceivedBodies {
   std::vector<BodyKind> kinds_;
 };
 
-/// @brief Some of the bodies of a list, one after the other.
+/// @brief Some of the bodies of a list, one after the other; valid as long as that list is unchanged.
 class PerceivedBodiesView {
  public:
   PerceivedBodiesView(const PerceivedBodies& bodies, std::size_t first, std::size_t count)
@@ -86,6 +88,7 @@ class PerceivedBodiesView {
   /// @brief The first so many of them.
   PerceivedBodiesView front(std::size_t count) const { return {*bodies_, first_, count}; }
 
+  /// @brief Their numbers one by one, as PerceivedBodies has them.
   const double* xs() const { return bodies_->xs() + first_; }
   const double* ys() const { return bodies_->ys() + first_; }
   const double* vxs() const { return bodies_->vxs() + first_; }

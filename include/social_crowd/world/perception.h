@@ -53,6 +53,7 @@ struct Perceptions {
   /// Empty where agents are few.
   std::vector<std::uint32_t> order;
 
+  /// @brief Number `i` of the agents in that order; in their own where it is empty.
   AgentPerception& inOrder(std::size_t i) { return agents[order.empty() ? i : order[i]]; }
 };
 

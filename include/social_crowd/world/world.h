@@ -80,7 +80,7 @@ class World {
 
   /// @brief Working space of one thread that perceives.
   struct Looker {
-    std::size_t begin = 0;  ///< its part of Perceptions::order
+    std::size_t begin = 0;  ///< its part of the agents, see Perceptions::inOrder()
     std::size_t end = 0;
     NeighbourSearch search;
     Occlusion occlusion;
@@ -91,8 +91,9 @@ class World {
 
   /// @brief Bodies on the floor: agents on their way and obstacles.
   std::size_t bodyCount() const { return grid_.size(); }
-  /// @brief The same as perceive(), for those agents alone that are among the bodies begin .. end-1. Neighbours stand
-  /// one after the other. Any number of threads may do that, each with working space and perceptions of its own.
+  /// @brief The same as perceive(), for those agents alone that are among the bodies begin .. end-1, in the order of
+  /// these. Who has just arrived is not. Neighbours stand one after the other. Any number of threads may do that, each
+  /// with working space and perceptions of its own.
   void perceiveSome(const Vision& vision, std::size_t begin, std::size_t end, Looker& looker,
                     Perceptions& perceptions) const;
 
