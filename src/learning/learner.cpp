@@ -66,31 +66,25 @@ void Learner::checkShape(const QTable& table) const {
                    " actions, got " + std::to_string(table.rows()) + " and " + std::to_string(table.actions()));
 }
 
-void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, Workers& workers) {
+void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
   if (!began_ || perceptions.episode != episode_) beginEpisode(perceptions.episode);
   actions.episode = perceptions.episode;
   actions.tick = perceptions.tick;
   listGuests(perceptions, actions);
-  const std::size_t slots = options_.mode == Mode::TRAINING ? guests_.size() : workers.count();
-  if (rows_.size() < slots * stride_) {
-    rows_.resize(slots * stride_);
-    moves_.resize(slots * moves_stride_);
-  }
+  makeRoom(options_.mode == Mode::TRAINING ? guests_.size() : 1, space_);
   // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
-  if (options_.mode == Mode::TRAINING) learn(perceptions, workers);
-  if (!perceptions.last) choose(perceptions, actions, workers);
+  if (options_.mode == Mode::TRAINING) learn(perceptions);
+  if (!perceptions.last) choose(perceptions, actions);
 }
 
 void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const {
-  space.rows.resize(stride_);
-  space.moves.resize(moves_stride_);
-  const Choice choice = {space.rows.data(), moves_stride_ == 0 ? nullptr : space.moves.data()};
+  makeRoom(1, space);
+  const Choice choice = choiceAt(0, space);
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
-    const Perception seen = perceptionOf(perceptions, i);
-    if (seen.self.arrived || !serves(seen.self.agent)) continue;
-    findRows(seen, choice);
-    const Action action = QLearner::chooseGreedy(tableOf(seen.self.agent), rowsOf(choice));
-    actions.push_back({seen.self.agent, actionOf(seen, choice, action)});
+    const AgentPerception& self = perceptions.agents[i];
+    if (self.arrived || !serves(self.agent)) continue;
+    const Perception seen = perceptionOf(perceptions, i, bodiesInSight(perceptions, self));
+    actions.push_back(chooseGreedy(seen, tableOf(self.agent), choice));
   }
 }
 
@@ -100,28 +94,26 @@ inline void Learner::listGuests(const Perceptions& perceptions, RelativeActions&
   std::uint32_t answers = 0;
   for (const AgentPerception& self : perceptions.agents) {
     const bool served = serves(self.agent);
-    *guest++ = {served ? placeOf(self.agent) : NOBODY, served && !self.arrived ? answers++ : NOBODY};
+    *guest++ = {served ? placeOf(self.agent) : NOBODY, served && !self.arrived ? answers++ : NOBODY,
+                bodiesInSight(perceptions, self)};
   }
   actions.agents.resize(perceptions.last ? 0 : answers);
 }
 
 template <typename Work>
-void Learner::shareOut(const Perceptions& perceptions, Workers& workers, const Work& work) const {
+inline void Learner::forEachGuest(const Perceptions& perceptions, const Work& work) const {
   const std::size_t size = guests_.size();
-  if (size <= FEW_AGENTS) {  // so few stay in the cache, in whichever order
+  if (perceptions.order.size() != size) {
     for (std::size_t index = 0; index < size; ++index) {
-      if (guests_[index].answer != NOBODY) work(0U, index);
+      if (guests_[index].answer != NOBODY) work(index);
     }
     return;
   }
-  const bool in_order = perceptions.order.size() == size;
-  workers.run(size, [&](unsigned worker, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t index = in_order ? perceptions.order[i] : i;
-      if (in_order && i + PREFETCH_AHEAD < end) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
-      if (guests_[index].answer != NOBODY) work(worker, index);
-    }
-  });
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i + PREFETCH_AHEAD < size) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
+    const std::size_t index = perceptions.order[i];
+    if (guests_[index].answer != NOBODY) work(index);
+  }
 }
 
 void Learner::beginEpisode(std::uint64_t episode) {
@@ -132,14 +124,23 @@ void Learner::beginEpisode(std::uint64_t episode) {
   forgetDecisions();
 }
 
-void Learner::cutToSight(Perception& seen) const {
-  std::size_t count = std::min<std::size_t>(sight_.max_bodies, seen.bodies.size());
-  while (count > 0 && rimDistance(seen.bodies[count - 1]) > sight_.radius) --count;  // the nearest comes first
-  seen.bodies = seen.bodies.front(count);
+inline std::uint32_t Learner::bodiesInSight(const Perceptions& perceptions, const AgentPerception& self) const {
+  // Without a limit the state set takes what it looks at from whatever there is.
+  if (sight_.max_bodies == 0) return self.body_count;
+  std::uint32_t count = std::min(sight_.max_bodies, self.body_count);
+  // The nearest comes first.
+  while (count > 0 && rimDistance(perceptions.bodies[self.first_body + count - 1]) > sight_.radius) --count;
+  return count;
 }
 
-inline Learner::Choice Learner::choiceAt(std::size_t slot) {
-  return {&rows_[slot * stride_], moves_stride_ == 0 ? nullptr : &moves_[slot * moves_stride_]};
+inline void Learner::makeRoom(std::size_t choices, Space& space) const {
+  if (space.rows.size() >= choices * stride_) return;
+  space.rows.resize(choices * stride_);
+  space.moves.resize(choices * moves_stride_);
+}
+
+inline Learner::Choice Learner::choiceAt(std::size_t place, Space& space) const {
+  return {&space.rows[place * stride_], moves_stride_ == 0 ? nullptr : &space.moves[place * moves_stride_]};
 }
 
 inline void Learner::findRows(const Perception& seen, const Choice& choice) const {
@@ -147,14 +148,13 @@ inline void Learner::findRows(const Perception& seen, const Choice& choice) cons
   model_.state_set->findRows(seen, choice.moves, choice.rows);
 }
 
-inline void Learner::learn(const Perceptions& perceptions, Workers& workers) {
-  shareOut(perceptions, workers, [&](unsigned /*worker*/, std::size_t index) {
-    findRows(perceptionOf(perceptions, index), choiceAt(index));
-  });
+inline void Learner::learn(const Perceptions& perceptions) {
+  forEachGuest(perceptions,
+               [&](std::size_t index) { findRows(perceptionOf(perceptions, index), choiceAt(index, space_)); });
   const std::size_t size = guests_.size();
   for (std::size_t i = 0; i < size; ++i) {
     if (guests_[i].place == NOBODY) continue;
-    learnOne(perceptionOf(perceptions, i), perceptions, rowsOf(choiceAt(i)), memories_[guests_[i].place]);
+    learnOne(perceptionOf(perceptions, i), perceptions, rowsOf(choiceAt(i, space_)), memories_[guests_[i].place]);
   }
 }
 
@@ -177,19 +177,27 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
   ++decisions_;
 }
 
-inline void Learner::choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers) {
+inline void Learner::choose(const Perceptions& perceptions, RelativeActions& actions) {
   const bool exploring = options_.mode == Mode::TRAINING;
   const bool shared = options_.tables == TableUse::SHARED;  // then memories need not be looked at
   const KeyedRandom chance = chance_.with(perceptions.tick);
-  shareOut(perceptions, workers, [&](unsigned worker, std::size_t index) {
+  forEachGuest(perceptions, [&](std::size_t index) {
     const Perception seen = perceptionOf(perceptions, index);
-    const Choice choice = choiceAt(exploring ? index : worker);
-    if (!exploring) findRows(seen, choice);
     Memory& memory = memories_[guests_[index].place];
-    const Action action = exploring ? chooseExploring(chance, perceptions, seen.self, rowsOf(choice), memory)
-                                    : QLearner::chooseGreedy(shared ? *base_ : *memory.table, rowsOf(choice));
-    actions.agents[guests_[index].answer] = {seen.self.agent, actionOf(seen, choice, action)};
+    AgentAction& answer = actions.agents[guests_[index].answer];
+    if (exploring) {
+      const Choice choice = choiceAt(index, space_);
+      const Action action = chooseExploring(chance, perceptions, seen.self, rowsOf(choice), memory);
+      answer = {seen.self.agent, actionOf(seen, choice, action)};
+    } else {
+      answer = chooseGreedy(seen, shared ? *base_ : *memory.table, choiceAt(0, space_));
+    }
   });
+}
+
+inline AgentAction Learner::chooseGreedy(const Perception& seen, const QTable& table, const Choice& choice) const {
+  findRows(seen, choice);
+  return {seen.self.agent, actionOf(seen, choice, QLearner::chooseGreedy(table, rowsOf(choice)))};
 }
 
 inline Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions,

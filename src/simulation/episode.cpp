@@ -21,7 +21,7 @@ bool Episode::isOver() const { return world_.activeCount() == 0 || world_.tick()
 const std::shared_ptr<Perceptions>& Episode::perceive() {
   if (are_current_) return perceptions_;
   buffers_.renew(perceptions_);
-  world_.perceive(vision_, *perceptions_, *workers_);
+  world_.perceive(vision_, *perceptions_);
   perceptions_->episode = number_;
   perceptions_->last = isOver();
   are_current_ = true;
@@ -29,7 +29,7 @@ const std::shared_ptr<Perceptions>& Episode::perceive() {
 }
 
 void Episode::decide(Learner& learner, RelativeActions& actions) {
-  if (learner.mode() != Mode::DEMO) return learner.decide(perceptions(), actions, *workers_);
+  if (learner.mode() != Mode::DEMO) return learner.decide(perceptions(), actions);
   actions.episode = number_;
   actions.tick = world_.tick();
   actions.agents.clear();

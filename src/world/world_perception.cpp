@@ -5,31 +5,20 @@
 
 namespace crowd {
 
-void World::perceive(const Vision& vision, Perceptions& perceptions, Workers& workers) {
-  perceptions.tick = tick_;
-  perceptions.tick_duration = tick_duration_;
-  perceptions.walls.clear();
+void World::perceive(const Vision& vision, Perceptions& perceptions) {
   listAgents(perceptions);
-  if (lookers_.size() < workers.count()) lookers_.resize(workers.count());
-  for (Looker& looker : lookers_) {
-    looker.begin = looker.end = 0;
-    looker.walls.clear();
+  const std::size_t count = perceptions.agents.size();
+  begin(vision, count, looker_, perceptions);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + PREFETCH_AHEAD < count) {
+      const AgentPerception& next = perceptions.inOrder(i + PREFETCH_AHEAD);
+      prefetch(next);
+      prefetch(agents_[next.agent]);
+    }
+    AgentPerception& self = perceptions.inOrder(i);
+    look(vision, agents_[self.agent], i, looker_, self, perceptions);
   }
-  if (vision.max_bodies == 0) {
-    // One list behind the other, however long: that takes a single worker.
-    perceptions.bodies.clear();
-    lookForSome(vision, 0, 0, perceptions.agents.size(), perceptions);
-    gatherWalls(1, perceptions);
-    return;
-  }
-  perceptions.bodies.resize(vision.max_bodies * perceptions.agents.size());
-  workers.run(
-      perceptions.agents.size(),
-      [&](unsigned worker, std::size_t begin, std::size_t end) {
-        lookForSome(vision, worker, begin, end, perceptions);
-      },
-      FEW_AGENTS);
-  gatherWalls(workers.count(), perceptions);
+  std::swap(perceptions.walls, looker_.walls);
 }
 
 inline void World::listAgents(Perceptions& perceptions) {
@@ -59,50 +48,38 @@ void World::orderAgents(Perceptions& perceptions) {
   }
 }
 
-inline void World::lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end,
-                               Perceptions& perceptions) {
-  Looker& looker = lookers_[worker];
-  looker.begin = begin;
-  looker.end = end;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (i + PREFETCH_AHEAD < end) {
-      const AgentPerception& next = perceptions.inOrder(i + PREFETCH_AHEAD);
-      prefetch(next);
-      prefetch(agents_[next.agent]);
-    }
-    AgentPerception& self = perceptions.inOrder(i);
-    const std::size_t first = vision.max_bodies > 0 ? vision.max_bodies * i : perceptions.bodies.size();
-    look(vision, agents_[self.agent], first, looker, self, perceptions);
-  }
-}
-
-void World::perceiveSome(const Vision& vision, std::size_t begin, std::size_t end, Looker& looker,
-                         Perceptions& perceptions) const {
+inline void World::begin(const Vision& vision, std::size_t agents, Looker& looker, Perceptions& perceptions) const {
   perceptions.tick = tick_;
   perceptions.tick_duration = tick_duration_;
-  perceptions.order.clear();
-  perceptions.agents.resize(end - begin);
-  perceptions.bodies.resize(vision.max_bodies * (end - begin));
+  perceptions.bodies.resize(vision.max_bodies * agents);
   looker.walls.clear();
+}
+
+void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t last, Looker& looker,
+                         Perceptions& perceptions) const {
+  perceptions.order.clear();
+  perceptions.agents.resize(last - first);
+  begin(vision, last - first, looker, perceptions);
   std::size_t count = 0;
-  for (std::size_t disc = begin; disc < end; ++disc) {
+  for (std::size_t disc = first; disc < last; ++disc) {
     if (disc + PREFETCH_AHEAD < grid_.size()) {
       const std::uint32_t next = grid_.body(disc + PREFETCH_AHEAD);
       if (next < agents_.size()) prefetch(agents_[next]);
     }
     const std::uint32_t body = grid_.body(disc);
     if (body >= agents_.size()) continue;
-    const std::size_t first = vision.max_bodies > 0 ? vision.max_bodies * count : perceptions.bodies.size();
-    AgentPerception& self = perceptions.agents[count++];
+    AgentPerception& self = perceptions.agents[count];
     self.agent = body;
-    look(vision, agents_[body], first, looker, self, perceptions);
+    look(vision, agents_[body], count++, looker, self, perceptions);
   }
   perceptions.agents.resize(count);
   std::swap(perceptions.walls, looker.walls);
 }
 
-inline void World::look(const Vision& vision, const Agent& agent, std::size_t first, Looker& looker,
+inline void World::look(const Vision& vision, const Agent& agent, std::size_t before, Looker& looker,
                         AgentPerception& self, Perceptions& perceptions) const {
+  // With no limit the bodies of all stand one behind the other, however many.
+  const std::size_t first = vision.max_bodies > 0 ? vision.max_bodies * before : perceptions.bodies.size();
   // Where bodies hide each other, all of them are needed to tell whom one sees.
   const std::size_t most = vision.occlusion ? 0 : vision.max_bodies;
   const Rotation frame(agent.ahead);
@@ -121,17 +98,6 @@ inline void World::look(const Vision& vision, const Agent& agent, std::size_t fi
   if (vision.max_bodies == 0) perceptions.bodies.resize(first + self.body_count);
   if (!vision.occlusion) return findBodies(found, agent, frame, first, perceptions.bodies);
   for (std::size_t i = 0; i < looker.bodies.size(); ++i) perceptions.bodies.set(first + i, looker.bodies[i]);
-}
-
-inline void World::gatherWalls(unsigned workers, Perceptions& perceptions) const {
-  if (walls_.empty()) return;
-  for (unsigned worker = 0; worker < workers; ++worker) {
-    const Looker& looker = lookers_[worker];
-    const auto before = static_cast<std::uint32_t>(perceptions.walls.size());
-    perceptions.walls.insert(perceptions.walls.end(), looker.walls.begin(), looker.walls.end());
-    if (before == 0) continue;
-    for (std::size_t i = looker.begin; i < looker.end; ++i) perceptions.inOrder(i).first_wall += before;
-  }
 }
 
 inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {

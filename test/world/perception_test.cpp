@@ -306,43 +306,5 @@ TEST(PerceptionProperty, TurningAndMovingTheWholeWorldChangesNothing) {
   }
 }
 
-/// All numbers of a perception, for comparing bit for bit.
-std::vector<double> numbersOf(const Perception& seen) {
-  std::vector<double> numbers = {static_cast<double>(seen.self.agent),
-                                 seen.self.pose.heading,
-                                 seen.self.goal.x(),
-                                 seen.self.goal.y(),
-                                 seen.self.velocity.x(),
-                                 seen.self.velocity.y()};
-  for (const PerceivedBody& body : seen.bodies) {
-    numbers.insert(numbers.end(), {body.position.x(), body.position.y(), body.velocity.x(), body.velocity.y(),
-                                   body.radius, static_cast<double>(body.kind)});
-  }
-  for (const Segment& wall : seen.walls) {
-    numbers.insert(numbers.end(), {wall.from.x(), wall.from.y(), wall.to.x(), wall.to.y()});
-  }
-  return numbers;
-}
-
-TEST(PerceptionProperty, DoesNotDependOnTheNumberOfWorkers) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    for (const Vision vision : {Vision{4.0, 0}, Vision{4.0, 5}, Vision{8.0, 5, true}}) {
-      World world(scenes::randomScene(seed, seed % 2 == 0 ? 30 : 400, 15.0));
-      Perceptions expected;
-      world.perceive(vision, expected);
-      for (const unsigned count : {2U, 7U}) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << count << " workers");
-        Workers workers(count);
-        Perceptions seen;
-        world.perceive(vision, seen, workers);
-        ASSERT_EQ(seen.agents.size(), expected.agents.size());
-        for (std::size_t i = 0; i < seen.agents.size(); ++i) {
-          EXPECT_EQ(numbersOf({seen, i}), numbersOf({expected, i}));
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace crowd

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "social_crowd/common/random.h"
-#include "social_crowd/common/workers.h"
 #include "social_crowd/learning/agent_places.h"
 #include "social_crowd/learning/learning_parameters.h"
 #include "social_crowd/learning/model.h"
@@ -61,8 +60,7 @@ class Learner {
 
   /// @brief Learns from what the last decisions led to (training mode), then decides for every served agent that is on
   /// its way, unless the episode is over. `actions` is overwritten.
-  /// @param workers share out the agents; what is learned and decided does not depend on their number
-  void decide(const Perceptions& perceptions, RelativeActions& actions, Workers& workers = Workers::alone());
+  void decide(const Perceptions& perceptions, RelativeActions& actions);
 
   /// @brief Working space of one thread that decides.
   struct Space {
@@ -120,6 +118,7 @@ class Learner {
   struct Guest {
     std::uint32_t place;   // of its memory; NOBODY: it is not served
     std::uint32_t answer;  // place among the answers; NOBODY: it has arrived
+    std::uint32_t bodies;  // so many of its bodies are within sight
   };
   static constexpr std::uint32_t NOBODY = UINT32_MAX;
   /// What the actions mean to an agent, and the rows they are looked up in.
@@ -144,22 +143,29 @@ class Learner {
   void give(TablePointer& place, const QTable& table, TakeMethod method) const;
   void beginEpisode(std::uint64_t episode);
   void listGuests(const Perceptions& perceptions, RelativeActions& actions);
+  /// How many of the bodies that an agent was told of are within the model's vision.
+  std::uint32_t bodiesInSight(const Perceptions& perceptions, const AgentPerception& self) const;
   /// What an agent perceives, of that no more than the model's vision: others may have been told more.
-  Perception perceptionOf(const Perceptions& perceptions, std::size_t index) const {
+  static Perception perceptionOf(const Perceptions& perceptions, std::size_t index, std::uint32_t bodies) {
     Perception seen(perceptions, index);
-    if (sight_.max_bodies > 0) cutToSight(seen);  // else the state set takes what it looks at from whatever there is
+    seen.bodies = seen.bodies.front(bodies);
     return seen;
   }
-  void cutToSight(Perception& seen) const;
-  Choice choiceAt(std::size_t slot);
+  Perception perceptionOf(const Perceptions& perceptions, std::size_t index) const {
+    return perceptionOf(perceptions, index, guests_[index].bodies);
+  }
+  void makeRoom(std::size_t choices, Space& space) const;
+  Choice choiceAt(std::size_t place, Space& space) const;
   void findRows(const Perception& seen, const Choice& choice) const;
   Rows rowsOf(const Choice& choice) const { return {choice.rows, stride_ == 1 ? 0U : 1U}; }
-  /// Calls work(worker, index) for all agents that are to answer.
+  /// Calls work(index) for all agents that are to answer.
   template <typename Work>
-  void shareOut(const Perceptions& perceptions, Workers& workers, const Work& work) const;
-  void learn(const Perceptions& perceptions, Workers& workers);
+  void forEachGuest(const Perceptions& perceptions, const Work& work) const;
+  void learn(const Perceptions& perceptions);
   void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory);
-  void choose(const Perceptions& perceptions, RelativeActions& actions, Workers& workers);
+  void choose(const Perceptions& perceptions, RelativeActions& actions);
+  /// @param choice is written
+  AgentAction chooseGreedy(const Perception& seen, const QTable& table, const Choice& choice) const;
   /// @param chance that of the tick
   Action chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
                          const Rows& rows, Memory& memory) const;
@@ -181,9 +187,7 @@ class Learner {
   AgentPlaces places_;  // of memories
   std::vector<Memory> memories_;
   std::vector<Guest> guests_;  // scratch, of all agents of a tick
-  // Scratch: of all agents of a tick while learning, else of each worker.
-  std::vector<Row> rows_;
-  std::vector<MoveBlock> moves_;
+  Space space_;                // scratch, of all agents of a tick while learning
 };
 
 }  // namespace crowd

@@ -60,7 +60,6 @@ class World {
   /// @brief Time since the episode's start [s].
   double time() const { return static_cast<double>(tick_) * tick_duration_; }
   double tickDuration() const { return tick_duration_; }
-  double goalTolerance() const { return goal_tolerance_; }
   Contact contact() const { return contact_; }
 
   /// @brief All agents ever there, arrived ones too, in order of their ids.
@@ -74,14 +73,10 @@ class World {
 
   /// @brief What every agent perceives that is on its way, or arrived in the last tick. Sets everything but `episode`
   /// and `last`.
-  /// @param workers share out the agents, where the number of bodies is limited; what is perceived does not depend on
-  /// their number
-  void perceive(const Vision& vision, Perceptions& perceptions, Workers& workers = Workers::alone());
+  void perceive(const Vision& vision, Perceptions& perceptions);
 
   /// @brief Working space of one thread that perceives.
   struct Looker {
-    std::size_t begin = 0;  ///< its part of the agents, see Perceptions::inOrder()
-    std::size_t end = 0;
     NeighbourSearch search;
     Occlusion occlusion;
     PerceivedBodies near;               ///< all near one agent, some perhaps hidden
@@ -91,10 +86,10 @@ class World {
 
   /// @brief Bodies on the floor: agents on their way and obstacles.
   std::size_t bodyCount() const { return grid_.size(); }
-  /// @brief The same as perceive(), for those agents alone that are among the bodies begin .. end-1, in the order of
+  /// @brief The same as perceive(), for those agents alone that are among the bodies first .. last-1, in the order of
   /// these. Who has just arrived is not. Neighbours stand one after the other. Any number of threads may do that, each
   /// with working space and perceptions of its own.
-  void perceiveSome(const Vision& vision, std::size_t begin, std::size_t end, Looker& looker,
+  void perceiveSome(const Vision& vision, std::size_t first, std::size_t last, Looker& looker,
                     Perceptions& perceptions) const;
 
   /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
@@ -129,11 +124,11 @@ class World {
   void listAgents(Perceptions& perceptions);
   void orderAgents(Perceptions& perceptions);
   bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
-  void lookForSome(const Vision& vision, unsigned worker, std::size_t begin, std::size_t end, Perceptions& perceptions);
-  /// Writes what an agent perceives; its bodies from `first` on, its walls behind those of the looker.
-  void look(const Vision& vision, const Agent& agent, std::size_t first, Looker& looker, AgentPerception& self,
+  /// For so many agents, with the space that they need.
+  void begin(const Vision& vision, std::size_t agents, Looker& looker, Perceptions& perceptions) const;
+  /// Writes what the agent perceives that comes after `before` others.
+  void look(const Vision& vision, const Agent& agent, std::size_t before, Looker& looker, AgentPerception& self,
             Perceptions& perceptions) const;
-  void gatherWalls(unsigned workers, Perceptions& perceptions) const;
   void lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
   /// Writes the bodies that the search has found.
   void findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
@@ -162,7 +157,7 @@ class World {
   std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;
   std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
-  std::vector<Looker> lookers_;                // one a worker
+  Looker looker_;                              // of perceive()
   std::vector<std::uint32_t> places_;          // place in Perceptions::agents of each agent
   std::vector<Vector2> disc_velocities_;       // of the discs of the grid
 };
