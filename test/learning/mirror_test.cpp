@@ -157,9 +157,40 @@ TEST(Mirror, ByHand) {
   EXPECT_EQ(fan.action(17), 17U);  // stay
 }
 
+/// How many rows and actions are their own mirror image.
+std::size_t countSelfImages(const Model& model) {
+  const Mirror mirror = mirrorOf(model);
+  std::size_t count = 0;
+  for (Row row = 0; row < model.state_set->rowCount(); ++row) {
+    for (Action action = 0; action < model.action_set->size(); ++action) {
+      count += mirror.hasImage(row, action) ? 0 : 1;
+      EXPECT_EQ(mirror.hasImage(row, action), mirror.hasImage(mirror.row(row), mirror.action(action)));
+    }
+  }
+  return count;
+}
+
+TEST(Mirror, HasImageOfWhatIsNotSymmetric) {
+  const Mirror thesis = mirrorOf(models()[0]);
+  EXPECT_FALSE(thesis.hasImage(0, 0));  // goal ahead, straight on
+  EXPECT_FALSE(thesis.hasImage(4, 0));  // goal behind
+  EXPECT_FALSE(thesis.hasImage(0, 4));  // turn round
+  EXPECT_TRUE(thesis.hasImage(0, 1));   // goal ahead, half left
+  EXPECT_TRUE(thesis.hasImage(3, 0));   // goal on the left, straight on
+  EXPECT_TRUE(thesis.hasImage(3, 1));
+  EXPECT_TRUE(thesis.hasImage(43, 4));  // an obstacle on the left
+  EXPECT_FALSE(thesis.hasImage(136, 4));
+  // Two actions, straight on and back, in these rows: goal ahead or behind and no obstacle, and the terminal one.
+  EXPECT_EQ(countSelfImages(models()[0]), 2U * 3U);
+  // Goal ahead or behind, any of 3 classes ahead, behind and in three sectors whose image has the same; the terminal
+  // one.
+  EXPECT_EQ(countSelfImages(models()[2]), 2U * (2U * 243U + 1U));
+}
+
 TEST(Mirror, WithoutModelMirrorsNothing) {
   EXPECT_EQ(Mirror().row(43), 43U);
   EXPECT_EQ(Mirror().action(1), 1U);
+  EXPECT_FALSE(Mirror().hasImage(43, 1));
 }
 
 // --- learning; in learners::model() rows 1 and 3 are mirror images, actions a and 8 - a ---
