@@ -110,26 +110,29 @@ TEST(NeighbourGrid, AppendsToWhatIsThere) {
   EXPECT_EQ(found, (Found{9, 5}));
 }
 
-TEST(NeighbourGrid, FindsWhatLookingAtAllFinds) {
-  std::size_t found_discs = 0;
+/// Calls check(discs, extent, random) for discs of many kinds of places.
+template <typename Check>
+void checkManyPlaces(const Check& check) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const double extent = random.uniform(1.0, 50.0);
-    const std::vector<Disc> discs = randomDiscs(random, extent);
+    check(randomDiscs(random, extent), extent, random);
+  }
+}
+
+TEST(NeighbourGrid, FindsWhatLookingAtAllFinds) {
+  std::size_t found_discs = 0;
+  checkManyPlaces([&](const std::vector<Disc>& discs, double extent, KeyedRandom& random) {
     compareWithAll(discs, random.uniform(0.1, 4.0), extent, random);
     found_discs += lookAtAll(discs, {0.0, 0.0}, extent).size();
-  }
+  });
   EXPECT_GT(found_discs, 1000U);  // or there was nothing to compare
 }
 
 TEST(NeighbourGrid, AnyIsNearWhereSomeAreFound) {
   std::size_t times = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
-    const double extent = random.uniform(1.0, 50.0);
-    const std::vector<Disc> discs = randomDiscs(random, extent);
+  checkManyPlaces([&](const std::vector<Disc>& discs, double /*extent*/, KeyedRandom& random) {
     const NeighbourGrid grid = gridOf(discs, random.uniform(0.1, 4.0));
     for (int i = 0; i < 50 && !discs.empty(); ++i) {
       const Disc& disc = discs[random.below(static_cast<std::uint32_t>(discs.size()))];
@@ -139,7 +142,7 @@ TEST(NeighbourGrid, AnyIsNearWhereSomeAreFound) {
       EXPECT_EQ(grid.isAnyNear(disc.centre, distance, disc.body), !others.empty());
       times += others.empty() ? 0 : 1;
     }
-  }
+  });
   EXPECT_GT(times, 300U);   // or none was ever near
   EXPECT_LT(times, 2700U);  // or always
 }

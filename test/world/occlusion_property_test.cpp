@@ -25,14 +25,21 @@ using sceneries::Seen;
 /// Half of what a body spans [rad].
 double halfWidth(const PerceivedBody& body) { return std::asin(body.radius / body.position.norm()); }
 
+/// Calls check(scenery, what is seen of it) for so many sceneries without overlaps.
+template <typename Check>
+void checkSceneries(std::uint64_t count, const Check& check) {
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scenery scenery = randomScenery(seed, true);
+    check(scenery, look(scenery));
+  }
+}
+
 TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
   std::size_t hidden = 0;
   std::size_t in_sight = 0;
   double hidden_length = 0.0;
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scenery scenery = randomScenery(seed, true);
-    const Scenery seen = look(scenery);
+  checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
     const Seen expected = lookEverywhere(scenery);
     for (std::size_t i = 0; i < scenery.bodies.size(); ++i) {
       EXPECT_EQ(find(seen, i) == nullptr, expected.bodies[i].empty()) << "body " << i;
@@ -43,7 +50,7 @@ TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
     EXPECT_NEAR(length, expected.wall_length, 1e-4);
     for (const Segment& wall : scenery.walls) hidden_length += (wall.to - wall.from).norm();
     hidden_length -= length;
-  }
+  });
   EXPECT_GT(hidden, 500U);
   EXPECT_GT(in_sight, 500U);
   EXPECT_GT(hidden_length, 500.0);
@@ -52,10 +59,7 @@ TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
 TEST(OcclusionProperty, DiscsSpanWhatIsSeen) {
   std::size_t whole = 0;
   std::size_t cut = 0;
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scenery scenery = randomScenery(seed, true);
-    const Scenery seen = look(scenery);
+  checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
     const Seen expected = lookEverywhere(scenery);
     for (const PerceivedBody& disc : seen.bodies) {
       const PerceivedBody& body = scenery.bodies[numberOf(disc)];
@@ -78,7 +82,7 @@ TEST(OcclusionProperty, DiscsSpanWhatIsSeen) {
         ++whole;
       }
     }
-  }
+  });
   EXPECT_GT(cut, 500U);
   EXPECT_GT(whole, 500U);
 }
@@ -88,10 +92,7 @@ TEST(OcclusionProperty, DiscsAreSeenWhereThePartsAre) {
   // end of the chord is seen asin(R/d) aside, at the end of the diameter atan(R/d): about (R/d)^3 / 2 less. For R/d up
   // to 0.6 no share makes a larger difference, at 0.2 it is 0.23 degrees.
   std::size_t looked_at = 0;
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scenery scenery = randomScenery(seed, true);
-    const Scenery seen = look(scenery);
+  checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
     const Seen expected = lookEverywhere(scenery);
     for (const PerceivedBody& disc : seen.bodies) {
       const PerceivedBody& body = scenery.bodies[numberOf(disc)];
@@ -103,7 +104,7 @@ TEST(OcclusionProperty, DiscsAreSeenWhereThePartsAre) {
       EXPECT_NEAR(middle + halfWidth(disc), expected.bodies[numberOf(disc)].back().to, most);
       ++looked_at;
     }
-  }
+  });
   EXPECT_GT(looked_at, 1000U);
 }
 
@@ -230,10 +231,7 @@ TEST(OcclusionProperty, NearestBodyIsAlwaysSeen) {
 
 TEST(OcclusionProperty, WhatIsHiddenHidesNothing) {
   std::size_t hidden = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scenery scenery = randomScenery(seed, true);
-    const Scenery seen = look(scenery);
+  checkSceneries(200, [&](const Scenery& scenery, const Scenery& seen) {
     Scenery less = scenery;
     less.bodies.erase(std::remove_if(less.bodies.begin(), less.bodies.end(),
                                      [&](const PerceivedBody& body) { return find(seen, numberOf(body)) == nullptr; }),
@@ -246,7 +244,7 @@ TEST(OcclusionProperty, WhatIsHiddenHidesNothing) {
       EXPECT_LT((seen_then.bodies[i].position - seen.bodies[i].position).norm(), 1e-8);
       EXPECT_NEAR(seen_then.bodies[i].radius, seen.bodies[i].radius, 1e-8);
     }
-  }
+  });
   EXPECT_GT(hidden, 500U);
 }
 
