@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "social_crowd/common/random.h"
+#include "social_crowd/simulation/lockstep.h"
+#include "support/answers.h"
+
+namespace crowd {
+namespace {
+
+using answers::agentsOf;
+using answers::answersOf;
+using answers::Ids;
+
+/// Plays at random and keeps the books by hand: what an agent did since it was last heard of.
+class RandomPlay {
+ public:
+  explicit RandomPlay(std::uint64_t seed)
+      : random_(seed, KeyedRandom::EXPLORATION, {}),
+        patience_(1 + static_cast<int>(random_.below(4))),
+        lockstep_(patience_) {}
+
+  void playTick() {
+    if (random_.below(10) == 0) ++episode_;
+    ++tick_;
+    askSomebody();
+    check();
+    for (std::uint32_t i = random_.below(15); i > 0; --i) {
+      if (random_.below(12) == 0) {
+        giveUp();
+      } else {
+        answer(tick_ - (random_.below(5) == 0 ? 1 : 0), true);
+      }
+      check();
+    }
+    lockstep_.close();
+    for (const AgentId id : asked_) {
+      if (answered(id)) continue;
+      ++missed_;
+      ++misses_[id];
+    }
+    EXPECT_EQ(lockstep_.missedCount(), missed_);
+    if (random_.below(3) == 0) answer(tick_, false);
+  }
+
+ private:
+  void askSomebody() {
+    asked_.clear();
+    for (AgentId id = 0; id < 6; ++id) {
+      if (random_.below(4) > 0) asked_.push_back(id);
+    }
+    answered_.clear();
+    counted_answers_ = 0;
+    lockstep_.open(episode_, tick_, asked_);
+  }
+
+  void answer(std::uint64_t tick, bool open) {
+    const AgentId id = random_.below(8);
+    const bool sound = random_.below(6) > 0;
+    lockstep_.take(answersOf(tick, {id}, {0.0, sound ? 1.0 : 2.0}, episode_));
+    ++given_;
+    if (!isAsked(id) || !sound) return;
+    heard_[id] = true;
+    misses_[id] = 0;
+    given_up_[id] = false;
+    if (open && tick == tick_ && !answered(id)) answered_.push_back(id);
+  }
+
+  void giveUp() {
+    lockstep_.giveUpOnNewcomers();
+    for (const AgentId id : asked_) {
+      if (!heard_[id]) given_up_[id] = true;
+    }
+  }
+
+  bool isAsked(AgentId id) const { return std::count(asked_.begin(), asked_.end(), id) > 0; }
+  bool answered(AgentId id) const { return std::count(answered_.begin(), answered_.end(), id) > 0; }
+  bool isPresent(AgentId id) { return !given_up_[id] && misses_[id] < patience_; }
+
+  void check() {
+    Ids missing;
+    bool somebody_present = false;
+    bool awaited = false;
+    bool newcomer = false;
+    for (const AgentId id : asked_) {
+      somebody_present = somebody_present || isPresent(id);
+      if (answered(id)) continue;
+      missing.push_back(id);
+      awaited = awaited || isPresent(id);
+      newcomer = newcomer || (isPresent(id) && !heard_[id]);
+    }
+    EXPECT_EQ(agentsOf(lockstep_.answers()), answered_);
+    EXPECT_EQ(lockstep_.missing(), missing);
+    EXPECT_EQ(lockstep_.isComplete(), !awaited);
+    EXPECT_EQ(lockstep_.isDeserted(), !asked_.empty() && !somebody_present);
+    EXPECT_EQ(lockstep_.awaitsNewcomer(), newcomer);
+    taken_ += answered_.size() - counted_answers_;  // since the last check
+    counted_answers_ = answered_.size();
+    EXPECT_EQ(lockstep_.droppedCount() + taken_, given_);  // each answer is taken or dropped
+  }
+
+  KeyedRandom random_;
+  int patience_;
+  Lockstep lockstep_;
+  std::uint64_t episode_ = 0;
+  std::uint64_t tick_ = 0;
+  Ids asked_;
+  Ids answered_;
+  std::map<AgentId, bool> heard_;
+  std::map<AgentId, bool> given_up_;
+  std::map<AgentId, int> misses_;  // in a row
+  std::uint64_t missed_ = 0;
+  std::uint64_t given_ = 0;
+  std::uint64_t taken_ = 0;
+  std::size_t counted_answers_ = 0;
+};
+
+TEST(LockstepProperty, BooksAreRightWhateverTheAnswers) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomPlay play(seed);
+    for (int tick = 0; tick < 40 && !HasFailure(); ++tick) play.playTick();
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/world/relative_action.h"
+
+/// Answers to perceptions, for tests of the lockstep.
+namespace crowd::answers {
+
+using Ids = std::vector<AgentId>;
+
+constexpr std::uint64_t EPISODE = 5;
+constexpr RelativeAction MOVE{0.5, 1.0};
+
+/// What these agents answer to a tick.
+inline RelativeActions answersOf(std::uint64_t tick, const Ids& agents, const RelativeAction& action = MOVE,
+                                 std::uint64_t episode = EPISODE) {
+  RelativeActions answers;
+  answers.episode = episode;
+  answers.tick = tick;
+  for (const AgentId agent : agents) answers.agents.push_back({agent, action});
+  return answers;
+}
+
+/// Whose answers these are.
+inline Ids agentsOf(const std::vector<AgentAction>& answers) {
+  Ids agents;
+  for (const AgentAction& answer : answers) agents.push_back(answer.agent);
+  return agents;
+}
+
+}  // namespace crowd::answers
