@@ -2,16 +2,15 @@
 
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/training.h"
+#include "support/learners.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
 
 namespace crowd {
 namespace {
 
-/// More agents than are done by one worker alone, walls, obstacles and movers among them.
 Scene crowd(std::uint64_t seed) {
-  Scene scene = scenes::randomScene(seed, 500, 20.0);
-  while (scene.agents.size() <= 2 * FEW_AGENTS) scene.agents.push_back(scene.agents[scene.agents.size() / 2]);
+  Scene scene = scenes::randomCrowd(seed);
   scene.max_ticks = 30;
   return scene;
 }
@@ -19,14 +18,9 @@ Scene crowd(std::uint64_t seed) {
 Learner makeLearner(Mode mode) {
   const Model model = parseModel(
       "{state_set: {type: anticipation}, action_set: {type: goal_fan, gap_sharing: moving}, reward: {type: pace}}");
-  KeyedRandom random(3, KeyedRandom::PLACEMENT, {});
-  QTable table(model.state_set->rowCount(), model.action_set->size());
-  for (Row row = 0; row < table.rows(); ++row) {
-    for (Action action = 0; action < table.actions(); ++action) table.set(row, action, random.uniform(), 1);
-  }
   Learner::Options options;
   options.mode = mode;
-  return {model, options, std::move(table)};
+  return {model, options, learners::randomTable(model, 3)};
 }
 
 struct Walked {

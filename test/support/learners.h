@@ -58,9 +58,10 @@ inline Action decideOne(Learner& learner, const PerceptionsBuilder& perceptions)
   return actionOf(decide(learner, perceptions).agents.at(0));
 }
 
-inline QTable randomTable(std::uint64_t seed) {
+/// Any values and visits, for any model.
+inline QTable randomTable(const Model& model, std::uint64_t seed) {
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
-  QTable table = emptyTable();
+  QTable table(model.state_set->rowCount(), model.action_set->size());
   for (Row row = 0; row < table.rows(); ++row) {
     for (Action action = 0; action < table.actions(); ++action) {
       const double value = random.uniform(-100.0, 100.0);
@@ -69,6 +70,8 @@ inline QTable randomTable(std::uint64_t seed) {
   }
   return table;
 }
+
+inline QTable randomTable(std::uint64_t seed) { return randomTable(model(), seed); }
 
 /// What so many agents might perceive; of some the last answer was lost. `backwards` tells of the last agent first.
 inline PerceptionsBuilder randomTick(std::uint64_t seed, std::uint64_t episode, std::uint64_t tick, AgentId agents,

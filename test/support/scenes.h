@@ -95,6 +95,13 @@ inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, doub
   return made;
 }
 
+/// The same with more agents than are done by one worker alone.
+inline Scene randomCrowd(std::uint64_t seed) {
+  Scene made = randomScene(seed, 500, 20.0);
+  while (made.agents.size() <= 2 * FEW_AGENTS) made.agents.push_back(made.agents[made.agents.size() / 2]);
+  return made;
+}
+
 /// A solid crowd in which nothing overlaps at the start: agents as fast as `max_speed` [m/s] in a square that they fill
 /// to a good part, obstacles at rest, as many movers as wanted, and walls.
 inline Scene solidCrowd(std::uint64_t seed, std::size_t agents, double max_speed, std::size_t movers = 0) {
@@ -125,6 +132,17 @@ inline std::vector<AgentAction> randomActions(const World& world, KeyedRandom& r
     const double rotation = random.uniform(-PI, PI);
     const double share = random.uniform();
     if (random.below(10) > 0) actions.push_back({agent.id, {rotation, share}});
+  }
+  return actions;
+}
+
+/// The same, but every other agent walks straight to its goal.
+inline std::vector<AgentAction> purposefulActions(const World& world, KeyedRandom& random) {
+  std::vector<AgentAction> actions = randomActions(world, random);
+  for (AgentAction& given : actions) {
+    const Agent& agent = world.agents()[given.agent];
+    const double bearing = bearingOf(agent.goal() - agent.pose.position);
+    if (agent.id % 2 == 0) given.action = {wrapAngle(bearing - agent.pose.heading), 1.0};
   }
   return actions;
 }

@@ -1,0 +1,170 @@
+#include "social_crowd/simulation/greedy_crowd.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include "support/learners.h"
+#include "support/scenes.h"
+
+namespace crowd {
+namespace {
+
+/// Agent, rotation and share of the speed.
+using Decision = std::tuple<AgentId, double, double>;
+
+std::vector<Decision> toDecisions(const std::vector<AgentAction>& actions) {
+  std::vector<Decision> decisions;
+  for (const AgentAction& given : actions) {
+    decisions.emplace_back(given.agent, given.action.rotation, given.action.speed_share);
+  }
+  return decisions;
+}
+
+/// What World::perceive() and Learner::decide() make of it; in order of the agents.
+std::vector<Decision> decideAtOnce(World& world, const Vision& vision, Learner& learner) {
+  Perceptions perceptions;
+  RelativeActions actions;
+  world.perceive(vision, perceptions);
+  learner.decide(perceptions, actions);
+  return toDecisions(actions.agents);
+}
+
+/// Crowds that are kept from tick to tick, of several numbers of threads.
+class Crowds {
+ public:
+  /// What they decide, in order of the agents; all of them alike.
+  std::vector<Decision> decide(const World& world, const Vision& vision, const Learner& learner) {
+    std::vector<Decision> first;
+    for (std::size_t i = 0; i < crowds_.size(); ++i) {
+      std::vector<AgentAction> actions = {{12345, {6.0, 7.0}}};  // to be overwritten
+      crowds_[i].decide(world, vision, learner, actions, workers_[i]);
+      if (i == 0) first = toDecisions(actions);
+      EXPECT_EQ(toDecisions(actions), first) << workers_[i].count() << " threads";
+    }
+    std::sort(first.begin(), first.end());
+    return first;
+  }
+
+ private:
+  std::array<GreedyCrowd, 3> crowds_;
+  std::array<Workers, 3> workers_ = {Workers(1), Workers(2), Workers(7)};
+};
+
+/// With limits to what is perceived and without, with rows of their own for the actions and without.
+std::vector<Model> models() {
+  const std::string thesis = "action_set: {type: kings_moves}, reward: {goal: distance_gained, obstacle_cost: 10}";
+  const std::string fan = "state_set: {type: anticipation}, action_set: {type: goal_fan, gap_sharing: moving}, ";
+  return {
+      parseModel("{state_set: {type: nearest_obstacle}, " + thesis + "}"),
+      parseModel("{state_set: {type: occupancy}, " + thesis + "}"),
+      parseModel("{" + fan + "reward: {type: pace}}"),
+      parseModel("{" + fan + "reward: {type: pace}, vision: {occlusion: true}}"),
+  };
+}
+
+Learner makeLearner(const Model& model, Learner::Options options = {}) {
+  return {model, std::move(options), learners::randomTable(model, 3)};
+}
+
+/// Walks a crowd some ticks and compares what is decided in each; how many decisions that were.
+std::size_t compareDecisions(std::uint64_t seed, Learner& asked, const Learner& unasked) {
+  constexpr int TICKS = 12;
+  const Vision vision = asked.model().vision();
+  KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
+  World world(scenes::randomCrowd(seed));
+  Crowds crowds;
+  std::size_t compared = 0;
+  for (int tick = 0; tick < TICKS; ++tick) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed << ", tick " << tick);
+    const std::vector<Decision> expected = decideAtOnce(world, vision, asked);
+    EXPECT_EQ(crowds.decide(world, vision, unasked), expected);
+    compared += expected.size();
+    world.step(scenes::purposefulActions(world, random));
+  }
+  EXPECT_LT(world.activeCount(), world.agents().size()) << "seed " << seed << ": nobody has arrived";
+  return compared;
+}
+
+TEST(GreedyCrowd, DecidesAsTheLearnerDoes) {
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.spec());
+    std::size_t compared = 0;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      Learner asked = makeLearner(model);
+      compared += compareDecisions(seed, asked, makeLearner(model));
+    }
+    EXPECT_GT(compared, 5000U);
+  }
+}
+
+TEST(GreedyCrowd, AsksOnlyWhomTheLearnerServes) {
+  Learner::Options options;
+  options.agents = {0, 1, 7, 200, 201, 9999};
+  const Model model = models()[2];
+  Learner asked = makeLearner(model, options);
+  EXPECT_GT(compareDecisions(1, asked, makeLearner(model, options)), 12U * 2U);
+  World world(scenes::randomCrowd(1));
+  std::vector<AgentId> answered;
+  for (const Decision& decision : Crowds().decide(world, model.vision(), asked)) {
+    answered.push_back(std::get<0>(decision));
+  }
+  EXPECT_EQ(answered, (std::vector<AgentId>{0, 1, 7, 200, 201}));
+}
+
+TEST(GreedyCrowd, LooksUpTheTablesOfTheirOwn) {
+  Learner::Options options;
+  options.tables = TableUse::OWN;
+  const Model model = models()[2];
+  Learner asked = makeLearner(model, options);
+  Learner unasked = makeLearner(model, options);
+  for (const AgentId agent : {3U, 4U, 100U}) {
+    const QTable table = learners::randomTable(model, 1000 + agent);
+    asked.takeTable(agent, table, TakeMethod::REPLACE);
+    unasked.takeTable(agent, table, TakeMethod::REPLACE);
+  }
+  compareDecisions(2, asked, unasked);
+  // With one table for all these three decide something else, at least in one of a few worlds.
+  for (const AgentId agent : {3U, 4U, 100U}) {
+    std::size_t different = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const World world(scenes::randomCrowd(seed));
+      Crowds crowds;
+      const std::vector<Decision> own = crowds.decide(world, model.vision(), unasked);
+      const std::vector<Decision> one = crowds.decide(world, model.vision(), makeLearner(model));
+      different += own.at(agent) != one.at(agent) ? 1 : 0;
+      EXPECT_EQ(own.at(5), one.at(5));
+    }
+    EXPECT_GT(different, 0U) << "agent " << agent;
+  }
+}
+
+TEST(GreedyCrowd, ForgetsTheLastWorld) {
+  const Model model = models()[2];
+  const Learner learner = makeLearner(model);
+  Workers many(7);
+  GreedyCrowd crowd;
+  std::vector<AgentAction> actions;
+  crowd.decide(World(scenes::randomCrowd(1)), model.vision(), learner, actions, many);
+  ASSERT_GT(actions.size(), 2 * FEW_AGENTS);
+  const World small(scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({3.0, 0.0})}));
+  crowd.decide(small, model.vision(), learner, actions);
+  std::vector<AgentAction> expected;
+  GreedyCrowd().decide(small, model.vision(), learner, expected);
+  EXPECT_EQ(expected.size(), 2U);
+  EXPECT_EQ(toDecisions(actions), toDecisions(expected));
+}
+
+TEST(GreedyCrowd, HasNothingToSayWhereNobodyWalks) {
+  const Model model = models()[2];
+  std::vector<AgentAction> actions = {{1, {}}};
+  GreedyCrowd().decide(World(scenes::scene({}, {scenes::pillar({0.0, 0.0}, 0.5)})), model.vision(), makeLearner(model),
+                       actions);
+  EXPECT_TRUE(actions.empty());
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,202 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <string>
+
+#include "support/scenes.h"
+#include "support/worlds.h"
+
+namespace crowd {
+namespace {
+
+using scenes::agent;
+using scenes::pillar;
+using scenes::wanderer;
+using Ids = std::vector<AgentId>;
+
+/// Numbers to the last bit.
+using Bits = std::vector<std::uint64_t>;
+
+Bits bitsOf(const std::vector<double>& numbers) {
+  Bits bits(numbers.size());
+  std::memcpy(bits.data(), numbers.data(), numbers.size() * sizeof(double));
+  return bits;
+}
+
+/// All that an agent is told, but for where in the lists it stands.
+Bits bitsOf(const Perception& seen) {
+  const AgentPerception& self = seen.self;
+  std::vector<double> numbers = {self.pose.position.x(),
+                                 self.pose.position.y(),
+                                 self.pose.heading,
+                                 self.velocity.x(),
+                                 self.velocity.y(),
+                                 self.speed,
+                                 self.radius,
+                                 self.goal.x(),
+                                 self.goal.y(),
+                                 seen.tick_duration,
+                                 self.arrived ? 1.0 : 0,
+                                 self.acted ? 1.0 : 0.0,
+                                 double(self.goal_number)};
+  for (const PerceivedBody& body : seen.bodies) {
+    numbers.insert(numbers.end(), {body.position.x(), body.position.y(), body.velocity.x(), body.velocity.y(),
+                                   body.radius, static_cast<double>(body.kind)});
+  }
+  numbers.push_back(static_cast<double>(seen.walls.size()));
+  for (const Segment& wall : seen.walls) {
+    numbers.insert(numbers.end(), {wall.from.x(), wall.from.y(), wall.to.x(), wall.to.y()});
+  }
+  return bitsOf(numbers);
+}
+
+/// What perceiveSome() needs, and what it perceived before.
+struct Eyes {
+  World::Looker looker;
+  Perceptions perceptions;
+
+  const Perceptions& look(const World& world, const Vision& vision, std::size_t begin, std::size_t end) {
+    world.perceiveSome(vision, begin, end, looker, perceptions);
+    return perceptions;
+  }
+};
+
+Ids agentsOf(const Perceptions& perceptions) {
+  Ids ids;
+  for (const AgentPerception& self : perceptions.agents) ids.push_back(self.agent);
+  return ids;
+}
+
+/// Up to nine bodies stand in order of their numbers.
+Ids agentsAmong(const World& world, std::size_t begin, std::size_t end) {
+  return agentsOf(Eyes().look(world, FAR_SIGHT, begin, end));
+}
+
+TEST(PerceiveSome, TellsOfTheAgentsAmongTheBodies) {
+  const World world(scenes::scene({wanderer({0.0, 0.0}), wanderer({3.0, 0.0}), wanderer({6.0, 0.0})},
+                                  {pillar({0.0, 5.0}, 0.5), pillar({3.0, 5.0}, 0.5)}));
+  ASSERT_EQ(world.bodyCount(), 5U);
+  EXPECT_EQ(agentsAmong(world, 0, 5), (Ids{0, 1, 2}));
+  EXPECT_EQ(agentsAmong(world, 1, 2), Ids{1});
+  EXPECT_EQ(agentsAmong(world, 2, 4), Ids{2});
+  EXPECT_EQ(agentsAmong(world, 3, 5), Ids{});  // obstacles look at nothing
+  EXPECT_EQ(agentsAmong(world, 2, 2), Ids{});
+}
+
+TEST(PerceiveSome, ByHand) {
+  World world(scenes::halfSeconds(scenes::scene({wanderer({0.0, 0.0}, 1.0), wanderer({3.0, 4.0}, 1.0)},
+                                                {pillar({0.0, -2.0}, 0.5)}, {{{-1.0, -9.0}, {-1.0, 9.0}}})));
+  world.step({{0, {0.0, 1.0}}, {1, {PI / 2, 1.0}}});  // to (0.5, 0) and (3, 4.5)
+  Eyes eyes;
+  const Perceptions& perceptions = eyes.look(world, FAR_SIGHT, 1, 3);
+  EXPECT_EQ(perceptions.tick, 1U);
+  EXPECT_EQ(perceptions.tick_duration, 0.5);
+  ASSERT_EQ(agentsOf(perceptions), Ids{1});
+  const Perception seen(perceptions, 0);
+  expectVector(seen.self.pose.position, 3.0, 4.5);
+  expectVector(seen.self.velocity, 1.0, 0.0);
+  EXPECT_TRUE(seen.self.acted);
+  ASSERT_EQ(seen.bodies.size(), 2U);
+  expectVector(seen.bodies[0].position, -4.5, 2.5);  // it looks north: south is behind, west is left
+  expectVector(seen.bodies[0].velocity, 0.0, -1.0);
+  EXPECT_EQ(seen.bodies[0].kind, BodyKind::AGENT);
+  expectVector(seen.bodies[1].position, -6.5, 3.0);
+  EXPECT_EQ(seen.bodies[1].kind, BodyKind::OBSTACLE);
+  ASSERT_EQ(seen.walls.size(), 1U);
+  expectVector(seen.walls[0].from, -13.5, 4.0);
+  expectVector(seen.walls[0].to, 4.5, 4.0);
+}
+
+TEST(PerceiveSome, LeavesOutWhoHasArrivedOrWasRemoved) {
+  World world(scenes::halfSeconds(
+      scenes::scene({agent({0.0, 0.0}, {0.5, 0.0}, 1.0), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})));
+  world.step({ahead(0)});
+  ASSERT_TRUE(lookAround(world).agents.at(0).arrived);  // perceive() tells of it once more
+  ASSERT_EQ(world.bodyCount(), 2U);
+  EXPECT_EQ(agentsAmong(world, 0, 2), (Ids{1, 2}));
+  world.removeAgent(1);
+  ASSERT_EQ(world.bodyCount(), 1U);
+  EXPECT_EQ(agentsAmong(world, 0, 1), Ids{2});
+}
+
+/// What everybody perceives who is still on its way.
+using Everybody = std::map<AgentId, Bits>;
+
+/// How much of what was compared.
+struct Count {
+  std::size_t bodies = 0;
+  std::size_t walls = 0;
+  std::size_t arrived = 0;
+  std::size_t lists = 0;
+};
+
+Everybody seenAtOnce(World& world, const Vision& vision, Count& count) {
+  Perceptions perceptions;
+  world.perceive(vision, perceptions);
+  Everybody everybody;
+  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
+    const Perception seen(perceptions, i);
+    count.bodies += seen.bodies.size();
+    count.walls += seen.walls.size();
+    if (seen.self.arrived) {
+      ++count.arrived;
+    } else {
+      everybody[seen.self.agent] = bitsOf(seen);
+    }
+  }
+  count.lists += perceptions.order.empty() ? 1 : 0;
+  return everybody;
+}
+
+/// In blocks of up to so many bodies, some of them of none, by several eyes in turn.
+Everybody seenInBlocks(const World& world, const Vision& vision, std::size_t longest, KeyedRandom& random,
+                       std::array<Eyes, 3>& eyes) {
+  Everybody everybody;
+  for (std::size_t begin = 0; begin < world.bodyCount();) {
+    const std::size_t size = random.below(static_cast<std::uint32_t>(longest) + 1);
+    const std::size_t end = std::min(begin + size, world.bodyCount());
+    const Perceptions& perceptions = eyes[random.below(3)].look(world, vision, begin, end);
+    EXPECT_EQ(perceptions.tick, world.tick());
+    for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
+      const Perception seen(perceptions, i);
+      EXPECT_TRUE(everybody.emplace(seen.self.agent, bitsOf(seen)).second) << "agent " << seen.self.agent << " again";
+    }
+    begin = end;
+  }
+  return everybody;
+}
+
+TEST(PerceiveSome, SeesTheSameAsPerceiveInWhateverBlocks) {
+  const std::array<Vision, 4> visions = {{{6.0, 0}, {6.0, 3}, {6.0, 0, true}, {3.0, 3, true}}};
+  std::array<Count, 4> counts;
+  std::array<Eyes, 3> eyes;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
+    World world(scenes::randomScene(seed, seed % 4 == 0 ? 3 : 40));
+    for (int tick = 0; tick < 25; ++tick) {
+      if (tick == 10 && world.isActive(1)) world.removeAgent(1);
+      for (std::size_t i = 0; i < visions.size(); ++i) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", tick " << tick << ", vision " << i);
+        const Everybody expected = seenAtOnce(world, visions[i], counts[i]);
+        for (const std::size_t longest : {std::size_t{1}, std::size_t{7}, 2 * world.bodyCount()}) {
+          ASSERT_EQ(seenInBlocks(world, visions[i], longest, random, eyes), expected);
+        }
+      }
+      world.step(scenes::purposefulActions(world, random));
+    }
+  }
+  for (const Count& count : counts) {
+    EXPECT_GT(count.walls, 1000U);
+    EXPECT_GT(count.arrived, 100U);
+    EXPECT_GT(count.lists, 100U);
+    EXPECT_LT(count.lists, 2400U);  // of 2500: not all worlds were so small
+  }
+  EXPECT_LT(counts[1].bodies, counts[0].bodies);  // some perceived more than 3
+  EXPECT_LT(counts[2].bodies, counts[0].bodies);  // some were hidden
+}
+
+}  // namespace
+}  // namespace crowd
