@@ -77,6 +77,12 @@ TEST(RecyclerRenew, LeavesWhatNobodyElseHolds) {
     ASSERT_EQ(held.get(), first);
   }
   EXPECT_EQ(*held, std::vector<int>(100, 7));
+  const Pointer other = held;
+  recycler.renew(held);
+  const std::vector<int>* const second = held.get();
+  EXPECT_NE(second, first);
+  recycler.renew(held);
+  EXPECT_EQ(held.get(), second);
 }
 
 TEST(RecyclerRenew, NeverGivesWhatSomebodyElseHolds) {
