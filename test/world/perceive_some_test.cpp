@@ -70,7 +70,7 @@ Ids agentsOf(const Perceptions& perceptions) {
   return ids;
 }
 
-/// Up to nine bodies stand in order of their numbers.
+/// Up to eight bodies stand in order of their numbers.
 Ids agentsAmong(const World& world, std::size_t begin, std::size_t end) {
   return agentsOf(Eyes().look(world, FAR_SIGHT, begin, end));
 }
@@ -160,10 +160,14 @@ Everybody seenInBlocks(const World& world, const Vision& vision, std::size_t lon
     const std::size_t end = std::min(begin + size, world.bodyCount());
     const Perceptions& perceptions = eyes[random.below(3)].look(world, vision, begin, end);
     EXPECT_EQ(perceptions.tick, world.tick());
+    EXPECT_TRUE(perceptions.order.empty());
+    std::size_t walls = 0;
     for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
       const Perception seen(perceptions, i);
       EXPECT_TRUE(everybody.emplace(seen.self.agent, bitsOf(seen)).second) << "agent " << seen.self.agent << " again";
+      walls += seen.walls.size();
     }
+    EXPECT_EQ(perceptions.walls.size(), walls) << "some of nobody";
     begin = end;
   }
   return everybody;
@@ -176,6 +180,7 @@ TEST(PerceiveSome, SeesTheSameAsPerceiveInWhateverBlocks) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
     World world(scenes::randomScene(seed, seed % 4 == 0 ? 3 : 40));
+    world.perceive(visions[0], eyes[0].perceptions);  // what is there before does not matter
     for (int tick = 0; tick < 25; ++tick) {
       if (tick == 10 && world.isActive(1)) world.removeAgent(1);
       for (std::size_t i = 0; i < visions.size(); ++i) {
