@@ -18,6 +18,7 @@ using Decision = std::tuple<AgentId, double, double>;
 
 std::vector<Decision> toDecisions(const std::vector<AgentAction>& actions) {
   std::vector<Decision> decisions;
+  decisions.reserve(actions.size());
   for (const AgentAction& given : actions) {
     decisions.emplace_back(given.agent, given.action.rotation, given.action.speed_share);
   }
