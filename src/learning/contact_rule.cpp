@@ -73,55 +73,47 @@ void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t co
   for (std::size_t block = 0; block < blocksOf(count); ++block) apply(limit, reach, moves[block]);
 }
 
-/// Some bodies, and those among them that may limit a move: obstacles that do not move, and agents that are not so far
-/// away that their limit lies beyond the longest displacement of a tick. An agent's does if half of the gap does, less
-/// what the plane between both may go towards this one.
-class LimitingBodies {
- public:
-  static constexpr std::size_t MOST = PerceivedBodies::MARGIN;
+/// Bodies are looked at so many at a time; bit i of a set of them stands for body first + i.
+constexpr std::size_t LOOKED_AT = PerceivedBodies::MARGIN;
+using BodySet = std::uint64_t;
 
-  /// From a number on, MOST at most.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count_` mean anything
-  LimitingBodies(const Perception& perception, std::size_t first, double reach) {
-    std::array<std::int64_t, MOST> near;  // NOLINT(cppcoreguidelines-pro-type-member-init): findNear() writes it
-    findNear(perception.bodies, first, perception.self, reach, perception.tick_duration, near);
-    const BodyKind* const kinds = perception.bodies.kinds() + first;
-    const std::size_t end = std::min(MOST, perception.bodies.size() - first);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < end; ++i) {
-      // Written in any case and kept by counting on: a branch would often be guessed wrong.
-      limiting_[count] = first + i;
-      const bool is_agent = kinds[i] == BodyKind::AGENT;
-      count += is_agent ? static_cast<std::size_t>(near[i]) : (isMover(perception.bodies[first + i]) ? 0 : 1);
-    }
-    count_ = count;
+std::size_t firstOf(BodySet set) { return static_cast<std::size_t>(__builtin_ctzll(set)); }
+
+/// Those of LOOKED_AT bodies which, as agents, are not so far away that their limit lies beyond the longest
+/// displacement of a tick: it does if half of the gap does, less what the plane between both may go towards this one.
+CROWD_VECTORISED BodySet findNear(const PerceivedBodiesView& bodies, std::size_t first, const AgentPerception& self,
+                                  double reach, double tick_duration) {
+  const double* xs = bodies.xs() + first;
+  const double* ys = bodies.ys() + first;
+  const double* vxs = bodies.vxs() + first;
+  const double* vys = bodies.vys() + first;
+  const double* radii = bodies.radii() + first;
+  const double vx = self.velocity.x();
+  const double vy = self.velocity.y();
+  const double room = 2.0 * (reach + MARGIN);
+  BodySet near = 0;
+  for (std::size_t i = 0; i < LOOKED_AT; ++i) {
+    const double drift = tick_duration * (std::abs(vx + vxs[i]) + std::abs(vy + vys[i]));
+    const double apart = self.radius + radii[i] + room + drift + ROUNDING;
+    near |= xs[i] * xs[i] + ys[i] * ys[i] > apart * apart ? BodySet{0} : BodySet{1} << i;
   }
-  const std::size_t* begin() const { return limiting_.data(); }
-  const std::size_t* end() const { return limiting_.data() + count_; }
+  return near;
+}
 
- private:
-  /// 1 for those that are not far, 0 for others.
-  CROWD_VECTORISED static void findNear(const PerceivedBodiesView& bodies, std::size_t first,
-                                        const AgentPerception& self, double reach, double tick_duration,
-                                        std::array<std::int64_t, MOST>& near) {
-    const double* xs = bodies.xs() + first;
-    const double* ys = bodies.ys() + first;
-    const double* vxs = bodies.vxs() + first;
-    const double* vys = bodies.vys() + first;
-    const double* radii = bodies.radii() + first;
-    const double vx = self.velocity.x();
-    const double vy = self.velocity.y();
-    const double room = 2.0 * (reach + MARGIN);
-    for (std::size_t i = 0; i < MOST; ++i) {
-      const double drift = tick_duration * (std::abs(vx + vxs[i]) + std::abs(vy + vys[i]));
-      const double apart = self.radius + radii[i] + room + drift + ROUNDING;
-      near[i] = xs[i] * xs[i] + ys[i] * ys[i] > apart * apart ? 0 : 1;
-    }
+/// Those among the bodies that may limit a move: agents that are near, and obstacles that do not move.
+BodySet findLimiting(const Perception& perception, std::size_t first, double reach) {
+  const PerceivedBodiesView& bodies = perception.bodies;
+  const std::size_t count = std::min(LOOKED_AT, bodies.size() - first);
+  BodySet limiting =
+      findNear(bodies, first, perception.self, reach, perception.tick_duration) & ((BodySet{1} << count) - 1);
+  if (!bodies.hasObstacles()) return limiting;
+  for (std::size_t i = 0; i < count; ++i) {
+    const PerceivedBody body = bodies[first + i];
+    if (body.kind == BodyKind::AGENT) continue;
+    limiting = isMover(body) ? limiting & ~(BodySet{1} << i) : limiting | BodySet{1} << i;
   }
-
-  std::array<std::size_t, MOST> limiting_;
-  std::size_t count_ = 0;
-};
+  return limiting;
+}
 
 }  // namespace
 
@@ -151,9 +143,9 @@ void ContactRule::cutToGaps(const Perception& perception, MoveBlock* moves, std:
   if (sharing_ == GapSharing::NONE) return;
   const AgentPerception& self = perception.self;
   const double reach = self.speed * perception.tick_duration;
-  for (std::size_t first = 0; first < perception.bodies.size(); first += LimitingBodies::MOST) {
-    for (const std::size_t i : LimitingBodies(perception, first, reach)) {
-      const PerceivedBody body = perception.bodies[i];
+  for (std::size_t first = 0; first < perception.bodies.size(); first += LOOKED_AT) {
+    for (BodySet left = findLimiting(perception, first, reach); left != 0; left &= left - 1) {
+      const PerceivedBody body = perception.bodies[first + firstOf(left)];
       const bool agent = body.kind == BodyKind::AGENT;
       cutToGap(agent ? limitOfAgent(self, body, perception.tick_duration, sharing_) : limitOfObstacle(self, body),
                reach, moves, count);

@@ -25,7 +25,6 @@ CROWD_VECTORISED void turn(const MoveBlock& fan, const Vector2& bearing, std::si
     moves.y[i] = i < turned ? y : fan.y[i];
   }
   moves.wanted = fan.wanted;
-  moves.share = fan.wanted;
 }
 
 }  // namespace

@@ -47,10 +47,9 @@ Action QTable::greedyAmong(const Rows& rows) const {
   double highest = value(0, rows);
   for (Action action = 1; action < actions_; ++action) {
     const double candidate = value(action, rows);
-    if (candidate > highest) {
-      highest = candidate;
-      best = action;
-    }
+    const bool higher = candidate > highest;
+    highest = higher ? candidate : highest;
+    best = higher ? action : best;
   }
   return best;
 }
