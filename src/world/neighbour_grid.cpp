@@ -11,8 +11,8 @@ void NeighbourGrid::clear() {
   max_radius_ = 0.0;
 }
 
-void NeighbourGrid::add(const Vector2& centre, double radius, std::uint32_t body) {
-  added_.push_back({centre, radius, body});
+void NeighbourGrid::add(const Vector2& centre, double radius, std::uint32_t body, const Vector2& velocity) {
+  added_.push_back({centre, radius, body, velocity});
   max_radius_ = std::max(max_radius_, radius);
 }
 
@@ -21,6 +21,7 @@ void NeighbourGrid::build(double cell_size) {
   ys_.resize(added_.size());
   radii_.resize(added_.size());
   bodies_.resize(added_.size());
+  velocities_.resize(added_.size());
   if (added_.size() <= FEW) {
     for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], i);
     return;
@@ -65,6 +66,7 @@ void NeighbourGrid::place(const Disc& disc, std::size_t where) {
   ys_[where] = disc.centre.y();
   radii_[where] = disc.radius;
   bodies_[where] = disc.body;
+  velocities_[where] = disc.velocity;
 }
 
 View<NeighbourGrid::Run> NeighbourGrid::findRunsNear(const Vector2& point, double distance, Runs& space) const {

@@ -97,30 +97,23 @@ inline void World::updateGrid() {
   std::size_t disc = 0;
   for (const Agent& agent : agents_) {
     if (!agent.isWalking()) continue;
-    grid_.move(disc, agent.pose.position);
-    disc_velocities_[disc++] = agent.velocity;
+    grid_.move(disc++, agent.pose.position, agent.velocity);
   }
   for (const std::size_t i : moving_obstacles_) {
-    grid_.move(disc + i, obstacle_positions_[i]);
-    disc_velocities_[disc + i] = obstacle_velocities_[i];
+    grid_.move(disc + i, obstacle_positions_[i], obstacle_velocities_[i]);
   }
 }
 
 void World::rebuildGrid() {
   grid_.clear();
   for (const Agent& agent : agents_) {
-    if (agent.isWalking()) grid_.add(agent.pose.position, agent.radius, agent.id);
+    if (agent.isWalking()) grid_.add(agent.pose.position, agent.radius, agent.id, agent.velocity);
   }
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    grid_.add(obstacle_positions_[i], obstacles_[i].radius, static_cast<std::uint32_t>(agents_.size() + i));
+    const auto body = static_cast<std::uint32_t>(agents_.size() + i);
+    grid_.add(obstacle_positions_[i], obstacles_[i].radius, body, obstacle_velocities_[i]);
   }
   grid_.build(CELL_SIZE);
-  disc_velocities_.resize(grid_.size());
-  for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
-    const std::uint32_t body = grid_.body(disc);
-    const bool is_agent = body < agents_.size();
-    disc_velocities_[disc] = is_agent ? agents_[body].velocity : obstacle_velocities_[body - agents_.size()];
-  }
 }
 
 void World::step(const std::vector<AgentAction>& actions, Workers& workers) {

@@ -116,7 +116,7 @@ inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, c
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::uint32_t disc = found[i].disc;
     bodies.set(first + i,
-               {frame.intoFrame(grid_.centre(disc) - agent.pose.position), frame.intoFrame(disc_velocities_[disc]),
+               {frame.intoFrame(grid_.centre(disc) - agent.pose.position), frame.intoFrame(grid_.velocity(disc)),
                 grid_.radius(disc), grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE});
   }
 }

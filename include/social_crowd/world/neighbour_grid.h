@@ -17,21 +17,23 @@ class NeighbourGrid {
     Vector2 centre = Vector2::Zero();  ///< [m]
     double radius = 0.0;               ///< [m]
     std::uint32_t body = 0;
+    Vector2 velocity = Vector2::Zero();  ///< [m/s]; means nothing to the grid
   };
 
   /// @brief Takes everything out.
   void clear();
   /// @brief Adds a disc (see Disc), which is found once build() was called.
-  void add(const Vector2& centre, double radius, std::uint32_t body);
+  void add(const Vector2& centre, double radius, std::uint32_t body, const Vector2& velocity = Vector2::Zero());
   /// @brief Sorts what was added into cells of about this size [m]; to be called after the last add().
   void build(double cell_size);
 
   /// @brief Whether there are so few discs that they are kept in order of add(), and may move().
   bool isList() const { return bodies_.size() <= FEW; }
-  /// @brief Puts a disc of a list in another place [m].
-  void move(std::size_t disc, const Vector2& centre) {
+  /// @brief Puts a disc of a list in another place [m], with another velocity [m/s].
+  void move(std::size_t disc, const Vector2& centre, const Vector2& velocity) {
     xs_[disc] = centre.x();
     ys_[disc] = centre.y();
+    velocities_[disc] = velocity;
   }
 
   /// @brief Number of discs, in order of the cells.
@@ -44,6 +46,7 @@ class NeighbourGrid {
   const std::uint32_t* bodies() const { return bodies_.data(); }
   double radius(std::size_t disc) const { return radii_[disc]; }
   std::uint32_t body(std::size_t disc) const { return bodies_[disc]; }
+  const Vector2& velocity(std::size_t disc) const { return velocities_[disc]; }
 
   /// @brief Discs begin .. end-1, in order of the cells.
   struct Run {
@@ -104,6 +107,7 @@ class NeighbourGrid {
   std::vector<double> ys_;
   std::vector<double> radii_;
   std::vector<std::uint32_t> bodies_;
+  std::vector<Vector2> velocities_;
   Vector2 origin_ = Vector2::Zero();
   double cells_per_metre_ = 1.0;
   double max_radius_ = 0.0;

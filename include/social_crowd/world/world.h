@@ -159,7 +159,6 @@ class World {
   std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
   Looker looker_;                              // of perceive()
   std::vector<std::uint32_t> places_;          // place in Perceptions::agents of each agent
-  std::vector<Vector2> disc_velocities_;       // of the discs of the grid
 };
 
 }  // namespace crowd
