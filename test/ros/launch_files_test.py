@@ -5,6 +5,7 @@ import re
 
 import rospy
 import support
+from learning_files import QTableFile, recipe_text
 from social_crowd.msg import AgentStates
 
 SCENARIO = support.data('lockstep.yaml')
@@ -106,9 +107,9 @@ class TrainTest(LaunchTestCase):
 
     def test_it_leaves_a_table_that_can_be_used(self):
         file = self.path('trained.txt')
-        recipe = self.write('recipe.yaml', support.recipe_text(SCENARIO, 1))
+        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 1))
         self.assert_ends_well(self.launch('train.launch', output=file, config=recipe, episodes=3, seed=2))
-        table = support.QTableFile(file)
+        table = QTableFile(file)
         self.assertGreater(table.header['decisions'], 100)
         self.assertEqual(table.header['seed'], 2)
         self.assertIn('circle6', self.tool('evaluate', '--q-table', file, '--episodes', 1, support.CIRCLE6))
@@ -117,8 +118,8 @@ class TrainTest(LaunchTestCase):
         file = self.path('trained.txt')
         self.assert_ends_well(self.launch('train.launch', output=file, q_table=support.NEAREST_TABLE, episodes=2,
                                           tables='own', save_every=1))
-        before = support.QTableFile(support.NEAREST_TABLE).header['decisions']
-        self.assertGreater(support.QTableFile(self.path('trained_agent_0.txt')).header['decisions'], before)
+        before = QTableFile(support.NEAREST_TABLE).header['decisions']
+        self.assertGreater(QTableFile(self.path('trained_agent_0.txt')).header['decisions'], before)
 
     def test_output_must_be_given(self):
         launched = self.launch('train.launch')

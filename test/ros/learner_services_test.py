@@ -3,6 +3,7 @@
 import math
 
 import support
+from learning_files import QTableFile, recipe_text
 from perceiving import Perceiver, add_agent, ahead, all_situations, perceptions
 from rosgraph_msgs.msg import Log
 from social_crowd.msg import LearnerStatus
@@ -23,13 +24,13 @@ class LearnerTestCase(support.CrowdTestCase):
 
     def start_untrained(self, **parameters):
         """Starts a learner that knows nothing and explores nothing."""
-        recipe = self.write('recipe.yaml', support.recipe_text(support.CIRCLE6, 1))
+        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1))
         self.start_one(config=recipe, mode='training', epsilon=0.0, **parameters)
 
     def saved(self):
         """The learner's table."""
         self.succeed('learner/save_q_table', file=self.path('saved.txt'))
-        return support.QTableFile(self.path('saved.txt'))
+        return QTableFile(self.path('saved.txt'))
 
     def walk(self, episode, ticks, acted=True):
         """An agent that has its goal 45 degrees to the left, tick for tick; its answers."""
@@ -149,7 +150,7 @@ class LearningParametersTest(LearnerTestCase):
 
     def test_epsilon_set_while_running_replaces_the_schedule(self):
         learning = '{alpha: 0.2, epsilon: {from: 0.8, to: 0.2, episodes: 10}}'
-        recipe = self.write('schedule.yaml', support.recipe_text(support.CIRCLE6, 1, learning=learning))
+        recipe = self.write('schedule.yaml', recipe_text(support.CIRCLE6, 1, learning=learning))
         self.start_one(config=recipe, mode='training')
         self.walk(5, 1)
         self.status.wait(lambda status: status.episode == 5 and abs(status.epsilon - 0.5) < 1e-12)
@@ -170,7 +171,7 @@ class StatusTest(LearnerTestCase):
         self.assertEqual(status.node, f'{self.namespace}/learner')
         self.assertEqual((status.mode, status.tables), ('demo', 'shared'))
         self.assertEqual((status.serves_all, tuple(status.agents)), (False, (1, 3)))
-        table = support.QTableFile(support.NEAREST_TABLE)
+        table = QTableFile(support.NEAREST_TABLE)
         self.assertEqual((status.rows, status.actions), (137, 8))
         self.assertEqual(status.visited_rows, table.header['visited_rows'])
         self.assertEqual(status.decisions, table.header['decisions'])

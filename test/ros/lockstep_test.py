@@ -4,6 +4,7 @@ import math
 
 import rospy
 import support
+from learning_files import QTableFile, recipe_text
 from roslib.packages import find_node
 from social_crowd.msg import EpisodeResult
 
@@ -116,11 +117,11 @@ class TrainingTest(support.CrowdTestCase):
 
     def train_headless(self, scenario, tables):
         """Trains without ROS; the recipe's path, the table's path and what it learned from."""
-        text = support.recipe_text(scenario, self.EPISODES, self.SEED, tables, self.LEARNING)
+        text = recipe_text(scenario, self.EPISODES, self.SEED, tables, self.LEARNING)
         recipe = self.write('recipe.yaml', text)
         table = self.path('headless.txt')
         self.tool('train', recipe, '--output', table)
-        return recipe, table, support.QTableFile(table).header['decisions']
+        return recipe, table, QTableFile(table).header['decisions']
 
     def walk(self, scenario):
         """Walks the episodes through ROS."""
@@ -133,7 +134,7 @@ class TrainingTest(support.CrowdTestCase):
 
         def has_all():
             self.succeed(f'{learner}/save_q_table', file=file, agent=0)
-            return support.QTableFile(file).header['decisions'] >= decisions
+            return QTableFile(file).header['decisions'] >= decisions
 
         support.wait_for(has_all, f'{decisions} decisions learned from')
         return file
@@ -171,8 +172,8 @@ class TrainingTest(support.CrowdTestCase):
         self.start_node('learner_crew', 'learner_crew',
                         {f'learner/{name}': value for name, value in parameters.items()})
         self.walk(SCENARIO)
-        expected = support.QTableFile(headless)
-        saved = support.QTableFile(self.saved_after('learner_0', expected.visits()))
+        expected = QTableFile(headless)
+        saved = QTableFile(self.saved_after('learner_0', expected.visits()))
         self.assertEqual(saved.rows, expected.rows)
         self.assertEqual(dict(saved.header, decisions=0), dict(expected.header, decisions=0))
 

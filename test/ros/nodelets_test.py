@@ -6,6 +6,7 @@ import xmlrpc.client
 import rosgraph
 import rospy
 import support
+from learning_files import QTableFile, recipe_text
 from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
 from visualization_msgs.msg import MarkerArray
 
@@ -119,9 +120,9 @@ class TrainingTest(NodeletTestCase):
 
     def test_the_same_table_as_without_ros(self):
         learning = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
-        recipe = self.write('recipe.yaml', support.recipe_text(SCENARIO, 5, 3, 'shared', learning))
+        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 5, 3, 'shared', learning))
         self.tool('train', recipe, '--output', self.path('headless.txt'))
-        decisions = support.QTableFile(self.path('headless.txt')).header['decisions']
+        decisions = QTableFile(self.path('headless.txt')).header['decisions']
         status = self.listen('learner_status', LearnerStatus)
         learner = self.load('learner', mode='training', config=recipe, seed=3, save_to=self.path('ros.txt'))
         status.wait(what='that the learner is there')
@@ -129,7 +130,7 @@ class TrainingTest(NodeletTestCase):
 
         def has_all():
             self.succeed('learner/save_q_table', file=self.path('saved.txt'), agent=0)
-            return support.QTableFile(self.path('saved.txt')).header['decisions'] >= decisions
+            return QTableFile(self.path('saved.txt')).header['decisions'] >= decisions
 
         support.wait_for(has_all, f'{decisions} decisions learned from')
         self.assertEqual(learner.stop(), 0)  # unloads it, and it saves what it has learned

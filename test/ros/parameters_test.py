@@ -3,6 +3,7 @@
 import os
 
 import support
+from learning_files import recipe_text
 
 NAN, INFINITE = float('nan'), float('inf')
 SCENE = """
@@ -152,7 +153,7 @@ class LearnerParametersTest(RefusalTestCase):
         self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
 
     def test_contradictory(self):
-        recipe = self.write('recipe.yaml', support.recipe_text(support.CIRCLE6, 1))
+        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1))
         bad = {'q_table': support.OCCUPANCY_TABLE, 'config': recipe, 'save_every': 5, 'agents': [1, 2, 1]}
         message = self.assert_all_named(self.start_plain(mode='training', **bad), 'q_table', 'save_every', 'agents')
         self.assert_says(message, 'another state set', 'save_to', 'agent 1')
@@ -163,7 +164,7 @@ class LearnerParametersTest(RefusalTestCase):
 
     def test_files_that_cannot_be_read(self):
         table = self.write('table.txt', 'no table')
-        recipe = self.write('recipe.yaml', support.recipe_text(support.CIRCLE6, 1) + 'colour: red\n')
+        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1) + 'colour: red\n')
         message = self.assert_all_named(self.start_plain(mode='training', q_table=table, config=recipe), 'q_table',
                                         'config')
         self.assert_says(message, table, 'line 1', recipe, 'colour')

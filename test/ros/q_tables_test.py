@@ -4,6 +4,7 @@ import os
 import threading
 
 import support
+from learning_files import QTableFile, q_table_text, recipe_text
 from perceiving import Perceiver, all_situations
 from social_crowd.msg import LearnerStatus
 
@@ -24,7 +25,7 @@ class TableTestCase(support.CrowdTestCase):
         """The rows of an agent's table."""
         file = self.path('saved.txt')
         self.succeed(f'{learner}/save_q_table', file=file, agent=agent)
-        return support.QTableFile(file).rows
+        return QTableFile(file).rows
 
 
 class SaveAndLoadTest(TableTestCase):
@@ -33,7 +34,7 @@ class SaveAndLoadTest(TableTestCase):
     def trained_table(self):
         """A table that decides otherwise than the thesis's."""
         scenario = support.in_package('config', 'scenarios', 'training_single.yaml')
-        recipe = self.write('recipe.yaml', support.recipe_text(scenario, 20))
+        recipe = self.write('recipe.yaml', recipe_text(scenario, 20))
         self.tool('train', recipe, '--output', self.path('trained.txt'))
         return self.path('trained.txt')
 
@@ -50,7 +51,7 @@ class SaveAndLoadTest(TableTestCase):
         response = self.succeed('learner_b/load_q_table', file=self.path('table.txt'))
         self.assert_says(response.message, self.path('table.txt'))
         self.assertEqual(perceiver.ask(all_situations(tick=2)), by_a)
-        self.assertEqual(self.saved('learner_b'), support.QTableFile(self.path('table.txt')).rows)
+        self.assertEqual(self.saved('learner_b'), QTableFile(self.path('table.txt')).rows)
 
     def test_saved_twice_is_the_same_file(self):
         """A table read and written again loses no bit."""
@@ -59,8 +60,7 @@ class SaveAndLoadTest(TableTestCase):
         self.succeed('learner/load_q_table', file=self.path('first.txt'))
         self.succeed('learner/save_q_table', file=self.path('second.txt'))
         self.assertEqual(support.read_text(self.path('first.txt')), support.read_text(self.path('second.txt')))
-        self.assertEqual(support.QTableFile(self.path('first.txt')).rows,
-                         support.QTableFile(support.NEAREST_TABLE).rows)
+        self.assertEqual(QTableFile(self.path('first.txt')).rows, QTableFile(support.NEAREST_TABLE).rows)
 
     def bad_files(self):
         """Files that are no tables for this learner: name, content."""
@@ -76,7 +76,7 @@ class SaveAndLoadTest(TableTestCase):
             'more_after_the_end.txt': good + 'more\n',
             'another_version.txt': good.replace('Q-table 1', 'Q-table 2', 1),
             'not_a_table.txt': 'name: circle6\n',
-            'not_finite.txt': support.q_table_text({0: {0: (1, float('inf'))}}),
+            'not_finite.txt': q_table_text({0: {0: (1, float('inf'))}}),
             'another_action_set.txt': other_actions,
         }
 
@@ -98,7 +98,7 @@ class SaveAndLoadTest(TableTestCase):
         self.refuse('learner/save_q_table', support.NEAREST_TABLE, file=support.NEAREST_TABLE + '/table.txt')
 
     def test_own_tables_are_saved_by_agent(self):
-        self.start_learner(q_table=self.write('a.txt', support.q_table_text(TABLE_A)), tables='own', agents=[4])
+        self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4])
         self.assertEqual(self.saved('learner', agent=4), full(TABLE_A))
         self.refuse('learner/save_q_table', 'agent 3', file=self.path('saved.txt'), agent=3)
 
@@ -108,8 +108,8 @@ class ShareTest(TableTestCase):
 
     def start_both(self, tables='own', **parameters):
         """Starts both; they know each other then, and each has its table."""
-        self.a = self.write('a.txt', support.q_table_text(TABLE_A))
-        self.b = self.write('b.txt', support.q_table_text(TABLE_B))
+        self.a = self.write('a.txt', q_table_text(TABLE_A))
+        self.b = self.write('b.txt', q_table_text(TABLE_B))
         self.start_learner('learner_a', q_table=self.a, agents=[0, 1], tables=tables)
         self.start_learner('learner_b', q_table=self.b, agents=[2, 3], tables=tables, **parameters)
         self.wait_until_known('learner_a', 0, 2)
@@ -219,7 +219,7 @@ class ShareTest(TableTestCase):
         response = support.wait_for(is_told, 'learner_a to know the learner of agent 4')
         self.assert_says(response.message, 'learner_c')
         self.assertEqual(tuple(response.taken_by), ())
-        self.assertEqual(self.saved('learner_c', 4), support.QTableFile(support.OCCUPANCY_TABLE).rows)
+        self.assertEqual(self.saved('learner_c', 4), QTableFile(support.OCCUPANCY_TABLE).rows)
 
     def test_many_share_with_each_other_at_the_same_time(self):
         """Each call waits for the other learner to take the table: nobody may wait for ever."""
@@ -254,10 +254,10 @@ class SaveToTest(support.CrowdTestCase):
         controller = self.start_controller(scenario, episodes=3)
         self.assertEqual(controller.wait(), 0)
         support.wait_for(lambda: os.path.exists(file), 'the table after two episodes')
-        on_the_way = support.QTableFile(file)
+        on_the_way = QTableFile(file)
         self.assertEqual(learner.stop(), 0)
-        at_the_end = support.QTableFile(file)
-        before = support.QTableFile(support.NEAREST_TABLE)
+        at_the_end = QTableFile(file)
+        before = QTableFile(support.NEAREST_TABLE)
         self.assertGreater(on_the_way.header['decisions'], before.header['decisions'])
         self.assertGreater(at_the_end.header['decisions'], on_the_way.header['decisions'])
 

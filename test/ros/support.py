@@ -1,4 +1,4 @@
-"""What the rostests share: nodes as processes of their own, waiting with a deadline, recordings, Q-table files."""
+"""What the rostests share: nodes as processes of their own, waiting with a deadline, recordings."""
 import os
 import re
 import shutil
@@ -14,7 +14,6 @@ import xml.etree.ElementTree as ElementTree
 import rospkg
 import rospy
 import rostest
-import yaml
 from roslib.packages import find_node
 from social_crowd import srv
 from std_srvs.srv import SetBool
@@ -357,61 +356,6 @@ def read_recording(file):
     """Positions by (instance, tick, agent)."""
     rows = [line.split(',') for line in read_text(file).splitlines()[1:]]
     return {(int(i), int(k), int(a)): (float(x), float(y)) for i, k, a, x, y in rows}
-
-
-class QTableFile:
-    """A Q-table file taken apart: header as a map, rows as {row: [(visits, value) by action]}."""
-
-    def __init__(self, file):
-        text = read_text(file)
-        head, _, body = text.partition('\n---\n')
-        self.magic, _, header = head.partition('\n')
-        self.header = yaml.safe_load(header)
-        *lines, self.checksum = body.splitlines()
-        self.rows = {}
-        for line in lines:
-            row, *words = line.split(' ')
-            self.rows[int(row)] = [(int(words[i]), float(words[i + 1])) for i in range(0, len(words), 2)]
-
-    def visits(self):
-        """All visits."""
-        return sum(visits for actions in self.rows.values() for visits, _ in actions)
-
-
-NEAREST_MODEL = """\
-state_set: {type: nearest_obstacle, goal_sectors: 8, obstacle_sectors: [15, 45, 90, 180], collision_radius: 0.5, \
-vision_radius: 1}
-action_set: {type: kings_moves, rotations: 8}
-reward: {goal: cosine_cubed, arrival: 100, obstacle_cost: 80}
-rows: 137
-actions: 8
-"""
-
-
-def q_table_text(rows, decisions=0):
-    """A Q-table file for the thesis's first state set; rows are {row: {action: (visits, value)}}."""
-    text = f'social_crowd Q-table 1\n{NEAREST_MODEL}alpha: 0.1\ngamma: 0.1\nlambda: 0\nepsilon: 0.1\n'
-    text += f'decisions: {decisions}\nseed: 1\nvisited_rows: {len(rows)}\n---\n'
-    for row, actions in sorted(rows.items()):
-        cells = [actions.get(action, (0, 0.0)) for action in range(8)]
-        text += str(row) + ''.join(f' {visits} {value:.17g}' for visits, value in cells) + '\n'
-    return f'{text}checksum: {checksum_of(text)}\n'
-
-
-def checksum_of(text):
-    """FNV-1a, 64 bits."""
-    value = 0xCBF29CE484222325
-    for byte in text.encode():
-        value = (value ^ byte) * 0x100000001B3 % 2**64
-    return f'{value:016x}'
-
-
-def recipe_text(scenario, episodes, seed=1, tables='shared', learning='{alpha: 0.2, gamma: 0.9, epsilon: 0.3}',
-                model=NEAREST_MODEL):
-    """A learning configuration."""
-    parts = ''.join(line + '\n' for line in model.splitlines() if not line.startswith(('rows', 'actions')))
-    return (f'{parts}learning: {learning}\n'
-            f'training: {{scenarios: [{scenario}], episodes: {episodes}, seed: {seed}, tables: {tables}}}\n')
 
 
 def note_skips():
