@@ -175,18 +175,6 @@ TEST(PerceivedBodiesView, FrontIsTheFirstOfIt) {
   EXPECT_TRUE(view.front(0).empty());
 }
 
-TEST(PerceivedBodiesView, ShowsWhatTheListHoldsNow) {
-  std::vector<PerceivedBody> row = rowOf({AGENT, AGENT});
-  PerceivedBodies bodies = listOf(row);
-  const PerceivedBodiesView view(bodies, 1, 1);
-  EXPECT_FALSE(view.hasObstacles());
-  row[1].kind = OBSTACLE;
-  bodies.set(1, row[1]);
-  for (int i = 0; i < 100; ++i) bodies.push_back({});  // moves to where there is room
-  expectAll(view, {row[1]});
-  EXPECT_TRUE(view.hasObstacles());
-}
-
 TEST(PerceivedBodiesView, HasObstaclesOfItsOwnAlone) {
   const PerceivedBodies bodies = listOf(rowOf({AGENT, AGENT, OBSTACLE, AGENT, AGENT, OBSTACLE}));
   const auto has = [&](std::size_t first, std::size_t count) {
