@@ -155,12 +155,12 @@ TEST(NeighbourGrid, EveryWayOfLookingTellsTheSame) {
     std::vector<Disc> discs(9 + random.below(30));
     for (Disc& disc : discs) disc = {scenes::randomPoint(random, 4.0), random.uniform(0.0, 0.5), random.below(20)};
     const NeighbourGrid grid = gridOf(discs, 2.0);
-    const auto randomRun = [&] {
+    const auto random_run = [&] {
       const std::uint32_t begin = random.below(static_cast<std::uint32_t>(discs.size()) + 1);
       return NeighbourGrid::Run{begin, begin + random.below(static_cast<std::uint32_t>(discs.size()) + 1 - begin)};
     };
-    const NeighbourGrid::Run one = randomRun();
-    const NeighbourGrid::Run other = random.below(2) == 0 ? one : randomRun();
+    const NeighbourGrid::Run one = random_run();
+    const NeighbourGrid::Run other = random.below(2) == 0 ? one : random_run();
     const Vector2 point = scenes::randomPoint(random, 4.0);
     const double distance = random.uniform(-0.5, 1.5);
     const std::uint32_t except = random.below(20);
@@ -182,10 +182,32 @@ TEST(NeighbourGrid, EveryWayOfLookingTellsTheSame) {
 TEST(NeighbourGrid, DiscsOfAListMove) {
   NeighbourGrid grid = gridOf({{{0.0, 0.0}, 0.5, 5}, {{9.0, 0.0}, 0.5, 6}}, 2.0);
   ASSERT_TRUE(grid.isList());
-  grid.move(1, {-2.0, 1.0});
+  grid.move(1, {-2.0, 1.0}, {0.5, -0.25});
   EXPECT_EQ(find(grid, {-2.0, 3.0}, 1.5), Found{6});
   EXPECT_TRUE(find(grid, {9.0, 0.0}, 1.0).empty());
   EXPECT_EQ(find(grid, {0.0, 0.0}, 1.0), Found{5});
+  EXPECT_EQ(grid.velocity(0), Vector2(0.0, 0.0));
+  EXPECT_EQ(grid.velocity(1), Vector2(0.5, -0.25));
+}
+
+TEST(NeighbourGrid, DiscsStayWhatTheyAreWhereverTheyStand) {
+  checkManyPlaces([](std::vector<Disc> discs, double /*extent*/, KeyedRandom& random) {
+    if (random.below(4) == 0) discs.resize(std::min<std::size_t>(discs.size(), 8));  // a list
+    NeighbourGrid grid;
+    for (Disc& disc : discs) {
+      disc.velocity = scenes::randomPoint(random, 2.0);
+      grid.add(disc.centre, disc.radius, disc.body, disc.velocity);
+    }
+    grid.build(2.0);
+    ASSERT_EQ(grid.size(), discs.size());
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      const Disc& disc = discs.at((grid.body(i) - 7) / 3);  // as randomDiscs() numbers them
+      EXPECT_EQ(grid.body(i), disc.body);
+      EXPECT_EQ(grid.centre(i), disc.centre);
+      EXPECT_EQ(grid.radius(i), disc.radius);
+      EXPECT_EQ(grid.velocity(i), disc.velocity);
+    }
+  });
 }
 
 TEST(NeighbourGrid, HugeExtentsNeitherCostMemoryNorLoseDiscs) {
