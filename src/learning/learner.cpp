@@ -49,6 +49,7 @@ Learner::Learner(Model model, Options options, QTable table)
       moves_stride_(model_.state_set->needsMoves() ? blocksOf(model_.action_set->size()) : 0),
       options_(std::move(options)),
       parameters_(options_.plan.parameters),
+      step_sizes_(parameters_),
       mirror_(mirrorFor(model_, parameters_)),
       epsilon_(options_.plan.epsilon),
       chance_(options_.seed, KeyedRandom::EXPLORATION, {episode_}),
@@ -168,10 +169,11 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
     return;
   }
   if (now.arrived) {
-    memory.learner.learnTerminal(writable(memory), (*model_.reward)(memory.before, seen, 0), parameters_, mirror_);
+    memory.learner.learnTerminal(writable(memory), (*model_.reward)(memory.before, seen, 0), parameters_, step_sizes_,
+                                 mirror_);
   } else {
     const double reward = (*model_.reward)(memory.before, seen, rows[0]);
-    memory.learner.learn(writable(memory), reward, rows, parameters_, mirror_);
+    memory.learner.learn(writable(memory), reward, rows, parameters_, step_sizes_, mirror_);
     if (perceptions.last) memory.learner.resetTraces();
   }
   ++decisions_;
@@ -241,6 +243,7 @@ void Learner::setParameters(const LearningParameters& parameters) {
   const std::string problems = parameters.problems();
   if (!problems.empty()) throw InputError(problems);
   parameters_ = parameters;
+  step_sizes_ = StepSizes(parameters_);
   mirror_ = mirrorFor(model_, parameters_);
   epsilon_ = EpsilonSchedule::constant(parameters.epsilon);
 }

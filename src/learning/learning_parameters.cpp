@@ -6,16 +6,6 @@
 
 namespace crowd {
 
-double LearningParameters::keptShare(std::uint32_t first, std::uint32_t last) const {
-  double kept = 1.0;
-  for (std::uint32_t done = first; done < last; ++done) {
-    const double step = stepSize(done + 1);
-    if (step <= alpha) return kept * std::pow(1.0 - alpha, last - done);  // and so are all that follow
-    kept *= 1.0 - step;
-  }
-  return kept;
-}
-
 std::string LearningParameters::problems() const {
   std::string problems;
   const auto require = [&](bool fine, const char* name, const char* expected, double got) {

@@ -4,8 +4,8 @@ namespace crowd {
 namespace {
 
 /// Counts a visit; returns by how much it moves the value (3.1).
-double visit(QTable& table, Row row, Action action, double target, const LearningParameters& parameters) {
-  return parameters.stepSize(table.countVisit(row, action)) * (target - table.value(row, action));
+double visit(QTable& table, Row row, Action action, double target, const StepSizes& step_sizes) {
+  return step_sizes.at(table.countVisit(row, action)) * (target - table.value(row, action));
 }
 
 }  // namespace
@@ -19,11 +19,12 @@ void QLearner::fadeTraces(const QTable& table, const Rows& rows, Action action, 
   }
 }
 
-void QLearner::update(QTable& table, double target, const LearningParameters& parameters, const Mirror& mirror) {
-  const double step = visit(table, row_, action_, target, parameters);
+void QLearner::update(QTable& table, double target, const LearningParameters& parameters, const StepSizes& step_sizes,
+                      const Mirror& mirror) {
+  const double step = visit(table, row_, action_, target, step_sizes);
   const bool has_image = mirror.hasImage(row_, action_);
   const double mirrored_step =
-      has_image ? visit(table, mirror.row(row_), mirror.action(action_), target, parameters) : step;
+      has_image ? visit(table, mirror.row(row_), mirror.action(action_), target, step_sizes) : step;
   if (parameters.lambda > 0.0) return addToTraces(table, step, mirrored_step, mirror);
   table.addTo(row_, action_, step);
   if (has_image) table.addTo(mirror.row(row_), mirror.action(action_), mirrored_step);

@@ -96,8 +96,9 @@ std::vector<EpisodeResult> Training::runEpisodes(std::uint64_t each) {
 void Training::merge(QTable table) {
   std::vector<const QTable*> copies;
   for (const Learner& learner : learners_) copies.push_back(&learner.tableOf(0));
+  const StepSizes step_sizes(recipe_.learning.parameters);
   workers_.run(table.rows(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
-    mergeCopies(copies, recipe_.learning.parameters, static_cast<Row>(begin), static_cast<Row>(end), table);
+    mergeCopies(copies, step_sizes, static_cast<Row>(begin), static_cast<Row>(end), table);
   });
   for (Learner& learner : learners_) learner.takeTable(table, TakeMethod::REPLACE);
 }

@@ -206,13 +206,13 @@ TEST(MirroredLearning, TeachesTheMirrorImageTheSameTarget) {
   const Row there = 2;
   QLearner learner;
   learner.noteDecision(table, {&here, 0}, 2, HALVES);
-  learner.learn(table, 2.0, {&there, 0}, HALVES, mirror);  // target 2 + 0.5 * 8 = 6
+  learner.learn(table, 2.0, {&there, 0}, HALVES, StepSizes(HALVES), mirror);  // target 2 + 0.5 * 8 = 6
   QTable expected = table;
   expected.set(1, 2, 3.0, 1);  // half of the way from 0
   expected.set(3, 6, 5.0, 2);  // half of the way from 4
   EXPECT_EQ(table, expected);
   learner.noteDecision(table, {&here, 0}, 0, HALVES);
-  learner.learnTerminal(table, 16.0, HALVES, mirror);
+  learner.learnTerminal(table, 16.0, HALVES, StepSizes(HALVES), mirror);
   expected.set(1, 0, 8.0, 1);
   expected.set(3, 0, 8.0, 1);
   EXPECT_EQ(table, expected);
@@ -223,7 +223,7 @@ TEST(MirroredLearning, LearnsWhatIsItsOwnMirrorImageOnce) {
   const Row ahead = 0;
   QLearner learner;
   learner.noteDecision(table, {&ahead, 0}, 4, HALVES);
-  learner.learnTerminal(table, 8.0, HALVES, mirrorOf(learners::model()));
+  learner.learnTerminal(table, 8.0, HALVES, StepSizes(HALVES), mirrorOf(learners::model()));
   QTable expected = learners::emptyTable();
   expected.set(0, 4, 4.0, 1);
   EXPECT_EQ(table, expected);
@@ -236,7 +236,7 @@ TEST(MirroredLearning, StepsOfTheMirrorImageShrinkWithItsOwnVisits) {
   const Row here = 1;
   QLearner learner;
   learner.noteDecision(table, {&here, 0}, 1, means);
-  learner.learnTerminal(table, 10.0, means, mirrorOf(learners::model()));
+  learner.learnTerminal(table, 10.0, means, StepSizes(means), mirrorOf(learners::model()));
   EXPECT_EQ(table.value(1, 1), 10.0);  // the first visit
   EXPECT_EQ(table.value(3, 7), 4.0);   // the fourth: 2 + (10 - 2) / 4
   EXPECT_EQ(table.visits(3, 7), 4U);
@@ -250,7 +250,7 @@ TEST(MirroredLearning, CarriesStepsBackToMirrorImagesOfEarlierDecisions) {
   QLearner learner;
   const auto decide_and_learn = [&](Row row, Action action, double reward, Row next) {
     learner.noteDecision(table, {&row, 0}, action, traces);
-    learner.learn(table, reward, {&next, 0}, traces, mirror);
+    learner.learn(table, reward, {&next, 0}, traces, StepSizes(traces), mirror);
   };
   decide_and_learn(1, 2, 8.0, 0);  // (1, 2) and (3, 6) become 4
   decide_and_learn(0, 0, 4.0, 2);  // its own image: step 2; a quarter of that goes back

@@ -114,7 +114,7 @@ TEST_F(SideBySide, ATurnMergesWhatEachLearnsFromItsOwnEpisodes) {
       tables.push_back(learner.tableOf(0));
       decisions += learner.decisions();
     }
-    mergeCopies({&tables[0], &tables[1]}, two.learning.parameters, 0, expected.rows(), expected);
+    mergeCopies({&tables[0], &tables[1]}, StepSizes(two.learning.parameters), 0, expected.rows(), expected);
     EXPECT_EQ(training.runNextTurn().size(), turn[0].size() + turn[1].size());
     EXPECT_EQ(training.trained().table, expected);
     EXPECT_EQ(training.trained().decisions, decisions);

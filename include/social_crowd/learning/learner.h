@@ -177,6 +177,7 @@ class Learner {
   std::size_t moves_stride_;  // blocks of moves that the state set looks at
   Options options_;
   LearningParameters parameters_;
+  StepSizes step_sizes_;
   Mirror mirror_;
   EpsilonSchedule epsilon_;
   std::uint64_t episode_ = 0;

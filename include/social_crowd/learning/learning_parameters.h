@@ -24,8 +24,6 @@ struct LearningParameters {
     if (alpha_decay <= 0.0) return alpha;
     return std::max(alpha, std::pow(static_cast<double>(visits), -alpha_decay));
   }
-  /// @brief Share that what a value was after `first` visits has in what it is after `last`.
-  double keptShare(std::uint32_t first, std::uint32_t last) const;
   /// @brief What is wrong with the numbers, in words; empty if nothing is.
   std::string problems() const;
 };

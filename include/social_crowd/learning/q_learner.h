@@ -6,6 +6,7 @@
 #include "social_crowd/learning/learning_parameters.h"
 #include "social_crowd/learning/mirror.h"
 #include "social_crowd/learning/q_table.h"
+#include "social_crowd/learning/step_sizes.h"
 
 namespace crowd {
 
@@ -43,14 +44,14 @@ class QLearner {
 
   /// @brief Learns from the noted decision: it brought `reward` and led to a state with these rows.
   void learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters,
-             const Mirror& mirror = Mirror()) {
-    update(table, reward + parameters.gamma * table.greedyValue(next), parameters, mirror);
+             const StepSizes& step_sizes, const Mirror& mirror = Mirror()) {
+    update(table, reward + parameters.gamma * table.greedyValue(next), parameters, step_sizes, mirror);
   }
 
   /// @brief Learns from the noted decision: it brought `reward` and ended the episode; nothing is expected beyond.
-  void learnTerminal(QTable& table, double reward, const LearningParameters& parameters,
+  void learnTerminal(QTable& table, double reward, const LearningParameters& parameters, const StepSizes& step_sizes,
                      const Mirror& mirror = Mirror()) {
-    update(table, reward, parameters, mirror);
+    update(table, reward, parameters, step_sizes, mirror);
     resetTraces();
   }
 
@@ -70,7 +71,8 @@ class QLearner {
   };
   static constexpr double NEGLIGIBLE_TRACE = 1e-6;
 
-  void update(QTable& table, double target, const LearningParameters& parameters, const Mirror& mirror);
+  void update(QTable& table, double target, const LearningParameters& parameters, const StepSizes& step_sizes,
+              const Mirror& mirror);
   void fadeTraces(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters);
   void addToTraces(QTable& table, double step, double mirrored_step, const Mirror& mirror);
   void remember(const Trace& trace);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/learning/learning_parameters.h"
+
+namespace crowd {
+
+/// @brief LearningParameters::stepSize() by the number of visits, worked out in advance: a power for every decision
+/// would take longer than to look it up.
+class StepSizes {
+ public:
+  explicit StepSizes(const LearningParameters& parameters);
+
+  /// @brief Share of the way to the target that a value goes when its row and action are visited for the n-th time.
+  double at(std::uint32_t visits) const {
+    return visits < sizes_.size() ? sizes_[visits] : parameters_.stepSize(visits);
+  }
+  /// @brief Share that what a value was after `first` visits has in what it is after `last`.
+  double keptShare(std::uint32_t first, std::uint32_t last) const;
+
+ private:
+  LearningParameters parameters_;
+  std::vector<double> sizes_;  // of the first visits, [0] unused; empty where all steps are equal
+};
+
+}  // namespace crowd
