@@ -1,5 +1,7 @@
 #include "social_crowd/common/workers.h"
 
+#include <algorithm>
+
 namespace crowd {
 
 Workers::Workers(unsigned count) {
@@ -26,40 +28,47 @@ void Workers::share(const Task& task, std::size_t size) {
     const std::lock_guard<std::mutex> lock(mutex_);
     task_ = task;
     size_ = size;
-    working_ = threads_.size();
+    parts_ = std::min(size, PARTS_EACH * count());
+    next_part_ = 0;
+    for (Problem& problem : problems_) problem = {};
     ++round_;
+    open_ = true;
   }
   begun_.notify_all();
-  doPart(0);
+  doParts(0);
   std::unique_lock<std::mutex> lock(mutex_);
-  done_.wait(lock, [this] { return working_ == 0; });
-  std::exception_ptr first;
-  for (std::exception_ptr& problem : problems_) {
-    if (first == nullptr) first = problem;
-    problem = nullptr;
+  open_ = false;
+  done_.wait(lock, [this] { return helpers_ == 0; });
+  const Problem* first = nullptr;
+  for (const Problem& problem : problems_) {
+    if (problem.thrown != nullptr && (first == nullptr || problem.part < first->part)) first = &problem;
   }
-  if (first != nullptr) std::rethrow_exception(first);
+  if (first != nullptr) std::rethrow_exception(first->thrown);
 }
 
 void Workers::wait(unsigned worker) {
   std::size_t done = 0;
   std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
-    begun_.wait(lock, [&] { return stop_ || round_ != done; });
+    begun_.wait(lock, [&] { return stop_ || (open_ && round_ != done); });
     if (stop_) return;
     done = round_;
+    ++helpers_;
     lock.unlock();
-    doPart(worker);
+    doParts(worker);
     lock.lock();
-    if (--working_ == 0) done_.notify_one();
+    if (--helpers_ == 0) done_.notify_one();
   }
 }
 
-void Workers::doPart(unsigned worker) {
+void Workers::doParts(unsigned worker) {
+  std::size_t part = 0;
   try {
-    task_.call(task_.what, worker, worker * size_ / count(), (worker + 1) * size_ / count());
+    for (part = next_part_++; part < parts_; part = next_part_++) {
+      task_.call(task_.what, worker, part * size_ / parts_, (part + 1) * size_ / parts_);
+    }
   } catch (...) {
-    problems_[worker] = std::current_exception();
+    problems_[worker] = {part, std::current_exception()};
   }
 }
 

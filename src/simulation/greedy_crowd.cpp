@@ -11,20 +11,26 @@ constexpr std::size_t BLOCK = 64;  // bodies; what 64 agents perceive is some 60
 
 void GreedyCrowd::decide(const World& world, const Vision& vision, const Learner& learner,
                          std::vector<AgentAction>& actions, Workers& workers) {
+  const std::size_t bodies = world.bodyCount();
+  const std::size_t blocks = (bodies + BLOCK - 1) / BLOCK;
   desks_.resize(std::max<std::size_t>(desks_.size(), workers.count()));
-  for (Desk& desk : desks_) desk.actions.clear();
+  decided_.resize(std::max(decided_.size(), blocks));
   workers.run(
-      world.bodyCount(),
+      blocks,
       [&](unsigned worker, std::size_t begin, std::size_t end) {
         Desk& desk = desks_[worker];
-        for (; begin < end; begin += BLOCK) {
-          world.perceiveSome(vision, begin, std::min(begin + BLOCK, end), desk.looker, desk.perceptions);
-          learner.decideGreedily(desk.perceptions, desk.space, desk.actions);
+        for (std::size_t block = begin; block < end; ++block) {
+          const std::size_t first = block * BLOCK;
+          world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), desk.looker, desk.perceptions);
+          decided_[block].clear();
+          learner.decideGreedily(desk.perceptions, desk.space, decided_[block]);
         }
       },
-      FEW_AGENTS);
+      FEW_AGENTS / BLOCK);
   actions.clear();
-  for (const Desk& desk : desks_) actions.insert(actions.end(), desk.actions.begin(), desk.actions.end());
+  for (std::size_t block = 0; block < blocks; ++block) {
+    actions.insert(actions.end(), decided_[block].begin(), decided_[block].end());
+  }
 }
 
 }  // namespace crowd

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -26,30 +30,75 @@ TEST(Workers, DoEverythingOnceWhateverTheirNumber) {
   }
 }
 
-TEST(Workers, PartsAreEqualAndInOrder) {
+TEST(Workers, PartsAreEqualAndWithoutGaps) {
   Workers workers(3);
-  std::vector<std::size_t> ends(3);
-  workers.run(9, [&](unsigned worker, std::size_t begin, std::size_t end) {
-    EXPECT_EQ(begin, 3U * worker);
-    ends[worker] = end;
+  std::mutex mutex;
+  std::map<std::size_t, std::size_t> parts;
+  workers.run(240, [&](unsigned worker, std::size_t begin, std::size_t end) {
+    EXPECT_LT(worker, 3U);
+    const std::lock_guard<std::mutex> lock(mutex);
+    EXPECT_TRUE(parts.emplace(begin, end).second);
   });
-  EXPECT_EQ(ends, (std::vector<std::size_t>{3, 6, 9}));
+  EXPECT_GT(parts.size(), 3U);
+  std::size_t last = 0;
+  for (const auto& [begin, end] : parts) {
+    EXPECT_EQ(begin, last);
+    EXPECT_EQ(end - begin, 240 / parts.size());
+    last = end;
+  }
+  EXPECT_EQ(last, 240U);
+}
+
+TEST(Workers, SoFewAreOnePartOfTheCallers) {
+  Workers workers(3);
+  int calls = 0;
+  const auto count = [&](unsigned worker, std::size_t begin, std::size_t end) {
+    EXPECT_EQ(worker, 0U);
+    EXPECT_EQ(begin, 0U);
+    EXPECT_EQ(end, 240U);
+    ++calls;
+  };
+  workers.run(240, count, 240);
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Workers, OneWhoIsHeldUpHoldsUpNobody) {
+  Workers workers(2);
+  for (int round = 0; round < 20; ++round) {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::size_t done = 0;
+    bool others_came_first = false;
+    workers.run(100, [&](unsigned, std::size_t begin, std::size_t end) {
+      std::unique_lock<std::mutex> lock(mutex);
+      // The first part ends when all others have.
+      if (begin == 0) {
+        others_came_first = changed.wait_for(lock, std::chrono::minutes(1), [&] { return done == 100 - end; });
+      }
+      done += end - begin;
+      changed.notify_all();
+    });
+    ASSERT_TRUE(others_came_first) << "round " << round;
+    ASSERT_EQ(done, 100U);
+  }
 }
 
 TEST(Workers, HandOverTheFirstProblemAndGoOn) {
   Workers workers(4);
-  const auto fail = [](unsigned worker, std::size_t, std::size_t) {
-    if (worker >= 2) throw std::runtime_error("worker " + std::to_string(worker));
+  const auto fail = [](unsigned, std::size_t begin, std::size_t) {
+    if (begin >= 2) throw std::runtime_error("part " + std::to_string(begin));
   };
-  try {
-    workers.run(4, fail);
-    FAIL() << "nothing was thrown";
-  } catch (const std::runtime_error& error) {
-    EXPECT_EQ(std::string(error.what()), "worker 2");
+  for (int round = 0; round < 50; ++round) {
+    try {
+      workers.run(4, fail);
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()), "part 2");
+    }
+    std::vector<int> done(4, 0);
+    workers.run(4, [&](unsigned, std::size_t begin, std::size_t) { done[begin] = 1; });
+    EXPECT_EQ(std::accumulate(done.begin(), done.end(), 0), 4);
   }
-  std::vector<int> done(4, 0);
-  workers.run(4, [&](unsigned worker, std::size_t, std::size_t) { done[worker] = 1; });
-  EXPECT_EQ(std::accumulate(done.begin(), done.end(), 0), 4);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -25,11 +26,11 @@ class Workers {
 
   unsigned count() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
-  /// @brief Cuts 0 .. size-1 into as many equal parts as there are workers, in order, and returns when all are done.
-  /// Rethrows what a part has thrown, of several the one of the lowest number. To be called by one thread at a time;
-  /// allocates nothing.
-  /// @param work called as work(worker, begin, end): its number, and its part [begin, end)
-  /// @param few up to so many are done by the caller alone, sooner than the others wake up
+  /// @brief Cuts 0 .. size-1 into equal parts, more than there are workers, and returns when all are done. Whoever has
+  /// time takes the next part, so that nobody waits for one who is held up. Rethrows what a part has thrown, of several
+  /// the first one; who has thrown takes no other. To be called by one thread at a time; allocates nothing.
+  /// @param work called as work(worker, begin, end) for each part [begin, end), with the number of who takes it
+  /// @param few up to so many are done by the caller alone, in one part, sooner than the others wake up
   template <typename Work>
   void run(std::size_t size, const Work& work, std::size_t few = 0) {
     if (size <= few || threads_.empty()) {
@@ -49,21 +50,32 @@ class Workers {
     void (*call)(const void*, unsigned, std::size_t, std::size_t) = nullptr;
     const void* what = nullptr;
   };
+  static constexpr std::size_t PARTS_EACH = 8;
+
+  /// What a part has thrown.
+  struct Problem {
+    std::size_t part = 0;
+    std::exception_ptr thrown;
+  };
   void share(const Task& task, std::size_t size);
   void wait(unsigned worker);
-  void doPart(unsigned worker);
+  void doParts(unsigned worker);
 
   std::vector<std::thread> threads_;
   std::mutex mutex_;
   std::condition_variable begun_;
   std::condition_variable done_;
-  // All under the mutex.
+  // Written under the mutex while nobody works.
   Task task_;
   std::size_t size_ = 0;
+  std::size_t parts_ = 0;
+  std::atomic<std::size_t> next_part_{0};
+  std::vector<Problem> problems_;  // of each worker
+  // All under the mutex.
   std::size_t round_ = 0;
-  std::size_t working_ = 0;
+  bool open_ = false;        // whether who wakes up is still to help
+  std::size_t helpers_ = 0;  // who woke up in time and is not yet done
   bool stop_ = false;
-  std::vector<std::exception_ptr> problems_;  // of each worker
 };
 
 }  // namespace crowd

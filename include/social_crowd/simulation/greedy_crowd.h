@@ -23,10 +23,10 @@ class GreedyCrowd {
     World::Looker looker;
     Perceptions perceptions;
     Learner::Space space;
-    std::vector<AgentAction> actions;
   };
 
   std::vector<Desk> desks_;
+  std::vector<std::vector<AgentAction>> decided_;  // by block
 };
 
 }  // namespace crowd
