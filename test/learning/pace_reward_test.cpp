@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "social_crowd/common/random.h"
 #include "support/error_of.h"
 #include "support/perceptions.h"
 
@@ -73,6 +74,39 @@ TEST(PaceReward, PricesContact) {
   EXPECT_NEAR(PaceReward(parameters)(before({5.0, 0.0}), apart.perception(), 0), -1.0, 1e-9);
   auto overlapping = after({5.0, 0.0}).body({0.49, 0.0}, 0.25);
   EXPECT_NEAR(PaceReward(parameters)(before({5.0, 0.0}), overlapping.perception(), 0), -21.0, 1e-9);
+}
+
+constexpr std::size_t MIDDLE = 1;  // of three agents
+
+/// So many bodies about an agent that stands, one of which touches it if its number is among them; those of the agents
+/// before and behind it all do.
+PerceptionsBuilder sceneOf(std::size_t bodies, std::size_t touching, const Vector2& goal, KeyedRandom& random) {
+  PerceptionsBuilder scene;
+  addTouchedAgent(0, scene);
+  scene.agent(MIDDLE, goal);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const double radius = random.uniform(0.1, 0.4);
+    const double gap = i == touching ? random.uniform(-0.1, -0.001) : random.uniform(0.001, 5.0);
+    scene.body(polar(random.uniform(-180, 180), 0.25 + radius + gap), radius);
+  }
+  addTouchedAgent(2, scene);
+  return scene;
+}
+
+TEST(PaceReward, PricesContactWithWhomeverOfMany) {
+  PaceReward::Parameters parameters = free();
+  parameters.contact_price = 20.0;
+  const PaceReward reward(parameters);
+  const Vector2 goal(5.0, 0.0);
+  constexpr std::uint64_t SEED = 1;
+  KeyedRandom random(SEED, KeyedRandom::PLACEMENT, {});
+  for (std::size_t count = 0; count <= 40; ++count) {
+    for (std::size_t touching = 0; touching <= count; ++touching) {
+      const PerceptionsBuilder scene = sceneOf(count, touching, goal, random);
+      EXPECT_EQ(reward(before(goal), scene.perception(MIDDLE), 0), touching < count ? -21.0 : -1.0)
+          << "seed " << SEED << ", " << count << " bodies, touched by number " << touching;
+    }
+  }
 }
 
 TEST(PaceReward, IsWhatItsSpecSays) {

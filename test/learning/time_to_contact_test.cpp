@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "social_crowd/common/random.h"
 #include "support/perceptions.h"
 
@@ -61,6 +65,49 @@ TEST(TimeToContact, OfAnAgentIsTheEarliestOfAll) {
   auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).body({4.5, 0.0}, 0.25).wall({2.25, -1.0}, {2.25, 1.0});
   EXPECT_DOUBLE_EQ(timeToContact(scene.perception(), {1.0, 0.0}), 2.0);
   EXPECT_EQ(timeToContact(scene.perception(), {-1.0, 0.0}), NEVER);
+}
+
+constexpr std::size_t MIDDLE = 1;  // of three agents
+
+/// So many bodies about an agent anywhere, a few upon it; those of the agents before and behind it all are.
+PerceptionsBuilder sceneOf(std::size_t bodies, KeyedRandom& random) {
+  PerceptionsBuilder scene;
+  addTouchedAgent(0, scene);
+  scene.agent(MIDDLE, {9.0, 0.0});
+  for (std::size_t i = 0; i < bodies; ++i) {
+    scene.body(polar(random.uniform(-180, 180), random.uniform(0.5, 6.0)), random.uniform(0.1, 0.4));
+    scene.velocity(Vector2::Zero(), polar(random.uniform(-180, 180), random.uniform(0.0, 1.5)));
+  }
+  addTouchedAgent(2, scene);
+  return scene;
+}
+
+TEST(TimeToContact, OfManyBodiesIsTheEarliestOfEachAlone) {
+  std::size_t never = 0;
+  std::size_t at_once = 0;
+  std::array<std::size_t, 3> met_first{};  // how often it is one of the first 16 bodies, of the next 16, of the last
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    for (std::size_t count = 0; count <= 40; ++count) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(count) + " bodies");
+      const PerceptionsBuilder scene = sceneOf(count, random);
+      const Perception seen = scene.perception(MIDDLE);
+      const Vector2 velocity = polar(random.uniform(-180, 180), random.uniform(0.0, 1.5));
+      std::vector<double> times;
+      for (const PerceivedBody& body : seen.bodies) {
+        times.push_back(timeToContact(body.position, velocity - body.velocity, seen.self.radius + body.radius));
+      }
+      const auto first = std::min_element(times.begin(), times.end());
+      const double expected = first == times.end() ? NEVER : *first;
+      EXPECT_EQ(timeToContact(seen, velocity), expected);
+      never += expected == NEVER ? 1 : 0;
+      at_once += expected == 0.0 ? 1 : 0;
+      if (expected < NEVER) ++met_first[static_cast<std::size_t>(first - times.begin()) / 16];
+    }
+  }
+  EXPECT_GT(never, 50U);
+  EXPECT_GT(at_once, 50U);
+  for (const std::size_t times : met_first) EXPECT_GT(times, 20U);
 }
 
 }  // namespace

@@ -91,4 +91,13 @@ class PerceptionsBuilder {
   Perceptions all_;
 };
 
+/// @brief Adds an agent with many bodies that lie on it and come on: whoever takes one of these for another agent's,
+/// which stands beside it in the list, sees that one touched at once.
+inline void addTouchedAgent(AgentId id, PerceptionsBuilder& scene) {
+  scene.agent(id, {9.0, 0.0});
+  for (std::size_t i = 0; i < PerceivedBodies::MARGIN; ++i) {
+    scene.body({0.1, 0.0}, 0.25).velocity(Vector2::Zero(), {-10.0, 0.0});
+  }
+}
+
 }  // namespace crowd
