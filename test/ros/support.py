@@ -280,9 +280,9 @@ class CrowdTestCase(unittest.TestCase):
             parameters['q_table'] = NEAREST_TABLE
         return self.start_node('learner', name, parameters, arguments)
 
-    def tool(self, name, *arguments):
-        """Runs a program of this package to its end; what it printed."""
-        command = find_node('social_crowd', name)[:1] + [str(argument) for argument in arguments]
+    def tool(self, name, *arguments, within=()):
+        """Runs a program of this package to its end, perhaps within another one; what it printed."""
+        command = [*within, *find_node('social_crowd', name)[:1], *map(str, arguments)]
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
         output = done.stdout.decode(errors='replace')
         self.assertEqual(done.returncode, 0, f'{name} failed:\n{output}')
