@@ -7,7 +7,7 @@ std::uint32_t AgentPlaces::findOther(AgentId agent) const {
   return found == others_.end() ? NONE : found->second;
 }
 
-std::uint32_t AgentPlaces::addPlace(AgentId agent) {
+std::uint32_t AgentPlaces::add(AgentId agent) {
   const auto place = static_cast<std::uint32_t>(agents_.size());
   agents_.push_back(agent);
   if (agent >= FEW) {

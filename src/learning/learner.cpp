@@ -222,7 +222,7 @@ inline RelativeAction Learner::actionOf(const Perception& seen, const Choice& ch
 
 std::uint32_t Learner::addMemory(AgentId agent) {
   memories_.emplace_back().table = base_;
-  return places_.placeOf(agent);
+  return places_.add(agent);
 }
 
 void Learner::copyTable(Memory& memory) { memory.table = std::make_shared<QTable>(*memory.table); }

@@ -13,16 +13,13 @@ class AgentPlaces {
  public:
   static constexpr std::uint32_t NONE = UINT32_MAX;
 
-  /// @brief The agent's place; a new one if it was not met before.
-  std::uint32_t placeOf(AgentId agent) {
-    const std::uint32_t known = find(agent);
-    return known != NONE ? known : addPlace(agent);
-  }
-  /// @brief The agent's place, or NONE.
+  /// @brief The agent's place; NONE if it was not met before.
   std::uint32_t find(AgentId agent) const {
     if (agent >= FEW) return findOther(agent);
     return agent < listed_.size() ? listed_[agent] : NONE;
   }
+  /// @brief Gives a place to an agent that has none; the place.
+  std::uint32_t add(AgentId agent);
   /// @brief Who has which place.
   const std::vector<AgentId>& agents() const { return agents_; }
 
@@ -30,7 +27,6 @@ class AgentPlaces {
   static constexpr AgentId FEW = 1U << 20U;  // numbers below this are looked up in a list, others in a hash table
 
   std::uint32_t findOther(AgentId agent) const;
-  std::uint32_t addPlace(AgentId agent);
 
   std::vector<AgentId> agents_;
   std::vector<std::uint32_t> listed_;
