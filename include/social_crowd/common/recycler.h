@@ -12,7 +12,7 @@ namespace crowd {
 template <typename Pointer>
 class Recycler {
  public:
-  /// @brief Another object in place of the one that is held, or the same if nobody else holds it.
+  /// @brief Another object in place of the one that is held, or that one again, if nobody else holds it.
   void renew(Pointer& held) {
     constexpr long BY_BOTH = 2;
     if (!spares_.empty() && held == spares_.front() && held.use_count() == BY_BOTH) {
