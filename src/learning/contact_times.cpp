@@ -109,12 +109,8 @@ CROWD_VECTORISED void noteFixed(const Discs& discs, std::size_t count, Courses& 
 
 void noteAgents(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish, Courses& courses,
                 float& fastest) {
-  static const bool WIDE = mayNoteWidely();
-  if (WIDE && count > FEW) {
-    noteAgentsWidely(agents, velocity, wish, courses, fastest);
-  } else {
-    noteAgentsPlainly(agents, count, velocity, wish, courses, fastest);
-  }
+  static const NoteAgents FOR_MANY = fastestForMany();
+  (count > FEW ? FOR_MANY : noteAgentsPlainly)(agents, count, velocity, wish, courses, fastest);
 }
 
 }  // namespace crowd

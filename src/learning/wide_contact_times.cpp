@@ -1,7 +1,8 @@
 #include "social_crowd/learning/wide_contact_times.h"
 
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
-#define CROWD_WIDELY __attribute__((target("avx512f,avx512dq,avx512cd")))
+#include "social_crowd/common/vectorised.h"
+
+#ifdef CROWD_AVX512
 // The compiler's own header leaves undefined what is not used.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
@@ -15,7 +16,7 @@
 #include <cstdint>
 
 namespace crowd {
-#ifdef CROWD_WIDELY
+#ifdef CROWD_AVX512
 namespace {
 
 using Lanes = MoveOutlooks::Lanes;
@@ -49,18 +50,18 @@ struct Apexes {
 };
 
 /// The root but for 2^-14 of it; for what is less than 1e-30 that of 1e-30.
-CROWD_WIDELY inline __m512 roughRoot(__m512 value) {
+CROWD_AVX512 inline __m512 roughRoot(__m512 value) {
   const __m512 positive = _mm512_max_ps(value, _mm512_set1_ps(1e-30F));
   return positive * _mm512_rsqrt14_ps(positive);
 }
 
-CROWD_WIDELY inline __m512 join(const float* low, const float* high) {
+CROWD_AVX512 inline __m512 join(const float* low, const float* high) {
   return _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(low)), _mm256_load_ps(high), 1);
 }
 
-CROWD_WIDELY inline __m512 larger(__m512 a, __m512 b) { return _mm512_max_ps(_mm512_abs_ps(a), _mm512_abs_ps(b)); }
+CROWD_AVX512 inline __m512 larger(__m512 a, __m512 b) { return _mm512_max_ps(_mm512_abs_ps(a), _mm512_abs_ps(b)); }
 
-CROWD_WIDELY inline Cones conesOf(const WideDiscs& discs) {
+CROWD_AVX512 inline Cones conesOf(const WideDiscs& discs) {
   const __m512 square = discs.px * discs.px + discs.py * discs.py;
   const __m512 reach = roughRoot(square - discs.apart);
   const __m512 root = roughRoot(discs.apart);
@@ -68,18 +69,18 @@ CROWD_WIDELY inline Cones conesOf(const WideDiscs& discs) {
 }
 
 /// @param fastest no component of a move's velocity is above [m/s]
-CROWD_WIDELY inline Apexes apexesOf(const Cones& cones, __m512 vx, __m512 vy, __m512 fastest) {
+CROWD_AVX512 inline Apexes apexesOf(const Cones& cones, __m512 vx, __m512 vy, __m512 fastest) {
   constexpr float TINY = 1e-15F;  // products of less lose digits
   const __m512 slack = cones.opening * (fastest + larger(vx, vy)) + TINY;
   return {cones.along_x * vx + cones.along_y * vy - slack, cones.across_x * vx + cones.across_y * vy};
 }
 
-CROWD_WIDELY inline __mmask16 hitsOf(__m512 along, __m512 across, const Apexes& apexes) {
+CROWD_AVX512 inline __mmask16 hitsOf(__m512 along, __m512 across, const Apexes& apexes) {
   return _mm512_cmp_ps_mask(_mm512_abs_ps(across - apexes.across), along - apexes.along, _CMP_NGT_UQ);
 }
 
 /// The highest component of a move's velocity.
-CROWD_WIDELY inline __m512 fastestOf(const Courses& courses) {
+CROWD_AVX512 inline __m512 fastestOf(const Courses& courses) {
   const __m512 second =
       larger(join(&courses.ux[WIDTH], &courses.ux[WIDTH]), join(&courses.uy[WIDTH], &courses.uy[WIDTH]));
   const __m512 highest =
@@ -87,7 +88,7 @@ CROWD_WIDELY inline __m512 fastestOf(const Courses& courses) {
   return _mm512_set1_ps(std::max(_mm512_reduce_max_ps(highest), 1e-12F));
 }
 
-CROWD_WIDELY inline void findHits(const Courses& courses, const WideDiscs& discs, Hits& hits) {
+CROWD_AVX512 inline void findHits(const Courses& courses, const WideDiscs& discs, Hits& hits) {
   const Cones cones = conesOf(discs);
   const __m512 fastest = fastestOf(courses);
   const Apexes selfish = apexesOf(cones, discs.vx, discs.vy, fastest);
@@ -109,10 +110,10 @@ struct WideMoves {
   __m512i hits;
 };
 
-CROWD_WIDELY inline bool isAny(__m512i hits) { return _mm512_test_epi32_mask(hits, hits) != 0; }
+CROWD_AVX512 inline bool isAny(__m512i hits) { return _mm512_test_epi32_mask(hits, hits) != 0; }
 
 /// Looks at the next disc of each move; at the last one where none is left, which changes nothing.
-CROWD_WIDELY inline void noteNext(const WideDiscs& discs, WideMoves& moves) {
+CROWD_AVX512 inline void noteNext(const WideDiscs& discs, WideMoves& moves) {
   const __m512i zeros = _mm512_lzcnt_epi32(moves.hits);
   moves.hits = _mm512_xor_si512(moves.hits, _mm512_srlv_epi32(_mm512_set1_epi32(INT32_MIN), zeros));
   // Disc 31 - zeros, and the kind.
@@ -130,7 +131,7 @@ CROWD_WIDELY inline void noteNext(const WideDiscs& discs, WideMoves& moves) {
 }
 
 /// The first moves.
-CROWD_WIDELY inline WideMoves loadFirst(const Courses& courses, const Lanes& soonest, const Masks& hits,
+CROWD_AVX512 inline WideMoves loadFirst(const Courses& courses, const Lanes& soonest, const Masks& hits,
                                         std::uint32_t kind) {
   return {_mm512_load_ps(courses.ux.data()), _mm512_load_ps(courses.uy.data()), _mm512_load_ps(soonest.data()),
           _mm512_set1_epi32(static_cast<int>(kind)),
@@ -138,7 +139,7 @@ CROWD_WIDELY inline WideMoves loadFirst(const Courses& courses, const Lanes& soo
 }
 
 /// The moves behind those, of both kinds.
-CROWD_WIDELY inline WideMoves loadSecond(const Courses& courses, const Hits& hits) {
+CROWD_AVX512 inline WideMoves loadSecond(const Courses& courses, const Hits& hits) {
   const __m128i selfish = _mm_load_si128(reinterpret_cast<const __m128i*>(&hits.selfish[WIDTH]));
   const __m128i reciprocal = _mm_load_si128(reinterpret_cast<const __m128i*>(&hits.reciprocal[WIDTH]));
   return {join(&courses.ux[WIDTH], &courses.ux[WIDTH]), join(&courses.uy[WIDTH], &courses.uy[WIDTH]),
@@ -147,7 +148,7 @@ CROWD_WIDELY inline WideMoves loadSecond(const Courses& courses, const Hits& hit
           _mm512_cvtepu16_epi32(_mm256_inserti128_si256(_mm256_castsi128_si256(selfish), reciprocal, 1))};
 }
 
-CROWD_WIDELY inline WideDiscs load(const Discs& discs, const Vector2& velocity) {
+CROWD_AVX512 inline WideDiscs load(const Discs& discs, const Vector2& velocity) {
   WideDiscs wide;
   wide.px = _mm512_load_ps(discs.px.data());
   wide.py = _mm512_load_ps(discs.py.data());
@@ -162,7 +163,7 @@ CROWD_WIDELY inline WideDiscs load(const Discs& discs, const Vector2& velocity) 
 }
 
 /// The square of the fastest approach of any disc, seen with a velocity [m2/s2].
-CROWD_WIDELY inline float fastestApproach(const WideDiscs& discs, const Vector2& velocity) {
+CROWD_AVX512 inline float fastestApproach(const WideDiscs& discs, const Vector2& velocity) {
   const __m512 closing = discs.px * (static_cast<float>(velocity.x()) - discs.vx) +
                          discs.py * (static_cast<float>(velocity.y()) - discs.vy);
   const __m512 distance = discs.px * discs.px + discs.py * discs.py;  // squared
@@ -170,14 +171,8 @@ CROWD_WIDELY inline float fastestApproach(const WideDiscs& discs, const Vector2&
   return _mm512_reduce_max_ps(_mm512_maskz_div_ps(closes, closing * closing, distance));
 }
 
-}  // namespace
-
-bool mayNoteWidely() {
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd");
-}
-
-CROWD_WIDELY void noteAgentsWidely(const Discs& agents, const Vector2& velocity, const Vector2& wish, Courses& courses,
-                                   float& fastest) {
+CROWD_AVX512 void noteAgentsWidely(const Discs& agents, std::size_t /*count*/, const Vector2& velocity,
+                                   const Vector2& wish, Courses& courses, float& fastest) {
   const WideDiscs discs = load(agents, velocity);
   Hits hits{};
   findHits(courses, discs, hits);
@@ -200,15 +195,14 @@ CROWD_WIDELY void noteAgentsWidely(const Discs& agents, const Vector2& velocity,
   fastest = std::max(fastest, fastestApproach(discs, wish));
 }
 
-#else
-
-bool mayNoteWidely() { return false; }
-
-void noteAgentsWidely(const Discs& agents, const Vector2& velocity, const Vector2& wish, Courses& courses,
-                      float& fastest) {
-  noteAgentsPlainly(agents, Discs::SIZE, velocity, wish, courses, fastest);
-}
-
+}  // namespace
 #endif
+
+NoteAgents fastestForMany() {
+#ifdef CROWD_AVX512
+  if (hasAvx512()) return noteAgentsWidely;
+#endif
+  return noteAgentsPlainly;
+}
 
 }  // namespace crowd

@@ -7,13 +7,14 @@
 // Where the compiler does not know them it is not defined.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
 #define CROWD_VECTORISED __attribute__((target_clones("avx512f", "avx2", "default")))
-#define CROWD_AVX512 __attribute__((target("avx512f,avx512vl,bmi2,popcnt")))
+#define CROWD_AVX512 __attribute__((target("avx512f,avx512vl,avx512dq,avx512cd,bmi2,popcnt")))
 
 namespace crowd {
 
 /// @brief Whether this processor runs functions that are CROWD_AVX512. There only where that is defined.
 inline bool hasAvx512() {
   return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
+         __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512cd") != 0 &&
          __builtin_cpu_supports("bmi2") != 0 && __builtin_cpu_supports("popcnt") != 0;
 }
 
