@@ -154,8 +154,8 @@ CROWD_VECTORISED void toTimes(const Lanes& soonest, float unit, float time_to_go
 }
 
 /// Of a move of which the rule leaves too little the course is that of staying.
-CROWD_VECTORISED void findCourses(const MoveBlock& moves, float speed, float least_share, Lanes& shares,
-                                  Courses& courses) {
+CROWD_VECTORISED void findCourses(const MoveBlock& moves, float least_share, Lanes& shares, Courses& courses) {
+  const float speed = courses.speed;
   for (std::size_t i = 0; i < LANES; ++i) {
     const auto wanted = static_cast<float>(moves.wanted[i]);
     const float share = static_cast<float>(moves.share[i]) / wanted;
@@ -179,8 +179,8 @@ MoveOutlooks::MoveOutlooks(const Perception& perception, const MoveBlock& moves,
   const AgentPerception& self = perception.self;
   const auto speed = static_cast<float>(self.speed);
   const double distance = self.goal.norm();
-  Courses courses(count);
-  findCourses(moves, speed, static_cast<float>(least_share), shares, courses);
+  Courses courses(count, speed);
+  findCourses(moves, static_cast<float>(least_share), shares, courses);
   findTurns(moves, self.velocity != Vector2::Zero(), turn_cosines);
   const double pace_to_goal = distance > 0.0 ? self.speed / distance : 0.0;
   const bool alone = perception.walls.empty() && !perception.bodies.hasObstacles();

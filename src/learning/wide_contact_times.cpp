@@ -35,18 +35,19 @@ struct Hits {
   alignas(64) Masks reciprocal;
 };
 
-/// Of a disc that moves with v a velocity u leads into the cone round p whose sine is reach / |p| if
-/// reach p.(u - v) >= root of apart |p x (u - v)|. Rounding opens that cone by up to 0.0015 [rad] where a time is
-/// worked out, and by 0.0001 here: it is opened by more than both. A pair too many costs time, but changes nothing.
+/// Of a disc that moves with v a velocity u leads into the cone round p whose sine is reach / |p| if u - v is to the
+/// left of its right edge and to the right of its left one: reach p.(u - v) +- root of apart p x (u - v) >= 0. Rounding
+/// opens that cone by up to 0.0015 [rad] where a time is worked out, and by 0.0001 here: it is opened by more than
+/// both. A pair too many costs time, but changes nothing; so products and sums may be fused here.
 struct Cones {
-  __m512 along_x, along_y;    // reach p
-  __m512 across_x, across_y;  // root of apart p, turned to the left
+  __m512 right_x, right_y;  // reach p + root of apart p, turned to the left
+  __m512 left_x, left_y;    // the one less the other
   __m512 opening;
 };
 
 /// What v is to a Cones.
 struct Apexes {
-  __m512 along, across;
+  __m512 right, left;
 };
 
 /// The root but for 2^-14 of it; for what is less than 1e-30 that of 1e-30.
@@ -59,47 +60,44 @@ CROWD_AVX512 inline __m512 join(const float* low, const float* high) {
   return _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(low)), _mm256_load_ps(high), 1);
 }
 
-CROWD_AVX512 inline __m512 larger(__m512 a, __m512 b) { return _mm512_max_ps(_mm512_abs_ps(a), _mm512_abs_ps(b)); }
+/// The scalar product.
+CROWD_AVX512 inline __m512 dot(__m512 ax, __m512 ay, __m512 bx, __m512 by) { return _mm512_fmadd_ps(ax, bx, ay * by); }
 
 CROWD_AVX512 inline Cones conesOf(const WideDiscs& discs) {
   const __m512 square = discs.px * discs.px + discs.py * discs.py;
   const __m512 reach = roughRoot(square - discs.apart);
   const __m512 root = roughRoot(discs.apart);
-  return {reach * discs.px, reach * discs.py, root * -discs.py, root * discs.px, square / 256.0F};
+  const __m512 along_x = reach * discs.px;
+  const __m512 along_y = reach * discs.py;
+  const __m512 across_x = root * -discs.py;
+  const __m512 across_y = root * discs.px;
+  return {along_x + across_x, along_y + across_y, along_x - across_x, along_y - across_y, square / 256.0F};
 }
 
-/// @param fastest no component of a move's velocity is above [m/s]
-CROWD_AVX512 inline Apexes apexesOf(const Cones& cones, __m512 vx, __m512 vy, __m512 fastest) {
+/// @param speed no move is faster [m/s]
+CROWD_AVX512 inline Apexes apexesOf(const Cones& cones, __m512 vx, __m512 vy, float speed) {
   constexpr float TINY = 1e-15F;  // products of less lose digits
-  const __m512 slack = cones.opening * (fastest + larger(vx, vy)) + TINY;
-  return {cones.along_x * vx + cones.along_y * vy - slack, cones.across_x * vx + cones.across_y * vy};
+  const __m512 fastest = std::max(speed, 1e-12F) + _mm512_max_ps(_mm512_abs_ps(vx), _mm512_abs_ps(vy));
+  const __m512 slack = cones.opening * fastest + TINY;
+  return {dot(cones.right_x, cones.right_y, vx, vy) - slack, dot(cones.left_x, cones.left_y, vx, vy) - slack};
 }
 
-CROWD_AVX512 inline __mmask16 hitsOf(__m512 along, __m512 across, const Apexes& apexes) {
-  return _mm512_cmp_ps_mask(_mm512_abs_ps(across - apexes.across), along - apexes.along, _CMP_NGT_UQ);
-}
-
-/// The highest component of a move's velocity.
-CROWD_AVX512 inline __m512 fastestOf(const Courses& courses) {
-  const __m512 second =
-      larger(join(&courses.ux[WIDTH], &courses.ux[WIDTH]), join(&courses.uy[WIDTH], &courses.uy[WIDTH]));
-  const __m512 highest =
-      _mm512_max_ps(larger(_mm512_load_ps(courses.ux.data()), _mm512_load_ps(courses.uy.data())), second);
-  return _mm512_set1_ps(std::max(_mm512_reduce_max_ps(highest), 1e-12F));
+CROWD_AVX512 inline __mmask16 hitsOf(__m512 right, __m512 left, const Apexes& apexes) {
+  const __mmask16 inside = _mm512_cmp_ps_mask(right, apexes.right, _CMP_NLT_UQ);
+  return _mm512_mask_cmp_ps_mask(inside, left, apexes.left, _CMP_NLT_UQ);
 }
 
 CROWD_AVX512 inline void findHits(const Courses& courses, const WideDiscs& discs, Hits& hits) {
   const Cones cones = conesOf(discs);
-  const __m512 fastest = fastestOf(courses);
-  const Apexes selfish = apexesOf(cones, discs.vx, discs.vy, fastest);
-  const Apexes reciprocal = apexesOf(cones, discs.mean_vx, discs.mean_vy, fastest);
+  const Apexes selfish = apexesOf(cones, discs.vx, discs.vy, courses.speed);
+  const Apexes reciprocal = apexesOf(cones, discs.mean_vx, discs.mean_vy, courses.speed);
   for (std::size_t move = 0; move < courses.count; ++move) {
     const __m512 ux = _mm512_set1_ps(courses.ux[move]);
     const __m512 uy = _mm512_set1_ps(courses.uy[move]);
-    const __m512 along = cones.along_x * ux + cones.along_y * uy;
-    const __m512 across = cones.across_x * ux + cones.across_y * uy;
-    hits.selfish[move] = hitsOf(along, across, selfish);
-    hits.reciprocal[move] = hitsOf(along, across, reciprocal);
+    const __m512 right = dot(cones.right_x, cones.right_y, ux, uy);
+    const __m512 left = dot(cones.left_x, cones.left_y, ux, uy);
+    hits.selfish[move] = hitsOf(right, left, selfish);
+    hits.reciprocal[move] = hitsOf(right, left, reciprocal);
   }
 }
 
@@ -176,23 +174,19 @@ CROWD_AVX512 void noteAgentsWidely(const Discs& agents, std::size_t /*count*/, c
   const WideDiscs discs = load(agents, velocity);
   Hits hits{};
   findHits(courses, discs, hits);
+  fastest = std::max(fastest, fastestApproach(discs, wish));  // before the hits, which are on the way to the memory
   WideMoves selfish = loadFirst(courses, courses.selfish, hits.selfish, 0);
   WideMoves reciprocal = loadFirst(courses, courses.reciprocal, hits.reciprocal, Discs::SIZE);
+  WideMoves both = loadSecond(courses, hits);
   do {
     noteNext(discs, selfish);
     noteNext(discs, reciprocal);
-  } while (isAny(_mm512_or_si512(selfish.hits, reciprocal.hits)));
+    noteNext(discs, both);
+  } while (isAny(selfish.hits | reciprocal.hits | both.hits));
   _mm512_store_ps(courses.selfish.data(), selfish.soonest);
   _mm512_store_ps(courses.reciprocal.data(), reciprocal.soonest);
-  if (courses.count > WIDTH) {
-    WideMoves both = loadSecond(courses, hits);
-    do {
-      noteNext(discs, both);
-    } while (isAny(both.hits));
-    _mm256_store_ps(&courses.selfish[WIDTH], _mm512_castps512_ps256(both.soonest));
-    _mm256_store_ps(&courses.reciprocal[WIDTH], _mm512_extractf32x8_ps(both.soonest, 1));
-  }
-  fastest = std::max(fastest, fastestApproach(discs, wish));
+  _mm256_store_ps(&courses.selfish[WIDTH], _mm512_castps512_ps256(both.soonest));
+  _mm256_store_ps(&courses.reciprocal[WIDTH], _mm512_extractf32x8_ps(both.soonest, 1));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ Discs anyDiscs(KeyedRandom& random, std::size_t count, const Vector2& velocity) 
 
 /// Moves ahead of some disc, along the edge of one, as fast as one, or anywhere; in the other lanes the last again.
 Courses anyCourses(KeyedRandom& random, const Discs& discs) {
-  Courses courses(1 + random.below(MoveOutlooks::LANES));
+  Courses courses(1 + random.below(MoveOutlooks::LANES), 0.0F);
   const double speed = random.uniform(0.01, 2.0);
   for (std::size_t i = 0; i < MoveOutlooks::LANES; ++i) {
     const std::size_t disc = random.below(Discs::SIZE);
@@ -59,6 +59,7 @@ Courses anyCourses(KeyedRandom& random, const Discs& discs) {
     if (random.below(6) == 0 && discs.vx[disc] < Discs::FLYING) u = u + Vector2(discs.vx[disc], discs.vy[disc]);
     courses.ux[i] = i < courses.count ? static_cast<float>(u.x()) : courses.ux[courses.count - 1];
     courses.uy[i] = i < courses.count ? static_cast<float>(u.y()) : courses.uy[courses.count - 1];
+    courses.speed = std::max(courses.speed, std::hypot(courses.ux[i], courses.uy[i]));
   }
   return courses;
 }

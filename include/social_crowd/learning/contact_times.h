@@ -16,6 +16,7 @@ struct Courses {
   using Lanes = MoveOutlooks::Lanes;
 
   std::size_t count;     ///< moves; lanes behind them repeat one
+  float speed;           ///< no move is faster [m/s]
   alignas(64) Lanes ux;  ///< [m/s]
   alignas(64) Lanes uy;
   alignas(64) Lanes reciprocal;  ///< [1/s]
@@ -24,7 +25,7 @@ struct Courses {
 
   /// @brief Of so many moves whose velocities are yet to be written, and that touch nothing.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
-  explicit Courses(std::size_t moves) : count(moves) {
+  Courses(std::size_t moves, float top_speed) : count(moves), speed(top_speed) {
     for (Lanes* soonest : {&reciprocal, &selfish, &fixed}) soonest->fill(static_cast<float>(1.0 / NEVER));
   }
 };
