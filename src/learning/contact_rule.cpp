@@ -79,6 +79,14 @@ using BodySet = std::uint64_t;
 
 std::size_t firstOf(BodySet set) { return static_cast<std::size_t>(__builtin_ctzll(set)); }
 
+/// The sets of one body each, to be read side by side.
+constexpr std::array<BodySet, LOOKED_AT> setsOfOne() {
+  std::array<BodySet, LOOKED_AT> sets{};
+  for (std::size_t i = 0; i < LOOKED_AT; ++i) sets[i] = BodySet{1} << i;
+  return sets;
+}
+constexpr std::array<BodySet, LOOKED_AT> ALONE = setsOfOne();
+
 /// Those of LOOKED_AT bodies which, as agents, are not so far away that their limit lies beyond the longest
 /// displacement of a tick: it does if half of the gap does, less what the plane between both may go towards this one.
 CROWD_VECTORISED BodySet findNear(const PerceivedBodiesView& bodies, std::size_t first, const AgentPerception& self,
@@ -95,7 +103,8 @@ CROWD_VECTORISED BodySet findNear(const PerceivedBodiesView& bodies, std::size_t
   for (std::size_t i = 0; i < LOOKED_AT; ++i) {
     const double drift = tick_duration * (std::abs(vx + vxs[i]) + std::abs(vy + vys[i]));
     const double apart = self.radius + radii[i] + room + drift + ROUNDING;
-    near |= xs[i] * xs[i] + ys[i] * ys[i] > apart * apart ? BodySet{0} : BodySet{1} << i;
+    const bool far = xs[i] * xs[i] + ys[i] * ys[i] > apart * apart;
+    near |= far ? BodySet{0} : ALONE[i];
   }
   return near;
 }
