@@ -13,43 +13,16 @@ namespace {
 using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
 
-/// Takes over discs as they are given, in double precision.
+/// Takes over bodies from a number on.
 /// @param radius of the agent [m]
-CROWD_VECTORISED void convert(const double* px, const double* py, const double* vx, const double* vy,
-                              const double* radii, double radius, Discs& discs) {
-  for (std::size_t i = 0; i < Discs::SIZE; ++i) {
-    const double reach = radius + radii[i];
-    const double apart = (px[i] * px[i] + py[i] * py[i]) - reach * reach;
-    discs.px[i] = static_cast<float>(px[i]);
-    discs.py[i] = static_cast<float>(py[i]);
-    discs.vx[i] = static_cast<float>(vx[i]);
-    discs.vy[i] = static_cast<float>(vy[i]);
-    discs.apart[i] = static_cast<float>(apart > 0.0 ? apart : 0.0);
-  }
+CROWD_VECTORISED void convert(const PerceivedBodiesView& bodies, std::size_t first, double radius, Discs& discs) {
+  const double* const px = bodies.xs() + first;
+  const double* const py = bodies.ys() + first;
+  const double* const vx = bodies.vxs() + first;
+  const double* const vy = bodies.vys() + first;
+  const double* const radii = bodies.radii() + first;
+  for (std::size_t i = 0; i < Discs::SIZE; ++i) discs.put(i, {px[i], py[i]}, {vx[i], vy[i]}, radius + radii[i]);
 }
-
-/// Discs that are taken one by one, in double precision.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count` mean anything
-struct GivenDiscs {
-  using Doubles = std::array<double, Discs::SIZE>;
-
-  std::size_t count = 0;
-  Doubles px;  // [m]
-  Doubles py;
-  Doubles vx;  // [m/s]
-  Doubles vy;
-  Doubles radii;  // [m]
-
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count` mean anything
-  GivenDiscs() = default;
-  void add(const Vector2& place, const Vector2& velocity, double radius) {
-    px[count] = place.x();
-    py[count] = place.y();
-    vx[count] = velocity.x();
-    vy[count] = velocity.y();
-    radii[count++] = radius;
-  }
-};
 
 /// The wall's long side is reached where the line along it, moved by the radius, is crossed beside it.
 CROWD_VECTORISED void noteSide(const Segment& wall, double radius, Courses& courses) {
@@ -79,25 +52,24 @@ template <typename Note>
 class Collector {
  public:
   /// @param radius of the agent [m]
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count_` discs mean anything
   Collector(double radius, const Note& note) : radius_(radius), note_(note) {}
   void add(const Vector2& place, const Vector2& velocity, double radius) {
-    given_.add(place, velocity, radius);
-    if (given_.count == Discs::SIZE) noteAll();
+    discs_.put(count_++, place, velocity, radius_ + radius);
+    if (count_ == Discs::SIZE) noteAll();
   }
   void noteAll() {
-    if (given_.count == 0) return;
-    Discs discs;  // NOLINT(cppcoreguidelines-pro-type-member-init): convert() writes them
-    convert(given_.px.data(), given_.py.data(), given_.vx.data(), given_.vy.data(), given_.radii.data(), radius_,
-            discs);
-    discs.leaveOut(given_.count);
-    note_(discs, given_.count);
-    given_.count = 0;
+    if (count_ == 0) return;
+    discs_.leaveOut(count_);
+    note_(discs_, count_);
+    count_ = 0;
   }
 
  private:
   double radius_;
   const Note& note_;
-  GivenDiscs given_;
+  Discs discs_;
+  std::size_t count_ = 0;
 };
 
 /// Notes contacts with bodies and with walls. Returns the fastest approach of another agent if this one walked with the
@@ -136,8 +108,7 @@ float noteAgentsAlone(const Perception& perception, const Vector2& wish, Courses
   for (std::size_t i = 0; i < bodies.size(); i += Discs::SIZE) {
     const std::size_t count = std::min(Discs::SIZE, bodies.size() - i);
     Discs discs;  // NOLINT(cppcoreguidelines-pro-type-member-init): convert() writes them
-    convert(bodies.xs() + i, bodies.ys() + i, bodies.vxs() + i, bodies.vys() + i, bodies.radii() + i, self.radius,
-            discs);
+    convert(bodies, i, self.radius, discs);
     discs.leaveOut(count);
     noteAgents(discs, count, self.velocity, wish, courses, fastest);
   }

@@ -21,28 +21,17 @@ Vector2 anyVelocity(KeyedRandom& random) {
   return anyVector(random, LONGEST[random.below(LONGEST.size())]);
 }
 
-void put(Discs& discs, std::size_t i, const Vector2& place, const Vector2& velocity, double reach) {
-  discs.px[i] = static_cast<float>(place.x());
-  discs.py[i] = static_cast<float>(place.y());
-  discs.vx[i] = static_cast<float>(velocity.x());
-  discs.vy[i] = static_cast<float>(velocity.y());
-  discs.apart[i] = static_cast<float>(std::max(0.0, place.squaredNorm() - reach * reach));
-}
-
 /// Discs far and near, some touching or overlapping the agent or in its very place, some as fast as it; then some that
 /// fly away.
 Discs anyDiscs(KeyedRandom& random, std::size_t count, const Vector2& velocity) {
   constexpr std::array<double, 6> FARTHEST = {6.0, 6.0, 2.0, 300.0, 1e-6, 0.0};
-  Discs discs{};
-  for (std::size_t i = 0; i < Discs::SIZE; ++i) {
-    if (i >= count) {
-      put(discs, i, {1.0, 1.0}, {Discs::FLYING, Discs::FLYING}, 1.0);
-      continue;
-    }
+  Discs discs;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  for (std::size_t i = 0; i < count; ++i) {
     const Vector2 place = anyVector(random, FARTHEST[random.below(FARTHEST.size())]);
     const double reach = random.below(8) == 0 ? place.norm() : random.uniform(0.0, 0.6);
-    put(discs, i, place, random.below(8) == 0 ? velocity : anyVelocity(random), reach);
+    discs.put(i, place, random.below(8) == 0 ? velocity : anyVelocity(random), reach);
   }
+  discs.leaveOut(count);
   return discs;
 }
 

@@ -30,8 +30,8 @@ struct Courses {
   }
 };
 
-/// @brief Discs as the agent sees them, side by side. Places that are left are to hold discs that fly away, see
-/// leaveOut().
+/// @brief Discs as the agent sees them, side by side, see put(). Places that are left are to hold discs that fly away,
+/// see leaveOut().
 struct Discs {
   static constexpr std::size_t SIZE = 16;
   static constexpr float FLYING = 1e6F;  ///< [m/s]
@@ -45,6 +45,18 @@ struct Discs {
 
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): whoever makes them writes them, and zeroing takes time
   Discs() = default;
+  /// @brief Writes a disc.
+  /// @param place of its centre, seen from the agent's [m]
+  /// @param velocity over ground [m/s]
+  /// @param reach sum of both radii [m]
+  void put(std::size_t i, const Vector2& place, const Vector2& velocity, double reach) {
+    px[i] = static_cast<float>(place.x());
+    py[i] = static_cast<float>(place.y());
+    vx[i] = static_cast<float>(velocity.x());
+    vy[i] = static_cast<float>(velocity.y());
+    const double gap = (place.x() * place.x() + place.y() * place.y()) - reach * reach;
+    apart[i] = static_cast<float>(gap > 0.0 ? gap : 0.0);
+  }
   /// @brief Makes those from a number on fly away.
   void leaveOut(std::size_t first) {
     for (std::size_t i = first; i < SIZE; ++i) {
