@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eight_discs.h"
 #include "social_crowd/common/vectorised.h"
-
-#ifdef CROWD_AVX512
-#include <immintrin.h>
-#endif
 
 namespace crowd {
 namespace {
@@ -28,36 +25,21 @@ CROWD_VECTORISED void subtractRadii(const double* __restrict squares, const doub
 CROWD_AVX512 void gatherWithAvx512(const NeighbourGrid& grid, const View<NeighbourGrid::Run>& runs,
                                    const Vector2& point, double distance, std::uint32_t except,
                                    NeighbourCandidates& candidates) {
-  constexpr std::uint32_t LANES = 8;
-  const __m512d x = _mm512_set1_pd(point.x());
-  const __m512d y = _mm512_set1_pd(point.y());
-  const __m512d reach = _mm512_set1_pd(distance);
-  const __m256i excepted = _mm256_set1_epi32(static_cast<int>(except));
+  const EightDiscsReader reader(grid, point, distance, except);
   const __m256i steps = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-  const double* xs = grid.xs();
-  const double* ys = grid.ys();
-  const double* radii = grid.radii();
-  const std::uint32_t* bodies = grid.bodies();
   std::uint32_t* near_discs = candidates.discs.data();
   double* near_radii = candidates.radii.data();
   double* near_squares = candidates.squares.data();
   std::size_t count = 0;
   for (const NeighbourGrid::Run& run : runs) {
-    for (std::uint32_t i = run.begin; i < run.end; i += LANES) {
-      const auto there = static_cast<__mmask8>(_bzhi_u32(0xffU, std::min(LANES, run.end - i)));
-      const __m512d dx = _mm512_sub_pd(_mm512_maskz_loadu_pd(there, xs + i), x);
-      const __m512d dy = _mm512_sub_pd(_mm512_maskz_loadu_pd(there, ys + i), y);
-      const __m512d radius = _mm512_maskz_loadu_pd(there, radii + i);
-      const __m256i body = _mm256_maskz_loadu_epi32(there, bodies + i);
-      const __m512d square = _mm512_add_pd(_mm512_mul_pd(dx, dx), _mm512_mul_pd(dy, dy));
-      const __m512d limit = _mm512_add_pd(reach, radius);
-      const __mmask8 other = _mm256_mask_cmpneq_epu32_mask(there, body, excepted);
-      const __mmask8 near = _mm512_mask_cmp_pd_mask(other, square, _mm512_mul_pd(limit, limit), _CMP_LE_OQ);
-      const __m256i disc = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(i)), steps);
-      _mm512_storeu_pd(near_squares + count, _mm512_maskz_compress_pd(near, square));
-      _mm512_storeu_pd(near_radii + count, _mm512_maskz_compress_pd(near, radius));
-      _mm256_storeu_si256(reinterpret_cast<__m256i*>(near_discs + count), _mm256_maskz_compress_epi32(near, disc));
-      count += static_cast<std::size_t>(__builtin_popcount(near));
+    for (std::uint32_t i = run.begin; i < run.end; i += EightDiscs::SIZE) {
+      const EightDiscs eight = reader.read(i, run.end);
+      const __m256i discs = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(i)), steps);
+      _mm512_storeu_pd(near_squares + count, _mm512_maskz_compress_pd(eight.near, eight.squares));
+      _mm512_storeu_pd(near_radii + count, _mm512_maskz_compress_pd(eight.near, eight.radii));
+      _mm256_storeu_si256(reinterpret_cast<__m256i*>(near_discs + count),
+                          _mm256_maskz_compress_epi32(eight.near, discs));
+      count += static_cast<std::size_t>(__builtin_popcount(eight.near));
     }
   }
   candidates.count = count;

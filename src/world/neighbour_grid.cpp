@@ -104,14 +104,13 @@ bool NeighbourGrid::isAnyInList(const Vector2& point, double distance, std::uint
 }
 
 bool NeighbourGrid::isAnyInCells(const Vector2& point, double distance, std::uint32_t except) const {
-  static const auto LOOK = fastestLook();
+  static const Look LOOK = fastestLook();
   const Cells cells = cellsNear(point, distance);
+  const auto look = [&](std::int64_t row) { return LOOK(*this, runOf(cells, row), point, distance, except); };
   // Nearly always one or two rows. Both are looked at in any case: a branch would be guessed wrong half of the time.
-  bool any = LOOK(*this, runOf(cells, cells.bottom), runOf(cells, cells.top), point, distance, except);
-  for (std::int64_t r = cells.bottom + 1; r < cells.top && !any; ++r) {
-    const Run run = runOf(cells, r);
-    any = lookAnywhere(*this, run, run, point, distance, except);
-  }
+  const bool at_bottom = look(cells.bottom);
+  bool any = look(cells.top) || at_bottom;
+  for (std::int64_t r = cells.bottom + 1; r < cells.top && !any; ++r) any = look(r);
   return any;
 }
 

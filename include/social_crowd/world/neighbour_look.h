@@ -6,14 +6,13 @@
 
 namespace crowd {
 
-/// @brief Whether one of two runs (the same one twice: of that one) has a disc whose rim is within `distance` [m] of
-/// the point, those of one body not counted.
-using Look = bool (*)(const NeighbourGrid& grid, const NeighbourGrid::Run& one, const NeighbourGrid::Run& other,
-                      const Vector2& point, double distance, std::uint32_t except);
+/// @brief Whether a run has a disc whose rim is within `distance` [m] of the point, those of one body not counted.
+using Look = bool (*)(const NeighbourGrid& grid, const NeighbourGrid::Run& run, const Vector2& point, double distance,
+                      std::uint32_t except);
 
 /// @brief A Look for every machine.
-bool lookAnywhere(const NeighbourGrid& grid, const NeighbourGrid::Run& one, const NeighbourGrid::Run& other,
-                  const Vector2& point, double distance, std::uint32_t except);
+bool lookAnywhere(const NeighbourGrid& grid, const NeighbourGrid::Run& run, const Vector2& point, double distance,
+                  std::uint32_t except);
 
 /// @brief The fastest Look that this processor can run; all tell the same.
 Look fastestLook();
