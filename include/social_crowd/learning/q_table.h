@@ -1,10 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "social_crowd/learning/state_set.h"
-#include "social_crowd/world/geometry.h"
 
 namespace crowd {
 
@@ -54,8 +54,9 @@ class QTable {
   Action greedyAmong(const Rows& rows) const;
   double highestOf(Row row) const {
     const double* values = &values_[index(row, 0)];
-    Vector2 highest = Vector2::Constant(values[actions_ - 1]);
-    for (Action action = 0; action + 1 < actions_; action += 2) highest = highest.cwiseMax(Vector2(values + action));
+    // Two at a time.
+    Eigen::Array2d highest = Eigen::Array2d::Constant(values[actions_ - 1]);
+    for (Action action = 0; action + 1 < actions_; action += 2) highest = highest.max(Eigen::Array2d(values + action));
     return highest.maxCoeff();
   }
 

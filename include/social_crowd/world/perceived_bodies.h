@@ -84,7 +84,9 @@ class PerceivedBodiesView {
   bool empty() const { return count_ == 0; }
   PerceivedBody operator[](std::size_t i) const { return (*bodies_)[first_ + i]; }
   /// @brief Whether not all of them are agents.
-  bool hasObstacles() const { return std::memchr(kinds(), static_cast<int>(BodyKind::OBSTACLE), count_) != nullptr; }
+  bool hasObstacles() const {
+    return count_ > 0 && std::memchr(kinds(), static_cast<int>(BodyKind::OBSTACLE), count_) != nullptr;
+  }
   /// @brief The first so many of them.
   PerceivedBodiesView front(std::size_t count) const { return {*bodies_, first_, count}; }
 
