@@ -15,33 +15,59 @@ constexpr std::size_t BLOCK = NeighbourCandidates::BLOCK;
 // Up to so many candidates, comparing all with all beats sorting: no branch depends on them.
 constexpr std::size_t MAX_RANKED = 3 * BLOCK;
 
-// In single precision twice as many are compared at once.
-using Keys = float __attribute__((vector_size(BLOCK * sizeof(float))));
-using Ranks = std::int32_t __attribute__((vector_size(BLOCK * sizeof(float))));
-constexpr Ranks LANE = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+/// How many of `count` rims are smaller than each of them in single precision, by whole blocks; returns the sum.
+using Rank = std::int32_t (*)(const double* rims, std::size_t count, std::int32_t* ranks);
 
-/// rank() for so many blocks, of which the last one may be filled in part.
-template <std::size_t BLOCKS>
-[[gnu::always_inline]] inline std::int32_t rankBlocks(const double* __restrict rims, std::size_t count,
-                                                      std::int32_t* __restrict ranks) {
-  alignas(sizeof(Keys)) std::array<float, BLOCKS * BLOCK> keys;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+/// Registers of so many numbers. In single precision twice as many are compared at once.
+template <std::size_t LANES>
+struct Registers {
+  using Keys [[gnu::vector_size(LANES * sizeof(float))]] = float;
+  using Ranks [[gnu::vector_size(LANES * sizeof(float))]] = std::int32_t;
+};
+
+/// A Rank for so many registers, of which the last ones may be filled in part.
+template <std::size_t LANES, std::size_t COUNT>
+[[gnu::always_inline]] inline std::int32_t rankRegisters(const double* __restrict rims, std::size_t count,
+                                                         std::int32_t* __restrict ranks) {
+  using Keys = typename Registers<LANES>::Keys;
+  using Ranks = typename Registers<LANES>::Ranks;
+  alignas(sizeof(Keys)) std::array<float, COUNT * LANES> keys;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = static_cast<float>(rims[i]);
-  std::array<Keys, BLOCKS> own;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::array<Keys, COUNT> own;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   std::memcpy(own.data(), keys.data(), sizeof(own));
-  std::array<Ranks, BLOCKS> smaller{};
+  std::array<Ranks, COUNT> smaller{};
   for (std::size_t j = 0; j < count; ++j) {
-    for (std::size_t b = 0; b < BLOCKS; ++b) smaller[b] = keys[j] < own[b] ? smaller[b] + 1 : smaller[b];
+    for (std::size_t r = 0; r < COUNT; ++r) smaller[r] -= keys[j] < own[r];  // true is -1
   }
-  smaller.back() = LANE < static_cast<std::int32_t>(count - (BLOCKS - 1) * BLOCK) ? smaller.back() : Ranks{};
   std::memcpy(ranks, smaller.data(), sizeof(smaller));
+  std::fill(ranks + count, ranks + keys.size(), 0);
   return std::accumulate(ranks, ranks + keys.size(), 0);
 }
 
-/// How many of `count` rims are smaller than each of them in single precision, by whole blocks; returns the sum.
-CROWD_VECTORISED std::int32_t rank(const double* __restrict rims, std::size_t count, std::int32_t* __restrict ranks) {
-  if (count <= BLOCK) return rankBlocks<1>(rims, count, ranks);
-  if (count <= 2 * BLOCK) return rankBlocks<2>(rims, count, ranks);
-  return rankBlocks<3>(rims, count, ranks);
+template <std::size_t LANES>
+[[gnu::always_inline]] inline std::int32_t rankBlocks(const double* rims, std::size_t count, std::int32_t* ranks) {
+  constexpr std::size_t EACH = BLOCK / LANES;
+  if (count <= BLOCK) return rankRegisters<LANES, EACH>(rims, count, ranks);
+  if (count <= 2 * BLOCK) return rankRegisters<LANES, 2 * EACH>(rims, count, ranks);
+  return rankRegisters<LANES, 3 * EACH>(rims, count, ranks);
+}
+
+// Wider registers than a processor has would be taken apart into single numbers.
+CROWD_VECTORISED std::int32_t rankAnywhere(const double* rims, std::size_t count, std::int32_t* ranks) {
+  return rankBlocks<8>(rims, count, ranks);
+}
+
+#ifdef CROWD_AVX512
+CROWD_AVX512 std::int32_t rankWithAvx512(const double* rims, std::size_t count, std::int32_t* ranks) {
+  return rankBlocks<16>(rims, count, ranks);
+}
+#endif
+
+Rank fastestRank() {
+#ifdef CROWD_AVX512
+  if (hasAvx512()) return rankWithAvx512;
+#endif
+  return rankAnywhere;
 }
 
 bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
@@ -102,8 +128,9 @@ void NeighbourSearch::gather(const NeighbourGrid& grid, const Vector2& point, do
 
 bool NeighbourSearch::sortByRank() {
   const std::size_t count = candidates_.count;
-  alignas(sizeof(Ranks)) std::array<std::int32_t, MAX_RANKED> ranks;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  const std::int32_t sum = rank(candidates_.rims.data(), count, ranks.data());
+  static const Rank RANK = fastestRank();
+  alignas(64) std::array<std::int32_t, MAX_RANKED> ranks;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  const std::int32_t sum = RANK(candidates_.rims.data(), count, ranks.data());
   // Equal keys share a rank, so that the ranks add up to less than 0 + 1 + ... + (count - 1).
   if (2 * static_cast<std::size_t>(sum) != count * (count - 1)) return false;
   for (std::size_t i = 0; i < count; ++i) {
