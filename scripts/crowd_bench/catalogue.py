@@ -29,9 +29,10 @@ class Benchmark:
             return None
         return value / yardstick if self.ratio_is_rate or self.unit in COSTS else yardstick / value
 
-    def result(self, value, yardstick):
-        """What is told of it."""
-        return {'name': self.name, 'value': value, 'unit': self.unit, 'yardstick': yardstick,
+    def result(self, value, yardstick, spread=None):
+        """What is told of it.
+        @param spread lowest and highest of the repetitions that the value is the median of"""
+        return {'name': self.name, 'value': value, 'unit': self.unit, 'spread': spread, 'yardstick': yardstick,
                 'ratio': self.ratio(value, yardstick)}
 
     def clears_bar(self, result):

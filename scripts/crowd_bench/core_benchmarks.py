@@ -26,16 +26,19 @@ class CoreBenchmarks:
 
     def measure(self, benchmark):
         """Runs a benchmark and its yardstick, taking turns; its result."""
-        medians = self.medians(benchmark.name + f'({YARDSTICK})?', benchmark.unit, benchmark.repetitions)
-        return benchmark.result(medians[benchmark.name], medians.get(benchmark.name + YARDSTICK))
+        values = self.values(benchmark.name + f'({YARDSTICK})?', benchmark.unit, benchmark.repetitions)
+        medians = {name: statistics.median(numbers) for name, numbers in values.items()}
+        measured = values[benchmark.name]
+        return benchmark.result(medians[benchmark.name], medians.get(benchmark.name + YARDSTICK),
+                                (min(measured), max(measured)))
 
     def sweep(self, name, unit):
         """Runs a sweep; its points with their values, in order."""
-        medians = self.medians(name + '/[0-9]+', unit)
-        return sorted((int(point.rsplit('/', 1)[1]), value) for point, value in medians.items())
+        values = self.values(name + '/[0-9]+', unit)
+        return sorted((int(point.rsplit('/', 1)[1]), statistics.median(numbers)) for point, numbers in values.items())
 
-    def medians(self, pattern, unit, repetitions=None):
-        """The median of all repetitions in the unit, by name, of the benchmarks that the pattern names."""
+    def values(self, pattern, unit, repetitions=None):
+        """Of all repetitions in the unit, by name, of the benchmarks that the pattern names."""
         values = {}
         for run in self.run(f'^{pattern}(/iterations:[0-9]+)?(/real_time)?$', repetitions or self.repetitions):
             if run.get('error_occurred'):
@@ -44,7 +47,7 @@ class CoreBenchmarks:
                 values.setdefault(SUFFIX.sub('', run['run_name']), []).append(run[COUNTERS[unit]])
         if not values:
             raise RunError(f'{self.program}: has no benchmark {pattern}')
-        return {name: statistics.median(numbers) for name, numbers in values.items()}
+        return values
 
     def run(self, pattern, repetitions):
         """What the program tells of its runs. The files that it makes lie in a folder on the disk of the program."""

@@ -5,7 +5,7 @@ import os
 from .catalogue import COSTS
 
 KEYS = ('name', 'value', 'unit', 'yardstick', 'ratio')
-HEADER = ['name', 'what', 'bar', 'measured', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
+HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
 LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
 
 
@@ -16,6 +16,13 @@ def quantity(value, unit):
     if abs(value) >= 1e5:
         return f'{value / 1e6:.3g} M {unit}'
     return f'{value:,.0f} {unit}' if abs(value) >= 1000 else f'{value:.3g} {unit}'
+
+
+def spread_text(spread):
+    """(1390000, 2510000) -> 1.39 M, 2.51 M"""
+    if spread is None or spread[0] == spread[1]:
+        return ''
+    return ', '.join(quantity(value, '').rstrip() for value in spread)
 
 
 def ratio_text(result):
@@ -50,7 +57,8 @@ def row(result, benchmark):
     def in_unit(value):
         return quantity(value, benchmark.unit)
     return [benchmark.name, benchmark.what, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
-            in_unit(result['value']), benchmark.yardstick, in_unit(result['yardstick']), ratio_text(result),
+            in_unit(result['value']), spread_text(result['spread']), benchmark.yardstick,
+            in_unit(result['yardstick']), ratio_text(result),
             bar_text(benchmark.ratio_bar, not benchmark.ratio_is_rate, '{:g}'.format), met_text(result, benchmark)]
 
 
