@@ -53,11 +53,11 @@ def line(result, benchmark=None):
 
 
 def row(result, benchmark):
-    """A result as cells of the document's table."""
+    """A result as cells of the document's table. One through ROS is measured once and has no spread."""
     def in_unit(value):
         return quantity(value, benchmark.unit)
     return [benchmark.name, benchmark.what, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
-            in_unit(result['value']), spread_text(result['spread']), benchmark.yardstick,
+            in_unit(result['value']), spread_text(result.get('spread')), benchmark.yardstick,
             in_unit(result['yardstick']), ratio_text(result),
             bar_text(benchmark.ratio_bar, not benchmark.ratio_is_rate, '{:g}'.format), met_text(result, benchmark)]
 

@@ -130,6 +130,11 @@ class TableTest(support.CrowdTestCase):
         document.fill(file, [load.result(40.0, 0.5)], [], [], 3)
         self.assertEqual(support.read_text(file), text.replace(slow, fast))
 
+    def test_a_result_through_ros_has_no_spread(self):
+        lockstep = ENTRIES['ros_lockstep_12']
+        result = {'name': lockstep.name, 'value': 7000.0, 'unit': lockstep.unit, 'yardstick': 7000.0, 'ratio': 1.0}
+        self.assertEqual(table.row(result, lockstep)[3:5], ['7,000 ticks/s', ''])
+
     def test_quantities(self):
         self.assertEqual([table.quantity(value, 'x') for value in (2512345.0, 123456.0, 6543.2, 51.234, 0.4321, None)],
                          ['2.51 M x', '0.123 M x', '6,543 x', '51.2 x', '0.432 x', ''])
