@@ -10,18 +10,27 @@
 
 namespace crowd {
 
-#if defined(__cpp_lib_to_chars)
+namespace {
 
-std::string toText(double value) {
-  std::array<char, 32> buffer{};
+template <typename Number>
+void appendChars(Number value, std::string& text) {
+  std::array<char, 32> buffer;  // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
   const std::to_chars_result written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return std::string(buffer.data(), written.ptr);
+  text.append(buffer.data(), written.ptr);
 }
 
-std::string toText(const std::vector<double>& values) {
+}  // namespace
+
+void appendText(std::uint32_t value, std::string& text) { appendChars(value, text); }
+
+#if defined(__cpp_lib_to_chars)
+
+void appendText(double value, std::string& text) { appendChars(value, text); }
+
+std::string toText(double value) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + toText(value);
-  return "[" + text + "]";
+  appendText(value, text);
+  return text;
 }
 
 std::optional<double> toNumber(std::string_view text) {
@@ -61,7 +70,15 @@ std::string toText(double value) {
   return stream.str();
 }
 
+void appendText(double value, std::string& text) { text += toText(value); }
+
 #endif
+
+std::string toText(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + toText(value);
+  return "[" + text + "]";
+}
 
 std::string toFixedText(double value, int decimals, int width) {
   std::ostringstream stream;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
@@ -53,14 +54,17 @@ std::string headerOf(const TrainedTable& trained, std::size_t lines) {
 }
 
 void appendRow(const QTable& table, Row row, std::string& text) {
-  text += std::to_string(row);
+  appendText(row, text);
   for (Action action = 0; action < table.actions(); ++action) {
     const double value = table.value(row, action);
     if (!std::isfinite(value)) {
       throw InputError("row " + std::to_string(row) + ", action " + std::to_string(action) + " of the Q-table is " +
                        toText(value) + ": such a table is not written");
     }
-    text += " " + std::to_string(table.visits(row, action)) + " " + toText(value);
+    text += ' ';
+    appendText(table.visits(row, action), text);
+    text += ' ';
+    appendText(value, text);
   }
   text += "\n";
 }
@@ -193,15 +197,15 @@ Row readRow(LineReader& lines, std::int64_t before, QTable& table) {
 }  // namespace
 
 std::string toText(const TrainedTable& trained) {
-  std::string rows;
-  std::size_t lines = 0;
+  std::vector<Row> rows;
   for (Row row = 0; row < trained.table.rows(); ++row) {
-    if (!isWorthALine(trained.table, row)) continue;
-    appendRow(trained.table, row, rows);
-    ++lines;
+    if (isWorthALine(trained.table, row)) rows.push_back(row);
   }
-  const std::string text = headerOf(trained, lines) + rows;
-  return text + std::string(CHECKSUM) + checksumOf(text) + "\n";
+  std::string text = headerOf(trained, rows.size());
+  for (const Row row : rows) appendRow(trained.table, row, text);
+  const std::string checksum = checksumOf(text);
+  text.append(CHECKSUM).append(checksum).append("\n");
+  return text;
 }
 
 TrainedTable parseQTable(const std::string& text, const std::string& name) {

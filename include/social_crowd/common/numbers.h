@@ -11,6 +11,10 @@ namespace crowd {
 /// @brief The shortest decimal text that reads back as the same double, bit for bit ("nan", "inf", "-inf" included).
 std::string toText(double value);
 
+/// @brief Appends toText() of a number; for large files.
+void appendText(double value, std::string& text);
+void appendText(std::uint32_t value, std::string& text);
+
 /// @brief A list as YAML writes it: "[1, 2.5]".
 std::string toText(const std::vector<double>& values);
 
