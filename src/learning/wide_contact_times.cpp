@@ -192,11 +192,6 @@ CROWD_AVX512 void noteAgentsWidely(const Discs& agents, std::size_t /*count*/, c
 }  // namespace
 #endif
 
-NoteAgents fastestForMany() {
-#ifdef CROWD_AVX512
-  if (hasAvx512()) return noteAgentsWidely;
-#endif
-  return noteAgentsPlainly;
-}
+NoteAgents fastestForMany() { return CROWD_FASTEST(noteAgentsWidely, noteAgentsPlainly); }
 
 }  // namespace crowd

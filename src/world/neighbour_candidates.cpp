@@ -77,11 +77,6 @@ void gatherAnywhere(const NeighbourGrid& grid, const View<NeighbourGrid::Run>& r
   candidates.count = count;
 }
 
-Gather fastestGather() {
-#ifdef CROWD_AVX512
-  if (hasAvx512()) return gatherWithAvx512;
-#endif
-  return gatherAnywhere;
-}
+Gather fastestGather() { return CROWD_FASTEST(gatherWithAvx512, gatherAnywhere); }
 
 }  // namespace crowd

@@ -34,11 +34,6 @@ bool lookAnywhere(const NeighbourGrid& grid, const NeighbourGrid::Run& run, cons
   return any;
 }
 
-Look fastestLook() {
-#ifdef CROWD_AVX512
-  if (hasAvx512()) return lookWithAvx512;
-#endif
-  return lookAnywhere;
-}
+Look fastestLook() { return CROWD_FASTEST(lookWithAvx512, lookAnywhere); }
 
 }  // namespace crowd

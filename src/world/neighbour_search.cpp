@@ -63,12 +63,7 @@ CROWD_AVX512 std::int32_t rankWithAvx512(const double* rims, std::size_t count, 
 }
 #endif
 
-Rank fastestRank() {
-#ifdef CROWD_AVX512
-  if (hasAvx512()) return rankWithAvx512;
-#endif
-  return rankAnywhere;
-}
+Rank fastestRank() { return CROWD_FASTEST(rankWithAvx512, rankAnywhere); }
 
 bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
   if (a.rim_distance != b.rim_distance) return a.rim_distance < b.rim_distance;

@@ -5,6 +5,8 @@
 // (CMakeLists.txt).
 // CROWD_AVX512 before a function: compiled for AVX-512 and may use its intrinsics; to be called only where hasAvx512().
 // Where the compiler does not know them it is not defined.
+// CROWD_FASTEST(wide, plain): of two functions of one type the first, which is CROWD_AVX512, where the processor runs
+// it.
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
 #define CROWD_VECTORISED __attribute__((target_clones("avx512f", "avx2", "default")))
 #define CROWD_AVX512 __attribute__((target("avx512f,avx512vl,avx512dq,avx512cd,bmi2,popcnt")))
@@ -19,6 +21,8 @@ inline bool hasAvx512() {
 }
 
 }  // namespace crowd
+#define CROWD_FASTEST(wide, plain) (crowd::hasAvx512() ? (wide) : (plain))
 #else
 #define CROWD_VECTORISED
+#define CROWD_FASTEST(wide, plain) (plain)
 #endif
