@@ -10,15 +10,6 @@ namespace {
 /// Ratios to shorter ways than this would say nothing [m].
 constexpr double SHORTEST_LENGTH = 0.1;
 
-/// From one vector to the other, counterclockwise [rad], in [-pi, pi].
-double angleBetween(const Vector2& from, const Vector2& to) {
-  const double sine = cross(from, to);
-  const double cosine = from.dot(to);
-  // Who walks straight on turns by nothing but rounding; the series of the arc tangent ends after its first term there.
-  if (std::abs(sine) < 1e-12 * cosine) return sine / cosine;
-  return std::atan2(sine, cosine);
-}
-
 double straightLength(const AgentStart& start, double goal_tolerance) {
   double length = -goal_tolerance;
   Vector2 from = start.position;
@@ -79,32 +70,35 @@ void EpisodeMonitor::noteGoal(const Agent& agent, const Vector2& goal) {
 
 void EpisodeMonitor::observe(const World& world, Workers& workers) {
   ticks_ = world.tick();
+  // Bodies that are not in each other's way go where they look.
+  const bool along_heading = world.contact() == Contact::GHOST;
   const auto observe_some = [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Agent& agent = world.agents()[i];
       tracks_[i].result.removed = agent.status == AgentStatus::REMOVED;
       const bool just_arrived = agent.hasArrived() && agent.arrival_tick == ticks_;
-      if (agent.isWalking() || just_arrived) observeAgent(agent, tracks_[i]);
+      if (agent.isWalking() || just_arrived) observeAgent(agent, along_heading, tracks_[i]);
     }
   };
   workers.run(tracks_.size(), observe_some, FEW_AGENTS);
 }
 
-void EpisodeMonitor::observeAgent(const Agent& agent, Track& track) const {
+inline void EpisodeMonitor::observeAgent(const Agent& agent, bool along_heading, Track& track) const {
   const Vector2 step = agent.pose.position - track.position;
-  const Vector2 velocity = step / tick_duration_;
-  const double pace = velocity.norm();
-  if (pace > MOVING && track.pace > MOVING) track.turn += std::abs(angleBetween(track.velocity, velocity));
+  const double length = step.norm();
+  const double course = along_heading ? agent.pose.heading : bearingOf(step);
+  const bool moves = length > MOVING * tick_duration_;
+  if (moves && track.moves) track.turn += std::abs(wrapAngle(course - track.course));
   const double distance = (track.goal - agent.pose.position).norm();
   track.result.distance_gained += track.distance - distance;
   const bool same_goal = agent.goal() == track.goal;
   track.goal = agent.goal();
   track.position = agent.pose.position;
   track.distance = same_goal ? distance : (track.goal - track.position).norm();
-  track.velocity = velocity;
-  track.pace = pace;
-  track.result.path_length += step.norm();
-  track.result.max_speed_ratio = std::max(track.result.max_speed_ratio, pace / track.speed);
+  track.course = course;
+  track.moves = moves;
+  track.longest_step = std::max(track.longest_step, length);
+  track.result.path_length += length;
   track.result.ticks = ticks_ - track.begin;
   track.result.touched = agent.touched;
   track.result.blocked_moves = agent.blocked_moves;
@@ -119,6 +113,7 @@ EpisodeResult EpisodeMonitor::result() const {
     AgentResult agent = track.result;
     agent.path_ratio = agent.path_length / agent.straight_length;
     agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.speed / agent.straight_length;
+    agent.max_speed_ratio = track.longest_step / (tick_duration_ * track.speed);
     agent.turn_per_metre = track.turn / std::max(SHORTEST_LENGTH, agent.path_length);
     agent.gain_per_tick = agent.ticks > 0 ? agent.distance_gained / static_cast<double>(agent.ticks) : 0.0;
     agent.path_per_gain = agent.distance_gained > 0.0 ? agent.path_length / agent.distance_gained

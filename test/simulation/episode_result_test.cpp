@@ -11,6 +11,7 @@ namespace crowd {
 namespace {
 
 using scenes::agent;
+using scenes::mover;
 using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
@@ -330,6 +331,23 @@ TEST(AgentFigures, BlockedMovesAreCounted) {
   EXPECT_DOUBLE_EQ(result.path_length, 1.0);
   EXPECT_EQ(walk(blocked_way, times(2, AHEAD)).blocked_moves, 0U);
   EXPECT_FALSE(walk(blocked_way, times(2, AHEAD)).touched);
+}
+
+TEST(AgentFigures, WhoIsPushedTurnsThoughItLooksTheSameWay) {
+  // An obstacle pushes it 0.5 m to the side, then it walks 0.5 m ahead: a quarter turn in 1 m.
+  Scene pushed = scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0, 0.25)})));
+  pushed.obstacles.push_back(mover({0.0, 0.5}, {0.0, -1.0}, 0.25));
+  World world(pushed);
+  EpisodeMonitor monitor(pushed, world);
+  for (const RelativeAction& move : {STAY, AHEAD}) {
+    world.step({{0, move}});
+    monitor.observe(world);
+    if (!world.obstacles().empty()) world.removeObstacle(0);
+  }
+  const AgentResult result = monitor.result().agents.at(0);
+  EXPECT_NEAR(result.turn_per_metre, PI / 2, 1e-12);
+  EXPECT_NEAR(result.path_length, 1.0, 1e-12);
+  EXPECT_TRUE(result.touched);
 }
 
 TEST(Figures, WithoutArrivalsThereAreNoMeans) {

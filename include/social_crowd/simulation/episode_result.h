@@ -67,14 +67,16 @@ class EpisodeMonitor {
     Vector2 start = Vector2::Zero();
     Vector2 goal = Vector2::Zero();  // that it walks to in the next tick
     Vector2 position = Vector2::Zero();
-    Vector2 velocity = Vector2::Zero();
-    double pace = 0.0;      // length of the velocity
-    double distance = 0.0;  // from the goal
+    double course = 0.0;        // direction of the last step [rad]
+    bool moves = false;         // and whether it counts
+    double longest_step = 0.0;  // [m]
+    double distance = 0.0;      // from the goal
     double turn = 0.0;
     double speed = 0.0;
     AgentResult result;
   };
-  void observeAgent(const Agent& agent, Track& track) const;
+  /// @param along_heading whether it moved the way it looks
+  void observeAgent(const Agent& agent, bool along_heading, Track& track) const;
 
   std::string scenario_;
   double tick_duration_;
