@@ -11,9 +11,6 @@ namespace {
 /// Nearer than this a wall passes through the agent's centre, and directions to its parts mean nothing [m].
 constexpr double NO_DIRECTION = 1e-9;
 
-/// How far guessed directions to a disc's tangents may be off [rad]: two bearings, and the root of a difference.
-constexpr double SPAN_ERROR = 2.0 * QUICK_BEARING_ERROR + 1e-6;
-
 /// Where the ray of an angle meets the line through the segment; the nearer end where they are parallel.
 Vector2 meetRay(const Segment& segment, double angle) {
   const Vector2 ray = unitVector(angle);
@@ -27,7 +24,7 @@ Vector2 meetRay(const Segment& segment, double angle) {
 }  // namespace
 
 OccupancyStates::OccupancyStates(const Parameters& parameters)
-    : parameters_(parameters), sectors_(parameters.sectors), codes_(1) {
+    : parameters_(parameters), sectors_(parameters.sectors), limits_(sectors_), codes_(1) {
   for (int i = 0; i < parameters.sectors; ++i) codes_ *= BASE;
   for (SectorSet set = 0; set <= allSectors(); ++set) {
     Situation situation;
@@ -42,7 +39,7 @@ void OccupancyStates::findRows(const Perception& perception, const MoveBlock* /*
   Occupied occupied{};
   for (const PerceivedBody& body : perception.bodies) addBody(body, occupied);
   for (const Segment& wall : perception.walls) addWall(wall, occupied);
-  Row row = codes_ * static_cast<Row>(sectors_.indexOf(perception.self.goal));  // (3.5)
+  Row row = codes_ * static_cast<Row>(goalSector(perception.self.goal));  // (3.5)
   Row distance_class = 0;
   SectorSet nearer = 0;
   for (const SectorSet set : occupied) {
@@ -58,11 +55,22 @@ OccupancyStates::Situation OccupancyStates::describe(const Perception& perceptio
   return situationOf(row);
 }
 
-inline OccupancyStates::SectorSet OccupancyStates::sectorsFrom(long first, long last) const {
+inline int OccupancyStates::goalSector(const Vector2& goal) const {
+  const SectorSet sector = limits_.reachedBy(goal, goal.norm(), 0.0);
+  return sector != 0 ? __builtin_ctz(sector) : sectors_.indexOf(bearingOf(goal));
+}
+
+SectorSet OccupancyStates::sectorsFrom(long first, long last) const {
   const long count = std::min<long>(last - first + 1, sectors_.count());
   const SectorSet beyond_a_circle = ((1U << static_cast<unsigned>(count)) - 1U)
                                     << static_cast<unsigned>(sectors_.wrap(first));
   return (beyond_a_circle | beyond_a_circle >> static_cast<unsigned>(sectors_.count())) & allSectors();
+}
+
+SectorSet OccupancyStates::sectorsSpanned(const PerceivedBody& body, double distance) const {
+  const double bearing = bearingOf(body.position);
+  const double half_span = std::asin(body.radius / distance);
+  return sectorsFrom(sectors_.unwrappedIndexOf(bearing - half_span), sectors_.unwrappedIndexOf(bearing + half_span));
 }
 
 inline void OccupancyStates::addBody(const PerceivedBody& body, Occupied& occupied) const {
@@ -70,16 +78,8 @@ inline void OccupancyStates::addBody(const PerceivedBody& body, Occupied& occupi
   const int distance_class = parameters_.distances.classOf(distance - body.radius);
   if (distance_class == 0) return;
   if (distance <= body.radius) return occupy(occupied, allSectors(), distance_class);  // the agent stands inside
-  // Seen from the agent the disc spans the angles between its two tangents; it reaches into all sectors of that span.
-  const double guess = quickBearingOf(body.position);
-  const double tangent = std::sqrt((distance - body.radius) * (distance + body.radius));
-  const double half_guess = quickAcuteBearingOf({tangent, body.radius});
-  const auto half_span = [&] { return std::asin(body.radius / distance); };
-  const long first =
-      sectors_.unwrappedIndexOf(guess - half_guess, SPAN_ERROR, [&] { return bearingOf(body.position) - half_span(); });
-  const long last =
-      sectors_.unwrappedIndexOf(guess + half_guess, SPAN_ERROR, [&] { return bearingOf(body.position) + half_span(); });
-  occupy(occupied, sectorsFrom(first, last), distance_class);
+  const SectorSet reached = limits_.reachedBy(body.position, distance, body.radius);
+  occupy(occupied, reached != 0 ? reached : sectorsSpanned(body, distance), distance_class);
 }
 
 void OccupancyStates::addWall(const Segment& wall, Occupied& occupied) const {

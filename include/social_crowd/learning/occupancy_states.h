@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "social_crowd/learning/distance_classes.h"
+#include "social_crowd/learning/sector_limits.h"
 #include "social_crowd/learning/sectors.h"
 #include "social_crowd/learning/state_set.h"
 
@@ -52,14 +53,16 @@ class OccupancyStates : public StateSet {
  private:
   static constexpr int BASE = DistanceClasses::COUNT + 1;
 
-  /// A set of sectors: bit 0 is sector 0.
-  using SectorSet = std::uint32_t;
   /// By distance class, from 1, the sectors that something of that class reaches into.
   using Occupied = std::array<SectorSet, DistanceClasses::COUNT>;
 
   SectorSet allSectors() const { return (1U << static_cast<unsigned>(sectors_.count())) - 1U; }
   /// From one sector to another, counterclockwise; numbers not yet taken modulo, at most a full circle apart.
   SectorSet sectorsFrom(long first, long last) const;
+  int goalSector(const Vector2& goal) const;
+  /// All sectors between the tangents of a body that the agent stands outside of: seen from it, the body spans the
+  /// angles between those.
+  SectorSet sectorsSpanned(const PerceivedBody& body, double distance) const;
   static void occupy(Occupied& occupied, SectorSet sectors, int distance_class) {
     occupied[static_cast<std::size_t>(distance_class) - 1] |= sectors;
   }
@@ -68,6 +71,7 @@ class OccupancyStates : public StateSet {
 
   Parameters parameters_;
   EvenSectors sectors_;
+  SectorLimits limits_;
   Row codes_;                   // 3^sectors
   std::vector<Row> set_codes_;  // of each set of sectors, if class 1 is in all of it and no other is occupied
 };

@@ -1,0 +1,78 @@
+#include "social_crowd/learning/sector_limits.h"
+
+#include <cmath>
+
+#include "social_crowd/common/vectorised.h"
+
+namespace crowd {
+namespace {
+
+/// Limits are looked at so many at a time.
+constexpr std::size_t BLOCK = 8;
+using Block = std::array<std::uint64_t, BLOCK>;
+
+/// Share of the distance by which a rim must miss a limit. The arc sine that an angle would be worked out with is off
+/// by 1.5e-8 [rad] at most, where the rim is next to the origin.
+constexpr double CLEAR = 1e-7;
+
+// What is found out about limit i of a block: bit i, or bit i of the second or third byte.
+constexpr unsigned LEFT = 8;      // the centre is on its left
+constexpr unsigned UNCLEAR = 16;  // the rim ends next to it, or next to what it is on the other side of the origin
+constexpr unsigned ALL_BITS = 0xFF;
+
+constexpr Block bitsFrom(unsigned first) {
+  Block bits{};
+  for (std::size_t i = 0; i < BLOCK; ++i) bits[i] = std::uint64_t{1} << (first + i);
+  return bits;
+}
+constexpr Block TOUCHED_BITS = bitsFrom(0);
+constexpr Block LEFT_BITS = bitsFrom(LEFT);
+constexpr Block UNCLEAR_BITS = bitsFrom(UNCLEAR);
+
+CROWD_VECTORISED std::uint64_t compare(const double* x, const double* y, const Vector2& centre, double radius,
+                                       double clear) {
+  const double px = centre.x();
+  const double py = centre.y();
+  std::uint64_t found = 0;
+  for (std::size_t i = 0; i < BLOCK; ++i) {
+    const double across = x[i] * py - y[i] * px;
+    const double along = x[i] * px + y[i] * py;
+    const double beyond = radius - std::abs(across);
+    const bool touched = (beyond >= 0.0) & (along > 0.0);
+    const bool is_clear = std::abs(beyond) > clear;
+    found |= (touched ? TOUCHED_BITS[i] : 0) | (across >= 0.0 ? LEFT_BITS[i] : 0) | (is_clear ? 0 : UNCLEAR_BITS[i]);
+  }
+  return found;
+}
+
+}  // namespace
+
+SectorLimits::SectorLimits(const EvenSectors& sectors)
+    : all_((1U << static_cast<unsigned>(sectors.count())) - 1U), count_(static_cast<unsigned>(sectors.count())) {
+  for (int sector = 0; sector < sectors.count(); ++sector) {
+    const Vector2 limit = unitVector(sectors.rightLimit(sector));
+    x_[static_cast<std::size_t>(sector)] = limit.x();
+    y_[static_cast<std::size_t>(sector)] = limit.y();
+  }
+}
+
+SectorSet SectorLimits::reachedBy(const Vector2& centre, double distance, double radius) const {
+  SectorSet touched = 0;
+  SectorSet left = 0;
+  SectorSet unclear = 0;
+  for (unsigned first = 0; first < count_; first += BLOCK) {
+    const std::uint64_t found = compare(&x_[first], &y_[first], centre, radius, CLEAR * distance);
+    touched |= static_cast<SectorSet>(found & ALL_BITS) << first;
+    left |= static_cast<SectorSet>(found >> LEFT & ALL_BITS) << first;
+    unclear |= static_cast<SectorSet>(found >> UNCLEAR & ALL_BITS) << first;
+  }
+  if ((unclear & all_) != 0) return 0;
+  touched &= all_;
+  left &= all_;
+  // Sector i lies between limit i and the next one: a touched limit is that of two sectors, and the centre is to the
+  // left of the one and not of the other.
+  const auto next = [this](SectorSet set) { return set >> 1U | (set & 1U) << (count_ - 1U); };
+  return touched | next(touched) | (left & ~next(left));
+}
+
+}  // namespace crowd
