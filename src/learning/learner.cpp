@@ -150,12 +150,14 @@ inline void Learner::findRows(const Perception& seen, const Choice& choice) cons
 }
 
 inline void Learner::learn(const Perceptions& perceptions) {
-  forEachGuest(perceptions,
-               [&](std::size_t index) { findRows(perceptionOf(perceptions, index), choiceAt(index, space_)); });
   const std::size_t size = guests_.size();
   for (std::size_t i = 0; i < size; ++i) {
-    if (guests_[i].place == NOBODY) continue;
-    learnOne(perceptionOf(perceptions, i), perceptions, rowsOf(choiceAt(i, space_)), memories_[guests_[i].place]);
+    const Guest guest = guests_[i];
+    if (guest.place == NOBODY) continue;
+    const Perception seen = perceptionOf(perceptions, i, guest.bodies);
+    const Choice choice = choiceAt(i, space_);
+    if (guest.answer != NOBODY) findRows(seen, choice);
+    learnOne(seen, perceptions, rowsOf(choice), memories_[guest.place]);
   }
 }
 
