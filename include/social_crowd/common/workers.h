@@ -50,7 +50,7 @@ class Workers {
     void (*call)(const void*, unsigned, std::size_t, std::size_t) = nullptr;
     const void* what = nullptr;
   };
-  static constexpr std::size_t PARTS_EACH = 8;
+  static constexpr std::size_t PARTS_EACH = 64;
 
   /// What a part has thrown.
   struct Problem {
