@@ -5,6 +5,7 @@
 #include "social_crowd/world/neighbour_look.h"
 
 namespace crowd {
+
 void NeighbourGrid::clear() {
   added_.clear();
   bodies_.clear();
@@ -22,7 +23,7 @@ void NeighbourGrid::build(double cell_size) {
   radii_.resize(added_.size());
   bodies_.resize(added_.size());
   velocities_.resize(added_.size());
-  if (added_.size() <= FEW) {
+  if (added_.size() <= LIST) {
     for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], i);
     return;
   }
@@ -70,6 +71,11 @@ void NeighbourGrid::place(const Disc& disc, std::size_t where) {
 }
 
 View<NeighbourGrid::Run> NeighbourGrid::findRunsNear(const Vector2& point, double distance, Runs& space) const {
+  if (isList()) {
+    if (space.empty()) space.resize(1);
+    space[0] = all();
+    return {space.data(), 1};
+  }
   const Cells cells = cellsNear(point, distance);
   const auto count = static_cast<std::size_t>(cells.top - cells.bottom + 1);
   if (space.size() < count) space.resize(2 * count);
@@ -84,27 +90,15 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
       if (limit >= 0.0 && (centre(i) - point).squaredNorm() <= limit * limit) found.push_back(bodies_[i]);
     }
   };
-  if (isList()) return look({0, static_cast<std::uint32_t>(size())});
+  if (isList()) return look(all());
   const Cells cells = cellsNear(point, distance);
   for (std::int64_t r = cells.bottom; r <= cells.top; ++r) look(runOf(cells, r));
 }
 
 bool NeighbourGrid::isAnyNear(const Vector2& point, double distance, std::uint32_t except) const {
-  return isList() ? isAnyInList(point, distance, except) : isAnyInCells(point, distance, except);
-}
-
-bool NeighbourGrid::isAnyInList(const Vector2& point, double distance, std::uint32_t except) const {
-  // One is often the body that asks, and the others are soon told from each other: branches are guessed well here.
-  for (std::size_t i = 0; i < size(); ++i) {
-    const double limit = distance + radii_[i];
-    if (limit < 0.0 || bodies_[i] == except) continue;
-    if ((centre(i) - point).squaredNorm() <= limit * limit) return true;
-  }
-  return false;
-}
-
-bool NeighbourGrid::isAnyInCells(const Vector2& point, double distance, std::uint32_t except) const {
   static const Look LOOK = fastestLook();
+  if (isShort()) return isAnyInShortList(point, distance, except);
+  if (isList()) return LOOK(*this, all(), point, distance, except);
   const Cells cells = cellsNear(point, distance);
   const auto look = [&](std::int64_t row) { return LOOK(*this, runOf(cells, row), point, distance, except); };
   // Nearly always one or two rows. Both are looked at in any case: a branch would be guessed wrong half of the time.
@@ -112,6 +106,16 @@ bool NeighbourGrid::isAnyInCells(const Vector2& point, double distance, std::uin
   bool any = look(cells.top) || at_bottom;
   for (std::int64_t r = cells.bottom + 1; r < cells.top && !any; ++r) any = look(r);
   return any;
+}
+
+bool NeighbourGrid::isAnyInShortList(const Vector2& point, double distance, std::uint32_t except) const {
+  // One is often the body that asks, and the others are soon told from each other: branches are guessed well here.
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double limit = distance + radii_[i];
+    if (limit < 0.0 || bodies_[i] == except) continue;
+    if ((centre(i) - point).squaredNorm() <= limit * limit) return true;
+  }
+  return false;
 }
 
 }  // namespace crowd

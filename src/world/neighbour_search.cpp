@@ -74,12 +74,12 @@ bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
 
 View<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vector2& point, double distance,
                                             std::size_t most, std::uint32_t except) {
-  return grid.isList() ? findInList(grid, point, distance, most, except)
-                       : findInCells(grid, point, distance, most, except);
+  return grid.isShort() ? findInShortList(grid, point, distance, most, except)
+                        : findInRuns(grid, point, distance, most, except);
 }
 
-View<NearDisc> NeighbourSearch::findInCells(const NeighbourGrid& grid, const Vector2& point, double distance,
-                                            std::size_t most, std::uint32_t except) {
+View<NearDisc> NeighbourSearch::findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance,
+                                           std::size_t most, std::uint32_t except) {
   const bool all = most == 0;
   // A quarter more than last time: with neighbours spread evenly that is enough more often than not.
   double reach = all ? distance : std::min(distance, 1.25 * last_reach_);
@@ -97,8 +97,8 @@ View<NearDisc> NeighbourSearch::findInCells(const NeighbourGrid& grid, const Vec
   return {found_.data(), wanted};
 }
 
-View<NearDisc> NeighbourSearch::findInList(const NeighbourGrid& grid, const Vector2& point, double distance,
-                                           std::size_t most, std::uint32_t except) {
+View<NearDisc> NeighbourSearch::findInShortList(const NeighbourGrid& grid, const Vector2& point, double distance,
+                                                std::size_t most, std::uint32_t except) {
   found_.resize(std::max(found_.size(), grid.size()));
   std::size_t count = 0;
   for (std::uint32_t disc = 0; disc < grid.size(); ++disc) {

@@ -28,7 +28,9 @@ class NeighbourGrid {
   void build(double cell_size);
 
   /// @brief Whether there are so few discs that they are kept in order of add(), and may move().
-  bool isList() const { return bodies_.size() <= FEW; }
+  bool isList() const { return bodies_.size() <= LIST; }
+  /// @brief Whether they are even so few that it is best to look at them one by one.
+  bool isShort() const { return bodies_.size() <= SHORT; }
   /// @brief Puts a disc of a list in another place [m], with another velocity [m/s].
   void move(std::size_t disc, const Vector2& centre, const Vector2& velocity) {
     xs_[disc] = centre.x();
@@ -56,7 +58,7 @@ class NeighbourGrid {
   using Runs = std::vector<Run>;
 
   /// @brief Runs of discs, some of them empty, that hold all whose rim is within `distance` [m] of the point, and
-  /// others. Not of a list. @param space where they are written; it only grows
+  /// others. @param space where they are written; it only grows
   View<Run> findRunsNear(const Vector2& point, double distance, Runs& space) const;
 
   /// @brief Appends to `found` the discs whose rim is within `distance` [m] of the point, in an order that depends on
@@ -68,7 +70,8 @@ class NeighbourGrid {
 
  private:
   static constexpr std::size_t MAX_CELLS = 1U << 20U;
-  static constexpr std::size_t FEW = 8;  // so few discs are looked at one by one, in one cell
+  static constexpr std::size_t SHORT = 8;
+  static constexpr std::size_t LIST = 32;  // so few discs are one run
 
   /// A rectangle of cells; a row of cells is one run of discs.
   struct Cells {
@@ -87,8 +90,8 @@ class NeighbourGrid {
     return {first_[static_cast<std::size_t>(first + cells.left)],
             first_[static_cast<std::size_t>(first + cells.right) + 1]};
   }
-  bool isAnyInList(const Vector2& point, double distance, std::uint32_t except) const;
-  bool isAnyInCells(const Vector2& point, double distance, std::uint32_t except) const;
+  Run all() const { return {0, static_cast<std::uint32_t>(size())}; }
+  bool isAnyInShortList(const Vector2& point, double distance, std::uint32_t except) const;
   void layOut(double cell_size);
   void countCells();
   void place(const Disc& disc, std::size_t where);

@@ -31,10 +31,10 @@ class NeighbourSearch {
 
  private:
   /// One disc after the other.
-  View<NearDisc> findInList(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
+  View<NearDisc> findInShortList(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
+                                 std::uint32_t except);
+  View<NearDisc> findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
                             std::uint32_t except);
-  View<NearDisc> findInCells(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
-                             std::uint32_t except);
   void gather(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except);
   /// Fails if two candidates are equally far.
   bool sortByRank();
