@@ -46,6 +46,8 @@ std::string readFile(const std::string& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
   if (stream == nullptr) throwSystem(file, "cannot be read");
   std::string content;
+  const std::uintmax_t size = std::filesystem::file_size(file, ignored);  // unknown of what is no plain file
+  if (!ignored) content.reserve(size);
   std::array<char, 1U << 16U> part{};
   for (std::size_t count = part.size(); count == part.size();) {
     count = std::fread(part.data(), 1, part.size(), stream.get());

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 
@@ -15,18 +16,9 @@ namespace {
 constexpr std::string_view MAGIC = "social_crowd Q-table";
 constexpr int VERSION = 1;
 constexpr std::string_view HEADER_END = "---";
-constexpr std::string_view CHECKSUM = "checksum: ";
-
-/// FNV-1a, 64 bits, as 16 hexadecimal digits.
-std::string checksumOf(std::string_view text) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3ULL;
-  std::string digits(16, '0');
-  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, hash >>= 4U) {
-    *digit = "0123456789abcdef"[hash & 0xFU];
-  }
-  return digits;
-}
+constexpr std::string_view CHECKSUM_KEY = "checksum: ";
+constexpr std::size_t MOST_OF_ROW = 11;             // letters beside its entries
+constexpr std::size_t MOST_OF_ENTRY = 10 + 24 + 2;  // letters of visits and a value, with spaces
 
 bool isWorthALine(const QTable& table, Row row) {
   for (Action action = 0; action < table.actions(); ++action) {
@@ -72,7 +64,7 @@ void appendRow(const QTable& table, Row row, std::string& text) {
 /// Takes a text apart line by line and knows where it is.
 class LineReader {
  public:
-  LineReader(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
+  LineReader(std::string_view text, std::string name) : rest_(text), unsummed_(text), name_(std::move(name)) {}
 
   bool atEnd() const { return rest_.empty(); }
 
@@ -92,8 +84,18 @@ class LineReader {
 
   const std::string& name() const { return name_; }
 
+  /// Adds the text up to here to the checksum, to be called now and then; the checksum of all up to here.
+  const Checksum& sumUpTo(const char* end) {
+    const auto length = static_cast<std::size_t>(end - unsummed_.data());
+    checksum_.add(unsummed_.substr(0, length));
+    unsummed_.remove_prefix(length);
+    return checksum_;
+  }
+
  private:
   std::string_view rest_;
+  std::string_view unsummed_;
+  Checksum checksum_;
   std::string name_;
   std::size_t line_ = 0;
 };
@@ -187,6 +189,7 @@ Row readRow(LineReader& lines, std::int64_t before, QTable& table) {
       lines.fail("visits and a finite value for each of " + std::to_string(table.actions()) + " actions", quoted(line));
     }
     table.set(*row, action, *value, *visits);
+    lines.sumUpTo(rest.data());
   }
   if (!rest.empty() || line.back() == ' ') {
     lines.fail("nothing after the last of " + std::to_string(table.actions()) + " actions", quoted(rest));
@@ -202,10 +205,12 @@ std::string toText(const TrainedTable& trained) {
     if (isWorthALine(trained.table, row)) rows.push_back(row);
   }
   std::string text = headerOf(trained, rows.size());
+  // A text that grows is copied again and again; room that is not written to costs nothing.
+  text.reserve(text.size() + rows.size() * (MOST_OF_ROW + trained.table.actions() * MOST_OF_ENTRY));
   for (const Row row : rows) appendRow(trained.table, row, text);
-  const std::string checksum = checksumOf(text);
-  text.append(CHECKSUM).append(checksum).append("\n");
-  return text;
+  Checksum checksum;
+  checksum.add(text);
+  return text.append(CHECKSUM_KEY).append(checksum.text()).append("\n");
 }
 
 TrainedTable parseQTable(const std::string& text, const std::string& name) {
@@ -216,11 +221,10 @@ TrainedTable parseQTable(const std::string& text, const std::string& name) {
   std::int64_t before = -1;
   for (Row i = 0; i < header.visited_rows; ++i) before = readRow(lines, before, table);
   const std::string_view last = lines.next("the checksum after " + std::to_string(header.visited_rows) + " rows");
-  const auto begin = static_cast<std::size_t>(last.data() - text.data());
-  const std::string expected = std::string(CHECKSUM) + checksumOf(std::string_view(text).substr(0, begin));
+  const std::string expected = std::string(CHECKSUM_KEY) + lines.sumUpTo(last.data()).text();
   if (last != expected) lines.fail("'" + expected + "': the file was changed or damaged", quoted(last));
   if (!lines.atEnd()) lines.fail("nothing after the checksum", "more text");
-  return {header.model, header.parameters, header.decisions, header.seed, table};
+  return {header.model, header.parameters, header.decisions, header.seed, std::move(table)};
 }
 
 void saveQTable(const std::string& file, const TrainedTable& trained) { replaceFile(file, toText(trained)); }

@@ -1,8 +1,10 @@
 #include "social_crowd/learning/thesis_reward.h"
 
+#include <array>
 #include <cmath>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/learning/distance_classes.h"
 
 namespace crowd {
 namespace {
@@ -11,21 +13,24 @@ constexpr const char* DISTANCE_GAINED_NAME = "distance_gained";
 constexpr const char* COSINE_CUBED_NAME = "cosine_cubed";
 constexpr double FALL_PER_CLASS = 100.0;  // 10^2, (3.8) and (3.9)
 
-double obstaclePartOf(const std::vector<int>& distance_classes, double cost) {
-  double sum = 0.0;
-  for (const int distance_class : distance_classes) {
-    // An empty sector costs nothing: the printed (3.9), taken at D = 0, would cost 1000.
-    if (distance_class > 0) sum -= cost / std::pow(FALL_PER_CLASS, distance_class - 1);
-  }
-  return sum;
+/// What an obstacle of each distance class costs. An empty sector costs nothing: the printed (3.9), taken at D = 0,
+/// would cost 1000.
+std::array<double, DistanceClasses::COUNT + 1> costsByClass(double nearest) {
+  std::array<double, DistanceClasses::COUNT + 1> costs{};
+  for (std::size_t i = 1; i < costs.size(); ++i) costs[i] = nearest / std::pow(FALL_PER_CLASS, i - 1);
+  return costs;
 }
 
 }  // namespace
 
 ThesisReward::ThesisReward(const Parameters& parameters, const StateSet& state_set) : parameters_(parameters) {
+  const auto costs = costsByClass(parameters.obstacle_cost);
   obstacle_parts_.reserve(state_set.rowCount());
   for (Row row = 0; row < state_set.rowCount(); ++row) {
-    obstacle_parts_.push_back(obstaclePartOf(state_set.distanceClasses(row), parameters.obstacle_cost));
+    double sum = 0.0;
+    for (const int distance_class : state_set.distanceClasses(row))
+      sum -= costs.at(static_cast<std::size_t>(distance_class));
+    obstacle_parts_.push_back(sum);
   }
 }
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace crowd {
+
+/// @brief Checksum of a text that is added piece by piece: FNV-1a, 64 bits (Fowler, Noll and Vo).
+///
+/// Each byte waits for the one before it. Who adds pieces while doing other work has it nearly for nothing, as the
+/// processor does both at once.
+class Checksum {
+ public:
+  void add(std::string_view text) {
+    std::uint64_t hash = hash_;
+    for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3ULL;
+    hash_ = hash;
+  }
+
+  /// @brief As 16 hexadecimal digits.
+  std::string text() const {
+    std::string digits(16, '0');
+    std::uint64_t left = hash_;
+    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, left >>= 4U) {
+      *digit = "0123456789abcdef"[left & 0xFU];
+    }
+    return digits;
+  }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325ULL;
+};
+
+}  // namespace crowd

@@ -1,0 +1,33 @@
+#include "social_crowd/common/checksum.h"
+
+#include <gtest/gtest.h>
+
+namespace crowd {
+namespace {
+
+std::string checksumOf(std::string_view text) {
+  Checksum checksum;
+  checksum.add(text);
+  return checksum.text();
+}
+
+// Values of the authors' test suite.
+TEST(Checksum, IsFnv1a) {
+  EXPECT_EQ(checksumOf(""), "cbf29ce484222325");
+  EXPECT_EQ(checksumOf("a"), "af63dc4c8601ec8c");
+  EXPECT_EQ(checksumOf("foobar"), "85944171f73967e8");
+}
+
+TEST(Checksum, OfPiecesIsThatOfTheWhole) {
+  Checksum checksum;
+  for (const char* piece : {"fo", "", "o", "bar"}) checksum.add(piece);
+  EXPECT_EQ(checksum.text(), checksumOf("foobar"));
+}
+
+TEST(Checksum, TakesBytesAsTheyAre) {
+  EXPECT_NE(checksumOf("\xff"), checksumOf("\x7f"));
+  EXPECT_NE(checksumOf(std::string(1, '\0')), checksumOf(""));
+}
+
+}  // namespace
+}  // namespace crowd
