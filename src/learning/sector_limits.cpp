@@ -15,10 +15,10 @@ using Block = std::array<std::uint64_t, BLOCK>;
 /// by 1.5e-8 [rad] at most, where the rim is next to the origin.
 constexpr double CLEAR = 1e-7;
 
-// What is found out about limit i of a block: bit i, or bit i of the second or third byte.
-constexpr unsigned LEFT = 8;      // the centre is on its left
-constexpr unsigned UNCLEAR = 16;  // the rim ends next to it, or next to what it is on the other side of the origin
-constexpr unsigned ALL_BITS = 0xFF;
+// What is found out about limit i: bit i, and bits so much higher.
+constexpr unsigned LEFT = 16;     // the centre is on its left
+constexpr unsigned UNCLEAR = 32;  // the rim ends next to it, or next to what it is on the other side of the origin
+static_assert(SectorLimits::MOST <= LEFT && SectorLimits::MOST == 2 * BLOCK, "bits do not overlap");
 
 constexpr Block bitsFrom(unsigned first) {
   Block bits{};
@@ -57,18 +57,12 @@ SectorLimits::SectorLimits(const EvenSectors& sectors)
 }
 
 SectorSet SectorLimits::reachedBy(const Vector2& centre, double distance, double radius) const {
-  SectorSet touched = 0;
-  SectorSet left = 0;
-  SectorSet unclear = 0;
-  for (unsigned first = 0; first < count_; first += BLOCK) {
-    const std::uint64_t found = compare(&x_[first], &y_[first], centre, radius, CLEAR * distance);
-    touched |= static_cast<SectorSet>(found & ALL_BITS) << first;
-    left |= static_cast<SectorSet>(found >> LEFT & ALL_BITS) << first;
-    unclear |= static_cast<SectorSet>(found >> UNCLEAR & ALL_BITS) << first;
-  }
-  if ((unclear & all_) != 0) return 0;
-  touched &= all_;
-  left &= all_;
+  const double clear = CLEAR * distance;
+  std::uint64_t found = compare(x_.data(), y_.data(), centre, radius, clear);
+  if (count_ > BLOCK) found |= compare(&x_[BLOCK], &y_[BLOCK], centre, radius, clear) << BLOCK;
+  if ((found >> UNCLEAR & all_) != 0) return 0;
+  const auto touched = static_cast<SectorSet>(found & all_);
+  const auto left = static_cast<SectorSet>(found >> LEFT & all_);
   // Sector i lies between limit i and the next one: a touched limit is that of two sectors, and the centre is to the
   // left of the one and not of the other.
   const auto next = [this](SectorSet set) { return set >> 1U | (set & 1U) << (count_ - 1U); };
