@@ -15,6 +15,7 @@ StepSizes::StepSizes(const LearningParameters& parameters) : parameters_(paramet
   while (sizes_.size() < MOST && sizes_.back() > parameters.alpha) {
     sizes_.push_back(parameters.stepSize(static_cast<std::uint32_t>(sizes_.size())));
   }
+  steady_ = sizes_.back() <= parameters.alpha;
 }
 
 double StepSizes::keptShare(std::uint32_t first, std::uint32_t last) const {

@@ -15,7 +15,8 @@ class StepSizes {
 
   /// @brief Share of the way to the target that a value goes when its row and action are visited for the n-th time.
   double at(std::uint32_t visits) const {
-    return visits < sizes_.size() ? sizes_[visits] : parameters_.stepSize(visits);
+    if (visits < sizes_.size()) return sizes_[visits];
+    return steady_ ? parameters_.alpha : parameters_.stepSize(visits);
   }
   /// @brief Share that what a value was after `first` visits has in what it is after `last`.
   double keptShare(std::uint32_t first, std::uint32_t last) const;
@@ -23,6 +24,7 @@ class StepSizes {
  private:
   LearningParameters parameters_;
   std::vector<double> sizes_;  // of the first visits, [0] unused; empty where all steps are equal
+  bool steady_ = true;         // all steps behind those are alpha
 };
 
 }  // namespace crowd
