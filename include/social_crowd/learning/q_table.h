@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,7 +34,7 @@ class QTable {
   Action greedyAction(const Rows& rows) const;
   /// @brief The highest value.
   double greedyValue(const Rows& rows) const {
-    return rows.isOne() ? highestOf(rows[0]) : value(greedyAction(rows), rows);
+    return rows.isOne() ? highestOf(rows[0]) : highestAmong(rows);
   }
 
   /// @brief Whether any action of the row was ever decided on.
@@ -52,6 +53,16 @@ class QTable {
   std::size_t index(Row row, Action action) const { return static_cast<std::size_t>(row) * actions_ + action; }
   double value(Action action, const Rows& rows) const { return value(rows[action], action); }
   Action greedyAmong(const Rows& rows) const;
+  double highestAmong(const Rows& rows) const {
+    // Two at a time, which do not wait for each other.
+    double even = value(actions_ - 1, rows);
+    double odd = even;
+    for (Action action = 0; action + 1 < actions_; action += 2) {
+      even = std::max(even, value(action, rows));
+      odd = std::max(odd, value(action + 1, rows));
+    }
+    return std::max(even, odd);
+  }
   double highestOf(Row row) const {
     const double* values = &values_[index(row, 0)];
     // Two at a time.
