@@ -1,7 +1,6 @@
 #include "social_crowd/learning/time_to_contact.h"
 
 #include <algorithm>
-#include <array>
 
 #include "social_crowd/common/vectorised.h"
 
@@ -9,7 +8,7 @@ namespace crowd {
 namespace {
 
 constexpr std::size_t LANES = PerceivedBodies::MARGIN;
-using Times = std::array<double, LANES>;
+using Times = Eigen::Array<double, LANES, 1>;
 
 /// For LANES bodies from a number on timeToContact(), where that is sooner than what is there.
 CROWD_VECTORISED void noteContacts(const PerceivedBodiesView& bodies, std::size_t first, std::size_t count,
@@ -56,12 +55,11 @@ double timeToContact(const Segment& wall, const Vector2& velocity, double radius
 
 double timeToContact(const Perception& perception, const Vector2& velocity) {
   const double radius = perception.self.radius;
-  alignas(64) Times soonest;
-  soonest.fill(NEVER);
+  alignas(64) Times soonest = Times::Constant(NEVER);
   for (std::size_t i = 0; i < perception.bodies.size(); i += LANES) {
     noteContacts(perception.bodies, i, perception.bodies.size() - i, velocity, radius, soonest);
   }
-  double time = *std::min_element(soonest.begin(), soonest.end());
+  double time = soonest.minCoeff();
   for (const Segment& wall : perception.walls) time = std::min(time, timeToContact(wall, velocity, radius));
   return time;
 }
