@@ -71,11 +71,29 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
   if (!began_ || perceptions.episode != episode_) beginEpisode(perceptions.episode);
   actions.episode = perceptions.episode;
   actions.tick = perceptions.tick;
+  if (perceptions.agents.size() == 1 && options_.mode == Mode::TRAINING && servesAll()) {
+    return learnAndChoose(perceptions, actions);
+  }
   listGuests(perceptions, actions);
   makeRoom(options_.mode == Mode::TRAINING ? guests_.size() : 1, space_);
   // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
   if (options_.mode == Mode::TRAINING) learn(perceptions);
   if (!perceptions.last) choose(perceptions, actions);
+}
+
+inline void Learner::learnAndChoose(const Perceptions& perceptions, RelativeActions& actions) {
+  makeRoom(1, space_);
+  const AgentPerception& self = perceptions.agents.front();
+  Memory& memory = memories_[placeOf(self.agent)];
+  const Choice choice = choiceAt(0, space_);
+  const Perception seen = perceptionOf(perceptions, 0, bodiesInSight(perceptions, self));
+  if (!self.arrived) findRows(seen, choice);
+  learnOne(seen, perceptions, rowsOf(choice), memory);
+  actions.agents.clear();
+  if (perceptions.last || self.arrived) return;
+  const KeyedRandom chance = chance_.with(perceptions.tick);
+  const Action action = chooseExploring(chance, perceptions, self, rowsOf(choice), memory);
+  actions.agents.push_back({self.agent, actionOf(seen, choice, action)});
 }
 
 void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const {

@@ -147,9 +147,10 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
 
 inline void World::takeOrders(const std::vector<AgentAction>& actions) {
   for (const AgentAction& given : actions) {
-    if (!isSound(given.action)) throwUnsound(given);
-  }
-  for (const AgentAction& given : actions) {
+    if (!isSound(given.action)) {
+      std::fill(orders_.begin(), orders_.end(), nullptr);
+      throwUnsound(given);
+    }
     if (given.agent < orders_.size() && orders_[given.agent] == nullptr) orders_[given.agent] = &given.action;
   }
 }

@@ -6,31 +6,45 @@
 namespace crowd {
 
 void World::perceive(const Vision& vision, Perceptions& perceptions) {
-  listAgents(perceptions);
-  const std::size_t count = perceptions.agents.size();
+  const std::size_t count = active_count_ + just_arrived_count_;
+  perceptions.agents.resize(count);
+  perceptions.order.clear();
   begin(vision, count, looker_, perceptions);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i + PREFETCH_AHEAD < count) {
-      const AgentPerception& next = perceptions.inOrder(i + PREFETCH_AHEAD);
-      prefetch(next);
-      prefetch(agents_[next.agent]);
-    }
-    AgentPerception& self = perceptions.inOrder(i);
-    look(vision, agents_[self.agent], i, looker_, self, perceptions);
+  if (grid_.isList()) {
+    lookOneByOne(vision, perceptions);
+  } else {
+    lookInOrder(vision, perceptions);
   }
   std::swap(perceptions.walls, looker_.walls);
 }
 
-inline void World::listAgents(Perceptions& perceptions) {
-  perceptions.agents.resize(active_count_ + just_arrived_count_);
-  perceptions.order.clear();
-  AgentPerception* const listed = perceptions.agents.data();
-  std::uint32_t count = 0;
+inline void World::lookOneByOne(const Vision& vision, Perceptions& perceptions) {
+  AgentPerception* const perceived = perceptions.agents.data();
+  std::size_t count = 0;
   for (const Agent& agent : agents_) {
     if (!agent.isWalking() && !hasJustArrived(agent)) continue;
-    listed[count++].agent = agent.id;
+    perceived[count].agent = agent.id;
+    look(vision, agent, count, looker_, perceived[count], perceptions);
+    ++count;
   }
-  if (!grid_.isList()) orderAgents(perceptions);
+}
+
+void World::lookInOrder(const Vision& vision, Perceptions& perceptions) {
+  std::uint32_t listed = 0;
+  for (const Agent& agent : agents_) {
+    if (agent.isWalking() || hasJustArrived(agent)) perceptions.agents[listed++].agent = agent.id;
+  }
+  orderAgents(perceptions);
+  const std::size_t count = perceptions.agents.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + PREFETCH_AHEAD < count) {
+      const AgentPerception& next = perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]];
+      prefetch(next);
+      prefetch(agents_[next.agent]);
+    }
+    AgentPerception& self = perceptions.agents[perceptions.order[i]];
+    look(vision, agents_[self.agent], i, looker_, self, perceptions);
+  }
 }
 
 void World::orderAgents(Perceptions& perceptions) {

@@ -52,9 +52,6 @@ struct Perceptions {
   /// Places of all agents, neighbours and what they perceive one after the other: the fastest way through large crowds.
   /// Empty where agents are few.
   std::vector<std::uint32_t> order;
-
-  /// @brief Number `i` of the agents in that order; in their own where it is empty.
-  AgentPerception& inOrder(std::size_t i) { return agents[order.empty() ? i : order[i]]; }
 };
 
 /// @brief What one agent perceives at a tick: a view into Perceptions, valid as long as those are unchanged.

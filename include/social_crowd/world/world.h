@@ -121,7 +121,9 @@ class World {
   void rebuildGrid();
   /// Everybody who was on the floor when the grid was built has moved.
   void updateGrid();
-  void listAgents(Perceptions& perceptions);
+  void lookOneByOne(const Vision& vision, Perceptions& perceptions);
+  /// Neighbours one after the other.
+  void lookInOrder(const Vision& vision, Perceptions& perceptions);
   void orderAgents(Perceptions& perceptions);
   bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
   /// For so many agents, with the space that they need.
