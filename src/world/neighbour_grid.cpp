@@ -95,9 +95,8 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
   for (std::int64_t r = cells.bottom; r <= cells.top; ++r) look(runOf(cells, r));
 }
 
-bool NeighbourGrid::isAnyNear(const Vector2& point, double distance, std::uint32_t except) const {
+bool NeighbourGrid::isAnyInRuns(const Vector2& point, double distance, std::uint32_t except) const {
   static const Look LOOK = fastestLook();
-  if (isShort()) return isAnyInShortList(point, distance, except);
   if (isList()) return LOOK(*this, all(), point, distance, except);
   const Cells cells = cellsNear(point, distance);
   const auto look = [&](std::int64_t row) { return LOOK(*this, runOf(cells, row), point, distance, except); };
@@ -106,16 +105,6 @@ bool NeighbourGrid::isAnyNear(const Vector2& point, double distance, std::uint32
   bool any = look(cells.top) || at_bottom;
   for (std::int64_t r = cells.bottom + 1; r < cells.top && !any; ++r) any = look(r);
   return any;
-}
-
-bool NeighbourGrid::isAnyInShortList(const Vector2& point, double distance, std::uint32_t except) const {
-  // One is often the body that asks, and the others are soon told from each other: branches are guessed well here.
-  for (std::size_t i = 0; i < size(); ++i) {
-    const double limit = distance + radii_[i];
-    if (limit < 0.0 || bodies_[i] == except) continue;
-    if ((centre(i) - point).squaredNorm() <= limit * limit) return true;
-  }
-  return false;
 }
 
 }  // namespace crowd

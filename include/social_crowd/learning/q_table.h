@@ -33,9 +33,7 @@ class QTable {
   /// @brief The action of the highest value; of equal ones the first, so that ties break the same way every time.
   Action greedyAction(const Rows& rows) const;
   /// @brief The highest value.
-  double greedyValue(const Rows& rows) const {
-    return rows.isOne() ? highestOf(rows[0]) : highestAmong(rows);
-  }
+  double greedyValue(const Rows& rows) const { return rows.isOne() ? highestOf(rows[0]) : highestAmong(rows); }
 
   /// @brief Whether any action of the row was ever decided on.
   bool isVisited(Row row) const;

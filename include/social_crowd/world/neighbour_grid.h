@@ -66,7 +66,9 @@ class NeighbourGrid {
   void findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const;
 
   /// @brief Whether there is a disc whose rim is within `distance` [m] of the point. @param except a body not counted
-  bool isAnyNear(const Vector2& point, double distance, std::uint32_t except) const;
+  bool isAnyNear(const Vector2& point, double distance, std::uint32_t except) const {
+    return isShort() ? isAnyInShortList(point, distance, except) : isAnyInRuns(point, distance, except);
+  }
 
  private:
   static constexpr std::size_t MAX_CELLS = 1U << 20U;
@@ -91,7 +93,16 @@ class NeighbourGrid {
             first_[static_cast<std::size_t>(first + cells.right) + 1]};
   }
   Run all() const { return {0, static_cast<std::uint32_t>(size())}; }
-  bool isAnyInShortList(const Vector2& point, double distance, std::uint32_t except) const;
+  bool isAnyInShortList(const Vector2& point, double distance, std::uint32_t except) const {
+    // One is often the body that asks, and the others are soon told from each other: branches are guessed well here.
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double limit = distance + radii_[i];
+      if (limit < 0.0 || bodies_[i] == except) continue;
+      if ((centre(i) - point).squaredNorm() <= limit * limit) return true;
+    }
+    return false;
+  }
+  bool isAnyInRuns(const Vector2& point, double distance, std::uint32_t except) const;
   void layOut(double cell_size);
   void countCells();
   void place(const Disc& disc, std::size_t where);
