@@ -33,9 +33,10 @@ class CoreBenchmarks:
                                 (min(measured), max(measured)))
 
     def sweep(self, name, unit):
-        """Runs a sweep; its points with their values, in order."""
+        """Runs a sweep; its points with their rates, in order. Of each point the fastest repetition: what else a
+        machine does only ever slows down, and some points more than others, which are not compared by it then."""
         values = self.values(name + '/[0-9]+', unit)
-        return sorted((int(point.rsplit('/', 1)[1]), statistics.median(numbers)) for point, numbers in values.items())
+        return sorted((int(point.rsplit('/', 1)[1]), max(numbers)) for point, numbers in values.items())
 
     def values(self, pattern, unit, repetitions=None):
         """Of all repetitions in the unit, by name, of the benchmarks that the pattern names."""

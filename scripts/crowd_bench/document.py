@@ -34,7 +34,7 @@ def machine_text(repetitions):
     model = models[0] if models else os.uname().machine
     load = os.getloadavg()[0]
     return [['measured', datetime.date.today().isoformat()], ['processor', f'{model}, {os.cpu_count()} threads'],
-            ['repetitions', f'{repetitions}, of which the median, lowest and highest'],
+            ['repetitions', f'{repetitions}, of which the median, lowest and highest; of sweeps the fastest'],
             ['load when all was done', f'{load:.1f} (the benchmarks are 1 of it)']]
 
 

@@ -38,7 +38,7 @@ def parse_arguments(words):
     parser.add_argument('--plots', type=pathlib.Path, metavar='FOLDER', default=pathlib.Path('results/bench'),
                         help='where sweeps are drawn (default: %(default)s)')
     parser.add_argument('--repetitions', type=positive, default=5, metavar='N',
-                        help='the median of so many counts (default: %(default)s)')
+                        help='the median of so many counts, of sweeps the fastest (default: %(default)s)')
     parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER',
                         help=f'of {PROGRAM} (default: they are built)')
     return parser.parse_args(words)
