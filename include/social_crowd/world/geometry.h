@@ -66,19 +66,17 @@ class Rotation {
  public:
   explicit Rotation(double heading) : Rotation(unitVector(heading)) {}
   /// @param ahead unit vector of the heading
-  explicit Rotation(const Vector2& ahead) : cosine_(ahead.x()), sine_(ahead.y()) {}
+  explicit Rotation(const Vector2& ahead) : ahead_(ahead), left_(-ahead.y(), ahead.x()) {}
   /// @brief From the frame `map` into the frame that is turned by the heading.
   Vector2 intoFrame(const Vector2& v) const {
-    return {cosine_ * v.x() + sine_ * v.y(), -sine_ * v.x() + cosine_ * v.y()};
+    return v.x() * Vector2(ahead_.x(), left_.x()) + v.y() * Vector2(ahead_.y(), left_.y());
   }
   /// @brief From the turned frame back into `map`.
-  Vector2 outOfFrame(const Vector2& v) const {
-    return {cosine_ * v.x() - sine_ * v.y(), sine_ * v.x() + cosine_ * v.y()};
-  }
+  Vector2 outOfFrame(const Vector2& v) const { return v.x() * ahead_ + v.y() * left_; }
 
  private:
-  double cosine_;
-  double sine_;
+  Vector2 ahead_;  // unit vectors of the turned frame
+  Vector2 left_;
 };
 
 /// @brief The point of a segment that is nearest to p.
