@@ -170,6 +170,36 @@ TEST(Decisions, DependOnTheSeedWhileExploringOnly) {
   EXPECT_EQ(runOne(walking(Mode::DEMO, TableUse::OWN, 1)), runOne(walking(Mode::DEMO, TableUse::OWN, 2)));
 }
 
+/// A learner that serves one agent: 20 episodes, which end on the way or with the arrival.
+QTable learnFromOne(Learner& learner, std::vector<Action>& decisions) {
+  for (std::uint64_t episode = 0; episode < 20; ++episode) {
+    for (std::uint64_t tick = 0; tick < 40; ++tick) {
+      PerceptionsBuilder scene = randomTick(3, episode, tick, 1);
+      if (tick == 39 && episode % 2 == 0) scene.arrived();
+      if (tick == 39) scene.last();
+      for (const AgentAction& action : decide(learner, scene).agents) decisions.push_back(actionOf(action));
+    }
+  }
+  return learner.tableOf(0);
+}
+
+TEST(Decisions, OfOneAgentAloneAreThoseOfOneOnAList) {
+  for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
+    const Learner::Options options = walking(Mode::TRAINING, tables);
+    Learner::Options listed = options;
+    listed.agents = {0};  // whoever serves not everybody makes a list of whom it serves
+    Learner alone(model(), options, randomTable(1));
+    Learner on_list(model(), listed, randomTable(1));
+    std::vector<Action> decisions;
+    std::vector<Action> expected;
+    EXPECT_EQ(learnFromOne(alone, decisions), learnFromOne(on_list, expected));
+    EXPECT_EQ(decisions, expected);
+    EXPECT_EQ(decisions.size(), 20U * 39U);
+    EXPECT_EQ(alone.decisions(), on_list.decisions());
+    EXPECT_GT(alone.decisions(), 500U);
+  }
+}
+
 TEST(Decisions, DoNotDependOnWhichOtherAgentsTheLearnerServes) {
   const Decisions learned_alone = runOne(walking(Mode::TRAINING, TableUse::OWN));
   ASSERT_EQ(learned_alone.size(), AGENTS);
