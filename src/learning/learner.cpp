@@ -168,13 +168,19 @@ inline void Learner::findRows(const Perception& seen, const Choice& choice) cons
 }
 
 inline void Learner::learn(const Perceptions& perceptions) {
+  // Of many agents the rows are found from neighbour to neighbour, of few when they are needed.
+  const bool in_order = !perceptions.order.empty();
+  if (in_order) {
+    forEachGuest(perceptions,
+                 [&](std::size_t index) { findRows(perceptionOf(perceptions, index), choiceAt(index, space_)); });
+  }
   const std::size_t size = guests_.size();
   for (std::size_t i = 0; i < size; ++i) {
     const Guest guest = guests_[i];
     if (guest.place == NOBODY) continue;
     const Perception seen = perceptionOf(perceptions, i, guest.bodies);
     const Choice choice = choiceAt(i, space_);
-    if (guest.answer != NOBODY) findRows(seen, choice);
+    if (!in_order && guest.answer != NOBODY) findRows(seen, choice);
     learnOne(seen, perceptions, rowsOf(choice), memories_[guest.place]);
   }
 }
