@@ -34,7 +34,7 @@ class CoreBenchmarks:
 
     def sweep(self, name, unit):
         """Runs a sweep; its points with their rates, in order. Of each point the fastest repetition: what else a
-        machine does only ever slows down, and some points more than others, which are not compared by it then."""
+        machine does slows some points down more than others, and medians would compare that."""
         values = self.values(name + '/[0-9]+', unit)
         return sorted((int(point.rsplit('/', 1)[1]), max(numbers)) for point, numbers in values.items())
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -18,6 +19,9 @@ namespace {
 [[noreturn]] void throwSystem(const std::string& file, const std::string& what) {
   throw FileError(file + ": " + what + ": " + std::strerror(errno));
 }
+
+/// Some special files claim to be larger than any memory.
+constexpr std::uintmax_t MOST_RESERVED = 1U << 26U;  // [bytes]
 
 /// Writes all and flushes it to the disk.
 void writeDurably(const std::string& file, const std::string& content) {
@@ -46,8 +50,9 @@ std::string readFile(const std::string& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
   if (stream == nullptr) throwSystem(file, "cannot be read");
   std::string content;
-  const std::uintmax_t size = std::filesystem::file_size(file, ignored);  // unknown of what is no plain file
-  if (!ignored) content.reserve(size);
+  std::error_code problem;
+  const std::uintmax_t size = std::filesystem::file_size(file, problem);  // unknown of what is no plain file
+  if (!problem) content.reserve(std::min<std::uintmax_t>(size, MOST_RESERVED));
   std::array<char, 1U << 16U> part{};
   for (std::size_t count = part.size(); count == part.size();) {
     count = std::fread(part.data(), 1, part.size(), stream.get());

@@ -168,7 +168,7 @@ inline void Learner::findRows(const Perception& seen, const Choice& choice) cons
 }
 
 inline void Learner::learn(const Perceptions& perceptions) {
-  // Of many agents the rows are found from neighbour to neighbour, of few when they are needed.
+  // Where there is an order, rows are found from neighbour to neighbour; else when they are needed.
   const bool in_order = !perceptions.order.empty();
   if (in_order) {
     forEachGuest(perceptions,

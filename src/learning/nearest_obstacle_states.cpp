@@ -36,7 +36,7 @@ NearestObstacleStates::NearestObstacleStates(const Parameters& parameters)
 
 NearestObstacleStates::Situation NearestObstacleStates::describe(const Perception& perception) const {
   Situation situation;
-  situation.goal_sector = goal_sectors_.indexOf(perception.self.goal);
+  situation.goal_sector = goal_sectors_.indexOf(bearingOf(perception.self.goal));
   const auto [distance, where] = findNearest(perception);
   situation.distance_class = parameters_.distances.classOf(distance);
   if (situation.distance_class > 0) situation.obstacle_sector = obstacle_sectors_.indexOf(bearingOf(where));

@@ -8,6 +8,8 @@
 namespace crowd {
 namespace {
 
+static_assert(OccupancyStates::MAX_SECTORS <= SectorLimits::MOST, "all limits have a place");
+
 /// Nearer than this a wall passes through the agent's centre, and directions to its parts mean nothing [m].
 constexpr double NO_DIRECTION = 1e-9;
 

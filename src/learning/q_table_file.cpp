@@ -84,7 +84,8 @@ class LineReader {
 
   const std::string& name() const { return name_; }
 
-  /// Adds the text up to here to the checksum, to be called now and then; the checksum of all up to here.
+  /// Adds the text before `end` that is not in the checksum yet; the checksum of all before `end`. To be called often:
+  /// it then costs little.
   const Checksum& sumUpTo(const char* end) {
     const auto length = static_cast<std::size_t>(end - unsummed_.data());
     checksum_.add(unsummed_.substr(0, length));

@@ -28,8 +28,9 @@ ThesisReward::ThesisReward(const Parameters& parameters, const StateSet& state_s
   obstacle_parts_.reserve(state_set.rowCount());
   for (Row row = 0; row < state_set.rowCount(); ++row) {
     double sum = 0.0;
-    for (const int distance_class : state_set.distanceClasses(row))
+    for (const int distance_class : state_set.distanceClasses(row)) {
       sum -= costs.at(static_cast<std::size_t>(distance_class));
+    }
     obstacle_parts_.push_back(sum);
   }
 }

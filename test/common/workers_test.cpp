@@ -30,7 +30,7 @@ TEST(Workers, DoEverythingOnceWhateverTheirNumber) {
   }
 }
 
-TEST(Workers, PartsAreEqualAndWithoutGaps) {
+TEST(Workers, PartsAreAsGoodAsEqualAndWithoutGaps) {
   Workers workers(3);
   std::mutex mutex;
   std::map<std::size_t, std::size_t> parts;

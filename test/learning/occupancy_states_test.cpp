@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 
+#include "social_crowd/learning/sectors.h"
 #include "support/perceptions.h"
 
 namespace crowd {
@@ -130,6 +132,63 @@ TEST(OccupancyStates, ANearBodyDoesNotBringAFarOneNearer) {
   EXPECT_EQ(
       classesOf(agentAlone().body(polar(20.0, 0.7), 0.1).body(polar(-20.0, 0.7), 0.1).wall({-0.4, -0.1}, {-0.4, 0.1})),
       (Classes{2, 2, 0, 0, 1, 0, 0, 2}));
+}
+
+// --- next to limits: what angles tell, to the last bit ---
+
+constexpr std::array<double, 11> HAIRS = {0.0,   1e-16, -1e-16, 1e-12, -1e-12, 1e-8,
+                                          -1e-8, 1e-6,  -1e-6,  1e-4,  -1e-4};  // [rad]
+
+OccupancyStates statesOf(int sectors) {
+  OccupancyStates::Parameters parameters;
+  parameters.sectors = sectors;
+  return OccupancyStates(parameters);
+}
+
+TEST(OccupancyStates, TheGoalIsInTheSectorOfItsBearing) {
+  for (int count = 2; count <= OccupancyStates::MAX_SECTORS; ++count) {
+    const OccupancyStates states = statesOf(count);
+    const EvenSectors sectors(count);
+    std::vector<Vector2> goals = {{0.0, 0.0},  {-0.0, -0.0}, {1.0, 0.0}, {0.0, 1.0},
+                                  {-1.0, 0.0}, {-1.0, -0.0}, {0.0, -1.0}};
+    for (int limit = -count; limit <= count; ++limit) {
+      for (const double hair : HAIRS) goals.emplace_back(1.7 * unitVector(sectors.rightLimit(limit) + hair));
+    }
+    for (const Vector2& goal : goals) {
+      EXPECT_EQ(states.describe(PerceptionsBuilder().agent(0, goal).perception()).goal_sector,
+                sectors.indexOf(bearingOf(goal)))
+          << count << " sectors, goal " << goal.transpose();
+    }
+  }
+}
+
+TEST(OccupancyStates, ABodyReachesAsFarAsItsTangents) {
+  constexpr double DISTANCE = 0.9;
+  for (int count = 2; count <= OccupancyStates::MAX_SECTORS; ++count) {
+    const OccupancyStates states = statesOf(count);
+    const EvenSectors sectors(count);
+    for (const double radius : {0.01, 0.25, 0.7, 0.9 - 1e-9}) {
+      const double half_span = std::asin(radius / DISTANCE);
+      for (int i = 0; i < 2 * count; ++i) {
+        for (const double hair : HAIRS) {
+          const double side = i % 2 == 0 ? half_span : -half_span;
+          const Vector2 centre = DISTANCE * unitVector(sectors.rightLimit(i / 2) + side + hair);
+          const double half = std::asin(radius / centre.norm());
+          std::set<int> expected;
+          const long last = sectors.unwrappedIndexOf(bearingOf(centre) + half);
+          for (long sector = sectors.unwrappedIndexOf(bearingOf(centre) - half); sector <= last; ++sector) {
+            expected.insert(sectors.wrap(sector));
+          }
+          const Situation situation = states.describe(agentAlone().body(centre, radius).perception());
+          std::set<int> reached;
+          for (int sector = 0; sector < count; ++sector) {
+            if (situation.distance_classes.at(static_cast<std::size_t>(sector)) > 0) reached.insert(sector);
+          }
+          EXPECT_EQ(reached, expected) << count << " sectors, radius " << radius << ", case " << i << ", hair " << hair;
+        }
+      }
+    }
+  }
 }
 
 TEST(OccupancyStates, ALongWallIsNearInOneSectorAndFarInTheNext) {

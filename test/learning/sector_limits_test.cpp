@@ -45,7 +45,8 @@ TEST(SectorLimits, TellTheSectorOfAPoint) {
     const SectorLimits limits(sectors);
     for (int i = 0; i < 2000; ++i) {
       const Vector2 point(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
-      ASSERT_EQ(limits.reachedBy(point, point.norm(), 0.0), 1U << static_cast<unsigned>(sectors.indexOf(point)))
+      ASSERT_EQ(limits.reachedBy(point, point.norm(), 0.0),
+                1U << static_cast<unsigned>(sectors.indexOf(bearingOf(point))))
           << count << " sectors, draw " << i;
     }
   }

@@ -5,8 +5,6 @@
 #include <array>
 #include <vector>
 
-#include "social_crowd/common/random.h"
-
 namespace crowd {
 namespace {
 
@@ -37,39 +35,6 @@ TEST(EvenSectors, HoldTheirRightLimitAndNotTheirLeftOne) {
     const int sector = index < 0 ? index + 8 : index;
     EXPECT_EQ(sectors.indexOf(sectors.rightLimit(index)), sector);
     EXPECT_EQ(sectors.indexOf(sectors.rightLimit(index + 1) - HAIR), sector);
-  }
-}
-
-TEST(EvenSectors, OfADirectionIsThatOfItsBearing) {
-  KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
-  for (int count = 1; count <= 12; ++count) {
-    const EvenSectors sectors(count);
-    for (int i = 0; i < 20000; ++i) {
-      const Vector2 direction(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
-      ASSERT_EQ(sectors.indexOf(direction), sectors.indexOf(bearingOf(direction))) << count << ", draw " << i;
-    }
-  }
-}
-
-TEST(EvenSectors, OfADirectionAtALimitIsThatOfItsBearing) {
-  for (int count = 1; count <= 12; ++count) {
-    const EvenSectors sectors(count);
-    for (int index = -count; index <= count; ++index) {
-      for (const double off : {0.0, 1e-16, -1e-16, 1e-12, -1e-12, 1e-8, -1e-8, 1e-5, -1e-5, 3e-5, -3e-5, 1e-4, -1e-4}) {
-        const Vector2 direction = 1.7 * unitVector(sectors.rightLimit(index) + off);
-        ASSERT_EQ(sectors.indexOf(direction), sectors.indexOf(bearingOf(direction))) << count << ", limit " << index;
-      }
-    }
-  }
-}
-
-TEST(EvenSectors, OfDirectionsAlongTheAxesAndOfNone) {
-  for (int count = 1; count <= 12; ++count) {
-    const EvenSectors sectors(count);
-    for (const Vector2& direction : {Vector2(0.0, 0.0), Vector2(-0.0, -0.0), Vector2(1.0, 0.0), Vector2(0.0, 1.0),
-                                     Vector2(-1.0, 0.0), Vector2(-1.0, -0.0), Vector2(0.0, -1.0)}) {
-      ASSERT_EQ(sectors.indexOf(direction), sectors.indexOf(bearingOf(direction))) << count;
-    }
   }
 }
 

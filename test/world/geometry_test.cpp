@@ -91,58 +91,6 @@ TEST(Angles, BearingCountsCounterclockwiseFromX) {
   EXPECT_EQ(bearingOf({0.0, 0.0}), 0.0);
 }
 
-TEST(Angles, QuickBearingIsNearTheBearing) {
-  double worst = 0.0;
-  for (int i = 0; i < 360000; ++i) {
-    const Vector2 direction = 0.1 * (1 + i % 7) * unitVector(toRadians(1e-3 * i - 180.0 + 5e-4));
-    worst = std::max(worst, std::abs(quickBearingOf(direction) - bearingOf(direction)));
-  }
-  EXPECT_LT(worst, QUICK_BEARING_ERROR);
-  EXPECT_TRUE(std::isnan(quickBearingOf({0.0, 0.0})));
-}
-
-TEST(Angles, QuickAcuteBearingIsNearTheBearing) {
-  double worst = 0.0;
-  for (int i = 0; i <= 90000; ++i) {
-    const double angle = toRadians(1e-3 * i);
-    const Vector2 direction = std::pow(10.0, i % 13 - 6) * Vector2(std::sin(PI / 2 - angle), std::sin(angle));
-    const double bearing = quickAcuteBearingOf(direction);
-    ASSERT_GE(bearing, 0.0) << i;
-    ASSERT_LE(bearing, PI / 2) << i;
-    worst = std::max(worst, std::abs(bearing - std::atan2(direction.y(), direction.x())));
-  }
-  EXPECT_LE(worst, 1.15e-5);  // as QUICK_BEARING_ERROR has it
-  EXPECT_GT(worst, 1.1e-5);
-  EXPECT_LT(worst, QUICK_BEARING_ERROR);
-}
-
-TEST(Angles, QuickAcuteBearingAtItsEdges) {
-  for (const double length : {1e-300, 0.25, 3.0, 1e300}) {
-    EXPECT_EQ(quickAcuteBearingOf({length, 0.0}), 0.0) << length;
-    EXPECT_EQ(quickAcuteBearingOf({0.0, length}), PI / 2) << length;
-    EXPECT_NEAR(quickAcuteBearingOf({length, length}), PI / 4, QUICK_BEARING_ERROR) << length;
-  }
-  // The octants meet at the diagonal, both as far from it as the series is at 1.
-  const double below = quickAcuteBearingOf({1.0, std::nextafter(1.0, 0.0)});
-  const double above = quickAcuteBearingOf({std::nextafter(1.0, 0.0), 1.0});
-  EXPECT_NEAR(below + above, PI / 2, 1e-14);
-  EXPECT_EQ(quickAcuteBearingOf({4.0, 3.0}), quickAcuteBearingOf({8.0, 6.0}));  // the direction alone counts
-  EXPECT_NEAR(quickAcuteBearingOf({4.0, 3.0}) + quickAcuteBearingOf({3.0, 4.0}), PI / 2, 1e-15);
-  EXPECT_TRUE(std::isnan(quickAcuteBearingOf({0.0, 0.0})));
-}
-
-TEST(Angles, QuickBearingIsExactOnTheAxes) {
-  for (const double length : {1e-300, 0.25, 1e300}) {
-    for (const Vector2& axis : {Vector2(1.0, 0.0), Vector2(1.0, -0.0), Vector2(0.0, 1.0), Vector2(0.0, -1.0),
-                                Vector2(-1.0, 0.0), Vector2(-1.0, -0.0)}) {
-      const Vector2 direction = length * axis;
-      const double bearing = quickBearingOf(direction);
-      EXPECT_EQ(bearing, bearingOf(direction)) << direction.transpose();
-      EXPECT_EQ(std::signbit(bearing), std::signbit(direction.y())) << direction.transpose();
-    }
-  }
-}
-
 TEST(Angles, UnitVectorPointsAlongItsHeading) {
   expectVector(unitVector(0.0), 1.0, 0.0);
   expectVector(unitVector(toRadians(90.0)), 0.0, 1.0);

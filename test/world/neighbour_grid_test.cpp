@@ -186,6 +186,23 @@ TEST(NeighbourGrid, DiscsOfAListMove) {
   EXPECT_EQ(grid.velocity(1), Vector2(0.5, -0.25));
 }
 
+TEST(NeighbourGrid, DiscsOfALongListMove) {
+  std::vector<Disc> discs;
+  for (std::uint32_t i = 0; i < 32; ++i) discs.push_back({{100.0 + 3.0 * i, 0.0}, 0.5, i});
+  NeighbourGrid grid = gridOf(discs, 2.0);
+  ASSERT_TRUE(grid.isList());
+  for (std::uint32_t i = 0; i < 32; ++i) {
+    const Vector2 before = discs[i].centre;
+    const Vector2 after(-3.0 * i, 50.0);
+    EXPECT_TRUE(grid.isAnyNear(before, 0.1, UINT32_MAX));
+    grid.move(i, after, Vector2::Zero());
+    EXPECT_FALSE(grid.isAnyNear(before, 0.1, UINT32_MAX));
+    EXPECT_TRUE(grid.isAnyNear(after, 0.1, UINT32_MAX));
+    EXPECT_FALSE(grid.isAnyNear(after, 0.1, i));
+    EXPECT_EQ(find(grid, after, 0.1), Found{i});
+  }
+}
+
 TEST(NeighbourGrid, DiscsStayWhatTheyAreWhereverTheyStand) {
   checkManyPlaces([](std::vector<Disc> discs, double /*extent*/, KeyedRandom& random) {
     NeighbourGrid grid;

@@ -70,7 +70,7 @@ Ids agentsOf(const Perceptions& perceptions) {
   return ids;
 }
 
-/// Up to eight bodies stand in order of their numbers.
+/// The bodies of a list stand in order of their numbers.
 Ids agentsAmong(const World& world, std::size_t begin, std::size_t end) {
   return agentsOf(Eyes().look(world, FAR_SIGHT, begin, end));
 }

@@ -26,9 +26,10 @@ class Workers {
 
   unsigned count() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
-  /// @brief Cuts 0 .. size-1 into equal parts, more than there are workers, and returns when all are done. Whoever has
-  /// time takes the next part, so that nobody waits for one who is held up. Rethrows what a part has thrown, of several
-  /// the first one; who has thrown takes no other. To be called by one thread at a time; allocates nothing.
+  /// @brief Cuts 0 .. size-1 into parts that differ by one at most, more than there are workers, and returns when all
+  /// are done. Whoever has time takes the next part, so that nobody waits for one who is held up. Rethrows what a part
+  /// has thrown, of several the first one; who has thrown takes no other. To be called by one thread at a time;
+  /// allocates nothing.
   /// @param work called as work(worker, begin, end) for each part [begin, end), with the number of who takes it
   /// @param few up to so many are done by the caller alone, in one part, sooner than the others wake up
   template <typename Work>

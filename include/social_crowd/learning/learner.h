@@ -161,11 +161,11 @@ class Learner {
   /// Calls work(index) for all agents that are to answer.
   template <typename Work>
   void forEachGuest(const Perceptions& perceptions, const Work& work) const;
-  /// The same for one agent alone, of which nothing need be kept between both.
-  void learnAndChoose(const Perceptions& perceptions, RelativeActions& actions);
   void learn(const Perceptions& perceptions);
   void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory);
   void choose(const Perceptions& perceptions, RelativeActions& actions);
+  /// learn() and choose() for one agent alone: nothing need be kept between the two.
+  void learnAndChoose(const Perceptions& perceptions, RelativeActions& actions);
   /// @param choice is written
   AgentAction chooseGreedy(const Perception& seen, const QTable& table, const Choice& choice) const;
   /// @param chance that of the tick

@@ -10,30 +10,15 @@ namespace crowd {
 /// right limit and not its left one.
 class EvenSectors {
  public:
-  explicit EvenSectors(int count)
-      : count_(count), width_(2.0 * PI / count), per_radian_(count / (2.0 * PI)), place_of_ahead_(2.0 * count + 0.5) {}
+  explicit EvenSectors(int count) : count_(count), width_(2.0 * PI / count) {}
 
   int count() const { return count_; }
   /// @brief Width of a sector [rad].
   double width() const { return width_; }
   /// @brief The sector of an angle [rad], whatever its multiple of the full circle.
   int indexOf(double angle) const { return wrap(unwrappedIndexOf(angle)); }
-  /// @brief The sector of a direction: exactly that of its bearing, which is found out next to a limit only.
-  int indexOf(const Vector2& direction) const {
-    return wrap(unwrappedIndexOf(quickBearingOf(direction), QUICK_BEARING_ERROR, [&] { return bearingOf(direction); }));
-  }
   /// @brief The same not yet taken modulo the number of sectors, for sweeping an interval of angles.
   long unwrappedIndexOf(double angle) const { return static_cast<long>(std::floor(angle / width_ + 0.5)); }
-  /// @brief The same of an angle in (-2 pi, 2 pi) of which a guess that is at most `error` off [rad] nearly always says
-  /// enough. @param angle tells the angle itself
-  template <typename Angle>
-  long unwrappedIndexOf(double guess, double error, const Angle& angle) const {
-    const double place = guess * per_radian_ + place_of_ahead_;
-    if (!(place > 0.0)) return unwrappedIndexOf(angle());  // there is none
-    const auto whole = static_cast<long>(place);
-    const double off_middle = std::abs(place - static_cast<double>(whole) - 0.5);
-    return off_middle < 0.5 - ROUNDING - error * per_radian_ ? whole - 2L * count_ : unwrappedIndexOf(angle());
-  }
   int wrap(long index) const {
     if (index >= -count_ && index < count_) return static_cast<int>(index) + (index < 0 ? count_ : 0);
     const long rest = index % count_;
@@ -46,12 +31,8 @@ class EvenSectors {
   double rightLimit(long index) const { return (static_cast<double>(index) - 0.5) * width_; }
 
  private:
-  static constexpr double ROUNDING = 1e-9;  // far more than comes together, far less than a sector
-
   int count_;
   double width_;
-  double per_radian_;
-  double place_of_ahead_;  // so many sectors to the left of two circles to the right
 };
 
 /// @brief Sectors that mirror left and right and may be of uneven width: finer in front (thesis fig. 3.6).

@@ -36,25 +36,6 @@ inline double wrapAngle(double angle) {
 /// @brief Direction of a vector [rad], in [-pi, pi]; 0 for the zero vector.
 inline double bearingOf(const Vector2& v) { return std::atan2(v.y(), v.x()); }
 
-/// @brief How far quickBearingOf() may be off [rad]; it is 1.15e-5 at most.
-constexpr double QUICK_BEARING_ERROR = 2e-5;
-
-/// @brief Bearing of a vector of the first quadrant within QUICK_BEARING_ERROR; not a number for the zero vector.
-/// Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.47.
-inline double quickAcuteBearingOf(const Vector2& v) {
-  const double ratio = v.minCoeff() / v.maxCoeff();
-  const double square = ratio * ratio;
-  const double series =
-      0.9998660 + square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351)));
-  // Without a branch: which octant it is cannot be foreseen.
-  return std::abs((v.y() > v.x() ? 0.5 * PI : 0.0) - ratio * series);
-}
-
-/// @brief bearingOf() within QUICK_BEARING_ERROR, in a fraction of the time; not a number for the zero vector.
-inline double quickBearingOf(const Vector2& v) {
-  return std::copysign((v.x() < 0.0 ? PI : 0.0) - quickAcuteBearingOf(v.cwiseAbs()), v.y());
-}
-
 /// @brief Unit vector of a heading.
 inline Vector2 unitVector(double heading) { return {std::cos(heading), std::sin(heading)}; }
 
