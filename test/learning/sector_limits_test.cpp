@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "social_crowd/common/random.h"
 
@@ -20,58 +21,63 @@ SectorSet sectorsBetweenTangents(const EvenSectors& sectors, const Vector2& cent
   return reached;
 }
 
+/// Calls check(sectors, limits) for each number of sectors that there may be.
+template <typename Check>
+void forEachNumber(const Check& check) {
+  for (int count = 2; count <= SectorLimits::MOST; ++count) {
+    SCOPED_TRACE(std::to_string(count) + " sectors");
+    const EvenSectors sectors(count);
+    check(sectors, SectorLimits(sectors));
+  }
+}
+
 double angleToNearestLimit(double angle, const EvenSectors& sectors) {
   return std::abs(std::remainder(angle - sectors.rightLimit(0), sectors.width()));
 }
 
 TEST(SectorLimits, TellTheSectorsBetweenTheTangentsOfADisc) {
   KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
-  for (int count = 2; count <= SectorLimits::MOST; ++count) {
-    const EvenSectors sectors(count);
-    const SectorLimits limits(sectors);
+  forEachNumber([&](const EvenSectors& sectors, const SectorLimits& limits) {
     for (int i = 0; i < 400; ++i) {
       const Vector2 centre(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
       const double radius = centre.norm() * random.uniform(1e-3, 0.999);
       ASSERT_EQ(limits.reachedBy(centre, centre.norm(), radius), sectorsBetweenTangents(sectors, centre, radius))
-          << count << " sectors, draw " << i;
+          << "draw " << i;
     }
-  }
+  });
 }
 
 TEST(SectorLimits, TellTheSectorOfAPoint) {
   KeyedRandom random(2, KeyedRandom::PLACEMENT, {});
-  for (int count = 2; count <= SectorLimits::MOST; ++count) {
-    const EvenSectors sectors(count);
-    const SectorLimits limits(sectors);
+  forEachNumber([&](const EvenSectors& sectors, const SectorLimits& limits) {
     for (int i = 0; i < 2000; ++i) {
       const Vector2 point(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
       ASSERT_EQ(limits.reachedBy(point, point.norm(), 0.0),
                 1U << static_cast<unsigned>(sectors.indexOf(bearingOf(point))))
-          << count << " sectors, draw " << i;
+          << "draw " << i;
     }
-  }
+  });
 }
 
 TEST(SectorLimits, LeaveItToAnglesWhereARimEndsAtALimit) {
-  for (int count = 2; count <= SectorLimits::MOST; ++count) {
-    const EvenSectors sectors(count);
-    const SectorLimits limits(sectors);
+  forEachNumber([&](const EvenSectors& sectors, const SectorLimits& limits) {
+    const int count = sectors.count();
     for (int sector = 0; sector < count; ++sector) {
       for (const double half_span : {0.01, 0.3, 1.2, PI / 2 - 1e-8}) {
         for (const double side : {-1.0, 1.0}) {
           const Vector2 centre = 1.7 * unitVector(sectors.rightLimit(sector) + side * half_span);
-          ASSERT_EQ(limits.reachedBy(centre, 1.7, 1.7 * std::sin(half_span)), 0U) << count << ", limit " << sector;
+          ASSERT_EQ(limits.reachedBy(centre, 1.7, 1.7 * std::sin(half_span)), 0U) << "limit " << sector;
         }
       }
       const Vector2 on_limit = 1.7 * unitVector(sectors.rightLimit(sector));
-      ASSERT_EQ(limits.reachedBy(on_limit, 1.7, 0.0), 0U) << count << ", limit " << sector;
+      ASSERT_EQ(limits.reachedBy(on_limit, 1.7, 0.0), 0U) << "limit " << sector;
       // A disc round that limit lies in the sectors on either side of it, and nothing is to be decided.
       const SectorSet both =
           1U << static_cast<unsigned>(sector) | 1U << static_cast<unsigned>((sector + count - 1) % count);
-      ASSERT_EQ(limits.reachedBy(on_limit, 1.7, 0.01), both) << count << ", limit " << sector;
+      ASSERT_EQ(limits.reachedBy(on_limit, 1.7, 0.01), both) << "limit " << sector;
     }
-    EXPECT_EQ(limits.reachedBy(Vector2::Zero(), 0.0, 0.0), 0U) << count;
-  }
+    EXPECT_EQ(limits.reachedBy(Vector2::Zero(), 0.0, 0.0), 0U);
+  });
 }
 
 TEST(SectorLimits, AreClearAHairAwayFromALimit) {
