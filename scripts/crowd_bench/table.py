@@ -53,7 +53,7 @@ def line(result, benchmark=None):
 
 
 def row(result, benchmark):
-    """A result as cells of the document's table. One through ROS is measured once and has no spread."""
+    """A result as cells of the document's table. One through ROS is the best of its rounds and has no spread."""
     def in_unit(value):
         return quantity(value, benchmark.unit)
     return [benchmark.name, benchmark.what, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
