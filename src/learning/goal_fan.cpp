@@ -53,13 +53,13 @@ void GoalFan::add(const Vector2& direction, double share, Action mirrored) {
   mirrored_.push_back(mirrored);
 }
 
-RelativeAction GoalFan::relativeAction(const Perception& perception, Action action) const {
+void GoalFan::findMove(const Perception& perception, Action action, RelativeAction& relative) const {
   MoveBlock move;  // NOLINT(cppcoreguidelines-pro-type-member-init): turn() writes it
   const std::size_t lane = action % MoveBlock::SIZE;
   turn(fan_[action / MoveBlock::SIZE], goalDirection(perception), action < turned_ ? MoveBlock::SIZE : 0, move);
   move.set(0, move.move(lane));
   rule_.cut(perception, &move, 1);
-  return toAction(move.move(0));
+  relative = toAction(move.move(0));
 }
 
 void GoalFan::findMoves(const Perception& perception, MoveBlock* moves) const {

@@ -6,10 +6,6 @@ KingsMoves::KingsMoves(int rotations) {
   for (int i = 0; i < rotations; ++i) moves_.push_back({2.0 * PI * i / rotations, 1.0});
 }
 
-RelativeAction KingsMoves::relativeAction(const Perception& /*perception*/, Action action) const {
-  return moves_[action];
-}
-
 std::string KingsMoves::spec() const {
   return std::string("{type: ") + TYPE + ", rotations: " + std::to_string(moves_.size()) + "}";
 }

@@ -93,7 +93,7 @@ inline void Learner::learnAndChoose(const Perceptions& perceptions, RelativeActi
   if (perceptions.last || self.arrived) return;
   const KeyedRandom chance = chance_.with(perceptions.tick);
   const Action action = chooseExploring(chance, perceptions, self, rowsOf(choice), memory);
-  actions.agents.push_back({self.agent, actionOf(seen, choice, action)});
+  answer(seen, choice, action, actions.agents.emplace_back());
 }
 
 void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const {
@@ -103,7 +103,7 @@ void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::
     const AgentPerception& self = perceptions.agents[i];
     if (self.arrived || !serves(self.agent)) continue;
     const Perception seen = perceptionOf(perceptions, i, bodiesInSight(perceptions, self));
-    actions.push_back(chooseGreedy(seen, tableOf(self.agent), choice));
+    answerGreedily(seen, tableOf(self.agent), choice, actions.emplace_back());
   }
 }
 
@@ -212,20 +212,21 @@ inline void Learner::choose(const Perceptions& perceptions, RelativeActions& act
   forEachGuest(perceptions, [&](std::size_t index) {
     const Perception seen = perceptionOf(perceptions, index);
     Memory& memory = memories_[guests_[index].place];
-    AgentAction& answer = actions.agents[guests_[index].answer];
+    AgentAction& given = actions.agents[guests_[index].answer];
     if (exploring) {
       const Choice choice = choiceAt(index, space_);
       const Action action = chooseExploring(chance, perceptions, seen.self, rowsOf(choice), memory);
-      answer = {seen.self.agent, actionOf(seen, choice, action)};
+      answer(seen, choice, action, given);
     } else {
-      answer = chooseGreedy(seen, shared ? *base_ : *memory.table, choiceAt(0, space_));
+      answerGreedily(seen, shared ? *base_ : *memory.table, choiceAt(0, space_), given);
     }
   });
 }
 
-inline AgentAction Learner::chooseGreedy(const Perception& seen, const QTable& table, const Choice& choice) const {
+inline void Learner::answerGreedily(const Perception& seen, const QTable& table, const Choice& choice,
+                                    AgentAction& given) const {
   findRows(seen, choice);
-  return {seen.self.agent, actionOf(seen, choice, QLearner::chooseGreedy(table, rowsOf(choice)))};
+  answer(seen, choice, QLearner::chooseGreedy(table, rowsOf(choice)), given);
 }
 
 inline Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions,
@@ -241,9 +242,14 @@ inline Action Learner::chooseExploring(const KeyedRandom& chance, const Percepti
   return action;
 }
 
-inline RelativeAction Learner::actionOf(const Perception& seen, const Choice& choice, Action action) const {
-  if (choice.moves == nullptr) return model_.action_set->relativeAction(seen, action);
-  return toAction(moveAt(choice.moves, action));
+inline void Learner::answer(const Perception& seen, const Choice& choice, Action action, AgentAction& given) const {
+  given.agent = seen.self.agent;
+  // Written to where it stays: a copy of what has just been written would wait until that is in the cache.
+  if (choice.moves == nullptr) {
+    model_.action_set->findMove(seen, action, given.action);
+  } else {
+    given.action = toAction(moveAt(choice.moves, action));
+  }
 }
 
 std::uint32_t Learner::addMemory(AgentId agent) {

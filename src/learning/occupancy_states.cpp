@@ -39,7 +39,8 @@ OccupancyStates::OccupancyStates(const Parameters& parameters)
 
 void OccupancyStates::findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const {
   Occupied occupied{};
-  for (const PerceivedBody& body : perception.bodies) addBody(body, occupied);
+  const PerceivedBodiesView& bodies = perception.bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) addBody({bodies.xs()[i], bodies.ys()[i]}, bodies.radii()[i], occupied);
   for (const Segment& wall : perception.walls) addWall(wall, occupied);
   Row row = codes_ * static_cast<Row>(goalSector(perception.self.goal));  // (3.5)
   Row distance_class = 0;
@@ -69,19 +70,19 @@ SectorSet OccupancyStates::sectorsFrom(long first, long last) const {
   return (beyond_a_circle | beyond_a_circle >> static_cast<unsigned>(sectors_.count())) & allSectors();
 }
 
-SectorSet OccupancyStates::sectorsSpanned(const PerceivedBody& body, double distance) const {
-  const double bearing = bearingOf(body.position);
-  const double half_span = std::asin(body.radius / distance);
+SectorSet OccupancyStates::sectorsSpanned(const Vector2& centre, double distance, double radius) const {
+  const double bearing = bearingOf(centre);
+  const double half_span = std::asin(radius / distance);
   return sectorsFrom(sectors_.unwrappedIndexOf(bearing - half_span), sectors_.unwrappedIndexOf(bearing + half_span));
 }
 
-inline void OccupancyStates::addBody(const PerceivedBody& body, Occupied& occupied) const {
-  const double distance = body.position.norm();
-  const int distance_class = parameters_.distances.classOf(distance - body.radius);
+inline void OccupancyStates::addBody(const Vector2& centre, double radius, Occupied& occupied) const {
+  const double distance = centre.norm();
+  const int distance_class = parameters_.distances.classOf(distance - radius);
   if (distance_class == 0) return;
-  if (distance <= body.radius) return occupy(occupied, allSectors(), distance_class);  // the agent stands inside
-  const SectorSet reached = limits_.reachedBy(body.position, distance, body.radius);
-  occupy(occupied, reached != 0 ? reached : sectorsSpanned(body, distance), distance_class);
+  if (distance <= radius) return occupy(occupied, allSectors(), distance_class);  // the agent stands inside
+  const SectorSet reached = limits_.reachedBy(centre, distance, radius);
+  occupy(occupied, reached != 0 ? reached : sectorsSpanned(centre, distance, radius), distance_class);
 }
 
 void OccupancyStates::addWall(const Segment& wall, Occupied& occupied) const {

@@ -70,17 +70,22 @@ void NeighbourGrid::place(const Disc& disc, std::size_t where) {
   velocities_[where] = disc.velocity;
 }
 
-View<NeighbourGrid::Run> NeighbourGrid::findRunsNear(const Vector2& point, double distance, Runs& space) const {
+NeighbourGrid::RunsNear NeighbourGrid::findRunsNear(const Vector2& point, double distance, Runs& space) const {
   if (isList()) {
     if (space.empty()) space.resize(1);
     space[0] = all();
-    return {space.data(), 1};
+    return {{space.data(), 1}, size()};
   }
   const Cells cells = cellsNear(point, distance);
   const auto count = static_cast<std::size_t>(cells.top - cells.bottom + 1);
   if (space.size() < count) space.resize(2 * count);
-  for (std::size_t i = 0; i < count; ++i) space[i] = runOf(cells, cells.bottom + static_cast<std::int64_t>(i));
-  return {space.data(), count};
+  std::size_t discs = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Run run = runOf(cells, cells.bottom + static_cast<std::int64_t>(i));
+    space[i] = run;
+    discs += run.end - run.begin;
+  }
+  return {{space.data(), count}, discs};
 }
 
 void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const {

@@ -24,7 +24,13 @@ class ActionSet {
   /// @brief Number of actions.
   virtual Action size() const = 0;
   /// @brief The move that an action means to an agent that perceives this.
-  virtual RelativeAction relativeAction(const Perception& perception, Action action) const = 0;
+  RelativeAction relativeAction(const Perception& perception, Action action) const {
+    RelativeAction relative;
+    findMove(perception, action, relative);
+    return relative;
+  }
+  /// @brief The same, written to where it stays.
+  virtual void findMove(const Perception& perception, Action action, RelativeAction& relative) const = 0;
   /// @brief The moves that all size() actions mean to an agent that perceives this.
   /// @param moves blocksOf(size()) blocks, to be written
   virtual void findMoves(const Perception& perception, MoveBlock* moves) const;

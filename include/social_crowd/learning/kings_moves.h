@@ -16,7 +16,9 @@ class KingsMoves : public ActionSet {
   explicit KingsMoves(int rotations = DEFAULT_ROTATIONS);
 
   Action size() const override { return static_cast<Action>(moves_.size()); }
-  RelativeAction relativeAction(const Perception& perception, Action action) const override;
+  void findMove(const Perception& /*perception*/, Action action, RelativeAction& relative) const override {
+    relative = moves_[action];
+  }
   Action mirrored(Action action) const override { return (size() - action) % size(); }
   std::string spec() const override;
 

@@ -167,11 +167,11 @@ class Learner {
   /// learn() and choose() for one agent alone: nothing need be kept between the two.
   void learnAndChoose(const Perceptions& perceptions, RelativeActions& actions);
   /// @param choice is written
-  AgentAction chooseGreedy(const Perception& seen, const QTable& table, const Choice& choice) const;
+  void answerGreedily(const Perception& seen, const QTable& table, const Choice& choice, AgentAction& given) const;
   /// @param chance that of the tick
   Action chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
                          const Rows& rows, Memory& memory) const;
-  RelativeAction actionOf(const Perception& seen, const Choice& choice, Action action) const;
+  void answer(const Perception& seen, const Choice& choice, Action action, AgentAction& given) const;
 
   Model model_;
   Vision sight_;              // all that the state set looks at

@@ -61,11 +61,11 @@ class OccupancyStates : public StateSet {
   int goalSector(const Vector2& goal) const;
   /// All sectors between the tangents of a body that the agent stands outside of: seen from it, the body spans the
   /// angles between those.
-  SectorSet sectorsSpanned(const PerceivedBody& body, double distance) const;
+  SectorSet sectorsSpanned(const Vector2& centre, double distance, double radius) const;
   static void occupy(Occupied& occupied, SectorSet sectors, int distance_class) {
     occupied[static_cast<std::size_t>(distance_class) - 1] |= sectors;
   }
-  void addBody(const PerceivedBody& body, Occupied& occupied) const;
+  void addBody(const Vector2& centre, double radius, Occupied& occupied) const;
   void addWall(const Segment& wall, Occupied& occupied) const;
 
   Parameters parameters_;

@@ -63,10 +63,15 @@ class QTable {
   }
   double highestOf(Row row) const {
     const double* values = &values_[index(row, 0)];
-    // Two at a time.
-    Eigen::Array2d highest = Eigen::Array2d::Constant(values[actions_ - 1]);
-    for (Action action = 0; action + 1 < actions_; action += 2) highest = highest.max(Eigen::Array2d(values + action));
-    return highest.maxCoeff();
+    // Two that do not wait for each other, but one by one: one of them has often just been written, and two at once
+    // could not be read before that is in the cache.
+    double even = values[actions_ - 1];
+    double odd = even;
+    for (Action action = 0; action + 1 < actions_; action += 2) {
+      even = std::max(even, values[action]);
+      odd = std::max(odd, values[action + 1]);
+    }
+    return std::max(even, odd);
   }
 
   Row rows_;

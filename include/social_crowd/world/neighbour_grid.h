@@ -56,10 +56,15 @@ class NeighbourGrid {
     std::uint32_t end;
   };
   using Runs = std::vector<Run>;
+  /// @brief Some runs, and how many discs they hold.
+  struct RunsNear {
+    View<Run> runs;
+    std::size_t discs;
+  };
 
   /// @brief Runs of discs, some of them empty, that hold all whose rim is within `distance` [m] of the point, and
   /// others. @param space where they are written; it only grows
-  View<Run> findRunsNear(const Vector2& point, double distance, Runs& space) const;
+  RunsNear findRunsNear(const Vector2& point, double distance, Runs& space) const;
 
   /// @brief Appends to `found` the discs whose rim is within `distance` [m] of the point, in an order that depends on
   /// the discs alone.
