@@ -56,6 +56,11 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
   return limit;
 }
 
+/// Before anything is in the way.
+CROWD_VECTORISED void admitAll(MoveBlock& moves) {
+  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) moves.share[i] = moves.wanted[i];
+}
+
 /// @param reach the longest displacement of a tick [m]
 CROWD_VECTORISED void apply(const Limit& limit, double reach, MoveBlock& moves) {
   const double nx = limit.normal.x();
@@ -148,7 +153,7 @@ void ContactRule::cut(const Perception& perception, MoveBlock* moves, std::size_
 }
 
 void ContactRule::cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const {
-  for (std::size_t block = 0; block < blocksOf(count); ++block) moves[block].share = moves[block].wanted;
+  for (std::size_t block = 0; block < blocksOf(count); ++block) admitAll(moves[block]);
   if (sharing_ == GapSharing::NONE) return;
   const AgentPerception& self = perception.self;
   const double reach = self.speed * perception.tick_duration;

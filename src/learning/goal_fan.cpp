@@ -23,8 +23,8 @@ CROWD_VECTORISED void turn(const MoveBlock& fan, const Vector2& bearing, std::si
     const double y = sine * fan.x[i] + cosine * fan.y[i];
     moves.x[i] = i < turned ? x : fan.x[i];
     moves.y[i] = i < turned ? y : fan.y[i];
+    moves.wanted[i] = fan.wanted[i];
   }
-  moves.wanted = fan.wanted;
 }
 
 }  // namespace
