@@ -59,7 +59,7 @@ OccupancyStates::Situation OccupancyStates::describe(const Perception& perceptio
 }
 
 inline int OccupancyStates::goalSector(const Vector2& goal) const {
-  const SectorSet sector = limits_.reachedBy(goal, goal.norm(), 0.0);
+  const SectorSet sector = limits_.reachedBy(goal, 0.0);
   return sector != 0 ? __builtin_ctz(sector) : sectors_.indexOf(bearingOf(goal));
 }
 
@@ -81,7 +81,7 @@ inline void OccupancyStates::addBody(const Vector2& centre, double radius, Occup
   const int distance_class = parameters_.distances.classOf(distance - radius);
   if (distance_class == 0) return;
   if (distance <= radius) return occupy(occupied, allSectors(), distance_class);  // the agent stands inside
-  const SectorSet reached = limits_.reachedBy(centre, distance, radius);
+  const SectorSet reached = limits_.reachedBy(centre, radius);
   occupy(occupied, reached != 0 ? reached : sectorsSpanned(centre, distance, radius), distance_class);
 }
 

@@ -41,7 +41,7 @@ TEST(SectorLimits, TellTheSectorsBetweenTheTangentsOfADisc) {
     for (int i = 0; i < 400; ++i) {
       const Vector2 centre(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
       const double radius = centre.norm() * random.uniform(1e-3, 0.999);
-      ASSERT_EQ(limits.reachedBy(centre, centre.norm(), radius), sectorsBetweenTangents(sectors, centre, radius))
+      ASSERT_EQ(limits.reachedBy(centre, radius), sectorsBetweenTangents(sectors, centre, radius))
           << "draw " << i;
     }
   });
@@ -52,7 +52,7 @@ TEST(SectorLimits, TellTheSectorOfAPoint) {
   forEachNumber([&](const EvenSectors& sectors, const SectorLimits& limits) {
     for (int i = 0; i < 2000; ++i) {
       const Vector2 point(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
-      ASSERT_EQ(limits.reachedBy(point, point.norm(), 0.0),
+      ASSERT_EQ(limits.reachedBy(point, 0.0),
                 1U << static_cast<unsigned>(sectors.indexOf(bearingOf(point))))
           << "draw " << i;
     }
@@ -66,17 +66,17 @@ TEST(SectorLimits, LeaveItToAnglesWhereARimEndsAtALimit) {
       for (const double half_span : {0.01, 0.3, 1.2, PI / 2 - 1e-8}) {
         for (const double side : {-1.0, 1.0}) {
           const Vector2 centre = 1.7 * unitVector(sectors.rightLimit(sector) + side * half_span);
-          ASSERT_EQ(limits.reachedBy(centre, 1.7, 1.7 * std::sin(half_span)), 0U) << "limit " << sector;
+          ASSERT_EQ(limits.reachedBy(centre, 1.7 * std::sin(half_span)), 0U) << "limit " << sector;
         }
       }
       const Vector2 on_limit = 1.7 * unitVector(sectors.rightLimit(sector));
-      ASSERT_EQ(limits.reachedBy(on_limit, 1.7, 0.0), 0U) << "limit " << sector;
+      ASSERT_EQ(limits.reachedBy(on_limit, 0.0), 0U) << "limit " << sector;
       // A disc round that limit lies in the sectors on either side of it, and nothing is to be decided.
       const SectorSet both =
           1U << static_cast<unsigned>(sector) | 1U << static_cast<unsigned>((sector + count - 1) % count);
-      ASSERT_EQ(limits.reachedBy(on_limit, 1.7, 0.01), both) << "limit " << sector;
+      ASSERT_EQ(limits.reachedBy(on_limit, 0.01), both) << "limit " << sector;
     }
-    EXPECT_EQ(limits.reachedBy(Vector2::Zero(), 0.0, 0.0), 0U);
+    EXPECT_EQ(limits.reachedBy(Vector2::Zero(), 0.0), 0U);
   });
 }
 
@@ -89,7 +89,7 @@ TEST(SectorLimits, AreClearAHairAwayFromALimit) {
     // Its left tangent ends a hair before or behind the limit between sectors 0 and 1.
     const Vector2 centre = 2.0 * unitVector(sectors.rightLimit(1) - HALF_SPAN + hair);
     ASSERT_GT(angleToNearestLimit(bearingOf(centre) + HALF_SPAN, sectors), 1e-7);
-    EXPECT_EQ(limits.reachedBy(centre, 2.0, RADIUS), hair < 0.0 ? 0b01U : 0b11U);
+    EXPECT_EQ(limits.reachedBy(centre, RADIUS), hair < 0.0 ? 0b01U : 0b11U);
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -52,24 +51,21 @@ class QTable {
   double value(Action action, const Rows& rows) const { return value(rows[action], action); }
   Action greedyAmong(const Rows& rows) const;
   double highestAmong(const Rows& rows) const {
-    // Two at a time, which do not wait for each other.
-    double even = value(actions_ - 1, rows);
-    double odd = even;
-    for (Action action = 0; action + 1 < actions_; action += 2) {
-      even = std::max(even, value(action, rows));
-      odd = std::max(odd, value(action + 1, rows));
-    }
-    return std::max(even, odd);
+    return highest([&](Action action) { return value(action, rows); });
   }
   double highestOf(Row row) const {
-    const double* values = &values_[index(row, 0)];
-    // Two that do not wait for each other, but one by one: one of them has often just been written, and two at once
-    // could not be read before that is in the cache.
-    double even = values[actions_ - 1];
+    return highest([values = &values_[index(row, 0)]](Action action) { return values[action]; });
+  }
+  /// @param of tells the value of an action
+  template <typename ValueOf>
+  double highest(const ValueOf& of) const {
+    // Two that do not wait for each other, but one by one: one of the values has often just been written, and two at
+    // once could not be read before that is in the cache.
+    double even = of(actions_ - 1);
     double odd = even;
     for (Action action = 0; action + 1 < actions_; action += 2) {
-      even = std::max(even, values[action]);
-      odd = std::max(odd, values[action + 1]);
+      even = std::max(of(action), even);
+      odd = std::max(of(action + 1), odd);
     }
     return std::max(even, odd);
   }

@@ -21,9 +21,8 @@ class SectorLimits {
   /// @brief The sectors that a disc reaches into, or the one that a point lies in. None where it ends so near a limit
   /// that rounding decides: then angles are to tell.
   /// @param centre seen from where the sectors begin [m]
-  /// @param distance that of the centre [m]
   /// @param radius less than the distance; 0: a point [m]
-  SectorSet reachedBy(const Vector2& centre, double distance, double radius) const;
+  SectorSet reachedBy(const Vector2& centre, double radius) const;
 
  private:
   using Lanes = std::array<double, MOST>;
