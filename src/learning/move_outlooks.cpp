@@ -13,15 +13,17 @@ namespace {
 using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
 
-/// Takes over bodies from a number on.
+/// Takes over `count` bodies from a number on.
 /// @param radius of the agent [m]
-CROWD_VECTORISED void convert(const PerceivedBodiesView& bodies, std::size_t first, double radius, Discs& discs) {
+CROWD_VECTORISED void convert(const PerceivedBodiesView& bodies, std::size_t first, std::size_t count, double radius,
+                              Discs& discs) {
   const double* const px = bodies.xs() + first;
   const double* const py = bodies.ys() + first;
   const double* const vx = bodies.vxs() + first;
   const double* const vy = bodies.vys() + first;
   const double* const radii = bodies.radii() + first;
   for (std::size_t i = 0; i < Discs::SIZE; ++i) discs.put(i, {px[i], py[i]}, {vx[i], vy[i]}, radius + radii[i]);
+  discs.leaveOut(count);
 }
 
 /// The wall's long side is reached where the line along it, moved by the radius, is crossed beside it.
@@ -108,8 +110,7 @@ float noteAgentsAlone(const Perception& perception, const Vector2& wish, Courses
   for (std::size_t i = 0; i < bodies.size(); i += Discs::SIZE) {
     const std::size_t count = std::min(Discs::SIZE, bodies.size() - i);
     Discs discs;  // NOLINT(cppcoreguidelines-pro-type-member-init): convert() writes them
-    convert(bodies, i, self.radius, discs);
-    discs.leaveOut(count);
+    convert(bodies, i, count, self.radius, discs);
     noteAgents(discs, count, self.velocity, wish, courses, fastest);
   }
   return std::sqrt(fastest);

@@ -10,9 +10,9 @@ namespace {
 constexpr std::size_t LANES = PerceivedBodies::MARGIN;
 using Times = Eigen::Array<double, LANES, 1>;
 
-/// For LANES bodies from a number on timeToContact(), where that is sooner than what is there.
-CROWD_VECTORISED void noteContacts(const PerceivedBodiesView& bodies, std::size_t first, std::size_t count,
-                                   const Vector2& velocity, double radius, Times& soonest) {
+/// timeToContact() for `count` bodies from a number on, up to LANES of them; NEVER in the lanes behind these.
+CROWD_VECTORISED void findTimes(const PerceivedBodiesView& bodies, std::size_t first, std::size_t count,
+                                const Vector2& velocity, double radius, Times& times) {
   const double* const xs = bodies.xs() + first;
   const double* const ys = bodies.ys() + first;
   const double* const vxs = bodies.vxs() + first;
@@ -33,8 +33,7 @@ CROWD_VECTORISED void noteContacts(const PerceivedBodiesView& bodies, std::size_
     const double ahead = inside < 0.0 ? NEVER : met;
     const double closer = apart <= 0.0 ? 0.0 : ahead;
     const double time = closing <= 0.0 ? NEVER : closer;
-    const bool sooner = (time < soonest[i]) & (static_cast<std::int64_t>(i) < end);
-    soonest[i] = sooner ? time : soonest[i];
+    times[i] = static_cast<std::int64_t>(i) < end ? time : NEVER;
   }
 }
 
@@ -55,11 +54,12 @@ double timeToContact(const Segment& wall, const Vector2& velocity, double radius
 
 double timeToContact(const Perception& perception, const Vector2& velocity) {
   const double radius = perception.self.radius;
-  alignas(64) Times soonest = Times::Constant(NEVER);
+  alignas(64) Times times;
+  double time = NEVER;
   for (std::size_t i = 0; i < perception.bodies.size(); i += LANES) {
-    noteContacts(perception.bodies, i, perception.bodies.size() - i, velocity, radius, soonest);
+    findTimes(perception.bodies, i, perception.bodies.size() - i, velocity, radius, times);
+    time = std::min(time, times.minCoeff());
   }
-  double time = soonest.minCoeff();
   for (const Segment& wall : perception.walls) time = std::min(time, timeToContact(wall, velocity, radius));
   return time;
 }

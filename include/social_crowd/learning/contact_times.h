@@ -59,9 +59,13 @@ struct Discs {
   }
   /// @brief Makes those from a number on fly away.
   void leaveOut(std::size_t first) {
-    for (std::size_t i = first; i < SIZE; ++i) {
-      px[i] = py[i] = apart[i] = 1.0F;
-      vx[i] = vy[i] = FLYING;
+    const auto flies = static_cast<std::int32_t>(first);
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(SIZE); ++i) {
+      px[i] = i < flies ? px[i] : 1.0F;
+      py[i] = i < flies ? py[i] : 1.0F;
+      vx[i] = i < flies ? vx[i] : FLYING;
+      vy[i] = i < flies ? vy[i] : FLYING;
+      apart[i] = i < flies ? apart[i] : 1.0F;
     }
   }
 };
