@@ -22,7 +22,7 @@ void NeighbourGrid::build(double cell_size) {
   ys_.resize(added_.size());
   radii_.resize(added_.size());
   bodies_.resize(added_.size());
-  velocities_.resize(added_.size());
+  motions_.resize(added_.size());
   if (added_.size() <= LIST) {
     for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], i);
     return;
@@ -67,7 +67,7 @@ void NeighbourGrid::place(const Disc& disc, std::size_t where) {
   ys_[where] = disc.centre.y();
   radii_[where] = disc.radius;
   bodies_[where] = disc.body;
-  velocities_[where] = disc.velocity;
+  motions_[where] = {disc.centre, disc.velocity};
 }
 
 NeighbourGrid::RunsNear NeighbourGrid::findRunsNear(const Vector2& point, double distance, Runs& space) const {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "bodies_by_fours.h"
 #include "social_crowd/common/prefetch.h"
 #include "social_crowd/world/world.h"
 
@@ -127,7 +128,11 @@ inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPe
 
 inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
                               PerceivedBodies& bodies) const {
-  for (std::size_t i = 0; i < found.size(); ++i) {
+  std::size_t done = 0;
+  if (obstacles_.empty() && found.size() >= FOUR) {
+    done = writeFours({grid_, found, agent.pose.position, agent.ahead}, first, bodies);
+  }
+  for (std::size_t i = done; i < found.size(); ++i) {
     const std::uint32_t disc = found[i].disc;
     bodies.set(first + i,
                {frame.intoFrame(grid_.centre(disc) - agent.pose.position), frame.intoFrame(grid_.velocity(disc)),

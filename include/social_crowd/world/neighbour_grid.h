@@ -35,7 +35,7 @@ class NeighbourGrid {
   void move(std::size_t disc, const Vector2& centre, const Vector2& velocity) {
     xs_[disc] = centre.x();
     ys_[disc] = centre.y();
-    velocities_[disc] = velocity;
+    motions_[disc] = {centre, velocity};
   }
 
   /// @brief Number of discs, in order of the cells.
@@ -48,7 +48,14 @@ class NeighbourGrid {
   const std::uint32_t* bodies() const { return bodies_.data(); }
   double radius(std::size_t disc) const { return radii_[disc]; }
   std::uint32_t body(std::size_t disc) const { return bodies_[disc]; }
-  const Vector2& velocity(std::size_t disc) const { return velocities_[disc]; }
+  const Vector2& velocity(std::size_t disc) const { return motions_[disc].velocity; }
+
+  /// @brief Place and velocity of a disc, one after the other.
+  struct Motion {
+    Vector2 centre;
+    Vector2 velocity;
+  };
+  const Motion* motions() const { return motions_.data(); }
 
   /// @brief Discs begin .. end-1, in order of the cells.
   struct Run {
@@ -126,7 +133,7 @@ class NeighbourGrid {
   std::vector<double> ys_;
   std::vector<double> radii_;
   std::vector<std::uint32_t> bodies_;
-  std::vector<Vector2> velocities_;
+  std::vector<Motion> motions_;
   Vector2 origin_ = Vector2::Zero();
   double cells_per_metre_ = 1.0;
   double max_radius_ = 0.0;

@@ -62,6 +62,13 @@ class PerceivedBodies {
   const double* vys() const { return vys_.data(); }
   const double* radii() const { return radii_.data(); }
   const BodyKind* kinds() const { return kinds_.data(); }
+  /// @brief The same, to be written.
+  double* xs() { return xs_.data(); }
+  double* ys() { return ys_.data(); }
+  double* vxs() { return vxs_.data(); }
+  double* vys() { return vys_.data(); }
+  double* radii() { return radii_.data(); }
+  BodyKind* kinds() { return kinds_.data(); }
 
  private:
   void grow(std::size_t size);
