@@ -73,7 +73,6 @@ inline void World::begin(const Vision& vision, std::size_t agents, Looker& looke
 void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t last, Looker& looker,
                          Perceptions& perceptions) const {
   perceptions.order.clear();
-  perceptions.agents.resize(last - first);
   begin(vision, last - first, looker, perceptions);
   std::size_t count = 0;
   for (std::size_t disc = first; disc < last; ++disc) {
@@ -83,6 +82,7 @@ void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t la
     }
     const std::uint32_t body = grid_.body(disc);
     if (body >= agents_.size()) continue;
+    if (count == perceptions.agents.size()) perceptions.agents.emplace_back();
     AgentPerception& self = perceptions.agents[count];
     self.agent = body;
     look(vision, agents_[body], count++, looker, self, perceptions);
