@@ -191,6 +191,20 @@ TEST(PerceivedBodiesView, HasObstaclesOfItsOwnAlone) {
   EXPECT_FALSE(PerceivedBodiesView(bodies, 1, 3).front(1).hasObstacles());
 }
 
+TEST(PerceivedBodiesView, HasAnObstacleWhereverItStands) {
+  for (std::size_t count = 0; count <= 20; ++count) {
+    for (std::size_t place = 0; place < 24; ++place) {
+      std::vector<BodyKind> kinds(24, AGENT);
+      kinds[place] = OBSTACLE;
+      const PerceivedBodies bodies = listOf(rowOf(kinds));
+      for (std::size_t first = 0; first < 4; ++first) {
+        EXPECT_EQ(PerceivedBodiesView(bodies, first, count).hasObstacles(), place >= first && place < first + count)
+            << count << " bodies from " << first << ", an obstacle at " << place;
+      }
+    }
+  }
+}
+
 TEST(PerceivedBodiesView, ObstaclesThatWereClearedAreForgotten) {
   PerceivedBodies bodies = listOf(rowOf(std::vector<BodyKind>(20, OBSTACLE)));
   bodies.clear();

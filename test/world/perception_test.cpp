@@ -240,6 +240,45 @@ TEST(PerceptionProperty, AgreesWithLookingAtEverything) {
   EXPECT_GT(bodies, 10000U);
 }
 
+/// Bit for bit.
+void expectSameBodies(const Perception& one, const Perception& other) {
+  ASSERT_EQ(one.bodies.size(), other.bodies.size());
+  for (std::size_t i = 0; i < one.bodies.size(); ++i) {
+    EXPECT_EQ(one.bodies[i].position, other.bodies[i].position);
+    EXPECT_EQ(one.bodies[i].velocity, other.bodies[i].velocity);
+    EXPECT_EQ(one.bodies[i].radius, other.bodies[i].radius);
+    EXPECT_EQ(one.bodies[i].kind, other.bodies[i].kind);
+  }
+}
+
+TEST(PerceptionProperty, AThingOutOfSightChangesNothing) {
+  std::size_t bodies = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scene scene = scenes::randomScene(seed, 60);
+    scene.obstacles.clear();  // agents alone are looked at several at a time
+    World alone(scene);
+    scene.obstacles.push_back({ObstaclePath::atRest({1000.0, 1000.0}), 0.5});
+    World world(scene);
+    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
+    for (int tick = 0; tick < 10; ++tick) {
+      const auto actions = scenes::randomActions(alone, random);
+      alone.step(actions);
+      world.step(actions);
+      const Vision vision{random.uniform(0.5, 8.0), random.below(20)};
+      const Perceptions one = perceive(alone, vision);
+      const Perceptions other = perceive(world, vision);
+      ASSERT_EQ(one.agents.size(), other.agents.size());
+      for (std::size_t i = 0; i < one.agents.size(); ++i) {
+        ASSERT_EQ(one.agents[i].agent, other.agents[i].agent);
+        expectSameBodies(Perception(one, i), Perception(other, i));
+        bodies += one.agents[i].body_count;
+      }
+    }
+  }
+  EXPECT_GT(bodies, 10000U);
+}
+
 /// Turns and moves a whole scene.
 class Motion {
  public:
