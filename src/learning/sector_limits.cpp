@@ -33,11 +33,10 @@ constexpr Block TOUCHED_BITS = bitsFrom(0);
 constexpr Block LEFT_BITS = bitsFrom(LEFT);
 constexpr Block UNCLEAR_BITS = bitsFrom(UNCLEAR);
 
-using Compare = std::uint64_t (*)(const double* x, const double* y, const Vector2& centre, double radius,
-                                  double clear);
+using Compare = std::uint64_t (*)(const double* x, const double* y, const Vector2& centre, double radius, double clear);
 
 CROWD_VECTORISED std::uint64_t compareAnywhere(const double* x, const double* y, const Vector2& centre, double radius,
-                                       double clear) {
+                                               double clear) {
   const double px = centre.x();
   const double py = centre.y();
   std::uint64_t found = 0;

@@ -8,7 +8,6 @@ namespace crowd {
 namespace {
 
 using Numbers = double __attribute__((vector_size(FOUR * sizeof(double))));
-using Lanes = std::int64_t __attribute__((vector_size(FOUR * sizeof(double))));
 
 inline void load(const NeighbourGrid::Motion& motion, Numbers& row) { std::memcpy(&row, &motion, sizeof(row)); }
 
@@ -43,14 +42,14 @@ CROWD_VECTORISED std::size_t writeFours(const SeenDiscs& seen, std::size_t first
     load(motions[discs[i + 2].disc], c);
     load(motions[discs[i + 3].disc], d);
     // Rows of x, y, vx and vy to columns.
-    const Numbers ab_x = __builtin_shuffle(a, b, Lanes{0, 4, 2, 6});
-    const Numbers ab_y = __builtin_shuffle(a, b, Lanes{1, 5, 3, 7});
-    const Numbers cd_x = __builtin_shuffle(c, d, Lanes{0, 4, 2, 6});
-    const Numbers cd_y = __builtin_shuffle(c, d, Lanes{1, 5, 3, 7});
-    const Numbers dx = __builtin_shuffle(ab_x, cd_x, Lanes{0, 1, 4, 5}) - px;
-    const Numbers dy = __builtin_shuffle(ab_y, cd_y, Lanes{0, 1, 4, 5}) - py;
-    const Numbers vx = __builtin_shuffle(ab_x, cd_x, Lanes{2, 3, 6, 7});
-    const Numbers vy = __builtin_shuffle(ab_y, cd_y, Lanes{2, 3, 6, 7});
+    const Numbers ab_x = {a[0], b[0], a[2], b[2]};
+    const Numbers ab_y = {a[1], b[1], a[3], b[3]};
+    const Numbers cd_x = {c[0], d[0], c[2], d[2]};
+    const Numbers cd_y = {c[1], d[1], c[3], d[3]};
+    const Numbers dx = Numbers{ab_x[0], ab_x[1], cd_x[0], cd_x[1]} - px;
+    const Numbers dy = Numbers{ab_y[0], ab_y[1], cd_y[0], cd_y[1]} - py;
+    const Numbers vx = {ab_x[2], ab_x[3], cd_x[2], cd_x[3]};
+    const Numbers vy = {ab_y[2], ab_y[3], cd_y[2], cd_y[3]};
     store(dx * ax + dy * ay, xs + i);
     store(dy * ax - dx * ay, ys + i);
     store(vx * ax + vy * ay, vxs + i);

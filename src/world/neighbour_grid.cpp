@@ -67,7 +67,7 @@ void NeighbourGrid::place(const Disc& disc, std::size_t where) {
   ys_[where] = disc.centre.y();
   radii_[where] = disc.radius;
   bodies_[where] = disc.body;
-  motions_[where] = {disc.centre, disc.velocity};
+  motions_[where] = {disc.centre.x(), disc.centre.y(), disc.velocity.x(), disc.velocity.y()};
 }
 
 NeighbourGrid::RunsNear NeighbourGrid::findRunsNear(const Vector2& point, double distance, Runs& space) const {

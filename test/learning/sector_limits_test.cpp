@@ -41,8 +41,7 @@ TEST(SectorLimits, TellTheSectorsBetweenTheTangentsOfADisc) {
     for (int i = 0; i < 400; ++i) {
       const Vector2 centre(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
       const double radius = centre.norm() * random.uniform(1e-3, 0.999);
-      ASSERT_EQ(limits.reachedBy(centre, radius), sectorsBetweenTangents(sectors, centre, radius))
-          << "draw " << i;
+      ASSERT_EQ(limits.reachedBy(centre, radius), sectorsBetweenTangents(sectors, centre, radius)) << "draw " << i;
     }
   });
 }
@@ -52,8 +51,7 @@ TEST(SectorLimits, TellTheSectorOfAPoint) {
   forEachNumber([&](const EvenSectors& sectors, const SectorLimits& limits) {
     for (int i = 0; i < 2000; ++i) {
       const Vector2 point(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
-      ASSERT_EQ(limits.reachedBy(point, 0.0),
-                1U << static_cast<unsigned>(sectors.indexOf(bearingOf(point))))
+      ASSERT_EQ(limits.reachedBy(point, 0.0), 1U << static_cast<unsigned>(sectors.indexOf(bearingOf(point))))
           << "draw " << i;
     }
   });

@@ -35,7 +35,7 @@ class NeighbourGrid {
   void move(std::size_t disc, const Vector2& centre, const Vector2& velocity) {
     xs_[disc] = centre.x();
     ys_[disc] = centre.y();
-    motions_[disc] = {centre, velocity};
+    motions_[disc] = {centre.x(), centre.y(), velocity.x(), velocity.y()};
   }
 
   /// @brief Number of discs, in order of the cells.
@@ -48,12 +48,14 @@ class NeighbourGrid {
   const std::uint32_t* bodies() const { return bodies_.data(); }
   double radius(std::size_t disc) const { return radii_[disc]; }
   std::uint32_t body(std::size_t disc) const { return bodies_[disc]; }
-  const Vector2& velocity(std::size_t disc) const { return motions_[disc].velocity; }
+  Vector2 velocity(std::size_t disc) const { return {motions_[disc].vx, motions_[disc].vy}; }
 
   /// @brief Place and velocity of a disc, one after the other.
   struct Motion {
-    Vector2 centre;
-    Vector2 velocity;
+    double x;  ///< [m]
+    double y;
+    double vx;  ///< [m/s]
+    double vy;
   };
   const Motion* motions() const { return motions_.data(); }
 
