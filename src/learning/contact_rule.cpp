@@ -56,7 +56,8 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
   return limit;
 }
 
-/// Before anything is in the way.
+/// All that is wanted is admissible as long as nothing is in the way. By whole registers: a copy in smaller pieces
+/// could not be read by such before it is in the cache.
 CROWD_VECTORISED void admitAll(MoveBlock& moves) {
   for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) moves.share[i] = moves.wanted[i];
 }

@@ -39,6 +39,7 @@ OccupancyStates::OccupancyStates(const Parameters& parameters)
 
 void OccupancyStates::findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const {
   Occupied occupied{};
+  // A whole body, of which two numbers are needed, would be put together in memory first.
   const PerceivedBodiesView& bodies = perception.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     addBody({bodies.xs()[i], bodies.ys()[i]}, bodies.radii()[i], occupied);

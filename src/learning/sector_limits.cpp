@@ -33,24 +33,6 @@ constexpr Block TOUCHED_BITS = bitsFrom(0);
 constexpr Block LEFT_BITS = bitsFrom(LEFT);
 constexpr Block UNCLEAR_BITS = bitsFrom(UNCLEAR);
 
-using Compare = std::uint64_t (*)(const double* x, const double* y, const Vector2& centre, double radius, double clear);
-
-CROWD_VECTORISED std::uint64_t compareAnywhere(const double* x, const double* y, const Vector2& centre, double radius,
-                                               double clear) {
-  const double px = centre.x();
-  const double py = centre.y();
-  std::uint64_t found = 0;
-  for (std::size_t i = 0; i < BLOCK; ++i) {
-    const double across = x[i] * py - y[i] * px;
-    const double along = x[i] * px + y[i] * py;
-    const double beyond = radius - std::abs(across);
-    const bool touched = (beyond >= 0.0) & (along > 0.0);
-    const bool is_clear = std::abs(beyond) > clear;
-    found |= (touched ? TOUCHED_BITS[i] : 0) | (across >= 0.0 ? LEFT_BITS[i] : 0) | (is_clear ? 0 : UNCLEAR_BITS[i]);
-  }
-  return found;
-}
-
 #ifdef CROWD_AVX512
 CROWD_AVX512 std::uint64_t compareWithAvx512(const double* x, const double* y, const Vector2& centre, double radius,
                                              double clear) {
@@ -72,8 +54,28 @@ CROWD_AVX512 std::uint64_t compareWithAvx512(const double* x, const double* y, c
 
 }  // namespace
 
-SectorLimits::SectorLimits(const EvenSectors& sectors)
-    : all_((1U << static_cast<unsigned>(sectors.count())) - 1U), count_(static_cast<unsigned>(sectors.count())) {
+CROWD_VECTORISED std::uint64_t compareLimitsAnywhere(const double* x, const double* y, const Vector2& centre,
+                                                     double radius, double clear) {
+  const double px = centre.x();
+  const double py = centre.y();
+  std::uint64_t found = 0;
+  for (std::size_t i = 0; i < BLOCK; ++i) {
+    const double across = x[i] * py - y[i] * px;
+    const double along = x[i] * px + y[i] * py;
+    const double beyond = radius - std::abs(across);
+    const bool touched = (beyond >= 0.0) & (along > 0.0);
+    const bool is_clear = std::abs(beyond) > clear;
+    found |= (touched ? TOUCHED_BITS[i] : 0) | (across >= 0.0 ? LEFT_BITS[i] : 0) | (is_clear ? 0 : UNCLEAR_BITS[i]);
+  }
+  return found;
+}
+
+CompareLimits fastestCompareLimits() { return CROWD_FASTEST(compareWithAvx512, compareLimitsAnywhere); }
+
+SectorLimits::SectorLimits(const EvenSectors& sectors, CompareLimits compare)
+    : compare_(compare),
+      all_((1U << static_cast<unsigned>(sectors.count())) - 1U),
+      count_(static_cast<unsigned>(sectors.count())) {
   for (int sector = 0; sector < sectors.count(); ++sector) {
     const Vector2 limit = unitVector(sectors.rightLimit(sector));
     x_[static_cast<std::size_t>(sector)] = limit.x();
@@ -82,11 +84,10 @@ SectorLimits::SectorLimits(const EvenSectors& sectors)
 }
 
 SectorSet SectorLimits::reachedBy(const Vector2& centre, double radius) const {
-  static const Compare COMPARE = CROWD_FASTEST(compareWithAvx512, compareAnywhere);
-  // Not less than the distance's share, and sooner at hand than a root.
+  // The sum of both coordinates is not less than the distance, and sooner at hand than a root.
   const double clear = CLEAR * centre.lpNorm<1>();
-  std::uint64_t found = COMPARE(x_.data(), y_.data(), centre, radius, clear);
-  if (count_ > BLOCK) found |= COMPARE(&x_[BLOCK], &y_[BLOCK], centre, radius, clear) << BLOCK;
+  std::uint64_t found = compare_(x_.data(), y_.data(), centre, radius, clear);
+  if (count_ > BLOCK) found |= compare_(&x_[BLOCK], &y_[BLOCK], centre, radius, clear) << BLOCK;
   if ((found >> UNCLEAR & all_) != 0) return 0;
   const auto touched = static_cast<SectorSet>(found & all_);
   const auto left = static_cast<SectorSet>(found >> LEFT & all_);

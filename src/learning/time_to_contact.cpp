@@ -33,7 +33,8 @@ CROWD_VECTORISED void findTimes(const PerceivedBodiesView& bodies, std::size_t f
     const double ahead = inside < 0.0 ? NEVER : met;
     const double closer = apart <= 0.0 ? 0.0 : ahead;
     const double time = closing <= 0.0 ? NEVER : closer;
-    times[i] = static_cast<std::int64_t>(i) < end ? time : NEVER;
+    const bool counts = (static_cast<std::int64_t>(i) < end) & (time < NEVER);  // what is not a number does not
+    times[i] = counts ? time : NEVER;
   }
 }
 

@@ -7,8 +7,10 @@
 namespace crowd {
 namespace {
 
+constexpr std::size_t FOUR = 4;
 using Numbers = double __attribute__((vector_size(FOUR * sizeof(double))));
 
+static_assert(sizeof(NeighbourGrid::Motion) == sizeof(Numbers), "a motion fills a register");
 inline void load(const NeighbourGrid::Motion& motion, Numbers& row) { std::memcpy(&row, &motion, sizeof(row)); }
 
 inline void store(const Numbers& numbers, double* where) { std::memcpy(where, &numbers, sizeof(numbers)); }
@@ -41,7 +43,7 @@ CROWD_VECTORISED std::size_t writeFours(const SeenDiscs& seen, std::size_t first
     load(motions[discs[i + 1].disc], b);
     load(motions[discs[i + 2].disc], c);
     load(motions[discs[i + 3].disc], d);
-    // Rows of x, y, vx and vy to columns.
+    // From rows of x, y, vx and vy to columns, in two steps of what registers can do: ab_x is x and vx of a and b.
     const Numbers ab_x = {a[0], b[0], a[2], b[2]};
     const Numbers ab_y = {a[1], b[1], a[3], b[3]};
     const Numbers cd_x = {c[0], d[0], c[2], d[2]};

@@ -17,10 +17,8 @@ struct SeenDiscs {
   const Vector2& ahead;     ///< unit vector of its heading
 };
 
-constexpr std::size_t FOUR = 4;
-
 /// @brief Writes agents to the bodies from number `first` on, four at a time. Returns how many are done: up to three
-/// are left.
+/// are left. There must be room for all.
 std::size_t writeFours(const SeenDiscs& seen, std::size_t first, PerceivedBodies& bodies);
 
 }  // namespace crowd

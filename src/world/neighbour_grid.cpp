@@ -63,11 +63,9 @@ void NeighbourGrid::countCells() {
 }
 
 void NeighbourGrid::place(const Disc& disc, std::size_t where) {
-  xs_[where] = disc.centre.x();
-  ys_[where] = disc.centre.y();
+  move(where, disc.centre, disc.velocity);
   radii_[where] = disc.radius;
   bodies_[where] = disc.body;
-  motions_[where] = {disc.centre.x(), disc.centre.y(), disc.velocity.x(), disc.velocity.y()};
 }
 
 NeighbourGrid::RunsNear NeighbourGrid::findRunsNear(const Vector2& point, double distance, Runs& space) const {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 #include "social_crowd/common/vectorised.h"
 
@@ -15,7 +14,8 @@ constexpr std::size_t BLOCK = NeighbourCandidates::BLOCK;
 // Up to so many candidates, comparing all with all beats sorting: no branch depends on them.
 constexpr std::size_t MAX_RANKED = 3 * BLOCK;
 
-/// How many of `count` rims are smaller than each of them in single precision, by whole blocks; returns the sum.
+/// How many of `count` rims are smaller than each of them in single precision; returns the sum. By whole blocks: ranks
+/// behind the last one are written, and mean nothing.
 using Rank = std::int32_t (*)(const double* rims, std::size_t count, std::int32_t* ranks);
 
 constexpr std::array<std::int32_t, MAX_RANKED> countPlaces() {

@@ -7,11 +7,13 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/prefetch.h"
 
 namespace crowd {
 namespace {
 
-constexpr double CELL_SIZE = 2.0;  // [m]; about the reach of a look around at walking distances
+constexpr std::size_t ORDERS_AHEAD = 16;  // to begin a move takes less time than to decide on it
+constexpr double CELL_SIZE = 2.0;         // [m]; about the reach of a look around at walking distances
 
 Agent makeAgent(AgentId id, const AgentStart& start) {
   Agent agent;
@@ -122,7 +124,10 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
   workers.run(
       agents,
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) beginMove(agents_[i], std::exchange(orders_[i], nullptr));
+        for (std::size_t i = begin; i < end; ++i) {
+          if (i + ORDERS_AHEAD < agents) prefetchAt(orders_[i + ORDERS_AHEAD]);
+          beginMove(agents_[i], std::exchange(orders_[i], nullptr));
+        }
       },
       FEW_AGENTS);
   if (contact_ == Contact::SOLID) moveSolids();

@@ -82,6 +82,7 @@ void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t la
     }
     const std::uint32_t body = grid_.body(disc);
     if (body >= agents_.size()) continue;
+    // Made when needed: obstacles are among the bodies, and agents made for these would be made again at every tick.
     if (count == perceptions.agents.size()) perceptions.agents.emplace_back();
     AgentPerception& self = perceptions.agents[count];
     self.agent = body;
@@ -129,9 +130,7 @@ inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPe
 inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
                               PerceivedBodies& bodies) const {
   std::size_t done = 0;
-  if (obstacles_.empty() && found.size() >= FOUR) {
-    done = writeFours({grid_, found, agent.pose.position, agent.ahead}, first, bodies);
-  }
+  if (obstacles_.empty()) done = writeFours({grid_, found, agent.pose.position, agent.ahead}, first, bodies);
   for (std::size_t i = done; i < found.size(); ++i) {
     const std::uint32_t disc = found[i].disc;
     bodies.set(first + i,

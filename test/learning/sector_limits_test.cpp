@@ -21,13 +21,15 @@ SectorSet sectorsBetweenTangents(const EvenSectors& sectors, const Vector2& cent
   return reached;
 }
 
-/// Calls check(sectors, limits) for each number of sectors that there may be.
+/// Calls check(sectors, limits) for each number of sectors that there may be, and each way to look at their limits.
 template <typename Check>
 void forEachNumber(const Check& check) {
   for (int count = 2; count <= SectorLimits::MOST; ++count) {
     SCOPED_TRACE(std::to_string(count) + " sectors");
     const EvenSectors sectors(count);
-    check(sectors, SectorLimits(sectors));
+    for (const CompareLimits compare : {compareLimitsAnywhere, fastestCompareLimits()}) {
+      check(sectors, SectorLimits(sectors, compare));
+    }
   }
 }
 

@@ -148,6 +148,30 @@ TEST(NeighbourGrid, AnyIsNearWhereSomeAreFound) {
   EXPECT_LT(times, 2700U);  // or always
 }
 
+TEST(NeighbourGrid, RunsHoldAllThatAreNearAndAreCounted) {
+  std::size_t lists = 0;
+  checkManyPlaces([&](const std::vector<Disc>& discs, double extent, KeyedRandom& random) {
+    const NeighbourGrid grid = gridOf(discs, random.uniform(0.1, 4.0));
+    lists += grid.isList() ? 1 : 0;
+    NeighbourGrid::Runs space;
+    for (int i = 0; i < 50 && !discs.empty(); ++i) {
+      const Vector2 point = scenes::randomPoint(random, extent);
+      const double distance = random.uniform(0.0, 5.0);
+      const NeighbourGrid::RunsNear near = grid.findRunsNear(point, distance, space);
+      Found held;
+      for (const NeighbourGrid::Run& run : near.runs) {
+        for (std::uint32_t disc = run.begin; disc < run.end; ++disc) held.push_back(grid.body(disc));
+      }
+      EXPECT_EQ(near.discs, held.size());
+      held = sorted(held);
+      const Found found = sorted(find(grid, point, distance));
+      EXPECT_TRUE(std::includes(held.begin(), held.end(), found.begin(), found.end()));
+    }
+  });
+  EXPECT_GT(lists, 0U);
+  EXPECT_LT(lists, 60U);
+}
+
 TEST(NeighbourGrid, EveryWayOfLookingTellsTheSame) {
   std::size_t times = 0;
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {

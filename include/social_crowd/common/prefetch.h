@@ -16,6 +16,15 @@ inline void prefetch(const Object& object) {
 #endif
 }
 
+/// @brief The same for what lies in one cache line, or nowhere (nullptr).
+inline void prefetchAt(const void* place) {
+#if defined(__GNUC__)
+  __builtin_prefetch(place);
+#else
+  static_cast<void>(place);
+#endif
+}
+
 /// @brief So many agents ahead objects are asked for in loops over agents in any order.
 constexpr std::size_t PREFETCH_AHEAD = 4;
 

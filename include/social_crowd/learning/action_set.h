@@ -29,7 +29,8 @@ class ActionSet {
     findMove(perception, action, relative);
     return relative;
   }
-  /// @brief The same, written to where it stays.
+  /// @brief The same, written to where it stays: a copy would wait until what was just written is in the cache.
+  /// @param relative all of it is written
   virtual void findMove(const Perception& perception, Action action, RelativeAction& relative) const = 0;
   /// @brief The moves that all size() actions mean to an agent that perceives this.
   /// @param moves blocksOf(size()) blocks, to be written

@@ -59,6 +59,7 @@ struct Discs {
   }
   /// @brief Makes those from a number on fly away.
   void leaveOut(std::size_t first) {
+    // All places at once: written one by one they could not be read as a whole before they are in the cache.
     const auto flies = static_cast<std::int32_t>(first);
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(SIZE); ++i) {
       px[i] = i < flies ? px[i] : 1.0F;

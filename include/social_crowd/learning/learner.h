@@ -70,7 +70,7 @@ class Learner {
   /// @brief Decides greedily for everybody served that is on its way, with the tables as they are: what decide() does
   /// in demo mode, but nothing is kept of whom it did not know before. Any number of threads may do that, each with
   /// working space of its own.
-  /// @param actions decisions are added behind those that are there
+  /// @param actions decisions are added behind those that are there; after an exception they mean nothing
   void decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const;
 
   const Model& model() const { return model_; }
@@ -166,11 +166,12 @@ class Learner {
   void choose(const Perceptions& perceptions, RelativeActions& actions);
   /// learn() and choose() for one agent alone: nothing need be kept between the two.
   void learnAndChoose(const Perceptions& perceptions, RelativeActions& actions);
-  /// @param choice is written
+  /// @param choice is written, and `given`
   void answerGreedily(const Perception& seen, const QTable& table, const Choice& choice, AgentAction& given) const;
   /// @param chance that of the tick
   Action chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
                          const Rows& rows, Memory& memory) const;
+  /// Writes to `given` what the action means to the agent.
   void answer(const Perception& seen, const Choice& choice, Action action, AgentAction& given) const;
 
   Model model_;

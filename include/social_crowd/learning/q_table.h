@@ -56,16 +56,16 @@ class QTable {
   double highestOf(Row row) const {
     return highest([values = &values_[index(row, 0)]](Action action) { return values[action]; });
   }
-  /// @param of tells the value of an action
+  /// The highest of the values that `value_of` tells of each action.
   template <typename ValueOf>
-  double highest(const ValueOf& of) const {
+  double highest(const ValueOf& value_of) const {
     // Two that do not wait for each other, but one by one: one of the values has often just been written, and two at
     // once could not be read before that is in the cache.
-    double even = of(actions_ - 1);
+    double even = value_of(actions_ - 1);
     double odd = even;
     for (Action action = 0; action + 1 < actions_; action += 2) {
-      even = std::max(of(action), even);
-      odd = std::max(of(action + 1), odd);
+      even = std::max(value_of(action), even);
+      odd = std::max(value_of(action + 1), odd);
     }
     return std::max(even, odd);
   }

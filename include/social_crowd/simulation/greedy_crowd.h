@@ -26,7 +26,7 @@ class GreedyCrowd {
   };
 
   std::vector<Desk> desks_;
-  std::vector<std::vector<AgentAction>> decided_;  // by block
+  std::vector<std::vector<AgentAction>> decided_;  // by block, where several workers decide
 };
 
 }  // namespace crowd

@@ -50,13 +50,14 @@ class NeighbourGrid {
   std::uint32_t body(std::size_t disc) const { return bodies_[disc]; }
   Vector2 velocity(std::size_t disc) const { return {motions_[disc].vx, motions_[disc].vy}; }
 
-  /// @brief Place and velocity of a disc, one after the other.
+  /// @brief Place and velocity of a disc once more, so that one read takes both.
   struct Motion {
     double x;  ///< [m]
     double y;
     double vx;  ///< [m/s]
     double vy;
   };
+  /// @brief Of all discs, in order of the cells.
   const Motion* motions() const { return motions_.data(); }
 
   /// @brief Discs begin .. end-1, in order of the cells.

@@ -62,7 +62,7 @@ class PerceivedBodies {
   const double* vys() const { return vys_.data(); }
   const double* radii() const { return radii_.data(); }
   const BodyKind* kinds() const { return kinds_.data(); }
-  /// @brief The same, to be written.
+  /// @brief The same, for those who write several at once: size() of them.
   double* xs() { return xs_.data(); }
   double* ys() { return ys_.data(); }
   double* vxs() { return vxs_.data(); }
@@ -139,6 +139,10 @@ class PerceivedBodiesView {
 
  private:
   static constexpr std::size_t EIGHT = sizeof(std::uint64_t);
+  static_assert(static_cast<int>(BodyKind::AGENT) == 0 && sizeof(BodyKind) == 1, "eight agents are a 0");
+#if defined(__BYTE_ORDER__)
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the first kind is in the lowest byte");
+#endif
   /// Eight kinds at once, the first one in the lowest byte; 0 if all are agents.
   std::uint64_t kindsFrom(std::size_t i) const {
     std::uint64_t eight = 0;
