@@ -53,7 +53,7 @@ void GoalFan::add(const Vector2& direction, double share, Action mirrored) {
   mirrored_.push_back(mirrored);
 }
 
-void GoalFan::findMove(const Perception& perception, Action action, RelativeAction& relative) const {
+void GoalFan::findAction(const Perception& perception, Action action, RelativeAction& relative) const {
   MoveBlock move;  // NOLINT(cppcoreguidelines-pro-type-member-init): turn() writes it
   const std::size_t lane = action % MoveBlock::SIZE;
   turn(fan_[action / MoveBlock::SIZE], goalDirection(perception), action < turned_ ? MoveBlock::SIZE : 0, move);

@@ -246,7 +246,7 @@ inline void Learner::answer(const Perception& seen, const Choice& choice, Action
   given.agent = seen.self.agent;
   // Written to where it stays: a copy of what has just been written would wait until that is in the cache.
   if (choice.moves == nullptr) {
-    model_.action_set->findMove(seen, action, given.action);
+    model_.action_set->findAction(seen, action, given.action);
   } else {
     given.action = toAction(moveAt(choice.moves, action));
   }

@@ -41,8 +41,9 @@ void OccupancyStates::findRows(const Perception& perception, const MoveBlock* /*
   Occupied occupied{};
   // A whole body, of which two numbers are needed, would be put together in memory first.
   const PerceivedBodiesView& bodies = perception.bodies;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
     addBody({bodies.xs()[i], bodies.ys()[i]}, bodies.radii()[i], occupied);
+  }
   for (const Segment& wall : perception.walls) addWall(wall, occupied);
   Row row = codes_ * static_cast<Row>(goalSector(perception.self.goal));  // (3.5)
   Row distance_class = 0;

@@ -7,7 +7,6 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t FOUR = 4;
 using Numbers = double __attribute__((vector_size(FOUR * sizeof(double))));
 
 static_assert(sizeof(NeighbourGrid::Motion) == sizeof(Numbers), "a motion fills a register");
@@ -56,8 +55,10 @@ CROWD_VECTORISED std::size_t writeFours(const SeenDiscs& seen, std::size_t first
     store(dy * ax - dx * ay, ys + i);
     store(vx * ax + vy * ay, vxs + i);
     store(vy * ax - vx * ay, vys + i);
-    for (std::size_t k = i; k < i + FOUR; ++k) to_radii[k] = radii[discs[k].disc];
-    std::memset(kinds + i, static_cast<int>(BodyKind::AGENT), FOUR);
+    for (std::size_t k = i; k < i + FOUR; ++k) {
+      to_radii[k] = radii[discs[k].disc];
+      kinds[k] = seen.grid.body(discs[k].disc) < seen.agents ? BodyKind::AGENT : BodyKind::OBSTACLE;
+    }
   }
   return i;
 }

@@ -9,15 +9,19 @@
 
 namespace crowd {
 
-/// @brief Agents among the discs of a grid, and the one that sees them.
+/// @brief So many bodies are worked on at once.
+constexpr std::size_t FOUR = 4;
+
+/// @brief Discs of a grid, and the agent that sees them.
 struct SeenDiscs {
   const NeighbourGrid& grid;
   View<NearDisc> discs;
   const Vector2& position;  ///< of the agent, `map` [m]
   const Vector2& ahead;     ///< unit vector of its heading
+  std::size_t agents;       ///< bodies from this number on are obstacles
 };
 
-/// @brief Writes agents to the bodies from number `first` on, four at a time. Returns how many are done: up to three
+/// @brief Writes the discs to the bodies from number `first` on, four at a time. Returns how many are done: up to three
 /// are left. There must be room for all.
 std::size_t writeFours(const SeenDiscs& seen, std::size_t first, PerceivedBodies& bodies);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "social_crowd/common/vectorised.h"
 
@@ -14,16 +15,8 @@ constexpr std::size_t BLOCK = NeighbourCandidates::BLOCK;
 // Up to so many candidates, comparing all with all beats sorting: no branch depends on them.
 constexpr std::size_t MAX_RANKED = 3 * BLOCK;
 
-/// How many of `count` rims are smaller than each of them in single precision; returns the sum. By whole blocks: ranks
-/// behind the last one are written, and mean nothing.
+/// How many of `count` rims are smaller than each of them in single precision, by whole blocks; returns the sum.
 using Rank = std::int32_t (*)(const double* rims, std::size_t count, std::int32_t* ranks);
-
-constexpr std::array<std::int32_t, MAX_RANKED> countPlaces() {
-  std::array<std::int32_t, MAX_RANKED> places{};
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<std::int32_t>(i);
-  return places;
-}
-constexpr std::array<std::int32_t, MAX_RANKED> PLACES = countPlaces();
 
 /// Registers of so many numbers. In single precision twice as many are compared at once.
 template <std::size_t LANES>
@@ -47,16 +40,8 @@ template <std::size_t LANES, std::size_t COUNT>
     for (std::size_t r = 0; r < COUNT; ++r) smaller[r] -= keys[j] < own[r];  // true is -1
   }
   std::memcpy(ranks, smaller.data(), sizeof(smaller));
-  // Added up in registers: in memory they could not be read again before all of them are written.
-  Ranks sums{};
-  for (std::size_t r = 0; r < COUNT; ++r) {
-    Ranks place;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-    std::memcpy(&place, &PLACES[r * LANES], sizeof(place));
-    sums += smaller[r] & (place < static_cast<std::int32_t>(count));
-  }
-  std::int32_t sum = 0;
-  for (std::size_t i = 0; i < LANES; ++i) sum += sums[i];
-  return sum;
+  std::fill(ranks + count, ranks + keys.size(), 0);
+  return std::accumulate(ranks, ranks + keys.size(), 0);
 }
 
 template <std::size_t LANES>

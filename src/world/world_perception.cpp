@@ -129,9 +129,12 @@ inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPe
 
 inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
                               PerceivedBodies& bodies) const {
-  std::size_t done = 0;
-  if (obstacles_.empty()) done = writeFours({grid_, found, agent.pose.position, agent.ahead}, first, bodies);
-  for (std::size_t i = done; i < found.size(); ++i) {
+  std::size_t i = 0;
+  // Less than four are sooner done than asked about.
+  if (found.size() >= FOUR) {
+    i = writeFours({grid_, found, agent.pose.position, agent.ahead, agents_.size()}, first, bodies);
+  }
+  for (; i < found.size(); ++i) {
     const std::uint32_t disc = found[i].disc;
     bodies.set(first + i,
                {frame.intoFrame(grid_.centre(disc) - agent.pose.position), frame.intoFrame(grid_.velocity(disc)),

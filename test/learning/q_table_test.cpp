@@ -121,8 +121,9 @@ TEST(QTable, FindsTheHighestOfRowsWhereverItStands) {
   for (Action actions = 1; actions <= 6; ++actions) {
     for (Action best = 0; best < actions; ++best) {
       QTable table(6, actions);
-      for (Action action = 0; action < actions; ++action)
+      for (Action action = 0; action < actions; ++action) {
         table.set(rows[action], action, action == best ? -1.0 : -2.0, 1);
+      }
       EXPECT_EQ(table.greedyAction({rows.data(), 1}), best) << actions << " actions";
       EXPECT_EQ(table.greedyValue({rows.data(), 1}), -1.0) << actions << " actions, best " << best;
     }

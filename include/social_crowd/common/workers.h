@@ -26,6 +26,9 @@ class Workers {
 
   unsigned count() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
+  /// @brief Whether run() would leave all to its caller.
+  bool leavesToCaller(std::size_t size, std::size_t few = 0) const { return size <= few || threads_.empty(); }
+
   /// @brief Cuts 0 .. size-1 into parts that differ by one at most, more than there are workers, and returns when all
   /// are done. Whoever has time takes the next part, so that nobody waits for one who is held up. Rethrows what a part
   /// has thrown, of several the first one; who has thrown takes no other. To be called by one thread at a time;
@@ -34,7 +37,7 @@ class Workers {
   /// @param few up to so many are done by the caller alone, in one part, sooner than the others wake up
   template <typename Work>
   void run(std::size_t size, const Work& work, std::size_t few = 0) {
-    if (size <= few || threads_.empty()) {
+    if (leavesToCaller(size, few)) {
       work(0U, std::size_t{0}, size);
     } else {
       share({[](const void* what, unsigned worker, std::size_t begin, std::size_t end) {

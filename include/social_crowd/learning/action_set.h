@@ -26,12 +26,12 @@ class ActionSet {
   /// @brief The move that an action means to an agent that perceives this.
   RelativeAction relativeAction(const Perception& perception, Action action) const {
     RelativeAction relative;
-    findMove(perception, action, relative);
+    findAction(perception, action, relative);
     return relative;
   }
   /// @brief The same, written to where it stays: a copy would wait until what was just written is in the cache.
   /// @param relative all of it is written
-  virtual void findMove(const Perception& perception, Action action, RelativeAction& relative) const = 0;
+  virtual void findAction(const Perception& perception, Action action, RelativeAction& relative) const = 0;
   /// @brief The moves that all size() actions mean to an agent that perceives this.
   /// @param moves blocksOf(size()) blocks, to be written
   virtual void findMoves(const Perception& perception, MoveBlock* moves) const;

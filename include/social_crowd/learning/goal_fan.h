@@ -26,7 +26,7 @@ class GoalFan : public ActionSet {
   explicit GoalFan(const Parameters& parameters);
 
   Action size() const override { return static_cast<Action>(mirrored_.size()); }
-  void findMove(const Perception& perception, Action action, RelativeAction& relative) const override;
+  void findAction(const Perception& perception, Action action, RelativeAction& relative) const override;
   void findMoves(const Perception& perception, MoveBlock* moves) const override;
   Action mirrored(Action action) const override { return mirrored_[action]; }
   std::string spec() const override;

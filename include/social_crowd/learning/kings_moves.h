@@ -16,7 +16,7 @@ class KingsMoves : public ActionSet {
   explicit KingsMoves(int rotations = DEFAULT_ROTATIONS);
 
   Action size() const override { return static_cast<Action>(moves_.size()); }
-  void findMove(const Perception& /*perception*/, Action action, RelativeAction& relative) const override {
+  void findAction(const Perception& /*perception*/, Action action, RelativeAction& relative) const override {
     relative = moves_[action];
   }
   Action mirrored(Action action) const override { return (size() - action) % size(); }

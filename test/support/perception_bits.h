@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "social_crowd/world/perception.h"
+
+namespace crowd {
+
+/// Numbers to the last bit.
+using Bits = std::vector<std::uint64_t>;
+
+inline Bits bitsOf(const std::vector<double>& numbers) {
+  Bits bits(numbers.size());
+  std::memcpy(bits.data(), numbers.data(), numbers.size() * sizeof(double));
+  return bits;
+}
+
+/// All that an agent is told, but for where in the lists it stands.
+inline Bits bitsOf(const Perception& seen) {
+  const AgentPerception& self = seen.self;
+  std::vector<double> numbers = {self.pose.position.x(),
+                                 self.pose.position.y(),
+                                 self.pose.heading,
+                                 self.velocity.x(),
+                                 self.velocity.y(),
+                                 self.speed,
+                                 self.radius,
+                                 self.goal.x(),
+                                 self.goal.y(),
+                                 seen.tick_duration,
+                                 self.arrived ? 1.0 : 0,
+                                 self.acted ? 1.0 : 0.0,
+                                 double(self.goal_number)};
+  for (const PerceivedBody& body : seen.bodies) {
+    numbers.insert(numbers.end(), {body.position.x(), body.position.y(), body.velocity.x(), body.velocity.y(),
+                                   body.radius, static_cast<double>(body.kind)});
+  }
+  numbers.push_back(static_cast<double>(seen.walls.size()));
+  for (const Segment& wall : seen.walls) {
+    numbers.insert(numbers.end(), {wall.from.x(), wall.from.y(), wall.to.x(), wall.to.y()});
+  }
+  return bitsOf(numbers);
+}
+
+}  // namespace crowd
