@@ -94,7 +94,8 @@ constexpr std::array<BodySet, LOOKED_AT> setsOfOne() {
 constexpr std::array<BodySet, LOOKED_AT> ALONE = setsOfOne();
 
 /// Those of LOOKED_AT bodies which, as agents, are not so far away that their limit lies beyond the longest
-/// displacement of a tick: it does if half of the gap does, less what the plane between both may go towards this one.
+/// displacement of a tick: it does if half of the gap does, less what the plane between both may come towards this one.
+/// All is multiplied by the distance, so that no root is taken.
 CROWD_VECTORISED BodySet findNear(const PerceivedBodiesView& bodies, std::size_t first, const AgentPerception& self,
                                   double reach, double tick_duration) {
   const double* xs = bodies.xs() + first;
@@ -107,9 +108,11 @@ CROWD_VECTORISED BodySet findNear(const PerceivedBodiesView& bodies, std::size_t
   const double room = 2.0 * (reach + MARGIN);
   BodySet near = 0;
   for (std::size_t i = 0; i < LOOKED_AT; ++i) {
-    const double drift = tick_duration * (std::abs(vx + vxs[i]) + std::abs(vy + vys[i]));
-    const double apart = self.radius + radii[i] + room + drift + ROUNDING;
-    const bool far = xs[i] * xs[i] + ys[i] * ys[i] > apart * apart;
+    const double receding = xs[i] * (vx + vxs[i]) + ys[i] * (vy + vys[i]);
+    const double square = xs[i] * xs[i] + ys[i] * ys[i];
+    const double rest = square + tick_duration * std::min(0.0, receding);
+    const double apart = self.radius + radii[i] + room + ROUNDING;
+    const bool far = (rest > 0.0) & (rest * rest > apart * apart * square);
     near |= far ? BodySet{0} : ALONE[i];
   }
   return near;
