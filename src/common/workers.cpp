@@ -1,10 +1,17 @@
 #include "social_crowd/common/workers.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace crowd {
+namespace {
 
-Workers::Workers(unsigned count) {
+// About what waking up takes: longer than what one thread does alone between two pieces of a tick that are shared.
+constexpr std::chrono::microseconds MOMENT{100};
+
+}  // namespace
+
+Workers::Workers(unsigned count) : watches_(count <= std::thread::hardware_concurrency()) {
   if (count > 1) problems_.resize(count);
   for (unsigned worker = 1; worker < count; ++worker) threads_.emplace_back([this, worker] { wait(worker); });
 }
@@ -23,6 +30,13 @@ Workers& Workers::alone() {
   return alone;
 }
 
+template <typename Happened>
+void Workers::watch(const Happened& happened) const {
+  if (!watches_) return;
+  const auto end = std::chrono::steady_clock::now() + MOMENT;
+  while (!happened() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+}
+
 void Workers::share(const Task& task, std::size_t size) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -31,11 +45,12 @@ void Workers::share(const Task& task, std::size_t size) {
     parts_ = std::min(size, PARTS_EACH * count());
     next_part_ = 0;
     for (Problem& problem : problems_) problem = {};
-    ++round_;
     open_ = true;
+    ++round_;
   }
   begun_.notify_all();
   doParts(0);
+  watch([this] { return helpers_ == 0; });
   std::unique_lock<std::mutex> lock(mutex_);
   open_ = false;
   done_.wait(lock, [this] { return helpers_ == 0; });
@@ -48,8 +63,9 @@ void Workers::share(const Task& task, std::size_t size) {
 
 void Workers::wait(unsigned worker) {
   std::size_t done = 0;
-  std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
+    watch([&] { return round_ != done; });
+    std::unique_lock<std::mutex> lock(mutex_);
     begun_.wait(lock, [&] { return stop_ || (open_ && round_ != done); });
     if (stop_) return;
     done = round_;

@@ -10,7 +10,8 @@
 
 namespace crowd {
 
-/// @brief A few threads that share out a piece of work, and wait in between.
+/// @brief A few threads that share out a piece of work, and wait in between. Who waits watches a moment for what may
+/// come at once before it sleeps, unless there are more of them than the machine runs at a time.
 class Workers {
  public:
   /// @param count how many work side by side, the caller of run() among them; 0 counts as 1
@@ -62,9 +63,13 @@ class Workers {
     std::exception_ptr thrown;
   };
   void share(const Task& task, std::size_t size);
+  /// Waits a moment for what `happened` tells, gladly letting others run.
+  template <typename Happened>
+  void watch(const Happened& happened) const;
   void wait(unsigned worker);
   void doParts(unsigned worker);
 
+  bool watches_;
   std::vector<std::thread> threads_;
   std::mutex mutex_;
   std::condition_variable begun_;
@@ -75,10 +80,10 @@ class Workers {
   std::size_t parts_ = 0;
   std::atomic<std::size_t> next_part_{0};
   std::vector<Problem> problems_;  // of each worker
-  // All under the mutex.
-  std::size_t round_ = 0;
-  bool open_ = false;        // whether who wakes up is still to help
-  std::size_t helpers_ = 0;  // who woke up in time and is not yet done
+  // All written under the mutex.
+  std::atomic<std::size_t> round_{0};
+  bool open_ = false;                    // whether who wakes up is still to help
+  std::atomic<std::size_t> helpers_{0};  // who woke up in time and is not yet done
   bool stop_ = false;
 };
 
