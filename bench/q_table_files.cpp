@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "measuring.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/q_table_file.h"
@@ -38,49 +39,56 @@ void require(bool fine, const char* what) {
   if (!fine) throw std::runtime_error(std::string(what) + " failed");
 }
 
+/// A file as large as that of a table, read and written and nothing else.
+class Bytes {
+ public:
+  explicit Bytes(const TrainedTable& trained) : bytes_(toText(trained)) { replaceFile(BYTES_FILE, bytes_); }
+
+  void read() {
+    const int file = ::open(BYTES_FILE, O_RDONLY | O_CLOEXEC);  // NOLINT(*-vararg)
+    std::size_t count = 0;
+    for (ssize_t part = 1; part > 0; count += static_cast<std::size_t>(part)) {
+      part = ::read(file, bytes_.data() + count, bytes_.size() - count);
+      require(part >= 0, "read");
+    }
+    require(count == bytes_.size() && ::close(file) == 0, "read");
+    benchmark::DoNotOptimize(bytes_.data());
+  }
+
+  /// Brings them to the disk as saving does: beside the old file, which they then replace.
+  void write() const {
+    const std::string beside = std::string(BYTES_FILE) + ".new";
+    const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT(*-vararg)
+    const bool written = ::write(file, bytes_.data(), bytes_.size()) == static_cast<ssize_t>(bytes_.size());
+    require(written && ::fsync(file) == 0 && ::close(file) == 0, "write");
+    require(std::rename(beside.c_str(), BYTES_FILE) == 0, "rename");
+  }
+
+ private:
+  std::string bytes_;
+};
+
 void load(benchmark::State& state) {
-  saveQTable(TABLE_FILE, makeFullTable());
-  for (auto _ : state) benchmark::DoNotOptimize(loadQTable(TABLE_FILE));
+  const TrainedTable trained = makeFullTable();
+  saveQTable(TABLE_FILE, trained);
+  Bytes bytes(trained);
+  const auto load = [] {
+    benchmark::DoNotOptimize(loadQTable(TABLE_FILE));
+    return 1;
+  };
+  takeTurns(state, Clock::ON_WALL, load, [&] { return bytes.read(), 1; });
 }
 
 void save(benchmark::State& state) {
   const TrainedTable trained = makeFullTable();
-  for (auto _ : state) saveQTable(TABLE_FILE, trained);
-}
-
-/// Reads as many bytes, and nothing more.
-void readBytes(benchmark::State& state) {
-  std::string bytes = toText(makeFullTable());
-  replaceFile(BYTES_FILE, bytes);
-  for (auto _ : state) {
-    const int file = ::open(BYTES_FILE, O_RDONLY | O_CLOEXEC);  // NOLINT(*-vararg)
-    std::size_t count = 0;
-    for (ssize_t part = 1; part > 0; count += static_cast<std::size_t>(part)) {
-      part = ::read(file, bytes.data() + count, bytes.size() - count);
-      require(part >= 0, "read");
-    }
-    require(count == bytes.size() && ::close(file) == 0, "read");
-    benchmark::DoNotOptimize(bytes.data());
-  }
-}
-
-/// Writes as many bytes and brings them to the disk as saving does: beside the old file, which they then replace.
-void writeBytes(benchmark::State& state) {
-  const std::string bytes = toText(makeFullTable());
-  const std::string beside = std::string(BYTES_FILE) + ".new";
-  for (auto _ : state) {
-    const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT(*-vararg)
-    const bool written = ::write(file, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
-    require(written && ::fsync(file) == 0 && ::close(file) == 0, "write");
-    require(std::rename(beside.c_str(), BYTES_FILE) == 0, "rename");
-  }
+  const Bytes bytes(trained);
+  takeTurns(
+      state, Clock::ON_WALL, [&] { return saveQTable(TABLE_FILE, trained), 1; }, [&] { return bytes.write(), 1; });
 }
 
 }  // namespace
 
-BENCHMARK(load)->Name("q_table_load")->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(readBytes)->Name("q_table_load/yardstick")->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(save)->Name("q_table_save")->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(writeBytes)->Name("q_table_save/yardstick")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(load)->Name("q_table_load")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(save)->Name("q_table_save")->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace crowd

@@ -24,16 +24,14 @@ class Benchmark:
     repetitions: int = None  # else as many as are asked for
 
     def ratio(self, value, yardstick):
-        """The benchmark against its yardstick; None where there is none."""
-        if not yardstick:
-            return None
+        """The benchmark against its yardstick."""
         return value / yardstick if self.ratio_is_rate or self.unit in COSTS else yardstick / value
 
-    def result(self, value, yardstick, spread=None):
+    def result(self, value, yardstick=None, ratio=None, spread=None):
         """What is told of it.
         @param spread lowest and highest of the repetitions that the value is the median of"""
         return {'name': self.name, 'value': value, 'unit': self.unit, 'spread': spread, 'yardstick': yardstick,
-                'ratio': self.ratio(value, yardstick)}
+                'ratio': ratio}
 
     def clears_bar(self, result):
         """Whether value and ratio are as good as they are to be."""

@@ -10,11 +10,11 @@ from crowd_experiments.runs import RunError
 from .catalogue import AGENT_STEPS, DECISIONS, MEGABYTES, MILLISECONDS
 
 PROGRAM = 'core_benchmarks'
-YARDSTICK = '/yardstick'
-# What Google Benchmark appends to a name, and the counters that hold a benchmark's value; times have none.
-SUFFIX = re.compile(r'(/(iterations:\d+|repeats:\d+|min_time:[\d.]+|real_time))+$')
-COUNTERS = {DECISIONS: 'decisions_per_second', AGENT_STEPS: 'agent_steps_per_second', MEGABYTES: 'resident_megabytes',
-            MILLISECONDS: 'real_time'}
+# What Google Benchmark appends to a name.
+SUFFIX = re.compile(r'(/(iterations:\d+|repeats:\d+|min_time:[\d.]+|real_time|manual_time))+$')
+# What a run tells its value by, and its yardstick's: how often in a second.
+VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', MEGABYTES: 'resident_megabytes', MILLISECONDS: 'real_time'}
+YARDSTICK = 'yardstick_rate'
 
 
 class CoreBenchmarks:
@@ -25,30 +25,32 @@ class CoreBenchmarks:
         self.repetitions = repetitions
 
     def measure(self, benchmark):
-        """Runs a benchmark and its yardstick, taking turns; its result."""
-        values = self.values(benchmark.name + f'({YARDSTICK})?', benchmark.unit, benchmark.repetitions)
-        medians = {name: statistics.median(numbers) for name, numbers in values.items()}
-        measured = values[benchmark.name]
-        return benchmark.result(medians[benchmark.name], medians.get(benchmark.name + YARDSTICK),
-                                (min(measured), max(measured)))
+        """Runs a benchmark and its yardstick, taking turns; its result. The ratio is the median of the repetitions'
+        own: what else the machine does slows down both of a repetition alike, but one repetition more than another."""
+        runs = list(self.runs(benchmark.name, benchmark.repetitions))
+        values = [run[VALUES[benchmark.unit]] for run in runs]
+        yardsticks = [in_unit(run[YARDSTICK], benchmark.unit) for run in runs if YARDSTICK in run]
+        ratios = [benchmark.ratio(*pair) for pair in zip(values, yardsticks)]
+        return benchmark.result(*map(median, (values, yardsticks, ratios)), (min(values), max(values)))
 
     def sweep(self, name, unit):
         """Runs a sweep; its points with their rates, in order. Of each point the fastest repetition: what else a
         machine does slows some points down more than others, and medians would compare that."""
-        values = self.values(name + '/[0-9]+', unit)
+        values = {}
+        for run in self.runs(name + '/[0-9]+'):
+            values.setdefault(SUFFIX.sub('', run['run_name']), []).append(run[VALUES[unit]])
         return sorted((int(point.rsplit('/', 1)[1]), max(numbers)) for point, numbers in values.items())
 
-    def values(self, pattern, unit, repetitions=None):
-        """Of all repetitions in the unit, by name, of the benchmarks that the pattern names."""
-        values = {}
-        for run in self.run(f'^{pattern}(/iterations:[0-9]+)?(/real_time)?$', repetitions or self.repetitions):
+    def runs(self, pattern, repetitions=None):
+        """What is told of every repetition of the benchmarks that the pattern names."""
+        runs = self.run(f'^{pattern}(/iterations:[0-9]+)?(/real_time|/manual_time)?$', repetitions or self.repetitions)
+        if not runs:
+            raise RunError(f'{self.program}: has no benchmark {pattern}')
+        for run in runs:
             if run.get('error_occurred'):
                 raise RunError(f"{run['name']}: {run['error_message']}")
             if run['run_type'] == 'iteration':
-                values.setdefault(SUFFIX.sub('', run['run_name']), []).append(run[COUNTERS[unit]])
-        if not values:
-            raise RunError(f'{self.program}: has no benchmark {pattern}')
-        return values
+                yield run
 
     def run(self, pattern, repetitions):
         """What the program tells of its runs. The files that it makes lie in a folder on the disk of the program."""
@@ -64,3 +66,13 @@ class CoreBenchmarks:
             with open(output, encoding='utf-8') as stream:
                 text = stream.read()
         return json.loads(text)['benchmarks'] if text.strip() else []
+
+
+def in_unit(rate, unit):
+    """How often in a second as a rate, or as a time."""
+    return 1e3 / rate if unit == MILLISECONDS else rate
+
+
+def median(values):
+    """None where there are none."""
+    return statistics.median(values) if values else None

@@ -64,5 +64,7 @@ SWEEPS = (
     Sweep('crowd_step_density', 'Crowd step by density, 10,000 agents', 'agents per m²', AGENT_STEPS, scale=0.01),
     Sweep('crowd_step_vision', 'Crowd step by radius of vision, 10,000 agents', 'radius of vision [m]', AGENT_STEPS),
     Sweep('crowd_step_threads', 'Crowd step by threads, 10,000 agents', 'threads', AGENT_STEPS, threads=True),
+    Sweep('crowds_side_by_side', 'Crowds side by side, each on its own', 'threads, each with a crowd', AGENT_STEPS,
+          threads=True),
     Sweep('train_threads', 'Training by threads, 16 learners side by side', 'threads', DECISIONS, threads=True),
 )
