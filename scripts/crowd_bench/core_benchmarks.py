@@ -43,7 +43,7 @@ class CoreBenchmarks:
 
     def runs(self, pattern, repetitions=None):
         """What is told of every repetition of the benchmarks that the pattern names."""
-        runs = self.run(f'^{pattern}(/iterations:[0-9]+)?(/real_time|/manual_time)?$', repetitions or self.repetitions)
+        runs = self.run(pattern, repetitions or self.repetitions)
         if not runs:
             raise RunError(f'{self.program}: has no benchmark {pattern}')
         for run in runs:
@@ -57,7 +57,7 @@ class CoreBenchmarks:
         with tempfile.TemporaryDirectory(prefix='bench_', dir=self.program.parent) as folder:
             output = f'{folder}/runs.json'
             done = subprocess.run(
-                [self.program, f'--benchmark_filter={pattern}', f'--benchmark_repetitions={repetitions}',
+                [self.program, filter_of(pattern), f'--benchmark_repetitions={repetitions}',
                  '--benchmark_enable_random_interleaving=true', '--benchmark_out_format=json',
                  f'--benchmark_out={output}'],
                 cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
@@ -66,6 +66,11 @@ class CoreBenchmarks:
             with open(output, encoding='utf-8') as stream:
                 text = stream.read()
         return json.loads(text)['benchmarks'] if text.strip() else []
+
+
+def filter_of(pattern):
+    """The option that chooses the benchmarks that a pattern names, however they are measured."""
+    return f'--benchmark_filter=^{pattern}(/iterations:[0-9]+)?(/real_time|/manual_time)?$'
 
 
 def in_unit(rate, unit):

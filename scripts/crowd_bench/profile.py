@@ -7,7 +7,7 @@ import tempfile
 from crowd_experiments.runs import RunError
 
 from .callgrind import COLLECT, require_valgrind
-from .core_benchmarks import PROGRAM
+from .core_benchmarks import PROGRAM, filter_of
 
 MOST_LINES = 12
 LEAST_SHARE = 0.5  # [%]
@@ -35,7 +35,7 @@ class Profile:
         with tempfile.TemporaryDirectory() as scratch:
             output = f'{scratch}/callgrind.out'
             run(COLLECT + [f'--toggle-collect={self.function}', f'--callgrind-out-file={output}', folder / PROGRAM,
-                           f'--benchmark_filter=^{self.benchmark}(/iterations:[0-9]+)?$', '--benchmark_min_time=0'],
+                           filter_of(self.benchmark), '--benchmark_min_time=0'],
                 scratch)
             shares = read_annotation(run(['callgrind_annotate', '--threshold=100', output], scratch))
         return by_class(shares) if self.by_class else shares
@@ -57,6 +57,8 @@ def read_annotation(text):
         if match and 'PROGRAM TOTALS' not in line:
             name = ARGUMENTS.sub('', match[2].replace('(anonymous namespace)::', ''))
             shares[name] = shares.get(name, 0.0) + float(match[1])
+    if not shares:
+        raise RunError('callgrind has counted nothing: what was to be looked into was not run')
     return most_first(shares)
 
 

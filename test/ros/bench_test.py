@@ -164,6 +164,10 @@ class ProfileTest(support.CrowdTestCase):
         self.assertEqual(shares, [('crowd::World::look', 80.0), ('__sincos_fma', 15.0), ('crowd::walk', 5.0)])
         self.assertEqual(profile.rows(shares)[-1], ['all others', '0.0'])
 
+    def test_nothing_counted_is_an_error(self):
+        with self.assertRaisesRegex(profile.RunError, 'counted nothing'):
+            profile.read_annotation('Ir\n---\n0  PROGRAM TOTALS\n---\nIr  file:function\n---\n')
+
     def test_by_class(self):
         shares = [('crowd::World::look', 40.0), ('sin', 20.0), ('crowd::World::step', 10.0), ('crowd::QTable::at', 9.0)]
         self.assertEqual(profile.by_class(shares),
