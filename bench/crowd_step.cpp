@@ -76,9 +76,9 @@ void walkTwoThreads(benchmark::State& state) {
   const auto crowd = warmUp(planOfThreads(2));
   const auto alone = warmUp(planOfThreads(1));
   const auto walk = [&] { return crowd->step(); };
-  const auto walkAlone = [&] { return alone->step(); };
+  const auto walk_alone = [&] { return alone->step(); };
   takeTurns(
-      state, Clock::ON_WALL, [&] { return repeat(walk); }, [&] { return repeat(walkAlone); });
+      state, Clock::ON_WALL, [&] { return repeat(walk); }, [&] { return repeat(walk_alone); });
 }
 
 void walk(benchmark::State& state, const CrowdPlan& plan) {
