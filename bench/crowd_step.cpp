@@ -15,10 +15,9 @@
 namespace crowd {
 namespace {
 
-constexpr int TICKS = 40;          // that are measured
-constexpr int TURNS = 2;           // where there is a yardstick
-constexpr int WARM_UP = 20;        // ticks before: vectors have grown, and the crowd has left its lattice
-constexpr double CELL_SIZE = 2.0;  // [m]; that of World
+constexpr int TICKS = 40;    // that are measured
+constexpr int TURNS = 2;     // of so many ticks, where there is a yardstick
+constexpr int WARM_UP = 20;  // ticks before: vectors have grown, and the crowd has left its lattice
 
 /// A crowd that has begun to walk.
 std::unique_ptr<CrowdWalk> warmUp(const CrowdPlan& plan) {
@@ -34,7 +33,7 @@ class NeighbourLoop {
   std::size_t find(const World& world, const Vision& vision) {
     grid_.clear();
     for (const Agent& agent : world.agents()) grid_.add(agent.pose.position, agent.radius, agent.id);
-    grid_.build(CELL_SIZE);
+    grid_.build(World::CELL_SIZE);
     for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
       const auto found =
           search_.findNearest(grid_, grid_.centre(disc), vision.radius, vision.max_bodies, grid_.body(disc));
@@ -48,7 +47,7 @@ class NeighbourLoop {
   NeighbourSearch search_;
 };
 
-/// Does what takes a tick many times: a thread that was not needed for a while is slow for some 20 ms.
+/// Does what takes a tick many times: a thread that was not needed for a while is slow at first.
 /// @return how much it has done
 template <typename Work>
 std::size_t repeat(const Work& work) {

@@ -13,7 +13,6 @@ namespace crowd {
 namespace {
 
 constexpr std::size_t ORDERS_AHEAD = 16;  // to begin a move takes less time than to decide on it
-constexpr double CELL_SIZE = 2.0;         // [m]; about the reach of a look around at walking distances
 
 Agent makeAgent(AgentId id, const AgentStart& start) {
   Agent agent;

@@ -54,6 +54,9 @@ struct Agent {
 /// (SolidMotion); who walked into something in a tick, or was walked into, was in contact, too.
 class World {
  public:
+  /// @brief Of the grid of bodies [m]; about the reach of a look around at walking distances.
+  static constexpr double CELL_SIZE = 2.0;
+
   explicit World(const Scene& scene);
 
   std::uint64_t tick() const { return tick_; }
