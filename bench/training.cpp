@@ -28,10 +28,14 @@ Recipe crowdRecipe(std::uint64_t episodes, std::uint32_t side_by_side = 1) {
   return recipeFor("anticipation", SOURCE_DIR "/bench/scenarios/random_crowd_12.yaml", episodes, side_by_side);
 }
 
+void finish(Training& training) {
+  while (!training.isDone()) benchmark::DoNotOptimize(training.runNextTurn());
+}
+
 /// Trains from nothing. @return decisions
 std::uint64_t train(const Recipe& recipe, unsigned threads = 1) {
   Training training(recipe, threads);
-  while (!training.isDone()) benchmark::DoNotOptimize(training.runNextTurn());
+  finish(training);
   return training.decisions();
 }
 
@@ -55,7 +59,7 @@ class WalkedEpisodes {
  private:
   static QTable trainedTable(const Recipe& recipe) {
     Training training(recipe);
-    while (!training.isDone()) training.runNextTurn();
+    finish(training);
     return training.learner().tableOf(0);
   }
 
