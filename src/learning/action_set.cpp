@@ -33,12 +33,12 @@ std::shared_ptr<const ActionSet> readKingsMoves(YamlMap& map) {
 
 }  // namespace
 
-void ActionSet::findMoves(const Perception& perception, MoveBlock* moves) const {
+void ActionSet::findMoves(const Chooser& chooser) const {
   for (Action action = 0; action < size(); ++action) {
-    const RelativeAction move = relativeAction(perception, action);
-    setMove(moves, action, {unitVector(move.rotation), move.speed_share, move.speed_share});
+    const RelativeAction move = relativeAction(chooser.seen, action);
+    setMove(chooser.moves, action, {unitVector(move.rotation), move.speed_share, move.speed_share});
   }
-  repeatLast(moves, size());
+  repeatLast(chooser.moves, size());
 }
 
 std::shared_ptr<const ActionSet> makeActionSet(const YAML::Node& node, const YamlPlace& place) {

@@ -1,6 +1,7 @@
 #include "social_crowd/learning/anticipation_states.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "social_crowd/common/numbers.h"
@@ -77,11 +78,6 @@ void AnticipationStates::addLimits(const std::vector<double>& limits, Limits& si
   row_count_ *= static_cast<Row>(limits.size() + 1);
 }
 
-MoveOutlooks AnticipationStates::describe(const Perception& perception, const MoveBlock& moves,
-                                          std::size_t count) const {
-  return {perception, moves, count, least_share_};
-}
-
 void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const {
   combine({{{outlooks.reciprocal_times, 1.0F, reciprocal_times_},
             {outlooks.selfish_times, 1.0F, selfish_times_},
@@ -91,10 +87,14 @@ void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t coun
           outlooks.oncoming, oncoming_, count, rows);
 }
 
-void AnticipationStates::findRows(const Perception& perception, const MoveBlock* moves, Row* rows) const {
+void AnticipationStates::findRows(const Chooser& chooser) const { findRowsOfAll({&chooser, 1}); }
+
+void AnticipationStates::findRowsOfAll(const Choosers& choosers) const {
+  std::array<MoveOutlooks, MAX_CHOOSERS> outlooks;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   for (Action first = 0; first < actions_; first += MoveOutlooks::LANES) {
     const std::size_t count = std::min<std::size_t>(actions_ - first, MoveOutlooks::LANES);
-    findRows(describe(perception, *moves++, count), count, rows + first);
+    describe(choosers, first / MoveOutlooks::LANES, count, outlooks.data());
+    for (std::size_t k = 0; k < choosers.size(); ++k) findRows(outlooks[k], count, choosers[k].rows + first);
   }
 }
 

@@ -1,20 +1,15 @@
 #include "social_crowd/learning/contact_rule.h"
 
 #include <algorithm>
-#include <array>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/fixed_list.h"
 #include "social_crowd/common/vectorised.h"
+#include "social_crowd/learning/near_agents.h"
 #include "social_crowd/learning/way_out.h"
 
 namespace crowd {
 namespace {
-
-/// Left free of every gap, so that what two agents work out in their own frames never adds up to more than it [m].
-constexpr double MARGIN = 1e-9;
-
-/// More than the rounding of a distance [m].
-constexpr double ROUNDING = 1e-6;
 
 /// No displacement may reach further than `room` along `normal`.
 struct Limit {
@@ -22,13 +17,14 @@ struct Limit {
   double room = 0.0;  // [m]
 };
 
-Limit limitOf(const Vector2& towards, double distance, double room) {
+inline Limit limitOf(const Vector2& towards, double distance, double room) {
   // Bodies on one and the same point: no direction is better than another, and each is as far in the other as can be.
   if (distance <= 0.0) return {Vector2::Zero(), 0.0};
-  return {towards / distance, room - MARGIN};
+  return {towards / distance, room - GAP_MARGIN};
 }
 
-Limit limitOfAgent(const AgentPerception& self, const PerceivedBody& other, double tick_duration, GapSharing sharing) {
+inline Limit limitOfAgent(const AgentPerception& self, const PerceivedBody& other, double tick_duration,
+                          GapSharing sharing) {
   const double distance = other.position.norm();
   const double gap = std::max(0.0, distance - self.radius - other.radius);
   Limit limit = limitOf(other.position, distance, 0.5 * gap);
@@ -58,8 +54,10 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
 
 /// All that is wanted is admissible as long as nothing is in the way. By whole registers: a copy in smaller pieces
 /// could not be read by such before it is in the cache.
-CROWD_VECTORISED void admitAll(MoveBlock& moves) {
-  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) moves.share[i] = moves.wanted[i];
+CROWD_VECTORISED void admitAll(MoveBlock* moves, std::size_t count) {
+  for (std::size_t block = 0; block < blocksOf(count); ++block) {
+    for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) moves[block].share[i] = moves[block].wanted[i];
+  }
 }
 
 /// @param reach the longest displacement of a tick [m]
@@ -79,54 +77,20 @@ void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t co
   for (std::size_t block = 0; block < blocksOf(count); ++block) apply(limit, reach, moves[block]);
 }
 
-/// Bodies are looked at so many at a time; bit i of a set of them stands for body first + i.
-constexpr std::size_t LOOKED_AT = PerceivedBodies::MARGIN;
-using BodySet = std::uint64_t;
+/// A limit that some of an agent's moves may have to be cut to.
+struct Cut {
+  Limit limit;
+  double reach = 0.0;  // the longest displacement of a tick [m]
+  MoveBlock* moves = nullptr;
+};
 
-std::size_t firstOf(BodySet set) { return static_cast<std::size_t>(__builtin_ctzll(set)); }
-
-/// The sets of one body each, to be read side by side.
-constexpr std::array<BodySet, LOOKED_AT> setsOfOne() {
-  std::array<BodySet, LOOKED_AT> sets{};
-  for (std::size_t i = 0; i < LOOKED_AT; ++i) sets[i] = BodySet{1} << i;
-  return sets;
-}
-constexpr std::array<BodySet, LOOKED_AT> ALONE = setsOfOne();
-
-/// Those of LOOKED_AT bodies which, as agents, are not so far away that their limit lies beyond the longest
-/// displacement of a tick: it does if half of the gap does, less what the plane between both may come towards this one.
-/// All is multiplied by the distance, so that no root is taken.
-CROWD_VECTORISED BodySet findNear(const PerceivedBodiesView& bodies, std::size_t first, const AgentPerception& self,
-                                  double reach, double tick_duration) {
-  const double* xs = bodies.xs() + first;
-  const double* ys = bodies.ys() + first;
-  const double* vxs = bodies.vxs() + first;
-  const double* vys = bodies.vys() + first;
-  const double* radii = bodies.radii() + first;
-  const double vx = self.velocity.x();
-  const double vy = self.velocity.y();
-  const double room = 2.0 * (reach + MARGIN);
-  BodySet near = 0;
-  for (std::size_t i = 0; i < LOOKED_AT; ++i) {
-    const double receding = xs[i] * (vx + vxs[i]) + ys[i] * (vy + vys[i]);
-    const double square = xs[i] * xs[i] + ys[i] * ys[i];
-    const double rest = square + tick_duration * std::min(0.0, receding);
-    const double apart = self.radius + radii[i] + room + ROUNDING;
-    const bool far = (rest > 0.0) & (rest * rest > apart * apart * square);
-    near |= far ? BodySet{0} : ALONE[i];
-  }
-  return near;
-}
-
-/// Those among the bodies that may limit a move: agents that are near, and obstacles that do not move.
-BodySet findLimiting(const Perception& perception, std::size_t first, double reach) {
-  const PerceivedBodiesView& bodies = perception.bodies;
-  const std::size_t count = std::min(LOOKED_AT, bodies.size() - first);
-  BodySet limiting =
-      findNear(bodies, first, perception.self, reach, perception.tick_duration) & ((BodySet{1} << count) - 1);
-  if (!bodies.hasObstacles()) return limiting;
+/// Those among LOOKED_AT bodies that may limit a move: agents that are near, and obstacles that do not move.
+BodySet findLimiting(const Perception& seen, std::size_t first) {
+  BodySet limiting = findNear(seen, first);
+  if (!seen.bodies.hasObstacles()) return limiting;
+  const std::size_t count = std::min(LOOKED_AT, seen.bodies.size() - first);
   for (std::size_t i = 0; i < count; ++i) {
-    const PerceivedBody body = bodies[first + i];
+    const PerceivedBody body = seen.bodies[first + i];
     if (body.kind == BodyKind::AGENT) continue;
     limiting = isMover(body) ? limiting & ~(BodySet{1} << i) : limiting | BodySet{1} << i;
   }
@@ -147,6 +111,35 @@ std::string toText(GapSharing sharing) {
   return sharing == GapSharing::HALF ? "half" : "moving";
 }
 
+void ContactRule::cut(const Choosers& choosers, std::size_t count) const {
+  for (const Chooser& chooser : choosers) {
+    if (sharing_ == GapSharing::NONE || !NearAgents::isFor(chooser.seen)) {
+      cut(chooser.seen, chooser.moves, count);
+    } else {
+      admitAll(chooser.moves, count);
+    }
+  }
+  if (sharing_ != GapSharing::NONE) cutAmongAgents(choosers, count);
+}
+
+/// All limits of all agents as one list, first those that may be limits, then those that are: how many an agent has,
+/// nobody can guess.
+void ContactRule::cutAmongAgents(const Choosers& choosers, std::size_t count) const {
+  FixedList<Cut, NearAgents::MOST> cuts;
+  for (const NearAgent near : NearAgents(choosers)) {
+    const Chooser& chooser = choosers[near.chooser()];
+    const AgentPerception& self = chooser.seen.self;
+    const double tick_duration = chooser.seen.tick_duration;
+    const double reach = self.speed * tick_duration;
+    const Limit limit = limitOfAgent(self, chooser.seen.bodies[near.body()], tick_duration, sharing_);
+    cuts.add(limit, reach, chooser.moves);
+    cuts.keepLastIf(limit.room < reach);
+  }
+  for (const Cut& each : cuts) {
+    for (std::size_t block = 0; block < blocksOf(count); ++block) apply(each.limit, each.reach, each.moves[block]);
+  }
+}
+
 void ContactRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {
   cutToGaps(perception, moves, count);
   if (!perception.bodies.hasObstacles() || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
@@ -157,13 +150,13 @@ void ContactRule::cut(const Perception& perception, MoveBlock* moves, std::size_
 }
 
 void ContactRule::cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const {
-  for (std::size_t block = 0; block < blocksOf(count); ++block) admitAll(moves[block]);
+  admitAll(moves, count);
   if (sharing_ == GapSharing::NONE) return;
   const AgentPerception& self = perception.self;
   const double reach = self.speed * perception.tick_duration;
   for (std::size_t first = 0; first < perception.bodies.size(); first += LOOKED_AT) {
-    for (BodySet left = findLimiting(perception, first, reach); left != 0; left &= left - 1) {
-      const PerceivedBody body = perception.bodies[first + firstOf(left)];
+    for (BodySet left = findLimiting(perception, first); left != 0; left &= left - 1) {
+      const PerceivedBody body = perception.bodies[first + static_cast<std::size_t>(__builtin_ctz(left))];
       const bool agent = body.kind == BodyKind::AGENT;
       cutToGap(agent ? limitOfAgent(self, body, perception.tick_duration, sharing_) : limitOfObstacle(self, body),
                reach, moves, count);

@@ -13,8 +13,6 @@ namespace {
 using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
 
-constexpr std::size_t FEW = 5;  // discs
-
 using Eight = float __attribute__((vector_size(8 * sizeof(float))));
 using Four = float __attribute__((vector_size(4 * sizeof(float))));
 
@@ -50,7 +48,7 @@ inline void noteContacts(const Courses& courses, const Discs& discs, std::size_t
                          const Discs::Floats& vy, Lanes& soonest) {
   alignas(64) Discs::Floats per_root;
   for (std::size_t i = 0; i < Discs::SIZE; ++i) per_root[i] = discs.apart[i] > 0.0F ? 1.0F / discs.apart[i] : AT_ONCE;
-  if (count <= FEW) {
+  if (count <= FEW_DISCS) {
     for (std::size_t i = 0; i < count; ++i) {
       const float px = discs.px[i];
       const float py = discs.py[i];
@@ -87,30 +85,34 @@ inline float fastestApproach(const Discs& discs, const Vector2& velocity) {
   return highest(squares);
 }
 
-}  // namespace
-
-CROWD_VECTORISED void noteAgentsPlainly(const Discs& agents, std::size_t count, const Vector2& velocity,
-                                        const Vector2& wish, Courses& courses, float& fastest) {
+/// @param count so many of the discs are agents
+CROWD_VECTORISED void noteEncounter(const Discs& agents, std::size_t count, Courses& courses) {
   noteContacts(courses, agents, count, agents.vx, agents.vy, courses.selfish);
   // At 2u - w - v contact comes in half of the time that it takes at u - (w + v) / 2.
   alignas(64) Discs::Floats mean_vx;
   alignas(64) Discs::Floats mean_vy;
-  const auto wx = static_cast<float>(velocity.x());
-  const auto wy = static_cast<float>(velocity.y());
+  const auto wx = static_cast<float>(courses.velocity.x());
+  const auto wy = static_cast<float>(courses.velocity.y());
   for (std::size_t i = 0; i < Discs::SIZE; ++i) mean_vx[i] = 0.5F * (wx + agents.vx[i]);
   for (std::size_t i = 0; i < Discs::SIZE; ++i) mean_vy[i] = 0.5F * (wy + agents.vy[i]);
   noteContacts(courses, agents, count, mean_vx, mean_vy, courses.reciprocal);
-  fastest = std::max(fastest, fastestApproach(agents, wish));
+  courses.fastest = std::max(courses.fastest, fastestApproach(agents, courses.wish));
+}
+
+}  // namespace
+
+void noteAgentsPlainly(const Encounters& encounters) {
+  for (const Encounter& each : encounters) noteEncounter(each.discs, each.count, *each.courses);
 }
 
 CROWD_VECTORISED void noteFixed(const Discs& discs, std::size_t count, Courses& courses) {
+  courses.any_fixed = true;
   noteContacts(courses, discs, count, discs.vx, discs.vy, courses.fixed);
 }
 
-void noteAgents(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish, Courses& courses,
-                float& fastest) {
-  static const NoteAgents FOR_MANY = fastestForMany();
-  (count > FEW ? FOR_MANY : noteAgentsPlainly)(agents, count, velocity, wish, courses, fastest);
+void noteAgents(const Encounters& encounters) {
+  static const NoteAgents FASTEST = fastestNoteAgents();
+  FASTEST(encounters);
 }
 
 }  // namespace crowd

@@ -62,13 +62,17 @@ void GoalFan::findAction(const Perception& perception, Action action, RelativeAc
   relative = toAction(move.move(0));
 }
 
-void GoalFan::findMoves(const Perception& perception, MoveBlock* moves) const {
-  const Vector2 bearing = goalDirection(perception);
-  for (std::size_t block = 0; block < fan_.size(); ++block) {
-    const std::size_t first = block * MoveBlock::SIZE;
-    turn(fan_[block], bearing, turned_ > first ? turned_ - first : 0, moves[block]);
+void GoalFan::findMoves(const Chooser& chooser) const { findMovesOfAll({&chooser, 1}); }
+
+void GoalFan::findMovesOfAll(const Choosers& choosers) const {
+  for (const Chooser& chooser : choosers) {
+    const Vector2 bearing = goalDirection(chooser.seen);
+    for (std::size_t block = 0; block < fan_.size(); ++block) {
+      const std::size_t first = block * MoveBlock::SIZE;
+      turn(fan_[block], bearing, turned_ > first ? turned_ - first : 0, chooser.moves[block]);
+    }
   }
-  rule_.cut(perception, moves, size());
+  rule_.cut(choosers, size());
 }
 
 std::string GoalFan::spec() const {

@@ -1,6 +1,7 @@
 #include "social_crowd/learning/learner.h"
 
 #include <algorithm>
+#include <array>
 
 #include "social_crowd/common/prefetch.h"
 
@@ -75,36 +76,42 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
     return learnAndChoose(perceptions, actions);
   }
   listGuests(perceptions, actions);
-  makeRoom(options_.mode == Mode::TRAINING ? guests_.size() : 1, space_);
-  // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
-  if (options_.mode == Mode::TRAINING) learn(perceptions);
-  if (!perceptions.last) choose(perceptions, actions);
+  if (options_.mode == Mode::TRAINING) {
+    // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
+    learn(perceptions);
+    if (!perceptions.last) exploreAll(perceptions, actions);
+  } else if (!perceptions.last) {
+    chooseGreedily(perceptions, actions);
+  }
 }
 
 inline void Learner::learnAndChoose(const Perceptions& perceptions, RelativeActions& actions) {
   makeRoom(1, space_);
   const AgentPerception& self = perceptions.agents.front();
   Memory& memory = memories_[placeOf(self.agent)];
-  const Choice choice = choiceAt(0, space_);
-  const Perception seen = perceptionOf(perceptions, 0, bodiesInSight(perceptions, self));
-  if (!self.arrived) findRows(seen, choice);
-  learnOne(seen, perceptions, rowsOf(choice), memory);
+  const Chooser chooser = chooserAt(0, perceptionOf(perceptions, 0, bodiesInSight(perceptions, self)), space_);
+  if (!self.arrived) findRows(chooser);
+  learnOne(chooser.seen, perceptions, rowsOf(chooser), memory);
   actions.agents.clear();
   if (perceptions.last || self.arrived) return;
   const KeyedRandom chance = chance_.with(perceptions.tick);
-  const Action action = chooseExploring(chance, perceptions, self, rowsOf(choice), memory);
-  answer(seen, choice, action, actions.agents.emplace_back());
+  const Action action = chooseExploring(chance, perceptions, self, rowsOf(chooser), memory);
+  answer(chooser, action, actions.agents.emplace_back());
 }
 
 void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const {
-  makeRoom(1, space);
-  const Choice choice = choiceAt(0, space);
+  makeRoom(MAX_CHOOSERS, space);
+  space.group.clear();
+  std::size_t answers = actions.size();
+  actions.resize(answers + perceptions.agents.size());
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const AgentPerception& self = perceptions.agents[i];
     if (self.arrived || !serves(self.agent)) continue;
     const Perception seen = perceptionOf(perceptions, i, bodiesInSight(perceptions, self));
-    answerGreedily(seen, tableOf(self.agent), choice, actions.emplace_back());
+    joinGreedily(seen, answers++, space, actions);
   }
+  answerGreedily(space, actions);
+  actions.resize(answers);
 }
 
 inline void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
@@ -158,31 +165,45 @@ inline void Learner::makeRoom(std::size_t choices, Space& space) const {
   space.moves.resize(choices * moves_stride_);
 }
 
-inline Learner::Choice Learner::choiceAt(std::size_t place, Space& space) const {
-  return {&space.rows[place * stride_], moves_stride_ == 0 ? nullptr : &space.moves[place * moves_stride_]};
+inline Chooser Learner::chooserAt(std::size_t place, const Perception& seen, Space& space) const {
+  return {seen, moves_stride_ == 0 ? nullptr : &space.moves[place * moves_stride_], &space.rows[place * stride_]};
 }
 
-inline void Learner::findRows(const Perception& seen, const Choice& choice) const {
-  if (choice.moves != nullptr) model_.action_set->findMoves(seen, choice.moves);
-  model_.state_set->findRows(seen, choice.moves, choice.rows);
+inline void Learner::findRows(const Chooser& chooser) const {
+  if (chooser.moves != nullptr) model_.action_set->findMoves(chooser);
+  model_.state_set->findRows(chooser);
+}
+
+inline void Learner::findRowsOfGroup(const Space& space) const {
+  const Choosers group(space.group.data(), space.group.size());
+  if (moves_stride_ > 0) model_.action_set->findMovesOfAll(group);
+  model_.state_set->findRowsOfAll(group);
 }
 
 inline void Learner::learn(const Perceptions& perceptions) {
-  // Where there is an order, rows are found from neighbour to neighbour; else when they are needed.
-  const bool in_order = !perceptions.order.empty();
-  if (in_order) {
-    forEachGuest(perceptions,
-                 [&](std::size_t index) { findRows(perceptionOf(perceptions, index), choiceAt(index, space_)); });
-  }
+  findAllRows(perceptions);
   const std::size_t size = guests_.size();
   for (std::size_t i = 0; i < size; ++i) {
     const Guest guest = guests_[i];
     if (guest.place == NOBODY) continue;
-    const Perception seen = perceptionOf(perceptions, i, guest.bodies);
-    const Choice choice = choiceAt(i, space_);
-    if (!in_order && guest.answer != NOBODY) findRows(seen, choice);
-    learnOne(seen, perceptions, rowsOf(choice), memories_[guest.place]);
+    const Chooser chooser = chooserAt(i, perceptionOf(perceptions, i), space_);
+    learnOne(chooser.seen, perceptions, rowsOf(chooser), memories_[guest.place]);
   }
+}
+
+/// Of all guests that are to answer: nothing of what is learned changes their rows.
+inline void Learner::findAllRows(const Perceptions& perceptions) {
+  makeRoom(guests_.size(), space_);
+  space_.group.clear();
+  const auto find = [&] {
+    findRowsOfGroup(space_);
+    space_.group.clear();
+  };
+  forEachGuest(perceptions, [&](std::size_t index) {
+    space_.group.add(chooserAt(index, perceptionOf(perceptions, index), space_));
+    if (space_.group.isFull()) find();
+  });
+  find();
 }
 
 inline void Learner::learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows,
@@ -205,28 +226,43 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
   ++decisions_;
 }
 
-inline void Learner::choose(const Perceptions& perceptions, RelativeActions& actions) {
-  const bool exploring = options_.mode == Mode::TRAINING;
-  const bool shared = options_.tables == TableUse::SHARED;  // then memories need not be looked at
+inline void Learner::exploreAll(const Perceptions& perceptions, RelativeActions& actions) {
   const KeyedRandom chance = chance_.with(perceptions.tick);
   forEachGuest(perceptions, [&](std::size_t index) {
-    const Perception seen = perceptionOf(perceptions, index);
-    Memory& memory = memories_[guests_[index].place];
-    AgentAction& given = actions.agents[guests_[index].answer];
-    if (exploring) {
-      const Choice choice = choiceAt(index, space_);
-      const Action action = chooseExploring(chance, perceptions, seen.self, rowsOf(choice), memory);
-      answer(seen, choice, action, given);
-    } else {
-      answerGreedily(seen, shared ? *base_ : *memory.table, choiceAt(0, space_), given);
-    }
+    const Guest guest = guests_[index];
+    const Chooser chooser = chooserAt(index, perceptionOf(perceptions, index), space_);
+    const Action action =
+        chooseExploring(chance, perceptions, chooser.seen.self, rowsOf(chooser), memories_[guest.place]);
+    answer(chooser, action, actions.agents[guest.answer]);
   });
 }
 
-inline void Learner::answerGreedily(const Perception& seen, const QTable& table, const Choice& choice,
-                                    AgentAction& given) const {
-  findRows(seen, choice);
-  answer(seen, choice, QLearner::chooseGreedy(table, rowsOf(choice)), given);
+inline void Learner::chooseGreedily(const Perceptions& perceptions, RelativeActions& actions) {
+  makeRoom(MAX_CHOOSERS, space_);
+  space_.group.clear();
+  forEachGuest(perceptions, [&](std::size_t index) {
+    joinGreedily(perceptionOf(perceptions, index), guests_[index].answer, space_, actions.agents);
+  });
+  answerGreedily(space_, actions.agents);
+}
+
+inline void Learner::joinGreedily(const Perception& seen, std::size_t answer, Space& space,
+                                  std::vector<AgentAction>& actions) const {
+  const std::size_t place = space.group.size();
+  space.group.add(chooserAt(place, seen, space));
+  space.answers[place] = answer;
+  if (space.group.isFull()) answerGreedily(space, actions);
+}
+
+inline void Learner::answerGreedily(Space& space, std::vector<AgentAction>& actions) const {
+  findRowsOfGroup(space);
+  const auto& group = space.group;
+  std::array<Action, MAX_CHOOSERS> chosen;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    chosen[k] = QLearner::chooseGreedy(tableOf(group[k].seen.self.agent), rowsOf(group[k]));
+  }
+  for (std::size_t k = 0; k < group.size(); ++k) answer(group[k], chosen[k], actions[space.answers[k]]);
+  space.group.clear();
 }
 
 inline Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions,
@@ -242,13 +278,13 @@ inline Action Learner::chooseExploring(const KeyedRandom& chance, const Percepti
   return action;
 }
 
-inline void Learner::answer(const Perception& seen, const Choice& choice, Action action, AgentAction& given) const {
-  given.agent = seen.self.agent;
+inline void Learner::answer(const Chooser& chooser, Action action, AgentAction& given) const {
+  given.agent = chooser.seen.self.agent;
   // Written to where it stays: a copy of what has just been written would wait until that is in the cache.
-  if (choice.moves == nullptr) {
-    model_.action_set->findAction(seen, action, given.action);
+  if (chooser.moves == nullptr) {
+    model_.action_set->findAction(chooser.seen, action, given.action);
   } else {
-    given.action = toAction(moveAt(choice.moves, action));
+    given.action = toAction(moveAt(chooser.moves, action));
   }
 }
 
@@ -281,6 +317,7 @@ void Learner::setParameters(const LearningParameters& parameters) {
 }
 
 const QTable& Learner::tableOf(AgentId agent) const {
+  if (options_.tables == TableUse::SHARED) return *base_;
   const std::uint32_t place = places_.find(agent);
   return place != AgentPlaces::NONE ? *memories_[place].table : *base_;
 }

@@ -1,6 +1,7 @@
 #include "social_crowd/learning/move_outlooks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "social_crowd/common/vectorised.h"
@@ -12,19 +13,6 @@ namespace {
 
 using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
-
-/// Takes over `count` bodies from a number on.
-/// @param radius of the agent [m]
-CROWD_VECTORISED void convert(const PerceivedBodiesView& bodies, std::size_t first, std::size_t count, double radius,
-                              Discs& discs) {
-  const double* const px = bodies.xs() + first;
-  const double* const py = bodies.ys() + first;
-  const double* const vx = bodies.vxs() + first;
-  const double* const vy = bodies.vys() + first;
-  const double* const radii = bodies.radii() + first;
-  for (std::size_t i = 0; i < Discs::SIZE; ++i) discs.put(i, {px[i], py[i]}, {vx[i], vy[i]}, radius + radii[i]);
-  discs.leaveOut(count);
-}
 
 /// The wall's long side is reached where the line along it, moved by the radius, is crossed beside it.
 CROWD_VECTORISED void noteSide(const Segment& wall, double radius, Courses& courses) {
@@ -40,6 +28,7 @@ CROWD_VECTORISED void noteSide(const Segment& wall, double radius, Courses& cour
   const auto from = static_cast<float>(wall.from.dot(along));
   const auto to = static_cast<float>(wall.to.dot(along));
   const float per_closing = gap > 0.0F ? 1.0F / gap : AT_ONCE;
+  courses.any_fixed = true;
   for (std::size_t i = 0; i < LANES; ++i) {
     const float closing = nx * courses.ux[i] + ny * courses.uy[i];
     const float walked = gap * (ax * courses.ux[i] + ay * courses.uy[i]);  // along the wall till then, times closing
@@ -74,59 +63,37 @@ class Collector {
   std::size_t count_ = 0;
 };
 
-/// Notes contacts with bodies and with walls. Returns the fastest approach of another agent if this one walked with the
-/// velocity `wish` [m/s].
-float noteAll(const Perception& perception, const Vector2& wish, Courses& courses) {
-  const AgentPerception& self = perception.self;
-  float fastest = 0.0F;  // squared
+/// Notes contacts with bodies and with walls.
+void noteAll(const Perception& seen, Courses& courses) {
   const auto note_agents = [&](const Discs& discs, std::size_t count) {
-    noteAgents(discs, count, self.velocity, wish, courses, fastest);
+    const Encounter encounter = {discs, count, &courses};
+    noteAgents({&encounter, 1});
   };
   const auto note_fixed = [&](const Discs& discs, std::size_t count) { noteFixed(discs, count, courses); };
-  Collector agents(self.radius, note_agents);
-  Collector fixed(self.radius, note_fixed);
-  for (const PerceivedBody& body : perception.bodies) {
+  const double radius = seen.self.radius;
+  Collector agents(radius, note_agents);
+  Collector fixed(radius, note_fixed);
+  for (const PerceivedBody& body : seen.bodies) {
     if (body.kind == BodyKind::AGENT) {
       agents.add(body.position, body.velocity, body.radius);
     } else {
       fixed.add(body.position, body.velocity, body.radius);
     }
   }
-  for (const Segment& wall : perception.walls) {
+  for (const Segment& wall : seen.walls) {
     for (const Vector2* end : {&wall.from, &wall.to}) fixed.add(*end, Vector2::Zero(), 0.0);
-    noteSide(wall, self.radius, courses);
+    noteSide(wall, radius, courses);
   }
   agents.noteAll();
   fixed.noteAll();
-  return std::sqrt(fastest);
 }
 
-/// The same where there is nobody but agents: they are side by side already.
-float noteAgentsAlone(const Perception& perception, const Vector2& wish, Courses& courses) {
-  static_assert(Discs::SIZE <= PerceivedBodies::MARGIN, "all lanes can be read");
-  const AgentPerception& self = perception.self;
-  const PerceivedBodiesView& bodies = perception.bodies;
-  float fastest = 0.0F;  // squared
-  for (std::size_t i = 0; i < bodies.size(); i += Discs::SIZE) {
-    const std::size_t count = std::min(Discs::SIZE, bodies.size() - i);
-    Discs discs;  // NOLINT(cppcoreguidelines-pro-type-member-init): convert() writes them
-    convert(bodies, i, count, self.radius, discs);
-    noteAgents(discs, count, self.velocity, wish, courses, fastest);
-  }
-  return std::sqrt(fastest);
-}
-
-/// What lies behind the goal does not count.
-/// @param unit of the times that the inverses stand for [s]
-CROWD_VECTORISED void toTimes(const Lanes& soonest, float unit, float time_to_goal, Lanes& times) {
-  for (std::size_t i = 0; i < LANES; ++i) {
-    const float time = unit / soonest[i];
-    times[i] = time > time_to_goal ? static_cast<float>(NEVER) : time;
-  }
-}
+// The steps of foresee(), each for all agents. What is in them is no function of its own, so that it is compiled
+// together with the loop over the agents for each kind of vector instructions.
 
 /// Of a move of which the rule leaves too little the course is that of staying.
-CROWD_VECTORISED void findCourses(const MoveBlock& moves, float least_share, Lanes& shares, Courses& courses) {
+[[gnu::always_inline]] inline void findCourse(const MoveBlock& moves, float least_share, Lanes& shares,
+                                              Courses& courses) {
   const float speed = courses.speed;
   for (std::size_t i = 0; i < LANES; ++i) {
     const auto wanted = static_cast<float>(moves.wanted[i]);
@@ -139,29 +106,94 @@ CROWD_VECTORISED void findCourses(const MoveBlock& moves, float least_share, Lan
 }
 
 /// @param walking whether the agent walked in the last tick: else no move is a turn
-CROWD_VECTORISED void findTurns(const MoveBlock& moves, bool walking, Lanes& cosines) {
+[[gnu::always_inline]] inline void findTurns(const MoveBlock& moves, bool walking, Lanes& cosines) {
   for (std::size_t i = 0; i < LANES; ++i) cosines[i] = walking ? static_cast<float>(moves.x[i]) : 1.0F;
+}
+
+CROWD_VECTORISED void begin(const Choosers& choosers, std::size_t block, std::size_t count, double least_share,
+                            MoveOutlooks* outlooks, Courses* courses) {
+  for (std::size_t k = 0; k < choosers.size(); ++k) {
+    const AgentPerception& self = choosers[k].seen.self;
+    const MoveBlock& moves = choosers[k].moves[block];
+    const double distance = self.goal.norm();
+    const double pace_to_goal = distance > 0.0 ? self.speed / distance : 0.0;
+    courses[k].count = count;
+    courses[k].speed = static_cast<float>(self.speed);
+    courses[k].velocity = self.velocity;
+    courses[k].wish = pace_to_goal * self.goal;
+    courses[k].time_to_goal = static_cast<float>(distance / self.speed);
+    courses[k].touchNothing();
+    findCourse(moves, static_cast<float>(least_share), outlooks[k].shares, courses[k]);
+    findTurns(moves, self.velocity != Vector2::Zero(), outlooks[k].turn_cosines);
+  }
+}
+
+/// @param radius of the agent [m]
+[[gnu::always_inline]] inline void convert(const PerceivedBodiesView& bodies, double radius, Discs& discs) {
+  static_assert(Discs::SIZE <= PerceivedBodies::MARGIN, "all lanes can be read");
+  const double* const px = bodies.xs();
+  const double* const py = bodies.ys();
+  const double* const vx = bodies.vxs();
+  const double* const vy = bodies.vys();
+  const double* const radii = bodies.radii();
+  for (std::size_t i = 0; i < Discs::SIZE; ++i) discs.put(i, {px[i], py[i]}, {vx[i], vy[i]}, radius + radii[i]);
+  discs.leaveOut(bodies.size());
+}
+
+/// Whether all that is seen are agents that are side by side already.
+bool isEncounter(const Perception& seen) { return seen.bodies.size() <= Discs::SIZE && seen.isOfAgentsAlone(); }
+
+/// @return how many encounters there are
+CROWD_VECTORISED std::size_t listEncounters(const Choosers& choosers, Courses* courses, Encounter* encounters) {
+  std::size_t size = 0;
+  for (std::size_t k = 0; k < choosers.size(); ++k) {
+    const Perception& seen = choosers[k].seen;
+    if (seen.bodies.empty() || !isEncounter(seen)) continue;
+    Encounter& encounter = encounters[size++];
+    encounter.count = seen.bodies.size();
+    encounter.courses = &courses[k];
+    convert(seen.bodies, seen.self.radius, encounter.discs);
+  }
+  return size;
+}
+
+/// What lies behind the goal does not count.
+/// @param unit of the times that the inverses stand for [s]
+[[gnu::always_inline]] inline void toTimes(const Lanes& soonest, float unit, float time_to_goal, Lanes& times) {
+  for (std::size_t i = 0; i < LANES; ++i) {
+    const float time = unit / soonest[i];
+    times[i] = time > time_to_goal ? static_cast<float>(NEVER) : time;
+  }
+}
+
+CROWD_VECTORISED void finish(const Courses* courses, std::size_t size, MoveOutlooks* outlooks) {
+  for (std::size_t k = 0; k < size; ++k) {
+    const Courses& course = courses[k];
+    MoveOutlooks& outlook = outlooks[k];
+    outlook.oncoming = std::sqrt(course.fastest) / course.speed;
+    toTimes(course.reciprocal, 0.5F, course.time_to_goal, outlook.reciprocal_times);
+    toTimes(course.selfish, 1.0F, course.time_to_goal, outlook.selfish_times);
+    if (course.any_fixed) {
+      toTimes(course.fixed, 1.0F, course.time_to_goal, outlook.fixed_times);
+    } else {
+      outlook.fixed_times.fill(static_cast<float>(NEVER));
+    }
+  }
 }
 
 }  // namespace
 
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
-MoveOutlooks::MoveOutlooks(const Perception& perception, const MoveBlock& moves, std::size_t count,
-                           double least_share) {
-  const AgentPerception& self = perception.self;
-  const auto speed = static_cast<float>(self.speed);
-  const double distance = self.goal.norm();
-  Courses courses(count, speed);
-  findCourses(moves, static_cast<float>(least_share), shares, courses);
-  findTurns(moves, self.velocity != Vector2::Zero(), turn_cosines);
-  const double pace_to_goal = distance > 0.0 ? self.speed / distance : 0.0;
-  const bool alone = perception.walls.empty() && !perception.bodies.hasObstacles();
-  const Vector2 wish = pace_to_goal * self.goal;
-  oncoming = (alone ? noteAgentsAlone(perception, wish, courses) : noteAll(perception, wish, courses)) / speed;
-  const auto time_to_goal = static_cast<float>(distance / self.speed);
-  toTimes(courses.reciprocal, 0.5F, time_to_goal, reciprocal_times);
-  toTimes(courses.selfish, 1.0F, time_to_goal, selfish_times);
-  toTimes(courses.fixed, 1.0F, time_to_goal, fixed_times);
+void foresee(const Choosers& choosers, std::size_t block, std::size_t count, double least_share,
+             MoveOutlooks* outlooks) {
+  std::array<Courses, MAX_CHOOSERS> courses;         // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  std::array<Encounter, MAX_ENCOUNTERS> encounters;  // NOLINT(cppcoreguidelines-pro-type-member-init): likewise
+  begin(choosers, block, count, least_share, outlooks, courses.data());
+  const std::size_t size = listEncounters(choosers, courses.data(), encounters.data());
+  noteAgents({encounters.data(), size});
+  for (std::size_t k = 0; k < choosers.size(); ++k) {
+    if (!isEncounter(choosers[k].seen)) noteAll(choosers[k].seen, courses[k]);
+  }
+  finish(courses.data(), choosers.size(), outlooks);
 }
 
 }  // namespace crowd

@@ -37,7 +37,7 @@ OccupancyStates::OccupancyStates(const Parameters& parameters)
   }
 }
 
-void OccupancyStates::findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const {
+Row OccupancyStates::rowOf(const Perception& perception) const {
   Occupied occupied{};
   // A whole body, of which two numbers are needed, would be put together in memory first.
   const PerceivedBodiesView& bodies = perception.bodies;
@@ -52,13 +52,11 @@ void OccupancyStates::findRows(const Perception& perception, const MoveBlock* /*
     row += ++distance_class * set_codes_[set & ~nearer];
     nearer |= set;
   }
-  *rows = row;
+  return row;
 }
 
 OccupancyStates::Situation OccupancyStates::describe(const Perception& perception) const {
-  Row row = 0;
-  findRows(perception, nullptr, &row);
-  return situationOf(row);
+  return situationOf(rowOf(perception));
 }
 
 inline int OccupancyStates::goalSector(const Vector2& goal) const {

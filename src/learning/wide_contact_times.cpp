@@ -91,6 +91,11 @@ CROWD_AVX512 inline void findHits(const Courses& courses, const WideDiscs& discs
   const Cones cones = conesOf(discs);
   const Apexes selfish = apexesOf(cones, discs.vx, discs.vy, courses.speed);
   const Apexes reciprocal = apexesOf(cones, discs.mean_vx, discs.mean_vy, courses.speed);
+  // Lanes behind the moves touch nothing; the first lanes are written below.
+  for (Masks* masks : {&hits.selfish, &hits.reciprocal}) {
+    _mm256_store_si256(reinterpret_cast<__m256i*>(masks->data()), _mm256_setzero_si256());
+    _mm_store_si128(reinterpret_cast<__m128i*>(&(*masks)[WIDTH]), _mm_setzero_si128());
+  }
   for (std::size_t move = 0; move < courses.count; ++move) {
     const __m512 ux = _mm512_set1_ps(courses.ux[move]);
     const __m512 uy = _mm512_set1_ps(courses.uy[move]);
@@ -169,12 +174,12 @@ CROWD_AVX512 inline float fastestApproach(const WideDiscs& discs, const Vector2&
   return _mm512_reduce_max_ps(_mm512_maskz_div_ps(closes, closing * closing, distance));
 }
 
-CROWD_AVX512 void noteAgentsWidely(const Discs& agents, std::size_t /*count*/, const Vector2& velocity,
-                                   const Vector2& wish, Courses& courses, float& fastest) {
-  const WideDiscs discs = load(agents, velocity);
-  Hits hits{};
-  findHits(courses, discs, hits);
-  fastest = std::max(fastest, fastestApproach(discs, wish));  // before the hits, which are on the way to the memory
+CROWD_AVX512 inline WideDiscs discsOf(const Encounter& encounter) {
+  return load(encounter.discs, encounter.courses->velocity);
+}
+
+/// Finds who is touched how soon.
+CROWD_AVX512 inline void noteHits(const WideDiscs& discs, const Hits& hits, Courses& courses) {
   WideMoves selfish = loadFirst(courses, courses.selfish, hits.selfish, 0);
   WideMoves reciprocal = loadFirst(courses, courses.reciprocal, hits.reciprocal, Discs::SIZE);
   WideMoves both = loadSecond(courses, hits);
@@ -189,9 +194,28 @@ CROWD_AVX512 void noteAgentsWidely(const Discs& agents, std::size_t /*count*/, c
   _mm256_store_ps(&courses.reciprocal[WIDTH], _mm512_extractf32x8_ps(both.soonest, 1));
 }
 
+CROWD_AVX512 void noteAgentsWidely(const Encounters& encounters) {
+  std::array<Hits, MAX_ENCOUNTERS> hits;  // NOLINT(cppcoreguidelines-pro-type-member-init): findHits() writes them
+  for (std::size_t i = 0; i < encounters.size(); ++i) {
+    const Encounter& each = encounters[i];
+    if (each.count <= FEW_DISCS) continue;
+    const WideDiscs discs = discsOf(each);
+    findHits(*each.courses, discs, hits[i]);
+    each.courses->fastest = std::max(each.courses->fastest, fastestApproach(discs, each.courses->wish));
+  }
+  for (std::size_t i = 0; i < encounters.size(); ++i) {
+    const Encounter& each = encounters[i];
+    if (each.count <= FEW_DISCS) {
+      noteAgentsPlainly({&each, 1});
+    } else {
+      noteHits(discsOf(each), hits[i], *each.courses);
+    }
+  }
+}
+
 }  // namespace
 #endif
 
-NoteAgents fastestForMany() { return CROWD_FASTEST(noteAgentsWidely, noteAgentsPlainly); }
+NoteAgents fastestNoteAgents() { return CROWD_FASTEST(noteAgentsWidely, noteAgentsPlainly); }
 
 }  // namespace crowd

@@ -30,8 +30,17 @@ struct Outlook {
   double oncoming = 0.0;
 };
 
+MoveOutlooks describeAll(const PerceptionsBuilder& scene, const CandidateMove& move) {
+  MoveBlock moves = toBlocks({move})[0];
+  const Perception seen = scene.perception();
+  const Chooser alone = {seen, &moves, nullptr};
+  MoveOutlooks outlooks;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  states().describe({&alone, 1}, 0, 1, &outlooks);
+  return outlooks;
+}
+
 Outlook describe(const PerceptionsBuilder& scene, const CandidateMove& move) {
-  const MoveOutlooks all = states().describe(scene.perception(), toBlocks({move})[0], 1);
+  const MoveOutlooks all = describeAll(scene, move);
   return {all.reciprocal_times[0], all.selfish_times[0], all.fixed_times[0],
           all.shares[0],           all.turn_cosines[0],  all.oncoming};
 }
@@ -40,8 +49,7 @@ Outlook describe(const PerceptionsBuilder& scene, const CandidateMove& move) {
 Outlook ahead(const PerceptionsBuilder& scene) { return describe(scene, {Vector2::UnitX(), 1.0, 1.0}); }
 
 Row rowOf(const Outlook& outlook) {
-  MoveOutlooks lanes =
-      states().describe(PerceptionsBuilder().agent(0, {1.0, 0.0}).perception(), toBlocks({ANY_MOVE})[0], 1);
+  MoveOutlooks lanes = describeAll(PerceptionsBuilder().agent(0, {1.0, 0.0}), ANY_MOVE);
   lanes.reciprocal_times[0] = static_cast<float>(outlook.reciprocal_time);
   lanes.selfish_times[0] = static_cast<float>(outlook.selfish_time);
   lanes.fixed_times[0] = static_cast<float>(outlook.fixed_time);
@@ -54,9 +62,9 @@ Row rowOf(const Outlook& outlook) {
 }
 
 std::vector<Row> rowsOf(const AnticipationStates& states, const ActionSet& actions, const PerceptionsBuilder& scene) {
-  const std::vector<MoveBlock> moves = movesOf(actions, scene.perception());
+  std::vector<MoveBlock> moves = movesOf(actions, scene.perception());
   std::vector<Row> rows(states.rowsPerPerception());
-  states.findRows(scene.perception(), moves.data(), rows.data());
+  states.findRows({scene.perception(), moves.data(), rows.data()});
   return rows;
 }
 

@@ -147,10 +147,10 @@ class RowPerAction : public StateSet {
  public:
   Row rowCount() const override { return 5; }
   std::size_t rowsPerPerception() const override { return 2; }
-  void findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const override {
-    const Row far = perception.self.goal.norm() > 2.0 ? 1 : 0;
-    rows[0] = far;
-    rows[1] = 2 + far;
+  void findRows(const Chooser& chooser) const override {
+    const Row far = chooser.seen.self.goal.norm() > 2.0 ? 1 : 0;
+    chooser.rows[0] = far;
+    chooser.rows[1] = 2 + far;
   }
   Row mirrored(Row row) const override { return row; }
   std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }

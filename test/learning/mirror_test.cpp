@@ -75,8 +75,8 @@ PerceptionsBuilder anyPerception(std::uint64_t seed) {
 
 std::vector<Row> rowsOf(const Model& model, const Perception& perception) {
   std::vector<Row> rows(model.state_set->rowsPerPerception());
-  const std::vector<MoveBlock> moves = movesOf(*model.action_set, perception);
-  model.state_set->findRows(perception, moves.data(), rows.data());
+  std::vector<MoveBlock> moves = movesOf(*model.action_set, perception);
+  model.state_set->findRows({perception, moves.data(), rows.data()});
   return rows;
 }
 

@@ -77,7 +77,7 @@ TEST(MoveOutlooks, TellWhatEachMoveAloneComesTo) {
     const PerceptionsBuilder scene = anyScene(random);
     std::vector<CandidateMove> moves(1 + random.below(MoveOutlooks::LANES));
     for (CandidateMove& move : moves) move = anyMove(random);
-    const MoveOutlooks outlooks(scene.perception(), toBlocks(moves)[0], moves.size(), LEAST_SHARE);
+    const MoveOutlooks outlooks = foreseeAlone(scene.perception(), toBlocks(moves)[0], moves.size(), LEAST_SHARE);
     for (std::size_t i = 0; i < moves.size(); ++i) {
       const Expected expected = expect(scene.perception(), moves[i]);
       compared += 3;
@@ -95,7 +95,7 @@ TEST(MoveOutlooks, TellOfTheFastestApproachOnTheWayToTheGoal) {
   // faster.
   auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).body({2.0, 0.0}, 0.25).velocity({0.3, 0.0}, {-0.15, 0.0});
   const MoveBlock moves = toBlocks({CandidateMove()})[0];
-  const auto oncoming = [&] { return MoveOutlooks(scene.perception(), moves, 1, 0.0).oncoming; };
+  const auto oncoming = [&] { return foreseeAlone(scene.perception(), moves, 1, 0.0).oncoming; };
   EXPECT_NEAR(oncoming(), 1.5, 1e-6);
   scene.body({-2.0, 0.0}, 0.25).velocity({0.3, 0.0}, {0.9, 0.0});
   EXPECT_NEAR(oncoming(), 2.0, 1e-6);

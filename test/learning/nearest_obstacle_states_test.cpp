@@ -204,13 +204,13 @@ TEST(NearestObstacleStates, EveryRowButTheTerminalOneCanBePerceived) {
   std::set<Row> rows;
   for (double goal = 0.0; goal < 360.0; goal += 45.0) {
     Row row = 0;
-    states.findRows(PerceptionsBuilder().agent(0, polar(goal, 5.0)).perception(), nullptr, &row);
+    states.findRows({PerceptionsBuilder().agent(0, polar(goal, 5.0)).perception(), nullptr, &row});
     rows.insert(row);
     for (const double bearing : {7.5, 30.0, 67.5, 135.0, -7.5, -30.0, -67.5, -135.0}) {
       for (const double rim : {0.3, 0.8}) {
         const PerceptionsBuilder scene =
             PerceptionsBuilder().agent(0, polar(goal, 5.0)).body(polar(bearing, rim + 0.1), 0.1);
-        states.findRows(scene.perception(), nullptr, &row);
+        states.findRows({scene.perception(), nullptr, &row});
         rows.insert(row);
       }
     }

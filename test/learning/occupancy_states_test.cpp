@@ -264,7 +264,7 @@ TEST(OccupancyStates, NoTwoSituationsShareARowAndEachCanBePerceived) {
         if (classes[sector] > 0) scene.body(polar(45.0 * static_cast<double>(sector), rim + 0.01), 0.01);
       }
       Row row = 0;
-      states.findRows(scene.perception(), nullptr, &row);
+      states.findRows({scene.perception(), nullptr, &row});
       ASSERT_LT(row, states.terminal());
       ASSERT_EQ(states.distanceClasses(row), classes) << "row " << row;
       ++found[row];

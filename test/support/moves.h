@@ -4,6 +4,7 @@
 
 #include "social_crowd/learning/action_set.h"
 #include "social_crowd/learning/contact_rule.h"
+#include "social_crowd/learning/move_outlooks.h"
 
 namespace crowd {
 
@@ -18,8 +19,16 @@ inline std::vector<MoveBlock> toBlocks(const std::vector<CandidateMove>& moves) 
 /// @brief The moves of all actions, in blocks.
 inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception& perception) {
   std::vector<MoveBlock> blocks(blocksOf(actions.size()));
-  actions.findMoves(perception, blocks.data());
+  actions.findMoves({perception, blocks.data(), nullptr});
   return blocks;
+}
+
+/// @brief What would come of the first `count` moves of a block.
+inline MoveOutlooks foreseeAlone(const Perception& perception, MoveBlock moves, std::size_t count, double least_share) {
+  const Chooser alone = {perception, &moves, nullptr};
+  MoveOutlooks outlooks;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  foresee({&alone, 1}, 0, count, least_share, &outlooks);
+  return outlooks;
 }
 
 /// @brief What a contact rule makes of moves.

@@ -8,7 +8,7 @@
 
 #include "social_crowd/common/yaml_reader.h"
 #include "social_crowd/learning/candidate_move.h"
-#include "social_crowd/world/perception.h"
+#include "social_crowd/learning/chooser.h"
 #include "social_crowd/world/relative_action.h"
 
 namespace crowd {
@@ -32,9 +32,12 @@ class ActionSet {
   /// @brief The same, written to where it stays: a copy would wait until what was just written is in the cache.
   /// @param relative all of it is written
   virtual void findAction(const Perception& perception, Action action, RelativeAction& relative) const = 0;
-  /// @brief The moves that all size() actions mean to an agent that perceives this.
-  /// @param moves blocksOf(size()) blocks, to be written
-  virtual void findMoves(const Perception& perception, MoveBlock* moves) const;
+  /// @brief Writes the moves that all size() actions mean to an agent, blocksOf(size()) blocks.
+  virtual void findMoves(const Chooser& chooser) const;
+  /// @brief The same for several agents.
+  virtual void findMovesOfAll(const Choosers& choosers) const {
+    for (const Chooser& chooser : choosers) findMoves(chooser);
+  }
   /// @brief The action that means the same with left and right exchanged.
   virtual Action mirrored(Action action) const = 0;
   /// @brief Name and parameters as one canonical line of YAML; two sets are the same if these are.

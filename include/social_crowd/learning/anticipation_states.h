@@ -39,7 +39,8 @@ class AnticipationStates : public StateSet {
   Row rowCount() const override { return row_count_; }
   std::size_t rowsPerPerception() const override { return actions_; }
   bool needsMoves() const override { return true; }
-  void findRows(const Perception& perception, const MoveBlock* moves, Row* rows) const override;
+  void findRows(const Chooser& chooser) const override;
+  void findRowsOfAll(const Choosers& choosers) const override;
   /// @brief The same row: none of its quantities tells left from right.
   Row mirrored(Row row) const override { return row; }
   std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
@@ -48,8 +49,10 @@ class AnticipationStates : public StateSet {
   std::uint32_t maxBodies() const override { return parameters_.max_bodies; }
   std::string spec() const override;
 
-  /// @brief What would come of the first `count` moves of a block.
-  MoveOutlooks describe(const Perception& perception, const MoveBlock& moves, std::size_t count) const;
+  /// @brief What would come of the first `count` moves of a block of each agent, see foresee().
+  void describe(const Choosers& choosers, std::size_t block, std::size_t count, MoveOutlooks* outlooks) const {
+    foresee(choosers, block, count, least_share_, outlooks);
+  }
   /// @brief Writes a row for each of the first `count` moves.
   void findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const;
 

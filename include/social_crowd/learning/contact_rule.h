@@ -3,6 +3,7 @@
 #include <string>
 
 #include "social_crowd/learning/candidate_move.h"
+#include "social_crowd/learning/chooser.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {
@@ -35,8 +36,11 @@ class ContactRule {
   /// moving obstacles asks for another move, that takes its place. To stay is always admissible.
   /// @param moves blocksOf(count) blocks
   void cut(const Perception& perception, MoveBlock* moves, std::size_t count) const;
+  /// @brief The same for the moves of several agents.
+  void cut(const Choosers& choosers, std::size_t count) const;
 
  private:
+  void cutAmongAgents(const Choosers& choosers, std::size_t count) const;
   void cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const;
 
   GapSharing sharing_;

@@ -3,29 +3,41 @@
 #include <array>
 #include <cstddef>
 
+#include "social_crowd/learning/chooser.h"
 #include "social_crowd/learning/move_outlooks.h"
 #include "social_crowd/learning/time_to_contact.h"
+#include "social_crowd/world/geometry.h"
+#include "social_crowd/world/view.h"
 
 namespace crowd {
 
 /// @brief 1 / time to contact of what touches already.
 constexpr float AT_ONCE = 1e30F;  // [1/s]
 
-/// @brief Velocities of the moves, and how soon each would touch something: 1 / time.
+/// @brief Velocities of an agent's moves, and how soon each would touch something: 1 / time.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): whoever makes them writes them, and zeroing takes time
 struct Courses {
   using Lanes = MoveOutlooks::Lanes;
 
-  std::size_t count;     ///< moves; lanes behind them repeat one
-  float speed;           ///< no move is faster [m/s]
+  std::size_t count;   ///< moves; lanes behind them repeat one
+  float speed;         ///< no move is faster [m/s]
+  Vector2 velocity;    ///< of the agent in the last tick [m/s]
+  Vector2 wish;        ///< another velocity [m/s]
+  float time_to_goal;  ///< at full speed; what lies behind the goal does not count [s]
+  float fastest;       ///< the square of the fastest approach of another agent if this one walked with that [m2/s2]
+
+  bool any_fixed;  ///< whether anything but agents was noted
+
   alignas(64) Lanes ux;  ///< [m/s]
   alignas(64) Lanes uy;
   alignas(64) Lanes reciprocal;  ///< [1/s]
   alignas(64) Lanes selfish;
   alignas(64) Lanes fixed;
 
-  /// @brief Of so many moves whose velocities are yet to be written, and that touch nothing.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written below, and zeroing first takes time
-  Courses(std::size_t moves, float top_speed) : count(moves), speed(top_speed) {
+  /// @brief Nothing is touched, and nobody comes.
+  void touchNothing() {
+    fastest = 0.0F;
+    any_fixed = false;
     for (Lanes* soonest : {&reciprocal, &selfish, &fixed}) soonest->fill(static_cast<float>(1.0 / NEVER));
   }
 };
@@ -71,21 +83,24 @@ struct Discs {
   }
 };
 
-/// @brief Notes contacts with agents, and the square of their fastest approach if this one walked with another
-/// velocity.
-/// @param count the first so many discs are agents, and those behind them fly away
-/// @param velocity of the agent in the last tick [m/s]
-/// @param wish the other velocity [m/s]
-/// @param fastest raised to the square [m2/s2]
-void noteAgents(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish, Courses& courses,
-                float& fastest);
+/// @brief Agents that another one meets.
+struct Encounter {
+  Discs discs;
+  std::size_t count;  ///< the first so many discs are agents, and those behind them fly away
+  Courses* courses;   ///< of who meets them
+};
+using Encounters = View<Encounter>;
+constexpr std::size_t MAX_ENCOUNTERS = MAX_CHOOSERS;
+
+/// @brief Notes contacts with agents, and their fastest approach.
+/// @param encounters MAX_ENCOUNTERS at most
+void noteAgents(const Encounters& encounters);
 
 /// @brief Notes contacts with what yields to nobody.
-/// @param count as of noteAgents()
+/// @param count as of an Encounter
 void noteFixed(const Discs& discs, std::size_t count, Courses& courses);
 
 /// @brief noteAgents() for any processor.
-void noteAgentsPlainly(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish,
-                       Courses& courses, float& fastest);
+void noteAgentsPlainly(const Encounters& encounters);
 
 }  // namespace crowd

@@ -27,7 +27,8 @@ class GoalFan : public ActionSet {
 
   Action size() const override { return static_cast<Action>(mirrored_.size()); }
   void findAction(const Perception& perception, Action action, RelativeAction& relative) const override;
-  void findMoves(const Perception& perception, MoveBlock* moves) const override;
+  void findMoves(const Chooser& chooser) const override;
+  void findMovesOfAll(const Choosers& choosers) const override;
   Action mirrored(Action action) const override { return mirrored_[action]; }
   std::string spec() const override;
 

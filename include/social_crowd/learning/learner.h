@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <set>
 #include <vector>
 
+#include "social_crowd/common/fixed_list.h"
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/agent_places.h"
+#include "social_crowd/learning/chooser.h"
 #include "social_crowd/learning/learning_parameters.h"
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/q_learner.h"
@@ -66,6 +69,8 @@ class Learner {
   struct Space {
     std::vector<Row> rows;
     std::vector<MoveBlock> moves;
+    FixedList<Chooser, MAX_CHOOSERS> group;           // those that choose side by side
+    std::array<std::size_t, MAX_CHOOSERS> answers{};  // places of their decisions
   };
   /// @brief Decides greedily for everybody served that is on its way, with the tables as they are: what decide() does
   /// in demo mode, but nothing is kept of whom it did not know before. Any number of threads may do that, each with
@@ -121,12 +126,6 @@ class Learner {
     std::uint32_t bodies;  // so many of its bodies are within sight
   };
   static constexpr std::uint32_t NOBODY = UINT32_MAX;
-  /// What the actions mean to an agent, and the rows they are looked up in.
-  struct Choice {
-    Row* rows;
-    MoveBlock* moves;
-  };
-
   /// Of its memory; a new one if the agent was not met before.
   std::uint32_t placeOf(AgentId agent) {
     const std::uint32_t known = places_.find(agent);
@@ -155,24 +154,30 @@ class Learner {
     return perceptionOf(perceptions, index, guests_[index].bodies);
   }
   void makeRoom(std::size_t choices, Space& space) const;
-  Choice choiceAt(std::size_t place, Space& space) const;
-  void findRows(const Perception& seen, const Choice& choice) const;
-  Rows rowsOf(const Choice& choice) const { return {choice.rows, stride_ == 1 ? 0U : 1U}; }
+  Chooser chooserAt(std::size_t place, const Perception& seen, Space& space) const;
+  void findRows(const Chooser& chooser) const;
+  void findRowsOfGroup(const Space& space) const;
+  Rows rowsOf(const Chooser& chooser) const { return {chooser.rows, stride_ == 1 ? 0U : 1U}; }
   /// Calls work(index) for all agents that are to answer.
   template <typename Work>
   void forEachGuest(const Perceptions& perceptions, const Work& work) const;
   void learn(const Perceptions& perceptions);
+  void findAllRows(const Perceptions& perceptions);
   void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory);
-  void choose(const Perceptions& perceptions, RelativeActions& actions);
-  /// learn() and choose() for one agent alone: nothing need be kept between the two.
+  void exploreAll(const Perceptions& perceptions, RelativeActions& actions);
+  void chooseGreedily(const Perceptions& perceptions, RelativeActions& actions);
+  /// learn() and exploreAll() for one agent alone: nothing need be kept between the two.
   void learnAndChoose(const Perceptions& perceptions, RelativeActions& actions);
-  /// @param choice is written, and `given`
-  void answerGreedily(const Perception& seen, const QTable& table, const Choice& choice, AgentAction& given) const;
+  /// Adds an agent to the group, which decides as soon as it is full.
+  /// @param answer place of its decision among the actions
+  void joinGreedily(const Perception& seen, std::size_t answer, Space& space, std::vector<AgentAction>& actions) const;
+  /// Decides for the group, which is empty then.
+  void answerGreedily(Space& space, std::vector<AgentAction>& actions) const;
   /// @param chance that of the tick
   Action chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
                          const Rows& rows, Memory& memory) const;
   /// Writes to `given` what the action means to the agent.
-  void answer(const Perception& seen, const Choice& choice, Action action, AgentAction& given) const;
+  void answer(const Chooser& chooser, Action action, AgentAction& given) const;
 
   Model model_;
   Vision sight_;              // all that the state set looks at

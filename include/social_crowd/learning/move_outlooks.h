@@ -3,8 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "social_crowd/learning/candidate_move.h"
-#include "social_crowd/world/perception.h"
+#include "social_crowd/learning/chooser.h"
 
 namespace crowd {
 
@@ -21,9 +20,17 @@ struct MoveOutlooks {
   alignas(64) Lanes turn_cosines;
   float oncoming;  ///< fastest approach of another agent if this one walked to its goal at full speed, in units of that
 
-  /// @brief What would come of the first `count` moves of a block, 1 to LANES; the other lanes hold anything.
-  /// @param least_share a move of which the contact rule leaves less is to stay, wherever it was to lead
-  MoveOutlooks(const Perception& perception, const MoveBlock& moves, std::size_t count, double least_share);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): foresee() writes them, and zeroing first takes time
+  MoveOutlooks() = default;
 };
+
+/// @brief What would come of moves of several agents.
+/// @param choosers MAX_CHOOSERS at most
+/// @param block which block of their moves
+/// @param count the first so many moves of it, 1 to LANES; the other lanes hold anything
+/// @param least_share a move of which the contact rule leaves less is to stay, wherever it was to lead
+/// @param outlooks one for each agent, to be written
+void foresee(const Choosers& choosers, std::size_t block, std::size_t count, double least_share,
+             MoveOutlooks* outlooks);
 
 }  // namespace crowd

@@ -35,7 +35,7 @@ class OccupancyStates : public StateSet {
   explicit OccupancyStates(const Parameters& parameters);
 
   Row rowCount() const override { return terminal() + 1; }
-  void findRows(const Perception& perception, const MoveBlock* /*moves*/, Row* rows) const override;
+  void findRows(const Chooser& chooser) const override { *chooser.rows = rowOf(chooser.seen); }
   Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
@@ -44,6 +44,7 @@ class OccupancyStates : public StateSet {
 
   Situation describe(const Perception& perception) const;
   Row rowOf(const Situation& situation) const;
+  Row rowOf(const Perception& perception) const;
   /// @brief What a row says; it must not be the terminal one.
   Situation situationOf(Row row) const;
   /// @brief The row of an agent that has arrived.

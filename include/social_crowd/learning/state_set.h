@@ -9,12 +9,9 @@
 
 #include "social_crowd/common/yaml_reader.h"
 #include "social_crowd/learning/action_set.h"
-#include "social_crowd/world/perception.h"
+#include "social_crowd/learning/chooser.h"
 
 namespace crowd {
-
-/// @brief Number of a row of the Q-table, from 0.
-using Row = std::uint32_t;
 
 /// @brief The rows that a perception maps to, one per action. `stride` 0: the same row for every action.
 struct Rows {
@@ -44,9 +41,13 @@ class StateSet {
   virtual std::size_t rowsPerPerception() const { return 1; }
   /// @brief Whether findRows() looks at the moves.
   virtual bool needsMoves() const { return false; }
-  /// @brief Writes rowsPerPerception() rows for what an agent on its way perceives.
-  /// @param moves what the actions mean to it, see ActionSet::findMoves(); of no meaning unless needsMoves()
-  virtual void findRows(const Perception& perception, const MoveBlock* moves, Row* rows) const = 0;
+  /// @brief Writes rowsPerPerception() rows for what an agent on its way perceives; its moves are of no meaning unless
+  /// needsMoves().
+  virtual void findRows(const Chooser& chooser) const = 0;
+  /// @brief The same for several agents.
+  virtual void findRowsOfAll(const Choosers& choosers) const {
+    for (const Chooser& chooser : choosers) findRows(chooser);
+  }
   /// @brief The row that a perception maps to if left and right are exchanged in it; of several rows, that of the
   /// mirrored action. A perception exactly on a limit of a sector may map to the neighbour of that row.
   virtual Row mirrored(Row row) const = 0;

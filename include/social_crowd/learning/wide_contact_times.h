@@ -6,12 +6,14 @@
 
 namespace crowd {
 
-/// @brief A form of noteAgents().
-using NoteAgents = void (*)(const Discs& agents, std::size_t count, const Vector2& velocity, const Vector2& wish,
-                            Courses& courses, float& fastest);
+/// @brief With no more discs than these it is best to look at moves side by side.
+constexpr std::size_t FEW_DISCS = 5;
 
-/// @brief The fastest noteAgents() for many discs that this processor can run; all give the same bits. With AVX-512
-/// most pairs of a move and a disc are left out, as they have no time of contact.
-NoteAgents fastestForMany();
+/// @brief A form of noteAgents().
+using NoteAgents = void (*)(const Encounters& encounters);
+
+/// @brief The fastest noteAgents() that this processor can run; all give the same bits. With AVX-512 most pairs of a
+/// move and a disc are left out, as they have no time of contact.
+NoteAgents fastestNoteAgents();
 
 }  // namespace crowd

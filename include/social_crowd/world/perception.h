@@ -66,6 +66,9 @@ struct Perception {
         bodies(all.bodies, self.first_body, self.body_count),
         walls(all.walls.data() + self.first_wall, self.wall_count),
         tick_duration(all.tick_duration) {}
+
+  /// @brief Whether there are neither walls nor obstacles.
+  bool isOfAgentsAlone() const { return walls.empty() && !bodies.hasObstacles(); }
 };
 
 }  // namespace crowd

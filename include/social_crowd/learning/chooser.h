@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "social_crowd/learning/candidate_move.h"
+#include "social_crowd/world/perception.h"
+#include "social_crowd/world/view.h"
+
+namespace crowd {
+
+/// @brief Number of a row of the Q-table, from 0.
+using Row = std::uint32_t;
+
+/// @brief An agent that is to choose: what it perceives, and where that is kept which it chooses by.
+struct Chooser {
+  Perception seen;
+  MoveBlock* moves = nullptr;  ///< what the actions mean to it; nullptr if nobody looks at them
+  Row* rows = nullptr;         ///< those that it looks its actions up in
+};
+
+/// @brief Up to MAX_CHOOSERS agents that choose side by side: each step is done for all of them before the next one
+/// is begun. So nobody waits for the end of one agent's long chain of steps, and what the processor guesses wrong about
+/// one step costs less.
+using Choosers = View<Chooser>;
+constexpr std::size_t MAX_CHOOSERS = 16;
+
+}  // namespace crowd
