@@ -13,6 +13,8 @@ namespace {
 using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
 
+constexpr std::size_t FEW = 5;  // discs
+
 using Eight = float __attribute__((vector_size(8 * sizeof(float))));
 using Four = float __attribute__((vector_size(4 * sizeof(float))));
 
@@ -48,7 +50,7 @@ inline void noteContacts(const Courses& courses, const Discs& discs, std::size_t
                          const Discs::Floats& vy, Lanes& soonest) {
   alignas(64) Discs::Floats per_root;
   for (std::size_t i = 0; i < Discs::SIZE; ++i) per_root[i] = discs.apart[i] > 0.0F ? 1.0F / discs.apart[i] : AT_ONCE;
-  if (count <= FEW_DISCS) {
+  if (count <= FEW) {
     for (std::size_t i = 0; i < count; ++i) {
       const float px = discs.px[i];
       const float py = discs.py[i];
