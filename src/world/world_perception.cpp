@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "bodies_by_fours.h"
+#include "bodies_side_by_side.h"
 #include "social_crowd/common/prefetch.h"
 #include "social_crowd/world/world.h"
 
@@ -132,7 +132,8 @@ inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, c
   std::size_t i = 0;
   // Less than four are sooner done than asked about.
   if (found.size() >= FOUR) {
-    i = writeFours({grid_, found, agent.pose.position, agent.ahead, agents_.size()}, first, bodies);
+    i = writeSideBySide({grid_, found, agent.pose.position, agent.ahead, agents_.size(), obstacles_.empty()}, first,
+                        bodies);
   }
   for (; i < found.size(); ++i) {
     const std::uint32_t disc = found[i].disc;
