@@ -13,8 +13,6 @@ namespace {
 using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
 
-constexpr std::size_t FEW = 5;  // discs
-
 using Eight = float __attribute__((vector_size(8 * sizeof(float))));
 using Four = float __attribute__((vector_size(4 * sizeof(float))));
 
@@ -44,33 +42,19 @@ inline float inverseTime(float px, float py, float rx, float ry, float apart, fl
   return (closing + std::sqrt(closing * closing - square * apart)) * per_root;
 }
 
-/// Notes contacts with the first `count` discs. Few of them would leave lanes idle: then moves are side by side.
+/// Notes contacts with the first `count` discs, one after the other for all moves side by side.
 /// @param vx velocities of the discs instead of their own
 inline void noteContacts(const Courses& courses, const Discs& discs, std::size_t count, const Discs::Floats& vx,
                          const Discs::Floats& vy, Lanes& soonest) {
   alignas(64) Discs::Floats per_root;
   for (std::size_t i = 0; i < Discs::SIZE; ++i) per_root[i] = discs.apart[i] > 0.0F ? 1.0F / discs.apart[i] : AT_ONCE;
-  if (count <= FEW) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float px = discs.px[i];
-      const float py = discs.py[i];
-      for (std::size_t move = 0; move < LANES; ++move) {
-        const float soon =
-            inverseTime(px, py, courses.ux[move] - vx[i], courses.uy[move] - vy[i], discs.apart[i], per_root[i]);
-        soonest[move] = soon > soonest[move] ? soon : soonest[move];
-      }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t move = 0; move < LANES; ++move) {
+      const float rx = courses.ux[move] - vx[i];
+      const float ry = courses.uy[move] - vy[i];
+      const float soon = inverseTime(discs.px[i], discs.py[i], rx, ry, discs.apart[i], per_root[i]);
+      soonest[move] = soon > soonest[move] ? soon : soonest[move];
     }
-    return;
-  }
-  for (std::size_t move = 0; move < courses.count; ++move) {
-    const float ux = courses.ux[move];
-    const float uy = courses.uy[move];
-    alignas(64) Discs::Floats inverses;
-    for (std::size_t i = 0; i < Discs::SIZE; ++i) {
-      const float soon = inverseTime(discs.px[i], discs.py[i], ux - vx[i], uy - vy[i], discs.apart[i], per_root[i]);
-      inverses[i] = soon > 0.0F ? soon : 0.0F;
-    }
-    soonest[move] = std::max(soonest[move], highest(inverses));
   }
 }
 

@@ -19,10 +19,12 @@ struct Chooser {
   Row* rows = nullptr;         ///< those that it looks its actions up in
 };
 
-/// @brief Up to MAX_CHOOSERS agents that choose side by side: each step is done for all of them before the next one
-/// is begun. So nobody waits for the end of one agent's long chain of steps, and what the processor guesses wrong about
-/// one step costs less.
-using Choosers = View<Chooser>;
+/// @brief So many agents choose side by side at most.
 constexpr std::size_t MAX_CHOOSERS = 16;
+
+/// @brief Agents that choose side by side: each step is done for all of them before the next one is begun. So nobody
+/// waits for the end of one agent's long chain of steps, and what the processor guesses wrong about one step costs
+/// less.
+using Choosers = View<Chooser>;
 
 }  // namespace crowd
