@@ -93,7 +93,7 @@ void AnticipationStates::findRowsOfAll(const Choosers& choosers) const {
   std::array<MoveOutlooks, MAX_CHOOSERS> outlooks;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   for (Action first = 0; first < actions_; first += MoveOutlooks::LANES) {
     const std::size_t count = std::min<std::size_t>(actions_ - first, MoveOutlooks::LANES);
-    describe(choosers, first / MoveOutlooks::LANES, count, outlooks.data());
+    foresee(choosers, first / MoveOutlooks::LANES, count, least_share_, outlooks.data());
     for (std::size_t k = 0; k < choosers.size(); ++k) findRows(outlooks[k], count, choosers[k].rows + first);
   }
 }

@@ -113,10 +113,10 @@ std::string toText(GapSharing sharing) {
 
 void ContactRule::cut(const Choosers& choosers, std::size_t count) const {
   for (const Chooser& chooser : choosers) {
-    if (sharing_ == GapSharing::NONE || !NearAgents::isFor(chooser.seen)) {
-      cut(chooser.seen, chooser.moves, count);
-    } else {
+    if (NearAgents::isFor(chooser.seen)) {
       admitAll(chooser.moves, count);
+    } else {
+      cut(chooser.seen, chooser.moves, count);
     }
   }
   if (sharing_ != GapSharing::NONE) cutAmongAgents(choosers, count);
@@ -135,9 +135,7 @@ void ContactRule::cutAmongAgents(const Choosers& choosers, std::size_t count) co
     cuts.add(limit, reach, chooser.moves);
     cuts.keepLastIf(limit.room < reach);
   }
-  for (const Cut& each : cuts) {
-    for (std::size_t block = 0; block < blocksOf(count); ++block) apply(each.limit, each.reach, each.moves[block]);
-  }
+  for (const Cut& each : cuts) cutToGap(each.limit, each.reach, each.moves, count);
 }
 
 void ContactRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {

@@ -2,16 +2,7 @@
 
 #include <algorithm>
 
-#include "social_crowd/common/vectorised.h"
-
-#ifdef CROWD_AVX512
-// The compiler's own header leaves undefined what is not used.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <immintrin.h>
-#pragma GCC diagnostic pop
-#endif
+#include "social_crowd/common/avx512.h"
 
 namespace crowd {
 namespace {

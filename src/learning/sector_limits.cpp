@@ -2,11 +2,7 @@
 
 #include <cmath>
 
-#include "social_crowd/common/vectorised.h"
-
-#ifdef CROWD_AVX512
-#include <immintrin.h>
-#endif
+#include "social_crowd/common/avx512.h"
 
 namespace crowd {
 namespace {

@@ -1,18 +1,9 @@
 #include "social_crowd/learning/wide_contact_times.h"
 
-#include "social_crowd/common/vectorised.h"
-
-#ifdef CROWD_AVX512
-// The compiler's own header leaves undefined what is not used.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <immintrin.h>
-#pragma GCC diagnostic pop
-#endif
-
 #include <algorithm>
 #include <array>
+
+#include "social_crowd/common/avx512.h"
 
 namespace crowd {
 #ifdef CROWD_AVX512

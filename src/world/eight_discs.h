@@ -1,10 +1,8 @@
 #pragma once
 
-#include "social_crowd/common/vectorised.h"
+#include "social_crowd/common/avx512.h"
 
 #ifdef CROWD_AVX512
-#include <immintrin.h>
-
 #include <algorithm>
 #include <cstdint>
 

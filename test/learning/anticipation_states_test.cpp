@@ -31,12 +31,8 @@ struct Outlook {
 };
 
 MoveOutlooks describeAll(const PerceptionsBuilder& scene, const CandidateMove& move) {
-  MoveBlock moves = toBlocks({move})[0];
-  const Perception seen = scene.perception();
-  const Chooser alone = {seen, &moves, nullptr};
-  MoveOutlooks outlooks;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  states().describe({&alone, 1}, 0, 1, &outlooks);
-  return outlooks;
+  const double least_share = AnticipationStates::Parameters().shares.front();
+  return foreseeAlone(scene.perception(), toBlocks({move})[0], 1, least_share);
 }
 
 Outlook describe(const PerceptionsBuilder& scene, const CandidateMove& move) {

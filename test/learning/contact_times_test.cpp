@@ -73,12 +73,13 @@ TEST(ContactTimes, AreTheSameBitsEveryWay) {
   for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const std::size_t encounters = 1 + random.below(MAX_ENCOUNTERS);
+    std::size_t who = 0;
     for (std::size_t i = 0; i < encounters; ++i) {
       const Vector2 velocity = anyVelocity(random);
       const std::size_t count = random.below(Discs::SIZE + 1);
       const Discs discs = anyDiscs(random, count, velocity);
       // Now and then more discs than lie side by side.
-      const std::size_t who = i > 0 && random.below(4) == 0 ? i - 1 : i;
+      if (i == 0 || random.below(4) != 0) who = i;
       if (who == i) plain[i] = wide[i] = anyCourses(random, discs, velocity);
       plainly[i] = {discs, count, &plain[who]};
       widely[i] = {discs, count, &wide[who]};

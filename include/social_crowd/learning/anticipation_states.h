@@ -49,10 +49,6 @@ class AnticipationStates : public StateSet {
   std::uint32_t maxBodies() const override { return parameters_.max_bodies; }
   std::string spec() const override;
 
-  /// @brief What would come of the first `count` moves of a block of each agent, see foresee().
-  void describe(const Choosers& choosers, std::size_t block, std::size_t count, MoveOutlooks* outlooks) const {
-    foresee(choosers, block, count, least_share_, outlooks);
-  }
   /// @brief Writes a row for each of the first `count` moves.
   void findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const;
 

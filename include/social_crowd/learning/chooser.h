@@ -22,9 +22,8 @@ struct Chooser {
 /// @brief So many agents choose side by side at most.
 constexpr std::size_t MAX_CHOOSERS = 16;
 
-/// @brief Agents that choose side by side: each step is done for all of them before the next one is begun. So nobody
-/// waits for the end of one agent's long chain of steps, and what the processor guesses wrong about one step costs
-/// less.
+/// @brief Agents that choose side by side: each step is done for all of them before the next one is begun. That is
+/// faster than one agent after the other, whose long chains of steps the processor would have to wait for.
 using Choosers = View<Chooser>;
 
 }  // namespace crowd

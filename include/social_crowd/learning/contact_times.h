@@ -25,8 +25,7 @@ struct Courses {
   Vector2 wish;        ///< another velocity [m/s]
   float time_to_goal;  ///< at full speed; what lies behind the goal does not count [s]
   float fastest;       ///< the square of the fastest approach of another agent if this one walked with that [m2/s2]
-
-  bool any_fixed;  ///< whether anything but agents was noted
+  bool any_fixed;      ///< whether anything but agents was noted
 
   alignas(64) Lanes ux;  ///< [m/s]
   alignas(64) Lanes uy;
