@@ -27,7 +27,7 @@ CHOICES = (
     Choice('radius of the obstacle [m]', SCENARIO, 'obstacles.*.radius', '0.4', (0.2, 0.3, 0.5)),
     Choice('radius of the agent [m]', SCENARIO, 'agents.*.radius', '0.25', (0.15, 0.4)),
     Choice('goal tolerance [m]', SCENARIO, 'goal_tolerance', '0.3', (0.1, 0.5)),
-    Choice('distance of the goal [m]', SCENARIO, 'agents.*.goal.ring.radius', '4', (3.0, 6.0)),
+    Choice('distance of the goal [m]', SCENARIO, 'agents.*.goal.ring.radius', '3', (2.4, 4.0, 5.0)),
     Choice('order of moves', SCENARIO, 'order', 'sequential', ('simultaneous',)),
 )
 

@@ -1,9 +1,11 @@
 """Figures 4.1-4.12 of the evaluation of the rewards."""
 import numpy
+from matplotlib.ticker import ScalarFormatter
 
 from crowd_drawing.files import read_walks
 from crowd_drawing.picture import OBSTACLE_COLOUR, Picture, colours_of
 from crowd_experiments import style
+from crowd_experiments.records import finite
 from crowd_experiments.scene_figures import frame_alike
 from crowd_experiments.variations import read_documents
 
@@ -131,6 +133,8 @@ def scatter(panel, record, measure, colour):
         panel.plot(record['episode'][chosen], record[measure][chosen], linestyle='', color=colour, **look)
     if measure == 'path_per_gain':
         panel.set_yscale('log')
+        panel.yaxis.set_major_formatter(ScalarFormatter())
+        panel.yaxis.set_minor_formatter(ScalarFormatter() if finite(record[measure]).max(initial=0.0) < 10 else '')
 
 
 def add_rates(chapter, setting, number, parameters, measure, mode):
@@ -160,7 +164,7 @@ def add_rates(chapter, setting, number, parameters, measure, mode):
 
 def add_paths(chapter, setting, parameters):
     """Figure 4.10: walked paths without an obstacle."""
-    figure, axes = panels(setting, 5.2)
+    figure, axes = panels(setting, 5.8)
     pictures = []
     for panel, reward in zip(axes, REWARDS):
         variant = Variant(reward, parameters)
