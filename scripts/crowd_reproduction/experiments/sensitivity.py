@@ -65,7 +65,7 @@ def values_of(setting, variation, cell):
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chosen = '; '.join(f'{choice.name}: {choice.chosen}' for choice in CHOICES)
+    chosen = '; '.join(f'{choice.name}: {choice.chosen(setting)}' for choice in CHOICES)
     chapter.tell(
         f'The thesis does not say how these were chosen. Thesis configuration: {chosen}. Each is varied, all else '
         f"being as it was; the thesis's parameters, both rewards, {len(setting.seeds(SEEDS))} seeds, "
@@ -171,4 +171,5 @@ def draw_rates(panel, setting, variations, cell, offset):
                    label=names.REWARD_NAMES[reward] if place == 0 else None)
     panel.axvline(values_of(setting, THESIS, cell).mean(), color=colour, linewidth=1, linestyle='--', zorder=1)
     if measure == 'success':
-        panel.plot([THESIS_SUCCESS[reward, mode]], [len(variations) - 1 + offset], **names.THESIS_MARK)
+        mark = dict(names.THESIS_MARK, markersize=5, markeredgecolor=colour)
+        panel.plot([THESIS_SUCCESS[reward, mode]], [len(variations) - 1 + offset], **mark)
