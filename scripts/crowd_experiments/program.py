@@ -18,7 +18,7 @@ from .setting import Setting
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ('train', 'evaluate')
-LONGEST_CELL = 60  # [characters] of a printed table
+LONGEST_CELL = 80  # [characters] of a printed table
 EXIT_FINE, EXIT_FAILED, EXIT_INTERRUPTED = 0, 1, 130
 
 

@@ -165,8 +165,8 @@ class RecordsTest(support.CrowdTestCase):
         self.assertEqual(reward_runs.path_per_gain(record), 4.0)  # of 1.5, 4 and an infinite one
         self.assertAlmostEqual(reward_runs.shortfall(record), 0.02)  # of 0.01, 0.03 and 0.02
         self.assertAlmostEqual(reward_runs.path_ratio(record), 2.2)
-        self.assertEqual(reward_runs.breadth(numpy.arange(11.0)), 8.0)  # from 1 to 9
-        self.assertEqual(reward_runs.breadth(numpy.array([1.0, math.inf])), math.inf)
+        self.assertEqual(reward_runs.breadth(numpy.arange(11.0), (10, 90)), 8.0)  # from 1 to 9
+        self.assertEqual(reward_runs.breadth(numpy.array([1.0, math.inf]), (10, 90)), math.inf)
 
     def test_quarter(self):
         record = {'arrived': numpy.array([0, 1, 1, 1, 0, 0, 1, 1])}
@@ -177,22 +177,37 @@ class RecordsTest(support.CrowdTestCase):
     def share_of_arrivals(record):
         return record['arrived'].mean()
 
+    def test_bends(self):
+        # 1.2 m east in a zigzag, 0.6 m north, 0.6 m north-west; then the agent has left.
+        steps = [(0.03, 0.01), (0.03, -0.01)] * 20 + [(0.0, 0.03)] * 20 + [(-0.03, 0.03)] * 20
+        places = numpy.vstack([[0.0, 0.0], numpy.cumsum(steps, axis=0), [[math.nan, math.nan]] * 5])
+        total, sharpest = reward_runs.bends(places)
+        self.assertAlmostEqual(total, 90.0 + 45.0)
+        self.assertAlmostEqual(sharpest, 90.0)
+
     def test_separation(self):
         def separated(*gains):
             return reward_judges.separated({'gain_per_tick': numpy.array(gains)})
-        self.assertEqual(separated(0.001, 0.016, 0.0, 0.017), 1.0)
-        self.assertEqual(separated(0.012, 0.016, 0.010, 0.014), 0.0)
+        self.assertTrue(separated(0.001, 0.016, 0.0, 0.017))
+        self.assertFalse(separated(0.012, 0.016, 0.010, 0.014))
         # One of forty is less than a twentieth.
-        self.assertEqual(separated(0.0, *[0.016] * 39), 0.0)
-        self.assertEqual(separated(0.0, 0.0, *[0.016] * 38), 1.0)
+        self.assertFalse(separated(0.0, *[0.016] * 39))
+        self.assertTrue(separated(0.0, 0.0, *[0.016] * 38))
+        # One of two hundred in between does not matter, five of them do.
+        self.assertTrue(separated(*[0.0] * 20, 0.004, *[0.008] * 179))
+        self.assertFalse(separated(*[0.0] * 20, *[0.004] * 5, *[0.008] * 175))
 
 
 class ClaimTest(support.CrowdTestCase):
     """The rule by which claims are judged."""
 
     def test_the_mean_and_three_quarters_of_the_seeds(self):
-        self.assertEqual(claim.decide_greater([2, 2, 2, 0], [1, 1, 1, 1]), claim.COMES_OUT)  # 1.5 > 1, three of four
-        self.assertEqual(claim.decide_greater([9, 2, 0, 0], [1, 1, 1, 1]), claim.IN_PART)  # the mean only
+        # 2.25 > 1, and the differences 2, 2, 2, -1 have the standard error 1.5 / 2; three of four.
+        self.assertEqual(claim.decide_greater([3, 3, 3, 0], [1, 1, 1, 1]), claim.COMES_OUT)
+        # The mean only: 4 > 1, the differences 8, 4, 0, 0 have the standard error sqrt(44 / 3) / 2 = 1.9.
+        self.assertEqual(claim.decide_greater([9, 5, 1, 1], [1, 1, 1, 1]), claim.IN_PART)
+        # The mean 1.75 > 1, but the standard error of the differences 5, 0, -1, -1 is 1.4.
+        self.assertEqual(claim.decide_greater([6, 1, 0, 0], [1, 1, 1, 1]), claim.NOT)
         self.assertEqual(claim.decide_greater([2, 2, 2, 0], [1, 1, 1, 9]), claim.IN_PART)  # the seeds only
         self.assertEqual(claim.decide_greater([1, 1], [1, 1]), claim.NOT)  # a tie
         self.assertEqual(claim.decide_greater([math.inf, math.inf], [1, 2]), claim.COMES_OUT)
