@@ -90,8 +90,8 @@ CLAIMS = [
           'step, m)', compare(runs.gain_per_step, 'free', COSINE, 4)),
     Claim('4.1.2, figure 4.11', 'cos³ "shows a more consistent velocity between episodes" (distance gained per step, '
           'breadth, m)', scattered(runs.gain_breadth, 'free', GAIN, 4), {
-              NOT: 'the straightest way with eight directions makes 0.0277 to 0.03 m a step, depending on where the goal '
-                   'lies'}),
+              NOT: 'the straightest way with eight directions makes 0.0277 to 0.03 m a step, depending on where the '
+                   'goal lies'}),
     Claim('4.1.2, figure 4.12', 'without an obstacle distance gained "yields paths that are longer" (path per distance '
           'gained)', compare(runs.path_per_gain, 'free', GAIN)),
     Claim('4.1.2', '"the agent sampled more states without obstacles than states with obstacles" (training)',

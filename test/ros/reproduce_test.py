@@ -259,6 +259,10 @@ class SensitivityTest(support.CrowdTestCase):
             'Choices that matter: epsilon moves 2 of 2 rates, by up to 20.2 points; radius moves 1 of 2 rates, by up '
             'to 1.5 points. No effect found: order.')
 
+    def test_swing(self):
+        self.assertIn('distance gained 0.0 to 100.0 %, cos³ 26.5 to 80.0 %: with 2 seeds', sensitivity.swing_text(
+            {'distance_gained': [100.0, 0.0], 'cosine_cubed': [26.5, 80.0]}))
+
     def test_names(self):
         variations = {variation.name() for variation in open_choices.VARIATIONS}
         self.assertEqual(len(variations), len(open_choices.VARIATIONS))  # no run overwrites another's files

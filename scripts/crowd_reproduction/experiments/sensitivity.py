@@ -130,6 +130,7 @@ def add_effects(chapter, setting):
         f'over the seeds by {LEAST_POINTS:g} point and by more than {LEAST_ERRORS:g} standard errors of the '
         'difference, seed by seed', ['', *map(column_name, CELLS)], rows, 'effects')
     chapter.tell(effects_text(found))
+    chapter.tell(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward)) for reward in REWARDS}))
 
 
 def effects_text(found):
@@ -141,6 +142,15 @@ def effects_text(found):
     still = [name for name in order if not moved[name]]
     text = f'Choices that matter: {"; ".join(parts) if parts else "none"}.'
     return text + (f' No effect found: {"; ".join(still)}.' if still else '')
+
+
+def swing_text(values):
+    """Why a change of a rate in demo has to be large to be seen; success in demo by the reward."""
+    parts = [f'{names.REWARD_NAMES[reward]} {min(rates_in_demo):.1f} to {max(rates_in_demo):.1f} %'
+             for reward, rates_in_demo in values.items()]
+    return (f'With the thesis configuration alone success in demo reaches from seed to seed from {", ".join(parts)}: '
+            f'with {len(next(iter(values.values())))} seeds only large changes of the rates in demo can be told from '
+            'chance.')
 
 
 def add_figure(chapter, setting):
