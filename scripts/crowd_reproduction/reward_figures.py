@@ -87,6 +87,7 @@ def add_setting(chapter, setting):
                       [start[1], start[1] + agent['radius'] * numpy.sin(heading)], color='white', zorder=5)
     picture.draw_goals(agent['goals'], agent['radius'], '#0072b2')
     picture.frame()
+    picture.axes.set_title('After figure 4.1: the setting')
     picture.axes.set_xlabel('x [m]')
     picture.axes.set_ylabel('y [m]')
     chapter.add_figure(
@@ -97,9 +98,10 @@ def add_setting(chapter, setting):
         f'{len(scenes) - 1} other episodes.')
 
 
-def panels(setting, height=3.6):
+def panels(number, parameters, what, height=3.9):
     """Two side by side, (a) distance gained and (b) cos³, as in the thesis."""
     figure, axes = style.new_figure(1, 2, 10, height, sharex=True, sharey=True)
+    figure.suptitle(f'After figure 4.{number}, {names.PARAMETER_NAMES[parameters]}: {what}', fontsize=12)
     for panel, letter, reward in zip(axes[0], LETTERS, REWARDS):
         panel.set_title(f'({letter}) reward: {names.REWARD_NAMES[reward]}')
     return figure, axes[0]
@@ -108,7 +110,7 @@ def panels(setting, height=3.6):
 def add_scatter(chapter, setting, number, parameters, measure, mode):
     """A ratio in each episode of one run."""
     label, reference, legend, median_of = RATIOS[measure]
-    figure, axes = panels(setting)
+    figure, axes = panels(number, parameters, f'{label.split(" [")[0]} {DURING[mode]}')
     medians = []
     for panel, reward in zip(axes, REWARDS):
         variant = Variant(reward, parameters)
@@ -119,7 +121,7 @@ def add_scatter(chapter, setting, number, parameters, measure, mode):
         panel.set_xlabel('episode')
     axes[0].set_ylabel(label)
     axes[0].legend(loc='best')
-    text = (f'{label} in each episode {DURING[mode]}; dots: the agent arrived; crosses: it did not. Median of all '
+    text = (f'{label.split(" [")[0]} in each episode {DURING[mode]}; dots: the agent arrived; crosses: it did not. Median of all '
             f'episodes: {", ".join(medians)}. {shown_text(setting, parameters)}')
     if measure == 'path_per_gain':
         text += ' Episodes in which nothing was gained have no such ratio: they count in the median as infinite.'
@@ -138,8 +140,8 @@ def scatter(panel, record, measure, colour):
 
 
 def add_rates(chapter, setting, number, parameters, measure, mode):
-    """A rate as a bar for the mean over the seeds, with a dot for each of them."""
-    figure, axes = panels(setting)
+    """A rate as a bar for each seed, with the mean over them."""
+    figure, axes = panels(number, parameters, f'rate of {measure} {DURING[mode]}')
     for panel, reward in zip(axes, REWARDS):
         values = numpy.sort(per_seed(setting, Variant(reward, parameters), mode, RATES[measure]))
         colour = names.REWARD_COLOURS[reward]
@@ -164,7 +166,7 @@ def add_rates(chapter, setting, number, parameters, measure, mode):
 
 def add_paths(chapter, setting, parameters):
     """Figure 4.10: walked paths without an obstacle."""
-    figure, axes = panels(setting, 5.8)
+    figure, axes = panels(10, parameters, 'paths without an obstacle', 6.1)
     pictures = []
     for panel, reward in zip(axes, REWARDS):
         variant = Variant(reward, parameters)

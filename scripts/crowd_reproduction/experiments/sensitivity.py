@@ -158,6 +158,7 @@ def add_figure(chapter, setting):
     variations = variations_of(setting)[::-1]
     panels = [(measure, mode) for measure in TABLED for mode in MODES]
     figure, axes = style.new_figure(1, len(panels), 14, 1.2 + 0.33 * len(variations), sharey=True)
+    figure.suptitle("What the thesis leaves open, one choice at a time, thesis's parameters", fontsize=12)
     for panel, (measure, mode) in zip(axes[0], panels):
         for offset, reward in zip((0.15, -0.15), REWARDS):
             draw_rates(panel, setting, variations, (measure, mode, reward), offset)
