@@ -110,7 +110,8 @@ def panels(number, parameters, what, height=3.9):
 def add_scatter(chapter, setting, number, parameters, measure, mode):
     """A ratio in each episode of one run."""
     label, reference, legend, median_of = RATIOS[measure]
-    figure, axes = panels(number, parameters, f'{label.split(" [")[0]} {DURING[mode]}')
+    ratio = label.split(' [')[0]
+    figure, axes = panels(number, parameters, f'{ratio} {DURING[mode]}')
     medians = []
     for panel, reward in zip(axes, REWARDS):
         variant = Variant(reward, parameters)
@@ -121,7 +122,7 @@ def add_scatter(chapter, setting, number, parameters, measure, mode):
         panel.set_xlabel('episode')
     axes[0].set_ylabel(label)
     axes[0].legend(loc='best')
-    text = (f'{label.split(" [")[0]} in each episode {DURING[mode]}; dots: the agent arrived; crosses: it did not. Median of all '
+    text = (f'{ratio} in each episode {DURING[mode]}; dots: the agent arrived; crosses: it did not. Median of all '
             f'episodes: {", ".join(medians)}. {shown_text(setting, parameters)}')
     if measure == 'path_per_gain':
         text += ' Episodes in which nothing was gained have no such ratio: they count in the median as infinite.'
