@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 
+from .document import fill_document
 from .page import write_page, write_tables
 from .progress import text_of
 from .runs import RunError, Runner
@@ -68,6 +69,8 @@ class Program:
                             help='tiny numbers that mean nothing, to see that all works')
         parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER',
                             help='of train and evaluate (default: beside this program; else they are built)')
+        parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md',
+                            help="also fill this document's tables, and the pictures it shows in images/ beside it")
         return parser
 
     def parse_arguments(self, words):
@@ -76,8 +79,11 @@ class Program:
     def setting_of(self, arguments):
         return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick)
 
-    def write(self, setting, chapters, _arguments):
-        """The page; returns its file."""
+    def write(self, setting, chapters, arguments):
+        """The page, and what the document asks for; returns the page's file."""
+        if arguments.document:
+            for told in fill_document(arguments.document, chapters):
+                print(told)
         page = setting.results / 'index.html'
         write_page(page, self.title, self.name, chapters,
                    self.intro + (' Quick numbers, which mean nothing.' if setting.quick else ''))

@@ -35,8 +35,9 @@ def percent(flags):
 
 
 def rates(record, rows=slice(None)):
-    """Success and contact [%], as shares of the agents in those rows of a record."""
-    return percent(record['arrived'][rows]), percent(record['touched'][rows])
+    """Success, contact and collision [%], as shares of the agents in those rows of a record. A contact is an overlap
+    of bodies; a collision is the thesis's (4.1), a rim within the collision radius."""
+    return tuple(percent(record[column][rows]) for column in ('arrived', 'touched', 'collided'))
 
 
 def of_scenario(record, name):

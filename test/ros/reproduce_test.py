@@ -11,6 +11,7 @@ import statistics
 import sys
 
 import support
+import yaml
 from roslib.packages import find_node
 
 SCRIPTS = support.in_package('scripts')
@@ -18,6 +19,8 @@ sys.path.insert(0, SCRIPTS)
 from crowd_drawing.motion import place_of  # noqa: E402
 from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv  # noqa: E402
 from crowd_experiments.runs import Run  # noqa: E402
+from crowd_experiments.setting import Setting  # noqa: E402
+from crowd_experiments.variations import changed, vary_recipe, vary_scenario  # noqa: E402
 
 REWARDS = ('distance_gained', 'cosine_cubed')
 
@@ -112,15 +115,61 @@ class RecordsTest(support.CrowdTestCase):
 
     def test_record(self):
         record = read_csv(self.write(
-            'record.csv', 'episode,scenario,arrived,touched,path_ratio\n'
-                          '0,"a, b",1,0,1.5\n1,"a, b",0,0,nan\n2,c,1,1,1.25\n3,"a, b",1,1,2.5\n'))
-        self.assertEqual(rates(record), (75.0, 50.0))
+            'record.csv', 'episode,scenario,arrived,touched,collided,path_ratio\n'
+                          '0,"a, b",1,0,1,1.5\n1,"a, b",0,0,1,nan\n2,c,1,1,1,1.25\n3,"a, b",1,1,1,2.5\n'))
+        self.assertEqual(rates(record), (75.0, 50.0, 100.0))
         self.assertEqual(median(record['path_ratio']), 1.5)
         rows = of_scenario(record, 'a, b')
         self.assertEqual(list(rows), [True, True, False, True])
-        success, contact = rates(record, rows)
+        success, contact, collision = rates(record, rows)
         self.assertAlmostEqual(success, 200.0 / 3.0)
         self.assertAlmostEqual(contact, 100.0 / 3.0)
+        self.assertEqual(collision, 100.0)
+
+
+class VariationsTest(support.CrowdTestCase):
+    """Variations of shipped files."""
+
+    def setting(self):
+        """With a config/ of its own."""
+        config, results = pathlib.Path(self.path('config')), pathlib.Path(self.path('results'))
+        for folder in ('experiments', 'scenarios'):
+            (config / folder).mkdir(parents=True, exist_ok=True)
+        return Setting(pathlib.Path(), config, results)
+
+    def test_changes_by_the_paths_of_keys(self):
+        scene = {'agents': [{'speed': 1, 'heading': 0}, {'speed': 2}], 'order': 'sequential'}
+        self.assertEqual(changed(scene, {'agents.*.heading': 'goal', 'agents.1.speed': [3, 4], 'order': None,
+                                         'colour': None, 'learning.epsilon': 0.2}),
+                         {'agents': [{'speed': 1, 'heading': 'goal'}, {'speed': [3, 4], 'heading': 'goal'}],
+                          'learning': {'epsilon': 0.2}})
+        self.assertEqual(scene['order'], 'sequential')  # is left as it was
+        with self.assertRaises(ValueError):
+            changed(scene, {'obstacles.*.radius': 0.2})
+
+    def test_recipe(self):
+        setting = self.setting()
+        self.write('config/experiments/base.yaml', 'learning: {gamma: 0.1, epsilon: 0.1}\n'
+                                                   'training: {scenarios: [../scenarios/a.yaml], episodes: 7}\n')
+        changes = {'learning.epsilon': {'from': 1, 'to': 0}, 'training.episodes': 9}
+        file = vary_recipe(setting, 'base', changes, 'varied')
+        self.assertEqual(file, pathlib.Path(self.path('results/recipes/varied.yaml')))
+        training = {'scenarios': [str(pathlib.Path(self.path('config/scenarios/a.yaml')).resolve())], 'episodes': 9}
+        self.assertEqual(yaml.safe_load(support.read_text(file)),
+                         {'learning': {'gamma': 0.1, 'epsilon': {'from': 1, 'to': 0}}, 'training': training})
+        os.utime(file, (1, 1))
+        vary_recipe(setting, 'base', changes, 'varied')
+        self.assertEqual(os.stat(file).st_mtime, 1)  # it was as it should be
+        other = vary_recipe(setting, file, {}, 'other', [pathlib.Path('/b.yaml')])
+        self.assertEqual(yaml.safe_load(support.read_text(other))['training']['scenarios'], ['/b.yaml'])
+
+    def test_scenario_with_all_its_documents(self):
+        setting = self.setting()
+        self.write('config/scenarios/two.yaml', 'name: one\nagents: [{speed: 1}]\n---\n'
+                                                'name: two\nagents: [{speed: 2}]\n')
+        file = vary_scenario(setting, 'two', {'agents.*.speed': 3}, 'fast')
+        self.assertEqual(list(yaml.safe_load_all(support.read_text(file))),
+                         [{'name': 'one', 'agents': [{'speed': 3}]}, {'name': 'two', 'agents': [{'speed': 3}]}])
 
 
 class RunTest(support.CrowdTestCase):
