@@ -11,12 +11,14 @@ CLASS_COLOURS = {1: '#e31a1c', 2: '0.6'}  # the inner radius is red in the thesi
 
 
 def draw_scene(axes, scenario, trajectories, instance, colour=None, obstacle_colour=OBSTACLE_COLOUR):
-    """A scene with the whole paths of one instance."""
+    """A scene with the whole paths of one instance; returns the picture."""
     _, walks = read_walks(trajectories, instance)
     axes.set_xlabel('x [m]')
     axes.set_ylabel('y [m]')
-    draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), colour, with_starts=True,
-                obstacle_colour=obstacle_colour).frame()
+    picture = draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), colour, with_starts=True,
+                          obstacle_colour=obstacle_colour)
+    picture.frame()
+    return picture
 
 
 def draw_perception(axes, scene, view, sectors, radii, limits):
@@ -72,7 +74,8 @@ def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_w
             draw_body(picture, scene.agents[agent], walk, tick, colour[agent])
     if marked is not None:
         place = place_at(walks[marked], tick)
-        picture.disc(place, 1.7 * scene.agents[marked]['radius'], fill=False, edgecolor='black', linewidth=1.8, zorder=9)
+        picture.disc(place, 1.7 * scene.agents[marked]['radius'], fill=False, edgecolor='black', linewidth=1.8,
+                     zorder=9)
     return picture
 
 
