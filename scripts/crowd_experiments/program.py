@@ -138,8 +138,8 @@ def find_config():
 
 
 def carry_out(setting, chosen, arguments):
-    """Does the runs that are not done yet."""
-    runs = [run for experiment in chosen for run in experiment.plan(setting)]
+    """Does the runs that are not done yet; those that several experiments need once."""
+    runs = list({run.folder: run for experiment in chosen for run in experiment.plan(setting)}.values())
     left = runs if arguments.force else [run for run in runs if not run.is_done()]
     print(f'{len(runs)} runs, {len(runs) - len(left)} of them done before', flush=True)
     if not left:

@@ -69,6 +69,28 @@ def read_table_header(file):
     raise ValueError(f'{file}: the header has no end')
 
 
+def read_visits(file):
+    """How often each row of a Q-table was visited; rows that were not are left out."""
+    with open(file, encoding='utf-8') as stream:
+        lines = iter(stream)
+        for line in lines:
+            if line.startswith('---'):
+                break
+        rows = [line.split() for line in lines if line[0].isdigit()]
+    return {int(row[0]): sum(map(int, row[1::2])) for row in rows}
+
+
+def spread_text(values, decimals=2):
+    """Mean ± standard deviation (lowest-highest) of the seeds that have a number; says how many have none."""
+    values = numpy.array(list(values), dtype=float)
+    numbers = finite(values)
+    text = Spread(numbers).text(decimals)
+    if len(numbers) == len(values):
+        return text
+    kind = 'infinite' if numpy.isinf(values).any() else 'none'
+    return f'{text}; {kind} in {len(values) - len(numbers)} of {len(values)} seeds'
+
+
 class Spread:
     """A value for every seed."""
 

@@ -114,6 +114,15 @@ void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::
   actions.resize(answers);
 }
 
+Learner::Choice Learner::greedyChoice(const Perceptions& perceptions, std::size_t index, Space& space) const {
+  makeRoom(1, space);
+  const AgentPerception& self = perceptions.agents[index];
+  const Chooser chooser = chooserAt(0, perceptionOf(perceptions, index, bodiesInSight(perceptions, self)), space);
+  findRows(chooser);
+  const Action action = QLearner::chooseGreedy(tableOf(self.agent), rowsOf(chooser));
+  return {rowsOf(chooser)[action], action};
+}
+
 inline void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
   guests_.resize(perceptions.agents.size());
   Guest* guest = guests_.data();

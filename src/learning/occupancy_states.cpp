@@ -8,26 +8,19 @@
 namespace crowd {
 namespace {
 
-static_assert(OccupancyStates::MAX_SECTORS <= SectorLimits::MOST, "all limits have a place");
-
 /// Nearer than this a wall passes through the agent's centre, and directions to its parts mean nothing [m].
 constexpr double NO_DIRECTION = 1e-9;
-
-/// Where the ray of an angle meets the line through the segment; the nearer end where they are parallel.
-Vector2 meetRay(const Segment& segment, double angle) {
-  const Vector2 ray = unitVector(angle);
-  const Vector2 along = segment.to - segment.from;
-  const double slope = cross(ray, along);
-  if (slope == 0.0) return segment.from.squaredNorm() < segment.to.squaredNorm() ? segment.from : segment.to;
-  const double share = std::clamp(-cross(ray, segment.from) / slope, 0.0, 1.0);
-  return segment.from + share * along;
-}
 
 }  // namespace
 
 OccupancyStates::OccupancyStates(const Parameters& parameters)
-    : parameters_(parameters), sectors_(parameters.sectors), limits_(sectors_), codes_(1) {
-  for (int i = 0; i < parameters.sectors; ++i) codes_ *= BASE;
+    : parameters_(parameters), sectors_(parameters.sectors), codes_(1) {
+  for (int i = 0; i < parameters.sectors; ++i) {
+    codes_ *= BASE;
+    const Vector2 limit = unitVector(sectors_.rightLimit(i));
+    limit_xs_.at(static_cast<std::size_t>(i)) = limit.x();
+    limit_ys_.at(static_cast<std::size_t>(i)) = limit.y();
+  }
   for (SectorSet set = 0; set <= allSectors(); ++set) {
     Situation situation;
     for (unsigned sector = 0; sector < MAX_SECTORS; ++sector) {
@@ -45,7 +38,7 @@ Row OccupancyStates::rowOf(const Perception& perception) const {
     addBody({bodies.xs()[i], bodies.ys()[i]}, bodies.radii()[i], occupied);
   }
   for (const Segment& wall : perception.walls) addWall(wall, occupied);
-  Row row = codes_ * static_cast<Row>(goalSector(perception.self.goal));  // (3.5)
+  Row row = codes_ * static_cast<Row>(sectors_.indexOf(bearingOf(perception.self.goal)));  // (3.5)
   Row distance_class = 0;
   SectorSet nearer = 0;
   for (const SectorSet set : occupied) {
@@ -59,48 +52,56 @@ OccupancyStates::Situation OccupancyStates::describe(const Perception& perceptio
   return situationOf(rowOf(perception));
 }
 
-inline int OccupancyStates::goalSector(const Vector2& goal) const {
-  const SectorSet sector = limits_.reachedBy(goal, 0.0);
-  return sector != 0 ? __builtin_ctz(sector) : sectors_.indexOf(bearingOf(goal));
+OccupancyStates::SectorSet OccupancyStates::sectorsBeside(SectorSet limits) const {
+  // Limit i lies between sectors i - 1 and i.
+  const auto last = static_cast<unsigned>(sectors_.count()) - 1U;
+  return limits | limits >> 1U | (limits & 1U) << last;
 }
 
-SectorSet OccupancyStates::sectorsFrom(long first, long last) const {
-  const long count = std::min<long>(last - first + 1, sectors_.count());
-  const SectorSet beyond_a_circle = ((1U << static_cast<unsigned>(count)) - 1U)
-                                    << static_cast<unsigned>(sectors_.wrap(first));
-  return (beyond_a_circle | beyond_a_circle >> static_cast<unsigned>(sectors_.count())) & allSectors();
+inline OccupancyStates::SectorSet OccupancyStates::limitsCut(const Vector2& centre, double radius,
+                                                             double length) const {
+  SectorSet cut = 0;
+  for (unsigned i = 0; i < static_cast<unsigned>(sectors_.count()); ++i) {
+    const double along = limit_xs_[i] * centre.x() + limit_ys_[i] * centre.y();
+    const double across = limit_xs_[i] * centre.y() - limit_ys_[i] * centre.x();
+    const double beyond = along - std::clamp(along, 0.0, length);
+    cut |= static_cast<SectorSet>(beyond * beyond + across * across <= radius * radius) << i;
+  }
+  return cut;
 }
 
-SectorSet OccupancyStates::sectorsSpanned(const Vector2& centre, double distance, double radius) const {
-  const double bearing = bearingOf(centre);
-  const double half_span = std::asin(radius / distance);
-  return sectorsFrom(sectors_.unwrappedIndexOf(bearing - half_span), sectors_.unwrappedIndexOf(bearing + half_span));
+OccupancyStates::SectorSet OccupancyStates::limitsCut(const Segment& wall, double length) const {
+  SectorSet cut = 0;
+  for (unsigned i = 0; i < static_cast<unsigned>(sectors_.count()); ++i) {
+    const Vector2 limit(limit_xs_[i], limit_ys_[i]);
+    const double from = cross(limit, wall.from);
+    const double to = cross(limit, wall.to);
+    if (from == to || (from > 0.0) == (to > 0.0)) continue;  // the wall does not cross the line of the limit
+    const Vector2 crossing = wall.from + from / (from - to) * (wall.to - wall.from);
+    const double along = limit.dot(crossing);
+    cut |= static_cast<SectorSet>(along >= 0.0 && along <= length) << i;
+  }
+  return cut;
 }
 
 inline void OccupancyStates::addBody(const Vector2& centre, double radius, Occupied& occupied) const {
-  const double distance = centre.norm();
-  const int distance_class = parameters_.distances.classOf(distance - radius);
+  const DistanceClasses& distances = parameters_.distances;
+  const int distance_class = distances.classOf(centre.norm() - radius);
   if (distance_class == 0) return;
-  if (distance <= radius) return occupy(occupied, allSectors(), distance_class);  // the agent stands inside
-  const SectorSet reached = limits_.reachedBy(centre, radius);
-  occupy(occupied, reached != 0 ? reached : sectorsSpanned(centre, distance, radius), distance_class);
+  occupy(occupied, sectorOf(centre), distance_class);
+  if (distance_class == 1) occupy(occupied, sectorsBeside(limitsCut(centre, radius, distances.collision_radius)), 1);
+  occupy(occupied, sectorsBeside(limitsCut(centre, radius, distances.vision_radius)), 2);
 }
 
 void OccupancyStates::addWall(const Segment& wall, Occupied& occupied) const {
-  if (nearestPoint(wall, Vector2::Zero()).norm() <= NO_DIRECTION) return occupy(occupied, allSectors(), 1);
-  const bool counterclockwise = cross(wall.from, wall.to) >= 0.0;
-  const Segment sweep = counterclockwise ? wall : Segment{wall.to, wall.from};
-  const double begin = bearingOf(sweep.from);
-  const double span = std::abs(wrapAngle(bearingOf(sweep.to) - begin));
-  const long first = sectors_.unwrappedIndexOf(begin);
-  const long last = sectors_.unwrappedIndexOf(begin + span);
-  for (long sector = first; sector <= last; ++sector) {
-    // A long wall is near in one sector and far in the next: only the part within the sector counts.
-    const Segment part = {sector == first ? sweep.from : meetRay(sweep, sectors_.rightLimit(sector)),
-                          sector == last ? sweep.to : meetRay(sweep, sectors_.rightLimit(sector + 1))};
-    const int distance_class = parameters_.distances.classOf(distanceTo(part, Vector2::Zero()));
-    if (distance_class > 0) occupy(occupied, sectorsFrom(sector, sector), distance_class);
-  }
+  const DistanceClasses& distances = parameters_.distances;
+  const Vector2 nearest = nearestPoint(wall, Vector2::Zero());
+  if (nearest.norm() <= NO_DIRECTION) return occupy(occupied, allSectors(), 1);
+  const int distance_class = distances.classOf(nearest.norm());
+  if (distance_class == 0) return;
+  occupy(occupied, sectorOf(nearest), distance_class);
+  occupy(occupied, sectorsBeside(limitsCut(wall, distances.collision_radius)), 1);
+  occupy(occupied, sectorsBeside(limitsCut(wall, distances.vision_radius)), 2);
 }
 
 Row OccupancyStates::rowOf(const Situation& situation) const {

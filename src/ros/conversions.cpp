@@ -15,6 +15,8 @@ void toMessage(const Agent& agent, social_crowd::AgentState& message) {
   message.status = static_cast<std::uint8_t>(agent.status);
   message.in_contact = agent.in_contact ? 1 : 0;
   message.touched = agent.touched ? 1 : 0;
+  message.in_collision = agent.in_collision ? 1 : 0;
+  message.collided = agent.collided ? 1 : 0;
   message.blocked = agent.blocked ? 1 : 0;
   message.blocked_moves = agent.blocked_moves;
 }
@@ -43,6 +45,7 @@ social_crowd::AgentResult toMessage(const AgentResult& result, std::size_t agent
   message.arrived = result.arrived ? 1 : 0;
   message.removed = result.removed ? 1 : 0;
   message.touched = result.touched ? 1 : 0;
+  message.collided = result.collided ? 1 : 0;
   message.blocked_moves = result.blocked_moves;
   message.ticks = result.ticks;
   message.path_length = result.path_length;
@@ -86,6 +89,7 @@ void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message
   message.scenario = result.scenario;
   message.success_percent = figures.successPercent();
   message.contact_percent = figures.contactPercent();
+  message.collision_percent = figures.collisionPercent();
   message.blocked_moves = result.blockedMoves();
   message.agents.clear();
   for (const AgentResult& agent : result.agents) message.agents.push_back(toMessage(agent, message.agents.size()));
@@ -97,6 +101,8 @@ void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& m
   message.tick_duration = scene.tick_duration;
   message.max_ticks = scene.max_ticks;
   message.goal_tolerance = scene.goal_tolerance;
+  message.collision_radius = scene.collision_radius;
+  message.order = static_cast<std::uint8_t>(scene.order);
   message.contact = static_cast<std::uint8_t>(scene.contact);
   toMessages(world.agents(), message.agents);
   message.obstacles = obstacleStates(world);

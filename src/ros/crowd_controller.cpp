@@ -55,8 +55,8 @@ void CrowdController::takeActions(const ActionsMessage::ConstPtr& message) {
 void CrowdController::run() {
   services_.start();
   while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
-    waitWhilePaused();
-    if (!loop_.isClosed()) walkTick();
+    if (tick_ended_) waitWhilePaused();
+    if (!loop_.isClosed()) walkTurn();
   }
   finishSteps();
   noteRest();
@@ -66,9 +66,9 @@ void CrowdController::run() {
 
 void CrowdController::linger() {
   if (figures_.episodes() > 1) {
-    ROS_INFO("%lu episodes: success %.2f %%, contact %.2f %%, clean %.1f %%, path ratio %.3f, time ratio %.3f",
+    ROS_INFO("%lu episodes: success %.2f %%, contact %.2f %%, collision %.2f %%, clean %.1f %%, path ratio %.3f, time ratio %.3f",
              static_cast<unsigned long>(figures_.episodes()), figures_.successPercent(), figures_.contactPercent(),
-             figures_.cleanPercent(), figures_.pathRatio(), figures_.timeRatio());
+             figures_.collisionPercent(), figures_.cleanPercent(), figures_.pathRatio(), figures_.timeRatio());
   }
   // ROS does not tell when a message has left the process.
   serveUntil(Clock::now() + FLUSH);
@@ -90,13 +90,17 @@ std::optional<TrajectoryFile> CrowdController::beginRecording(const std::string&
 
 void CrowdController::restart(std::optional<TrajectoryFile> recording) {
   instance_ = 0;
+  headings_.clear();
   trajectory_file_ = std::move(recording);
   beginEpisode();
 }
 
 void CrowdController::beginEpisode() {
   cut_off_ = true;
-  episode_ = std::make_unique<Episode>(scenarios_.scene(seed_, instance_), next_episode_++, parameters_.vision);
+  tick_ended_ = true;
+  Scene scene = scenarios_.scene(seed_, instance_);
+  keepHeadings(headings_, scene);
+  episode_ = std::make_unique<Episode>(std::move(scene), next_episode_++, parameters_.vision);
   lockstep_.resetCounts();
   trajectory_.clear();
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
@@ -112,6 +116,7 @@ void CrowdController::endEpisode() {
   broadcaster_.publishResult(*episode_, instance_, lockstep_.missedCount(), lockstep_.droppedCount());
   const EpisodeResult result = episode_->result();
   figures_.add(result);
+  headings_ = result.headings();
   logResult(result);
   if (trajectory_file_) trajectory_file_->append(trajectory_);
   ++instance_;
@@ -122,10 +127,10 @@ void CrowdController::logResult(const EpisodeResult& result) {
   Figures figures;
   figures.add(result);
   ROS_INFO(
-      "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, path ratio %.3f, "
+      "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, %zu in collision, path ratio %.3f, "
       "time ratio %.3f, %lu answers missed, %lu dropped",
       static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), static_cast<unsigned long>(instance_),
-      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
+      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(), result.collidedCount(),
       figures.pathRatio(), figures.timeRatio(), static_cast<unsigned long>(lockstep_.missedCount()),
       static_cast<unsigned long>(lockstep_.droppedCount()));
 }
@@ -139,7 +144,7 @@ void CrowdController::waitWhilePaused() {
   }
 }
 
-void CrowdController::walkTick() {
+void CrowdController::walkTurn() {
   cut_off_ = false;
   std::vector<AgentId> asked;
   for (const AgentPerception& self : episode_->perceptions().agents) {
@@ -152,7 +157,11 @@ void CrowdController::walkTick() {
   awaitAnswers();
   if (cut_off_ || loop_.isClosed()) return;  // another episode has begun
   lockstep_.close();
-  episode_->step(lockstep_.answers());
+  tick_ended_ = episode_->step(lockstep_.answers());
+  if (tick_ended_) endTick();
+}
+
+void CrowdController::endTick() {
   broadcaster_.advanceClock(episode_->scene().tick_duration);
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
   keepPace();
@@ -195,7 +204,8 @@ void CrowdController::awaitNewcomers(const Clock& since) {
 
 void CrowdController::awaitSomebody(const Clock& since) {
   // With nobody left to wait for, a tick lasts as long as in real time: the episode neither hangs nor rushes by.
-  const double seconds = std::min(parameters_.answer_deadline, episode_->scene().tick_duration);
+  const double turn = episode_->scene().tick_duration / static_cast<double>(episode_->turnsOfTick());
+  const double seconds = std::min(parameters_.answer_deadline, turn);
   const Clock deadline = since + ros::WallDuration(seconds);
   while (!loop_.isClosed() && !cut_off_ && lockstep_.isDeserted() && Clock::now() < deadline) {
     warnOfSilence(since);

@@ -76,6 +76,7 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
   run_ = message.run;
   episode_ = perceptions.episode;
   tick_ = perceptions.tick;
+  turn_ = perceptions.turn;
   const ActionsMessage::Ptr reply = replies_.next();
   learner_.decide(perceptions, reply->content);
   if (!reply->content.agents.empty()) {
@@ -90,7 +91,7 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
 bool LearnerNode::isRepeated(const PerceptionsMessage& message) const {
   const ActionsMessage::ConstPtr& last = actions_publisher_.last();
   return last != nullptr && message.run == run_ && message.content().episode == last->content.episode &&
-         message.content().tick == last->content.tick && message.header.stamp == last->header.stamp;
+         message.content().tick == last->content.tick && message.content().turn == turn_ && message.header.stamp == last->header.stamp;
 }
 
 void LearnerNode::noteEpisode() {

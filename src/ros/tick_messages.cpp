@@ -20,7 +20,7 @@ constexpr std::uint32_t WIRE_BODY = 1 + 5 * NUMBER;
 constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
 constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
-constexpr std::uint32_t WIRE_PERCEPTIONS = 4 * NUMBER + 1 + 3 * COUNT;  // all but header and lists
+constexpr std::uint32_t WIRE_PERCEPTIONS = 4 * NUMBER + COUNT + 1 + 3 * COUNT;  // all but header and lists
 constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;
 
 /// Puts numbers one behind the other where there is room for them, which is asked for once a list.
@@ -222,6 +222,7 @@ void Serializer<PerceptionsMessage>::write(OStream& stream, const PerceptionsMes
   stream.next(message.header);
   stream.next(content.episode);
   stream.next(content.tick);
+  stream.next(content.turn);
   stream.next(content.tick_duration);
   stream.next(message.run);
   stream.next(std::uint8_t{content.last});
@@ -236,6 +237,7 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   stream.next(message.header);
   stream.next(content.episode);
   stream.next(content.tick);
+  stream.next(content.turn);
   stream.next(content.tick_duration);
   stream.next(message.run);
   stream.next(last);

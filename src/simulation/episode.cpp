@@ -1,5 +1,7 @@
 #include "social_crowd/simulation/episode.h"
 
+#include <optional>
+
 namespace crowd {
 
 Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Workers& workers)
@@ -10,10 +12,30 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Worker
       monitor_(scene_, world_),
       number_(number) {}
 
-void Episode::step(const std::vector<AgentAction>& actions) {
-  world_.step(actions, *workers_);
+bool Episode::step(const std::vector<AgentAction>& actions) {
+  if (!isSequential()) {
+    world_.step(actions, *workers_);
+    return endTick();
+  }
+  world_.moveAgent(turn_, actions);
+  are_current_ = false;
+  ++turn_;
+  if (findTurn()) return false;
+  world_.endTick(*workers_);
+  turn_ = 0;
+  return endTick();
+}
+
+bool Episode::endTick() {
   monitor_.observe(world_, *workers_);
   are_current_ = false;
+  return true;
+}
+
+bool Episode::findTurn() {
+  const std::size_t agents = world_.agents().size();
+  while (turn_ < agents && !world_.isPerceiving(turn_)) ++turn_;
+  return turn_ < agents;
 }
 
 bool Episode::isOver() const { return world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks; }
@@ -21,15 +43,27 @@ bool Episode::isOver() const { return world_.activeCount() == 0 || world_.tick()
 const std::shared_ptr<Perceptions>& Episode::perceive() {
   if (are_current_) return perceptions_;
   buffers_.renew(perceptions_);
-  world_.perceive(vision_, *perceptions_);
+  perceptions_->turn = 0;
+  if (!isSequential() || isOver()) {
+    world_.perceive(vision_, *perceptions_);
+  } else {
+    perceiveTurn();
+  }
   perceptions_->episode = number_;
   perceptions_->last = isOver();
   are_current_ = true;
   return perceptions_;
 }
 
+void Episode::perceiveTurn() {
+  // No agent is left where the last ones were taken off the floor after the turn before.
+  const bool found = findTurn();
+  world_.perceiveAgent(vision_, found ? std::optional<AgentId>(turn_) : std::nullopt, *perceptions_);
+  perceptions_->turn = turn_;
+}
+
 void Episode::decide(Learner& learner, RelativeActions& actions) {
-  if (learner.mode() != Mode::DEMO) return learner.decide(perceptions(), actions);
+  if (learner.mode() != Mode::DEMO || isSequential()) return learner.decide(perceptions(), actions);
   actions.episode = number_;
   actions.tick = world_.tick();
   actions.agents.clear();

@@ -37,6 +37,18 @@ std::size_t EpisodeResult::touchedCount() const {
   return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), touched));
 }
 
+std::size_t EpisodeResult::collidedCount() const {
+  const auto collided = [](const AgentResult& agent) { return agent.collided && !agent.removed; };
+  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), collided));
+}
+
+std::vector<double> EpisodeResult::headings() const {
+  std::vector<double> headings;
+  headings.reserve(agents.size());
+  for (const AgentResult& agent : agents) headings.push_back(agent.heading);
+  return headings;
+}
+
 std::uint64_t EpisodeResult::blockedMoves() const {
   std::uint64_t sum = 0;
   for (const AgentResult& agent : agents) sum += agent.removed ? 0 : agent.blocked_moves;
@@ -56,6 +68,7 @@ void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
   track.position = start.position;
   track.distance = (track.goal - track.position).norm();
   track.speed = start.speed;
+  track.result.heading = start.heading;
   track.result.straight_length = straightLength(start, goal_tolerance_);
   tracks_.push_back(track);
 }
@@ -100,7 +113,9 @@ inline void EpisodeMonitor::observeAgent(const Agent& agent, bool along_heading,
   track.longest_step = std::max(track.longest_step, length);
   track.result.path_length += length;
   track.result.ticks = ticks_ - track.begin;
+  track.result.heading = agent.pose.heading;
   track.result.touched = agent.touched;
+  track.result.collided = agent.collided;
   track.result.blocked_moves = agent.blocked_moves;
   track.result.arrived = agent.hasArrived();
 }
@@ -128,6 +143,7 @@ void Figures::add(const EpisodeResult& result) {
   clean_ += result.isClean() ? 1 : 0;
   agents_ += result.agentCount();
   touched_ += result.touchedCount();
+  collided_ += result.collidedCount();
   blocked_moves_ += result.blockedMoves();
   for (const AgentResult& agent : result.agents) {
     max_speed_ratio_ = std::max(max_speed_ratio_, agent.max_speed_ratio);

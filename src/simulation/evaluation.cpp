@@ -9,6 +9,7 @@
 
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/state_record.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scene_document.h"
 
@@ -29,11 +30,13 @@ EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const Evaluati
   if (plan.scenes) walked.scene = toDocument(scene);
   Episode episode(scene, instance, learner.model().vision(), workers);
   RelativeActions actions;
+  bool tick_ended = true;
   for (;;) {
-    if (plan.record) appendTrajectoryRows(instance, episode.world(), walked.trajectory);
+    if (plan.record && tick_ended) appendTrajectoryRows(instance, episode.world(), walked.trajectory);
     if (episode.isOver()) break;
+    if (plan.states) appendStateRows(instance, episode.perceptions(), learner, walked.states);
     episode.decide(learner, actions);
-    episode.step(actions.agents);
+    tick_ended = episode.step(actions.agents);
   }
   walked.result = episode.result();
   return walked;
@@ -91,14 +94,21 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
   const std::uint64_t episodes = plan.episodes > 0 ? plan.episodes : scenarios.size();
   OrderedRun run(episodes, deliver);
   // Threads that are left when every episode has one share out the agents within.
-  const auto side_by_side = static_cast<unsigned>(std::clamp<std::uint64_t>(episodes, 1, std::max(1U, plan.threads)));
+  // Where agents keep their heading each episode has to wait for the one before it.
+  const std::uint64_t at_a_time = scenarios.keepHeadings() ? 1 : episodes;
+  const auto side_by_side = static_cast<unsigned>(std::clamp<std::uint64_t>(at_a_time, 1, std::max(1U, plan.threads)));
   const auto work = [&] {
     try {
       Workers workers(plan.threads / side_by_side);
       Learner learner = makeDemoLearner(trained);
+      std::vector<double> headings;  // of the agents at the end of the episode before
       std::uint64_t instance = 0;
       while (run.next(instance)) {
-        run.bring(walk(scenarios.scene(plan.seed, instance), instance, plan, learner, workers));
+        Scene scene = scenarios.scene(plan.seed, instance);
+        keepHeadings(headings, scene);
+        EvaluatedEpisode walked = walk(scene, instance, plan, learner, workers);
+        headings = walked.result.headings();
+        run.bring(std::move(walked));
       }
     } catch (...) {
       run.fail(std::current_exception());

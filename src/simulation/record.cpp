@@ -20,8 +20,8 @@ void appendRecordRows(std::uint64_t episode, const EpisodeResult& result, std::s
   for (std::size_t i = 0; i < result.agents.size(); ++i) {
     const AgentResult& agent = result.agents[i];
     if (agent.removed) continue;
-    rows += begin + std::to_string(i) + (agent.arrived ? ",1" : ",0") + (agent.touched ? ",1," : ",0,") +
-            std::to_string(agent.blocked_moves) + "," + std::to_string(agent.ticks);
+    rows += begin + std::to_string(i) + (agent.arrived ? ",1" : ",0") + (agent.touched ? ",1" : ",0") +
+            (agent.collided ? ",1," : ",0,") + std::to_string(agent.blocked_moves) + "," + std::to_string(agent.ticks);
     for (const double value : {agent.path_length, agent.path_ratio, agent.time_ratio, agent.turn_per_metre,
                                agent.distance_gained, agent.gain_per_tick, agent.path_per_gain}) {
       rows += "," + toText(value);

@@ -60,6 +60,7 @@ Training::Training(Recipe recipe, unsigned threads)
     : recipe_(std::move(recipe)),
       scenarios_(readAll(recipe_.training.scenarios)),
       learners_(makeLearners(recipe_)),
+      headings_(learners_.size()),
       workers_(std::min(threads, recipe_.training.side_by_side)) {}
 
 Training::Training(Recipe recipe, TrainedTable begin, unsigned threads) : Training(std::move(recipe), threads) {
@@ -84,8 +85,10 @@ std::vector<EpisodeResult> Training::runEpisodes(std::uint64_t each) {
     for (std::size_t number = first; number < last; ++number) {
       const std::uint64_t end = std::min<std::uint64_t>((number + 1) * each, results.size());
       for (std::uint64_t i = number * each; i < end; ++i) {
-        const Scene scene = scenarios_.scene(recipe_.training.seed, episode_ + i);
+        Scene scene = scenarios_.scene(recipe_.training.seed, episode_ + i);
+        keepHeadings(headings_[number], scene);
         results[i] = runEpisode(scene, episode_ + i, learners_[number]);
+        headings_[number] = results[i].headings();
       }
     }
   });

@@ -14,6 +14,7 @@
 #include "social_crowd/simulation/evaluation.h"
 #include "social_crowd/simulation/recipe.h"
 #include "social_crowd/simulation/record.h"
+#include "social_crowd/simulation/state_record.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scenario_reader.h"
 
@@ -25,6 +26,7 @@ struct Arguments {
   std::string config;
   std::string trajectories;
   std::string scenes;
+  std::string states;
   std::string csv;
   std::string record;
   std::vector<std::string> scenarios;
@@ -32,28 +34,28 @@ struct Arguments {
 };
 
 constexpr const char* CSV_HEADER =
-    "scenario,instances,success_pct,contact_pct,clean_pct,path_ratio,time_ratio,turn_rad_per_m,max_speed_ratio,"
+    "scenario,instances,success_pct,contact_pct,collision_pct,clean_pct,path_ratio,time_ratio,turn_rad_per_m,max_speed_ratio,"
     "blocked_per_agent\n";
 
 std::string csvRow(const std::string& name, const Figures& figures) {
   std::string row = name + "," + std::to_string(figures.episodes());
   for (const double value :
-       {figures.successPercent(), figures.contactPercent(), figures.cleanPercent(), figures.pathRatio(),
-        figures.timeRatio(), figures.turnPerMetre(), figures.maxSpeedRatio(), figures.blockedMovesPerAgent()}) {
+       {figures.successPercent(), figures.contactPercent(), figures.collisionPercent(), figures.cleanPercent(),
+        figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(), figures.maxSpeedRatio(), figures.blockedMovesPerAgent()}) {
     row += "," + toText(value);
   }
   return row + "\n";
 }
 
 void printHeader() {
-  std::printf("%-18s %9s %8s %8s %7s %6s %6s %6s %6s %7s\n", "scenario", "instances", "success%", "contact%", "clean%",
-              "path", "time", "rad/m", "speed", "blocked");
+  std::printf("%-18s %9s %8s %8s %10s %7s %6s %6s %6s %6s %7s\n", "scenario", "instances", "success%", "contact%",
+              "collision%", "clean%", "path", "time", "rad/m", "speed", "blocked");
 }
 
 void printRow(const std::string& name, const Figures& figures) {
-  std::printf("%-18s %9llu %8.2f %8.2f %7.1f %6.3f %6.3f %6.2f %6.2f %7.2f\n", name.c_str(),
+  std::printf("%-18s %9llu %8.2f %8.2f %10.2f %7.1f %6.3f %6.3f %6.2f %6.2f %7.2f\n", name.c_str(),
               static_cast<unsigned long long>(figures.episodes()), figures.successPercent(), figures.contactPercent(),
-              figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(),
+              figures.collisionPercent(), figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(),
               figures.maxSpeedRatio(), figures.blockedMovesPerAgent());
   std::fflush(stdout);
 }
@@ -76,6 +78,10 @@ class Writing {
  public:
   Writing(const Arguments& arguments, const std::string& name) {
     if (arguments.plan.record) trajectories_.emplace(arguments.trajectories, name);
+    if (arguments.plan.states) {
+      makeFolder(arguments.states);
+      states_.emplace(arguments.states + "/" + name + ".csv", STATE_RECORD_HEADER);
+    }
     if (!arguments.plan.scenes) return;
     makeFolder(arguments.scenes);
     scenes_.emplace(arguments.scenes + "/" + name + ".yaml",
@@ -84,11 +90,13 @@ class Writing {
 
   void write(const EvaluatedEpisode& walked) {
     if (trajectories_) trajectories_->append(walked.trajectory);
+    if (states_) states_->append(walked.states);
     if (scenes_) scenes_->append(walked.scene);
   }
 
  private:
   std::optional<TrajectoryFile> trajectories_;
+  std::optional<GrowingFile> states_;
   std::optional<GrowingFile> scenes_;
 };
 
@@ -114,6 +122,10 @@ int evaluateAll(Arguments& arguments) {
   if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, trained);
   arguments.plan.record = !arguments.trajectories.empty();
   arguments.plan.scenes = !arguments.scenes.empty();
+  arguments.plan.states = !arguments.states.empty();
+  if (arguments.plan.states && arguments.states == arguments.trajectories) {
+    throw InputError("--states: expected another folder than that of --trajectories, got '" + arguments.states + "'");
+  }
   // All files are read before the first is walked: an error in the last one is told at once.
   std::vector<ScenarioList> scenarios;
   for (const std::string& file : arguments.scenarios) scenarios.push_back(readScenarios(file));
@@ -149,6 +161,9 @@ int runMain(int argc, char** argv) {
                  "folder for a NAME.csv (instance,tick,agent,x,y) a scenario file");
   app.add_option("--scenes", arguments.scenes,
                  "folder for a NAME.yaml a scenario file: what was drawn, one document an instance");
+  app.add_option("--states", arguments.states,
+                 "folder for a NAME.csv a scenario file: the row of the Q-table, the action and the occupied sectors of "
+                 "every decision");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
   app.add_option("--csv", arguments.csv, "file for the figures");
   app.add_option("SCENARIO", arguments.scenarios, "scenario files")->required();

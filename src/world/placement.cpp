@@ -61,8 +61,13 @@ class Placement {
  private:
   [[noreturn]] void fail(const Label& label, const std::string& problem) const;
 
+  /// What the place of an obstacle depends on.
+  enum class Position { FIXED, DRAWN, BETWEEN };
+  static Position positionOf(const ObstacleGroup& group);
+
   void noteFixedGoals();
-  void placeObstacles(bool fixed);
+  void placeObstacles(Position position);
+  Vector2 drawStart(const ObstacleGroup& group, const Label& label);
   Obstacle drawObstacle(const ObstacleGroup& group, const Label& label);
   ObstaclePath drawPath(const ObstacleGroup& group, const Vector2& start, const Label& label);
 
@@ -88,7 +93,9 @@ Scene Placement::place() {
   scene_.tick_duration = scenario_.tick_duration;
   scene_.max_ticks = scenario_.max_ticks;
   scene_.goal_tolerance = scenario_.goal_tolerance;
+  scene_.collision_radius = scenario_.collision_radius;
   scene_.contact = scenario_.contact;
+  scene_.order = scenario_.order;
   scene_.walls = scenario_.walls;
   for (const AgentGroup& group : scenario_.agents) {
     scene_.agents.resize(scene_.agents.size() + static_cast<std::size_t>(group.count));
@@ -99,10 +106,11 @@ Scene Placement::place() {
   }
   scene_.obstacles.resize(obstacle_count, {ObstaclePath::atRest(Vector2::Zero()), 0.0});
   noteFixedGoals();
-  placeObstacles(true);
+  placeObstacles(Position::FIXED);
   placeFixedAgents();
-  placeObstacles(false);
+  placeObstacles(Position::DRAWN);
   completeAgents();
+  placeObstacles(Position::BETWEEN);
   return std::move(scene_);
 }
 
@@ -123,12 +131,17 @@ void Placement::noteFixedGoals() {
   }
 }
 
-void Placement::placeObstacles(bool fixed) {
+Placement::Position Placement::positionOf(const ObstacleGroup& group) {
+  if (group.between) return Position::BETWEEN;
+  return group.position.isFixed() ? Position::FIXED : Position::DRAWN;
+}
+
+void Placement::placeObstacles(Position position) {
   std::size_t next = 0;
   for (std::size_t entry = 0; entry < scenario_.obstacles.size(); ++entry) {
     const ObstacleGroup& group = scenario_.obstacles[entry];
     for (int number = 1; number <= group.count; ++number, ++next) {
-      if (group.position.isFixed() != fixed) {
+      if (positionOf(group) != position) {
         continue;
       }
       const Label label{"obstacles", entry, group.line, number, group.count};
@@ -139,13 +152,22 @@ void Placement::placeObstacles(bool fixed) {
   }
 }
 
+Vector2 Placement::drawStart(const ObstacleGroup& group, const Label& label) {
+  if (!group.between) return group.position.draw(random_);
+  if (group.between->agent >= scene_.agents.size()) {
+    fail(label, label.text() + ".position.between.agent: expected the number of an agent, 0 to " +
+                    std::to_string(scene_.agents.size() - 1) + ", got " + std::to_string(group.between->agent));
+  }
+  return group.between->draw(scene_.agents[group.between->agent], random_);
+}
+
 Obstacle Placement::drawObstacle(const ObstacleGroup& group, const Label& label) {
   const bool rests = group.motion == ObstaclePath::Kind::AT_REST;
   for (int tries = 0; tries < MAX_TRIES; ++tries) {
-    const Vector2 start = group.position.draw(random_);
+    const Vector2 start = drawStart(group, label);
     const double radius = group.radius.draw(random_);
-    const bool fits =
-        group.position.isFixed() || (!findBlocker(start, radius, DRAWN_GAP) && !(rests && coversGoal(start, radius)));
+    const bool fits = positionOf(group) == Position::FIXED ||
+                      (!findBlocker(start, radius, DRAWN_GAP) && !(rests && coversGoal(start, radius)));
     if (fits) {
       return {drawPath(group, start, label), radius};
     }
@@ -205,6 +227,7 @@ void Placement::completeAgents() {
       agent.speed = group.speed.draw(random_);
       agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
       agent.heading = wrapAngle(agent.heading);
+      agent.keeps_heading = group.keeps_heading;
     }
   }
 }

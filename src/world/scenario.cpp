@@ -1,5 +1,6 @@
 #include "social_crowd/world/scenario.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "social_crowd/common/errors.h"
@@ -18,6 +19,20 @@ Vector2 Region::draw(KeyedRandom& random) const {
     return first + (radius.isFixed() ? radius.low : std::sqrt(squared)) * unitVector(bearing);
   }
   return first;
+}
+
+Vector2 Between::draw(const AgentStart& start, KeyedRandom& random) const {
+  const Vector2 way = start.goals.front() - start.position;
+  const double along = share.draw(random);
+  const Vector2 left = unitVector(bearingOf(way) + PI / 2.0);
+  return start.position + along * way + aside.draw(random) * left;
+}
+
+bool ScenarioList::keepHeadings() const {
+  const auto keeps = [](const AgentGroup& group) { return group.keeps_heading; };
+  return std::any_of(scenarios_.begin(), scenarios_.end(), [&](const Scenario& scenario) {
+    return std::any_of(scenario.agents.begin(), scenario.agents.end(), keeps);
+  });
 }
 
 Scene ScenarioList::scene(std::uint64_t run_seed, std::uint64_t episode) const {

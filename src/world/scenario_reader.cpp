@@ -11,6 +11,7 @@ namespace {
 
 constexpr double MAX_TICKS = 1e9;
 constexpr std::int64_t MAX_COUNT = 10000;
+constexpr std::int64_t MAX_AGENT = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t MAX_SEED = std::numeric_limits<std::int64_t>::max();
 
 /// Turns what a document says into SI: per tick or per second, ticks or seconds.
@@ -124,12 +125,28 @@ void readGoals(YamlMap& map, AgentGroup& group) {
   group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...} or {opposite: [x, y]}")};
 }
 
-int readCount(YamlMap& map, const Region& position) {
+int readCount(YamlMap& map, bool is_fixed) {
   const auto count = static_cast<int>(map.whole("count", 1, MAX_COUNT, 1));
-  if (count > 1 && position.isFixed()) {
+  if (count > 1 && is_fixed) {
     throwProblem(map.placeOf("count"), map.need("count"), "more than one body needs a region as position");
   }
   return count;
+}
+
+/// Reads goal, random, kept, or degrees.
+void readHeading(YamlMap& map, AgentGroup& group) {
+  const YAML::Node node = map.find("heading");
+  const std::string word = node && node.IsScalar() ? node.Scalar() : "";
+  if (!node || word == "goal") return;
+  group.keeps_heading = word == "kept";
+  if (group.keeps_heading) return;
+  const YamlPlace place = map.placeOf("heading");
+  const bool is_number = word.find_first_of("0123456789") != std::string::npos;
+  if (node.IsScalar() && word != "random" && !is_number) {
+    throwExpected(place, node, "goal, random, kept, or degrees: a number or [low, high]");
+  }
+  const Range degrees = word == "random" ? Range{-180.0, 180.0} : readRange(node, place, NumberRule::ANY);
+  group.heading = Range{toRadians(degrees.low), toRadians(degrees.high)};
 }
 
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units) {
@@ -140,11 +157,8 @@ AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Unit
   readGoals(map, group);
   group.speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
   group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
-  if (const YAML::Node heading = map.find("heading")) {
-    const Range degrees = readRange(heading, map.placeOf("heading"), NumberRule::ANY);
-    group.heading = Range{toRadians(degrees.low), toRadians(degrees.high)};
-  }
-  group.count = readCount(map, group.position);
+  readHeading(map, group);
+  group.count = readCount(map, group.position.isFixed());
   map.finish();
   return group;
 }
@@ -182,13 +196,38 @@ void readMotion(YamlMap& map, const Units& units, ObstacleGroup& group) {
   }
 }
 
+Between readBetween(const YAML::Node& node, const YamlPlace& place) {
+  YamlMap map(node, place);
+  Between between;
+  between.agent = static_cast<std::size_t>(map.whole("agent", 0, MAX_AGENT));
+  between.share = readRange(map.need("share"), map.placeOf("share"), NumberRule::SHARE);
+  if (const YAML::Node aside = map.find("aside")) {
+    between.aside = readRange(aside, map.placeOf("aside"), NumberRule::ANY);
+  }
+  map.finish();
+  return between;
+}
+
+void readPosition(YamlMap& map, ObstacleGroup& group) {
+  const YAML::Node position = map.need("position");
+  const YamlPlace place = map.placeOf("position");
+  if (position.IsMap() && position.size() == 1) {
+    YamlMap choice(position, place);
+    if (const YAML::Node between = choice.find("between")) {
+      group.between = readBetween(between, choice.placeOf("between"));
+      return;
+    }
+  }
+  group.position = readRegion(position, place, "[x, y], {box: ...}, {ring: ...} or {between: ...}");
+}
+
 ObstacleGroup readObstacles(const YAML::Node& node, const YamlPlace& place, const Units& units) {
   YamlMap map(node, place);
   ObstacleGroup group;
   group.line = lineOf(node);
-  group.position = readRegion(map.need("position"), map.placeOf("position"));
+  readPosition(map, group);
   group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
-  group.count = readCount(map, group.position);
+  group.count = readCount(map, !group.between && group.position.isFixed());
   readMotion(map, units, group);
   map.finish();
   return group;
@@ -248,6 +287,14 @@ Contact readContact(YamlMap& map) {
   return name == "solid" ? Contact::SOLID : Contact::GHOST;
 }
 
+Order readOrder(YamlMap& map) {
+  const std::string name = map.text("order", "simultaneous");
+  if (name != "simultaneous" && name != "sequential") {
+    throwExpected(map.placeOf("order"), map.need("order"), "simultaneous or sequential");
+  }
+  return name == "sequential" ? Order::SEQUENTIAL : Order::SIMULTANEOUS;
+}
+
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   YamlMap map(node, place);
   Scenario scenario;
@@ -260,7 +307,9 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   scenario.tick_duration = units.tick_duration;
   scenario.max_ticks = readDuration(map, units);
   scenario.goal_tolerance = map.number("goal_tolerance", NumberRule::POSITIVE);
+  scenario.collision_radius = map.number("collision_radius", NumberRule::POSITIVE, DEFAULT_COLLISION_RADIUS);
   scenario.contact = readContact(map);
+  scenario.order = readOrder(map);
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
   const auto agents = [&](const YAML::Node& entry, const YamlPlace& at) { return readAgents(entry, at, units); };
   scenario.agents = readList<AgentGroup>(map.need("agents"), map.placeOf("agents"), agents);

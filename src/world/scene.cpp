@@ -1,5 +1,6 @@
 #include "social_crowd/world/scene.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -35,6 +36,13 @@ std::string findOverlapOf(const Scene& scene, std::size_t index) {
 }
 
 }  // namespace
+
+void keepHeadings(const std::vector<double>& last, Scene& scene) {
+  const std::size_t count = std::min(last.size(), scene.agents.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (scene.agents[i].keeps_heading) scene.agents[i].heading = last[i];
+  }
+}
 
 std::string overlapText(const std::string& first, const std::string& second, double depth) {
   std::ostringstream text;

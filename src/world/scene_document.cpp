@@ -54,7 +54,12 @@ std::string toDocument(const Scene& scene) {
   return "---\nname: " + quoted(scene.name) + "\ntick: " + toText(scene.tick_duration) +
          "\nduration: " + toText(static_cast<double>(scene.max_ticks) * scene.tick_duration) +
          "\ngoal_tolerance: " + toText(scene.goal_tolerance) + "\n" +
-         (scene.contact == Contact::SOLID ? "contact: solid\n" : "") + section("agents", scene.agents) +
+         (scene.contact == Contact::SOLID ? "contact: solid\n" : "") +
+         (scene.order == Order::SEQUENTIAL ? "order: sequential\n" : "") +
+         (scene.collision_radius != DEFAULT_COLLISION_RADIUS
+              ? "collision_radius: " + toText(scene.collision_radius) + "\n"
+              : "") +
+         section("agents", scene.agents) +
          section("obstacles", scene.obstacles) + section("walls", scene.walls);
 }
 

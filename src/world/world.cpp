@@ -56,6 +56,7 @@ bool isSound(const RelativeAction& action) {
 World::World(const Scene& scene)
     : tick_duration_(scene.tick_duration),
       goal_tolerance_(scene.goal_tolerance),
+      collision_radius_(scene.collision_radius),
       contact_(scene.contact),
       obstacles_(scene.obstacles),
       walls_(scene.walls),
@@ -68,6 +69,7 @@ World::World(const Scene& scene)
 
 void World::refresh() {
   orders_.resize(agents_.size(), nullptr);
+  had_turn_.resize(agents_.size(), false);
   places_.resize(agents_.size());
   placeObstacles();
   rebuildGrid();
@@ -105,6 +107,13 @@ inline void World::updateGrid() {
   }
 }
 
+void World::updateGridOf(const Agent& agent) {
+  if (!grid_.isList()) return rebuildGrid();
+  const std::uint32_t* const bodies = grid_.bodies();
+  const std::uint32_t* const disc = std::find(bodies, bodies + grid_.size(), agent.id);
+  grid_.move(static_cast<std::size_t>(disc - bodies), agent.pose.position, agent.velocity);
+}
+
 void World::rebuildGrid() {
   grid_.clear();
   for (const Agent& agent : agents_) {
@@ -129,14 +138,42 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
         }
       },
       FEW_AGENTS);
-  if (contact_ == Contact::SOLID) moveSolids();
+  if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
+  finishTick(workers);
+}
+
+void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
+  const RelativeAction* action = nullptr;
+  for (const AgentAction& given : actions) {
+    if (!isSound(given.action)) throwUnsound(given);
+    if (given.agent == id && action == nullptr) action = &given.action;
+  }
+  if (id >= agents_.size()) return;
+  had_turn_[id] = true;
+  Agent& agent = agents_[id];
+  beginMove(agent, action);
+  if (!agent.acted) return;
+  if (contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
+  updateGridOf(agent);
+}
+
+void World::endTick(Workers& workers) {
+  for (Agent& agent : agents_) {
+    if (!had_turn_[agent.id]) beginMove(agent, nullptr);
+  }
+  had_turn_.assign(agents_.size(), false);
+  if (contact_ == Contact::SOLID) moveSolids([&](std::size_t body) { return body >= agents_.size(); });
+  finishTick(workers);
+}
+
+void World::finishTick(Workers& workers) {
   ++tick_;
   moveObstacles();
   updateGrid();
   // Who arrives in this tick still stands on the floor at its end: the grid is that of everybody.
   std::atomic<std::size_t> arrived{0};
   workers.run(
-      agents,
+      agents_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         std::size_t arrivals = 0;
         for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals);
@@ -162,7 +199,6 @@ inline void World::takeOrders(const std::vector<AgentAction>& actions) {
 inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
   agent.acted = action != nullptr && agent.isWalking();
   agent.blocked = false;
-  agent.in_contact = false;
   agent.velocity = Vector2::Zero();
   if (!agent.acted) return;
   if (action->rotation != 0.0) {
@@ -174,8 +210,18 @@ inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
 }
 
 inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
-  if (!agent.isWalking()) return;
-  agent.in_contact = agent.in_contact || touchesAnything(agent);
+  if (!agent.isWalking()) {
+    agent.in_contact = false;
+    agent.in_collision = false;
+    return;
+  }
+  agent.in_collision = isAnythingWithin(collision_radius_, agent);
+  const double contact_distance = agent.radius - CONTACT_OVERLAP;
+  // What is not even within the collision radius need not be looked for nearer by.
+  const bool may_touch = agent.in_collision || contact_distance > collision_radius_;
+  agent.in_contact = agent.bumped || (may_touch && isAnythingWithin(contact_distance, agent));
+  agent.bumped = false;
+  agent.collided = agent.collided || agent.in_collision;
   agent.touched = agent.touched || agent.in_contact;
   if ((agent.goal() - agent.pose.position).norm() > goal_tolerance_) return;
   if (++agent.next_goal < agent.goals.size()) {
@@ -188,35 +234,43 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
   ++arrivals;
 }
 
-inline bool World::touchesAnything(const Agent& agent) const {
-  const double reach = agent.radius - CONTACT_OVERLAP;
-  if (grid_.isAnyNear(agent.pose.position, reach, agent.id)) return true;
+inline bool World::isAnythingWithin(double distance, const Agent& agent) const {
+  if (grid_.isAnyNear(agent.pose.position, distance, agent.id)) return true;
   for (const Segment& wall : walls_) {
-    if (distanceTo(wall, agent.pose.position) < reach) return true;
+    if (distanceTo(wall, agent.pose.position) <= distance) return true;
   }
   return false;
 }
 
-void World::moveSolids() {
+template <typename Moves>
+void World::moveSolids(const Moves& moves) {
   discs_.clear();
   for (const Agent& agent : agents_) {
-    if (agent.isWalking()) discs_.push_back({agent.pose.position, tick_duration_ * agent.velocity, agent.radius, true});
+    if (!agent.isWalking()) continue;
+    const Vector2 way = moves(agent.id) ? Vector2(tick_duration_ * agent.velocity) : Vector2::Zero();
+    discs_.push_back({agent.pose.position, way, agent.radius, true});
   }
   const double end = static_cast<double>(tick_ + 1) * tick_duration_;
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    const Vector2 way = obstacles_[i].path.position(end) - obstacle_positions_[i];
+    const Vector2 way = moves(agents_.size() + i) ? Vector2(obstacles_[i].path.position(end) - obstacle_positions_[i])
+                                                  : Vector2::Zero();
     discs_.push_back({obstacle_positions_[i], way, obstacles_[i].radius, false});
   }
   auto outcome = solid_motion_.move(discs_, walls_).begin();
   for (Agent& agent : agents_) {
     if (!agent.isWalking()) continue;
     if (outcome->diverted) {
-      agent.blocked = !agent.velocity.isZero(0.0);
-      agent.blocked_moves += agent.blocked ? 1 : 0;
-      agent.velocity = (outcome->position - agent.pose.position) / tick_duration_;
+      const Vector2 velocity = (outcome->position - agent.pose.position) / tick_duration_;
+      if (moves(agent.id)) {
+        agent.blocked = !agent.velocity.isZero(0.0);
+        agent.blocked_moves += agent.blocked ? 1 : 0;
+        agent.velocity = velocity;
+      } else {
+        agent.velocity += velocity;  // pushed after its own move
+      }
     }
     agent.pose.position = outcome->position;
-    agent.in_contact = outcome->touched;
+    agent.bumped = agent.bumped || outcome->touched;
     ++outcome;
   }
 }

@@ -19,11 +19,22 @@ void World::perceive(const Vision& vision, Perceptions& perceptions) {
   std::swap(perceptions.walls, looker_.walls);
 }
 
+void World::perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perceptions& perceptions) {
+  perceptions.agents.resize(id ? 1 : 0);
+  perceptions.order.clear();
+  begin(vision, perceptions.agents.size(), looker_, perceptions);
+  for (AgentPerception& self : perceptions.agents) {
+    self.agent = *id;
+    look(vision, agents_[*id], 0, looker_, self, perceptions);
+  }
+  std::swap(perceptions.walls, looker_.walls);
+}
+
 inline void World::lookOneByOne(const Vision& vision, Perceptions& perceptions) {
   AgentPerception* const perceived = perceptions.agents.data();
   std::size_t count = 0;
   for (const Agent& agent : agents_) {
-    if (!agent.isWalking() && !hasJustArrived(agent)) continue;
+    if (!isPerceiving(agent)) continue;
     perceived[count].agent = agent.id;
     look(vision, agent, count, looker_, perceived[count], perceptions);
     ++count;
@@ -33,7 +44,7 @@ inline void World::lookOneByOne(const Vision& vision, Perceptions& perceptions) 
 void World::lookInOrder(const Vision& vision, Perceptions& perceptions) {
   std::uint32_t listed = 0;
   for (const Agent& agent : agents_) {
-    if (agent.isWalking() || hasJustArrived(agent)) perceptions.agents[listed++].agent = agent.id;
+    if (isPerceiving(agent)) perceptions.agents[listed++].agent = agent.id;
   }
   orderAgents(perceptions);
   const std::size_t count = perceptions.agents.size();

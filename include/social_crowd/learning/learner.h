@@ -78,6 +78,14 @@ class Learner {
   /// @param actions decisions are added behind those that are there; after an exception they mean nothing
   void decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const;
 
+  /// @brief A decision, and the row of the Q-table that its action was looked up in.
+  struct Choice {
+    Row row = 0;
+    Action action = 0;
+  };
+  /// @brief What the agent at that index decides in demo mode; decideGreedily() decides the same.
+  Choice greedyChoice(const Perceptions& perceptions, std::size_t index, Space& space) const;
+
   const Model& model() const { return model_; }
   bool serves(AgentId agent) const { return options_.agents.empty() || options_.agents.count(agent) > 0; }
   bool servesAll() const { return options_.agents.empty(); }

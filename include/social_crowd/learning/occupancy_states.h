@@ -1,17 +1,23 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "social_crowd/learning/distance_classes.h"
-#include "social_crowd/learning/sector_limits.h"
 #include "social_crowd/learning/sectors.h"
 #include "social_crowd/learning/state_set.h"
 
 namespace crowd {
 
-/// @brief The thesis's state set 2 (3.5): sector of the goal, and for every sector the smallest distance class of
-/// anything that lies in it or reaches into it.
+/// @brief The thesis's state set 2 (3.2.2.1, (3.5)): sector of the goal, and for every sector a distance class, found in
+/// two steps for each body:
+/// 1. the segment that joins the agent and the body's centre gives one sector, which takes the class of the distance
+///    from the agent's centre to the body's rim;
+/// 2. the limiting vectors of the sectors, with the lengths of the distance classes, are intersected with the body: the
+///    sectors on both sides of a vector that is cut take the class of the shortest length that is cut.
+/// The smallest class of all bodies counts. Walls, which the thesis does not have, are treated the same way, with their
+/// nearest point in place of the centre.
 ///
 /// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
 /// 3^8 * G + code, terminal 3^8 * 8.
@@ -53,16 +59,20 @@ class OccupancyStates : public StateSet {
  private:
   static constexpr int BASE = DistanceClasses::COUNT + 1;
 
-  /// By distance class, from 1, the sectors that something of that class reaches into.
+  /// A set of sectors, or of their right limits: bit 0 is sector 0.
+  using SectorSet = std::uint32_t;
+  /// By distance class, from 1, the sectors that hold something of that class.
   using Occupied = std::array<SectorSet, DistanceClasses::COUNT>;
 
   SectorSet allSectors() const { return (1U << static_cast<unsigned>(sectors_.count())) - 1U; }
-  /// From one sector to another, counterclockwise; numbers not yet taken modulo, at most a full circle apart.
-  SectorSet sectorsFrom(long first, long last) const;
-  int goalSector(const Vector2& goal) const;
-  /// All sectors between the tangents of a body that the agent stands outside of: seen from it, the body spans the
-  /// angles between those.
-  SectorSet sectorsSpanned(const Vector2& centre, double distance, double radius) const;
+  /// The sectors on both sides of limits.
+  SectorSet sectorsBeside(SectorSet limits) const;
+  SectorSet sectorOf(const Vector2& point) const {
+    return 1U << static_cast<unsigned>(sectors_.indexOf(bearingOf(point)));
+  }
+  /// The limiting vectors of that length that a body cuts.
+  SectorSet limitsCut(const Vector2& centre, double radius, double length) const;
+  SectorSet limitsCut(const Segment& wall, double length) const;
   static void occupy(Occupied& occupied, SectorSet sectors, int distance_class) {
     occupied[static_cast<std::size_t>(distance_class) - 1] |= sectors;
   }
@@ -71,7 +81,8 @@ class OccupancyStates : public StateSet {
 
   Parameters parameters_;
   EvenSectors sectors_;
-  SectorLimits limits_;
+  std::array<double, MAX_SECTORS> limit_xs_{};  // unit vectors of the right limit of each sector
+  std::array<double, MAX_SECTORS> limit_ys_{};
   Row codes_;                   // 3^sectors
   std::vector<Row> set_codes_;  // of each set of sectors, if class 1 is in all of it and no other is occupied
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 
@@ -12,24 +13,32 @@
 
 namespace crowd {
 
-/// @brief One episode: a world that is walked tick by tick until everybody has arrived or time is up. The same steps
-/// serve the headless runs and the ROS node; whoever drives it brings the actions.
+/// @brief One episode: a world that is walked until all agents have arrived or time is up. The same steps serve the
+/// headless runs and the ROS node; whoever drives it brings the actions.
+///
+/// A tick is one turn of all agents together (Order::SIMULTANEOUS), or a turn for each agent (Order::SEQUENTIAL).
+/// The caller repeats: perceptions() of the agents whose turn it is, their actions, step(); until isOver().
 class Episode {
  public:
   /// @param number goes into the perceptions; learners draw their exploration from it.
   /// @param workers share out the agents as long as the episode lives; what comes of it does not depend on their number
   Episode(Scene scene, std::uint64_t number, const Vision& vision, Workers& workers = Workers::alone());
 
-  /// @brief What everybody perceives now; `last` once the episode is over.
+  /// @brief What the agents perceive whose turn it is; once the episode is over that is all of them, with `last`.
   const Perceptions& perceptions() { return *perceive(); }
   /// @brief The same to be kept: it stays as it is while somebody holds it.
   std::shared_ptr<const Perceptions> sharedPerceptions() { return perceive(); }
-  /// @brief What the learner decides for everybody on perceptions(): the same as Learner::decide(), but in demo mode
-  /// sooner (see GreedyCrowd), in another order of agents, and it does not come to know them.
+  /// @brief What the learner decides on perceptions(): the same as Learner::decide(). Where all agents have their turn
+  /// in demo mode it is faster (see GreedyCrowd), in another order of agents, and the learner does not come to know them.
   void decide(Learner& learner, RelativeActions& actions);
-  /// @brief Moves everybody for one tick; who has no action stays. @throws InputError, nothing has moved then.
-  void step(const std::vector<AgentAction>& actions);
+  /// @brief Moves the agents whose turn it is; those without an action stay. @throws InputError, nothing has moved then.
+  /// @return whether that was the last turn of the tick
+  bool step(const std::vector<AgentAction>& actions);
+  /// @brief Whether all agents have arrived or time is up; changes only at the end of a tick.
   bool isOver() const;
+
+  /// @brief Turns that a tick has now: one, or one for each agent on its way.
+  std::size_t turnsOfTick() const { return isSequential() ? std::max<std::size_t>(1, world_.activeCount()) : 1; }
 
   std::uint64_t number() const { return number_; }
   const Scene& scene() const { return scene_; }
@@ -45,6 +54,11 @@ class Episode {
 
  private:
   const std::shared_ptr<Perceptions>& perceive();
+  bool isSequential() const { return scene_.order == Order::SEQUENTIAL; }
+  void perceiveTurn();
+  /// Goes on to the next agent that is to have a turn in this tick, beginning with `turn_`; whether there is one.
+  bool findTurn();
+  bool endTick();
 
   Scene scene_;
   World world_;
@@ -55,6 +69,7 @@ class Episode {
   Recycler<std::shared_ptr<Perceptions>> buffers_;
   std::shared_ptr<Perceptions> perceptions_;  // those of the last time that somebody asked
   bool are_current_ = false;
+  AgentId turn_ = 0;  // the agent whose turn it is, sequential only; the number of agents if no turn is left in the tick
   GreedyCrowd crowd_;
 };
 

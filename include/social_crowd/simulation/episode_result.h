@@ -15,8 +15,10 @@ struct AgentResult {
   bool arrived = false;
   bool removed = false;             ///< was taken off the floor on the way; counts in no figure
   bool touched = false;             ///< in contact in any tick before it arrived
+  bool collided = false;            ///< in collision in any tick before it arrived (thesis, 4.1), see World
   std::uint64_t blocked_moves = 0;  ///< moves that were cut short where it touched something; solid worlds only
   std::uint64_t ticks = 0;          ///< until it arrived, or until the end
+  double heading = 0.0;             ///< at the end, or when it arrived [rad], `map`
   double path_length = 0.0;         ///< [m]
   double straight_length = 0.0;     ///< start to goal (to goal ...) less the goal tolerance [m]
   double path_ratio = 0.0;          ///< path_length / straight_length
@@ -38,6 +40,9 @@ struct EpisodeResult {
   std::size_t agentCount() const;
   std::size_t arrivedCount() const;
   std::size_t touchedCount() const;
+  std::size_t collidedCount() const;
+  /// @brief The headings of all agents at the end, for keepHeadings() of the next episode.
+  std::vector<double> headings() const;
   /// @brief Blocked moves of all agents that count.
   std::uint64_t blockedMoves() const;
   /// @brief Everybody arrived, nobody was in contact.
@@ -93,6 +98,7 @@ class Figures {
   std::uint64_t episodes() const { return episodes_; }
   double successPercent() const { return percent(arrived_, agents_); }
   double contactPercent() const { return percent(touched_, agents_); }
+  double collisionPercent() const { return percent(collided_, agents_); }
   double cleanPercent() const { return percent(clean_, episodes_); }
   /// @brief Means over the agents that arrived; not a number if none did.
   double pathRatio() const { return meanOf(path_ratio_, arrived_); }
@@ -115,6 +121,7 @@ class Figures {
   std::uint64_t agents_ = 0;
   std::uint64_t arrived_ = 0;
   std::uint64_t touched_ = 0;
+  std::uint64_t collided_ = 0;
   std::uint64_t blocked_moves_ = 0;
   double path_ratio_ = 0.0;
   double time_ratio_ = 0.0;

@@ -17,6 +17,7 @@ struct EvaluationPlan {
   unsigned threads = 1;        ///< results do not depend on it
   bool record = false;         ///< whether trajectories are wanted
   bool scenes = false;         ///< whether scenes are wanted
+  bool states = false;         ///< whether records of states are wanted
 };
 
 /// @brief What an episode of an evaluation brought.
@@ -24,6 +25,7 @@ struct EvaluatedEpisode {
   std::uint64_t instance = 0;
   EpisodeResult result;
   std::string trajectory;  ///< rows for TrajectoryFile, if wanted
+  std::string states;      ///< rows below STATE_RECORD_HEADER, if wanted
   std::string scene;       ///< what it began with, as a document of a scenario file, if wanted
 };
 

@@ -12,7 +12,7 @@
 
 namespace crowd {
 
-/// @brief Plays an episode to its end with one learner.
+/// @brief Plays an episode to its end with one learner, which decides for all agents.
 EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& learner);
 
 /// @brief Training without ROS, turn by turn. Depends on recipe and seed alone, not on the number of threads.
@@ -51,6 +51,7 @@ class Training {
   Recipe recipe_;
   ScenarioList scenarios_;
   std::vector<Learner> learners_;
+  std::vector<std::vector<double>> headings_;  // by learner: of its agents at the end of its last episode [rad]
   Workers workers_;
   std::uint64_t decisions_before_ = 0;
   std::uint64_t episode_ = 0;

@@ -44,6 +44,7 @@ struct AgentPerception {
 struct Perceptions {
   std::uint64_t episode = 0;
   std::uint64_t tick = 0;
+  std::uint32_t turn = 0;      ///< within the tick: the agent whose turn it is (Order::SEQUENTIAL), else 0
   double tick_duration = 0.0;  ///< [s]
   bool last = false;           ///< the episode ends here: nobody is to answer
   std::vector<AgentPerception> agents;

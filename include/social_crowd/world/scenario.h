@@ -43,6 +43,16 @@ struct AgentGroup {
   Range speed;                      ///< [m/s]
   Range radius;                     ///< [m]
   std::optional<Range> heading;     ///< [rad]; absent: towards the first goal
+  bool keeps_heading = false;       ///< see AgentStart
+};
+
+/// @brief A place on the straight line from an agent's start to its first goal.
+struct Between {
+  std::size_t agent = 0;
+  Range share;  ///< of the line, 0 at the start and 1 at the goal
+  Range aside;  ///< to the left of the line [m]
+
+  Vector2 draw(const AgentStart& start, KeyedRandom& random) const;
 };
 
 /// @brief One entry under `obstacles`: so many obstacles of a kind.
@@ -50,6 +60,7 @@ struct ObstacleGroup {
   int line = 0;  ///< where it stands in the file, for messages
   int count = 1;
   Region position;
+  std::optional<Between> between;  ///< in place of `position`
   Range radius;  ///< [m]
   ObstaclePath::Kind motion = ObstaclePath::Kind::AT_REST;
   Vector2 velocity = Vector2::Zero();  ///< [m/s], for STRAIGHT
@@ -65,7 +76,9 @@ struct Scenario {
   double tick_duration = DEFAULT_TICK_DURATION;
   std::uint64_t max_ticks = 0;
   double goal_tolerance = 0.0;
+  double collision_radius = DEFAULT_COLLISION_RADIUS;  ///< [m], see Scene
   Contact contact = Contact::GHOST;
+  Order order = Order::SIMULTANEOUS;
   std::uint64_t seed = 0;  ///< mixed with the run's seed
   std::vector<AgentGroup> agents;
   std::vector<ObstacleGroup> obstacles;
@@ -88,6 +101,8 @@ class ScenarioList {
   /// @brief The scene of an episode: scenario number `episode` modulo their number, drawn for that episode.
   /// @throws InputError as Scenario::instantiate does, or if the list is empty.
   Scene scene(std::uint64_t run_seed, std::uint64_t episode) const;
+  /// @brief Whether any agent keeps its heading, so that an episode depends on the one before it.
+  bool keepHeadings() const;
   std::size_t size() const { return scenarios_.size(); }
   bool empty() const { return scenarios_.empty(); }
   const Scenario& operator[](std::size_t index) const { return scenarios_[index]; }

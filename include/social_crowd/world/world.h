@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "social_crowd/common/workers.h"
@@ -38,7 +39,10 @@ struct Agent {
   bool blocked = false;             ///< and its move was cut short where it touched something; solid worlds only
   std::uint64_t blocked_moves = 0;  ///< how often that was so
   bool in_contact = false;          ///< in the last tick
+  bool bumped = false;              ///< walked into something since the last tick ended, or was walked into
   bool touched = false;             ///< in contact in any tick so far
+  bool in_collision = false;        ///< at the end of the last tick something was within the collision radius
+  bool collided = false;            ///< in collision in any tick so far
 
   bool isWalking() const { return status == AgentStatus::WALKING; }
   bool hasArrived() const { return status == AgentStatus::ARRIVED; }
@@ -48,10 +52,15 @@ struct Agent {
 
 /// @brief The floor with everybody on it: moves agents and obstacles tick by tick and tells what each agent perceives.
 ///
-/// All agents decide on what they perceive at the start of a tick and move at once, so the order of agents does not
-/// matter. Contacts are counted. In a ghost world bodies walk through each other; an agent is in contact if it overlaps
-/// something by more than CONTACT_OVERLAP at the end of a tick. In a solid world they stop where they touch
-/// (SolidMotion); who walked into something in a tick, or was walked into, was in contact, too.
+/// A tick is either one step(), in which all agents move at the same time, so that their order does not matter, or a
+/// moveAgent() for each agent and an endTick(): each agent then perceives where the agents before it have gone
+/// (Order::SEQUENTIAL). Obstacles move at the end of the tick in both cases.
+///
+/// Contacts and collisions are measured at the end of a tick. In a ghost world bodies walk through each other; an agent
+/// is in contact if it overlaps something by more than CONTACT_OVERLAP. In a solid world bodies stop where they touch
+/// (SolidMotion); an agent that walked into something in the tick, or was walked into, was in contact, too. An agent is
+/// in collision if the rim of another body, or a wall, is within the scene's collision radius of its centre
+/// (thesis, 4.1).
 class World {
  public:
   /// @brief Of the grid of bodies [m]; about the reach of a look around at walking distances.
@@ -78,6 +87,11 @@ class World {
   /// and `last`.
   void perceive(const Vision& vision, Perceptions& perceptions);
 
+  /// @brief The same for one agent, which isPerceiving(), or for none.
+  void perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perceptions& perceptions);
+  /// @brief Whether perceive() tells of the agent: it is on its way, or arrived in the last tick.
+  bool isPerceiving(AgentId id) const { return id < agents_.size() && isPerceiving(agents_[id]); }
+
   /// @brief Working space of one thread that perceives.
   struct Looker {
     NeighbourSearch search;
@@ -99,6 +113,11 @@ class World {
   /// @param workers share out the agents; what becomes of them does not depend on their number
   /// @throws InputError if any action is not finite or its share of the speed is not in 0..1; nothing has moved then.
   void step(const std::vector<AgentAction>& actions, Workers& workers = Workers::alone());
+  /// @brief Moves one agent now, by the action of that agent among the given ones; without one it stays.
+  /// @throws InputError as step() does; nothing has moved then.
+  void moveAgent(AgentId id, const std::vector<AgentAction>& actions);
+  /// @brief Ends a tick in which agents moved one after the other. Agents that had no turn in it stayed.
+  void endTick(Workers& workers = Workers::alone());
 
   /// @brief Puts one more agent on the floor. Returns its number. @throws InputError if its place is taken, it has no
   /// goal, or a number is out of its range.
@@ -116,9 +135,15 @@ class World {
  private:
   void takeOrders(const std::vector<AgentAction>& actions);
   void beginMove(Agent& agent, const RelativeAction* action) const;
-  void moveSolids();
+  /// Moves the solid bodies that `moves` tells of (agents by number, then obstacles); the others stand still.
+  template <typename Moves>
+  void moveSolids(const Moves& moves);
+  void finishTick(Workers& workers);
+  /// Puts an agent that has moved into its new place in the grid.
+  void updateGridOf(const Agent& agent);
   void endMove(Agent& agent, std::size_t& arrivals) const;
-  bool touchesAnything(const Agent& agent) const;
+  /// Whether the rim of another body, or a wall, is within the distance of the agent's centre.
+  bool isAnythingWithin(double distance, const Agent& agent) const;
   void placeObstacles();
   void moveObstacles();
   void rebuildGrid();
@@ -129,6 +154,7 @@ class World {
   void lookInOrder(const Vision& vision, Perceptions& perceptions);
   void orderAgents(Perceptions& perceptions);
   bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
+  bool isPerceiving(const Agent& agent) const { return agent.isWalking() || hasJustArrived(agent); }
   /// For so many agents, with the space that they need.
   void begin(const Vision& vision, std::size_t agents, Looker& looker, Perceptions& perceptions) const;
   /// Writes what the agent perceives that comes after `before` others.
@@ -146,6 +172,7 @@ class World {
 
   double tick_duration_;
   double goal_tolerance_;
+  double collision_radius_;
   Contact contact_;
   std::uint64_t tick_ = 0;
   std::vector<Agent> agents_;
@@ -162,6 +189,7 @@ class World {
   std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;
   std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
+  std::vector<bool> had_turn_;                 // of each agent, since the last tick ended
   Looker looker_;                              // of perceive()
   std::vector<std::uint32_t> places_;          // place in Perceptions::agents of each agent
 };

@@ -1,0 +1,35 @@
+#include "social_crowd/simulation/state_record.h"
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+std::string textOf(const std::vector<OccupiedSector>& occupied) {
+  std::string text;
+  for (const OccupiedSector& sector : occupied) {
+    text += (text.empty() ? "" : " ") + toText(toDegrees(sector.from)) + ":" + toText(toDegrees(sector.to)) + ":" +
+            std::to_string(sector.distance_class);
+  }
+  return text;
+}
+
+}  // namespace
+
+void appendStateRows(std::uint64_t instance, const Perceptions& perceptions, const Learner& learner,
+                     std::string& rows) {
+  Learner::Space space;
+  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
+    const AgentPerception& self = perceptions.agents[i];
+    if (self.arrived || perceptions.last) continue;
+    const Learner::Choice choice = learner.greedyChoice(perceptions, i, space);
+    rows += std::to_string(instance) + "," + std::to_string(perceptions.tick) + "," + std::to_string(self.agent);
+    for (const double value : {self.pose.position.x(), self.pose.position.y(), toDegrees(self.pose.heading)}) {
+      rows += "," + toText(value);
+    }
+    rows += "," + std::to_string(choice.row) + "," + std::to_string(choice.action) + "," +
+            textOf(learner.model().state_set->occupiedSectors(Perception(perceptions, i))) + "\n";
+  }
+}
+
+}  // namespace crowd
