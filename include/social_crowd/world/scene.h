@@ -27,10 +27,10 @@ constexpr double DEFAULT_COLLISION_RADIUS = 0.5;
 struct AgentStart {
   Vector2 position = Vector2::Zero();  ///< [m], `map`
   double heading = 0.0;                ///< [rad], `map`
-  bool keeps_heading = false;          ///< begins with the heading it had when the last episode ended, see keepHeadings()
   std::vector<Vector2> goals;          ///< [m], `map`; reached one after the other, at least one
   double speed = 0.0;                  ///< top speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
+  bool keeps_heading = false;          ///< begins with the heading it had when the last episode ended, see keepHeadings()
 };
 
 /// @brief A disc that yields to nobody.
