@@ -307,9 +307,9 @@ def surrounded_touch(setting):
     inside, outside = zip(*pairs)
     agents = Spread.of_numbers(share(one.caught_touched, one.caught) for one in found)
     verdict = decide_all(decide_greater(inside, outside), decide_each(inside, is_good))
-    return Judgement(f'contact within {surroundings.SOON} decisions %: ' + versus('surrounded', inside, 'else', outside,
-                                                                                1) +
-                     f'; of the agents ever surrounded {agents.text(1)} % then touch another', verdict)
+    compared = versus('surrounded', inside, 'else', outside, 1)
+    return Judgement(f'contact within {surroundings.SOON} decisions %: {compared}; of the agents ever surrounded '
+                     f'{agents.text(1)} % then touch another', verdict)
 
 
 # 5: conclusions and future work.
@@ -409,7 +409,7 @@ CLAIMS = (
           second_set_is_better),
     Claim('4.3', 'It was necessary to fill the states where several objects can be detected before a trial in a crowd.',
           filling_was_needed),
-    Claim('4.3', 'Dummies: it reached its goal, describing a believable path and avoiding the dummies (4.17).', dummies),
+    Claim('4.3', 'Dummies: it reached its goal, on a believable path and avoiding the dummies (4.17).', dummies),
     Claim('4.3', 'Six on a circle: they pull through without incidents and reach their goals (4.18).',
           without_incidents('circle6')),
     Claim('4.3', 'Six on a circle with an obstacle (4.19).', without_incidents('circle6_obstacle')),

@@ -30,9 +30,11 @@ def read_decisions(file):
 
 
 def sectors_of(occupied):
-    """The sectors that a record's text names."""
-    return [Sector(float(begin), float(end), int(distance_class))
-            for begin, end, distance_class in (word.split(':') for word in occupied.split())]
+    """The sectors that a record's text names, to the right of straight ahead with negative angles."""
+    sectors = [Sector(float(begin), float(end), int(distance_class))
+               for begin, end, distance_class in (word.split(':') for word in occupied.split())]
+    return [dataclasses.replace(sector, begin=sector.begin - 360, end=sector.end - 360) if sector.end > 180 else sector
+            for sector in sectors]
 
 
 def read_visits(file):

@@ -63,7 +63,8 @@ def report(setting):
         'at a time: an action that means to stay put, without and with a cost of every tick in which the agent does '
         'not move (a full step straight to the goal earns 1, an obstacle in the inner radius costs 10 for each '
         'sector); occlusion, so that what others hide is not perceived; and condensed states, in which the nearest '
-        f'distance is one for the whole circle. {len(setting.seeds(SEEDS))} seeds, {setting.count(EPISODES, 2)} instances.')
+        f'distance is one for the whole circle. {len(setting.seeds(SEEDS))} seeds, '
+        f'{setting.count(EPISODES, 2)} instances.')
     records = {variation: [read_csv(folder_of(setting, variation, seed) / 'demo.csv')
                            for seed in setting.seeds(SEEDS)] for variation in VARIATIONS}
     found = {variation: measured(setting, variation) for variation in VARIATIONS}
