@@ -30,3 +30,8 @@ def learn(setting, states, parameters, seed):
 def walk(setting, table, seed):
     """The beginning of a command by which a table walks scenarios in demo mode."""
     return [setting.tool('evaluate'), '--q-table', table, '--threads', 1, '--seed', DEMO_SEED + seed]
+
+
+def folder_of(setting, states, parameters, seed):
+    """Of the run that trains an agent."""
+    return setting.run_folder('agents', f'{states}_{parameters}_{seed:02d}')

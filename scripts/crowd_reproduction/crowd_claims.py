@@ -1,9 +1,9 @@
 """Claims of chapters 3, 4.2, 4.3 and 5 about crowds, and what they are judged by."""
 import numpy
 
-from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv
+from crowd_experiments.records import Spread, median, of_scenario, rates
 
-from . import groups, scenario_runs as runs, surroundings
+from . import groups, scenario_runs as runs, surroundings, twins_runs
 from .claim import (COMES_OUT, IN_PART, NOT, Claim, Judgement, decide, decide_all, decide_each, decide_greater, versus)
 from .experiments import ambiguity, future_work, learning_curves, scenarios, sharing
 from .measures import centre_distances, share
@@ -13,7 +13,7 @@ TITLE = ('Claims about states, crowds and what is learned (chapters 3, 4.2, 4.3,
 NEEDS = (ambiguity, scenarios, sharing, learning_curves, future_work)
 GOOD = 90.0  # [%]: what "successfully" is to mean
 RARE = 10.0  # [%]: what "avoids" leaves
-TWINS = tuple(ambiguity.TESTS)
+TWINS = tuple(twins_runs.TESTS)
 
 
 def is_good(value):
@@ -76,7 +76,7 @@ def crowd_learns_on(setting):
 
 
 def same_row(setting):
-    rows = {states: ambiguity.rows_of(setting, states) for states in ambiguity.SETS}
+    rows = {states: ambiguity.rows_of(setting, states) for states in twins_runs.SETS}
     holds = len(set(rows['nearest'])) == 1, len(set(rows['occupancy'])) == len(rows['occupancy'])
     return Judgement(f'rows of set 1: {rows["nearest"]}, of set 2: {rows["occupancy"]}',
                      (NOT, IN_PART, COMES_OUT)[sum(holds)])
@@ -85,20 +85,20 @@ def same_row(setting):
 def clean_shares(setting, agent, test):
     """The share of the walks [%] that arrive without a collision, for each seed."""
     return [100.0 * float(numpy.mean((record['arrived'] > 0)[rows] & (record['collided'] == 0)[rows]))
-            for record in ambiguity.records_of(setting, *agent) for rows in [of_scenario(record, test)]]
+            for record in twins_runs.records_of(setting, agent) for rows in [of_scenario(record, test)]]
 
 
 SET_1 = ('single', 'nearest', 'thesis')
 
 
 def alone_behaves(setting):
-    values = clean_shares(setting, SET_1, ambiguity.ALONE)
+    values = clean_shares(setting, SET_1, twins_runs.ALONE)
     return Judgement(f'set 1 arrives without a collision in {Spread(values).text(1)} % of the walks',
                      decide_each(values, is_good))
 
 
 def two_confuse(setting):
-    alone = clean_shares(setting, SET_1, ambiguity.ALONE)
+    alone = clean_shares(setting, SET_1, twins_runs.ALONE)
     two = numpy.mean([clean_shares(setting, SET_1, test) for test in TWINS], axis=0)
     return Judgement('set 1, walks that arrive without a collision %: ' + versus('one in sight', alone, 'two', two, 1),
                      decide_greater(alone, two))
@@ -111,11 +111,11 @@ def set_2(training):
 def handles(test):
     """Judges whether set 2 handles a test: arrives without a collision."""
     def judge(setting):
-        values = {training: clean_shares(setting, set_2(training), test) for training in ambiguity.TRAININGS}
-        told = '; '.join(f'{ambiguity.TRAININGS[training]}: {Spread(of_seeds).text(1)} %'
+        values = {training: clean_shares(setting, set_2(training), test) for training in twins_runs.TRAININGS}
+        told = '; '.join(f'{twins_runs.TRAININGS[training]}: {Spread(of_seeds).text(1)} %'
                          for training, of_seeds in values.items())
-        better = Spread(clean_shares(setting, (ambiguity.MAIN, 'occupancy', 'better'), test)).text(1)
-        return Judgement(f'arrives without a collision, {told}; better parameters, {ambiguity.TRAININGS["field"]}: '
+        better = Spread(clean_shares(setting, ('field', 'occupancy', 'better'), test)).text(1)
+        return Judgement(f'arrives without a collision, {told}; better parameters, {twins_runs.TRAININGS["field"]}: '
                          f'{better} %', best_of(decide_each(of_seeds, is_good) for of_seeds in values.values()))
     return judge
 
@@ -128,9 +128,9 @@ def best_of(verdicts):
 
 def second_set_is_better(setting):
     told, verdicts = [], []
-    for training, name in ambiguity.TRAININGS.items():
+    for training, name in twins_runs.TRAININGS.items():
         first, second = (numpy.mean([clean_shares(setting, (training, states, 'thesis'), test) for test in TWINS],
-                                    axis=0) for states in ambiguity.SETS)
+                                    axis=0) for states in twins_runs.SETS)
         told.append(f'{name}: ' + versus('set 2', second, 'set 1', first, 1))
         verdicts.append(decide_greater(second, first))
     return Judgement(f'all four tests, walks that arrive without a collision %. {"; ".join(told)}',
@@ -139,9 +139,8 @@ def second_set_is_better(setting):
 
 def squeezes(setting):
     told, verdicts = [], []
-    for training, name in ambiguity.TRAININGS.items():
-        between, around = zip(*(ambiguity.passage(setting, *set_2(training), seed)
-                                for seed in setting.seeds(ambiguity.SEEDS)))
+    for training, name in twins_runs.TRAININGS.items():
+        between, around = ambiguity.passages(setting, set_2(training))
         told.append(f'{name}: between {Spread(between).text(1)} %, around {Spread(around).text(1)} %')
         verdicts.append(decide_each(between, is_good))
     return Judgement(f'walks of test d that pass: {"; ".join(told)}', best_of(verdicts))
@@ -149,8 +148,8 @@ def squeezes(setting):
 
 def takes_longer(setting):
     told, verdicts = [], []
-    for training, name in ambiguity.TRAININGS.items():
-        needed = {test: numpy.array(ambiguity.decisions_needed(setting, *set_2(training), test)) for test in TWINS}
+    for training, name in twins_runs.TRAININGS.items():
+        needed = {test: numpy.array(ambiguity.decisions_needed(setting, set_2(training), test)) for test in TWINS}
         others = [numpy.nanmean(line) if numpy.isfinite(line).any() else numpy.nan
                   for line in numpy.transpose([needed[test] for test in TWINS[:3]])]
         pairs = [(tight, other) for tight, other in zip(needed['twins_d'], others) if numpy.isfinite(tight + other)]
@@ -363,8 +362,7 @@ def any_number(setting):
 
 def future(setting, variation):
     """Success and contact [%] with what is put in, a tuple for each seed."""
-    return [rates(read_csv(future_work.folder_of(setting, variation, seed) / 'demo.csv'))[:2]
-            for seed in setting.seeds(future_work.SEEDS)]
+    return [rates(record)[:2] for record in future_work.records_of(setting, variation)]
 
 
 def staying_pays(setting):

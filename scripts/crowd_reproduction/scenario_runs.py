@@ -34,19 +34,18 @@ WALKED = 5  # of them are recorded to be drawn
 MIX_EPISODES = 1500
 
 
-def run_name(learner, states, parameters, seed):
-    return f'{learner}_{states}_{parameters}_{seed:02d}'
-
-
 def folder_of(setting, table, seed):
     """Of the run that made a table: learner, state set and parameters."""
-    return setting.run_folder(NAME, run_name(*table, seed))
+    learner, states, parameters = table
+    if learner == 'agent':
+        return agent_training.folder_of(setting, states, parameters, seed)
+    return setting.run_folder(NAME, f'{learner}_{states}_{parameters}_{seed:02d}')
 
 
 def plan(setting):
-    """A run for each learner, state set, set of parameters and seed."""
-    return [make_run(setting, (learner, states, parameters), seed) for seed in setting.seeds(SEEDS)
-            for learner in LEARNERS for states in SETS for parameters in PARAMETERS]
+    """A run for each state set, set of parameters and seed, in which a crowd learns together."""
+    return [make_run(setting, ('crowd', states, parameters), seed) for seed in setting.seeds(SEEDS) for states in SETS
+            for parameters in PARAMETERS]
 
 
 def far_scenarios(setting):
@@ -55,25 +54,28 @@ def far_scenarios(setting):
 
 
 def make_run(setting, table, seed):
-    """Trains and walks; of one agent's training also what its first part alone is good for."""
-    files = list(map(setting.scenario, SCENARIOS))
-    walk = agent_training.walk(setting, agent_training.TABLE, seed)
-    learner, states, parameters = table
-    judged = ['--episodes', setting.count(EPISODES, 2)]
-    if learner == 'crowd':
-        commands = [[setting.tool('train'), setting.recipe(f'crowd_mix_{states}_{parameters}'), '--output',
-                     agent_training.TABLE, '--seed', seed, '--episodes', setting.count(MIX_EPISODES, 16)]]
-    else:
-        commands = agent_training.learn(setting, states, parameters, seed)
-        commands.append(agent_training.walk(setting, agent_training.SINGLE_TABLE, seed) + judged
-                        + ['--record', 'single.csv', *files])
-    commands.append(walk + judged + ['--record', 'demo.csv', *files])
-    if learner == 'agent' and states == 'occupancy':
-        walked = ['--episodes', setting.count(WALKED, 2)]
-        files += far_scenarios(setting)
-        commands += [walk + walked + ['--scenes', '.', '--trajectories', '.', *files],
-                     walk + walked + ['--states', 'states', *map(setting.scenario, WATCHED)]]
-    return Run(setting.run_folder(NAME, run_name(*table, seed)), commands, cost=3.0)
+    """A crowd learns on a mix of scenarios, and walks."""
+    _, states, parameters = table
+    return Run(folder_of(setting, table, seed), [
+        [setting.tool('train'), setting.recipe(f'crowd_mix_{states}_{parameters}'), '--output', agent_training.TABLE,
+         '--seed', seed, '--episodes', setting.count(MIX_EPISODES, 16)], judged_walk(setting, seed)], cost=2.5)
+
+
+def judged_walk(setting, seed, table=agent_training.TABLE, record='demo.csv'):
+    """The command by which a table walks all scenarios."""
+    return agent_training.walk(setting, table, seed) + ['--episodes', setting.count(EPISODES, 2), '--record', record,
+                                                        *map(setting.scenario, SCENARIOS)]
+
+
+def agent_walks(setting, states, seed):
+    """What the tables of one agent walk: after the first part of its training, and after both."""
+    commands = [judged_walk(setting, seed, agent_training.SINGLE_TABLE, 'single.csv'), judged_walk(setting, seed)]
+    if states == 'occupancy':
+        walk = agent_training.walk(setting, agent_training.TABLE, seed) + ['--episodes', setting.count(WALKED, 2)]
+        commands += [walk + ['--scenes', '.', '--trajectories', '.', *map(setting.scenario, SCENARIOS),
+                             *far_scenarios(setting)],
+                     walk + ['--states', 'states', *map(setting.scenario, WATCHED)]]
+    return commands
 
 
 @functools.lru_cache(maxsize=None)

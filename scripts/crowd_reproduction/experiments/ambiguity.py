@@ -1,72 +1,27 @@
 """Figures 4.13-4.16: what state set 1 cannot tell apart, and two obstacles side by side."""
-import functools
-
 import numpy
 
 from crowd_drawing.files import read_scene
 from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
-from crowd_experiments.records import (Spread, median, of_scenario, percent, rates, read_csv, read_table_header,
-                                       read_tracks)
-from crowd_experiments.runs import Run
+from crowd_experiments.records import (Spread, median, of_scenario, percent, read_table_header, read_tracks)
 from crowd_experiments.scene_figures import draw_perception, draw_scene
 
-from .. import agent_training, names
+from .. import agent_runs, agent_training, names, twins_runs as twins
 from ..decisions import read_decisions, sectors_of
 from ..measures import crossing
 
-NAME = 'ambiguity'
+NAME = twins.NAME
 TITLE = 'Ambiguity of state set 1: the twins tests (figures 4.13-4.16)'
-SETS = agent_training.SETS
-PARAMETERS = agent_training.PARAMETERS
-SCENES = {'same_state_a': 'a: one obstacle', 'same_state_b': 'b: a wide obstacle', 'same_state_c': 'c: two obstacles'}
-TESTS = {'twins_a': 'a: overlapping', 'twins_b': 'b: close', 'twins_c': 'c: gap too small', 'twins_d': 'd: tight gap'}
-ALONE = 'twins_apart'  # only one of the two comes into sight
-TRAININGS = {'single': 'trained as in 4.1', 'field': 'trained further among several obstacles',
-             'twins': 'trained on the tests'}
-MAIN = 'field'
-SEEDS = 10
-EPISODES = 100
-WALKED = 10  # of them are recorded to be drawn
-TWINS_EPISODES = 8000
-HALF_GAP = {'twins_d': 0.95}  # where the centres of the obstacles are, to either side of the straight way [m]
+DRAWN = {'thesis': 'single', 'better': 'field'}  # which training figure 4.16 shows
+HALF_GAP = 0.95  # of test d: where the centres of the obstacles are, to either side of the straight way [m]
 RADII = (0.5, 1.0)  # of the two distance classes [m]
 LIMITS = {'nearest': (0, 15, 45, 90, 180, -90, -45, -15), 'occupancy': numpy.arange(-157.5, 180, 45)}
 
 
-def run_name(training, states, parameters, seed):
-    return f'{training}_{states}_{parameters}_{seed:02d}'
-
-
 def plan(setting):
-    """A run for each training, state set, set of parameters and seed."""
-    return [make_run(setting, training, states, parameters, seed) for seed in setting.seeds(SEEDS)
-            for training in TRAININGS for states in SETS for parameters in PARAMETERS]
-
-
-def training_commands(setting, training, states, parameters, seed):
-    if training == 'twins':
-        return [[setting.tool('train'), setting.recipe(f'twins_{states}_{parameters}'), '--output',
-                 agent_training.TABLE, '--seed', seed, '--episodes', setting.count(TWINS_EPISODES, 40)]]
-    commands = agent_training.learn(setting, states, parameters, seed)
-    return commands if training == 'field' else commands[:1]
-
-
-def table_of(training):
-    """The table that a training leaves."""
-    return agent_training.SINGLE_TABLE if training == 'single' else agent_training.TABLE
-
-
-def make_run(setting, training, states, parameters, seed):
-    """Trains, then walks the tests; the first seed also looks at the scenes of figure 4.13."""
-    walk = agent_training.walk(setting, table_of(training), seed)
-    tests = [*map(setting.scenario, [*TESTS, ALONE])]
-    commands = training_commands(setting, training, states, parameters, seed) + [
-        walk + ['--episodes', setting.count(EPISODES, 5), '--record', 'demo.csv', *tests],
-        walk + ['--episodes', setting.count(WALKED, 2), '--scenes', '.', '--trajectories', '.', *tests]]
-    if seed == 1:
-        commands.append(walk + ['--episodes', 1, '--states', '.', *map(setting.scenario, SCENES)])
-    return Run(setting.run_folder(NAME, run_name(training, states, parameters, seed)), commands, cost=1.5)
+    """The agents that learned elsewhere, and those that are trained on the tests."""
+    return twins.plan(setting) + agent_runs.plan(setting)
 
 
 def report(setting):
@@ -79,14 +34,14 @@ def report(setting):
         'wall. The thesis does not say how the agent of these tests was trained, so three readings are shown: as in '
         f'4.1 ({agent_training.SINGLE_EPISODES:,} episodes with one obstacle); then further among several obstacles '
         f'({agent_training.FIELD_EPISODES:,} episodes, as 4.3 does); or on the four tests themselves '
-        f'({TWINS_EPISODES:,} episodes). {len(setting.seeds(SEEDS))} seeds, {setting.count(EPISODES, 5)} episodes a '
-        'test, with start and goal at other places than in training.')
+        f'({twins.TWINS_EPISODES:,} episodes). {len(setting.seeds(twins.SEEDS))} seeds, '
+        f'{setting.count(twins.EPISODES, 5)} episodes a test, with start and goal at other places than in training.')
     add_same_state(chapter, setting)
     add_failures(chapter, setting)
     add_perceptions(chapter, setting)
-    for parameters in PARAMETERS:
+    for parameters in twins.PARAMETERS:
         add_twins(chapter, setting, parameters)
-    add_table(chapter, setting)
+    add_tables(chapter, setting)
     add_passage(chapter, setting)
     return chapter
 
@@ -96,14 +51,14 @@ def report(setting):
 
 def first_decision(setting, scene, states):
     """Of the agent trained with the thesis's parameters; any table of the set looks up the same rows."""
-    folder = setting.run_folder(NAME, run_name('single', states, 'thesis', 1))
-    decisions = read_decisions(folder / f'{scene}.csv')
+    folder = twins.folder_of(setting, ('single', states, 'thesis'), 1)
+    decisions = read_decisions(folder / 'scenes' / f'{scene}.csv')
     return {name: column[0] for name, column in decisions.items()}
 
 
 def rows_of(setting, states):
     """The rows that the three scenes of figure 4.13 are mapped to."""
-    return [int(first_decision(setting, scene, states)['row']) for scene in SCENES]
+    return [int(first_decision(setting, scene, states)['row']) for scene in twins.SCENES]
 
 
 def draw_view(panel, setting, scene, states):
@@ -116,9 +71,9 @@ def draw_view(panel, setting, scene, states):
 
 def add_same_state(chapter, setting):
     """Figure 4.13."""
-    rows = {states: rows_of(setting, states) for states in SETS}
-    figure, axes = style.new_figure(1, len(SCENES), 12, 4.6)
-    for i, (panel, (scene, title)) in enumerate(zip(axes[0], SCENES.items())):
+    rows = {states: rows_of(setting, states) for states in twins.SETS}
+    figure, axes = style.new_figure(1, len(twins.SCENES), 12, 4.6)
+    for i, (panel, (scene, title)) in enumerate(zip(axes[0], twins.SCENES.items())):
         draw_view(panel, setting, scene, 'nearest').frame()
         panel.set_title(f'({title[0]}) {title[3:]}: row {rows["nearest"][i]} of set 1\n(row {rows["occupancy"][i]} of '
                         'set 2)')
@@ -129,15 +84,15 @@ def add_same_state(chapter, setting):
                        f'{", ".join(map(str, rows["occupancy"]))}. The arrow is the heading. Red circle: inner radius, '
                        '0.5 m; grey: radius of vision, 1 m; filled: the one sector that set 1 marks as occupied (red: '
                        'class 1, within the inner radius; grey: class 2).')
-    chapter.add_table('Rows of the Q-table in the situations of figure 4.13', ['', *SCENES.values()],
-                      [[style.SET_NAMES[states], *map(str, rows[states])] for states in SETS], name='same_state')
+    chapter.add_table('Rows of the Q-table in the situations of figure 4.13', ['', *twins.SCENES.values()],
+                      [[style.SET_NAMES[states], *map(str, rows[states])] for states in twins.SETS], name='same_state')
 
 
 def add_perceptions(chapter, setting):
     """Figure 4.15."""
     scene = 'same_state_c'
     figure, axes = style.new_figure(1, 2, 9, 4.6)
-    for panel, states, letter in zip(axes[0], SETS, 'ab'):
+    for panel, states, letter in zip(axes[0], twins.SETS, 'ab'):
         draw_view(panel, setting, scene, states).frame()
         sectors = sectors_of(first_decision(setting, scene, states)['occupied'])
         classes = ', '.join(f'{sector.begin:g} to {sector.end:g}°: class {sector.distance_class}' for sector in sectors)
@@ -162,28 +117,13 @@ def wrapped(text, width=62):
 # Walks through the tests.
 
 
-@functools.lru_cache(maxsize=None)
-def record_of(setting, training, states, parameters, seed):
-    return read_csv(setting.run_folder(NAME, run_name(training, states, parameters, seed)) / 'demo.csv')
-
-
-def records_of(setting, training, states, parameters):
-    """Of all seeds."""
-    return [record_of(setting, training, states, parameters, seed) for seed in setting.seeds(SEEDS)]
-
-
-def measured(setting, training, states, parameters, test):
-    """Success, contact and collision [%], a tuple for each seed."""
-    return [rates(record, of_scenario(record, test)) for record in records_of(setting, training, states, parameters)]
-
-
 def find_walk(setting, agent, tests, condition):
     """The first recorded walk, seed by seed, test by test and instance by instance, that fulfils a condition on its
     line of the record: seed, test, instance and whether there is any; else the very first."""
-    for seed in setting.seeds(SEEDS):
-        record = record_of(setting, *agent, seed)
+    for seed in setting.seeds(twins.SEEDS):
+        record = twins.record_of(setting, agent, seed)
         for test in tests:
-            lines = numpy.flatnonzero(of_scenario(record, test))[:setting.count(WALKED, 2)]
+            lines = numpy.flatnonzero(of_scenario(record, test))[:setting.count(twins.WALKED, 2)]
             for instance, line in enumerate(lines):
                 if condition({name: column[line] for name, column in record.items()}):
                     return seed, test, instance, True
@@ -191,7 +131,7 @@ def find_walk(setting, agent, tests, condition):
 
 
 def draw_walk(panel, setting, agent, seed, test, instance):
-    folder = setting.run_folder(NAME, run_name(*agent, seed))
+    folder = twins.drawn_folder(setting, agent, seed)
     draw_scene(panel, folder / f'{test}.yaml', folder / f'{test}.csv', instance, '#d62728', '#c9c3e6')
     panel.set_xlim(-3.1, 3.1)
     panel.set_ylim(-3.3, 3.3)
@@ -207,7 +147,7 @@ def ending(line):
 
 
 FAILURES = (
-    ('one obstacle in sight', (ALONE,), lambda line: line['arrived'] and not line['collided']),
+    ('one obstacle in sight', (twins.ALONE,), lambda line: line['arrived'] and not line['collided']),
     ('two: dances', ('twins_b', 'twins_c', 'twins_a'), lambda line: not line['arrived']),
     ('two: goes in', ('twins_b', 'twins_c', 'twins_d', 'twins_a'), lambda line: line['touched'] or line['collided']),
 )
@@ -220,12 +160,12 @@ def add_failures(chapter, setting):
     for panel, letter, (title, tests, condition) in zip(axes[0], 'abc', FAILURES):
         seed, test, instance, found = find_walk(setting, agent, tests, condition)
         draw_walk(panel, setting, agent, seed, test, instance)
-        record = record_of(setting, *agent, seed)
+        record = twins.record_of(setting, agent, seed)
         line = numpy.flatnonzero(of_scenario(record, test))[instance]
         words = ending({name: column[line] for name, column in record.items()})
         panel.set_title(f'({letter}) {title if found else "no such walk was found"}\n{test}, seed {seed}: {words}')
-    rates_of = {test: [Spread(values).mean for values in zip(*measured(setting, *agent, test))]
-                for test in (ALONE, 'twins_b', 'twins_c')}
+    rates_of = {test: [Spread(values).mean for values in zip(*twins.measured(setting, agent, test))]
+                for test in (twins.ALONE, 'twins_b', 'twins_c')}
     told = '; '.join(f'{test}: {success:.0f} % arrive, {collision:.0f} % collide'
                      for test, (success, _, collision) in rates_of.items())
     chapter.add_figure(style.save(figure, setting.figure_file('figure_4_14')),
@@ -238,63 +178,68 @@ def add_failures(chapter, setting):
 
 def add_twins(chapter, setting, parameters):
     """Figure 4.16, for a set of parameters."""
-    agent = (MAIN, 'occupancy', parameters)
+    agent = (DRAWN[parameters], 'occupancy', parameters)
     figure, axes = style.new_figure(2, 2, 8.4, 9.4, sharex=True, sharey=True)
-    for panel, (test, title) in zip(axes.flat, TESTS.items()):
+    for panel, (test, title) in zip(axes.flat, twins.TESTS.items()):
         seed, _, instance, found = find_walk(setting, agent, [test],
                                              lambda line: line['arrived'] and not line['collided'])
         draw_walk(panel, setting, agent, seed, test, instance)
-        success, _, collision = (Spread(values).mean for values in zip(*measured(setting, *agent, test)))
+        success, _, collision = (Spread(values).mean for values in zip(*twins.measured(setting, agent, test)))
         panel.set_title(f'({title[0]}) {title[3:]}, seed {seed}' + ('' if found else ' (fails)') +
                         f'\nof all: {success:.0f} % arrive, {collision:.0f} % collide')
     suffix = '' if parameters == 'thesis' else f'_{parameters}'
     chapter.add_figure(style.save(figure, setting.figure_file(f'figure_4_16{suffix}')),
                        f'Figure 4.16 with {names.PARAMETER_NAMES[parameters]}: the twins test with state set 2, '
-                       f'{TRAININGS[MAIN]}. Of each test the first recorded walk, seed by seed, that arrives without a '
-                       'collision; where there is none the very first walk. Above each: how many of all walks '
-                       f'({len(setting.seeds(SEEDS))} seeds) arrive and collide.')
+                       f'{twins.TRAININGS[DRAWN[parameters]]}. Of each test the first recorded walk, seed by seed, '
+                       'that arrives without a collision; where there is none the very first walk. Above each: how '
+                       f'many of all walks ({len(setting.seeds(twins.SEEDS))} seeds) arrive and collide.')
 
 
-def passage(setting, training, states, parameters, seed):
+def passage(setting, agent, seed):
     """Of the recorded walks of test d, the shares [%] that pass between the obstacles and around both."""
-    folder = setting.run_folder(NAME, run_name(training, states, parameters, seed))
-    places = [crossing(track[:, 0], 0.0) for track in read_tracks(folder / 'twins_d.csv').values()]
-    between = [place is not None and abs(place) < HALF_GAP['twins_d'] for place in places]
-    around = [place is not None and abs(place) >= HALF_GAP['twins_d'] for place in places]
+    tracks = read_tracks(twins.drawn_folder(setting, agent, seed) / 'twins_d.csv')
+    places = [crossing(track[:, 0], 0.0) for track in tracks.values()]
+    between = [place is not None and abs(place) < HALF_GAP for place in places]
+    around = [place is not None and abs(place) >= HALF_GAP for place in places]
     return percent(between), percent(around)
 
 
-def decisions_needed(setting, training, states, parameters, test):
+def passages(setting, agent):
+    """Of all seeds: the shares that pass between, and those around."""
+    return tuple(zip(*(passage(setting, agent, seed) for seed in setting.seeds(twins.SEEDS))))
+
+
+def decisions_needed(setting, agent, test):
     """How many decisions those who arrived made, the median, for each seed; nan where none arrived."""
     return [median(record['ticks'][of_scenario(record, test) & (record['arrived'] > 0)])
-            for record in records_of(setting, training, states, parameters)]
+            for record in twins.records_of(setting, agent)]
 
 
-def add_table(chapter, setting):
-    rows = []
-    for training, told in TRAININGS.items():
-        for parameters in PARAMETERS:
-            for states in SETS:
-                rows += test_rows(setting, training, states, parameters,
-                                  f'{told}, {names.PARAMETER_NAMES[parameters]}, {style.short_set_name(states)}')
-    chapter.add_table('Twins tests: mean ± standard deviation over the seeds (lowest-highest); path ratio and '
-                      'decisions: the median of those that arrived, seed by seed, of the seeds in which any did',
-                      ['', 'success %', 'collision %', 'contact %', 'path ratio (arrivals only)',
-                       'decisions (arrivals only)', 'rows visited in training'], rows, name='twins')
+def add_tables(chapter, setting):
+    for parameters in twins.PARAMETERS:
+        rows = []
+        for training, told in twins.TRAININGS.items():
+            for states in twins.SETS:
+                rows += test_rows(setting, (training, states, parameters),
+                                  f'{style.short_set_name(states)}, {told}')
+        chapter.add_table(f'Twins tests, {names.PARAMETER_NAMES[parameters]}: mean ± standard deviation over the seeds '
+                          '(lowest-highest); path ratio and decisions: the median of those that arrived, seed by seed, '
+                          'of the seeds in which any did',
+                          ['', 'success %', 'collision %', 'contact %', 'path ratio (arrivals only)',
+                           'decisions (arrivals only)', 'rows visited in training'], rows, name=f'twins_{parameters}')
 
 
-def test_rows(setting, training, states, parameters, told):
+def test_rows(setting, agent, told):
     """A row of the table for each test."""
     rows = []
-    records = records_of(setting, training, states, parameters)
-    visited = Spread(float(read_table_header(
-        setting.run_folder(NAME, run_name(training, states, parameters, seed)) / table_of(training))['visited_rows'])
-        for seed in setting.seeds(SEEDS))
-    for test, title in TESTS.items():
-        success, contact, collision = map(Spread, zip(*measured(setting, training, states, parameters, test)))
+    records = twins.records_of(setting, agent)
+    visited = Spread(float(read_table_header(twins.table_of(setting, agent, seed))['visited_rows'])
+                     for seed in setting.seeds(twins.SEEDS))
+    for test, title in twins.TESTS.items():
+        success, contact, collision = map(Spread, zip(*twins.measured(setting, agent, test)))
         ratios = Spread.of_numbers(median(record['path_ratio'][of_scenario(record, test) & (record['arrived'] > 0)])
                                    for record in records)
-        needed = Spread.of_numbers(decisions_needed(setting, training, states, parameters, test))
+        needed = Spread.of_numbers(decisions_needed(setting, agent, test))
         rows.append([f'{told}, {title}', success.text(1), collision.text(1), contact.text(1), ratios.text(2),
                      needed.text(0), visited.text(0)])
     return rows
@@ -302,11 +247,10 @@ def test_rows(setting, training, states, parameters, told):
 
 def add_passage(chapter, setting):
     rows = []
-    for training, told in TRAININGS.items():
-        for parameters in PARAMETERS:
-            between, around = map(Spread, zip(*(passage(setting, training, 'occupancy', parameters, seed)
-                                                for seed in setting.seeds(SEEDS))))
-            rows.append([f'{told}, {names.PARAMETER_NAMES[parameters]}', between.text(1), around.text(1)])
+    for parameters in twins.PARAMETERS:
+        for training, told in twins.TRAININGS.items():
+            between, around = map(Spread, passages(setting, (training, 'occupancy', parameters)))
+            rows.append([f'{names.PARAMETER_NAMES[parameters]}, {told}', between.text(1), around.text(1)])
     chapter.add_table('The tight gap (d) with state set 2: ways taken, % of all walks; the rest never passes the '
                       'obstacles. Mean ± standard deviation over the seeds (lowest-highest)',
                       ['', 'between the obstacles %', 'around both %'], rows, name='passage')

@@ -1,11 +1,11 @@
 """The future work of 5.2 on the thesis's own agent: a stay action, occlusion, condensed states."""
 from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
-from crowd_experiments.records import Spread, median, rates, read_csv, read_table_header
+from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_table_header
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import vary_recipe
 
-from .. import agent_training
+from .. import agent_runs, agent_training, scenario_runs as runs
 from ..decisions import read_decisions
 from ..measures import share, surrounded
 from ..surroundings import HEADER, LEAST_SECTORS, SOON, TOLD, row_of
@@ -14,14 +14,14 @@ NAME = 'future_work'
 TITLE = 'Future work (5.2): what would help the surrounded agent of figure 4.25?'
 SCENARIO = 'circle12_varied'
 SEEDS = 10
-EPISODES = 50
-WATCHED = 5  # of them, decision by decision
+EPISODES, WATCHED = runs.EPISODES, runs.WALKED
 STAY = {'action_set.stay': True}
 OCCLUSION = {'vision.occlusion': True}
 CONDENSED = {'state_set.type': 'condensed_occupancy'}
 # What is put in place of the recipe's keys, by the name of the run and what the tables call it.
+UNCHANGED = 'thesis'
 VARIATIONS = {
-    'thesis': ("the thesis's agent", {}),
+    UNCHANGED: ("the thesis's agent", {}),
     'stay': ('stay action', STAY),
     'stay_02': ('stay action, cost 0.2', {**STAY, 'reward.stay_cost': 0.2}),
     'stay_1': ('stay action, cost 1', {**STAY, 'reward.stay_cost': 1.0}),
@@ -33,13 +33,16 @@ VARIATIONS = {
 }
 
 
-def run_name(variation, seed):
-    return f'{variation}_{seed:02d}'
+def folder_of(setting, variation, seed):
+    if variation == UNCHANGED:
+        return runs.folder_of(setting, runs.MAIN, seed)
+    return setting.run_folder(NAME, f'{variation}_{seed:02d}')
 
 
 def plan(setting):
-    """A run for each variation and seed."""
-    return [make_run(setting, variation, seed) for seed in setting.seeds(SEEDS) for variation in VARIATIONS]
+    """A run for each variation and seed; the thesis's agent is that of the scenarios."""
+    return [make_run(setting, variation, seed) for seed in setting.seeds(SEEDS) for variation in VARIATIONS
+            if variation != UNCHANGED] + agent_runs.plan(setting)
 
 
 def make_run(setting, variation, seed):
@@ -48,10 +51,10 @@ def make_run(setting, variation, seed):
     single, field = (vary_recipe(setting, f'agent_{part}_occupancy_thesis', changes, f'{NAME}_{part}_{variation}')
                      for part in ('single', 'field'))
     walk = agent_training.walk(setting, agent_training.TABLE, seed)
-    return Run(setting.run_folder(NAME, run_name(variation, seed)), [
+    return Run(folder_of(setting, variation, seed), [
         agent_training.learn_single(setting, single, seed), agent_training.learn_field(setting, field, seed),
         walk + ['--episodes', setting.count(EPISODES, 2), '--record', 'demo.csv', setting.scenario(SCENARIO)],
-        walk + ['--episodes', setting.count(WATCHED, 1), '--states', '.', setting.scenario(SCENARIO)]], cost=1.5)
+        walk + ['--episodes', setting.count(WATCHED, 2), '--states', 'states', setting.scenario(SCENARIO)]], cost=1.5)
 
 
 def report(setting):
@@ -65,8 +68,7 @@ def report(setting):
         'sector); occlusion, so that what others hide is not perceived; and condensed states, in which the nearest '
         f'distance is one for the whole circle. {len(setting.seeds(SEEDS))} seeds, '
         f'{setting.count(EPISODES, 2)} instances.')
-    records = {variation: [read_csv(folder_of(setting, variation, seed) / 'demo.csv')
-                           for seed in setting.seeds(SEEDS)] for variation in VARIATIONS}
+    records = {variation: records_of(setting, variation) for variation in VARIATIONS}
     found = {variation: measured(setting, variation) for variation in VARIATIONS}
     add_figure(chapter, setting, records, found)
     add_table(chapter, setting, records)
@@ -78,19 +80,26 @@ def report(setting):
     return chapter
 
 
-def folder_of(setting, variation, seed):
-    return setting.run_folder(NAME, run_name(variation, seed))
+def records_of(setting, variation):
+    """How the agents fared, of all seeds."""
+    records = (read_csv(folder_of(setting, variation, seed) / 'demo.csv') for seed in setting.seeds(SEEDS))
+    return [of_only(record, SCENARIO) for record in records]
+
+
+def of_only(record, scenario):
+    """The part of a record that is about a scenario."""
+    rows = of_scenario(record, scenario)
+    return {name: column[rows] for name, column in record.items() if name != 'scenario'}
 
 
 def measured(setting, variation):
     """A Surrounded for each seed."""
     results = []
-    for seed in setting.seeds(SEEDS):
-        folder = folder_of(setting, variation, seed)
-        record = read_csv(folder / 'demo.csv')
+    for seed, record in zip(setting.seeds(SEEDS), records_of(setting, variation)):
         arrived = {(int(episode), int(agent)) for episode, agent, arrives in
                    zip(record['episode'], record['agent'], record['arrived']) if arrives}
-        results.append(surrounded(read_decisions(folder / f'{SCENARIO}.csv'), arrived, LEAST_SECTORS, SOON))
+        decisions = read_decisions(folder_of(setting, variation, seed) / 'states' / f'{SCENARIO}.csv')
+        results.append(surrounded(decisions, arrived, LEAST_SECTORS, SOON))
     return results
 
 

@@ -4,51 +4,19 @@ import numpy
 from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread, of_scenario, rates, read_csv, read_table_header
-from crowd_experiments.runs import Run
 
-from .. import agent_training, names
+from .. import agent_runs, agent_training, checkpoints, names
 
 NAME = 'learning_curves'
 TITLE = 'Learning curves: a record of learning'
 SETS = agent_training.SETS
 PARAMETERS = agent_training.PARAMETERS
-SEEDS = 10
-SAVE_EVERY, QUICK_SAVE_EVERY = 500, 10
-DEMO_EPISODES = 40
-SCENARIOS = {'training_field': 'one agent among obstacles', 'circle6': 'six on a circle'}
+SEEDS = agent_runs.SEEDS
+SCENARIOS = checkpoints.SCENARIOS
 LINES = {'training_field': '-', 'circle6': ':'}
 MEASURES = {'success': 0, 'collision': 2, 'contact': 1}
 
-
-def run_name(states, parameters, seed):
-    return f'{states}_{parameters}_{seed:02d}'
-
-
-def checkpoints(setting):
-    """The numbers of episodes among several obstacles after which the table is saved; 0: before them."""
-    every = setting.count(SAVE_EVERY, QUICK_SAVE_EVERY)
-    return range(0, setting.count(agent_training.FIELD_EPISODES, agent_training.QUICK_EPISODES) + 1, every)
-
-
-def table_after(episodes):
-    """The table saved after so many."""
-    return f'q_table_{episodes:06d}.txt' if episodes else agent_training.SINGLE_TABLE
-
-
-def plan(setting):
-    """A run for each state set, set of parameters and seed."""
-    return [make_run(setting, states, parameters, seed) for seed in setting.seeds(SEEDS) for states in SETS
-            for parameters in PARAMETERS]
-
-
-def make_run(setting, states, parameters, seed):
-    single, field = agent_training.learn(setting, states, parameters, seed)
-    commands = [single, field + ['--save-every', setting.count(SAVE_EVERY, QUICK_SAVE_EVERY)]]
-    for episodes in checkpoints(setting):
-        commands.append(agent_training.walk(setting, table_after(episodes), seed) + [
-            '--episodes', setting.count(DEMO_EPISODES, 4), '--record', f'demo_{episodes:06d}.csv',
-            *map(setting.scenario, SCENARIOS)])
-    return Run(setting.run_folder(NAME, run_name(states, parameters, seed)), commands, cost=2.0)
+plan = agent_runs.plan
 
 
 def report(setting):
@@ -56,7 +24,7 @@ def report(setting):
     chapter = Chapter(NAME, TITLE)
     chapter.tell(
         f'{agent_training.TOLD} In the second part its table is saved every '
-        f'{setting.count(SAVE_EVERY, QUICK_SAVE_EVERY)} episodes, and each of these tables walks, in demo mode, fields '
+        f'{checkpoints.every(setting)} episodes, and each of these tables walks, in demo mode, fields '
         'of obstacles that it has not met (training_field), and six agents on a circle. '
         f'{len(setting.seeds(SEEDS))} seeds.')
     curves = {(states, parameters): Curve(setting, states, parameters) for states in SETS for parameters in PARAMETERS}
@@ -69,13 +37,14 @@ class Curve:
     """Of one recipe, for each checkpoint and seed: rows visited, and by scenario success, contact and collision [%]."""
 
     def __init__(self, setting, states, parameters):
-        folders = [setting.run_folder(NAME, run_name(states, parameters, seed)) for seed in setting.seeds(SEEDS)]
-        self.episodes = list(checkpoints(setting))
-        headers = [[read_table_header(folder / table_after(episodes)) for folder in folders]
+        folders = [agent_training.folder_of(setting, states, parameters, seed) for seed in setting.seeds(SEEDS)]
+        self.episodes = list(checkpoints.episodes_of(setting))
+        headers = [[read_table_header(folder / checkpoints.table_after(episodes)) for folder in folders]
                    for episodes in self.episodes]
         self.all_rows = int(headers[0][0]['rows'])
         self.rows = numpy.array([[float(header['visited_rows']) for header in line] for line in headers])
-        records = [[read_csv(folder / f'demo_{episodes:06d}.csv') for folder in folders] for episodes in self.episodes]
+        records = [[read_csv(folder / checkpoints.record_after(episodes)) for folder in folders]
+                   for episodes in self.episodes]
         self.rates = {scenario: numpy.array([[rates(record, of_scenario(record, scenario)) for record in line]
                                              for line in records]) for scenario in SCENARIOS}
 

@@ -8,7 +8,7 @@ from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread, median, of_scenario, read_table_header
 from crowd_experiments.scene_figures import draw_moment, draw_scene, frame_alike, last_tick_of
 
-from .. import agent_training, groups, names, scenario_runs as runs, surroundings
+from .. import agent_runs, agent_training, groups, names, scenario_runs as runs, surroundings
 
 NAME = runs.NAME
 TITLE = 'Scenarios (figures 4.17-4.25)'
@@ -20,7 +20,10 @@ PATH_COLOUR = '#d62728'
 SURROUNDED_COLOUR = '#ff7f0e'  # orange in the thesis
 KEY = 'Discs: bodies; circles: agents that have arrived and left; crosses: goals; grey: obstacles.'
 
-plan = runs.plan
+
+def plan(setting):
+    """The agents that learned alone, and the crowds that learned together."""
+    return agent_runs.plan(setting) + runs.plan(setting)
 
 
 def report(setting):
