@@ -6,18 +6,25 @@ from crowd_experiments.records import Spread, median, of_scenario, rates
 from . import groups, scenario_runs as runs, surroundings, twins_runs
 from .claim import (COMES_OUT, IN_PART, NOT, Claim, Judgement, decide, decide_all, decide_each, decide_greater, versus)
 from .experiments import ambiguity, future_work, learning_curves, scenarios, sharing
-from .measures import centre_distances, share
+from .measures import CONTACT_OVERLAP, RADIUS, centre_distances, share
 
 TITLE = ('Claims about states, crowds and what is learned (chapters 3, 4.2, 4.3, 5). Where nothing else is said: state '
-         "set 2, thesis's parameters, one agent's table")
+         "set 2, thesis's parameters, one agent's table. Of a share of successes: comes out from 90 % (mean over the "
+         'seeds), in part from 50 %')
 NEEDS = (ambiguity, scenarios, sharing, learning_curves, future_work)
-GOOD = 90.0  # [%]: what "successfully" is to mean
+GOOD, HALF = 90.0, 50.0  # [%]: what "successfully" is to mean, and what is enough to come out in part
 RARE = 10.0  # [%]: what "avoids" leaves
 TWINS = tuple(twins_runs.TESTS)
 
 
 def is_good(value):
     return value >= GOOD
+
+
+def graded(values):
+    """The verdict on 'it succeeds', given the share of successes [%] for each seed."""
+    mean = float(numpy.mean(list(values)))
+    return COMES_OUT if mean >= GOOD else IN_PART if mean >= HALF else NOT
 
 
 def is_rare(value):
@@ -94,7 +101,7 @@ SET_1 = ('single', 'nearest', 'thesis')
 def alone_behaves(setting):
     values = clean_shares(setting, SET_1, twins_runs.ALONE)
     return Judgement(f'set 1 arrives without a collision in {Spread(values).text(1)} % of the walks',
-                     decide_each(values, is_good))
+                     graded(values))
 
 
 def two_confuse(setting):
@@ -116,7 +123,7 @@ def handles(test):
                          for training, of_seeds in values.items())
         better = Spread(clean_shares(setting, ('field', 'occupancy', 'better'), test)).text(1)
         return Judgement(f'arrives without a collision, {told}; better parameters, {twins_runs.TRAININGS["field"]}: '
-                         f'{better} %', best_of(decide_each(of_seeds, is_good) for of_seeds in values.values()))
+                         f'{better} %', best_of(map(graded, values.values())))
     return judge
 
 
@@ -142,7 +149,7 @@ def squeezes(setting):
     for training, name in twins_runs.TRAININGS.items():
         between, around = ambiguity.passages(setting, set_2(training))
         told.append(f'{name}: between {Spread(between).text(1)} %, around {Spread(around).text(1)} %')
-        verdicts.append(decide_each(between, is_good))
+        verdicts.append(graded(between))
     return Judgement(f'walks of test d that pass: {"; ".join(told)}', best_of(verdicts))
 
 
@@ -187,10 +194,12 @@ def path_ratios(setting, scenario):
 
 
 def dummies(setting):
-    success, _, collision = zip(*runs.measured(setting, runs.MAIN, 'dummies'))
+    clean = [runs.without_contact(setting, runs.MAIN, seed, 'dummies') for seed in setting.seeds(runs.SEEDS)]
     ratios = Spread.of_numbers(path_ratios(setting, 'dummies'))
-    return Judgement(f'{rates_text(setting, "dummies")}; path ratio of those who arrive {ratios.text(2)}',
-                     both((success, collision), (is_good, is_rare)))
+    better = map(Spread, zip(*runs.measured(setting, ('agent', 'occupancy', 'better'), 'dummies')))
+    success, _, collision = (spread.text(1) for spread in better)
+    return Judgement(f'{rates_text(setting, "dummies")}; path ratio of those who arrive {ratios.text(2)}; better '
+                     f'parameters: success {success} %, collision {collision} %', graded(clean))
 
 
 def without_incidents(scenario):
@@ -198,7 +207,7 @@ def without_incidents(scenario):
     def judge(setting):
         clean = [runs.without_contact(setting, runs.MAIN, seed, scenario) for seed in setting.seeds(runs.SEEDS)]
         return Judgement(f'{rates_text(setting, scenario)}; all arrive without contact in {Spread(clean).text(1)} % of '
-                         'the episodes', decide_each(clean, is_good))
+                         'the episodes', graded(clean))
     return judge
 
 
@@ -221,12 +230,23 @@ def deviated(setting):
                      decide(is_good(told.mean), map(is_good, told.values)))
 
 
+def touches_mover(setting, seed):
+    """The share of the agents [%] that touch the moving obstacle, in the recorded instances."""
+    obstacle = runs.obstacle_places(setting, 'line6_mover', 2001)
+    touched = []
+    for places in runs.tracks_of(setting, runs.MAIN, seed, 'line6_mover').values():
+        offsets = places - obstacle[:len(places), None]
+        nearest = numpy.nanmin(numpy.hypot(offsets[..., 0], offsets[..., 1]), axis=0)
+        touched += list(nearest < groups.OBSTACLE_RADIUS + RADIUS - CONTACT_OVERLAP)
+    return 100.0 * float(numpy.mean(touched))
+
+
 def avoids_mover(setting):
-    _, free, _ = zip(*runs.measured(setting, runs.MAIN, 'line6'))
-    _, contact, _ = zip(*runs.measured(setting, runs.MAIN, 'line6_mover'))
+    touching = [touches_mover(setting, seed) for seed in setting.seeds(runs.SEEDS)]
     ratios = [Spread(path_ratios(setting, scenario)).mean for scenario in ('line6', 'line6_mover')]
-    return Judgement(f'{rates_text(setting, "line6_mover")}; without it contact {Spread(free).text(1)} %; path ratio '
-                     f'{ratios[1]:.2f} with and {ratios[0]:.2f} without it', decide_each(contact, is_rare))
+    return Judgement(f'{rates_text(setting, "line6_mover")}; {Spread(touching).text(1)} % of the agents touch the '
+                     f'moving obstacle; path ratio {ratios[1]:.2f} with and {ratios[0]:.2f} without it',
+                     decide_each(touching, is_rare))
 
 
 def nearness(setting, scenario):
@@ -253,30 +273,38 @@ def phases(setting, measure):
     return groups.measured(setting, runs.MAIN, measure)
 
 
+PASSED, ARRIVING = 2, 3  # of groups.TIMES
+MEASURES = {'nearest companion': groups.companions, 'middle of the group': centre_distances}
+
+
 def breached(setting):
     told, verdicts = [], []
-    for name, measure in (('nearest companion', groups.companions), ('middle of the group', centre_distances)):
-        values = phases(setting, measure)[:, 1]
+    for name, measure in MEASURES.items():
+        values = phases(setting, measure)[:, PASSED]
         told.append(f'distance to the {name} [m]: ' + versus('with it', values[:, 0], 'without', values[:, 1]))
         verdicts.append(decide_greater(values[:, 0], values[:, 1]))
-    return Judgement(f'while it passes, {"; ".join(told)}', decide_all(*verdicts))
+    return Judgement(f'when it has passed, {"; ".join(told)}', decide_all(*verdicts))
 
 
 def grouped_again(setting):
     told, verdicts = [], []
-    for name, measure in (('nearest companion', groups.companions), ('middle of the group', centre_distances)):
-        values = phases(setting, measure)[:, :, 0]
-        told.append(f'distance to the {name} [m]: ' + versus('while it passes', values[:, 1], 'after', values[:, 2]))
-        verdicts.append(decide_greater(values[:, 1], values[:, 2]))
-    return Judgement('; '.join(told), decide_all(*verdicts))
+    for name, measure in MEASURES.items():
+        passed, arriving = phases(setting, measure)[:, (PASSED, ARRIVING), 0].T
+        compared = versus('when it has passed', passed, 'when the first one arrives', arriving)
+        told.append(f'distance to the {name} [m]: {compared}')
+        verdicts.append(decide_greater(passed, arriving))
+    free = phases(setting, groups.companions)[:, ARRIVING, 1]
+    return Judgement(f'{"; ".join(told)}; nearest companion at that time without the obstacle {Spread(free).text()}',
+                     decide_all(*verdicts))
 
 
 def twelve_like_six(setting):
     six, twelve = (list(zip(*runs.measured(setting, runs.MAIN, scenario))) for scenario in ('circle6', 'circle12'))
     differences = [numpy.abs(numpy.subtract(a, b)) for a, b in zip(six[:2], twelve[:2])]
-    verdict = both(differences, (is_rare, is_rare))
-    return Judgement(f'six: {rates_text(setting, "circle6")}; twelve: {rates_text(setting, "circle12")}; similar: '
-                     f'within {RARE:g} points', verdict)
+    best = scenarios.told_of(setting, runs.MAIN, 'circle12', scenarios.best_of(setting, runs.MAIN, 'circle12'))
+    return Judgement(f'six: {rates_text(setting, "circle6")}; twelve: {rates_text(setting, "circle12")} (similar: '
+                     f'within {RARE:g} points); the best recorded episode of twelve, {best}',
+                     both(differences, (is_rare, is_rare)))
 
 
 def longer_than_six(setting):
@@ -295,6 +323,10 @@ def varied_speeds(setting):
     caught = [[one.per_thousand() for one in surroundings.measured(setting, runs.MAIN, scenario)]
               for scenario in ('circle12_varied', 'circle12')]
     told.append('decisions while surrounded, of 1,000: ' + versus('varied', caught[0], 'one speed', caught[1]))
+    exact, together = (Spread(list(zip(*scenarios.exact_rates(setting, scenario)))[1]).text(1)
+                       for scenario in runs.EXACT)
+    told.append(f'contact of twelve who start exactly on the circle {exact} %, if they also move at the same time '
+                f'{together} %')
     return Judgement('; '.join(told), decide_all(*verdicts, decide_greater(*caught)))
 
 

@@ -9,11 +9,11 @@ from .measures import centre_distances, nearest_distances, passing, while_all_ar
 
 FREE, CROSSED = runs.FAR
 APART = 'line6'  # for comparison: agents who start alike, each to a goal of its own
-REACH = 0.4 + 1.0  # [m]: the obstacle's radius, and how far an agent sees its rim
-TIMES = ('before', 'while', 'after')
-TOLD = ('Before, while and after the moving obstacle passes: until the first agent sees it (its rim within 1 m of an '
-        "agent's centre), until the last agent has seen it for the last time, and from then until the first one "
-        'arrives. The goal is at 11 m in place of 5 m, so that there is time for that.')
+OBSTACLE_RADIUS, VISION = 0.4, 1.0  # [m]
+REACH = OBSTACLE_RADIUS + VISION  # [m]: from there on an agent sees its rim
+TIMES = ('before it passes', 'while it passes', 'when it has passed', 'when the first one arrives')
+TOLD = ("The moving obstacle passes from when the first agent sees it (its rim within 1 m of an agent's centre) until "
+        'an agent sees it for the last time. The goal is at 11 m, not 5 m, so that there is time to group again.')
 
 
 def groups_of(setting, table, seed, scenario):
@@ -22,11 +22,13 @@ def groups_of(setting, table, seed, scenario):
 
 
 def spans_of(places, obstacle):
-    """The ticks before, while and after the obstacle passes; None if it meets no agent, or one of them is empty."""
+    """The ticks before and while the obstacle passes, the one at which it has passed, and the last one; None if it
+    meets no agent, or at once, or still when the first one arrives."""
     times = passing(places, obstacle, REACH)
     if times is None or times[0] == 0 or times[1] + 1 >= len(places):
         return None
-    return slice(0, times[0]), slice(times[0], times[1] + 1), slice(times[1] + 1, len(places))
+    return (slice(0, times[0]), slice(times[0], times[1] + 1), slice(times[1], times[1] + 1),
+            slice(len(places) - 1, len(places)))
 
 
 def companions(places):
@@ -35,15 +37,15 @@ def companions(places):
 
 
 def measured(setting, table, measure):
-    """For each seed and time (before, while, after) the mean with the obstacle and at the same ticks without it [m]: an
-    array (seed, 3, 2)."""
+    """For each seed and each of TIMES the mean with the obstacle and at the same ticks without it [m], without it the
+    last one when the first agent arrives there: an array (seed, 4, 2)."""
     obstacle = runs.obstacle_places(setting, 'same_goal6_mover', 2001)
     seeds = []
     for seed in setting.seeds(runs.SEEDS):
         values = [[] for _ in TIMES]
         for places, free in zip(groups_of(setting, table, seed, CROSSED), groups_of(setting, table, seed, FREE)):
             for time, span in enumerate(spans_of(places, obstacle) or ()):
-                same = measure(free)[span]
+                same = measure(free)[span if time < len(TIMES) - 1 else slice(-1, None)]
                 values[time].append((measure(places)[span].mean(), same.mean() if len(same) else numpy.nan))
         seeds.append([numpy.nanmean(pairs, axis=0) if pairs else (numpy.nan, numpy.nan) for pairs in values])
     return numpy.array(seeds)

@@ -25,6 +25,9 @@ WATCHED = ('circle12', 'circle12_varied')  # every decision is recorded
 # Figures 4.22 and 4.23 with a goal so far away that there is time to group again, by the scenarios they are made from.
 FAR = {'same_goal6_far': 'same_goal6', 'same_goal6_mover_far': 'same_goal6_mover'}
 FAR_GOAL = [11, 0]  # [m]; in place of [5, 0]
+# Twelve exactly on the circle, in the thesis's order and at the same time: how much synchronicity is there to break?
+EXACT = {'circle12_exact': {}, 'circle12_exact_simultaneous': {'order': 'simultaneous'}}
+EXACT_RADIUS = [0, 1e-6]  # of the starts around their places [m], in place of [0, 0.05]
 # Whose experience the table holds.
 LEARNERS = {'agent': 'one agent, alone', 'crowd': 'the crowd learned together on a mix'}
 MAIN = ('agent', 'occupancy', 'thesis')  # what figures 4.17-4.25 show
@@ -53,6 +56,12 @@ def far_scenarios(setting):
     return [vary_scenario(setting, base, {'name': far, 'agents.*.goal': FAR_GOAL}, far) for far, base in FAR.items()]
 
 
+def exact_scenarios(setting):
+    """The scenarios of EXACT."""
+    return [vary_scenario(setting, 'circle12', {'name': name, 'agents.*.position.ring.radius': EXACT_RADIUS, **changes},
+                          name) for name, changes in EXACT.items()]
+
+
 def make_run(setting, table, seed):
     """A crowd learns on a mix of scenarios, and walks."""
     _, states, parameters = table
@@ -74,6 +83,8 @@ def agent_walks(setting, states, seed):
         walk = agent_training.walk(setting, agent_training.TABLE, seed) + ['--episodes', setting.count(WALKED, 2)]
         commands += [walk + ['--scenes', '.', '--trajectories', '.', *map(setting.scenario, SCENARIOS),
                              *far_scenarios(setting)],
+                     agent_training.walk(setting, agent_training.TABLE, seed) + [
+                         '--episodes', 1, '--record', 'exact.csv', *exact_scenarios(setting)],
                      walk + ['--states', 'states', *map(setting.scenario, WATCHED)]]
     return commands
 

@@ -5,7 +5,7 @@ from crowd_drawing.files import read_scene
 from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import (Spread, median, of_scenario, percent, read_table_header, read_tracks)
-from crowd_experiments.scene_figures import draw_perception, draw_scene
+from crowd_experiments.scene_figures import draw_perception, draw_scene, frame_alike
 
 from .. import agent_runs, agent_training, names, twins_runs as twins
 from ..decisions import read_decisions, sectors_of
@@ -72,11 +72,13 @@ def draw_view(panel, setting, scene, states):
 def add_same_state(chapter, setting):
     """Figure 4.13."""
     rows = {states: rows_of(setting, states) for states in twins.SETS}
-    figure, axes = style.new_figure(1, len(twins.SCENES), 12, 4.6)
+    figure, axes = style.new_figure(1, len(twins.SCENES), 12, 5.3)
+    pictures = []
     for i, (panel, (scene, title)) in enumerate(zip(axes[0], twins.SCENES.items())):
-        draw_view(panel, setting, scene, 'nearest').frame()
+        pictures.append(draw_view(panel, setting, scene, 'nearest'))
         panel.set_title(f'({title[0]}) {title[3:]}: row {rows["nearest"][i]} of set 1\n(row {rows["occupancy"][i]} of '
                         'set 2)')
+    frame_alike(pictures)
     alike = 'one and the same row' if len(set(rows['nearest'])) == 1 else 'DIFFERENT rows'
     chapter.add_figure(style.save(figure, setting.figure_file('figure_4_13')),
                        f'Figure 4.13: three situations that state set 1 maps to {alike}, '

@@ -47,6 +47,7 @@ def report(setting):
     groups.add_table(chapter, setting)
     surroundings.add_table(chapter, setting)
     surroundings.add_visits_table(chapter, setting)
+    add_synchronicity(chapter, setting)
     add_first_part(chapter, setting)
     add_rows(chapter, setting)
     return chapter
@@ -87,6 +88,27 @@ def add_tables(chapter, setting):
             for scenario in runs.SCENARIOS for states, parameters in
             (('nearest', 'thesis'), ('nearest', 'better'), ('occupancy', 'better'))]
     chapter.add_table(f"The other sets and parameters, one agent's table; {spread}", header, rows, name='others')
+
+
+def exact_rates(setting, scenario):
+    """Success, contact and collision [%] of twelve who start exactly on the circle, a tuple for each seed."""
+    return runs.measured(setting, runs.MAIN, scenario, 'exact.csv')
+
+
+def add_synchronicity(chapter, setting):
+    rows = []
+    for told, rates in (('circle12_exact: all start exactly on the circle', exact_rates(setting, 'circle12_exact')),
+                        ('circle12_exact, all move at the same time',
+                         exact_rates(setting, 'circle12_exact_simultaneous')),
+                        ('circle12: starts up to 5 cm off', runs.measured(setting, runs.MAIN, 'circle12')),
+                        ('circle12_varied: varied speeds', runs.measured(setting, runs.MAIN, 'circle12_varied'))):
+        success, contact, collision = map(Spread, zip(*rates))
+        clean = sum(arrived == 100 and touched == 0 for arrived, touched, _ in rates)
+        rows.append([told, success.text(1), collision.text(1), contact.text(1), f'{clean} of {len(rates)}'])
+    chapter.add_table("Synchronicity: set 2, thesis's parameters, one agent's table; mean ± standard deviation over "
+                      'the seeds (lowest-highest)',
+                      ['', 'success %', 'collision %', 'contact %', 'seeds in which all arrive without contact'],
+                      rows, name='synchronicity')
 
 
 def add_first_part(chapter, setting):
@@ -226,6 +248,11 @@ def told_of(setting, table, scenario, episode):
             f'another, {ticks} decisions')
 
 
+def best_of(setting, table, scenario):
+    """The best recorded episode of all seeds."""
+    return min(recorded(setting, table, scenario), key=lambda episode: badness(setting, table, scenario, episode))
+
+
 def add_best(chapter, setting):
     """Figure 4.24: best case."""
     scenario = 'circle12'
@@ -233,7 +260,7 @@ def add_best(chapter, setting):
     pictures, told = [], []
     for line, parameters in zip(axes, runs.PARAMETERS):
         table = ('agent', 'occupancy', parameters)
-        best = min(recorded(setting, table, scenario), key=lambda episode: badness(setting, table, scenario, episode))
+        best = best_of(setting, table, scenario)
         pictures += draw_row(line, setting, table, scenario, best)
         told.append(told_of(setting, table, scenario, best))
     finish(chapter, setting, figure, axes, pictures, 'figure_4_24_best',
