@@ -66,9 +66,11 @@ void CrowdController::run() {
 
 void CrowdController::linger() {
   if (figures_.episodes() > 1) {
-    ROS_INFO("%lu episodes: success %.2f %%, contact %.2f %%, collision %.2f %%, clean %.1f %%, path ratio %.3f, time ratio %.3f",
-             static_cast<unsigned long>(figures_.episodes()), figures_.successPercent(), figures_.contactPercent(),
-             figures_.collisionPercent(), figures_.cleanPercent(), figures_.pathRatio(), figures_.timeRatio());
+    ROS_INFO(
+        "%lu episodes: success %.2f %%, contact %.2f %%, collision %.2f %%, clean %.1f %%, path ratio %.3f, time ratio "
+        "%.3f",
+        static_cast<unsigned long>(figures_.episodes()), figures_.successPercent(), figures_.contactPercent(),
+        figures_.collisionPercent(), figures_.cleanPercent(), figures_.pathRatio(), figures_.timeRatio());
   }
   // ROS does not tell when a message has left the process.
   serveUntil(Clock::now() + FLUSH);
@@ -127,12 +129,13 @@ void CrowdController::logResult(const EpisodeResult& result) {
   Figures figures;
   figures.add(result);
   ROS_INFO(
-      "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, %zu in collision, path ratio %.3f, "
+      "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, %zu in collision, path "
+      "ratio %.3f, "
       "time ratio %.3f, %lu answers missed, %lu dropped",
       static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), static_cast<unsigned long>(instance_),
-      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(), result.collidedCount(),
-      figures.pathRatio(), figures.timeRatio(), static_cast<unsigned long>(lockstep_.missedCount()),
-      static_cast<unsigned long>(lockstep_.droppedCount()));
+      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
+      result.collidedCount(), figures.pathRatio(), figures.timeRatio(),
+      static_cast<unsigned long>(lockstep_.missedCount()), static_cast<unsigned long>(lockstep_.droppedCount()));
 }
 
 void CrowdController::waitWhilePaused() {

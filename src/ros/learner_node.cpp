@@ -91,7 +91,8 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
 bool LearnerNode::isRepeated(const PerceptionsMessage& message) const {
   const ActionsMessage::ConstPtr& last = actions_publisher_.last();
   return last != nullptr && message.run == run_ && message.content().episode == last->content.episode &&
-         message.content().tick == last->content.tick && message.content().turn == turn_ && message.header.stamp == last->header.stamp;
+         message.content().tick == last->content.tick && message.content().turn == turn_ &&
+         message.header.stamp == last->header.stamp;
 }
 
 void LearnerNode::noteEpisode() {

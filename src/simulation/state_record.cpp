@@ -1,14 +1,19 @@
 #include "social_crowd/simulation/state_record.h"
 
+#include <cmath>
+
 #include "social_crowd/common/numbers.h"
 
 namespace crowd {
 namespace {
 
+/// An angle in degrees, without the last digits that the conversion leaves.
+std::string degreesText(double angle) { return toText(std::round(toDegrees(angle) * 1e9) / 1e9); }
+
 std::string textOf(const std::vector<OccupiedSector>& occupied) {
   std::string text;
   for (const OccupiedSector& sector : occupied) {
-    text += (text.empty() ? "" : " ") + toText(toDegrees(sector.from)) + ":" + toText(toDegrees(sector.to)) + ":" +
+    text += (text.empty() ? "" : " ") + degreesText(sector.from) + ":" + degreesText(sector.to) + ":" +
             std::to_string(sector.distance_class);
   }
   return text;

@@ -34,14 +34,15 @@ struct Arguments {
 };
 
 constexpr const char* CSV_HEADER =
-    "scenario,instances,success_pct,contact_pct,collision_pct,clean_pct,path_ratio,time_ratio,turn_rad_per_m,max_speed_ratio,"
+    "scenario,instances,success_pct,contact_pct,collision_pct,clean_pct,path_ratio,time_ratio,turn_rad_per_m,max_speed_"
+    "ratio,"
     "blocked_per_agent\n";
 
 std::string csvRow(const std::string& name, const Figures& figures) {
   std::string row = name + "," + std::to_string(figures.episodes());
-  for (const double value :
-       {figures.successPercent(), figures.contactPercent(), figures.collisionPercent(), figures.cleanPercent(),
-        figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(), figures.maxSpeedRatio(), figures.blockedMovesPerAgent()}) {
+  for (const double value : {figures.successPercent(), figures.contactPercent(), figures.collisionPercent(),
+                             figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(),
+                             figures.maxSpeedRatio(), figures.blockedMovesPerAgent()}) {
     row += "," + toText(value);
   }
   return row + "\n";
@@ -55,8 +56,8 @@ void printHeader() {
 void printRow(const std::string& name, const Figures& figures) {
   std::printf("%-18s %9llu %8.2f %8.2f %10.2f %7.1f %6.3f %6.3f %6.2f %6.2f %7.2f\n", name.c_str(),
               static_cast<unsigned long long>(figures.episodes()), figures.successPercent(), figures.contactPercent(),
-              figures.collisionPercent(), figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(),
-              figures.maxSpeedRatio(), figures.blockedMovesPerAgent());
+              figures.collisionPercent(), figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(),
+              figures.turnPerMetre(), figures.maxSpeedRatio(), figures.blockedMovesPerAgent());
   std::fflush(stdout);
 }
 
@@ -161,9 +162,10 @@ int runMain(int argc, char** argv) {
                  "folder for a NAME.csv (instance,tick,agent,x,y) a scenario file");
   app.add_option("--scenes", arguments.scenes,
                  "folder for a NAME.yaml a scenario file: what was drawn, one document an instance");
-  app.add_option("--states", arguments.states,
-                 "folder for a NAME.csv a scenario file: the row of the Q-table, the action and the occupied sectors of "
-                 "every decision");
+  app.add_option(
+      "--states", arguments.states,
+      "folder for a NAME.csv a scenario file: the row of the Q-table, the action and the occupied sectors of "
+      "every decision");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
   app.add_option("--csv", arguments.csv, "file for the figures");
   app.add_option("SCENARIO", arguments.scenarios, "scenario files")->required();

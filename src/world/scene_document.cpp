@@ -59,8 +59,7 @@ std::string toDocument(const Scene& scene) {
          (scene.collision_radius != DEFAULT_COLLISION_RADIUS
               ? "collision_radius: " + toText(scene.collision_radius) + "\n"
               : "") +
-         section("agents", scene.agents) +
-         section("obstacles", scene.obstacles) + section("walls", scene.walls);
+         section("agents", scene.agents) + section("obstacles", scene.obstacles) + section("walls", scene.walls);
 }
 
 }  // namespace crowd

@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <set>
 
-#include "social_crowd/learning/sectors.h"
 #include "support/perceptions.h"
 
 namespace crowd {
@@ -77,34 +74,51 @@ TEST(OccupancyStates, PutsABodyIntoTheSectorItLiesIn) {
   EXPECT_EQ(classesOfBody(polar(-45.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 0, 0, 2}));
 }
 
-TEST(OccupancyStates, PutsABodyIntoTheSectorItReachesInto) {
-  // 20 + 8.2 degrees lies beyond the limit of 22.5, 14 + 8.2 does not.
+// Limiting vectors lie at 22.5, 67.5, ... degrees; sin 22.5 = 0.3827, cos 22.5 = 0.9239.
+
+TEST(OccupancyStates, ALimitThatIsCutPutsABodyIntoBothSectorsBesideIt) {
+  // At 20 degrees the limit at 22.5 passes 0.7 sin 2.5 = 0.031 from the centre, at 14 degrees 0.7 sin 8.5 = 0.103. The
+  // rim is 0.6 away, so the vector of length 0.5 does not reach it.
   EXPECT_EQ(classesOfBody(polar(20.0, 0.7), 0.1), (Classes{2, 2, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(classesOfBody(polar(14.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(classesOfBody(polar(-20.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 2}));
   EXPECT_EQ(classesOfBody(polar(110.0, 0.7), 0.1), (Classes{0, 0, 2, 2, 0, 0, 0, 0}));
 }
 
-TEST(OccupancyStates, PutsABodyIntoTheNeighboursOnBothSides) {
-  // asin(0.3 / 0.7) = 25.4 degrees to either side, beyond 22.5; the rim is 0.4 away.
-  EXPECT_EQ(classesOfBody(polar(0.0, 0.7), 0.3), (Classes{1, 1, 0, 0, 0, 0, 0, 1}));
-  EXPECT_EQ(classesOfBody(polar(-90.0, 0.7), 0.3), (Classes{0, 0, 0, 0, 0, 1, 1, 1}));
-  // asin(0.99 / 1) = 81.9 degrees: into the second neighbours, which begin at 67.5.
+TEST(OccupancyStates, EachLimitHasAClassOfItsOwn) {
+  // The rim is 0.4 away: class 1 where the centre is. The limits beside it pass 0.7 * 0.3827 = 0.268 from the centre
+  // and are cut from 0.7 * 0.9239 - sqrt(0.3^2 - 0.268^2) = 0.512 on: beyond the vector of length 0.5, so class 2.
+  EXPECT_EQ(classesOfBody(polar(0.0, 0.7), 0.3), (Classes{1, 2, 0, 0, 0, 0, 0, 2}));
+  EXPECT_EQ(classesOfBody(polar(-90.0, 0.7), 0.3), (Classes{0, 0, 0, 0, 0, 2, 1, 2}));
+  // At 0.65: 0.249; 0.601 - sqrt(0.09 - 0.062) = 0.433, class 1.
+  EXPECT_EQ(classesOfBody(polar(0.0, 0.65), 0.3), (Classes{1, 1, 0, 0, 0, 0, 0, 1}));
+}
+
+TEST(OccupancyStates, LimitingVectorsAreNoLongerThanVision) {
+  // The rim is 0.9 away. The limits pass 1.5 * 0.3827 = 0.574 from the centre, but are cut from 1.386 - sqrt(0.36 -
+  // 0.33) = 1.21 on only.
+  EXPECT_EQ(classesOfBody(polar(0.0, 1.5), 0.6), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
+}
+
+TEST(OccupancyStates, ALargeBodyCutsFurtherLimits) {
+  // The limits at 67.5 degrees pass cos 22.5 = 0.924 from the centre, where they are sin 22.5 = 0.383 long. Those at
+  // 112.5 degrees begin 1 m from the centre and lead away from it.
   EXPECT_EQ(classesOfBody(polar(0.0, 1.0), 0.99), (Classes{1, 1, 1, 0, 0, 0, 1, 1}));
 }
 
 TEST(OccupancyStates, GoesOnBehindTheAgent) {
-  // 180 +- 25.4 degrees cross both limits, 157.5 and -157.5.
-  EXPECT_EQ(classesOfBody(polar(180.0, 0.7), 0.3), (Classes{0, 0, 0, 1, 1, 1, 0, 0}));
-  // 165 +- 16.6 degrees: from 148.4 to 181.6, across 180 but not as far as 202.5.
-  EXPECT_EQ(classesOfBody(polar(165.0, 0.7), 0.2), (Classes{0, 0, 0, 1, 1, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(-165.0, 0.7), 0.2), (Classes{0, 0, 0, 0, 1, 1, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(180.0, 0.7), 0.3), (Classes{0, 0, 0, 2, 1, 2, 0, 0}));
+  // The limit at 157.5 degrees passes 0.7 sin 7.5 = 0.091 from the centre, and is cut from 0.694 - sqrt(0.044 - 0.008)
+  // = 0.505 on; that at 202.5 degrees passes 0.7 sin 37.5 = 0.426 from it. The rim is 0.49 away.
+  EXPECT_EQ(classesOfBody(polar(165.0, 0.7), 0.21), (Classes{0, 0, 0, 2, 1, 0, 0, 0}));
+  EXPECT_EQ(classesOfBody(polar(-165.0, 0.7), 0.21), (Classes{0, 0, 0, 0, 1, 2, 0, 0}));
 }
 
 TEST(OccupancyStates, ABodyAroundTheAgentIsEverywhere) {
   EXPECT_EQ(classesOfBody({0.1, 0.0}, 0.3), ALL_NEAR);
   EXPECT_EQ(classesOfBody({0.0, 0.0}, 0.3), ALL_NEAR);
-  EXPECT_EQ(classesOfBody({0.0, -0.25}, 0.25), ALL_NEAR);  // the agent's centre is on the rim
+  EXPECT_EQ(classesOfBody({0.0, -0.25}, 0.26), ALL_NEAR);
+  EXPECT_EQ(classesOfBody({0.0, 2.0}, 3.0), ALL_NEAR);
 }
 
 TEST(OccupancyStates, CountsBothLimitsInTheClassWithin) {
@@ -132,63 +146,6 @@ TEST(OccupancyStates, ANearBodyDoesNotBringAFarOneNearer) {
   EXPECT_EQ(
       classesOf(agentAlone().body(polar(20.0, 0.7), 0.1).body(polar(-20.0, 0.7), 0.1).wall({-0.4, -0.1}, {-0.4, 0.1})),
       (Classes{2, 2, 0, 0, 1, 0, 0, 2}));
-}
-
-// --- next to limits: what angles tell, to the last bit ---
-
-constexpr std::array<double, 11> HAIRS = {0.0,   1e-16, -1e-16, 1e-12, -1e-12, 1e-8,
-                                          -1e-8, 1e-6,  -1e-6,  1e-4,  -1e-4};  // [rad]
-
-OccupancyStates statesOf(int sectors) {
-  OccupancyStates::Parameters parameters;
-  parameters.sectors = sectors;
-  return OccupancyStates(parameters);
-}
-
-TEST(OccupancyStates, TheGoalIsInTheSectorOfItsBearing) {
-  for (int count = 2; count <= OccupancyStates::MAX_SECTORS; ++count) {
-    const OccupancyStates states = statesOf(count);
-    const EvenSectors sectors(count);
-    std::vector<Vector2> goals = {{0.0, 0.0},  {-0.0, -0.0}, {1.0, 0.0}, {0.0, 1.0},
-                                  {-1.0, 0.0}, {-1.0, -0.0}, {0.0, -1.0}};
-    for (int limit = -count; limit <= count; ++limit) {
-      for (const double hair : HAIRS) goals.emplace_back(1.7 * unitVector(sectors.rightLimit(limit) + hair));
-    }
-    for (const Vector2& goal : goals) {
-      EXPECT_EQ(states.describe(PerceptionsBuilder().agent(0, goal).perception()).goal_sector,
-                sectors.indexOf(bearingOf(goal)))
-          << count << " sectors, goal " << goal.transpose();
-    }
-  }
-}
-
-TEST(OccupancyStates, ABodyReachesAsFarAsItsTangents) {
-  constexpr double DISTANCE = 0.9;
-  for (int count = 2; count <= OccupancyStates::MAX_SECTORS; ++count) {
-    const OccupancyStates states = statesOf(count);
-    const EvenSectors sectors(count);
-    for (const double radius : {0.01, 0.25, 0.7, 0.9 - 1e-9}) {
-      const double half_span = std::asin(radius / DISTANCE);
-      for (int i = 0; i < 2 * count; ++i) {
-        for (const double hair : HAIRS) {
-          const double side = i % 2 == 0 ? half_span : -half_span;
-          const Vector2 centre = DISTANCE * unitVector(sectors.rightLimit(i / 2) + side + hair);
-          const double half = std::asin(radius / centre.norm());
-          std::set<int> expected;
-          const long last = sectors.unwrappedIndexOf(bearingOf(centre) + half);
-          for (long sector = sectors.unwrappedIndexOf(bearingOf(centre) - half); sector <= last; ++sector) {
-            expected.insert(sectors.wrap(sector));
-          }
-          const Situation situation = states.describe(agentAlone().body(centre, radius).perception());
-          std::set<int> reached;
-          for (int sector = 0; sector < count; ++sector) {
-            if (situation.distance_classes.at(static_cast<std::size_t>(sector)) > 0) reached.insert(sector);
-          }
-          EXPECT_EQ(reached, expected) << count << " sectors, radius " << radius << ", case " << i << ", hair " << hair;
-        }
-      }
-    }
-  }
 }
 
 TEST(OccupancyStates, ALongWallIsNearInOneSectorAndFarInTheNext) {

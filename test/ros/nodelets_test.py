@@ -11,7 +11,7 @@ from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
 from visualization_msgs.msg import MarkerArray
 
 SCENARIO = support.data('lockstep.yaml')
-EPISODES = 8  # so that each of the four documents is walked twice
+EPISODES = 12  # so that each of the six documents is walked twice
 NODELET = ['rosrun', 'nodelet', 'nodelet']
 
 
@@ -120,13 +120,13 @@ class TrainingTest(NodeletTestCase):
 
     def test_the_same_table_as_without_ros(self):
         learning = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
-        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 5, 3, 'shared', learning))
+        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 7, 3, 'shared', learning))
         self.tool('train', recipe, '--output', self.path('headless.txt'))
         decisions = QTableFile(self.path('headless.txt')).header['decisions']
         status = self.listen('learner_status', LearnerStatus)
         learner = self.load('learner', mode='training', config=recipe, seed=3, save_to=self.path('ros.txt'))
         status.wait(what='that the learner is there')
-        self.assertEqual(self.load_controller(episodes=5, seed=3).wait(), 0)
+        self.assertEqual(self.load_controller(episodes=7, seed=3).wait(), 0)
 
         def has_all():
             self.succeed('learner/save_q_table', file=self.path('saved.txt'), agent=0)

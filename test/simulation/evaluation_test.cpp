@@ -268,5 +268,53 @@ TEST(Evaluation, NoScenarioNoEpisode) {
   EXPECT_THROW(evaluate(restlessTable(), ScenarioList(), planOf(1, 2), std::ref(in_order)), InputError);
 }
 
+const char* const KEPT =
+    "name: kept\n"
+    "duration: 3\n"
+    "order: sequential\n"
+    "goal_tolerance: 0.3\n"
+    "agents:\n"
+    "  - {count: 2, position: {box: [[-2, -2], [2, 2]]}, goal: {box: [[-2, -2], [2, 2]]}, speed: 1, radius: 0.2,\n"
+    "     heading: kept}\n";
+
+std::vector<EvaluatedEpisode> evaluateKept(unsigned threads) {
+  EvaluationPlan plan = planOf(5, threads);
+  plan.scenes = true;
+  std::vector<EvaluatedEpisode> all;
+  evaluate(restlessTable(), parseScenarios(KEPT, "kept.yaml"), plan, [&](EvaluatedEpisode& walked) {
+    all.push_back(std::move(walked));
+    return true;
+  });
+  return all;
+}
+
+TEST(Evaluation, AgentsThatKeepTheirHeadingBeginWithThatOfTheEpisodeBefore) {
+  const std::vector<EvaluatedEpisode> all = evaluateKept(1);
+  ASSERT_EQ(all.size(), 5U);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const Scene scene = parseScenarios(all[i].scene, "drawn.yaml").scene(1, 0);
+    for (std::size_t agent = 0; agent < 2; ++agent) {
+      const double before = all[i - 1].result.agents[agent].heading;
+      EXPECT_NEAR(wrapAngle(scene.agents[agent].heading - before), 0.0, 1e-12);
+    }
+  }
+  const std::vector<EvaluatedEpisode> again = evaluateKept(4);
+  for (std::size_t i = 0; i < all.size(); ++i) expectSame(again[i], all[i]);
+}
+
+TEST(Evaluation, RecordsAStateForEachDecision) {
+  EvaluationPlan plan = planOf(3, 1);
+  plan.states = true;
+  const std::vector<EvaluatedEpisode> all = evaluateAll(plan);
+  const std::vector<EvaluatedEpisode> plain = evaluateAll(planOf(3, 1));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::uint64_t decisions = 0;
+    for (const AgentResult& agent : all[i].result.agents) decisions += agent.ticks;
+    EXPECT_EQ(std::count(all[i].states.begin(), all[i].states.end(), '\n'), static_cast<std::ptrdiff_t>(decisions));
+    expectSame(all[i], plain[i]);
+    EXPECT_TRUE(plain[i].states.empty());
+  }
+}
+
 }  // namespace
 }  // namespace crowd

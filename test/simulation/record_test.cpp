@@ -13,6 +13,7 @@ namespace {
 AgentResult walked() {
   AgentResult agent;
   agent.arrived = true;
+  agent.collided = true;
   agent.blocked_moves = 3;
   agent.ticks = 8;
   agent.path_length = 4.0;
@@ -40,8 +41,8 @@ TEST(Record, ARowAnAgent) {
   lost.ticks = 20;
   lost.path_per_gain = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rowsOf("pair", {walked(), lost}),
-            "41,pair,0,1,0,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n"
-            "41,pair,1,0,1,0,20,0,0,0,0,0,0,nan\n");
+            "41,pair,0,1,0,1,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n"
+            "41,pair,1,0,1,0,0,20,0,0,0,0,0,0,nan\n");
 }
 
 TEST(Record, HeaderNamesEveryField) {
@@ -54,12 +55,12 @@ TEST(Record, HeaderNamesEveryField) {
 TEST(Record, WhoWasRemovedDoesNotCount) {
   AgentResult removed = walked();
   removed.removed = true;
-  EXPECT_EQ(rowsOf("pair", {removed, walked()}), "41,pair,1,1,0,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
+  EXPECT_EQ(rowsOf("pair", {removed, walked()}), "41,pair,1,1,0,1,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
 }
 
 TEST(Record, NamesWithCommasStayOneField) {
   EXPECT_EQ(rowsOf("a \"wide\", long door", {walked()}),
-            "41,\"a \"\"wide\"\", long door\",0,1,0,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
+            "41,\"a \"\"wide\"\", long door\",0,1,0,1,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
 }
 
 }  // namespace

@@ -243,5 +243,21 @@ TEST(RunEpisode, PlaysToTheEndAndHandsTheNumberToTheLearner) {
   EXPECT_NE(play(1), play(2));  // another episode explores otherwise
 }
 
+TEST(Training, AgentsThatKeepTheirHeadingLearnFromWhereTheEpisodeBeforeLeftThem) {
+  const TemporaryFolder folder;
+  const std::string agents =
+      "name: pair\nduration: 2\ngoal_tolerance: 0.3\nagents:\n"
+      "  - {position: [0, 0], goal: [3, 0], speed: 1, radius: 0.2, heading: ";
+  folder.write("kept.yaml", agents + "kept}\n");
+  folder.write("goal.yaml", agents + "goal}\n");
+  Training kept(recipeFor(folder, "kept.yaml", 2, 1));
+  Training towards_goal(recipeFor(folder, "goal.yaml", 2, 1));
+  const EpisodeResult first = kept.runNextTurn().at(0);
+  EXPECT_EQ(towards_goal.runNextTurn().at(0).agents[0].heading, first.agents[0].heading);
+  EXPECT_NE(first.agents[0].heading, 0.0);  // the goal lies at 0
+  EXPECT_NE(kept.runNextTurn().at(0).agents[0].distance_gained,
+            towards_goal.runNextTurn().at(0).agents[0].distance_gained);
+}
+
 }  // namespace
 }  // namespace crowd

@@ -173,7 +173,7 @@ TEST(ScenarioReader, SaysFileDocumentLineAndWhatWasExpected) {
 TEST(ScenarioReader, RefusesUnknownMissingAndDoubleKeys) {
   EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
             "s.yaml: document 1, line 5: unknown key 'obstacle'; known are name, units, tick, duration, "
-            "goal_tolerance, contact, seed, agents, obstacles, walls");
+            "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),
@@ -309,6 +309,58 @@ TEST(ScenarioReader, ReadsFilesAndNamesThemInMessages) {
     EXPECT_EQ(error.what(), file + ": document 1, line 1: the key 'agents' is missing");
   }
   std::remove(file.c_str());
+}
+
+TEST(ScenarioReader, ReadsTheOrderOfMoves) {
+  const std::string document = std::string(HEAD) + AGENTS;
+  EXPECT_EQ(sceneOf(document).order, Order::SIMULTANEOUS);
+  EXPECT_EQ(sceneOf(document + "order: simultaneous\n").order, Order::SIMULTANEOUS);
+  EXPECT_EQ(sceneOf(document + "order: sequential\n").order, Order::SEQUENTIAL);
+  EXPECT_EQ(errorOf(document + "order: random\n"),
+            "s.yaml: document 1, line 5: order: expected simultaneous or sequential, got 'random'");
+}
+
+TEST(ScenarioReader, ReadsTheCollisionRadius) {
+  const std::string document = std::string(HEAD) + AGENTS;
+  EXPECT_EQ(sceneOf(document).collision_radius, 0.5);  // the thesis's (4.1)
+  EXPECT_EQ(sceneOf(document + "collision_radius: 0.3\n").collision_radius, 0.3);
+  EXPECT_EQ(errorOf(document + "collision_radius: 0\n"),
+            "s.yaml: document 1, line 5: collision_radius: expected a number above 0, got '0'");
+}
+
+TEST(ScenarioReader, ReadsHeadings) {
+  const auto start = [](const std::string& heading) {
+    return sceneOf(std::string(HEAD) +
+                   "agents: [{position: [0, 0], goal: [0, 3], speed: 1, radius: 0.2, heading: " + heading + "}]\n")
+        .agents.at(0);
+  };
+  EXPECT_NEAR(start("goal").heading, PI / 2.0, 1e-12);
+  EXPECT_NEAR(start("30").heading, PI / 6.0, 1e-12);
+  EXPECT_NEAR(start("[-60, -60]").heading, -PI / 3.0, 1e-12);
+  EXPECT_FALSE(start("random").keeps_heading);
+  EXPECT_TRUE(start("kept").keeps_heading);
+  EXPECT_NEAR(start("kept").heading, PI / 2.0, 1e-12);  // of the first episode
+  EXPECT_EQ(agentError("position: [0, 0], goal: [0, 3], speed: 1, radius: 0.2, heading: north"),
+            "s.yaml: document 1, line 5: agents[0].heading: expected goal, random, kept, or degrees: a number or [low, "
+            "high], got 'north'");
+}
+
+TEST(ScenarioReader, ReadsAPlaceBetweenAgentAndGoal) {
+  // From (0, 0) to (4, 3), which is 5 m: half of that, and 0.5 m to the left.
+  expectNear(obstacleOf("position: {between: {agent: 0, share: 0.5, aside: 0.5}}, radius: 0.4").path.position(0.0),
+             Vector2(2.0 - 0.3, 1.5 + 0.4));
+  expectNear(obstacleOf("position: {between: {agent: 0, share: 0.5}}, radius: 0.4").path.position(0.0),
+             Vector2(2.0, 1.5));
+  EXPECT_EQ(
+      obstacleError("position: {between: {agent: 0, share: 1.5}}, radius: 0.4"),
+      "s.yaml: document 1, line 6: obstacles[0].position.between.share: expected a number from 0 to 1, got '1.5'");
+  EXPECT_EQ(obstacleError("position: {between: {agent: 1, share: 0.5}}, radius: 0.4"),
+            "s.yaml: document 1, line 6: obstacles[0].position.between.agent: expected the number of an agent, 0 to 0, "
+            "got 1");
+  EXPECT_EQ(obstacleError("position: {between: {share: 0.5}}, radius: 0.4"),
+            "s.yaml: document 1, line 6: obstacles[0].position.between: the key 'agent' is missing");
+  EXPECT_EQ(obstacleError("position: {between: {agent: 0, share: 0}}, radius: 0.4"),
+            "s.yaml: document 1, line 6: obstacles[0]: no free place found in 1000 tries");  // on the agent
 }
 
 }  // namespace

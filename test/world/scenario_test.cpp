@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "social_crowd/common/errors.h"
 #include "social_crowd/world/scenario_reader.h"
 
@@ -270,6 +272,46 @@ TEST(FindOverlap, NamesTheAgentAndWhatItOverlaps) {
   scene.obstacles.push_back(scene.obstacles[0]);
   scene.walls[0] = {{9.0, 0.0}, {9.0, 1.0}};
   EXPECT_EQ(findOverlap(scene), "");  // fixtures may overlap
+}
+
+TEST(Scenario, RandomHeadingsDifferAndCoverTheCircle) {
+  const ScenarioList list =
+      parse(std::string(HEAD) + "agents: [{position: [0, 0], goal: [0, 3], speed: 1, radius: 0.2, heading: random}]\n");
+  std::array<int, 4> quarters{};
+  for (std::uint64_t episode = 0; episode < 400; ++episode) {
+    const double heading = list.scene(1, episode).agents[0].heading;
+    ++quarters.at(static_cast<std::size_t>((heading + PI) / (PI / 2.0)) % 4);
+  }
+  for (const int count : quarters) EXPECT_NEAR(count, 100, 40);
+}
+
+TEST(Scenario, ObstaclesBetweenLieOnTheWay) {
+  const ScenarioList list = parse(
+      std::string(HEAD) +
+      "agents: [{position: {ring: {centre: [0, 0], radius: [0, 0.2]}}, goal: {ring: {centre: [0, 0], radius: 3}},\n"
+      "  speed: 1, radius: 0.2}]\n"
+      "obstacles: [{position: {between: {agent: 0, share: [0.4, 0.6], aside: [-0.1, 0.1]}}, radius: 0.4}]\n");
+  for (std::uint64_t episode = 0; episode < 200; ++episode) {
+    const Scene scene = list.scene(1, episode);
+    const Vector2 way = scene.agents[0].goals[0] - scene.agents[0].position;
+    const Vector2 place = scene.obstacles[0].path.position(0.0) - scene.agents[0].position;
+    const double share = place.dot(way) / way.squaredNorm();
+    EXPECT_TRUE(share >= 0.4 - 1e-12 && share <= 0.6 + 1e-12) << share;
+    EXPECT_LE(std::abs(cross(way, place)) / way.norm(), 0.1 + 1e-12);
+  }
+}
+
+TEST(Scenario, KeptHeadingsComeFromTheEpisodeBefore) {
+  Scene scene = parse(std::string(HEAD) +
+                      "agents:\n"
+                      "  - {position: [0, 0], goal: [0, 3], speed: 1, radius: 0.2, heading: kept}\n"
+                      "  - {position: [2, 0], goal: [2, 3], speed: 1, radius: 0.2}\n"
+                      "  - {position: [4, 0], goal: [4, 3], speed: 1, radius: 0.2, heading: kept}\n")
+                    .scene(1, 0);
+  keepHeadings({1.0, 2.0}, scene);
+  EXPECT_EQ(scene.agents[0].heading, 1.0);
+  EXPECT_NEAR(scene.agents[1].heading, PI / 2.0, 1e-12);
+  EXPECT_NEAR(scene.agents[2].heading, PI / 2.0, 1e-12);  // it was not there
 }
 
 }  // namespace

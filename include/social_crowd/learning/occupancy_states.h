@@ -10,8 +10,8 @@
 
 namespace crowd {
 
-/// @brief The thesis's state set 2 (3.2.2.1, (3.5)): sector of the goal, and for every sector a distance class, found in
-/// two steps for each body:
+/// @brief The thesis's state set 2 (3.2.2.1, (3.5)): sector of the goal, and for every sector a distance class, found
+/// in two steps for each body:
 /// 1. the segment that joins the agent and the body's centre gives one sector, which takes the class of the distance
 ///    from the agent's centre to the body's rim;
 /// 2. the limiting vectors of the sectors, with the lengths of the distance classes, are intersected with the body: the

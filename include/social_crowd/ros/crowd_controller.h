@@ -89,9 +89,9 @@ class CrowdController {
   std::uint64_t next_episode_ = 0;  // never repeats, so that an old answer cannot be taken for a new one
   std::uint64_t instance_ = 0;      // since the scenario was loaded or reset
   std::uint64_t ended_episodes_ = 0;
-  bool tick_ended_ = true;       // no turn of the tick is under way
+  bool tick_ended_ = true;        // no turn of the tick is under way
   std::vector<double> headings_;  // of the agents at the end of the last episode [rad]
-  bool cut_off_ = false;  // the episode was replaced while a tick was under way
+  bool cut_off_ = false;          // the episode was replaced while a tick was under way
   Figures figures_;
 
   Lockstep lockstep_;

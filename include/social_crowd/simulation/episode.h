@@ -29,9 +29,11 @@ class Episode {
   /// @brief The same to be kept: it stays as it is while somebody holds it.
   std::shared_ptr<const Perceptions> sharedPerceptions() { return perceive(); }
   /// @brief What the learner decides on perceptions(): the same as Learner::decide(). Where all agents have their turn
-  /// in demo mode it is faster (see GreedyCrowd), in another order of agents, and the learner does not come to know them.
+  /// in demo mode it is faster (see GreedyCrowd), in another order of agents, and the learner does not come to know
+  /// them.
   void decide(Learner& learner, RelativeActions& actions);
-  /// @brief Moves the agents whose turn it is; those without an action stay. @throws InputError, nothing has moved then.
+  /// @brief Moves the agents whose turn it is; those without an action stay. @throws InputError, nothing has moved
+  /// then.
   /// @return whether that was the last turn of the tick
   bool step(const std::vector<AgentAction>& actions);
   /// @brief Whether all agents have arrived or time is up; changes only at the end of a tick.
@@ -69,7 +71,8 @@ class Episode {
   Recycler<std::shared_ptr<Perceptions>> buffers_;
   std::shared_ptr<Perceptions> perceptions_;  // those of the last time that somebody asked
   bool are_current_ = false;
-  AgentId turn_ = 0;  // the agent whose turn it is, sequential only; the number of agents if no turn is left in the tick
+  AgentId turn_ =
+      0;  // the agent whose turn it is, sequential only; the number of agents if no turn is left in the tick
   GreedyCrowd crowd_;
 };
 

@@ -10,7 +10,8 @@ namespace crowd {
 /// @brief First line of a record: one row tells how one agent fared in one episode, with the measures and units of
 /// AgentResult; `arrived`, `touched` and `collided` are 1 or 0.
 constexpr const char* RECORD_HEADER =
-    "episode,scenario,agent,arrived,touched,collided,blocked_moves,ticks,path_length,path_ratio,time_ratio,turn_per_metre,"
+    "episode,scenario,agent,arrived,touched,collided,blocked_moves,ticks,path_length,path_ratio,time_ratio,turn_per_"
+    "metre,"
     "distance_gained,gain_per_tick,path_per_gain\n";
 
 /// @brief Appends a row for each agent that counts.

@@ -8,9 +8,9 @@
 
 namespace crowd {
 
-/// @brief First line of a record of states. A row tells what one decision rested on: where the agent was [m, `map`], its
-/// heading [degrees], the row of the Q-table and the action that were chosen, and the occupied sectors, counterclockwise
-/// from straight ahead, as FROM:TO:CLASS [degrees, agent frame] with blanks between them.
+/// @brief First line of a record of states. A row tells what one decision rested on: where the agent was [m, `map`],
+/// its heading [degrees], the row of the Q-table and the action that were chosen, and the occupied sectors,
+/// counterclockwise from straight ahead, as FROM:TO:CLASS [degrees, agent frame] with blanks between them.
 constexpr const char* STATE_RECORD_HEADER = "instance,tick,agent,x,y,heading,row,action,occupied\n";
 
 /// @brief Appends a row for each agent that decides on these perceptions in demo mode.

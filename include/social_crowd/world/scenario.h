@@ -61,7 +61,7 @@ struct ObstacleGroup {
   int count = 1;
   Region position;
   std::optional<Between> between;  ///< in place of `position`
-  Range radius;  ///< [m]
+  Range radius;                    ///< [m]
   ObstaclePath::Kind motion = ObstaclePath::Kind::AT_REST;
   Vector2 velocity = Vector2::Zero();  ///< [m/s], for STRAIGHT
   std::vector<Region> waypoints;       ///< after the start, for TO_AND_FRO and LOOP

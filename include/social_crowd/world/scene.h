@@ -30,7 +30,7 @@ struct AgentStart {
   std::vector<Vector2> goals;          ///< [m], `map`; reached one after the other, at least one
   double speed = 0.0;                  ///< top speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
-  bool keeps_heading = false;          ///< begins with the heading it had when the last episode ended, see keepHeadings()
+  bool keeps_heading = false;  ///< begins with the heading it had when the last episode ended, see keepHeadings()
 };
 
 /// @brief A disc that yields to nobody.

@@ -1,0 +1,119 @@
+// Episodes in which the agents of a tick take turns.
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "social_crowd/simulation/episode.h"
+#include "support/scenes.h"
+
+namespace crowd {
+namespace {
+
+using scenes::agent;
+using scenes::scene;
+using scenes::wanderer;
+
+AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
+
+Scene sequential(Scene scene) {
+  scene.order = Order::SEQUENTIAL;
+  return scene;
+}
+
+/// Ticks of 0.5 s; agent 0 has 1 m and 2 ticks to its goal, agent 1 has 2 m and 4 ticks.
+Scene oneAndTwoMetres() {
+  return sequential(
+      scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), agent({0.0, 3.0}, {2.0, 3.0}, 1.0)})));
+}
+
+/// Numbers of the agents that are asked.
+std::vector<AgentId> asked(Episode& episode) {
+  std::vector<AgentId> ids;
+  for (const AgentPerception& self : episode.perceptions().agents) ids.push_back(self.agent);
+  return ids;
+}
+
+using Ids = std::vector<AgentId>;
+
+TEST(SequentialEpisode, ATickIsATurnForEachAgent) {
+  Episode episode(oneAndTwoMetres(), 7, Vision());
+  EXPECT_EQ(episode.turnsOfTick(), 2U);
+  EXPECT_EQ(asked(episode), Ids{0});
+  EXPECT_EQ(episode.perceptions().turn, 0U);
+  EXPECT_FALSE(episode.step({ahead(0)}));
+  EXPECT_EQ(asked(episode), Ids{1});
+  EXPECT_EQ(episode.perceptions().turn, 1U);
+  EXPECT_EQ(episode.perceptions().tick, 0U);
+  EXPECT_TRUE(episode.step({ahead(1)}));
+  EXPECT_EQ(asked(episode), Ids{0});
+  EXPECT_EQ(episode.perceptions().tick, 1U);
+}
+
+TEST(SequentialEpisode, AnAgentThatHasArrivedGetsItsLastPerceptionAtItsTurn) {
+  Episode episode(oneAndTwoMetres(), 7, Vision());
+  for (int tick = 0; tick < 2; ++tick) {
+    episode.step({ahead(0)});
+    episode.step({});
+  }
+  ASSERT_EQ(asked(episode), Ids{0});
+  EXPECT_TRUE(episode.perceptions().agents[0].arrived);
+  EXPECT_FALSE(episode.step({}));
+  EXPECT_EQ(asked(episode), Ids{1});
+  EXPECT_EQ(episode.perceptions().agents[0].body_count, 0U);  // the other has left
+  EXPECT_TRUE(episode.step({}));
+  EXPECT_EQ(asked(episode), Ids{1});  // the other has no turn any more
+}
+
+TEST(SequentialEpisode, TheLastPerceptionsAreThoseOfAllAgents) {
+  Scene scene = oneAndTwoMetres();
+  scene.max_ticks = 1;
+  Episode episode(scene, 7, Vision());
+  episode.step({});
+  EXPECT_FALSE(episode.isOver());
+  episode.step({});
+  EXPECT_TRUE(episode.isOver());
+  EXPECT_TRUE(episode.perceptions().last);
+  EXPECT_EQ(asked(episode), (Ids{0, 1}));
+}
+
+TEST(SequentialEpisode, WatchesTheWorldTickByTick) {
+  Episode episode(oneAndTwoMetres(), 7, Vision());
+  while (!episode.isOver()) episode.step({ahead(0), ahead(1)});
+  const EpisodeResult result = episode.result();
+  EXPECT_EQ(result.ticks, 4U);
+  EXPECT_EQ(result.agents[0].ticks, 2U);
+  EXPECT_DOUBLE_EQ(result.agents[1].path_length, 2.0);
+}
+
+TEST(SequentialEpisode, ChangesBetweenTurns) {
+  Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})), 7, Vision());
+  episode.step({});
+  episode.removeAgent(1);  // it was to be next
+  EXPECT_EQ(asked(episode), Ids{2});
+  const AgentId spawned = episode.spawnAgent(wanderer({0.0, 9.0}));
+  EXPECT_FALSE(episode.step({ahead(2)}));
+  EXPECT_EQ(asked(episode), Ids{spawned});
+  EXPECT_TRUE(episode.step({}));
+  EXPECT_EQ(asked(episode), Ids{0});
+}
+
+TEST(SequentialEpisode, ATickEndsWhenItsLastAgentsAreTakenAway) {
+  Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0})})), 7, Vision());
+  episode.step({});
+  episode.removeAgent(1);
+  EXPECT_EQ(asked(episode), Ids{});
+  EXPECT_TRUE(episode.step({}));
+  EXPECT_EQ(episode.world().tick(), 1U);
+}
+
+TEST(SequentialEpisode, AnAgentTakenAwayInItsTurnDoesNotTakeThatOfTheNext) {
+  Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0})})), 7, Vision());
+  ASSERT_EQ(asked(episode), Ids{0});
+  episode.removeAgent(0);
+  EXPECT_FALSE(episode.step({ahead(0)}));
+  EXPECT_EQ(asked(episode), Ids{1});
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,166 @@
+// Agents that move one after the other within a tick (thesis, algorithms 3.3 and 3.4).
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "social_crowd/common/errors.h"
+#include "support/error_of.h"
+#include "support/scenes.h"
+#include "support/worlds.h"
+
+namespace crowd {
+namespace {
+
+using scenes::mover;
+using scenes::pillar;
+using scenes::scene;
+using scenes::wanderer;
+
+/// Agents of 1 m/s in ticks of 0.5 s.
+Scene halfMetres(std::vector<AgentStart> agents, std::vector<Obstacle> obstacles = {}) {
+  return scenes::halfSeconds(scene(std::move(agents), std::move(obstacles)));
+}
+
+Perceptions lookOf(World& world, AgentId id) {
+  Perceptions perceptions;
+  world.perceiveAgent(FAR_SIGHT, id, perceptions);
+  return perceptions;
+}
+
+TEST(SequentialWorld, TheNextAgentPerceivesWhereTheOneBeforeHasGone) {
+  World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
+  world.moveAgent(0, {ahead(0)});
+  const Perceptions seen = lookOf(world, 1);
+  ASSERT_EQ(seen.agents.size(), 1U);
+  EXPECT_EQ(seen.agents[0].agent, 1U);
+  EXPECT_EQ(seen.tick, 0U);
+  ASSERT_EQ(seen.agents[0].body_count, 1U);
+  expectVector(seen.bodies[0].position, -1.5, 0.0);  // 0.5 - 2
+  expectVector(seen.bodies[0].velocity, 1.0, 0.0);
+}
+
+TEST(SequentialWorld, AnAgentPerceivesTheOthersOfTheTickBeforeUntilTheyMove) {
+  World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
+  world.moveAgent(0, {ahead(0)});
+  world.moveAgent(1, {{1, {PI, 1.0}}});
+  world.endTick();
+  EXPECT_EQ(world.tick(), 1U);
+  const Perceptions seen = lookOf(world, 0);
+  expectVector(seen.bodies[0].position, 1.0, 0.0);  // 1.5 - 0.5
+  expectVector(seen.bodies[0].velocity, -1.0, 0.0);
+}
+
+TEST(SequentialWorld, ObstaclesMoveAtTheEndOfTheTick) {
+  World world(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {mover({3.0, 0.0}, {0.0, 1.0}, 0.2)}));
+  world.moveAgent(0, {});
+  expectVector(lookOf(world, 0).bodies[0].position, 3.0, 0.0);
+  world.endTick();
+  expectVector(lookOf(world, 0).bodies[0].position, 3.0, 0.5);
+}
+
+TEST(SequentialWorld, AnAgentWithoutATurnStays) {
+  World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
+  world.step({ahead(0), ahead(1)});
+  world.moveAgent(0, {ahead(0)});
+  world.endTick();
+  EXPECT_TRUE(world.agents()[0].acted);
+  EXPECT_FALSE(world.agents()[1].acted);
+  expectVector(world.agents()[1].pose.position, 2.5, 0.0);
+  expectVector(world.agents()[1].velocity, 0.0, 0.0);
+}
+
+TEST(SequentialWorld, TakesTheActionOfTheAgentOnly) {
+  World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
+  world.moveAgent(0, {ahead(1), ahead(0)});
+  expectVector(world.agents()[0].pose.position, 0.5, 0.0);
+  expectVector(world.agents()[1].pose.position, 2.0, 0.0);
+}
+
+TEST(SequentialWorld, RefusesAnUnsoundActionBeforeAnythingMoves) {
+  World world(halfMetres({wanderer({0.0, 0.0}, 1.0)}));
+  EXPECT_TRUE(contains(errorOf<InputError>([&] {
+                         world.moveAgent(0, {ahead(0), {0, {0.0, 2.0}}});
+                       }),
+                       "expected a finite rotation and a share of the speed from 0 to 1"));
+  expectVector(world.agents()[0].pose.position, 0.0, 0.0);
+}
+
+TEST(SequentialWorld, InASolidWorldEachStopsAtWhereTheOthersAreThen) {
+  // Their bodies of 0.25 m are 0.25 m apart. The first walks up to the second, which then walks away.
+  World world(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({0.75, 0.0}, 1.0)})));
+  world.moveAgent(0, {ahead(0)});
+  EXPECT_DOUBLE_EQ(world.agents()[0].pose.position.x(), 0.25);
+  world.moveAgent(1, {ahead(1)});
+  EXPECT_DOUBLE_EQ(world.agents()[1].pose.position.x(), 1.25);
+  world.endTick();
+  EXPECT_TRUE(world.agents()[0].blocked);
+  EXPECT_FALSE(world.agents()[1].blocked);
+  EXPECT_TRUE(world.agents()[0].in_contact && world.agents()[1].in_contact);  // one walked into the other
+  world.endTick();
+  EXPECT_FALSE(world.agents()[0].in_contact || world.agents()[1].in_contact);
+  // Had both moved at the same time, they would have kept their distance.
+  World together(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({0.75, 0.0}, 1.0)})));
+  together.step({ahead(0), ahead(1)});
+  EXPECT_FALSE(together.agents()[0].blocked);
+}
+
+TEST(SequentialWorld, InASolidWorldObstaclesPushAtTheEndOfTheTick) {
+  // The obstacle comes with 1 m/s; after the agent's turn their rims are 0.25 m apart.
+  World world(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {mover({0.75, 0.0}, {-1.0, 0.0}, 0.25)})));
+  world.moveAgent(0, {{0, {PI / 2, 0.0}}});
+  world.endTick();
+  EXPECT_NEAR(world.agents()[0].pose.position.x(), -0.25, 1e-12);
+  EXPECT_NEAR(world.agents()[0].velocity.x(), -0.5, 1e-12);  // 0.25 m in 0.5 s
+  EXPECT_FALSE(world.agents()[0].blocked);
+  EXPECT_TRUE(world.agents()[0].in_contact);
+}
+
+/// A tick in which all agents have a turn.
+void walkOneByOne(World& world, const std::vector<AgentAction>& actions) {
+  for (AgentId id = 0; id < world.agents().size(); ++id) {
+    if (world.isPerceiving(id)) world.moveAgent(id, actions);
+  }
+  world.endTick();
+}
+
+TEST(SequentialWorld, GhostsThatDoNotLookEndWhereTheyWouldTogether) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene = seed % 4 == 3 ? scenes::randomCrowd(seed) : scenes::randomScene(seed);
+    World together(scene);
+    World one_by_one(scene);
+    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
+    for (int tick = 0; tick < 8; ++tick) {
+      const std::vector<AgentAction> actions = scenes::purposefulActions(together, random);
+      together.step(actions);
+      walkOneByOne(one_by_one, actions);
+      ASSERT_EQ(stateOf(one_by_one), stateOf(together)) << "tick " << tick;
+      Perceptions expected;
+      Perceptions seen;
+      together.perceive(Vision(), expected);
+      one_by_one.perceive(Vision(), seen);
+      ASSERT_EQ(seen.bodies.size(), expected.bodies.size());
+    }
+  }
+}
+
+TEST(SequentialWorld, SolidBodiesNeverOverlap) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    World world(scenes::solidCrowd(seed, 24, 2.0));
+    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
+    for (int tick = 0; tick < 20; ++tick) {
+      walkOneByOne(world, scenes::randomActions(world, random));
+      for (const Agent& agent : world.agents()) {
+        for (const Agent& other : world.agents()) {
+          const double distance = (agent.pose.position - other.pose.position).norm();
+          ASSERT_TRUE(agent.id == other.id || distance > agent.radius + other.radius - TOUCH_TOLERANCE);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace crowd
