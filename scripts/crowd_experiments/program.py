@@ -1,11 +1,13 @@
 """A program that carries out experiments and writes a page about them."""
 import argparse
 import dataclasses
+import itertools
 import os
 import pathlib
 import signal
 import subprocess
 import sys
+import textwrap
 import time
 
 from .document import fill_document
@@ -16,6 +18,7 @@ from .setting import Setting
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ('train', 'evaluate')
+LONGEST_CELL = 80  # [characters] of a printed table
 EXIT_FINE, EXIT_FAILED, EXIT_INTERRUPTED = 0, 1, 130
 
 
@@ -155,13 +158,14 @@ def carry_out(setting, chosen, arguments):
 
 
 def print_table(table):
-    """A table for the eye."""
-    rows = [table.header, *table.rows]
-    widths = [max(len(row[i]) for row in rows) for i in range(len(table.header))]
+    """A table for the eye; long texts are broken into lines."""
+    rows = [[textwrap.wrap(cell, LONGEST_CELL) for cell in row] for row in (table.header, *table.rows)]
+    widths = [max(len(line) for row in rows for line in row[i] or ['']) for i in range(len(table.header))]
     print(f'\n{table.title}')
     for row in rows:
-        print('  '.join(f'{cell:<{width}}' if i == 0 else f'{cell:>{width}}'
-                        for i, (cell, width) in enumerate(zip(row, widths))))
+        for line in itertools.zip_longest(*row, fillvalue=''):
+            print('  '.join(f'{cell:<{width}}' if i == 0 else f'{cell:>{width}}'
+                            for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
 
 
 def interrupt(_signal, _frame):

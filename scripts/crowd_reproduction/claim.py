@@ -9,8 +9,9 @@ from crowd_experiments.records import spread_text
 COMES_OUT, IN_PART, NOT = 'comes out', 'comes out in part', 'does not come out'
 LEAST_SHARE = 0.75  # of the seeds that a claim is to hold for
 RULE = (
-    f'{COMES_OUT}: it holds for the mean over the seeds and for at least three quarters of the seeds, two sides being '
-    f'compared seed by seed; {IN_PART}: for one of both only, or for a part of what is claimed; {NOT}: for neither. '
+    f'{COMES_OUT}: it holds for the mean over the seeds and for at least three quarters of the seeds; where two sides '
+    'are compared, that is done seed by seed, and their means are to differ by more than a standard error of the '
+    f'difference; {IN_PART}: for one of both only, or for a part of what is claimed; {NOT}: for neither. '
     'A tie does not hold. A number of the thesis comes out where our mean is within 5 points of it and the seeds lie '
     'on both sides of it, and in part where one of the two is so.')
 NEAR = 5.0  # [points]
@@ -47,7 +48,14 @@ def decide(holds_for_mean, holds_for_seeds):
 def decide_greater(first, second):
     """The verdict on 'the first is greater than the second', given both for the same seeds."""
     first, second = numpy.array(list(first), dtype=float), numpy.array(list(second), dtype=float)
-    return decide(first.mean() > second.mean(), first > second)
+    return decide(first.mean() - second.mean() > standard_error(first, second), first > second)
+
+
+def standard_error(first, second):
+    """Of the mean of the differences; 0 where one side is infinite for a seed."""
+    if len(first) < 2 or not (numpy.isfinite(first).all() and numpy.isfinite(second).all()):
+        return 0.0
+    return float(numpy.std(first - second, ddof=1)) / len(first) ** 0.5
 
 
 def decide_each(values, condition):

@@ -2,7 +2,9 @@
 import dataclasses
 import re
 
-from crowd_experiments.variations import vary_recipe, vary_scenario
+from crowd_experiments.variations import EVERY, read_documents, vary_recipe, vary_scenario
+
+from .reward_runs import REWARDS
 
 RECIPE, SCENARIO = 'recipe', 'scenario'
 SECTORS = 'state_set.obstacle_sectors'
@@ -14,21 +16,30 @@ class Choice:
     name: str
     file: str  # RECIPE or SCENARIO
     key: str  # its path
-    chosen: str  # in the thesis configuration
-    others: tuple
+    others: tuple  # values that are tried
+    default: str = ''  # where the file does not say
+
+    def chosen(self, setting):
+        """The value in the thesis configuration, for the eye."""
+        file = setting.recipe(f'reward_{REWARDS[0]}_thesis') if self.file == RECIPE else \
+            setting.scenario('single_obstacle')
+        value = read_documents(file)[0]
+        for key in self.key.split('.'):
+            value = value[0] if key == EVERY else value.get(key, self.default)
+        return value_text(value)
 
 
 CHOICES = (
-    Choice('epsilon in training', RECIPE, 'learning.epsilon', '0.1', (0.01, 0.05, 0.2, 0.3)),
-    Choice('ties', RECIPE, 'learning.ties', 'the first action', ('random',)),
-    Choice('heading at the start', SCENARIO, 'agents.*.heading', 'random', ('goal', 'kept')),
-    Choice('sector limits of set 1 [degrees]', RECIPE, SECTORS, '15, 45, 90, 180',
+    Choice('epsilon in training', RECIPE, 'learning.epsilon', (0.01, 0.05, 0.2, 0.3)),
+    Choice('ties', RECIPE, 'learning.ties', ('random',), 'first'),
+    Choice('heading at the start', SCENARIO, 'agents.*.heading', ('goal', 'kept')),
+    Choice('sector limits of set 1 [degrees]', RECIPE, SECTORS,
            ((30, 60, 90, 180), (22.5, 67.5, 112.5, 180))),
-    Choice('radius of the obstacle [m]', SCENARIO, 'obstacles.*.radius', '0.4', (0.2, 0.3, 0.5)),
-    Choice('radius of the agent [m]', SCENARIO, 'agents.*.radius', '0.25', (0.15, 0.4)),
-    Choice('goal tolerance [m]', SCENARIO, 'goal_tolerance', '0.3', (0.1, 0.5)),
-    Choice('distance of the goal [m]', SCENARIO, 'agents.*.goal.ring.radius', '4', (3.0, 6.0)),
-    Choice('order of moves', SCENARIO, 'order', 'sequential', ('simultaneous',)),
+    Choice('radius of the obstacle [m]', SCENARIO, 'obstacles.*.radius', (0.2, 0.3, 0.5)),
+    Choice('radius of the agent [m]', SCENARIO, 'agents.*.radius', (0.15, 0.4)),
+    Choice('goal tolerance [m]', SCENARIO, 'goal_tolerance', (0.1, 0.5)),
+    Choice('distance of the goal [m]', SCENARIO, 'agents.*.goal.ring.radius', (3.0, 4.0, 7.0)),
+    Choice('order of moves', SCENARIO, 'order', ('simultaneous',)),
 )
 
 
@@ -44,7 +55,7 @@ class Variation:
 
     def value_text(self):
         """The value for the eye."""
-        return ', '.join(map(str, self.value)) if isinstance(self.value, tuple) else str(self.value)
+        return value_text(self.value)
 
     def name(self):
         """As in names of files."""
@@ -66,6 +77,11 @@ class Variation:
         if self.choice.file == RECIPE:
             changes = {self.choice.key: list(self.value) if isinstance(self.value, tuple) else self.value}
         return vary_recipe(setting, base, changes, f'{reward}_{self.name()}', [self.scenario(setting)])
+
+
+def value_text(value):
+    """15, 45, 90, 180"""
+    return ', '.join(map(str, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
 THESIS = Variation()

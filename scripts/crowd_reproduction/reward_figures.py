@@ -1,9 +1,11 @@
 """Figures 4.1-4.12 of the evaluation of the rewards."""
 import numpy
+from matplotlib.ticker import ScalarFormatter
 
 from crowd_drawing.files import read_walks
 from crowd_drawing.picture import OBSTACLE_COLOUR, Picture, colours_of
 from crowd_experiments import style
+from crowd_experiments.records import finite
 from crowd_experiments.scene_figures import frame_alike
 from crowd_experiments.variations import read_documents
 
@@ -85,6 +87,7 @@ def add_setting(chapter, setting):
                       [start[1], start[1] + agent['radius'] * numpy.sin(heading)], color='white', zorder=5)
     picture.draw_goals(agent['goals'], agent['radius'], '#0072b2')
     picture.frame()
+    picture.axes.set_title('After figure 4.1: the setting')
     picture.axes.set_xlabel('x [m]')
     picture.axes.set_ylabel('y [m]')
     chapter.add_figure(
@@ -95,9 +98,10 @@ def add_setting(chapter, setting):
         f'{len(scenes) - 1} other episodes.')
 
 
-def panels(setting, height=3.6):
+def panels(number, parameters, what, height=3.9):
     """Two side by side, (a) distance gained and (b) cos³, as in the thesis."""
     figure, axes = style.new_figure(1, 2, 10, height, sharex=True, sharey=True)
+    figure.suptitle(f'After figure 4.{number}, {names.PARAMETER_NAMES[parameters]}: {what}', fontsize=12)
     for panel, letter, reward in zip(axes[0], LETTERS, REWARDS):
         panel.set_title(f'({letter}) reward: {names.REWARD_NAMES[reward]}')
     return figure, axes[0]
@@ -106,7 +110,8 @@ def panels(setting, height=3.6):
 def add_scatter(chapter, setting, number, parameters, measure, mode):
     """A ratio in each episode of one run."""
     label, reference, legend, median_of = RATIOS[measure]
-    figure, axes = panels(setting)
+    ratio = label.split(' [')[0]
+    figure, axes = panels(number, parameters, f'{ratio} {DURING[mode]}')
     medians = []
     for panel, reward in zip(axes, REWARDS):
         variant = Variant(reward, parameters)
@@ -117,7 +122,7 @@ def add_scatter(chapter, setting, number, parameters, measure, mode):
         panel.set_xlabel('episode')
     axes[0].set_ylabel(label)
     axes[0].legend(loc='best')
-    text = (f'{label} in each episode {DURING[mode]}; dots: the agent arrived; crosses: it did not. Median of all '
+    text = (f'{ratio} in each episode {DURING[mode]}; dots: the agent arrived; crosses: it did not. Median of all '
             f'episodes: {", ".join(medians)}. {shown_text(setting, parameters)}')
     if measure == 'path_per_gain':
         text += ' Episodes in which nothing was gained have no such ratio: they count in the median as infinite.'
@@ -131,11 +136,13 @@ def scatter(panel, record, measure, colour):
         panel.plot(record['episode'][chosen], record[measure][chosen], linestyle='', color=colour, **look)
     if measure == 'path_per_gain':
         panel.set_yscale('log')
+        panel.yaxis.set_major_formatter(ScalarFormatter())
+        panel.yaxis.set_minor_formatter(ScalarFormatter() if finite(record[measure]).max(initial=0.0) < 10 else '')
 
 
 def add_rates(chapter, setting, number, parameters, measure, mode):
-    """A rate as a bar for the mean over the seeds, with a dot for each of them."""
-    figure, axes = panels(setting)
+    """A rate as a bar for each seed, with the mean over them."""
+    figure, axes = panels(number, parameters, f'rate of {measure} {DURING[mode]}')
     for panel, reward in zip(axes, REWARDS):
         values = numpy.sort(per_seed(setting, Variant(reward, parameters), mode, RATES[measure]))
         colour = names.REWARD_COLOURS[reward]
@@ -160,7 +167,7 @@ def add_rates(chapter, setting, number, parameters, measure, mode):
 
 def add_paths(chapter, setting, parameters):
     """Figure 4.10: walked paths without an obstacle."""
-    figure, axes = panels(setting, 5.2)
+    figure, axes = panels(10, parameters, 'paths without an obstacle', 6.1)
     pictures = []
     for panel, reward in zip(axes, REWARDS):
         variant = Variant(reward, parameters)

@@ -8,12 +8,13 @@ from crowd_experiments.records import spread_text
 from . import reward_runs as runs
 from .claim import Judgement, decide, decide_all, decide_each, decide_greater, decide_near, versus
 from .names import REWARD_NAMES
-from .reward_runs import MODES, REWARDS, THESIS_SUCCESS, Variant, per_seed
+from .reward_runs import COSINE, GAIN, MODES, THESIS_SUCCESS, Variant, per_seed, records
 
-GAIN, COSINE = (Variant(reward) for reward in REWARDS)
 DIFFERENT = 5.0  # [points] by which two rates differ that do not depict each other
 SIMILAR = 10.0  # [points] by which two rates differ that are similar
-WIDTH, LEAST_SIDE = 0.005, 0.05  # a separation: a gap of so much [m], with such a share of the episodes on either side
+# A separation: a gap of so much [m], with such a share of the episodes at least on either side, and at most in it.
+WIDTH, LEAST_SIDE, MOST_BETWEEN = 0.005, 0.05, 0.01
+HALF, FOUR_FIFTHS = (25, 75), (10, 90)  # percentiles between which the middle half and four fifths of the values lie
 
 
 def compare(measure, mode, greater, decimals=2):
@@ -23,6 +24,21 @@ def compare(measure, mode, greater, decimals=2):
         first, second = (per_seed(setting, variant, mode, measure) for variant in (greater, other))
         return Judgement(versus(REWARD_NAMES[greater.reward], first, REWARD_NAMES[other.reward], second, decimals),
                          decide_greater(first, second))
+    return judge
+
+
+def scattered(breadth, mode, greater, decimals=2):
+    """Judges that a measure is more scattered with the one reward: the middle half of it, and four fifths."""
+    return named_parts({'middle half': compare(breadth(HALF), mode, greater, decimals),
+                        'four fifths': compare(breadth(FOUR_FIFTHS), mode, greater, decimals)})
+
+
+def named_parts(judges):
+    """Judges a claim that has parts, each with a name."""
+    def judge(setting):
+        parts = {name: part(setting) for name, part in judges.items()}
+        return Judgement('. '.join(f'{name}: {part.measured}' for name, part in parts.items()),
+                         decide_all(*(part.verdict for part in parts.values())))
     return judge
 
 
@@ -52,29 +68,41 @@ def number(variant, mode):
     return judge
 
 
+def curved(setting):
+    """Judges that paths without an obstacle bend more with distance gained."""
+    gain, cosine = (runs.free_bends(setting, variant)[:, 0] for variant in (GAIN, COSINE))
+    return Judgement('bends in total [degrees]: ' + versus('distance gained', gain, 'cos³', cosine, 0),
+                     decide_greater(gain, cosine))
+
+
 def softer(setting):
-    """Turning without an obstacle, in the seeds in which both rewards lead to arrivals."""
-    pairs = numpy.array([per_seed(setting, variant, 'free', runs.turning) for variant in (COSINE, GAIN)])
-    first, second = pairs[:, numpy.isfinite(pairs).all(axis=0)]
-    if not len(first):
-        return Judgement('no seed with arrivals for both', decide(False, [False]))
-    return Judgement('turning [rad/m], arrivals only: ' + versus('cos³', first, 'distance gained', second),
-                     decide_greater(first, second))
+    """Judges that they bend less sharply, and turn less a metre."""
+    gain, cosine = (runs.free_bends(setting, variant)[:, 1] for variant in (GAIN, COSINE))
+    turning = numpy.array([per_seed(setting, variant, 'free', runs.turning) for variant in (GAIN, COSINE)])
+    gain_turning, cosine_turning = turning[:, numpy.isfinite(turning).all(axis=0)]  # where both arrive
+    verdicts = [decide_greater(cosine, gain)]
+    text = 'sharpest bend [degrees]: ' + versus('cos³', cosine, 'distance gained', gain, 0)
+    if len(gain_turning):
+        text += '. Turning [rad/m], arrivals only: ' + versus('cos³', cosine_turning, 'distance gained', gain_turning)
+        verdicts.append(decide_greater(cosine_turning, gain_turning))
+    return Judgement(text, decide_all(*verdicts))
 
 
 def separated(record):
     """Whether the distances gained per step lie in two groups."""
     gains = numpy.sort(record['gain_per_tick'])
-    side = max(1, math.ceil(LEAST_SIDE * len(gains)))
-    return float(numpy.diff(gains)[side - 1:len(gains) - side].max(initial=0.0) >= WIDTH)
+    side, between = max(1, math.ceil(LEAST_SIDE * len(gains))), int(MOST_BETWEEN * len(gains)) + 1
+    gaps = gains[between:] - gains[:-between]
+    return bool(gaps[side - 1:len(gaps) + 1 - side].max(initial=0.0) >= WIDTH)
 
 
 def separation(variant):
-    """Judges that the charts show a separation: with most seeds, as the thesis had one run."""
+    """Judges that the charts show a separation, of the runs in which some episodes fail, as in the thesis's."""
     def judge(setting):
-        flags = per_seed(setting, variant, 'demo', separated)
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: in {sum(flags):.0f} of {len(flags)} seeds',
-                         decide(numpy.mean(flags) > 0.5, flags))
+        flags = [separated(record) for record in records(setting, variant, 'demo')
+                 if 100.0 * LEAST_SIDE <= runs.success(record) <= 100.0 * (1.0 - LEAST_SIDE)]
+        return Judgement(f'{REWARD_NAMES[variant.reward]}: in {sum(flags)} of the {len(flags)} seeds with success '
+                         'between 5 and 95 %', decide(numpy.mean(flags or [0.0]) > 0.5, flags or [False]))
     return judge
 
 

@@ -4,7 +4,7 @@ import functools
 
 import numpy
 
-from crowd_experiments.records import median, rates, read_csv, read_visits
+from crowd_experiments.records import median, rates, read_csv, read_tracks, read_visits
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import vary_recipe, vary_scenario
 
@@ -23,6 +23,7 @@ DRAWN_EPISODES = 8  # of those, with their paths
 DRAWN_SCENES = 40
 DEMO_SEED = 1000  # and the seed of the training: other places than those it was trained at
 GOAL_SECTORS = 8  # of state set 1, whose first rows are those without an obstacle (3.2)
+LEG = 20  # [decisions] of a path, over which its direction is taken
 SPEED = 0.03  # [m per decision]
 # What the thesis reports [%].
 THESIS_SUCCESS = {('distance_gained', 'training'): 92.25, ('cosine_cubed', 'training'): 99.60,
@@ -61,6 +62,7 @@ class Variant:
         return setting.run_folder(NAME, f'{self.name()}_{seed:02d}')
 
 
+GAIN, COSINE = (Variant(reward) for reward in REWARDS)  # with the thesis's parameters
 MAIN = [Variant(reward, parameters) for parameters in PARAMETERS for reward in REWARDS]
 VARIANTS = [*MAIN, *(Variant(reward, heading=heading) for heading in OTHER_HEADINGS for reward in REWARDS),
             *(Variant(reward, is_longer=True) for reward in REWARDS)]
@@ -84,8 +86,10 @@ def make_run(setting, variant, seed):
         commands += [
             walk + ['--episodes', setting.count(FREE_EPISODES, 10), '--record', 'free.csv', '--scenes', '.', free],
             walk + ['--episodes', DRAWN_EPISODES, '--trajectories', '.', free],
-            walk + ['--episodes', DRAWN_SCENES, '--scenes', '.', scenario],
-            walk + ['--episodes', setting.count(PATIENT_EPISODES, 5), '--record', 'patient.csv', patient(setting)]]
+            walk + ['--episodes', DRAWN_SCENES, '--scenes', '.', scenario]]
+    if variant in (GAIN, COSINE):
+        commands.append(walk + ['--episodes', setting.count(PATIENT_EPISODES, 5), '--record', 'patient.csv',
+                                patient(setting)])
     return Run(variant.folder(setting, seed), commands, cost=1.5 if variant.is_longer else 0.7)
 
 
@@ -112,6 +116,23 @@ def free_share(setting, variant):
         visits = read_visits(variant.folder(setting, seed) / 'q_table.txt')
         shares.append(100.0 * sum(visits.get(row, 0) for row in range(GOAL_SECTORS)) / sum(visits.values()))
     return shares
+
+
+def bends(places):
+    """How a path bends from one leg to the next, the zigzag within a leg left out: in total and at the sharpest
+    [degrees]; places are (ticks, 2), nan after the end."""
+    corners = places[numpy.isfinite(places[:, 0])][::LEG]
+    legs = numpy.diff(corners, axis=0)
+    turns = numpy.degrees(numpy.abs(numpy.diff(numpy.unwrap(numpy.arctan2(legs[:, 1], legs[:, 0])))))
+    return float(turns.sum()), float(turns.max(initial=0.0))
+
+
+@functools.lru_cache(maxsize=None)
+def free_bends(setting, variant):
+    """Of the drawn episodes without an obstacle, for each seed the median of both: an array (seeds, 2)."""
+    return numpy.array([
+        numpy.median([bends(track[:, 0]) for track in read_tracks(file).values()], axis=0)
+        for file in (variant.folder(setting, seed) / 'single_free.csv' for seed in setting.seeds(SEEDS))])
 
 
 def success(record):
@@ -149,20 +170,20 @@ def path_per_gain(record):
     return float(numpy.median(ratios(record)))
 
 
-def breadth(values):
-    """From the 10th to the 90th percentile: the less, the more compact the values lie."""
-    low, high = numpy.percentile(values, (10, 90), method='nearest')
+def breadth(values, percentiles):
+    """From one percentile to the other: the less, the more compact the values lie."""
+    low, high = numpy.percentile(values, percentiles, method='nearest')
     return float(high - low) if numpy.isfinite(high) else float('inf')
 
 
-def gain_breadth(record):
-    """How broadly the distance gained per step is scattered [m]."""
-    return breadth(record['gain_per_tick'])
+def gain_breadth(percentiles):
+    """Measures how broadly the distance gained per step is scattered [m]."""
+    return lambda record: breadth(record['gain_per_tick'], percentiles)
 
 
-def ratio_breadth(record):
-    """How broadly the path per distance gained is scattered."""
-    return breadth(ratios(record))
+def ratio_breadth(percentiles):
+    """Measures how broadly the path per distance gained is scattered."""
+    return lambda record: breadth(ratios(record), percentiles)
 
 
 def ratio_peak(record):

@@ -42,6 +42,7 @@ def report(setting):
     add_main_table(chapter, setting)
     add_free_table(chapter, setting)
     add_headings_table(chapter, setting)
+    chapter.tell(nearest_text(setting))
     add_longer_table(chapter, setting)
     chapter.tell(verdict(setting))
     return chapter
@@ -109,6 +110,15 @@ def add_headings_table(chapter, setting):
     chapter.add_table('The heading at the start of an episode: any (the thesis configuration), towards the goal, or '
                       f'kept from the episode before; {EACH}',
                       ['', 'thesis: success %', *RATES], rows, 'headings')
+
+
+def nearest_text(setting):
+    """Which reading of the heading is the nearest to the thesis."""
+    off = {heading: sum(abs(Spread(per_seed(setting, Variant(reward, heading=heading), mode, success)).mean - rate)
+                        for (reward, mode), rate in THESIS_SUCCESS.items()) for heading in (HEADING, *OTHER_HEADINGS)}
+    listed = ', '.join(f'{heading} {points:.1f}' for heading, points in off.items())
+    return (f"How far the four mean rates of success are from the thesis's, together [points]: {listed}; the nearest "
+            f'is {min(off, key=off.get)}.')
 
 
 def add_longer_table(chapter, setting):

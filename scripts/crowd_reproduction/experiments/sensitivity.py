@@ -65,7 +65,7 @@ def values_of(setting, variation, cell):
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chosen = '; '.join(f'{choice.name}: {choice.chosen}' for choice in CHOICES)
+    chosen = '; '.join(f'{choice.name}: {choice.chosen(setting)}' for choice in CHOICES)
     chapter.tell(
         f'The thesis does not say how these were chosen. Thesis configuration: {chosen}. Each is varied, all else '
         f"being as it was; the thesis's parameters, both rewards, {len(setting.seeds(SEEDS))} seeds, "
@@ -130,6 +130,7 @@ def add_effects(chapter, setting):
         f'over the seeds by {LEAST_POINTS:g} point and by more than {LEAST_ERRORS:g} standard errors of the '
         'difference, seed by seed', ['', *map(column_name, CELLS)], rows, 'effects')
     chapter.tell(effects_text(found))
+    chapter.tell(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward)) for reward in REWARDS}))
 
 
 def effects_text(found):
@@ -143,11 +144,21 @@ def effects_text(found):
     return text + (f' No effect found: {"; ".join(still)}.' if still else '')
 
 
+def swing_text(values):
+    """Why a change of a rate in demo has to be large to be seen; success in demo by the reward."""
+    parts = [f'{names.REWARD_NAMES[reward]} {min(rates_in_demo):.1f} to {max(rates_in_demo):.1f} %'
+             for reward, rates_in_demo in values.items()]
+    return (f'With the thesis configuration alone success in demo reaches from seed to seed from {", ".join(parts)}: '
+            f'with {len(next(iter(values.values())))} seeds only large changes of the rates in demo can be told from '
+            'chance.')
+
+
 def add_figure(chapter, setting):
     """A row for each variation; a dot for the mean, a line from the lowest to the highest seed."""
     variations = variations_of(setting)[::-1]
     panels = [(measure, mode) for measure in TABLED for mode in MODES]
     figure, axes = style.new_figure(1, len(panels), 14, 1.2 + 0.33 * len(variations), sharey=True)
+    figure.suptitle("What the thesis leaves open, one choice at a time, thesis's parameters", fontsize=12)
     for panel, (measure, mode) in zip(axes[0], panels):
         for offset, reward in zip((0.15, -0.15), REWARDS):
             draw_rates(panel, setting, variations, (measure, mode, reward), offset)
@@ -171,4 +182,5 @@ def draw_rates(panel, setting, variations, cell, offset):
                    label=names.REWARD_NAMES[reward] if place == 0 else None)
     panel.axvline(values_of(setting, THESIS, cell).mean(), color=colour, linewidth=1, linestyle='--', zorder=1)
     if measure == 'success':
-        panel.plot([THESIS_SUCCESS[reward, mode]], [len(variations) - 1 + offset], **names.THESIS_MARK)
+        mark = dict(names.THESIS_MARK, markersize=5, markeredgecolor=colour)
+        panel.plot([THESIS_SUCCESS[reward, mode]], [len(variations) - 1 + offset], **mark)
