@@ -3,7 +3,7 @@ import numpy
 
 from crowd_experiments.records import Spread, median, of_scenario, rates
 
-from . import groups, scenario_runs as runs, surroundings, twins_runs
+from . import groups, names, scenario_runs as runs, surroundings, twins_runs
 from .claim import (COMES_OUT, IN_PART, NOT, Claim, Judgement, decide, decide_all, decide_each, decide_greater, versus)
 from .experiments import ambiguity, future_work, learning_curves, scenarios, sharing
 from .measures import CONTACT_OVERLAP, RADIUS, centre_distances, share
@@ -194,12 +194,16 @@ def path_ratios(setting, scenario):
 
 
 def dummies(setting):
-    clean = [runs.without_contact(setting, runs.MAIN, seed, 'dummies') for seed in setting.seeds(runs.SEEDS)]
-    ratios = Spread.of_numbers(path_ratios(setting, 'dummies'))
-    better = map(Spread, zip(*runs.measured(setting, ('agent', 'occupancy', 'better'), 'dummies')))
-    success, _, collision = (spread.text(1) for spread in better)
-    return Judgement(f'{rates_text(setting, "dummies")}; path ratio of those who arrive {ratios.text(2)}; better '
-                     f'parameters: success {success} %, collision {collision} %', graded(clean))
+    told, verdicts = [], []
+    for parameters, scenario in (('thesis', 'dummies'), ('thesis', runs.WIDE), ('better', 'dummies')):
+        table = 'agent', 'occupancy', parameters
+        success, contact, collision = zip(*runs.measured(setting, table, scenario))
+        told.append(f'{scenario}, {names.PARAMETER_NAMES[parameters]}: success {Spread(success).text(1)} %, collision '
+                    f'{Spread(collision).text(1)} %, contact {Spread(contact).text(1)} %')
+        if parameters == 'thesis':
+            verdicts.append(graded(runs.without_contact(setting, table, seed, scenario)
+                                   for seed in setting.seeds(runs.SEEDS)))
+    return Judgement('; '.join(told), decide_all(*verdicts))
 
 
 def without_incidents(scenario):
@@ -323,7 +327,7 @@ def varied_speeds(setting):
     caught = [[one.per_thousand() for one in surroundings.measured(setting, runs.MAIN, scenario)]
               for scenario in ('circle12_varied', 'circle12')]
     told.append('decisions while surrounded, of 1,000: ' + versus('varied', caught[0], 'one speed', caught[1]))
-    exact, together = (Spread(list(zip(*scenarios.exact_rates(setting, scenario)))[1]).text(1)
+    exact, together = (Spread(list(zip(*runs.measured(setting, runs.MAIN, scenario)))[1]).text(1)
                        for scenario in runs.EXACT)
     told.append(f'contact of twelve who start exactly on the circle {exact} %, if they also move at the same time '
                 f'{together} %')

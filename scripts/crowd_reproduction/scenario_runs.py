@@ -7,7 +7,7 @@ from crowd_drawing.motion import place_of
 from crowd_drawing.files import read_scene
 from crowd_experiments.records import of_scenario, rates, read_csv, read_tracks
 from crowd_experiments.runs import Run
-from crowd_experiments.variations import vary_scenario
+from crowd_experiments.variations import read_documents, vary_scenario
 
 from . import agent_training
 from .decisions import read_decisions, read_visits
@@ -25,12 +25,16 @@ WATCHED = ('circle12', 'circle12_varied')  # every decision is recorded
 # Figures 4.22 and 4.23 with a goal so far away that there is time to group again, by the scenarios they are made from.
 FAR = {'same_goal6_far': 'same_goal6', 'same_goal6_mover_far': 'same_goal6_mover'}
 FAR_GOAL = [11, 0]  # [m]; in place of [5, 0]
+# The dummies of figure 4.17 with more space between them: positions, starts and goals so many times as far out.
+WIDE, WIDER = 'dummies_wide', 1.6
 # Twelve exactly on the circle, in the thesis's order and at the same time: how much synchronicity is there to break?
 EXACT = {'circle12_exact': {}, 'circle12_exact_simultaneous': {'order': 'simultaneous'}}
 EXACT_RADIUS = [0, 1e-6]  # of the starts around their places [m], in place of [0, 0.05]
 # Whose experience the table holds.
 LEARNERS = {'agent': 'one agent, alone', 'crowd': 'the crowd learned together on a mix'}
 MAIN = ('agent', 'occupancy', 'thesis')  # what figures 4.17-4.25 show
+DEMO = 'demo.csv'  # how all agents fared in all scenarios; those above have records of their own
+RECORDS = {WIDE: 'wide.csv', **dict.fromkeys(EXACT, 'exact.csv')}
 SEEDS = 10
 EPISODES = 50
 WALKED = 5  # of them are recorded to be drawn
@@ -56,6 +60,16 @@ def far_scenarios(setting):
     return [vary_scenario(setting, base, {'name': far, 'agents.*.goal': FAR_GOAL}, far) for far, base in FAR.items()]
 
 
+def wide_dummies(setting):
+    """The scenario WIDE."""
+    base = read_documents(setting.scenario('dummies'))[0]
+    changes = {f'obstacles.{i}.position': [round(WIDER * x, 3) for x in obstacle['position']]
+               for i, obstacle in enumerate(base['obstacles'])}
+    return vary_scenario(setting, 'dummies', {
+        'name': WIDE, 'agents.0.position.box': [[-WIDER * 5, -1.5], [-WIDER * 5 + 0.4, 1.5]],
+        'agents.0.goal.box': [[WIDER * 5 - 0.4, -1.5], [WIDER * 5, 1.5]], **changes}, WIDE)
+
+
 def exact_scenarios(setting):
     """The scenarios of EXACT."""
     return [vary_scenario(setting, 'circle12', {'name': name, 'agents.*.position.ring.radius': EXACT_RADIUS, **changes},
@@ -70,7 +84,7 @@ def make_run(setting, table, seed):
          '--seed', seed, '--episodes', setting.count(MIX_EPISODES, 16)], judged_walk(setting, seed)], cost=2.5)
 
 
-def judged_walk(setting, seed, table=agent_training.TABLE, record='demo.csv'):
+def judged_walk(setting, seed, table=agent_training.TABLE, record=DEMO):
     """The command by which a table walks all scenarios."""
     return agent_training.walk(setting, table, seed) + ['--episodes', setting.count(EPISODES, 2), '--record', record,
                                                         *map(setting.scenario, SCENARIOS)]
@@ -82,21 +96,24 @@ def agent_walks(setting, states, seed):
     if states == 'occupancy':
         walk = agent_training.walk(setting, agent_training.TABLE, seed) + ['--episodes', setting.count(WALKED, 2)]
         commands += [walk + ['--scenes', '.', '--trajectories', '.', *map(setting.scenario, SCENARIOS),
-                             *far_scenarios(setting)],
+                             *far_scenarios(setting), wide_dummies(setting)],
                      agent_training.walk(setting, agent_training.TABLE, seed) + [
-                         '--episodes', 1, '--record', 'exact.csv', *exact_scenarios(setting)],
+                         '--episodes', setting.count(EPISODES, 2), '--record', RECORDS[WIDE], wide_dummies(setting)],
+                     agent_training.walk(setting, agent_training.TABLE, seed) + [
+                         '--episodes', 1, '--record', RECORDS['circle12_exact'], *exact_scenarios(setting)],
                      walk + ['--states', 'states', *map(setting.scenario, WATCHED)]]
     return commands
 
 
 @functools.lru_cache(maxsize=None)
-def record_of(setting, table, seed, file='demo.csv'):
+def record_of(setting, table, seed, file=DEMO):
     """How all agents fared in all scenarios."""
     return read_csv(folder_of(setting, table, seed) / file)
 
 
-def measured(setting, table, scenario, file='demo.csv'):
+def measured(setting, table, scenario, file=DEMO):
     """Success, contact and collision [%], a tuple for each seed."""
+    file = RECORDS.get(scenario, file)
     records = [record_of(setting, table, seed, file) for seed in setting.seeds(SEEDS)]
     return [rates(record, of_scenario(record, scenario)) for record in records]
 
@@ -105,7 +122,7 @@ def measured(setting, table, scenario, file='demo.csv'):
 def episodes_of(setting, table, seed, scenario):
     """Of each episode: how many agents arrived, touched and collided (arrays), how many there were, and how long it
     took until the last one arrived or time was up."""
-    record = record_of(setting, table, seed)
+    record = record_of(setting, table, seed, RECORDS.get(scenario, DEMO))
     chosen = of_scenario(record, scenario)
     count = int(record['episode'][chosen].max()) + 1
 

@@ -39,6 +39,7 @@ def report(setting):
         'instances a scenario, whose starts are drawn anew each time.')
     add_tables(chapter, setting)
     add_dummies(chapter, setting)
+    add_dummies_table(chapter, setting)
     for scenario in NUMBERS:
         add_moments(chapter, setting, scenario)
     add_best(chapter, setting)
@@ -56,7 +57,7 @@ def report(setting):
 # Tables.
 
 
-def rate_texts(setting, table, scenario, file='demo.csv'):
+def rate_texts(setting, table, scenario, file=runs.DEMO):
     """Success, collision and contact."""
     success, contact, collision = map(Spread, zip(*runs.measured(setting, table, scenario, file)))
     return [success.text(1), collision.text(1), contact.text(1)]
@@ -90,21 +91,16 @@ def add_tables(chapter, setting):
     chapter.add_table(f"The other sets and parameters, one agent's table; {spread}", header, rows, name='others')
 
 
-def exact_rates(setting, scenario):
-    """Success, contact and collision [%] of twelve who start exactly on the circle, a tuple for each seed."""
-    return runs.measured(setting, runs.MAIN, scenario, 'exact.csv')
-
-
 def add_synchronicity(chapter, setting):
     rows = []
-    for told, rates in (('circle12_exact: all start exactly on the circle', exact_rates(setting, 'circle12_exact')),
-                        ('circle12_exact, all move at the same time',
-                         exact_rates(setting, 'circle12_exact_simultaneous')),
-                        ('circle12: starts up to 5 cm off', runs.measured(setting, runs.MAIN, 'circle12')),
-                        ('circle12_varied: varied speeds', runs.measured(setting, runs.MAIN, 'circle12_varied'))):
+    for scenario, told in (('circle12_exact', 'all start exactly on the circle'),
+                           ('circle12_exact_simultaneous', 'and all move at the same time'),
+                           ('circle12', 'starts up to 5 cm off'), ('circle12_varied', 'varied speeds')):
+        rates = runs.measured(setting, runs.MAIN, scenario)
         success, contact, collision = map(Spread, zip(*rates))
         clean = sum(arrived == 100 and touched == 0 for arrived, touched, _ in rates)
-        rows.append([told, success.text(1), collision.text(1), contact.text(1), f'{clean} of {len(rates)}'])
+        rows.append([f'{scenario}: {told}', success.text(1), collision.text(1), contact.text(1),
+                     f'{clean} of {len(rates)}'])
     chapter.add_table("Synchronicity: set 2, thesis's parameters, one agent's table; mean ± standard deviation over "
                       'the seeds (lowest-highest)',
                       ['', 'success %', 'collision %', 'contact %', 'seeds in which all arrive without contact'],
@@ -165,30 +161,49 @@ def first_success(setting, table, scenario):
     return next((episode for episode in episodes if all_arrive(setting, table, scenario, *episode)), episodes[0])
 
 
+DUMMIES = (('thesis', 'dummies'), ('thesis', runs.WIDE), ('better', 'dummies'))  # the lines of figure 4.17
+
+
 def add_dummies(chapter, setting):
     """Figure 4.17: four episodes with their whole paths."""
-    scenario = 'dummies'
-    figure, axes = style.new_figure(2, 4, 13, 6.2, sharex=True, sharey=True)
-    pictures, told = [], []
-    for line, parameters in zip(axes, runs.PARAMETERS):
-        table = ('agent', 'occupancy', parameters)
-        chosen = sorted(recorded(setting, table, scenario),
-                        key=lambda episode: not all_arrive(setting, table, scenario, *episode))
-        for panel, letter, (seed, instance) in zip(line, 'abcd', chosen):
-            folder = runs.folder_of(setting, table, seed)
-            pictures.append(draw_scene(panel, folder / f'{scenario}.yaml', folder / f'{scenario}.csv', instance,
-                                       PATH_COLOUR, DUMMY_COLOUR))
-            arrives = all_arrive(setting, table, scenario, seed, instance)
-            panel.set_title(f'({letter}) seed {seed}: ' + ('arrives' if arrives else 'does not arrive'))
-            panel.label_outer()
-        line[0].set_ylabel(f'{names.PARAMETER_NAMES[parameters]}\ny [m]')
-        told.append(f'{names.PARAMETER_NAMES[parameters]}: {share_told(setting, table, scenario)}')
-    width, height = frame_alike(pictures)
-    figure.set_size_inches(13, 2 * (0.9 + 3.0 * height / width))
+    figure, axes = style.new_figure(len(DUMMIES), 4, 13, 9, sharex='row', sharey='row')
+    told = []
+    sizes = [draw_dummies(line, setting, ('agent', 'occupancy', parameters), scenario, told)
+             for line, (parameters, scenario) in zip(axes, DUMMIES)]
+    figure.set_size_inches(13, sum(0.9 + 3.0 * height / width for width, height in sizes))
     chapter.add_figure(style.save(figure, setting.figure_file('figure_4_17_dummies')),
                        'Figure 4.17: one agent in a field of resting dummies (magenta); four episodes with their whole '
                        'paths. Set 2, one agent\'s table. The first recorded episodes, seed by seed, in which it '
-                       f'arrives; where there are fewer, the first in which it does not. {"; ".join(told)}.')
+                       f'arrives; where there are fewer, the first in which it does not. {runs.WIDE}: the same dummies '
+                       f'{runs.WIDER:g} times as far apart. {"; ".join(told)}.')
+
+
+def draw_dummies(line, setting, table, scenario, told):
+    """Four episodes side by side, those first in which the agent arrives; returns width and height [m]."""
+    chosen = sorted(recorded(setting, table, scenario),
+                    key=lambda episode: not all_arrive(setting, table, scenario, *episode))
+    pictures = []
+    for panel, letter, (seed, instance) in zip(line, 'abcd', chosen):
+        folder = runs.folder_of(setting, table, seed)
+        pictures.append(draw_scene(panel, folder / f'{scenario}.yaml', folder / f'{scenario}.csv', instance,
+                                   PATH_COLOUR, DUMMY_COLOUR))
+        arrives = all_arrive(setting, table, scenario, seed, instance)
+        panel.set_title(f'({letter}) seed {seed}: ' + ('arrives' if arrives else 'does not arrive'))
+        panel.label_outer()
+    line[0].set_ylabel(f'{names.PARAMETER_NAMES[table[2]]},\n{scenario}\ny [m]')
+    success, contact, collision = (Spread(values).mean for values in zip(*runs.measured(setting, table, scenario)))
+    told.append(f'{names.PARAMETER_NAMES[table[2]]}, {scenario}: {success:.0f} % of all arrive, {collision:.0f} % '
+                f'collide, {contact:.0f} % touch a dummy')
+    return frame_alike(pictures)
+
+
+def add_dummies_table(chapter, setting):
+    rows = [[f'{names.PARAMETER_NAMES[parameters]}, {scenario}',
+             *rate_texts(setting, ('agent', 'occupancy', parameters), scenario)]
+            for scenario in ('dummies', runs.WIDE) for parameters in runs.PARAMETERS]
+    chapter.add_table(f"Dummies, and the same {runs.WIDER:g} times as far apart ({runs.WIDE}); set 2, one agent's "
+                      'table; mean ± standard deviation over the seeds (lowest-highest)',
+                      ['', 'success %', 'collision %', 'contact %'], rows, name='dummies')
 
 
 def draw_row(line, setting, table, scenario, episode, moments=None, marked=None):
