@@ -133,10 +133,10 @@ def episodes_of(setting, table, seed, scenario):
     return {**sums, 'agents': by_episode('arrived').shape[1], 'ticks': by_episode('ticks').max(axis=1)}
 
 
-def without_contact(setting, table, seed, scenario):
-    """The share of the episodes [%] in which all arrive and none touches anything."""
+def clean_share(setting, table, seed, scenario, incident='touched'):
+    """The share of the episodes [%] in which all arrive, and none touches anything (or has collided)."""
     episodes = episodes_of(setting, table, seed, scenario)
-    return 100.0 * float(numpy.mean((episodes['arrived'] == episodes['agents']) & (episodes['touched'] == 0)))
+    return 100.0 * float(numpy.mean((episodes['arrived'] == episodes['agents']) & (episodes[incident] == 0)))
 
 
 @functools.lru_cache(maxsize=None)

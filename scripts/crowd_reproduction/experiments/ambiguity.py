@@ -136,7 +136,7 @@ def draw_walk(panel, setting, agent, seed, test, instance):
     folder = twins.drawn_folder(setting, agent, seed)
     draw_scene(panel, folder / f'{test}.yaml', folder / f'{test}.csv', instance, '#d62728', '#c9c3e6')
     panel.set_xlim(-3.1, 3.1)
-    panel.set_ylim(-3.3, 3.3)
+    panel.set_ylim(-3.3, 3.6)
     panel.label_outer()
 
 

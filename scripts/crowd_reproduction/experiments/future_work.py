@@ -28,8 +28,7 @@ VARIATIONS = {
     'stay_5': ('stay action, cost 5', {**STAY, 'reward.stay_cost': 5.0}),
     'occlusion': ('occlusion', OCCLUSION),
     'condensed': ('condensed states', CONDENSED),
-    'all': ('stay action, cost 1, occlusion, condensed states',
-            {**STAY, 'reward.stay_cost': 1.0, **OCCLUSION, **CONDENSED}),
+    'both': ('stay action, cost 1, occlusion', {**STAY, 'reward.stay_cost': 1.0, **OCCLUSION}),
 }
 
 

@@ -71,13 +71,15 @@ def scenario_row(setting, scenario, states, parameters, told):
     for seed in seeds:
         record = runs.record_of(setting, table, seed)
         ratios.append(median(record['path_ratio'][of_scenario(record, scenario) & (record['arrived'] > 0)]))
-    clean = Spread(runs.without_contact(setting, table, seed, scenario) for seed in seeds)
-    return [told, *rate_texts(setting, table, scenario), clean.text(1), Spread.of_numbers(ratios).text(2),
+    clean = [Spread(runs.clean_share(setting, table, seed, scenario, incident) for seed in seeds).text(1)
+             for incident in ('touched', 'collided')]
+    return [told, *rate_texts(setting, table, scenario), *clean, Spread.of_numbers(ratios).text(2),
             *rate_texts(setting, ('crowd', states, parameters), scenario)]
 
 
 def add_tables(chapter, setting):
     header = ['', 'success %', 'collision %', 'contact %', 'episodes: all arrive, no contact %',
+              'episodes: all arrive, no collision %',
               'path ratio (arrivals only)', *(f'the crowd learned together: {measure} %' for measure in
                                               ('success', 'collision', 'contact'))]
     spread = 'mean ± standard deviation over the seeds (lowest-highest); path ratio: the median, seed by seed'
