@@ -73,7 +73,7 @@ CrowdWalk::CrowdWalk(const CrowdPlan& plan)
 }
 
 std::size_t CrowdWalk::step() {
-  crowd_.decide(world_, vision_, learner_, actions_, workers_);
+  crowd_.decide(world_, 0, vision_, learner_, actions_, workers_);
   world_.step(actions_, workers_);
   return actions_.size();
 }

@@ -27,8 +27,9 @@ std::shared_ptr<const ActionSet> readGoalFan(YamlMap& map) {
 
 std::shared_ptr<const ActionSet> readKingsMoves(YamlMap& map) {
   const auto rotations = static_cast<int>(map.whole("rotations", 2, 360, KingsMoves::DEFAULT_ROTATIONS));
+  const bool stay = map.flag("stay", false);
   map.finish();
-  return std::make_shared<KingsMoves>(rotations);
+  return std::make_shared<KingsMoves>(rotations, stay);
 }
 
 }  // namespace

@@ -108,9 +108,9 @@ void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::
     const AgentPerception& self = perceptions.agents[i];
     if (self.arrived || !serves(self.agent)) continue;
     const Perception seen = perceptionOf(perceptions, i, bodiesInSight(perceptions, self));
-    joinGreedily(seen, answers++, space, actions);
+    joinGreedily(perceptions, seen, answers++, space, actions);
   }
-  answerGreedily(space, actions);
+  answerGreedily(perceptions, space, actions);
   actions.resize(answers);
 }
 
@@ -119,7 +119,8 @@ Learner::Choice Learner::greedyChoice(const Perceptions& perceptions, std::size_
   const AgentPerception& self = perceptions.agents[index];
   const Chooser chooser = chooserAt(0, perceptionOf(perceptions, index, bodiesInSight(perceptions, self)), space);
   findRows(chooser);
-  const Action action = QLearner::chooseGreedy(tableOf(self.agent), rowsOf(chooser));
+  const double tie = tieOf(perceptions, self.agent);
+  const Action action = QLearner::chooseGreedy(tableOf(self.agent), rowsOf(chooser), tie);
   return {rowsOf(chooser)[action], action};
 }
 
@@ -250,25 +251,32 @@ inline void Learner::chooseGreedily(const Perceptions& perceptions, RelativeActi
   makeRoom(MAX_CHOOSERS, space_);
   space_.group.clear();
   forEachGuest(perceptions, [&](std::size_t index) {
-    joinGreedily(perceptionOf(perceptions, index), guests_[index].answer, space_, actions.agents);
+    joinGreedily(perceptions, perceptionOf(perceptions, index), guests_[index].answer, space_, actions.agents);
   });
-  answerGreedily(space_, actions.agents);
+  answerGreedily(perceptions, space_, actions.agents);
 }
 
-inline void Learner::joinGreedily(const Perception& seen, std::size_t answer, Space& space,
-                                  std::vector<AgentAction>& actions) const {
+inline double Learner::tieOf(const Perceptions& perceptions, AgentId agent) const {
+  if (parameters_.ties == Ties::FIRST) return QLearner::FIRST_OF_TIES;
+  return KeyedRandom(options_.seed, KeyedRandom::TIES, {perceptions.episode, perceptions.tick, agent}).uniform();
+}
+
+inline void Learner::joinGreedily(const Perceptions& perceptions, const Perception& seen, std::size_t answer,
+                                  Space& space, std::vector<AgentAction>& actions) const {
   const std::size_t place = space.group.size();
   space.group.add(chooserAt(place, seen, space));
   space.answers[place] = answer;
-  if (space.group.isFull()) answerGreedily(space, actions);
+  if (space.group.isFull()) answerGreedily(perceptions, space, actions);
 }
 
-inline void Learner::answerGreedily(Space& space, std::vector<AgentAction>& actions) const {
+inline void Learner::answerGreedily(const Perceptions& perceptions, Space& space,
+                                    std::vector<AgentAction>& actions) const {
   findRowsOfGroup(space);
   const auto& group = space.group;
   std::array<Action, MAX_CHOOSERS> chosen;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   for (std::size_t k = 0; k < group.size(); ++k) {
-    chosen[k] = QLearner::chooseGreedy(tableOf(group[k].seen.self.agent), rowsOf(group[k]));
+    const AgentId agent = group[k].seen.self.agent;
+    chosen[k] = QLearner::chooseGreedy(tableOf(agent), rowsOf(group[k]), tieOf(perceptions, agent));
   }
   for (std::size_t k = 0; k < group.size(); ++k) answer(group[k], chosen[k], actions[space.answers[k]]);
   space.group.clear();
@@ -279,7 +287,8 @@ inline Action Learner::chooseExploring(const KeyedRandom& chance, const Percepti
   KeyedRandom random = chance.with(self.agent);
   const double draw = random.uniform();
   const double any = random.uniform();
-  const Action action = QLearner::chooseExploring(*memory.table, rows, parameters_.epsilon, draw, any);
+  const double tie = tieOf(perceptions, self.agent);
+  const Action action = QLearner::chooseExploring(*memory.table, rows, parameters_.epsilon, draw, any, tie);
   memory.learner.noteDecision(*memory.table, rows, action, parameters_);
   memory.episode = perceptions.episode;
   memory.tick = perceptions.tick;

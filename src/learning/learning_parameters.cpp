@@ -6,6 +6,14 @@
 
 namespace crowd {
 
+Ties parseTies(const std::string& text) {
+  if (text == "first") return Ties::FIRST;
+  if (text == "random") return Ties::RANDOM;
+  throw InputError("ties: expected first or random, got '" + text + "'");
+}
+
+std::string toText(Ties ties) { return ties == Ties::FIRST ? "first" : "random"; }
+
 std::string LearningParameters::problems() const {
   std::string problems;
   const auto require = [&](bool fine, const char* name, const char* expected, double got) {
@@ -61,6 +69,14 @@ void readParameter(YamlMap& map, const std::string& key, double LearningParamete
   parameters.*member = alone.*member;
 }
 
+Ties readTies(YamlMap& map) {
+  try {
+    return parseTies(map.text("ties", toText(Ties::FIRST)));
+  } catch (const InputError&) {
+    throwExpected(map.placeOf("ties"), map.need("ties"), "first or random");
+  }
+}
+
 LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
   YamlMap map(node, place);
   LearningPlan plan;
@@ -69,6 +85,7 @@ LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
   readParameter(map, "gamma", &LearningParameters::gamma, plan.parameters);
   readParameter(map, "lambda", &LearningParameters::lambda, plan.parameters);
   plan.parameters.mirrored = map.flag("mirrored", plan.parameters.mirrored);
+  plan.parameters.ties = readTies(map);
   plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
   if (map.has("epsilon")) plan.epsilon = readEpsilon(map.need("epsilon"), map.placeOf("epsilon"));
   plan.parameters.epsilon = plan.epsilon.at(0);

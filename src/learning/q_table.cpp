@@ -42,6 +42,17 @@ Action QTable::greedyAction(const Rows& rows) const {
   return action;
 }
 
+Action QTable::greedyAction(const Rows& rows, double tie) const {
+  const double highest = greedyValue(rows);
+  Action equals = 0;
+  for (Action action = 0; action < actions_; ++action) equals += value(action, rows) == highest ? 1 : 0;
+  auto left = static_cast<Action>(tie * equals);  // below `equals`: so is the product of a tie below 1
+  for (Action action = 0; action < actions_; ++action) {
+    if (value(action, rows) == highest && left-- == 0) return action;
+  }
+  return 0;  // values that are no numbers
+}
+
 Action QTable::greedyAmong(const Rows& rows) const {
   Action best = 0;
   double highest = value(0, rows);

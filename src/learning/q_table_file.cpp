@@ -38,6 +38,7 @@ std::string headerOf(const TrainedTable& trained, std::size_t lines) {
   add("lambda", toText(trained.parameters.lambda));
   if (trained.parameters.alpha_decay > 0.0) add("alpha_decay", toText(trained.parameters.alpha_decay));
   if (trained.parameters.mirrored) add("mirrored", "true");
+  if (trained.parameters.ties != Ties::FIRST) add("ties", toText(trained.parameters.ties));
   add("epsilon", toText(trained.parameters.epsilon));
   add("decisions", std::to_string(trained.decisions));
   add("seed", std::to_string(trained.seed));
@@ -148,6 +149,7 @@ Header readHeader(LineReader& lines) {
   readParameter(map, "lambda", &LearningParameters::lambda, header.parameters);
   readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, header.parameters);
   header.parameters.mirrored = map.flag("mirrored", header.parameters.mirrored);
+  header.parameters.ties = readTies(map);
   readParameter(map, "epsilon", &LearningParameters::epsilon, header.parameters);
   header.decisions = map.count("decisions");
   header.seed = map.count("seed");

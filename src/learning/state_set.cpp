@@ -1,6 +1,7 @@
 #include "social_crowd/learning/state_set.h"
 
 #include "social_crowd/learning/anticipation_states.h"
+#include "social_crowd/learning/condensed_occupancy_states.h"
 #include "social_crowd/learning/nearest_obstacle_states.h"
 #include "social_crowd/learning/occupancy_states.h"
 
@@ -34,6 +35,14 @@ std::vector<double> readSectorLimits(YamlMap& map, const std::vector<double>& ot
   return limits;
 }
 
+OccupancyStates::Parameters readOccupancy(YamlMap& map) {
+  OccupancyStates::Parameters parameters;
+  parameters.sectors = static_cast<int>(map.whole("sectors", 2, OccupancyStates::MAX_SECTORS, parameters.sectors));
+  parameters.distances = readDistances(map);
+  map.finish();
+  return parameters;
+}
+
 }  // namespace
 
 std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlPlace& place,
@@ -49,14 +58,10 @@ std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlP
     return std::make_shared<NearestObstacleStates>(parameters);
   }
   if (type == AnticipationStates::TYPE) return readAnticipationStates(map, action_set->size());
-  if (type == OccupancyStates::TYPE) {
-    OccupancyStates::Parameters parameters;
-    parameters.sectors = static_cast<int>(map.whole("sectors", 2, OccupancyStates::MAX_SECTORS, parameters.sectors));
-    parameters.distances = readDistances(map);
-    map.finish();
-    return std::make_shared<OccupancyStates>(parameters);
-  }
-  throwExpected(map.placeOf("type"), map.need("type"), "nearest_obstacle, occupancy or anticipation");
+  if (type == OccupancyStates::TYPE) return std::make_shared<OccupancyStates>(readOccupancy(map));
+  if (type == CondensedOccupancyStates::TYPE) return std::make_shared<CondensedOccupancyStates>(readOccupancy(map));
+  throwExpected(map.placeOf("type"), map.need("type"),
+                "nearest_obstacle, occupancy, condensed_occupancy or anticipation");
 }
 
 }  // namespace crowd

@@ -38,17 +38,23 @@ ThesisReward::ThesisReward(const Parameters& parameters, const StateSet& state_s
 double ThesisReward::operator()(const AgentPerception& before, const Perception& after, Row row) const {
   const AgentPerception& self = after.self;
   if (self.arrived) return parameters_.arrival;
-  const double distance = self.goal.norm();
-  if (parameters_.goal == GoalPart::DISTANCE_GAINED) return distanceGained(before, self) + obstaclePart(row);  // (3.6)
+  const double worth = goalPart(before, self) + obstaclePart(row);
+  return self.velocity.isZero(0.0) ? worth - parameters_.stay_cost : worth;
+}
+
+double ThesisReward::goalPart(const AgentPerception& before, const AgentPerception& after) const {
+  if (parameters_.goal == GoalPart::DISTANCE_GAINED) return distanceGained(before, after);  // (3.6)
   // The goal is given in the agent's frame, so the angle to the new heading is that to the x axis.
-  const double cosine = distance > 0.0 ? self.goal.x() / distance : 1.0;
-  return cosine * cosine * cosine + obstaclePart(row);  // (3.7)
+  const double distance = after.goal.norm();
+  const double cosine = distance > 0.0 ? after.goal.x() / distance : 1.0;
+  return cosine * cosine * cosine;  // (3.7)
 }
 
 std::string ThesisReward::spec() const {
   return std::string("{goal: ") +
          (parameters_.goal == GoalPart::DISTANCE_GAINED ? DISTANCE_GAINED_NAME : COSINE_CUBED_NAME) +
-         ", arrival: " + toText(parameters_.arrival) + ", obstacle_cost: " + toText(parameters_.obstacle_cost) + "}";
+         ", arrival: " + toText(parameters_.arrival) + ", obstacle_cost: " + toText(parameters_.obstacle_cost) +
+         (parameters_.stay_cost > 0.0 ? ", stay_cost: " + toText(parameters_.stay_cost) : "") + "}";
 }
 
 std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& state_set) {
@@ -61,6 +67,7 @@ std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& sta
   }
   parameters.arrival = map.number("arrival", NumberRule::ANY, parameters.arrival);
   parameters.obstacle_cost = map.number("obstacle_cost", NumberRule::NOT_NEGATIVE);
+  parameters.stay_cost = map.number("stay_cost", NumberRule::NOT_NEGATIVE, parameters.stay_cost);
   map.finish();
   return std::make_shared<ThesisReward>(parameters, state_set);
 }

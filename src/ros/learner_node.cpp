@@ -4,6 +4,7 @@
 #include <social_crowd/SaveQTable.h>
 #include <social_crowd/SetLearningParameters.h>
 #include <social_crowd/SetMode.h>
+#include <std_srvs/Trigger.h>
 
 #include <algorithm>
 #include <cmath>
@@ -185,6 +186,10 @@ void LearnerNode::advertiseServices() {
     });
     response.message = "loaded " + std::to_string(table.table.visitedRows()) + " visited rows of " +
                        std::to_string(table.table.rows()) + " from " + request.file;
+  });
+  services_.serve<std_srvs::Trigger>(names::RESET_TRACES, [this](const auto& /*request*/, auto& response) {
+    loop_.ask<void>([&] { learner_.forgetDecisions(); });
+    response.message = "forgot the traces, and the decisions that were waiting for their reward; the values stay";
   });
   services_.serve<social_crowd::SetMode>(names::SET_MODE, [this](const auto& request, auto& response) {
     const Mode mode = parseMode(request.mode);

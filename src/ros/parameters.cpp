@@ -22,6 +22,11 @@ std::string textOf(const XmlRpcValue& value) {
   return stream.str();
 }
 
+/// What a launch file sets for an argument that was left empty.
+bool isEmptyText(XmlRpcValue& value) {
+  return value.getType() == XmlRpcValue::TypeString && static_cast<std::string&>(value).empty();
+}
+
 }  // namespace
 
 XmlRpcValue* Parameters::find(const std::string& name) {
@@ -30,8 +35,8 @@ XmlRpcValue* Parameters::find(const std::string& name) {
 }
 
 bool Parameters::isSet(const std::string& name) {
-  asked_.insert(name);
-  return node_.hasParam(name);
+  XmlRpcValue* const value = find(name);
+  return value != nullptr && !isEmptyText(*value);
 }
 
 void Parameters::complain(const std::string& name, const std::string& what) {
@@ -63,7 +68,7 @@ bool Parameters::flag(const std::string& name, bool otherwise) {
 
 double Parameters::number(const std::string& name, double otherwise, double low, double high) {
   XmlRpcValue* const value = find(name);
-  if (value == nullptr) return otherwise;
+  if (value == nullptr || isEmptyText(*value)) return otherwise;
   double number = std::nan("");
   if (value->getType() == XmlRpcValue::TypeDouble) number = static_cast<double>(*value);
   if (value->getType() == XmlRpcValue::TypeInt) number = static_cast<int>(*value);

@@ -67,7 +67,7 @@ void Episode::decide(Learner& learner, RelativeActions& actions) {
   actions.episode = number_;
   actions.tick = world_.tick();
   actions.agents.clear();
-  if (!isOver()) crowd_.decide(world_, vision_, learner, actions.agents, *workers_);
+  if (!isOver()) crowd_.decide(world_, number_, vision_, learner, actions.agents, *workers_);
 }
 
 AgentId Episode::spawnAgent(const AgentStart& start) {

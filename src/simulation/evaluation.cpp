@@ -16,9 +16,10 @@
 namespace crowd {
 namespace {
 
-Learner makeDemoLearner(const TrainedTable& trained) {
+Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed) {
   Learner::Options options;
   options.mode = Mode::DEMO;
+  options.seed = seed;
   options.plan.parameters = trained.parameters;
   return {trained.model, options, trained.table};
 }
@@ -100,7 +101,7 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
   const auto work = [&] {
     try {
       Workers workers(plan.threads / side_by_side);
-      Learner learner = makeDemoLearner(trained);
+      Learner learner = makeDemoLearner(trained, plan.seed);
       std::vector<double> headings;  // of the agents at the end of the episode before
       std::uint64_t instance = 0;
       while (run.next(instance)) {

@@ -10,7 +10,7 @@ constexpr std::size_t FEW_BLOCKS = FEW_AGENTS / BLOCK;
 
 }  // namespace
 
-void GreedyCrowd::decide(const World& world, const Vision& vision, const Learner& learner,
+void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
                          std::vector<AgentAction>& actions, Workers& workers) {
   const std::size_t bodies = world.bodyCount();
   const std::size_t blocks = (bodies + BLOCK - 1) / BLOCK;
@@ -24,6 +24,7 @@ void GreedyCrowd::decide(const World& world, const Vision& vision, const Learner
       blocks,
       [&](unsigned worker, std::size_t begin, std::size_t end) {
         Desk& desk = desks_[worker];
+        desk.perceptions.episode = episode;
         for (std::size_t block = begin; block < end; ++block) {
           const std::size_t first = block * BLOCK;
           world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), desk.looker, desk.perceptions);

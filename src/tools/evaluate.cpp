@@ -153,7 +153,7 @@ int runMain(int argc, char** argv) {
   app.add_option("--config", arguments.config, "learning configuration; else what the table's header says is used");
   app.add_option("--episodes", arguments.plan.episodes, "of each scenario file; else every document once")
       ->check(CLI::PositiveNumber);
-  app.add_option("--seed", arguments.plan.seed, "of placements at random")
+  app.add_option("--seed", arguments.plan.seed, "of placements at random, and of ties that are broken at random")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--threads", arguments.plan.threads, "results do not depend on it; else one per processor")

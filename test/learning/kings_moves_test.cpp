@@ -55,6 +55,39 @@ TEST(KingsMoves, MayBeAnyNumber) {
   EXPECT_NEAR(rotationInDegrees(moves, 2), 240.0, 1e-9);
 }
 
+TEST(KingsMoves, MayEndWithStaying) {
+  const KingsMoves moves(8, true);
+  ASSERT_EQ(moves.size(), 9U);
+  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(90.0, 3.0));
+  EXPECT_EQ(moves.relativeAction(scene.perception(), 8).rotation, 0.0);
+  EXPECT_EQ(moves.relativeAction(scene.perception(), 8).speed_share, 0.0);
+  const KingsMoves without;
+  for (Action action = 0; action < 8; ++action) {
+    const RelativeAction one = moves.relativeAction(scene.perception(), action);
+    const RelativeAction other = without.relativeAction(scene.perception(), action);
+    EXPECT_EQ(one.rotation, other.rotation);
+    EXPECT_EQ(one.speed_share, other.speed_share);
+  }
+}
+
+TEST(KingsMoves, StayingIsItsOwnMirrorImage) {
+  const KingsMoves moves(8, true);
+  const std::array<Action, 9> images = {0, 7, 6, 5, 4, 3, 2, 1, 8};
+  for (Action action = 0; action < 9; ++action) EXPECT_EQ(moves.mirrored(action), images.at(action));
+  const KingsMoves three(3, true);
+  EXPECT_EQ(three.mirrored(1), 2U);
+  EXPECT_EQ(three.mirrored(2), 1U);
+  EXPECT_EQ(three.mirrored(3), 3U);
+}
+
+TEST(KingsMoves, TellOfStayingWhereItIsAmongThem) {
+  EXPECT_EQ(make("{type: kings_moves, stay: true}")->spec(), "{type: kings_moves, rotations: 8, stay: true}");
+  EXPECT_EQ(make("{type: kings_moves, rotations: 4, stay: true}")->size(), 5U);
+  EXPECT_EQ(make("{type: kings_moves, stay: false}")->spec(), "{type: kings_moves, rotations: 8}");
+  EXPECT_EQ(make("{type: kings_moves, rotations: 8, stay: true}")->mirrored(8), 8U);
+  EXPECT_TRUE(contains(errorIn("{type: kings_moves, stay: often}"), "action_set.stay: expected"));
+}
+
 TEST(KingsMoves, AreReadFromYamlAndWrittenAsSuch) {
   EXPECT_EQ(make("{type: kings_moves}")->spec(), "{type: kings_moves, rotations: 8}");
   EXPECT_EQ(make("{rotations: 16, type: kings_moves}")->spec(), "{type: kings_moves, rotations: 16}");

@@ -53,6 +53,30 @@ TEST(Learning, LearnsThatArrivalIsWorthAHundred) {
   EXPECT_EQ(learner.decisions(), 1U);
 }
 
+TEST(Learning, WithoutExplorationDecidesGreedilyByTheTableAsItIsAndGoesOnLearning) {
+  for (const Ties ties : {Ties::FIRST, Ties::RANDOM}) {
+    Learner::Options training = options(Mode::TRAINING);
+    training.plan.parameters.ties = ties;
+    Learner::Options demo = training;
+    demo.mode = Mode::DEMO;
+    Learner learner(model(), training);
+    for (std::uint64_t tick = 0; tick < 40; ++tick) {
+      const QTable before = learner.tableOf(0);
+      const PerceptionsBuilder scene = learners::randomTick(3, 0, tick, 12);
+      const RelativeActions actions = decide(learner, scene);
+      EXPECT_EQ(learner.tableOf(0) == before, tick == 0) << "tick " << tick;
+      // All of them have learned, then all decide.
+      Learner greedy(model(), demo, learner.tableOf(0));
+      const RelativeActions expected = decide(greedy, scene);
+      ASSERT_EQ(actions.agents.size(), 12U);
+      for (std::size_t i = 0; i < 12; ++i) {
+        EXPECT_EQ(actionOf(actions.agents[i]), actionOf(expected.agents[i])) << "tick " << tick << ", agent " << i;
+      }
+    }
+    EXPECT_GT(learner.decisions(), 300U);
+  }
+}
+
 TEST(Learning, LearnsFromTheLastTickToo) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));

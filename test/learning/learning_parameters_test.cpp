@@ -109,6 +109,14 @@ TEST(ReadLearningPlan, TakesWhatIsThereAndTheDefaultsElse) {
   EXPECT_EQ(defaults.epsilon.at(0), LearningParameters().epsilon);
 }
 
+TEST(ReadLearningPlan, TakesHowTiesAreBroken) {
+  EXPECT_EQ(read("{}").parameters.ties, Ties::FIRST);
+  EXPECT_EQ(read("{ties: first}").parameters.ties, Ties::FIRST);
+  EXPECT_EQ(read("{ties: random}").parameters.ties, Ties::RANDOM);
+  EXPECT_TRUE(contains(errorIn("{ties: last}"), "learning.ties: expected first or random, got 'last'"));
+  EXPECT_TRUE(contains(errorIn("{ties: [random]}"), "learning.ties: expected"));
+}
+
 TEST(ReadLearningPlan, TakesASchedule) {
   const LearningPlan linear = read("{epsilon: {from: 0.5, to: 0.1, episodes: 8}}");
   EXPECT_DOUBLE_EQ(linear.epsilon.at(2), 0.4);

@@ -27,6 +27,7 @@ std::vector<Model> models() {
       modelOf("{type: occupancy}", "{type: kings_moves}", thesis),
       modelOf("{type: occupancy, sectors: 5}", "{type: kings_moves, rotations: 2}", thesis),
       modelOf("{type: occupancy}", "{type: goal_fan}", thesis),
+      modelOf("{type: condensed_occupancy}", "{type: kings_moves, stay: true}", thesis),
       modelOf("{type: anticipation}", "{type: goal_fan}", "{type: pace}"),
       modelOf("{type: anticipation}", "{type: kings_moves}", "{type: pace}"),
   };

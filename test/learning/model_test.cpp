@@ -118,7 +118,7 @@ TEST(ParseModel, RefusesWhatIsNoYamlOrNoMap) {
 
 TEST(ParseModel, RefusesStateSetsThatMakeNoSense) {
   EXPECT_TRUE(contains(errorInStateSet("{type: nearest}"),
-                       "state_set.type: expected nearest_obstacle, occupancy or anticipation"));
+                       "state_set.type: expected nearest_obstacle, occupancy, condensed_occupancy or anticipation"));
   EXPECT_TRUE(contains(errorInStateSet("{sectors: 8}"), "'type' is missing"));
   EXPECT_TRUE(contains(errorInStateSet("{type: occupancy, goal_sectors: 8}"), "unknown key 'goal_sectors'"));
   for (const char* const wrong : {"sectors: 1", "sectors: 13", "sectors: 8.5", "sectors: -8"}) {
@@ -138,7 +138,7 @@ TEST(ParseModel, RefusesStateSetsThatMakeNoSense) {
 }
 
 TEST(ParseModel, RefusesRadiiThatMakeNoSense) {
-  for (const char* const type : {"nearest_obstacle", "occupancy"}) {
+  for (const char* const type : {"nearest_obstacle", "occupancy", "condensed_occupancy"}) {
     for (const char* const wrong : {"collision_radius: 0", "collision_radius: -1", "vision_radius: nan",
                                     "vision_radius: 0.5", "vision_radius: 0.25", "collision_radius: 1"}) {
       const std::string message = errorInStateSet("{type: " + std::string(type) + ", " + wrong + "}");

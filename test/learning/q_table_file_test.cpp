@@ -55,6 +55,17 @@ TEST(QTableText, ReadsBackWhatItSays) {
   expectSame(parseQTable(q_table_texts::text(), "table.txt"), q_table_texts::trained());
 }
 
+TEST(QTableText, TellsHowTiesAreBrokenWhereTheFirstIsNotTaken) {
+  EXPECT_EQ(parseQTable(q_table_texts::text(), "table.txt").parameters.ties, Ties::FIRST);
+  TrainedTable trained = q_table_texts::trained();
+  trained.parameters.ties = Ties::RANDOM;
+  std::string expected = q_table_texts::body();
+  expected.replace(expected.find("epsilon: 0\n"), 0, "ties: random\n");
+  EXPECT_EQ(toText(trained), q_table_texts::withChecksum(expected));
+  EXPECT_EQ(parseQTable(toText(trained), "table.txt").parameters.ties, Ties::RANDOM);
+  expectRoundTrip(trained);
+}
+
 TEST(QTableText, ReadsAnEmptyTable) {
   TrainedTable trained = q_table_texts::trained();
   trained.table = QTable(11, 2);

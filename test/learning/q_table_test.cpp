@@ -100,6 +100,33 @@ TEST(QTable, TheGreedyActionHasTheHighestValueAndOfEqualOnesIsTheFirst) {
   EXPECT_EQ(greedyOf({-0.0, 0.0}), 0U);
 }
 
+/// The greedy action of a table of one row, equal values told apart by a number in [0, 1).
+Action greedyOf(const std::vector<double>& values, double tie) {
+  QTable table(2, static_cast<Action>(values.size()));
+  for (Action action = 0; action < values.size(); ++action) table.set(1, action, values[action], 1);
+  const Row row = 1;
+  const std::vector<Row> rows(values.size(), row);
+  EXPECT_EQ(table.greedyAction({rows.data(), 1}, tie), table.greedyAction(sameRow(row), tie));
+  return table.greedyAction(sameRow(row), tie);
+}
+
+TEST(QTable, ANumberTellsWhichOfEqualOnesIsTheGreedyAction) {
+  const double last = std::nextafter(1.0, 0.0);
+  const std::vector<double> three = {2.0, 1.0, 2.0, -5.0, 2.0};  // actions 0, 2 and 4, for a third each
+  EXPECT_EQ(greedyOf(three, 0.0), 0U);
+  EXPECT_EQ(greedyOf(three, 0.33), 0U);
+  EXPECT_EQ(greedyOf(three, 0.34), 2U);
+  EXPECT_EQ(greedyOf(three, 0.66), 2U);
+  EXPECT_EQ(greedyOf(three, 0.67), 4U);
+  EXPECT_EQ(greedyOf(three, last), 4U);
+  EXPECT_EQ(greedyOf({1.0, 3.0, 2.0}, last), 1U);  // one alone
+  EXPECT_EQ(greedyOf({-0.0, 0.0}, 0.5), 1U);
+  for (Action actions = 1; actions <= 40; ++actions) {
+    EXPECT_EQ(greedyOf(std::vector<double>(actions, -1.0), last), actions - 1);
+    EXPECT_EQ(greedyOf(std::vector<double>(actions, -1.0), 0.0), 0U);
+  }
+}
+
 TEST(QTable, LooksUpEveryActionInARowOfItsOwn) {
   // Actions 0, 1, 2 are in the situations 3, 0 and 3.
   const std::array<Row, 3> rows = {3, 0, 3};

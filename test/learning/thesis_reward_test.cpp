@@ -140,6 +140,30 @@ TEST(ThesisReward, ArrivalIsWorthAHundredWhateverIsAround) {
   }
 }
 
+TEST(ThesisReward, StayingHasItsPrice) {
+  const NearestObstacleStates states;
+  for (const ThesisReward::GoalPart goal :
+       {ThesisReward::GoalPart::DISTANCE_GAINED, ThesisReward::GoalPart::COSINE_CUBED}) {
+    ThesisReward::Parameters parameters;
+    parameters.goal = goal;
+    parameters.stay_cost = 0.25;
+    const ThesisReward reward(parameters, states);
+    const double goal_part = goal == ThesisReward::GoalPart::COSINE_CUBED ? 1.0 : 0.0;
+    AgentPerception after = withGoalAt({3.0, 0.0});
+    after.velocity = Vector2::Zero();
+    EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part - 0.25);
+    const Row seen = states.rowOf({0, 0, 2});
+    EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, seen), goal_part - 0.8 - 0.25);
+    after.velocity = {0.0, 1e-200};  // however slow
+    EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part);
+    after.velocity = {-0.3, 0.0};
+    EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part);
+    after.velocity = Vector2::Zero();
+    after.arrived = true;
+    EXPECT_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), 100.0);
+  }
+}
+
 std::shared_ptr<const Reward> make(const std::string& yaml) {
   return makeReward(YAML::Load(yaml), {"file.yaml", 0, "reward"}, NearestObstacleStates());
 }
@@ -163,6 +187,17 @@ TEST(MakeReward, TakesWhatTheYamlSays) {
 TEST(MakeReward, KnowsTheThesisArrival) {
   EXPECT_EQ(make("{goal: cosine_cubed, obstacle_cost: 80}")->spec(),
             "{goal: cosine_cubed, arrival: 100, obstacle_cost: 80}");
+}
+
+TEST(MakeReward, TellsThePriceOfStayingWhereThereIsOne) {
+  const std::string rest = "goal: cosine_cubed, arrival: 100, obstacle_cost: 80";
+  EXPECT_EQ(make("{" + rest + ", stay_cost: 0.5}")->spec(), "{" + rest + ", stay_cost: 0.5}");
+  EXPECT_EQ(make("{" + rest + ", stay_cost: 0}")->spec(), "{" + rest + "}");
+  AgentPerception after = withGoalAt({3.0, 0.0});
+  EXPECT_DOUBLE_EQ(worth(*make("{" + rest + ", stay_cost: 0.5}"), withGoalAt({3.0, 0.0}), after, 0), 0.5);
+  EXPECT_DOUBLE_EQ(worth(*make("{" + rest + "}"), withGoalAt({3.0, 0.0}), after, 0), 1.0);
+  EXPECT_TRUE(contains(errorIn("{" + rest + ", stay_cost: -0.5}"), "reward.stay_cost: expected"));
+  EXPECT_TRUE(contains(errorIn("{" + rest + ", stay_cost: much}"), "reward.stay_cost: expected"));
 }
 
 TEST(MakeReward, SaysWhatIsWrong) {

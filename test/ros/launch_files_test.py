@@ -6,7 +6,7 @@ import re
 import rospy
 import support
 from learning_files import QTableFile, recipe_text
-from social_crowd.msg import AgentStates
+from social_crowd.msg import AgentStates, LearnerStatus
 
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 2
@@ -76,6 +76,18 @@ class DemoTest(LaunchTestCase):
         self.addCleanup(rospy.delete_param, '/use_sim_time')
         self.assert_ends_well(self.demo(scenario=SCENARIO, mode='training', tables='own', learners='per_agent',
                                         tf='true', clock='true'))
+
+    def test_a_demo_that_keeps_learning(self):
+        """The argument reaches learners of either kind; without it epsilon is the table's, also after a run with it."""
+        status = self.listen('learner_status', LearnerStatus)
+        header = QTableFile(support.ANTICIPATION_TABLE).header
+        for given, expected in (({'epsilon': 0}, 0.0), ({'epsilon': 0.125, 'learners': 'per_agent'}, 0.125),
+                                ({}, header['epsilon']), ({'learners': 'per_agent'}, header['epsilon'])):
+            status.messages.clear()
+            launched = self.launch('demo.launch', mode='training', **given)
+            told = status.wait(what='the status of a learner')
+            self.assertEqual((told.mode, told.epsilon), ('training', expected), given)
+            self.assertEqual(launched.stop(), 0)
 
     def test_by_name(self):
         self.assert_ends_well(self.demo(episodes=1))

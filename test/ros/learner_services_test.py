@@ -3,7 +3,7 @@
 import math
 
 import support
-from learning_files import QTableFile, recipe_text
+from learning_files import QTableFile, q_table_text, recipe_text
 from perceiving import Perceiver, add_agent, ahead, all_situations, perceptions
 from rosgraph_msgs.msg import Log
 from social_crowd.msg import LearnerStatus
@@ -104,6 +104,87 @@ class ModeTest(LearnerTestCase):
         self.refuse('learner/set_mode', 'training or demo', 'walking', mode='walking')
         self.walk(0, 3)
         self.assertEqual(self.saved().visits(), 2)
+
+
+class ResetTracesTest(LearnerTestCase):
+    """reset_traces: nothing is learned across the gap."""
+
+    def perceive(self, episode, tick, degrees):
+        """A tick of an agent alone that has its goal at a bearing: row 0 straight ahead, row 1 at 45 degrees."""
+        self.perceiver.ask(add_agent(perceptions(episode, tick), 0, ahead(degrees, 5)))
+
+    def value(self, row):
+        """What the first action is worth."""
+        table = self.saved()
+        return table.rows[row][0][1] if row in table.rows else 0.0
+
+    def reset(self):
+        """Calls the service."""
+        self.assert_says(self.succeed('learner/reset_traces').message, 'traces', 'decisions', 'values stay')
+
+    def test_the_decision_before_it_is_not_learned_from(self):
+        self.start_untrained()
+        self.perceive(0, 0, 45)
+        self.perceive(0, 1, 45)
+        self.assertEqual(self.saved().header['decisions'], 1)
+        self.reset()
+        self.perceive(0, 2, 45)
+        self.assertEqual(self.saved().header['decisions'], 1)
+        self.perceive(0, 3, 45)
+        self.assertEqual(self.saved().header['decisions'], 2)
+        self.assertEqual(self.saved().visits(), 2)
+
+    def test_earlier_decisions_are_not_reached_by_what_comes_after_it(self):
+        """Corrections go half of the way; 0.9 * 0.5 = 0.45 of one reaches the decision before."""
+        self.start_untrained(alpha=0.5, **{'lambda': 0.5})
+        self.perceive(0, 0, 45)
+        self.perceive(0, 1, 0)  # cos(0)^3 = 1, half of it
+        self.assertAlmostEqual(self.value(1), 0.5, places=12)
+        self.perceive(0, 2, 0)  # a correction of 0.5 in row 0
+        self.assertAlmostEqual(self.value(0), 0.5, places=12)
+        self.assertAlmostEqual(self.value(1), 0.725, places=12)  # 0.5 + 0.45 * 0.5
+        self.perceive(1, 0, 45)
+        self.perceive(1, 1, 0)  # 1 + 0.9 * 0.5 = 1.45, half of the way from 0.725
+        self.assertAlmostEqual(self.value(1), 1.0875, places=12)
+        self.reset()
+        self.perceive(1, 2, 0)
+        self.perceive(1, 3, 0)  # half of the way from 0.5 to 1.45
+        self.assertAlmostEqual(self.value(0), 0.975, places=12)
+        self.assertAlmostEqual(self.value(1), 1.0875, places=12)
+        self.assertEqual(self.saved().header['decisions'], 4)
+
+    def test_it_does_no_harm_where_there_is_nothing_to_forget(self):
+        self.start_one()
+        self.reset()
+        answer = self.walk(0, 1)
+        self.reset()
+        self.assertEqual(self.walk(1, 1), answer)
+        self.assertEqual(self.saved().header['decisions'], QTableFile(support.NEAREST_TABLE).header['decisions'])
+
+
+class DemoThatLearnsTest(LearnerTestCase):
+    """Training without exploration: agents walk by the table, which goes on changing."""
+
+    def test_it_begins_by_services(self):
+        """In row 1 the second action is the best one, until what it brings makes the third one better."""
+        table = self.write('table.txt', q_table_text({1: {1: (1, 2.0), 2: (1, 1.0)}}))
+        self.start_one(q_table=table, mode='demo')
+        first, second = math.radians(45), math.radians(90)
+        self.assertEqual([answer[0][0] for answer in self.walk(0, 3)], [first] * 3)
+        self.assertEqual(self.saved().rows, QTableFile(table).rows)
+        self.succeed('learner/set_mode', mode='training')
+        self.succeed('learner/set_learning_parameters', **dict(NOTHING, alpha=0.5, gamma=0.0, epsilon=0.0))
+        # The reward is cos(45 degrees)^3 = 0.354: the value falls to 1.177, then to 0.765.
+        self.assertEqual([answer[0][0] for answer in self.walk(1, 3)], [first, first, second])
+        visits, value = self.saved().rows[1][1]
+        self.assertEqual(visits, 3)
+        self.assertAlmostEqual(value, 0.5 + 0.75 * math.cos(math.radians(45))**3, places=12)
+
+    def test_it_begins_by_parameters(self):
+        table = self.write('table.txt', q_table_text({1: {1: (1, 2.0), 2: (1, 1.0)}}))
+        self.start_one(q_table=table, mode='training', epsilon=0.0, alpha=0.5, gamma=0.0)
+        answers = [answer[0][0] for answer in self.walk(0, 3)]
+        self.assertEqual(answers, [math.radians(45)] * 2 + [math.radians(90)])
 
 
 class LearningParametersTest(LearnerTestCase):

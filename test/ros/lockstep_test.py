@@ -4,7 +4,7 @@ import math
 
 import rospy
 import support
-from learning_files import QTableFile, recipe_text
+from learning_files import QTableFile, checksum_of, recipe_text
 from roslib.packages import find_node
 from social_crowd.msg import EpisodeResult
 
@@ -101,6 +101,18 @@ class DemoTest(support.CrowdTestCase):
         self.start_learner(q_table=table)
         self.assert_same_recording(self.walk(occlusion=True, vision_radius=6.0 + 1e-6), expected)
 
+    def test_ties_broken_at_random(self):
+        """A table that knows little, so that most values are equal: chance is that of the same seed."""
+        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1, learning='{ties: random}'))
+        table = self.path('table.txt')
+        self.tool('train', recipe, '--output', table)
+        first = self.write('first.txt', without_random_ties(support.read_text(table)))
+        recordings = [self.headless(SCENARIO, file, episodes=EPISODES, seed=5) for file in (first, table)]
+        self.assertNotEqual(*recordings)
+        self.start_learner('learner_a', q_table=table, seed=5, agents=[0, 1, 2])
+        self.start_learner('learner_b', q_table=table, seed=5, agents=[3, 4, 5])
+        self.assert_same_recording(self.walk(), recordings[1])
+
     def test_bodies_at_the_edge_of_vision(self):
         """A body exactly at the radius of vision is perceived in both runs or in neither."""
         scenario = self.write('edge.yaml', edge_scenario())
@@ -166,6 +178,10 @@ class TrainingTest(support.CrowdTestCase):
         others = [support.read_text(self.path(f'at_end_agent_{agent}.txt')) for agent in range(1, 6)]
         self.assertEqual(len(set(others + [expected])), 6, 'each agent should have learned on its own')
 
+    def test_ties_broken_at_random(self):
+        self.LEARNING = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: 0, ties: random}'
+        self.assertIn('\nties: random\n', self.check(SCENARIO, 'shared'))
+
     def test_a_learner_each(self):
         """The rows are the same; each learner counts the decisions of its own agent only."""
         recipe, headless, _ = self.train_headless(SCENARIO, 'own')
@@ -177,6 +193,12 @@ class TrainingTest(support.CrowdTestCase):
         saved = QTableFile(self.saved_after('learner_0', expected.visits()))
         self.assertEqual(saved.rows, expected.rows)
         self.assertEqual(dict(saved.header, decisions=0), dict(expected.header, decisions=0))
+
+
+def without_random_ties(text):
+    """The Q-table file with the first of equal values taken."""
+    text = text.rpartition('checksum: ')[0].replace('\nties: random\n', '\n')
+    return f'{text}checksum: {checksum_of(text)}\n'
 
 
 def edge_scenario():

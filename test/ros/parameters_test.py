@@ -4,6 +4,7 @@ import os
 
 import support
 from learning_files import recipe_text
+from social_crowd.msg import LearnerStatus
 
 NAN, INFINITE = float('nan'), float('inf')
 SCENE = """
@@ -161,6 +162,14 @@ class LearnerParametersTest(RefusalTestCase):
     def test_unknown(self):
         message = self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, agnets=[1]), 'agnets')
         self.assert_says(message, '~agents')
+
+    def test_an_empty_text_is_no_number(self):
+        """So a launch file leaves epsilon to the configuration, its schedule included."""
+        recipe = recipe_text(support.CIRCLE6, 1, learning='{alpha: 0.2, epsilon: {from: 0.8, to: 0.2, episodes: 10}}')
+        status = self.listen('learner_status', LearnerStatus)
+        self.start_plain(mode='training', config=self.write('recipe.yaml', recipe), epsilon='', alpha='')
+        told = status.wait()
+        self.assertEqual((told.alpha, told.epsilon), (0.2, 0.8))
 
     def test_files_that_cannot_be_read(self):
         table = self.write('table.txt', 'no table')

@@ -16,7 +16,7 @@ import rospy
 import rostest
 from roslib.packages import find_node
 from social_crowd import srv
-from std_srvs.srv import SetBool
+from std_srvs.srv import SetBool, Trigger
 
 PATIENCE = 90.0  # [s] for what comes at once on an idle machine
 PERIOD = 0.01  # [s] between two looks
@@ -37,6 +37,7 @@ SERVICES = {
     'load_q_table': srv.LoadQTable,
     'share_q_table': srv.ShareQTable,
     'take_q_table': srv.TakeQTable,
+    'reset_traces': Trigger,
     'set_mode': srv.SetMode,
     'set_learning_parameters': srv.SetLearningParameters,
 }

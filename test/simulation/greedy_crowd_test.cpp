@@ -13,6 +13,8 @@
 namespace crowd {
 namespace {
 
+constexpr std::uint64_t EPISODE = 7;
+
 /// Agent, rotation and share of the speed.
 using Decision = std::tuple<AgentId, double, double>;
 
@@ -30,6 +32,7 @@ std::vector<Decision> decideAtOnce(World& world, const Vision& vision, Learner& 
   Perceptions perceptions;
   RelativeActions actions;
   world.perceive(vision, perceptions);
+  perceptions.episode = EPISODE;
   learner.decide(perceptions, actions);
   return toDecisions(actions.agents);
 }
@@ -42,7 +45,7 @@ class Crowds {
     std::vector<Decision> first;
     for (std::size_t i = 0; i < crowds_.size(); ++i) {
       std::vector<AgentAction> actions = {{12345, {6.0, 7.0}}};  // to be overwritten
-      crowds_[i].decide(world, vision, learner, actions, workers_[i]);
+      crowds_[i].decide(world, EPISODE, vision, learner, actions, workers_[i]);
       if (i == 0) first = toDecisions(actions);
       EXPECT_EQ(toDecisions(actions), first) << workers_[i].count() << " threads";
     }
@@ -102,6 +105,30 @@ TEST(GreedyCrowd, DecidesAsTheLearnerDoes) {
   }
 }
 
+TEST(GreedyCrowd, BreaksTiesAsTheLearnerDoes) {
+  Learner::Options options;
+  options.seed = 5;
+  options.plan.parameters.ties = Ties::RANDOM;
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.spec());
+    Learner asked(model, options);  // knows nothing: all actions are worth the same
+    EXPECT_GT(compareDecisions(1, asked, Learner(model, options)), 1500U);
+  }
+  // Of another episode, or with another seed, chance decides otherwise.
+  const Model model = models().front();
+  const Learner learner(model, options);
+  const World world(scenes::randomCrowd(1));
+  const auto decide = [&](std::uint64_t episode, const Learner& asked) {
+    std::vector<AgentAction> actions;
+    GreedyCrowd().decide(world, episode, model.vision(), asked, actions);
+    return toDecisions(actions);
+  };
+  EXPECT_EQ(decide(EPISODE, learner), decide(EPISODE, learner));
+  EXPECT_NE(decide(EPISODE, learner), decide(EPISODE + 1, learner));
+  options.seed = 6;
+  EXPECT_NE(decide(EPISODE, learner), decide(EPISODE, Learner(model, options)));
+}
+
 TEST(GreedyCrowd, AsksOnlyWhomTheLearnerServes) {
   Learner::Options options;
   options.agents = {0, 1, 7, 200, 201, 9999};
@@ -149,12 +176,12 @@ TEST(GreedyCrowd, ForgetsTheLastWorld) {
   Workers many(7);
   GreedyCrowd crowd;
   std::vector<AgentAction> actions;
-  crowd.decide(World(scenes::randomCrowd(1)), model.vision(), learner, actions, many);
+  crowd.decide(World(scenes::randomCrowd(1)), EPISODE, model.vision(), learner, actions, many);
   ASSERT_GT(actions.size(), 2 * FEW_AGENTS);
   const World small(scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({3.0, 0.0})}));
-  crowd.decide(small, model.vision(), learner, actions);
+  crowd.decide(small, EPISODE, model.vision(), learner, actions);
   std::vector<AgentAction> expected;
-  GreedyCrowd().decide(small, model.vision(), learner, expected);
+  GreedyCrowd().decide(small, EPISODE, model.vision(), learner, expected);
   EXPECT_EQ(expected.size(), 2U);
   EXPECT_EQ(toDecisions(actions), toDecisions(expected));
 }
@@ -162,8 +189,8 @@ TEST(GreedyCrowd, ForgetsTheLastWorld) {
 TEST(GreedyCrowd, HasNothingToSayWhereNobodyWalks) {
   const Model model = models()[2];
   std::vector<AgentAction> actions = {{1, {}}};
-  GreedyCrowd().decide(World(scenes::scene({}, {scenes::pillar({0.0, 0.0}, 0.5)})), model.vision(), makeLearner(model),
-                       actions);
+  GreedyCrowd().decide(World(scenes::scene({}, {scenes::pillar({0.0, 0.0}, 0.5)})), EPISODE, model.vision(),
+                       makeLearner(model), actions);
   EXPECT_TRUE(actions.empty());
 }
 

@@ -178,9 +178,12 @@ class Learner {
   void learnAndChoose(const Perceptions& perceptions, RelativeActions& actions);
   /// Adds an agent to the group, which decides as soon as it is full.
   /// @param answer place of its decision among the actions
-  void joinGreedily(const Perception& seen, std::size_t answer, Space& space, std::vector<AgentAction>& actions) const;
+  void joinGreedily(const Perceptions& perceptions, const Perception& seen, std::size_t answer, Space& space,
+                    std::vector<AgentAction>& actions) const;
   /// Decides for the group, which is empty then.
-  void answerGreedily(Space& space, std::vector<AgentAction>& actions) const;
+  void answerGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const;
+  /// What decides between equal values: the first, or a draw of the agent's own.
+  double tieOf(const Perceptions& perceptions, AgentId agent) const;
   /// @param chance that of the tick
   Action chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
                          const Rows& rows, Memory& memory) const;

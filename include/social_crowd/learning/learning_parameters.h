@@ -9,6 +9,14 @@
 
 namespace crowd {
 
+/// @brief Which of several actions of the highest value a greedy decision takes. first: the one of the lowest number;
+/// random: each of them with the same probability.
+enum class Ties { FIRST, RANDOM };
+
+/// @brief The names used in files. @throws InputError naming what was expected.
+Ties parseTies(const std::string& text);
+std::string toText(Ties ties);
+
 /// @brief Parameters of Q-learning (3.1). The defaults are the thesis's.
 struct LearningParameters {
   double alpha = 0.1;    ///< step size, above 0 to 1
@@ -17,7 +25,8 @@ struct LearningParameters {
   double epsilon = 0.1;  ///< share of decisions taken at random while learning, 0 to 1
   /// The n-th visit of a row and action steps by n^-alpha_decay as long as that is above alpha, 0 (always alpha) to 1.
   double alpha_decay = 0.0;
-  bool mirrored = false;  ///< every experience is also learned with left and right exchanged
+  bool mirrored = false;    ///< every experience is also learned with left and right exchanged
+  Ties ties = Ties::FIRST;  ///< how greedy decisions choose between equal values
 
   /// @brief Share of the way to the target that a value goes when its row and action are visited for the n-th time.
   double stepSize(std::uint32_t visits) const {
@@ -31,6 +40,9 @@ struct LearningParameters {
 /// @brief Reads a learning parameter where the map has that key. @throws InputError that names the place
 void readParameter(YamlMap& map, const std::string& key, double LearningParameters::*member,
                    LearningParameters& parameters);
+
+/// @brief Reads the key `ties`, `first` where it is not there. @throws InputError that names the place
+Ties readTies(YamlMap& map);
 
 /// @brief How epsilon changes over the episodes: from `first` to `last` within so many episodes, then `last`.
 struct EpsilonSchedule {
@@ -50,8 +62,8 @@ struct LearningPlan {
   EpsilonSchedule epsilon;
 };
 
-/// @brief Reads a map {alpha, alpha_decay, gamma, lambda, mirrored, epsilon}, all optional; epsilon is a number or
-/// {from, to, episodes, shape: linear|exponential}. @throws InputError
+/// @brief Reads a map {alpha, alpha_decay, gamma, lambda, mirrored, ties, epsilon}, all optional; epsilon is a number
+/// or {from, to, episodes, shape: linear|exponential}. @throws InputError
 LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place);
 
 }  // namespace crowd

@@ -20,13 +20,20 @@ namespace crowd {
 /// bit for bit.
 class QLearner {
  public:
-  /// @brief Greedy choice (pure control); of equal values the first.
-  static Action chooseGreedy(const QTable& table, const Rows& rows) { return table.greedyAction(rows); }
+  static constexpr double FIRST_OF_TIES = 0.0;
+
+  /// @brief Greedy choice (pure control).
+  /// @param tie in [0, 1), decides between equal values; 0: the first
+  static Action chooseGreedy(const QTable& table, const Rows& rows, double tie = FIRST_OF_TIES) {
+    return tie > FIRST_OF_TIES ? table.greedyAction(rows, tie) : table.greedyAction(rows);
+  }
 
   /// @brief Epsilon-greedy choice: with probability epsilon any action, else the greedy one.
   /// @param draw uniform in [0, 1), decides whether to explore; @param any uniform in [0, 1), decides on which action.
-  static Action chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any) {
-    if (draw >= epsilon) return chooseGreedy(table, rows);
+  /// @param tie as in chooseGreedy()
+  static Action chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any,
+                                double tie = FIRST_OF_TIES) {
+    if (draw >= epsilon) return chooseGreedy(table, rows, tie);
     return std::min(static_cast<Action>(any * table.actions()), table.actions() - 1);
   }
 

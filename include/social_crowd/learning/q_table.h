@@ -31,6 +31,9 @@ class QTable {
 
   /// @brief The action of the highest value; of equal ones the first, so that ties break the same way every time.
   Action greedyAction(const Rows& rows) const;
+  /// @brief One of the actions of the highest value.
+  /// @param tie in [0, 1), decides between them: with n of them, number tie * n, rounded down, counted from 0
+  Action greedyAction(const Rows& rows, double tie) const;
   /// @brief The highest value.
   double greedyValue(const Rows& rows) const { return rows.isOne() ? highestOf(rows[0]) : highestAmong(rows); }
 

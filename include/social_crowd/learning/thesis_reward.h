@@ -6,7 +6,8 @@
 
 namespace crowd {
 
-/// @brief The thesis's reward: a prize on arrival, else a goal part and an obstacle part (3.6-3.9).
+/// @brief The thesis's reward: a prize on arrival, else a goal part and an obstacle part (3.6-3.9), less a price for
+/// staying.
 class ThesisReward : public Reward {
  public:
   static constexpr const char* TYPE = "thesis";
@@ -22,6 +23,7 @@ class ThesisReward : public Reward {
     /// What an obstacle of distance class 1 costs; class D costs this / 10^(2 (D-1)). (3.8): 80, for the nearest one;
     /// (3.9): 10, summed over the occupied sectors.
     double obstacle_cost = 80.0;
+    double stay_cost = 0.0;  ///< of a tick in which the agent did not move (thesis 5.2)
   };
 
   ThesisReward(const Parameters& parameters, const StateSet& state_set);
@@ -33,11 +35,13 @@ class ThesisReward : public Reward {
   double obstaclePart(Row row) const { return obstacle_parts_[row]; }
 
  private:
+  double goalPart(const AgentPerception& before, const AgentPerception& after) const;
+
   Parameters parameters_;
   std::vector<double> obstacle_parts_;  // of each row
 };
 
-/// @brief Reads a map {goal, arrival, obstacle_cost}. @throws InputError
+/// @brief Reads a map {goal, arrival, obstacle_cost, stay_cost}. @throws InputError
 std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& state_set);
 
 }  // namespace crowd

@@ -27,6 +27,7 @@ constexpr const char* SAVE_Q_TABLE = "save_q_table";
 constexpr const char* LOAD_Q_TABLE = "load_q_table";
 constexpr const char* SHARE_Q_TABLE = "share_q_table";
 constexpr const char* TAKE_Q_TABLE = "take_q_table";
+constexpr const char* RESET_TRACES = "reset_traces";
 constexpr const char* SET_MODE = "set_mode";
 constexpr const char* SET_LEARNING_PARAMETERS = "set_learning_parameters";
 

@@ -19,11 +19,12 @@ class Parameters {
   /// @brief The parameter, or the default where it is not set or wrong (then noted).
   std::string text(const std::string& name, const std::string& otherwise);
   bool flag(const std::string& name, bool otherwise);
-  /// @brief From `low` to `high`, both included.
+  /// @brief From `low` to `high`, both included. An empty text counts as not set.
   double number(const std::string& name, double otherwise, double low, double high);
   std::int64_t whole(const std::string& name, std::int64_t otherwise, std::int64_t low, std::int64_t high);
   /// @brief A list of whole numbers of at least 0.
   std::vector<std::int64_t> wholes(const std::string& name);
+  /// @brief Whether it is set, and to more than an empty text.
   bool isSet(const std::string& name);
 
   /// @brief Notes something wrong with a parameter in the caller's words.

@@ -13,7 +13,7 @@ namespace crowd {
 /// @brief How to evaluate.
 struct EvaluationPlan {
   std::uint64_t episodes = 0;  ///< 0: every document of the scenario file once
-  std::uint64_t seed = 1;      ///< for placements at random
+  std::uint64_t seed = 1;      ///< for placements at random, and for ties that are broken at random
   unsigned threads = 1;        ///< results do not depend on it
   bool record = false;         ///< whether trajectories are wanted
   bool scenes = false;         ///< whether scenes are wanted

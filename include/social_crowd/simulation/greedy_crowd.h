@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "social_crowd/learning/learner.h"
@@ -12,10 +13,11 @@ namespace crowd {
 /// demo mode, sooner and with less memory.
 class GreedyCrowd {
  public:
+  /// @param episode its number; with the tick it is what chance decides by between equal values
   /// @param workers share out the agents; what is decided does not depend on their number
   /// @param actions is overwritten; neighbours stand one after the other
-  void decide(const World& world, const Vision& vision, const Learner& learner, std::vector<AgentAction>& actions,
-              Workers& workers = Workers::alone());
+  void decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
+              std::vector<AgentAction>& actions, Workers& workers = Workers::alone());
 
  private:
   /// What a worker needs.

@@ -1,0 +1,139 @@
+#include "social_crowd/learning/condensed_occupancy_states.h"
+
+#include <gtest/gtest.h>
+
+#include "social_crowd/learning/thesis_reward.h"
+#include "support/error_of.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+using Classes = std::vector<int>;
+
+Row rowOf(const StateSet& states, const PerceptionsBuilder& scene) {
+  Row row = 0;
+  states.findRows({scene.perception(), nullptr, &row});
+  return row;
+}
+
+Row rowOf(const PerceptionsBuilder& scene) { return rowOf(CondensedOccupancyStates(), scene); }
+
+/// An agent whose goal lies 5 m away at a bearing [degrees].
+PerceptionsBuilder goalAt(double degrees) { return PerceptionsBuilder().agent(0, polar(degrees, 5.0)); }
+
+/// A body of radius 0.1 m whose rim is so far away [m], at a bearing [degrees]. At 0.3 m and beyond it spans up to
+/// asin(0.1 / 0.4) = 14.5 degrees to either side, less than half a sector's width.
+PerceptionsBuilder& addBody(double degrees, double rim, PerceptionsBuilder& scene) {
+  return scene.body(polar(degrees, rim + 0.1), 0.1);
+}
+
+TEST(CondensedOccupancyStates, HasATwelfthOfTheRows) {
+  const CondensedOccupancyStates states;
+  EXPECT_EQ(states.rowCount(), 4097U);  // 8 * 2 * 2^8 + 1
+  EXPECT_EQ(states.terminal(), 4096U);
+  EXPECT_EQ(states.rowsPerPerception(), 1U);
+  EXPECT_FALSE(states.needsMoves());
+}
+
+TEST(CondensedOccupancyStates, TellsTheSectorOfTheGoal) {
+  for (int sector = 0; sector < 8; ++sector) EXPECT_EQ(rowOf(goalAt(45.0 * sector)), 512U * sector);
+}
+
+TEST(CondensedOccupancyStates, TellsWhichSectorsAreOccupied) {
+  const Row digits[] = {128, 64, 32, 16, 8, 4, 2, 1};
+  for (int sector = 0; sector < 8; ++sector) {
+    PerceptionsBuilder scene = goalAt(0.0);
+    EXPECT_EQ(rowOf(addBody(45.0 * sector, 0.6, scene)), digits[sector]);
+  }
+  PerceptionsBuilder across_a_limit = goalAt(90.0);  // at 0.7 m and 22.5 degrees it lies in both sectors
+  EXPECT_EQ(rowOf(addBody(22.5, 0.6, across_a_limit)), 2U * 512U + 128U + 64U);
+  PerceptionsBuilder two = goalAt(-45.0);
+  addBody(180.0, 0.9, two);
+  EXPECT_EQ(rowOf(addBody(-45.0, 0.6, two)), 7U * 512U + 8U + 1U);
+  PerceptionsBuilder beyond = goalAt(0.0);
+  EXPECT_EQ(rowOf(addBody(0.0, 1.01, beyond)), 0U);
+  EXPECT_EQ(rowOf(goalAt(0.0).wall({0.8, -0.1}, {0.8, 0.1})), 128U);  // to 7.1 degrees on both sides
+}
+
+TEST(CondensedOccupancyStates, TellsWhetherAnythingIsNearAnywhere) {
+  PerceptionsBuilder near = goalAt(0.0);
+  EXPECT_EQ(rowOf(addBody(180.0, 0.4, near)), 256U + 8U);
+  // Which of them is near is not told.
+  for (const double near_one : {0.0, 90.0}) {
+    PerceptionsBuilder scene = goalAt(45.0);
+    addBody(near_one, 0.4, scene);
+    EXPECT_EQ(rowOf(addBody(90.0 - near_one, 0.9, scene)), 512U + 256U + 128U + 32U);
+  }
+  PerceptionsBuilder both = goalAt(45.0);
+  addBody(0.0, 0.4, both);
+  EXPECT_EQ(rowOf(addBody(90.0, 0.3, both)), 512U + 256U + 128U + 32U);
+}
+
+TEST(CondensedOccupancyStates, IsAFunctionOfStateSetTwo) {
+  const CondensedOccupancyStates states;
+  EXPECT_EQ(states.rowOf({0, {}}), 0U);
+  EXPECT_EQ(states.rowOf({3, {0, 0, 0, 2, 1, 1, 2, 0}}), 3U * 512U + 256U + 16U + 8U + 4U + 2U);  // figure 3.9
+  EXPECT_EQ(states.rowOf({3, {0, 0, 0, 2, 2, 2, 2, 0}}), 3U * 512U + 16U + 8U + 4U + 2U);
+  EXPECT_EQ(states.rowOf({7, {1, 1, 1, 1, 1, 1, 1, 1}}), 4095U);
+}
+
+TEST(CondensedOccupancyStates, TellsClassesForRewards) {
+  const CondensedOccupancyStates states;
+  EXPECT_EQ(states.distanceClasses(0), Classes{});
+  EXPECT_EQ(states.distanceClasses(states.terminal()), Classes{});
+  EXPECT_EQ(states.distanceClasses(states.rowOf({5, {2, 0, 2}})), (Classes{2, 2}));
+  EXPECT_EQ(states.distanceClasses(states.rowOf({5, {2, 0, 1}})), (Classes{1, 2, 2}));
+  EXPECT_EQ(states.distanceClasses(4095), (Classes{1, 2, 2, 2, 2, 2, 2, 2, 2}));
+  ThesisReward::Parameters parameters;
+  parameters.obstacle_cost = 10.0;
+  const ThesisReward reward(parameters, states);
+  EXPECT_DOUBLE_EQ(reward.obstaclePart(states.rowOf({5, {2, 0, 1}})), -10.2);  // 10 and twice 10 / 10^2
+  EXPECT_EQ(reward.obstaclePart(states.rowOf({5, {}})), 0.0);
+}
+
+TEST(CondensedOccupancyStates, MirrorsGoalAndSectors) {
+  const CondensedOccupancyStates states;
+  EXPECT_EQ(states.mirrored(states.terminal()), states.terminal());
+  EXPECT_EQ(states.mirrored(0), 0U);
+  EXPECT_EQ(states.mirrored(states.rowOf({1, {2, 2, 0, 0, 2, 0, 0, 0}})), states.rowOf({7, {2, 0, 0, 0, 2, 0, 0, 2}}));
+  EXPECT_EQ(states.mirrored(states.rowOf({4, {0, 0, 1, 2, 0, 0, 0, 0}})), states.rowOf({4, {0, 0, 0, 0, 0, 2, 1, 0}}));
+  for (Row row = 0; row < states.rowCount(); ++row) ASSERT_EQ(states.mirrored(states.mirrored(row)), row);
+}
+
+TEST(CondensedOccupancyStates, TellsItsSectorsForPictures) {
+  const CondensedOccupancyStates states;
+  EXPECT_TRUE(states.occupiedSectors(goalAt(0.0).perception()).empty());
+  PerceptionsBuilder scene = goalAt(0.0);
+  addBody(0.0, 0.6, scene);
+  addBody(90.0, 0.3, scene);
+  const auto occupied = states.occupiedSectors(scene.perception());
+  ASSERT_EQ(occupied.size(), 2U);
+  EXPECT_NEAR(occupied[0].from, toRadians(-22.5), 1e-9);
+  EXPECT_NEAR(occupied[0].to, toRadians(22.5), 1e-9);
+  EXPECT_EQ(occupied[0].distance_class, 2);
+  EXPECT_NEAR(occupied[1].from, toRadians(67.5), 1e-9);
+  EXPECT_EQ(occupied[1].distance_class, 1);
+}
+
+std::shared_ptr<const StateSet> make(const std::string& yaml) {
+  return makeStateSet(YAML::Load(yaml), {"file.yaml", 0, "state_set"}, nullptr);
+}
+
+TEST(CondensedOccupancyStates, AreReadFromYamlAndWrittenAsSuch) {
+  EXPECT_EQ(make("{type: condensed_occupancy}")->spec(),
+            "{type: condensed_occupancy, sectors: 8, collision_radius: 0.5, vision_radius: 1}");
+  const auto four = make("{type: condensed_occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
+  EXPECT_EQ(four->spec(), "{type: condensed_occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
+  EXPECT_EQ(four->rowCount(), 129U);  // 4 * 2 * 2^4 + 1
+  EXPECT_EQ(four->distanceLimits(), (std::vector<double>{0.25, 3.0}));
+  // Goal behind, a body at the right whose rim is 2.9 m away: 2 * 32 + 1.
+  EXPECT_EQ(rowOf(*four, PerceptionsBuilder().agent(0, {-1.0, 0.0}).body({0.0, -3.0}, 0.1)), 65U);
+  const std::string message = errorOf<InputError>([] { make("{type: condensed_occupancy, sectors: 13}"); });
+  EXPECT_TRUE(contains(message, "state_set.sectors: expected")) << message;
+  EXPECT_TRUE(contains(errorOf<InputError>([] { make("{type: condensed_occupancy, vision_radius: 0.5}"); }),
+                       "state_set.vision_radius: expected a radius of vision above the collision radius"));
+}
+
+}  // namespace
+}  // namespace crowd
