@@ -132,7 +132,7 @@ def add_figure(chapter, setting, records, found):
     panels = {'success [% of the agents]': lambda variation: [rates(record)[0] for record in records[variation]],
               'collision [% of the agents]': lambda variation: [rates(record)[2] for record in records[variation]],
               'contact [% of the agents]': lambda variation: [rates(record)[1] for record in records[variation]],
-              'surrounded: then touches another [%]':
+              'surrounded, then touches [%]':
                   lambda variation: [share(one.caught_touched, one.caught) for one in found[variation]]}
     for panel, (title, values_of) in zip(axes[0], panels.items()):
         for place, variation in enumerate(VARIATIONS):
