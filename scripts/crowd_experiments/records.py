@@ -12,7 +12,7 @@ def read_csv(file):
         rows = csv.reader(stream)
         names = next(rows)
         columns = list(zip(*rows)) or [()] * len(names)
-    return {name: list(column) if name in TEXTS else numpy.array(column, dtype=float)
+    return {name: list(column) if name in TEXTS else numpy.array(list(map(float, column)))
             for name, column in zip(names, columns)}
 
 

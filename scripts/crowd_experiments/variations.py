@@ -4,6 +4,8 @@ import pathlib
 
 import yaml
 
+LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the fast ones where they are there
+DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
 EVERY = '*'  # in a path of keys: each entry of a list
 
 
@@ -30,7 +32,7 @@ def vary_scenario(setting, base, changes, name):
 def read_documents(file):
     """The YAML documents of a file."""
     with open(file, encoding='utf-8') as stream:
-        return [document for document in yaml.safe_load_all(stream) if document is not None]
+        return [document for document in yaml.load_all(stream, LOADER) if document is not None]
 
 
 def changed(document, changes):
@@ -59,7 +61,8 @@ def change(node, keys, value):
 
 def write_if_new(file, base, documents):
     """Writes the documents, which come from a base; leaves the file alone if it holds just them."""
-    text = f'# Made from {base.name}.\n' + yaml.safe_dump_all(documents, sort_keys=False, default_flow_style=None)
+    content = yaml.dump_all(documents, None, DUMPER, sort_keys=False, default_flow_style=None)
+    text = f'# Made from {base.name}.\n{content}'
     if not file.is_file() or file.read_text(encoding='utf-8') != text:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding='utf-8')

@@ -9,11 +9,11 @@ from crowd_experiments.records import spread_text
 COMES_OUT, IN_PART, NOT = 'comes out', 'comes out in part', 'does not come out'
 LEAST_SHARE = 0.75  # of the seeds that a claim is to hold for
 RULE = (
-    f'{COMES_OUT}: it holds for the mean over the seeds and for at least three quarters of the seeds; where two sides '
-    'are compared, that is done seed by seed, and their means are to differ by more than a standard error of the '
-    f'difference; {IN_PART}: for one of both only, or for a part of what is claimed; {NOT}: for neither. '
-    'A tie does not hold. A number of the thesis comes out where our mean is within 5 points of it and the seeds lie '
-    'on both sides of it, and in part where one of the two is so.')
+    f'Verdicts are given by a rule. "{COMES_OUT}": it holds for the mean over the seeds and for at least three '
+    'quarters of the seeds; where two sides are compared, that is done seed by seed, and their means are to differ by '
+    f'more than a standard error of the difference; "{IN_PART}": for one of both only, or for a part of what is '
+    f'claimed; "{NOT}": for neither. A tie does not hold. A number of the thesis comes out where our mean is within 5 '
+    'points of it and the seeds lie on both sides of it, and in part where one of the two is so.')
 NEAR = 5.0  # [points]
 
 

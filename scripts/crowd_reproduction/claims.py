@@ -27,8 +27,8 @@ def plan(setting):
 def report(setting):
     """The chapter, from the records of the other chapters' runs."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(f'Verdicts are given by a rule. {RULE} All with the thesis\'s parameters unless it says otherwise; '
-                 'numbers are mean ± standard deviation over the seeds (lowest-highest).')
+    chapter.tell(f"{RULE} All with the thesis's parameters unless it says otherwise; numbers are mean ± standard "
+                 'deviation over the seeds (lowest-highest).')
     for name, module in lists().items():
         add_claims(chapter, module.TITLE, module.CLAIMS, setting, name)
     return chapter

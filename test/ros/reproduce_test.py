@@ -260,7 +260,7 @@ class SensitivityTest(support.CrowdTestCase):
             'to 1.5 points. No effect found: order.')
 
     def test_swing(self):
-        self.assertIn('distance gained 0.0 to 100.0 %, cos³ 26.5 to 80.0 %: with 2 seeds', sensitivity.swing_text(
+        self.assertIn('(distance gained 0.0 to 100.0 %, cos³ 26.5 to 80.0 %), so 2 seeds', sensitivity.swing_text(
             {'distance_gained': [100.0, 0.0], 'cosine_cubed': [26.5, 80.0]}))
 
     def test_names(self):

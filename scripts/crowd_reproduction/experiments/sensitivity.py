@@ -84,7 +84,7 @@ def column_name(cell):
 
 
 def add_table(chapter, setting, title, cells, name):
-    rows = [['the thesis', *(reported(cell) for cell in cells)]]
+    rows = [['the thesis', *map(reported, cells)]] if any(map(reported, cells)) else []
     rows += [[variation.title(), *(cell_text(values_of(setting, variation, cell)) for cell in cells)]
              for variation in variations_of(setting)]
     chapter.add_table(f"{title}, thesis's parameters: mean over the seeds (lowest-highest)",
@@ -148,9 +148,8 @@ def swing_text(values):
     """Why a change of a rate in demo has to be large to be seen; success in demo by the reward."""
     parts = [f'{names.REWARD_NAMES[reward]} {min(rates_in_demo):.1f} to {max(rates_in_demo):.1f} %'
              for reward, rates_in_demo in values.items()]
-    return (f'With the thesis configuration alone success in demo reaches from seed to seed from {", ".join(parts)}: '
-            f'with {len(next(iter(values.values())))} seeds only large changes of the rates in demo can be told from '
-            'chance.')
+    return (f'With the thesis configuration alone success in demo differs from seed to seed ({", ".join(parts)}), so '
+            f'{len(next(iter(values.values())))} seeds show only large changes of the rates in demo.')
 
 
 def add_figure(chapter, setting):
