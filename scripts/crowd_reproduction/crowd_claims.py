@@ -446,8 +446,8 @@ ROOM = ('About ten times as many contacts as elsewhere; but a sector counts as o
         'get out of it.')
 SWINGS = ('Contacts go on to fall; success and collisions swing from one table to the next (constant step size, gamma '
           '0.1).')
-WHEN_IT_COSTS = ('Where staying costs enough that agents arrive, they are surrounded, and touch others, about as often as '
-                 'without it.')
+WHEN_IT_COSTS = ('Where staying costs enough that agents arrive, they are surrounded, and touch others, about as often '
+                 'as without it.')
 INNER_RADIUS = 'There is hardly a contact, but agents do come within the inner radius, the thesis\'s own collision.'
 
 
