@@ -21,12 +21,13 @@ def read_decisions(file):
     with open(file, encoding='utf-8') as stream:
         if next(stream, '').rstrip('\n').split(',') != HEADER:
             raise ValueError(f"{file}:1: expected the header {','.join(HEADER)}")
-        columns = list(zip(*(line.rstrip('\n').split(',') for line in stream))) or [()] * len(HEADER)
-    decisions = {name: numpy.array(column, dtype=float if name in ('x', 'y', 'heading') else int)
-                 for name, column in zip(NUMBERS, columns)}
-    decisions['occupied'] = list(columns[-1])
-    decisions['sectors'] = numpy.array([text.count(' ') + 1 if text else 0 for text in columns[-1]], dtype=int)
-    return decisions
+        lines = [line.rstrip('\n').rsplit(',', 1) for line in stream]
+    numbers = numpy.fromstring(','.join(line[0] for line in lines), sep=',').reshape(-1, len(NUMBERS))
+    decisions = {name: column if name in ('x', 'y', 'heading') else column.astype(int)
+                 for name, column in zip(NUMBERS, numbers.T)}
+    occupied = [line[1] for line in lines]
+    sectors = numpy.array([text.count(' ') + 1 if text else 0 for text in occupied], dtype=int)
+    return {**decisions, 'occupied': occupied, 'sectors': sectors}
 
 
 def sectors_of(occupied):

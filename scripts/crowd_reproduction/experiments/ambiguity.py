@@ -158,7 +158,7 @@ FAILURES = (
 def add_failures(chapter, setting):
     """Figure 4.14."""
     agent = ('single', 'nearest', 'thesis')
-    figure, axes = style.new_figure(1, len(FAILURES), 12, 4.9, sharex=True, sharey=True)
+    figure, axes = style.new_figure(1, len(FAILURES), 12, 5.8, sharex=True, sharey=True)
     for panel, letter, (title, tests, condition) in zip(axes[0], 'abc', FAILURES):
         seed, test, instance, found = find_walk(setting, agent, tests, condition)
         draw_walk(panel, setting, agent, seed, test, instance)
@@ -181,7 +181,7 @@ def add_failures(chapter, setting):
 def add_twins(chapter, setting, parameters):
     """Figure 4.16, for a set of parameters."""
     agent = (DRAWN[parameters], 'occupancy', parameters)
-    figure, axes = style.new_figure(2, 2, 8.4, 9.4, sharex=True, sharey=True)
+    figure, axes = style.new_figure(2, 2, 8.4, 10.4, sharex=True, sharey=True)
     for panel, (test, title) in zip(axes.flat, twins.TESTS.items()):
         seed, _, instance, found = find_walk(setting, agent, [test],
                                              lambda line: line['arrived'] and not line['collided'])
