@@ -103,7 +103,7 @@ class ReproduceTest(support.CrowdTestCase):
         running = self.reproduce('ambiguity')
         support.wait_for(self.stamps, 'the first run')
         self.assertEqual(running.stop(), 130, running.output())
-        done = re.search(r'Interrupted: (\d+) of 40 runs are done and stay', running.output())
+        done = re.search(r'Interrupted: (\d+) of 80 runs are done and stay', running.output())
         self.assertIsNotNone(done, running.output())
         self.assertEqual(len(self.stamps()), int(done[1]))
 
