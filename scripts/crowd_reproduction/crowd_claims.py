@@ -15,7 +15,7 @@ TITLE = ('Claims about states, crowds and what is learned (chapters 3, 4.2, 4.3,
 NEEDS = (ambiguity, scenarios, sharing, learning_curves, future_work)
 
 # Why, where it is known.
-DANCES = ('It dances in front of the obstacles until time is up, and which seeds do is chance. Better parameters, '
+DANCES = ('In some seeds it steps to and fro in front of the obstacles until time is up. Better parameters, '
           'after the training among several obstacles, end that.')
 TIGHT = ('Trained as in 4.1 it walks straight through, but only within 5 cm of the middle of the gap no rim comes '
          'within the collision radius. Trained further, the cost of occupied sectors keeps it out of the gap.')
@@ -23,7 +23,7 @@ UNTRAINED = ('Trained as in 4.1 it has not met two obstacles at once, so nothing
              'with more training it hesitates, and does not pass at all.')
 BY_TRAINING = ('It depends on the training: after one obstacle set 1 is better, after several set 2 is; on the tests '
                'themselves they are alike.')
-SPACE = ('It depends on the space between them, of which the thesis says nothing: 1.05 m between rims, or, in '
+SPACE = ('It depends on the space between them, of which the thesis says nothing: 1.1 m between rims, or, in '
          f'{runs.WIDE}, {runs.WIDER:g} times the distances.')
 CROWDED = 'Twelve meet states with many occupied sectors, of which training among obstacles visits few (table visits).'
 IN_THE_MIDDLE = 'The ways of line6 cross, so its agents are nearer to each other in the middle.'
@@ -72,7 +72,7 @@ CLAIMS = (
           without_incidents('circle6_obstacle'), {IN_PART: INNER_RADIUS}),
     Claim('4.3', 'Lines: an agent is totally deviated, but still manages to find a coherent way to its goal (4.20).',
           deviated),
-    Claim('4.3', 'Lines with a moving obstacle: the agents were able to avoid it, with an efficient path (4.21).',
+    Claim('4.3', 'Lines with a moving obstacle: to check that the agents avoid it, with an efficient path (4.21; no outcome is told).',
           avoids_mover),
     Claim('4.3', 'One goal: they avoid each other but remain closer than before (4.22).',
           remain_closer, {IN_PART: IN_THE_MIDDLE}),
@@ -84,11 +84,12 @@ CLAIMS = (
     Claim('4.3', '... although it took time for them to converge.', longer_than_six),
     Claim('4.3', 'Varied speeds: the synchronicity was broken, agents are suddenly surrounded (4.25).',
           varied_speeds, {IN_PART: ONE_BY_ONE, NOT: ONE_BY_ONE}),
-    Claim('4.3', 'Surrounded: any decision will result in an artifact; it will go through one of the agents (4.25).',
+    Claim('4.3', 'Surrounded: any decision will result in an artifact, it goes through an obstacle or through an agent (4.25; its '
+          'text speaks of an obstacle, our scene has none).',
           surrounded_touch, {IN_PART: ROOM}),
     Claim('5.1', 'An incomplete Q-table: believable for states visited several times, poor for the others.',
           incomplete_table),
-    Claim('4.1.2, 5.1', 'More training improves: the results should improve over time.',
+    Claim('4.1.2, 5.1', 'More training improves: the visual results should improve over time (here: rates in demo).',
           more_training, {IN_PART: SWINGS}),
     Claim('5.1', 'The compilation of experiences can be used for any amount of characters.',
           any_number, {IN_PART: CROWDED}),

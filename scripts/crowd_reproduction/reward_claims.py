@@ -67,7 +67,7 @@ CLAIMS = [
               NOT: SWING, IN_PART: f'for one of both rewards at most; {SWING}'}),
     Claim('4.1.2', '"or that the amount of decisions made for episode should be bigger" (success in demo, %)',
           of_both(more_decisions), dict.fromkeys(
-              (NOT, IN_PART), 'who has not arrived after 2,000 greedy decisions hardly ever arrives: without '
+              (NOT, IN_PART), 'an agent that has not arrived after 2,000 greedy decisions hardly ever does: without '
                               'randomness it repeats itself')),
     Claim('4.1.2, figure 4.9', 'distance gained "was effective in teaching the agent to avoid collisions" (demo, at '
           'most 1 %)', each(GAIN, 'demo', runs.collision, lambda rate: rate <= ALMOST_NONE)),
@@ -101,7 +101,7 @@ CLAIMS = [
                        'vision'}),
     Claim('5.1', '"results during training do not necessarily depict the final results" (success in training and demo '
           'more than 5 points apart)', of_both(training_differs)),
-    Claim('5.1', 'results during training "should improve over time" (success in training, %)',
+    Claim('5.1', 'the visual results during training "should improve over time" (here: success in training, %)',
           of_both(in_course, runs.success, False), {
               NOT: 'the first 500 episodes are as good as the last; the constant exploration then holds the rate'}),
 ]
