@@ -104,9 +104,11 @@ def remain_closer(setting):
 
 
 def grouping(setting):
-    start, end = zip(*groups.last_metre(setting, runs.MAIN, 'same_goal6'))
-    return Judgement('distance to the nearest companion [m]: ' + versus('at the start', start, 'at the end', end),
-                     decide_greater(start, end))
+    start, end = map(numpy.array, zip(*groups.last_metre(setting, runs.MAIN, 'same_goal6')))
+    apart_start, apart_end = map(numpy.array, zip(*groups.last_metre(setting, runs.MAIN, 'line6')))
+    return Judgement('distance to the nearest companion [m]: ' + versus('at the start', start, 'at the end', end)
+                     + '; by how much it falls: ' + versus('one goal', start - end, 'line6', apart_start - apart_end),
+                     decide_all(decide_greater(start, end), decide_greater(start - end, apart_start - apart_end)))
 
 
 def phases(setting, measure):
