@@ -325,13 +325,15 @@ void Learner::setMode(Mode mode) {
   options_.mode = mode;
 }
 
-void Learner::setParameters(const LearningParameters& parameters) {
+void Learner::setPlan(const LearningPlan& plan) {
+  LearningParameters parameters = plan.parameters;
+  parameters.epsilon = plan.epsilon.at(episode_);
   const std::string problems = parameters.problems();
   if (!problems.empty()) throw InputError(problems);
+  mirror_ = mirrorFor(model_, parameters);
+  step_sizes_ = StepSizes(parameters);
   parameters_ = parameters;
-  step_sizes_ = StepSizes(parameters_);
-  mirror_ = mirrorFor(model_, parameters_);
-  epsilon_ = EpsilonSchedule::constant(parameters.epsilon);
+  epsilon_ = plan.epsilon;
 }
 
 const QTable& Learner::tableOf(AgentId agent) const {

@@ -7,10 +7,8 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
-#include "social_crowd/common/numbers.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
 
@@ -158,12 +156,6 @@ void LearnerNode::requireServed(AgentId agent) const {
   throw InputError("agent " + std::to_string(agent) + " is not served by " + name_);
 }
 
-std::string LearnerNode::parametersText() const {
-  const LearningParameters& parameters = learner_.parameters();
-  return "alpha " + toText(parameters.alpha) + ", gamma " + toText(parameters.gamma) + ", lambda " +
-         toText(parameters.lambda) + ", epsilon " + toText(parameters.epsilon);
-}
-
 void LearnerNode::advertiseServices() {
   services_.serve<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, [this](const auto& request, auto& response) {
     if (request.file.empty()) throw InputError("file: expected the name of a file to write, got nothing");
@@ -201,16 +193,13 @@ void LearnerNode::advertiseServices() {
   });
   services_.serve<social_crowd::SetLearningParameters>(
       names::SET_LEARNING_PARAMETERS, [this](const auto& request, auto& response) {
-        const auto unless_nan = [](double given, double otherwise) { return std::isnan(given) ? otherwise : given; };
         loop_.ask<void>([&] {
-          LearningParameters parameters = learner_.parameters();
-          parameters.alpha = unless_nan(request.alpha, parameters.alpha);
-          parameters.gamma = unless_nan(request.gamma, parameters.gamma);
-          parameters.lambda = unless_nan(request.trace_decay, parameters.lambda);
-          parameters.epsilon = unless_nan(request.epsilon, parameters.epsilon);
-          learner_.setParameters(parameters);
+          const LearningPlan before = learner_.plan();
+          learner_.setPlan(changedPlan(before, request.parameters, "parameters"));
           publishStatus();
-          response.message = parametersText();
+          const std::string changes = differences(before, learner_.plan());
+          response.message = (changes.empty() ? "nothing changed" : "changed " + changes) + "; in force are " +
+                             toText(learner_.plan());
         });
       });
   services_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,

@@ -98,8 +98,10 @@ class Learner {
 
   /// @brief What is in force now; epsilon as of the last episode seen.
   const LearningParameters& parameters() const { return parameters_; }
-  /// @brief Takes effect at once; epsilon stays constant from then on. @throws InputError
-  void setParameters(const LearningParameters& parameters);
+  /// @brief The same with the schedule of epsilon.
+  LearningPlan plan() const { return {parameters_, epsilon_}; }
+  /// @brief Takes effect at once; epsilon is what the schedule says of the present episode. @throws InputError
+  void setPlan(const LearningPlan& plan);
 
   std::uint64_t seed() const { return options_.seed; }
   /// @brief Decisions that were learned from, those of the loaded table included.

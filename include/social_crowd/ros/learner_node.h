@@ -48,7 +48,6 @@ class LearnerNode {
   TrainedTable trained(AgentId agent) const;
   void saveAll() const;
   void requireServed(AgentId agent) const;
-  std::string parametersText() const;
 
   // learner_sharing.cpp
   void share(const social_crowd::ShareQTable::Request& request, social_crowd::ShareQTable::Response& response);
