@@ -304,7 +304,7 @@ class PerceptionsTest(LearnerTestCase):
         self.assertEqual(answered, [(0, 0), (1, 0)])
 
     def test_the_answer_names_what_it_answers(self):
-        self.start_one()
+        self.start_one(q_table=self.write('back.txt', q_table_text({4: {4: (1, 1.0)}})))  # goal behind: turn round
         message = add_agent(perceptions(2**40, 2**33), 0, ahead(180, 5))
         message.run = 2**63 + 1
         rotation, speed_share = self.perceiver.ask(message)[0]

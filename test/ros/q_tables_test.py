@@ -66,7 +66,7 @@ class SaveAndLoadTest(TableTestCase):
         """Files that are no tables for this learner: name, content."""
         good = support.read_text(support.NEAREST_TABLE)
         lines = good.splitlines(keepends=True)
-        changed = lines[20].replace(' 0.', ' 0.1', 1)
+        changed = lines[20].replace(' ', ' 1', 1)
         other_actions = good.replace('rotations: 8', 'rotations: 4')
         return {
             'empty.txt': '',
