@@ -58,6 +58,13 @@ Learner::Learner(Model model, Options options, QTable table)
   const std::string problems = parameters_.problems();
   if (!problems.empty()) throw InputError(problems);
   checkShape(*base_);
+  if (options_.mode == Mode::TRAINING) beginSources();
+}
+
+void Learner::beginSources() {
+  if (has_own_sources_) return;
+  base_->beginSource();  // which everybody still uses
+  has_own_sources_ = true;
 }
 
 void Learner::checkShape(const QTable& table) const {
@@ -322,16 +329,19 @@ std::vector<AgentId> Learner::servedAgents() const {
 
 void Learner::setMode(Mode mode) {
   if (mode != options_.mode) forgetDecisions();
+  if (mode == Mode::TRAINING) beginSources();
   options_.mode = mode;
 }
 
-void Learner::setParameters(const LearningParameters& parameters) {
+void Learner::setPlan(const LearningPlan& plan) {
+  LearningParameters parameters = plan.parameters;
+  parameters.epsilon = plan.epsilon.at(episode_);
   const std::string problems = parameters.problems();
   if (!problems.empty()) throw InputError(problems);
+  mirror_ = mirrorFor(model_, parameters);
+  step_sizes_ = StepSizes(parameters);
   parameters_ = parameters;
-  step_sizes_ = StepSizes(parameters_);
-  mirror_ = mirrorFor(model_, parameters_);
-  epsilon_ = EpsilonSchedule::constant(parameters.epsilon);
+  epsilon_ = plan.epsilon;
 }
 
 const QTable& Learner::tableOf(AgentId agent) const {
@@ -340,29 +350,64 @@ const QTable& Learner::tableOf(AgentId agent) const {
   return place != AgentPlaces::NONE ? *memories_[place].table : *base_;
 }
 
-void Learner::give(TablePointer& place, const QTable& table, TakeMethod method) const {
-  auto taken = std::make_shared<QTable>(method == TakeMethod::MERGE ? *place : table);
-  if (method == TakeMethod::MERGE) taken->mergeByVisits(table);
-  place = std::move(taken);
+QTable Learner::tableToShare(AgentId agent) {
+  nameSource(agent, newSource());
+  return tableOf(agent);
 }
 
-void Learner::takeTable(QTable table, TakeMethod method) {
-  checkShape(table);
-  const bool merge_each = options_.tables == TableUse::OWN && method == TakeMethod::MERGE;
-  give(base_, table, method);
-  for (Memory& memory : memories_) {
-    if (merge_each) {
-      give(memory.table, table, method);
-    } else {
-      memory.table = base_;
-    }
+QTable Learner::tableToSave(AgentId agent) {
+  nameSource(agent, tableOf(agent).contentId());
+  return tableOf(agent);
+}
+
+void Learner::nameSource(AgentId agent, SourceId name) {
+  // What nobody has learned in has no visits of its own, or those of a file, which are named by its content.
+  if (!has_own_sources_) return;
+  const std::uint32_t place = places_.find(agent);
+  (place == AgentPlaces::NONE ? base_ : memories_[place].table)->nameSource(name);
+}
+
+Learner::Taken Learner::give(TablePointer& place, const QTable& table, TakeMethod method) {
+  if (method == TakeMethod::REPLACE) {
+    const Taken taken = {place->newVisitsOf(table), table.allVisits()};
+    place = std::make_shared<QTable>(table);
+    return taken;
   }
+  auto merged = std::make_shared<QTable>(*place);
+  merged->nameSource(newSource());
+  const std::uint64_t news = merged->merge(table);
+  place = std::move(merged);
+  return {news, place->allVisits()};
 }
 
-void Learner::takeTable(AgentId agent, QTable table, TakeMethod method) {
-  if (options_.tables == TableUse::SHARED) return takeTable(std::move(table), method);
+Learner::TakenByAll Learner::takeTable(QTable table, TakeMethod method) {
   checkShape(table);
-  give(memories_[placeOf(agent)].table, table, method);
+  beginSources();
+  table.beginSource();
+  TakenByAll taken;
+  const bool own = options_.tables == TableUse::OWN;
+  for (std::size_t place = 0; own && place < memories_.size(); ++place) {
+    taken.by_agent[places_.agents()[place]] = give(memories_[place].table, table, method);
+  }
+  taken.newcomers = give(base_, table, method);
+  for (Memory& memory : memories_) {
+    if (!own || method == TakeMethod::REPLACE) memory.table = base_;  // one copy does for all
+  }
+  return taken;
+}
+
+Learner::Taken Learner::takeTable(AgentId agent, QTable table, TakeMethod method) {
+  if (options_.tables == TableUse::SHARED) return takeTable(std::move(table), method).newcomers;
+  checkShape(table);
+  beginSources();
+  table.beginSource();
+  return give(memories_[placeOf(agent)].table, table, method);
+}
+
+void Learner::goOnIn(QTable table) {
+  checkShape(table);
+  base_ = std::make_shared<QTable>(std::move(table));
+  for (Memory& memory : memories_) memory.table = base_;
 }
 
 void Learner::forgetDecisions() {

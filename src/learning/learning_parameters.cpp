@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include <array>
+#include <utility>
+
 #include "social_crowd/common/numbers.h"
 
 namespace crowd {
@@ -62,35 +65,91 @@ EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
 
 void readParameter(YamlMap& map, const std::string& key, double LearningParameters::*member,
                    LearningParameters& parameters) {
-  if (!map.has(key)) return;
+  const YAML::Node node = map.find(key);
+  if (!node) return;
   LearningParameters alone;
-  alone.*member = map.number(key, NumberRule::ANY);
-  if (!alone.problems().empty()) throwProblem(map.placeOf(key), map.need(key), alone.problems());
+  alone.*member = readNumber(node, map.placeOf(key));
+  // The place names the key already.
+  if (!alone.problems().empty()) throwProblem(map.placeOf(key), node, alone.problems().substr(key.size() + 2));
   parameters.*member = alone.*member;
 }
 
-Ties readTies(YamlMap& map) {
+Ties readTies(YamlMap& map, Ties otherwise) {
   try {
-    return parseTies(map.text("ties", toText(Ties::FIRST)));
+    return parseTies(map.text("ties", toText(otherwise)));
   } catch (const InputError&) {
     throwExpected(map.placeOf("ties"), map.need("ties"), "first or random");
   }
 }
 
-LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
+LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, const LearningPlan& otherwise) {
   YamlMap map(node, place);
-  LearningPlan plan;
+  LearningPlan plan = otherwise;
   readParameter(map, "alpha", &LearningParameters::alpha, plan.parameters);
   readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, plan.parameters);
   readParameter(map, "gamma", &LearningParameters::gamma, plan.parameters);
   readParameter(map, "lambda", &LearningParameters::lambda, plan.parameters);
   plan.parameters.mirrored = map.flag("mirrored", plan.parameters.mirrored);
-  plan.parameters.ties = readTies(map);
-  plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
-  if (map.has("epsilon")) plan.epsilon = readEpsilon(map.need("epsilon"), map.placeOf("epsilon"));
-  plan.parameters.epsilon = plan.epsilon.at(0);
+  plan.parameters.ties = readTies(map, plan.parameters.ties);
+  if (const YAML::Node epsilon = map.find("epsilon")) {
+    plan.epsilon = readEpsilon(epsilon, map.placeOf("epsilon"));
+    plan.parameters.epsilon = plan.epsilon.at(0);
+  }
   map.finish();
   return plan;
+}
+
+LearningPlan changedPlan(const LearningPlan& plan, const std::string& text, const std::string& name) {
+  const std::vector<YAML::Node> documents = parseYamlStream(text, name);
+  if (documents.size() != 1 || !documents.front().IsMap()) {
+    throw InputError(name + ": expected a map such as {alpha: 0.05, epsilon: 0}, got '" + text + "'");
+  }
+  return readLearningPlan(documents.front(), {name, 0, ""}, plan);
+}
+
+std::string toText(const EpsilonSchedule& schedule) {
+  if (schedule.episodes == 0 || schedule.first == schedule.last) return toText(schedule.last);
+  const bool exponential = schedule.shape == EpsilonSchedule::Shape::EXPONENTIAL;
+  return "{from: " + toText(schedule.first) + ", to: " + toText(schedule.last) +
+         ", episodes: " + std::to_string(schedule.episodes) + ", shape: " + (exponential ? "exponential" : "linear") +
+         "}";
+}
+
+namespace {
+
+constexpr std::size_t KEYS = 7;
+
+/// Every key of a plan and what it says.
+std::array<std::pair<const char*, std::string>, KEYS> entriesOf(const LearningPlan& plan) {
+  const LearningParameters& parameters = plan.parameters;
+  return {{{"alpha", toText(parameters.alpha)},
+           {"alpha_decay", toText(parameters.alpha_decay)},
+           {"gamma", toText(parameters.gamma)},
+           {"lambda", toText(parameters.lambda)},
+           {"mirrored", parameters.mirrored ? "true" : "false"},
+           {"ties", toText(parameters.ties)},
+           {"epsilon", toText(plan.epsilon)}}};
+}
+
+}  // namespace
+
+std::string toText(const LearningPlan& plan) {
+  std::string text;
+  for (const auto& [key, value] : entriesOf(plan))
+    text += (text.empty() ? "{" : ", ") + std::string(key) + ": " + value;
+  return text + "}";
+}
+
+std::string differences(const LearningPlan& before, const LearningPlan& after) {
+  const auto old_entries = entriesOf(before);
+  const auto new_entries = entriesOf(after);
+  std::string text;
+  for (std::size_t i = 0; i < KEYS; ++i) {
+    if (old_entries[i] == new_entries[i]) continue;
+    text += (text.empty() ? "" : ", ") + std::string(new_entries[i].first) + " from " + old_entries[i].second + " to " +
+            new_entries[i].second;
+  }
+  return text;
 }
 
 }  // namespace crowd

@@ -2,23 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 #include "social_crowd/common/errors.h"
 
 namespace crowd {
-namespace {
-
-std::string shapeOf(const QTable& table) {
-  return std::to_string(table.rows()) + " rows of " + std::to_string(table.actions()) + " actions";
-}
-
-/// Exactly the second value for a share of 1, and never outside the two.
-double meanOf(double first, double second, double share_of_second) {
-  const double mean = (1.0 - share_of_second) * first + share_of_second * second;
-  return std::clamp(mean, std::min(first, second), std::max(first, second));
-}
-
-}  // namespace
 
 QTable::QTable(Row rows, Action actions) : rows_(rows), actions_(actions) {
   if (rows == 0 || actions == 0) throw ShapeError("a Q-table needs at least one row and one action");
@@ -76,18 +64,7 @@ Row QTable::visitedRows() const {
   return count;
 }
 
-void QTable::mergeByVisits(const QTable& other) {
-  if (rows_ != other.rows_ || actions_ != other.actions_) {
-    throw ShapeError("cannot merge a Q-table of " + shapeOf(other) + " into one of " + shapeOf(*this));
-  }
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (other.visits_[i] == 0) continue;
-    const std::uint64_t sum = std::uint64_t{visits_[i]} + other.visits_[i];
-    const double share = static_cast<double>(other.visits_[i]) / static_cast<double>(sum);
-    values_[i] = meanOf(values_[i], other.values_[i], share);
-    visits_[i] = static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, UINT32_MAX));
-  }
-}
+std::uint64_t QTable::allVisits() const { return std::accumulate(visits_.begin(), visits_.end(), std::uint64_t{0}); }
 
 bool operator==(const QTable& a, const QTable& b) {
   return a.rows_ == b.rows_ && a.actions_ == b.actions_ && a.visits_ == b.visits_ &&

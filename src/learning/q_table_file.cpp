@@ -16,7 +16,11 @@ namespace {
 constexpr std::string_view MAGIC = "social_crowd Q-table";
 constexpr int VERSION = 1;
 constexpr std::string_view HEADER_END = "---";
+constexpr std::string_view SOURCE_KEY = "source ";
 constexpr std::string_view CHECKSUM_KEY = "checksum: ";
+constexpr std::string_view HEX_DIGITS = "0123456789abcdef";
+constexpr std::int64_t MOST_SOURCES = 1'000'000;
+constexpr const char* A_SOURCE = "16 hexadecimal digits, not all 0";
 constexpr std::size_t MOST_OF_ROW = 11;             // letters beside its entries
 constexpr std::size_t MOST_OF_ENTRY = 10 + 24 + 2;  // letters of visits and a value, with spaces
 
@@ -28,7 +32,31 @@ bool isWorthALine(const QTable& table, Row row) {
   return false;
 }
 
-std::string headerOf(const TrainedTable& trained, std::size_t lines) {
+std::string textOf(SourceId source) {
+  std::string digits(16, '0');
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, source >>= 4U) {
+    *digit = HEX_DIGITS[source & 0xFU];
+  }
+  return digits;
+}
+
+/// What a file must tell of sources for its reader to know them all. Of what it does not tell, the source is what
+/// QTable::source() says of a table whose own one has no name.
+struct Sources {
+  SourceId rest = NO_SOURCE;  // of all visits that are not told
+  Contributions told;
+
+  explicit Sources(const QTable& table) : told(table.foreign()) {
+    if (table.isNamed()) rest = table.source();
+    if (told.size() == 1 && !table.hasOwnVisits()) {
+      rest = told.front().source;
+      told.clear();
+    }
+    if (rest != NO_SOURCE && rest == table.contentId()) rest = NO_SOURCE;
+  }
+};
+
+std::string headerOf(const TrainedTable& trained, const Sources& sources, std::size_t lines) {
   std::string text = std::string(MAGIC) + " " + std::to_string(VERSION) + "\n" + trained.model.spec();
   const auto add = [&](const char* key, const std::string& value) { text += std::string(key) + ": " + value + "\n"; };
   add("rows", std::to_string(trained.table.rows()));
@@ -42,6 +70,8 @@ std::string headerOf(const TrainedTable& trained, std::size_t lines) {
   add("epsilon", toText(trained.parameters.epsilon));
   add("decisions", std::to_string(trained.decisions));
   add("seed", std::to_string(trained.seed));
+  if (sources.rest != NO_SOURCE) add("source", "'" + textOf(sources.rest) + "'");
+  if (!sources.told.empty()) add("other_sources", std::to_string(sources.told.size()));
   add("visited_rows", std::to_string(lines));
   return text + std::string(HEADER_END) + "\n";
 }
@@ -62,6 +92,19 @@ void appendRow(const QTable& table, Row row, std::string& text) {
   text += "\n";
 }
 
+void appendSource(const Contribution& contribution, std::string& text) {
+  const VisitCounts& visits = *contribution.visits;
+  text += std::string(SOURCE_KEY) + textOf(contribution.source) + " " + std::to_string(visits.rows().size()) + "\n";
+  for (std::size_t i = 0; i < visits.rows().size(); ++i) {
+    appendText(visits.rows()[i], text);
+    for (Action action = 0; action < visits.actions(); ++action) {
+      text += ' ';
+      appendText(visits.at(i)[action], text);
+    }
+    text += "\n";
+  }
+}
+
 /// Takes a text apart line by line and knows where it is.
 class LineReader {
  public:
@@ -77,6 +120,14 @@ class LineReader {
     const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
     return line;
+  }
+
+  /// Whether that is the next line; if so, it is read.
+  bool nextIs(std::string_view expected) {
+    const bool is_it = rest_.size() > expected.size() && rest_.substr(0, expected.size()) == expected &&
+                       rest_[expected.size()] == '\n';
+    if (is_it) next(std::string(expected));
+    return is_it;
   }
 
   [[noreturn]] void fail(const std::string& expected, const std::string& got) const {
@@ -107,10 +158,12 @@ std::string quoted(std::string_view text) {
   return "'" + std::string(text.substr(0, MOST)) + (text.size() > MOST ? "...'" : "'");
 }
 
+/// Of what is no Q-table nothing is told: whoever asks might not be allowed to read it.
 void readMagic(LineReader& lines) {
-  const std::string expected = "'" + std::string(MAGIC) + " " + std::to_string(VERSION) + "'";
-  const std::string_view line = lines.next(expected);
-  if (line != std::string(MAGIC) + " " + std::to_string(VERSION)) lines.fail(expected, quoted(line));
+  const std::string magic = std::string(MAGIC) + " " + std::to_string(VERSION);
+  if (lines.nextIs(magic)) return;
+  throw InputError(lines.name() + ": line 1: expected '" + magic +
+                   "': this is no Q-table of this package, or one of another version");
 }
 
 /// What the header says of the table's shape and history.
@@ -121,8 +174,31 @@ struct Header {
   Action actions = 0;
   std::uint64_t decisions = 0;
   std::uint64_t seed = 0;
+  SourceId source = NO_SOURCE;
+  std::size_t other_sources = 0;
   Row visited_rows = 0;
 };
+
+/// The number that textOf() wrote.
+std::optional<SourceId> toSource(std::string_view text) {
+  if (text.size() != 16) return std::nullopt;
+  SourceId source = 0;
+  for (const char digit : text) {
+    const std::size_t value = HEX_DIGITS.find(digit);
+    if (value == std::string_view::npos) return std::nullopt;
+    source = source << 4U | value;
+  }
+  if (source == NO_SOURCE) return std::nullopt;
+  return source;
+}
+
+SourceId readSource(YamlMap& map) {
+  const YAML::Node node = map.find("source");
+  if (!node) return NO_SOURCE;
+  const std::optional<SourceId> source = toSource(readText(node, map.placeOf("source")));
+  if (!source) throwExpected(map.placeOf("source"), node, A_SOURCE);
+  return *source;
+}
 
 std::string readHeaderText(LineReader& lines) {
   std::string text = "\n";  // stands for the magic line, so that YAML counts lines as the file does
@@ -153,6 +229,8 @@ Header readHeader(LineReader& lines) {
   readParameter(map, "epsilon", &LearningParameters::epsilon, header.parameters);
   header.decisions = map.count("decisions");
   header.seed = map.count("seed");
+  header.source = readSource(map);
+  header.other_sources = static_cast<std::size_t>(map.whole("other_sources", 1, MOST_SOURCES, 0));
   header.visited_rows = static_cast<Row>(map.whole("visited_rows", 0, rows));
   map.finish();
   return header;
@@ -176,28 +254,109 @@ std::optional<std::uint32_t> toCount(std::string_view word) {
   return static_cast<std::uint32_t>(count);
 }
 
+/// Takes the number of a row from the front of a line; it must be above that of the row before.
+Row readRowNumber(const LineReader& lines, std::string_view line, std::int64_t before, Row end,
+                  std::string_view& rest) {
+  rest = line;
+  const std::optional<std::uint32_t> row = toCount(nextWord(rest));
+  if (row && *row<end&& static_cast<std::int64_t>(*row)> before) return *row;
+  lines.fail("a row number above " + std::to_string(before) + " and below " + std::to_string(end), quoted(line));
+}
+
+void requireEndOfRow(const LineReader& lines, std::string_view line, std::string_view rest, Action actions) {
+  if (rest.empty() && line.back() != ' ') return;
+  lines.fail("nothing after the last of " + std::to_string(actions) + " actions", quoted(rest));
+}
+
 /// Reads one row; it must be above the row before. Returns its number.
 Row readRow(LineReader& lines, std::int64_t before, QTable& table) {
   const std::string_view line = lines.next("a row of the Q-table");
-  std::string_view rest = line;
-  const std::optional<std::uint32_t> row = toCount(nextWord(rest));
-  if (!row || *row >= table.rows() || static_cast<std::int64_t>(*row) <= before) {
-    lines.fail("a row number above " + std::to_string(before) + " and below " + std::to_string(table.rows()),
-               quoted(line));
-  }
+  std::string_view rest;
+  const Row row = readRowNumber(lines, line, before, table.rows(), rest);
   for (Action action = 0; action < table.actions(); ++action) {
     const std::optional<std::uint32_t> visits = toCount(nextWord(rest));
     const std::optional<double> value = toNumber(nextWord(rest));
     if (!visits || !value || !std::isfinite(*value)) {
       lines.fail("visits and a finite value for each of " + std::to_string(table.actions()) + " actions", quoted(line));
     }
-    table.set(*row, action, *value, *visits);
+    table.set(row, action, *value, *visits);
     lines.sumUpTo(rest.data());
   }
-  if (!rest.empty() || line.back() == ' ') {
-    lines.fail("nothing after the last of " + std::to_string(table.actions()) + " actions", quoted(rest));
+  requireEndOfRow(lines, line, rest, table.actions());
+  return row;
+}
+
+/// Reads the visits that come from other sources.
+class SourcesReader {
+ public:
+  SourcesReader(LineReader& lines, const QTable& table)
+      : lines_(lines), table_(table), visits_(table.actions()), sums_(table.rows() * std::size_t{table.actions()}) {}
+
+  /// Reads those of one source, which must be above the one before.
+  Contribution read(SourceId before, SourceId own) {
+    const std::string expected = "'" + std::string(SOURCE_KEY) + "' and a source of its own above " + textOf(before) +
+                                 ", then its number of rows";
+    const std::string_view line = lines_.next(expected);
+    std::string_view rest = line;
+    const bool is_source = nextWord(rest) == SOURCE_KEY.substr(0, SOURCE_KEY.size() - 1);
+    const std::optional<SourceId> source = toSource(nextWord(rest));
+    const std::optional<std::uint32_t> rows = toCount(rest);
+    if (!is_source || !source || *source <= before || *source == own || !rows || *rows == 0) {
+      lines_.fail(expected, quoted(line));
+    }
+    auto visits = std::make_shared<VisitCounts>(table_.actions());
+    std::int64_t row = -1;
+    for (std::uint32_t i = 0; i < *rows; ++i) row = readVisits(row, *visits);
+    visits->finish();
+    return {*source, std::move(visits)};
   }
-  return *row;
+
+ private:
+  Row readVisits(std::int64_t before, VisitCounts& visits) {
+    const std::string_view line = lines_.next("a row of visits");
+    std::string_view rest;
+    const Row row = readRowNumber(lines_, line, before, table_.rows(), rest);
+    bool any = false;
+    for (Action action = 0; action < table_.actions(); ++action) {
+      const std::optional<std::uint32_t> count = toCount(nextWord(rest));
+      if (!count || !isLeft(row, action, *count)) {
+        lines_.fail("visits of each of " + std::to_string(table_.actions()) +
+                        " actions, of all sources together no more than the table has",
+                    quoted(line));
+      }
+      visits_[action] = *count;
+      any = any || *count > 0;
+    }
+    requireEndOfRow(lines_, line, rest, table_.actions());
+    if (!any) lines_.fail("at least one visit", quoted(line));
+    lines_.sumUpTo(line.data() + line.size());
+    visits.add(row, visits_.data());
+    return row;
+  }
+
+  /// Whether the table has so many more visits. Those that have reached their largest number may be any number.
+  bool isLeft(Row row, Action action, std::uint32_t count) {
+    const std::uint32_t all = table_.visits(row, action);
+    std::uint64_t& sum = sums_[static_cast<std::size_t>(row) * table_.actions() + action];
+    sum += count;
+    return sum <= all || all == UINT32_MAX;
+  }
+
+  LineReader& lines_;
+  const QTable& table_;
+  std::vector<std::uint32_t> visits_;  // of a row
+  std::vector<std::uint64_t> sums_;    // of all sources so far
+};
+
+void readSources(LineReader& lines, const Header& header, QTable& table) {
+  Contributions others;
+  if (header.other_sources > 0) {
+    SourcesReader reader(lines, table);
+    for (std::size_t i = 0; i < header.other_sources; ++i) {
+      others.push_back(reader.read(others.empty() ? NO_SOURCE : others.back().source, header.source));
+    }
+  }
+  table.setSources(header.source, std::move(others));
 }
 
 }  // namespace
@@ -207,10 +366,12 @@ std::string toText(const TrainedTable& trained) {
   for (Row row = 0; row < trained.table.rows(); ++row) {
     if (isWorthALine(trained.table, row)) rows.push_back(row);
   }
-  std::string text = headerOf(trained, rows.size());
+  const Sources sources(trained.table);
+  std::string text = headerOf(trained, sources, rows.size());
   // A text that grows is copied again and again; room that is not written to costs nothing.
   text.reserve(text.size() + rows.size() * (MOST_OF_ROW + trained.table.actions() * MOST_OF_ENTRY));
   for (const Row row : rows) appendRow(trained.table, row, text);
+  for (const Contribution& contribution : sources.told) appendSource(contribution, text);
   Checksum checksum;
   checksum.add(text);
   return text.append(CHECKSUM_KEY).append(checksum.text()).append("\n");
@@ -223,7 +384,9 @@ TrainedTable parseQTable(const std::string& text, const std::string& name) {
   QTable table(header.rows, header.actions);
   std::int64_t before = -1;
   for (Row i = 0; i < header.visited_rows; ++i) before = readRow(lines, before, table);
-  const std::string_view last = lines.next("the checksum after " + std::to_string(header.visited_rows) + " rows");
+  readSources(lines, header, table);
+  const std::string_view last = lines.next("the checksum after " + std::to_string(header.visited_rows) + " rows and " +
+                                           std::to_string(header.other_sources) + " other sources");
   const std::string expected = std::string(CHECKSUM_KEY) + lines.sumUpTo(last.data()).text();
   if (last != expected) lines.fail("'" + expected + "': the file was changed or damaged", quoted(last));
   if (!lines.atEnd()) lines.fail("nothing after the checksum", "more text");

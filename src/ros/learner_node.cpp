@@ -7,10 +7,8 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
-#include "social_crowd/common/numbers.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
 
@@ -23,6 +21,16 @@ constexpr std::uint32_t QUEUE = 100;  // messages
 constexpr bool LATCHED = true;
 const ros::WallDuration IDLE(0.1);           // between two looks whether ROS still runs
 const ros::WallDuration STATUS_PERIOD(0.5);  // at most so often because of a new episode
+
+/// Where a file that a request names is looked for: relative to the node's working directory.
+std::string absolutePath(const std::string& file) {
+  if (file.empty()) throw InputError("file: expected the name of a file, got nothing");
+  return std::filesystem::absolute(file).lexically_normal().string();
+}
+
+std::string visitedRowsOf(const QTable& table) {
+  return std::to_string(table.visitedRows()) + " visited rows of " + std::to_string(table.rows());
+}
 
 }  // namespace
 
@@ -56,7 +64,7 @@ void LearnerNode::run() {
   loop_.close();
   services_.stop();
   taking_.stop();
-  if (!save_to_.empty()) saveAll();
+  if (!save_to_.empty()) saveAll(false);
 }
 
 void LearnerNode::takePerceptions(const PerceptionsMessage::ConstPtr& message) {
@@ -98,9 +106,7 @@ bool LearnerNode::isRepeated(const PerceptionsMessage& message) const {
 
 void LearnerNode::noteEpisode() {
   // Saving every n episodes means after n of them, that is when the next one begins.
-  if (save_every_ > 0 && episodes_ > 0 && episodes_ % save_every_ == 0) {
-    saveAll();
-  }
+  if (save_every_ > 0 && episodes_ > 0 && episodes_ % save_every_ == 0) saveAll(true);
   ++episodes_;
   if (episodes_ == 1 || ros::WallTime::now() - last_status_ >= STATUS_PERIOD) publishStatus();
 }
@@ -134,8 +140,8 @@ void LearnerNode::publishStatus() {
   status_publisher_.publish(status);
 }
 
-TrainedTable LearnerNode::trained(AgentId agent) const {
-  return {learner_.model(), learner_.parameters(), learner_.decisions(), learner_.seed(), learner_.tableOf(agent)};
+TrainedTable LearnerNode::trained(QTable table) const {
+  return {learner_.model(), learner_.parameters(), learner_.decisions(), learner_.seed(), std::move(table)};
 }
 
 AgentId LearnerNode::firstAgent() const {
@@ -143,49 +149,56 @@ AgentId LearnerNode::firstAgent() const {
   return served.empty() ? 0 : served.front();
 }
 
-void LearnerNode::saveAll() const {
-  if (learner_.tableUse() == TableUse::SHARED) return saveQTable(save_to_, trained(firstAgent()));
+void LearnerNode::saveAll(bool goes_on) {
+  const auto save = [&](const std::string& file, AgentId agent) {
+    saveQTable(file, trained(goes_on ? learner_.tableToSave(agent) : learner_.tableOf(agent)));
+  };
+  if (learner_.tableUse() == TableUse::SHARED) return save(save_to_, firstAgent());
   const std::filesystem::path path(save_to_);
   for (const AgentId agent : learner_.servedAgents()) {
     const std::string name = path.stem().string() + "_agent_" + std::to_string(agent) + path.extension().string();
-    saveQTable((path.parent_path() / name).string(), trained(agent));
+    save((path.parent_path() / name).string(), agent);
   }
 }
 
 void LearnerNode::requireServed(AgentId agent) const {
   const std::vector<AgentId> served = learner_.servedAgents();
   if (std::binary_search(served.begin(), served.end(), agent)) return;
-  throw InputError("agent " + std::to_string(agent) + " is not served by " + name_);
+  throw InputError("agent " + std::to_string(agent) + " is not served by " + name_ + "; it serves " +
+                   (served.empty() ? "nobody yet" : (served.size() == 1 ? "agent " : "agents ") + listOf(served)));
 }
 
-std::string LearnerNode::parametersText() const {
-  const LearningParameters& parameters = learner_.parameters();
-  return "alpha " + toText(parameters.alpha) + ", gamma " + toText(parameters.gamma) + ", lambda " +
-         toText(parameters.lambda) + ", epsilon " + toText(parameters.epsilon);
+AgentId LearnerNode::meant(AgentId agent) const {
+  const std::vector<AgentId> served = learner_.servedAgents();
+  const bool one_table = learner_.tableUse() == TableUse::SHARED || served.size() == 1;
+  if (agent == 0 && one_table) return firstAgent();
+  requireServed(agent);
+  return agent;
 }
 
 void LearnerNode::advertiseServices() {
   services_.serve<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, [this](const auto& request, auto& response) {
-    if (request.file.empty()) throw InputError("file: expected the name of a file to write, got nothing");
+    const std::string file = absolutePath(request.file);
+    std::string whose = "the shared table";
     const auto table = loop_.ask<TrainedTable>([&] {
       const bool shared = learner_.tableUse() == TableUse::SHARED;
-      if (!shared) requireServed(request.agent);
-      return trained(shared ? firstAgent() : request.agent);
+      const AgentId agent = shared ? firstAgent() : meant(request.agent);
+      if (!shared) whose = "the table of agent " + std::to_string(agent);
+      return trained(learner_.tableToSave(agent));
     });
-    saveQTable(request.file, table);  // while the learner goes on
-    response.message = "saved " + std::to_string(table.table.visitedRows()) + " visited rows of " +
-                       std::to_string(table.table.rows()) + " to " + request.file;
+    saveQTable(file, table);  // while the learner goes on
+    response.message = "saved " + visitedRowsOf(table.table) + " of " + whose + " to " + file;
   });
   services_.serve<social_crowd::LoadQTable>(names::LOAD_Q_TABLE, [this](const auto& request, auto& response) {
-    const TrainedTable table = loadQTable(request.file);  // parsed and checked before anything is replaced
+    const std::string file = absolutePath(request.file);
+    const TrainedTable table = loadQTable(file);  // parsed and checked before anything is replaced
     loop_.ask<void>([&] {
-      requireFit(learner_.model(), table.model, request.file);
-      learner_.takeTable(table.table, TakeMethod::REPLACE);
+      requireFit(learner_.model(), table.model, file);
+      const TakeReport report = giveTo({}, table.table, TakeMethod::REPLACE);
       learner_.setDecisions(table.decisions);
       publishStatus();
+      response.message = "loaded " + visitedRowsOf(table.table) + " from " + file + ": " + report.text();
     });
-    response.message = "loaded " + std::to_string(table.table.visitedRows()) + " visited rows of " +
-                       std::to_string(table.table.rows()) + " from " + request.file;
   });
   services_.serve<std_srvs::Trigger>(names::RESET_TRACES, [this](const auto& /*request*/, auto& response) {
     loop_.ask<void>([&] { learner_.forgetDecisions(); });
@@ -201,16 +214,13 @@ void LearnerNode::advertiseServices() {
   });
   services_.serve<social_crowd::SetLearningParameters>(
       names::SET_LEARNING_PARAMETERS, [this](const auto& request, auto& response) {
-        const auto unless_nan = [](double given, double otherwise) { return std::isnan(given) ? otherwise : given; };
         loop_.ask<void>([&] {
-          LearningParameters parameters = learner_.parameters();
-          parameters.alpha = unless_nan(request.alpha, parameters.alpha);
-          parameters.gamma = unless_nan(request.gamma, parameters.gamma);
-          parameters.lambda = unless_nan(request.trace_decay, parameters.lambda);
-          parameters.epsilon = unless_nan(request.epsilon, parameters.epsilon);
-          learner_.setParameters(parameters);
+          const LearningPlan before = learner_.plan();
+          learner_.setPlan(changedPlan(before, request.parameters, "parameters"));
           publishStatus();
-          response.message = parametersText();
+          const std::string changes = differences(before, learner_.plan());
+          response.message = (changes.empty() ? "nothing changed" : "changed " + changes) + "; in force are " +
+                             toText(learner_.plan());
         });
       });
   services_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,

@@ -1,7 +1,7 @@
 // Sharing of Q-tables between the agents of a learner and between learner nodes.
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "social_crowd/ros/learner_node.h"
 #include "social_crowd/ros/names.h"
@@ -10,12 +10,6 @@ namespace crowd {
 namespace {
 
 const ros::Duration REACH(1.0);  // how long to look for another learner's service
-
-std::string listOf(const std::vector<AgentId>& agents) {
-  std::string text;
-  for (const AgentId agent : agents) text += (text.empty() ? "" : ", ") + std::to_string(agent);
-  return text;
-}
 
 bool contains(const std::vector<AgentId>& agents, AgentId agent) {
   return std::find(agents.begin(), agents.end(), agent) != agents.end();
@@ -34,35 +28,23 @@ social_crowd::TakeQTable::Response askToTake(const std::string& learner,
   return call.response;
 }
 
-/// Who took a table and who did not.
-class ShareReport {
- public:
-  void noteTaken(const std::vector<AgentId>& agents) { taken_.insert(agents.begin(), agents.end()); }
-  void noteProblem(const std::string& problem) { problems_ += "; " + problem; }
-  bool isTakenBy(AgentId agent) const { return taken_.count(agent) > 0; }
-
-  void writeTo(social_crowd::ShareQTable::Response& response, AgentId from) const {
-    response.taken_by.assign(taken_.begin(), taken_.end());
-    response.success = problems_.empty();
-    const std::string who = taken_.empty() ? "nobody" : "agents " + listOf(response.taken_by);
-    response.message = "the Q-table of agent " + std::to_string(from) + " was taken by " + who + problems_;
-  }
-
- private:
-  std::set<AgentId> taken_;
-  std::string problems_;
-};
-
 }  // namespace
 
-std::vector<AgentId> LearnerNode::giveTo(const std::vector<AgentId>& agents, const TrainedTable& trained,
-                                         TakeMethod method) {
-  if (agents.empty() || learner_.tableUse() == TableUse::SHARED) {
-    learner_.takeTable(trained.table, method);
-    return learner_.servedAgents();
+TakeReport LearnerNode::giveTo(const std::vector<AgentId>& agents, QTable table, TakeMethod method) {
+  TakeReport report(method);
+  table.beginSource();  // once for all who take it
+  if (!agents.empty() && learner_.tableUse() == TableUse::OWN) {
+    for (const AgentId agent : agents) report.note(agent, learner_.takeTable(agent, table, method));
+    return report;
   }
-  for (const AgentId agent : agents) learner_.takeTable(agent, trained.table, method);
-  return agents;
+  const Learner::TakenByAll taken = learner_.takeTable(std::move(table), method);
+  const std::vector<AgentId> served = learner_.servedAgents();
+  for (const AgentId agent : served) {
+    const auto own = taken.by_agent.find(agent);
+    report.note(agent, own != taken.by_agent.end() ? own->second : taken.newcomers);
+  }
+  if (served.empty()) report.noteNewcomers(taken.newcomers);
+  return report;
 }
 
 void LearnerNode::take(const social_crowd::TakeQTable::Request& request, social_crowd::TakeQTable::Response& response) {
@@ -72,25 +54,27 @@ void LearnerNode::take(const social_crowd::TakeQTable::Request& request, social_
   loop_.ask<void>([&] {
     requireFit(learner_.model(), trained.model, name);
     for (const AgentId agent : request.to_agents) requireServed(agent);
-    response.taken_by = giveTo(request.to_agents, trained, method);
+    const TakeReport report = giveTo(request.to_agents, trained.table, method);
+    response.taken_by = report.agents();
+    response.message = report.text();
     publishStatus();
   });
-  response.message = "taken by agents " + listOf(response.taken_by) + " (" + toText(method) + ")";
 }
 
 void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
                         social_crowd::ShareQTable::Response& response) {
-  if (!request.method.empty()) parseTakeMethod(request.method);
+  const TakeMethod method = request.method.empty() ? on_share_ : parseTakeMethod(request.method);
   ShareReport report;
+  AgentId from = request.from_agent;
   social_crowd::TakeQTable::Request offer;
   offer.method = request.method;
   std::map<std::string, social_crowd::LearnerStatus> others;
   loop_.ask<void>([&] {
-    requireServed(request.from_agent);
-    const TrainedTable table = trained(request.from_agent);
+    from = meant(request.from_agent);
+    const TrainedTable table = trained(learner_.tableToShare(from));
     offer.q_table = toText(table);
     others = others_;
-    report.noteTaken(shareWithin(request, table));
+    shareWithin(request.to_agents, from, table.table, method, report);
   });
   for (const auto& [learner, status] : others) {
     offer.to_agents.clear();
@@ -100,7 +84,7 @@ void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
     if (!request.to_agents.empty() && offer.to_agents.empty()) continue;
     const social_crowd::TakeQTable::Response answer = askToTake(learner, offer);
     if (answer.success != 0) {
-      report.noteTaken(answer.taken_by);
+      report.noteTaken(answer.taken_by, answer.message);
     } else {
       report.noteProblem(learner + " did not take it: " + answer.message);
     }
@@ -108,24 +92,26 @@ void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
   for (const AgentId agent : request.to_agents) {
     if (!report.isTakenBy(agent)) report.noteProblem("agent " + std::to_string(agent) + " did not get it");
   }
-  report.writeTo(response, request.from_agent);
+  response.success = report.isFine();
+  response.taken_by = report.takenBy();
+  response.message = "the Q-table of agent " + std::to_string(from) + ": " + report.text();
 }
 
-std::vector<AgentId> LearnerNode::shareWithin(const social_crowd::ShareQTable::Request& request,
-                                              const TrainedTable& table) {
-  const TakeMethod method = request.method.empty() ? on_share_ : parseTakeMethod(request.method);
-  std::vector<AgentId> served = learner_.servedAgents();
+void LearnerNode::shareWithin(const std::vector<AgentId>& agents, AgentId from, const QTable& table, TakeMethod method,
+                              ShareReport& report) {
+  const std::vector<AgentId> served = learner_.servedAgents();
   std::vector<AgentId> mine;
   for (const AgentId agent : served) {
-    const bool meant = request.to_agents.empty() || contains(request.to_agents, agent);
-    // Merging a table into itself would count its visits twice.
-    if (meant && agent != request.from_agent) mine.push_back(agent);
+    const bool is_meant = agents.empty() || contains(agents, agent);
+    if (is_meant && agent != from) mine.push_back(agent);
   }
-  if (mine.empty() && !request.to_agents.empty()) return mine;
-  if (learner_.tableUse() == TableUse::SHARED) return served;  // they use it already
-  for (const AgentId agent : mine) learner_.takeTable(agent, table.table, method);
+  if (mine.empty()) return;
+  if (learner_.tableUse() == TableUse::SHARED) {
+    return report.noteTaken(served, "agents " + listOf(served) + " share it already");
+  }
+  const TakeReport taken = giveTo(mine, table, method);
+  report.noteTaken(taken.agents(), taken.text());
   publishStatus();
-  return mine;
 }
 
 }  // namespace crowd

@@ -103,7 +103,7 @@ void Training::merge(QTable table) {
   workers_.run(table.rows(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
     mergeCopies(copies, step_sizes, static_cast<Row>(begin), static_cast<Row>(end), table);
   });
-  for (Learner& learner : learners_) learner.takeTable(table, TakeMethod::REPLACE);
+  for (Learner& learner : learners_) learner.goOnIn(table);
 }
 
 std::uint64_t Training::allDecisions() const {

@@ -108,12 +108,22 @@ TEST(Exploration, StaysConstantOnceItWasSet) {
   falling.plan.epsilon = {0.8, 0.0, 4, EpsilonSchedule::Shape::LINEAR};
   Learner learner(model(), falling, bestIsFive());
   countActions(learner, 1, 0);
-  LearningParameters parameters = learner.parameters();
-  parameters.epsilon = 0.4;
-  learner.setParameters(parameters);
+  learner.setPlan(changedPlan(learner.plan(), "{epsilon: 0.4}", "request"));
   EXPECT_NEAR(countActions(learner, 1, 2).at(BEST), 5200, 220);  // at once
   EXPECT_NEAR(countActions(learner, 3, 0).at(BEST), 5200, 220);  // and later
   EXPECT_EQ(learner.parameters().epsilon, 0.4);
+}
+
+TEST(Exploration, GoesOnFallingWhereSomethingElseWasSet) {
+  Learner::Options falling = exploring(0.0);
+  falling.plan.epsilon = {0.8, 0.0, 4, EpsilonSchedule::Shape::LINEAR};
+  Learner learner(model(), falling, bestIsFive());
+  countActions(learner, 1, 0);
+  learner.setPlan(changedPlan(learner.plan(), "{gamma: 0.25}", "request"));
+  EXPECT_EQ(learner.parameters().gamma, 0.25);
+  EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.6);  // of episode 1
+  EXPECT_NEAR(countActions(learner, 2, 0).at(BEST), 5200, 220);
+  EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.4);
 }
 
 // --- what decisions depend on ---

@@ -135,13 +135,57 @@ TEST(TakeTable, ForOneAgentLeavesTheOthersTheirs) {
 TEST(TakeTable, SharesWhatOneAgentLearnedWithAll) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
   walk(learner, {8.0, 4.0, 2.0});  // values 4, 2, 1
-  learner.takeTable(learner.tableOf(0), TakeMethod::MERGE);
-  EXPECT_EQ(learner.tableOf(0), tableWith(4.0, 2));
+  learner.takeTable(learner.tableToShare(0), TakeMethod::MERGE);
+  EXPECT_EQ(learner.tableOf(0), tableWith(4.0, 1));  // which is what it knows already
   EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 2));
   EXPECT_EQ(learner.tableOf(2), tableWith(2.5, 2));
   EXPECT_EQ(learner.tableOf(99), tableWith(4.0, 1));
-  learner.takeTable(learner.tableOf(2), TakeMethod::REPLACE);
+  learner.takeTable(learner.tableToShare(2), TakeMethod::REPLACE);
   for (const AgentId agent : {0U, 1U, 2U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(2.5, 2));
+}
+
+TEST(TakeTable, TellsHowManyVisitsAreNew) {
+  Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 5));
+  walk(learner, {2.0, 2.0});
+  walk(learner, {2.0}, 1);  // agent 0 has 7 visits, agent 1 has 6
+  const Learner::TakenByAll all = learner.takeTable(learner.tableToShare(0), TakeMethod::MERGE);
+  EXPECT_EQ(all.newcomers.new_visits, 2U);
+  EXPECT_EQ(all.newcomers.visits, 7U);
+  EXPECT_EQ(all.by_agent.at(0).new_visits, 0U);
+  EXPECT_EQ(all.by_agent.at(0).visits, 7U);
+  EXPECT_EQ(all.by_agent.at(1).new_visits, 2U);
+  EXPECT_EQ(all.by_agent.at(1).visits, 8U);
+  const Learner::Taken one = learner.takeTable(0, learner.tableToShare(1), TakeMethod::REPLACE);
+  EXPECT_EQ(one.new_visits, 1U);
+  EXPECT_EQ(one.visits, 8U);
+}
+
+TEST(TakeTable, ReplacedThenMergedThreeTimesStaysWhatItIs) {
+  for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
+    Learner giver(model(), options(Mode::TRAINING, tables), randomTable(1));
+    Learner taker(model(), options(Mode::TRAINING, tables), tableWith(6.0, 4));
+    walk(giver, {8.0});
+    walk(taker, {4.0});
+    taker.takeTable(0, giver.tableToShare(0), TakeMethod::REPLACE);
+    const QTable given = giver.tableOf(0);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(taker.takeTable(0, giver.tableToShare(0), TakeMethod::MERGE).new_visits, 0U);
+      EXPECT_EQ(giver.takeTable(0, taker.tableToShare(0), TakeMethod::MERGE).new_visits, 0U);
+    }
+    EXPECT_EQ(taker.tableOf(0), given);
+    EXPECT_EQ(giver.tableOf(0), given);
+  }
+}
+
+TEST(TakeTable, KnowsItsOwnPastInAFile) {
+  Learner learner(model(), options(Mode::TRAINING));
+  walk(learner, {8.0});
+  const QTable saved = learner.tableToSave(0);
+  walk(learner, {8.0}, 1);
+  Learner other(model(), options(Mode::TRAINING), saved);
+  other.takeTable(learner.tableToShare(0), TakeMethod::MERGE);
+  EXPECT_EQ(other.tableOf(0), learner.tableOf(0));
+  EXPECT_EQ(learner.takeTable(saved, TakeMethod::MERGE).newcomers.new_visits, 0U);
 }
 
 TEST(TakeTable, RefusesAnotherShapeAndLeavesAllAsItIs) {

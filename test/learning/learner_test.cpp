@@ -99,7 +99,7 @@ TEST(Learner, CountsDecisionsOnFromWhereItBegan) {
 TEST(Learner, TakesNewParametersAtOnce) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
-  learner.setParameters({0.25, 0.0, 0.0, 0.0});
+  learner.setPlan({{0.25, 0.0, 0.0, 0.0}, EpsilonSchedule::constant(0.0)});
   decide(learner, tick(1, 0, 0.0));
   EXPECT_EQ(learner.tableOf(0).value(0, 0), 1.0);  // a quarter of 4
   EXPECT_EQ(learner.parameters().alpha, 0.25);
@@ -107,7 +107,7 @@ TEST(Learner, TakesNewParametersAtOnce) {
 
 TEST(Learner, KeepsItsParametersIfTheNewOnesAreWrong) {
   Learner learner(model(), options(Mode::TRAINING));
-  const std::string message = errorOf<InputError>([&] { learner.setParameters({2.0, 0.25, 0.5, 0.75}); });
+  const std::string message = errorOf<InputError>([&] { learner.setPlan({{2.0, 0.25, 0.5, 0.75}, {}}); });
   EXPECT_TRUE(contains(message, "alpha: expected")) << message;
   EXPECT_EQ(learner.parameters().alpha, 0.5);
   EXPECT_EQ(learner.parameters().gamma, 0.5);

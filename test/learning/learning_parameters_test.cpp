@@ -151,5 +151,62 @@ TEST(ReadLearningPlan, SaysWhatIsWrongWithASchedule) {
   EXPECT_TRUE(contains(errorIn("{epsilon: {from: 1, to: 0, episodes: 8, form: linear}}"), "unknown key 'form'"));
 }
 
+LearningPlan somePlan() {
+  return read(
+      "{alpha: 0.25, alpha_decay: 0.5, gamma: 0.95, lambda: 0.5, mirrored: true, ties: random, "
+      "epsilon: {from: 0.5, to: 0.25, episodes: 8}}");
+}
+
+std::string errorInChange(const std::string& text) {
+  return errorOf<InputError>([&] { changedPlan(somePlan(), text, "parameters"); });
+}
+
+TEST(ChangedPlan, LeavesWhatIsNotNamedAsItIs) {
+  const LearningPlan plan = somePlan();
+  EXPECT_EQ(toText(changedPlan(plan, "{}", "parameters")), toText(plan));
+  LearningPlan expected = plan;
+  expected.parameters.alpha = 0.05;
+  EXPECT_EQ(toText(changedPlan(plan, "{alpha: 0.05}", "parameters")), toText(expected));
+  EXPECT_EQ(toText(changedPlan(plan, "alpha: 0.05", "parameters")), toText(expected));
+  expected.parameters = {0.05, 0.0, 0.0, 0.0, 0.0, false, Ties::FIRST};
+  expected.epsilon = EpsilonSchedule::constant(0.0);
+  const std::string all =
+      "{alpha: 0.05, alpha_decay: 0, gamma: 0, lambda: 0, mirrored: false, ties: first, epsilon: 0}";
+  EXPECT_EQ(toText(changedPlan(plan, all, "parameters")), toText(expected));
+  EXPECT_EQ(toText(expected), all);
+}
+
+TEST(ChangedPlan, IsWrittenAsItIsRead) {
+  const std::string text =
+      "{alpha: 0.25, alpha_decay: 0.5, gamma: 0.95, lambda: 0.5, mirrored: true, ties: random, "
+      "epsilon: {from: 0.5, to: 0.25, episodes: 8, shape: linear}}";
+  EXPECT_EQ(toText(somePlan()), text);
+  EXPECT_EQ(toText(changedPlan({}, text, "parameters")), text);
+}
+
+TEST(ChangedPlan, NamesWhatIsWrong) {
+  const std::string known = "known are alpha, alpha_decay, gamma, lambda, mirrored, ties, epsilon";
+  EXPECT_EQ(errorInChange("{alfa: 0.1}"), "parameters: line 1: unknown key 'alfa'; " + known);
+  EXPECT_EQ(errorInChange("{alpha: 1, gama: 0.1}"), "parameters: line 1: unknown key 'gama'; " + known);
+  EXPECT_EQ(errorInChange("{alpha: 0}"), "parameters: line 1: alpha: expected a number above 0, at most 1, got 0");
+  EXPECT_EQ(errorInChange("{gamma: 1}"), "parameters: line 1: gamma: expected a number from 0 to below 1, got 1");
+  EXPECT_EQ(errorInChange("{epsilon: 1.5}"), "parameters: line 1: epsilon: expected a number from 0 to 1, got '1.5'");
+  EXPECT_EQ(errorInChange("{lambda: .nan}"), "parameters: line 1: lambda: expected a number, got '.nan'");
+  for (const char* const text : {"", "0.05", "[alpha, 0.05]", "{alpha: 0.1}\n---\n{gamma: 0.1}"}) {
+    EXPECT_TRUE(contains(errorInChange(text), "expected a map such as {alpha: 0.05, epsilon: 0}")) << text;
+  }
+  EXPECT_TRUE(contains(errorInChange("{alpha: 0.1, alpha: 0.2}"), "stands twice"));
+  EXPECT_TRUE(contains(errorInChange("{alpha: "), "not YAML"));
+}
+
+TEST(Differences, AreToldByName) {
+  const LearningPlan plan = somePlan();
+  EXPECT_EQ(differences(plan, plan), "");
+  EXPECT_EQ(differences(plan, changedPlan(plan, "{alpha: 0.05, mirrored: false, ties: random}", "f")),
+            "alpha from 0.25 to 0.05, mirrored from true to false");
+  EXPECT_EQ(differences(plan, changedPlan(plan, "{epsilon: 0}", "f")),
+            "epsilon from {from: 0.5, to: 0.25, episodes: 8, shape: linear} to 0");
+}
+
 }  // namespace
 }  // namespace crowd

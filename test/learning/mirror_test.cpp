@@ -316,12 +316,12 @@ TEST(MirroredLearning, BeginsAndEndsWithTheParameters) {
   gain_in_row_one(0);
   EXPECT_FALSE(learner.tableOf(0).isVisited(3));
   parameters.mirrored = true;
-  learner.setParameters(parameters);
+  learner.setPlan({parameters, options.plan.epsilon});
   gain_in_row_one(10);
   EXPECT_EQ(learner.tableOf(0).visits(3, 0), 1U);
   EXPECT_EQ(learner.decisions(), 2U);  // what is mirrored is no decision of its own
   parameters.mirrored = false;
-  learner.setParameters(parameters);
+  learner.setPlan({parameters, options.plan.epsilon});
   gain_in_row_one(20);
   EXPECT_EQ(learner.tableOf(0).visits(3, 0), 1U);
   EXPECT_EQ(learner.tableOf(0).visits(1, 0), 3U);

@@ -14,6 +14,7 @@ namespace {
 
 using q_table_texts::body;
 using q_table_texts::text;
+using q_table_texts::textWithSources;
 using q_table_texts::withChecksum;
 
 /// Reads a text that must be refused; anything but an InputError fails the test.
@@ -42,15 +43,79 @@ TEST(QTableDamage, TheUndamagedFileIsRead) {
 }
 
 TEST(QTableDamage, InTheFirstLine) {
-  expectRefused(edited("social_crowd Q-table 1", "social_crowd Q-table 2"), 1, "'social_crowd Q-table 2'");
+  expectRefused(edited("social_crowd Q-table 1", "social_crowd Q-table 2"), 1, "another version");
   expectRefused(edited("social_crowd Q-table 1", "social_crowd Q-table 1 "), 1, "expected 'social_crowd Q-table 1'");
   expectRefused(edited("social_crowd Q-table 1", "social_crowd Q-table 10"), 1, "expected");
   expectRefused(edited("social_crowd Q-table 1", "Social_crowd Q-table 1"), 1, "expected");
   expectRefused(edited("social_crowd Q-table 1\n", ""), 1, "expected");
   expectRefused("\n" + text(), 1, "expected");
   expectRefused("\xEF\xBB\xBF" + text(), 1, "expected");
-  expectRefused("", 1, "the end of the file");
-  expectRefused(std::string(1000, 'x') + "\n", 1, "xxx...'");
+  expectRefused("", 1, "expected 'social_crowd Q-table 1'");
+}
+
+TEST(QTableDamage, NothingIsToldOfWhatIsNoQTable) {
+  const std::string expected =
+      "table.txt: line 1: expected 'social_crowd Q-table 1': this is no Q-table of this package, or one of another "
+      "version";
+  for (const std::string secret : {"password", "password\n", "social_crowd Q-table 1password\n---\n", "pass\nword\n"}) {
+    EXPECT_EQ(errorIn(secret), expected);
+    EXPECT_EQ(errorIn(secret + text()), expected);
+  }
+  EXPECT_EQ(errorIn(std::string(1000, 'x') + "\n"), expected);
+  EXPECT_EQ(errorIn("social_crowd Q-table 1"), expected);
+}
+
+/// The same for the file that tells its sources.
+std::string editedSources(const std::string& part, const std::string& instead) {
+  std::string edited = q_table_texts::bodyOf(textWithSources());
+  const std::size_t where = edited.find(part);
+  if (where == std::string::npos) throw std::logic_error("there is no '" + part + "' in the file");
+  return withChecksum(edited.replace(where, part.size(), instead));
+}
+
+TEST(QTableDamage, InTheNamesOfSources) {
+  EXPECT_EQ(errorIn(editedSources("0000000000000011", "0000000000000012")), "no error");
+  for (const char* const wrong : {"0000000000000000", "000000000000011", "00000000000000011", "000000000000001G",
+                                  "000000000000001A", "-000000000000011", ""}) {
+    expectRefused(editedSources("0000000000000011", wrong), 20, "expected 'source '");
+    expectRefused(editedSources("00000000000000ff", wrong), 13, "source: expected 16 hexadecimal digits");
+  }
+  expectRefused(editedSources("fedcba9876543210", "0000000000000011"), 23, "above 0000000000000011");  // twice
+  expectRefused(editedSources("fedcba9876543210", "0000000000000010"), 23, "above 0000000000000011");
+  expectRefused(editedSources("fedcba9876543210", "00000000000000ff"), 23, "of its own");
+  expectRefused(editedSources("source fedc", "Source fedc"), 23, "'source '");
+  expectRefused(editedSources("source fedc", " source fedc"), 23, "'source '");
+}
+
+TEST(QTableDamage, InTheNumberOfSources) {
+  expectRefused(editedSources("other_sources: 2", "other_sources: 1"), 23, "expected 'checksum: ");
+  expectRefused(editedSources("other_sources: 2", "other_sources: 3"), 25, "expected 'source '");
+  expectRefused(editedSources("other_sources: 2", "other_sources: 0"), 14, "other_sources");
+  expectRefused(editedSources("other_sources: 2", "other_sources: 9999999999"), 14, "other_sources");
+  expectRefused(editedSources("other_sources: 2\n", ""), 19, "expected 'checksum: ");
+  expectRefused(edited("seed: 7\n", "seed: 7\nother_sources: 1\n"), 19, "expected 'source '");
+}
+
+TEST(QTableDamage, InTheVisitsOfSources) {
+  expectRefused(editedSources("11 2\n", "11 1\n"), 22, "'source '");
+  expectRefused(editedSources("11 2\n", "11 3\n"), 23, "a row number above 10");
+  for (const char* const wrong : {"0", "-1", "x", "", "2 1", "2 ", "99999999999"}) {
+    expectRefused(editedSources("11 2\n", "11 " + std::string(wrong) + "\n"), 20, "'source '");
+  }
+  expectRefused(editedSources("3 0 1\n10 5 0", "10 5 0\n3 0 1"), 22, "a row number above 10");
+  expectRefused(editedSources("3 0 1\n", "11 0 1\n"), 21, "below 11");
+  expectRefused(editedSources("3 0 1\n", "3 0 3\n"), 21, "no more than the table has");
+  expectRefused(editedSources("3 0 1\n", "3 1 0\n"), 21, "no more than the table has");
+  expectRefused(editedSources("10 5 0", "10 5 1"), 24, "no more than the table has");  // with the other source's 2
+  expectRefused(editedSources("3 0 1\n", "3 0 0\n"), 21, "at least one visit");
+  expectRefused(editedSources("3 0 1\n", "3 0 -1\n"), 21, "visits of each of 2 actions");
+  expectRefused(editedSources("3 0 1\n", "3 0\n"), 21, "visits of each of 2 actions");
+  expectRefused(editedSources("3 0 1\n", "3 0 1 0\n"), 21, "nothing after the last of 2 actions");
+  expectRefused(editedSources("3 0 1\n", "3 0 1 \n"), 21, "nothing after the last of 2 actions");
+  expectRefused(editedSources("3 0 1\n", "3 0 1\r\n"), 21, "");
+  std::string changed = textWithSources();
+  changed.replace(changed.find("3 0 1\n"), 6, "3 0 2\n");
+  expectRefused(changed, 25, "the file was changed or damaged");
 }
 
 TEST(QTableDamage, InTheModel) {
@@ -176,8 +241,7 @@ TEST(QTableDamage, TextAfterTheEnd) {
   EXPECT_NE(errorIn(text() + std::string(1, '\0')), "no error");
 }
 
-TEST(QTableDamage, CutShortAnywhere) {
-  const std::string whole = text();
+void cutShortAnywhere(const std::string& whole) {
   for (std::size_t length = 0; length < whole.size(); ++length) {
     const std::string cut = whole.substr(0, length);
     const auto line = 1 + std::count(cut.begin(), cut.end(), '\n');
@@ -188,8 +252,12 @@ TEST(QTableDamage, CutShortAnywhere) {
   }
 }
 
-TEST(QTableDamage, OneByteChangedAnywhere) {
-  const std::string whole = text();
+TEST(QTableDamage, CutShortAnywhere) {
+  cutShortAnywhere(text());
+  cutShortAnywhere(textWithSources());
+}
+
+void oneByteChangedAnywhere(const std::string& whole) {
   for (std::size_t i = 0; i < whole.size(); ++i) {
     std::string damaged = whole;
     const auto change = [&](char byte) {
@@ -204,14 +272,23 @@ TEST(QTableDamage, OneByteChangedAnywhere) {
   }
 }
 
-TEST(QTableDamage, OneByteMissingOrTooMuchAnywhere) {
-  const std::string whole = text();
+TEST(QTableDamage, OneByteChangedAnywhere) {
+  oneByteChangedAnywhere(text());
+  oneByteChangedAnywhere(textWithSources());
+}
+
+void oneByteMissingOrTooMuchAnywhere(const std::string& whole) {
   for (std::size_t i = 0; i < whole.size(); ++i) {
     EXPECT_NE(errorIn(std::string(whole).erase(i, 1)), "no error") << "without byte " << i;
     for (const char byte : {'0', ' ', '\n', '-'}) {
       EXPECT_NE(errorIn(std::string(whole).insert(i, 1, byte)), "no error") << "'" << byte << "' before byte " << i;
     }
   }
+}
+
+TEST(QTableDamage, OneByteMissingOrTooMuchAnywhere) {
+  oneByteMissingOrTooMuchAnywhere(text());
+  oneByteMissingOrTooMuchAnywhere(textWithSources());
 }
 
 }  // namespace

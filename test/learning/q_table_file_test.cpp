@@ -66,6 +66,51 @@ TEST(QTableText, TellsHowTiesAreBrokenWhereTheFirstIsNotTaken) {
   expectRoundTrip(trained);
 }
 
+/// What is told of sources, in a form that can be compared.
+std::vector<std::pair<SourceId, std::vector<std::uint32_t>>> sourcesOf(const QTable& table) {
+  std::vector<std::pair<SourceId, std::vector<std::uint32_t>>> sources;
+  for (const Contribution& contribution : table.contributions()) {
+    sources.push_back({contribution.source, {}});
+    for (std::size_t i = 0; i < contribution.visits->rows().size(); ++i) {
+      std::vector<std::uint32_t>& numbers = sources.back().second;
+      numbers.push_back(contribution.visits->rows()[i]);
+      numbers.insert(numbers.end(), contribution.visits->at(i), contribution.visits->at(i) + table.actions());
+    }
+  }
+  return sources;
+}
+
+TEST(QTableSources, AreReadable) {
+  EXPECT_EQ(toText(q_table_texts::trainedBySources()), q_table_texts::textWithSources());
+}
+
+TEST(QTableSources, AreReadBack) {
+  const TrainedTable read = parseQTable(q_table_texts::textWithSources(), "table.txt");
+  expectSame(read, q_table_texts::trainedBySources());
+  EXPECT_EQ(sourcesOf(read.table), sourcesOf(q_table_texts::trainedBySources().table));
+  EXPECT_EQ(read.table.source(), 0xFFU);
+  expectRoundTrip(q_table_texts::trainedBySources());
+}
+
+TEST(QTableSources, AreNotToldWhereTheReaderKnowsThem) {
+  TrainedTable trained = q_table_texts::trained();
+  trained.table.nameSource(trained.table.contentId());
+  EXPECT_EQ(toText(trained), q_table_texts::text());
+  trained.table.beginSource();  // all of it is now what somebody learned, and that is told by the content
+  EXPECT_EQ(toText(trained), q_table_texts::text());
+  EXPECT_EQ(sourcesOf(parseQTable(toText(trained), "table.txt").table), sourcesOf(trained.table));
+}
+
+TEST(QTableSources, OneAloneIsAName) {
+  TrainedTable trained = q_table_texts::trained();
+  trained.table.nameSource(0x1234);
+  const std::string text = toText(trained);
+  EXPECT_TRUE(contains(text, "seed: 7\nsource: '0000000000001234'\nvisited_rows: 3\n")) << text;
+  expectRoundTrip(trained);
+  trained.table.beginSource();
+  EXPECT_EQ(toText(trained), text);
+}
+
 TEST(QTableText, ReadsAnEmptyTable) {
   TrainedTable trained = q_table_texts::trained();
   trained.table = QTable(11, 2);

@@ -179,7 +179,7 @@ QTable cell(double value, std::uint32_t visits) {
 
 void expectMerged(const QTable& into, const QTable& from, double value, std::uint32_t visits) {
   QTable merged = into;
-  merged.mergeByVisits(from);
+  merged.merge(from);
   EXPECT_DOUBLE_EQ(merged.value(0, 0), value);
   EXPECT_EQ(merged.visits(0, 0), visits);
 }
@@ -214,7 +214,7 @@ TEST(QTableMerge, LeavesEqualValuesAsTheyAre) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const double value = random.uniform(-100.0, 100.0);
     QTable table = cell(value, 1 + random.below(9));
-    table.mergeByVisits(cell(value, 1 + random.below(9)));
+    table.merge(cell(value, 1 + random.below(9)));
     EXPECT_EQ(table.value(0, 0), value);  // bit for bit: sharing what all know already changes nothing
   }
 }
@@ -226,7 +226,7 @@ TEST(QTableMerge, GoesCellByCell) {
   QTable b(2, 2);
   b.set(0, 1, 4.0, 3);
   b.set(1, 0, -3.0, 2);
-  a.mergeByVisits(b);
+  a.merge(b);
   QTable expected(2, 2);
   expected.set(0, 0, 1.0, 1);
   expected.set(0, 1, 3.5, 4);  // (2 + 3 * 4) / 4
@@ -249,9 +249,9 @@ TEST(QTableMerge, TwoHalvesGiveTheMeanOfAllVisitsEitherWay) {
       }
     }
     QTable ab = a;
-    ab.mergeByVisits(b);
+    ab.merge(b);
     QTable ba = b;
-    ba.mergeByVisits(a);
+    ba.merge(a);
     for (Row row = 0; row < 5; ++row) {
       for (Action action = 0; action < 4; ++action) {
         const double weight = a.visits(row, action) + b.visits(row, action);
@@ -266,12 +266,173 @@ TEST(QTableMerge, TwoHalvesGiveTheMeanOfAllVisitsEitherWay) {
   }
 }
 
+/// A table of one row and action that others have, too: its visits belong to a source of that name.
+QTable sourced(SourceId source, double value, std::uint32_t visits) {
+  QTable table = cell(value, visits);
+  table.nameSource(source);
+  return table;
+}
+
+/// The same after so much was learned in it that belongs to a source of another name.
+QTable wentOn(QTable table, SourceId source, double value, std::uint32_t visits) {
+  table.beginSource();
+  table.set(0, 0, value, table.visits(0, 0) + visits);
+  table.nameSource(source);
+  return table;
+}
+
+TEST(QTableMerge, CountsTheSharedPastOnce) {
+  const QTable past = sourced(1, 2.0, 100);
+  // Two that went on from it: 3 and 1 visits that the other has not.
+  const QTable a = wentOn(past, 2, 4.0, 3);
+  const QTable b = wentOn(past, 3, 8.0, 1);
+  expectMerged(a, b, 5.0, 104);  // (3 * 4 + 1 * 8) / 4
+  expectMerged(b, a, 5.0, 104);
+  expectMerged(past, a, 4.0, 103);  // it has nothing that the other lacks
+  expectMerged(a, past, 4.0, 103);
+}
+
+TEST(QTableMerge, OfTheSameTableAgainChangesNothing) {
+  QTable table = wentOn(sourced(1, 0.3, 100), 2, 0.1, 7);
+  const QTable other = wentOn(sourced(3, 0.7, 11), 4, -0.2, 5);
+  EXPECT_EQ(table.newVisitsOf(other), 16U);
+  EXPECT_EQ(table.merge(other), 16U);
+  const QTable merged = table;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(table.newVisitsOf(other), 0U);
+    EXPECT_EQ(table.merge(other), 0U);
+    EXPECT_EQ(table, merged);
+  }
+  EXPECT_EQ(table.foreign().size(), 3U);
+}
+
+TEST(QTableMerge, TakesTheLaterStateOfASourceThatGoesOn) {
+  QTable learner = sourced(1, 1.0, 10);
+  QTable receiver = cell(3.0, 10);
+  EXPECT_EQ(receiver.merge(learner), 10U);  // (10 * 3 + 10 * 1) / 2 = 2
+  learner.set(0, 0, 6.0, 15);
+  EXPECT_EQ(receiver.merge(learner), 5U);
+  EXPECT_EQ(receiver.visits(0, 0), 25U);
+  EXPECT_DOUBLE_EQ(receiver.value(0, 0), (10 * 2.0 + 5 * 6.0) / 15);  // 10 visits are only here, 5 only there
+  EXPECT_EQ(learner.merge(receiver), 10U);                            // what the receiver learned itself
+  EXPECT_EQ(learner.visits(0, 0), 25U);
+}
+
+TEST(QTableMerge, KnowsAFileOfTheSameContent) {
+  const QTable file = cell(2.0, 100);
+  QTable a = file;
+  a.beginSource();
+  QTable b = file;
+  b.beginSource();
+  EXPECT_EQ(a.merge(b), 0U);
+  EXPECT_EQ(a, file);
+  QTable other = cell(2.5, 100);  // of another content
+  EXPECT_EQ(a.newVisitsOf(other), 100U);
+  // The name is that of what was read, whatever became of it since.
+  EXPECT_EQ(other.merge(file), 100U);
+  EXPECT_EQ(other.merge(file), 0U);
+  EXPECT_EQ(other.merge(cell(2.5, 100)), 0U);
+  EXPECT_EQ(other.visits(0, 0), 200U);
+}
+
+TEST(QTableMerge, CountsDoNotDependOnTheOrder) {
+  const QTable past = sourced(1, 0.0, 5);
+  const std::array<QTable, 3> tables = {wentOn(past, 2, 1.0, 1), wentOn(past, 3, 2.0, 20), wentOn(past, 4, 3.0, 300)};
+  for (const auto& order : {std::array<int, 3>{0, 1, 2}, {2, 1, 0}, {1, 2, 0}, {1, 0, 2}}) {
+    QTable merged = tables[order[0]];
+    merged.merge(tables[order[1]]);
+    merged.merge(tables[order[2]]);
+    EXPECT_EQ(merged.visits(0, 0), 326U);
+  }
+}
+
+TEST(QTableMerge, SharesWhatOthersContributed) {
+  QTable a = sourced(1, 1.0, 10);
+  const QTable b = sourced(2, 2.0, 10);
+  QTable c = wentOn(b, 3, 2.0, 1);
+  a.merge(c);
+  ASSERT_EQ(a.foreign().size(), 2U);
+  EXPECT_EQ(a.foreign()[0].source, 2U);
+  EXPECT_EQ(a.foreign()[0].visits, c.foreign()[0].visits);  // one and the same memory
+  const Contributions before = a.foreign();
+  a.merge(b);
+  EXPECT_EQ(a.foreign()[0].visits, before[0].visits);
+}
+
+TEST(QTableMerge, CountsAtTheirLargestNumberStaySound) {
+  QTable a = sourced(1, 1.0, UINT32_MAX - 5);
+  const QTable b = wentOn(sourced(2, 2.0, UINT32_MAX), 3, 2.0, 0);
+  a.merge(b);
+  EXPECT_EQ(a.visits(0, 0), UINT32_MAX);
+  a.countVisit(0, 0);
+  const QTable merged = a;
+  a.merge(b);
+  EXPECT_EQ(a, merged);
+  // Somebody who knows more of the own source than the sum leaves of it brings no news.
+  QTable receiver = sourced(1, 1.0, UINT32_MAX - 5);
+  receiver.beginSource();
+  EXPECT_EQ(a.merge(receiver), 0U);
+  EXPECT_EQ(a, merged);
+  EXPECT_EQ(receiver.merge(a), UINT32_MAX);
+  EXPECT_EQ(receiver.merge(a), 0U);
+}
+
+TEST(QTableMerge, OfNumbersThatContradictEachOtherTakesTheLargerOfEach) {
+  // Two tables that claim to have something of source 1, and neither is the later one.
+  const auto claiming = [](Row row, std::uint32_t visits) {
+    QTable table(3, 1);
+    table.set(row, 0, 1.0, visits);
+    table.nameSource(1);
+    table.beginSource();
+    return table;
+  };
+  QTable table = claiming(0, 4);
+  EXPECT_EQ(table.merge(claiming(2, 3)), 3U);
+  EXPECT_EQ(table.merge(claiming(2, 3)), 0U);
+  EXPECT_EQ(table.merge(claiming(0, 4)), 0U);
+  EXPECT_EQ(table.allVisits(), 7U);
+  EXPECT_EQ(table.foreign().size(), 1U);
+  EXPECT_FALSE(table.hasOwnVisits());
+}
+
+TEST(QTableSource, HasANameOnlyWhereThereAreVisits) {
+  QTable table(2, 2);
+  EXPECT_EQ(table.source(), NO_SOURCE);
+  table.nameSource(7);
+  EXPECT_FALSE(table.isNamed());
+  table.set(0, 1, 0.5, 3);
+  EXPECT_EQ(table.source(), table.contentId());
+  table.nameSource(7);
+  EXPECT_EQ(table.source(), 7U);
+  table.nameSource(8);  // it has one
+  EXPECT_EQ(table.source(), 7U);
+  table.beginSource();
+  EXPECT_EQ(table.source(), NO_SOURCE);
+  ASSERT_EQ(table.contributions().size(), 1U);
+  EXPECT_EQ(table.contributions()[0].source, 7U);
+  EXPECT_EQ(table.contributions()[0].visits->rows(), std::vector<Row>{0});
+  table.countVisit(1, 1);
+  table.nameSource(5);
+  const Contributions both = table.contributions();
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0].source, 5U);
+  EXPECT_EQ(both[0].visits->at(0)[1], 1U);
+}
+
+TEST(QTableSource, ChecksumTellsContentApart) {
+  const QTable table = cell(0.5, 3);
+  EXPECT_EQ(table.contentId(), cell(0.5, 3).contentId());
+  EXPECT_NE(table.contentId(), cell(0.5, 4).contentId());
+  EXPECT_NE(table.contentId(), cell(std::nextafter(0.5, 1.0), 3).contentId());
+  EXPECT_NE(QTable(2, 1).contentId(), QTable(1, 2).contentId());
+}
+
 TEST(QTableMerge, RefusesAnotherShapeAndLeavesAllAsItIs) {
   QTable table(2, 3);
   table.set(1, 2, 5.0, 1);
   const QTable before = table;
   for (const QTable& other : {QTable(3, 2), QTable(2, 2), QTable(3, 3), QTable(6, 1)}) {
-    const std::string message = errorOf<ShapeError>([&] { table.mergeByVisits(other); });
+    const std::string message = errorOf<ShapeError>([&] { table.merge(other); });
     EXPECT_TRUE(contains(message, "2 rows of 3 actions")) << message;
     EXPECT_EQ(table, before);
   }

@@ -9,7 +9,6 @@ from rosgraph_msgs.msg import Log
 from social_crowd.msg import LearnerStatus
 
 NAN = float('nan')
-NOTHING = {'alpha': NAN, 'gamma': NAN, 'trace_decay': NAN, 'epsilon': NAN}
 
 
 class LearnerTestCase(support.CrowdTestCase):
@@ -173,7 +172,7 @@ class DemoThatLearnsTest(LearnerTestCase):
         self.assertEqual([answer[0][0] for answer in self.walk(0, 3)], [first] * 3)
         self.assertEqual(self.saved().rows, QTableFile(table).rows)
         self.succeed('learner/set_mode', mode='training')
-        self.succeed('learner/set_learning_parameters', **dict(NOTHING, alpha=0.5, gamma=0.0, epsilon=0.0))
+        self.succeed('learner/set_learning_parameters', parameters='{alpha: 0.5, gamma: 0, epsilon: 0}')
         # The reward is cos(45 degrees)^3 = 0.354: the value falls to 1.177, then to 0.765.
         self.assertEqual([answer[0][0] for answer in self.walk(1, 3)], [first, first, second])
         visits, value = self.saved().rows[1][1]
@@ -195,37 +194,48 @@ class LearningParametersTest(LearnerTestCase):
         status = self.status.messages[-1]
         return status.alpha, status.gamma, status.trace_decay, status.epsilon
 
-    def set_parameters(self, **parameters):
-        """Sets some of the parameters."""
-        return self.succeed('learner/set_learning_parameters', **dict(NOTHING, **parameters))
+    def set_parameters(self, parameters):
+        """Sets some of the parameters; the answer."""
+        return self.succeed('learner/set_learning_parameters', parameters=parameters).message
 
-    def test_a_value_that_is_not_a_number_keeps_the_old_one(self):
+    def test_what_is_not_named_stays_as_it_is(self):
         self.start_untrained()
         self.assertEqual(self.in_force(), (0.2, 0.9, 0.0, 0.0))
-        self.assert_says(self.set_parameters(gamma=0.5).message, '0.2', '0.5')
+        self.assertEqual(self.set_parameters('{gamma: 0.5}'),
+                         'changed gamma from 0.9 to 0.5; in force are {alpha: 0.2, alpha_decay: 0, gamma: 0.5, '
+                         'lambda: 0, mirrored: false, ties: first, epsilon: 0}')
         self.status.wait(lambda status: status.gamma == 0.5)
         self.assertEqual(self.in_force(), (0.2, 0.5, 0.0, 0.0))
-        self.set_parameters(alpha=0.25, trace_decay=0.75, epsilon=1.0)
+        self.set_parameters('{alpha: 0.25, lambda: 0.75, epsilon: 1}')
         self.status.wait(lambda status: status.alpha == 0.25)
         self.assertEqual(self.in_force(), (0.25, 0.5, 0.75, 1.0))
-        self.set_parameters()
+        self.assert_says(self.set_parameters('{}'), 'nothing changed', 'alpha: 0.25')
         self.assertEqual(self.in_force(), (0.25, 0.5, 0.75, 1.0))
 
-    def test_bad_values_are_all_named_and_change_nothing(self):
+    def test_the_other_parameters_may_be_named_too(self):
         self.start_untrained()
-        bad = {'alpha': 0.0, 'gamma': 1.0, 'trace_decay': 1.5, 'epsilon': -0.1}
-        self.refuse('learner/set_learning_parameters', 'alpha', 'gamma', 'lambda', 'epsilon', **bad)
+        self.assert_says(self.set_parameters('{alpha_decay: 0.5, mirrored: true, ties: random}'),
+                         'alpha_decay from 0 to 0.5', 'mirrored from false to true', 'ties from first to random')
+        header = self.saved().header
+        self.assertEqual((header['alpha_decay'], header['mirrored'], header['ties']), (0.5, True, 'random'))
+
+    def test_an_error_names_key_range_and_value_and_changes_nothing(self):
+        self.start_untrained()
+        service = 'learner/set_learning_parameters'
+        self.refuse(service, 'alpha: expected a number above 0, at most 1, got 0', parameters='{alpha: 0}')
+        self.refuse(service, "unknown key 'alfa'", 'alpha, alpha_decay, gamma, lambda, mirrored, ties, epsilon',
+                    parameters='{alfa: 0.1}')
+        self.refuse(service, "gamma: expected a number, got '.nan'", parameters='{gamma: .nan}')
+        self.refuse(service, 'expected a map', parameters='')
         # One bad value spoils the whole request.
-        request = dict(NOTHING, alpha=0.5, gamma=float('inf'))
-        response = self.refuse('learner/set_learning_parameters', 'gamma', **request)
-        self.assertNotIn('epsilon', response.message)
-        self.set_parameters(epsilon=0.125)
+        self.refuse(service, 'gamma: expected', 'got 1', parameters='{alpha: 0.5, gamma: 1}')
+        self.set_parameters('{epsilon: 0.125}')
         self.status.wait(lambda status: status.epsilon == 0.125)
         self.assertEqual(self.in_force(), (0.2, 0.9, 0.0, 0.125))
 
     def test_they_take_effect(self):
         self.start_untrained()
-        self.set_parameters(alpha=1.0, gamma=0.0)
+        self.set_parameters('{alpha: 1, gamma: 0}')
         self.walk(0, 2)
         self.assertAlmostEqual(self.saved().rows[1][0][1], math.cos(math.radians(45))**3, places=12)
 
@@ -235,9 +245,13 @@ class LearningParametersTest(LearnerTestCase):
         self.start_one(config=recipe, mode='training')
         self.walk(5, 1)
         self.status.wait(lambda status: status.episode == 5 and abs(status.epsilon - 0.5) < 1e-12)
-        self.set_parameters(epsilon=0.0)
+        self.assert_says(self.set_parameters('{gamma: 0.5}'), 'changed gamma from 0.1 to 0.5;', 'to: 0.2')
+        self.walk(7, 1)
+        self.set_parameters('{}')
+        self.status.wait(lambda status: status.episode == 7 and abs(status.epsilon - 0.38) < 1e-12)
+        self.set_parameters('{epsilon: 0}')
         self.walk(6, 1)
-        self.set_parameters()
+        self.set_parameters('{}')
         self.status.wait(lambda status: status.episode == 6 and status.epsilon == 0.0)
 
 
@@ -290,7 +304,7 @@ class PerceptionsTest(LearnerTestCase):
         self.assertEqual(answered, [(0, 0), (1, 0)])
 
     def test_the_answer_names_what_it_answers(self):
-        self.start_one()
+        self.start_one(q_table=self.write('back.txt', q_table_text({4: {4: (1, 1.0)}})))  # goal behind: turn round
         message = add_agent(perceptions(2**40, 2**33), 0, ahead(180, 5))
         message.run = 2**63 + 1
         rotation, speed_share = self.perceiver.ask(message)[0]

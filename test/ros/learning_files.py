@@ -4,7 +4,8 @@ import yaml
 
 
 class QTableFile:
-    """A Q-table file taken apart: header as a map, rows as {row: [(visits, value) by action]}."""
+    """A Q-table file taken apart: header as a map, rows as {row: [(visits, value) by action]}, what it has of other
+    sources as {source: {row: [visits by action]}}."""
 
     def __init__(self, file):
         text = support.read_text(file)
@@ -13,7 +14,14 @@ class QTableFile:
         self.header = yaml.safe_load(header)
         *lines, self.checksum = body.splitlines()
         self.rows = {}
-        for line in lines:
+        self.others = {}
+        for line in lines[self.header['visited_rows']:]:
+            first, *words = line.split(' ')
+            if first == 'source':
+                visits = self.others.setdefault(words[0], {})
+            else:
+                visits[int(first)] = [int(word) for word in words]
+        for line in lines[:self.header['visited_rows']]:
             row, *words = line.split(' ')
             self.rows[int(row)] = [(int(words[i]), float(words[i + 1])) for i in range(0, len(words), 2)]
 

@@ -143,13 +143,9 @@ class TrainingTest(support.CrowdTestCase):
 
     def saved_after(self, learner, decisions):
         """The table of agent 0, saved once that many decisions were learned from."""
+        self.wait_until_learned(learner, decisions)
         file = self.path('ros.txt')
-
-        def has_all():
-            self.succeed(f'{learner}/save_q_table', file=file, agent=0)
-            return QTableFile(file).header['decisions'] >= decisions
-
-        support.wait_for(has_all, f'{decisions} decisions learned from')
+        self.succeed(f'{learner}/save_q_table', file=file)
         return file
 
     def check(self, scenario, tables, **parameters):

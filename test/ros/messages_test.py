@@ -375,17 +375,28 @@ class MessageFilesTest(support.CrowdTestCase):
 class CommandLineTest(support.CrowdTestCase):
     """Services as people call them by hand."""
 
-    def test_learning_parameters_by_the_names_in_the_service_file(self):
-        self.start_learner()
-        request = support.read_text(support.in_package('srv', 'SetLearningParameters.srv')).split('---')[0]
-        names = re.findall(r'^float64 (\w+)', request, re.MULTILINE)
-        self.assertEqual(len(names), 4)
+    def call_set_learning_parameters(self, argument):
+        """Calls the service by hand; the exit status and what was printed."""
         service = f'{self.namespace}/learner/set_learning_parameters'
         rospy.wait_for_service(service, support.PATIENCE)
-        arguments = ', '.join(f'{name}: .nan' for name in names)
-        caller = self.start('rosservice', ['rosservice', 'call', service, f'{{{arguments}}}'])
-        self.assertEqual(caller.wait(), 0, caller.output())
-        self.assert_says(caller.output(), 'success: True')
+        caller = self.start('rosservice', ['rosservice', 'call', service, argument])
+        return caller.wait(), caller.output()
+
+    def test_learning_parameters_as_the_service_file_says(self):
+        self.start_learner()
+        request = support.read_text(support.in_package('srv', 'SetLearningParameters.srv')).split('---')[0]
+        argument = re.search(r'rosservice call /learner/set_learning_parameters "(.*)"', request)[1]
+        status, output = self.call_set_learning_parameters(argument)
+        self.assertEqual(status, 0, output)
+        self.assert_says(output, 'success: True', 'alpha from 0.1 to 0.05')
+
+    def test_learning_parameters_cannot_be_set_by_mistake(self):
+        """Fields that a request does not have are refused: nothing is set to 0 for want of a value."""
+        self.start_learner()
+        status, output = self.call_set_learning_parameters('{alpha: 0.05}')
+        self.assertNotEqual(status, 0, output)
+        self.assert_says(output, 'alpha')
+        self.assert_says(self.call('learner/set_learning_parameters', parameters='{}').message, 'alpha: 0.1')
 
 
 def is_bare_field(line):

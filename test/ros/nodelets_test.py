@@ -128,11 +128,8 @@ class TrainingTest(NodeletTestCase):
         status.wait(what='that the learner is there')
         self.assertEqual(self.load_controller(episodes=7, seed=3).wait(), 0)
 
-        def has_all():
-            self.succeed('learner/save_q_table', file=self.path('saved.txt'), agent=0)
-            return QTableFile(self.path('saved.txt')).header['decisions'] >= decisions
-
-        support.wait_for(has_all, f'{decisions} decisions learned from')
+        self.wait_until_learned('learner', decisions)
+        self.succeed('learner/save_q_table', file=self.path('saved.txt'))
         self.assertEqual(learner.stop(), 0)  # unloads it, and it saves what it has learned
         support.wait_for(lambda: support.read_bytes(self.path('ros.txt')), 'the table saved at the end')
         self.assertEqual(support.read_text(self.path('ros.txt')), support.read_text(self.path('headless.txt')))

@@ -5,7 +5,7 @@ import threading
 
 import support
 from learning_files import QTableFile, q_table_text, recipe_text
-from perceiving import Perceiver, all_situations
+from perceiving import Perceiver, add_agent, ahead, all_situations, perceptions
 from social_crowd.msg import LearnerStatus
 
 TABLE_A = {0: {0: (3, 1.0)}, 5: {2: (7, -2.5)}}  # {row: {action: (visits, value)}}
@@ -66,7 +66,7 @@ class SaveAndLoadTest(TableTestCase):
         """Files that are no tables for this learner: name, content."""
         good = support.read_text(support.NEAREST_TABLE)
         lines = good.splitlines(keepends=True)
-        changed = lines[20].replace(' 0.', ' 0.1', 1)
+        changed = lines[20].replace(' ', ' 1', 1)
         other_actions = good.replace('rotations: 8', 'rotations: 4')
         return {
             'empty.txt': '',
@@ -95,12 +95,44 @@ class SaveAndLoadTest(TableTestCase):
     def test_a_file_that_cannot_be_written_is_told(self):
         self.start_learner()
         self.refuse('learner/save_q_table', 'file', file='')
+        self.refuse('learner/load_q_table', 'file', file='')
         self.refuse('learner/save_q_table', support.NEAREST_TABLE, file=support.NEAREST_TABLE + '/table.txt')
 
     def test_own_tables_are_saved_by_agent(self):
         self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4])
         self.assertEqual(self.saved('learner', agent=4), full(TABLE_A))
-        self.refuse('learner/save_q_table', 'agent 3', file=self.path('saved.txt'), agent=3)
+        self.refuse('learner/save_q_table', 'agent 3 is not served by', 'it serves agent 4',
+                    file=self.path('saved.txt'), agent=3)
+
+    def test_the_only_agent_need_not_be_named(self):
+        self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4])
+        response = self.succeed('learner/save_q_table', file=self.path('saved.txt'))
+        self.assert_says(response.message, 'agent 4', self.path('saved.txt'))
+        self.assertEqual(QTableFile(self.path('saved.txt')).rows, full(TABLE_A))
+        self.assert_says(self.succeed('learner/share_q_table').message, 'the Q-table of agent 4')
+
+    def test_one_of_many_must_be_named(self):
+        self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4, 5])
+        for service in ('save_q_table', 'share_q_table'):
+            request = {'file': self.path('saved.txt')} if service == 'save_q_table' else {}
+            self.refuse(f'learner/{service}', 'agent 0 is not served by', 'it serves agents 4, 5', **request)
+
+    def test_replies_name_the_absolute_path(self):
+        """A path is relative to the learner's working directory."""
+        self.start_learner()
+        file = os.path.relpath(self.path('table.txt'), os.getcwd())
+        self.assert_says(self.succeed('learner/save_q_table', file=file).message, f' to {self.path("table.txt")}')
+        self.assert_says(self.succeed('learner/load_q_table', file=file).message, f' from {self.path("table.txt")}:')
+        self.refuse('learner/load_q_table', f'{self.path("none.txt")}: ', file=os.path.relpath(self.path('none.txt')))
+
+    def test_nothing_is_told_of_files_that_are_no_q_tables(self):
+        self.start_learner()
+        for secret in ('password: secret\n', 'secret', 'social_crowd Q-table of secrets\n'):
+            response = self.refuse('learner/load_q_table', 'no Q-table of this package', "'social_crowd Q-table 1'",
+                                   file=self.write('private.txt', secret))
+            self.assertNotIn('secret', response.message)
+        response = self.refuse('learner/take_q_table', 'no Q-table of this package', q_table='secret\n')
+        self.assertNotIn('secret', response.message)
 
 
 class ShareTest(TableTestCase):
@@ -146,12 +178,14 @@ class ShareTest(TableTestCase):
         response = self.share('learner_a', 0, [3], 'replace')
         self.assertTrue(response.success, response.message)
         self.assertEqual(tuple(response.taken_by), (3,))
+        self.assert_says(response.message, 'replaced the table of agent 3 (10 visits, 10 of them new)')
         self.check_rows(TABLE_A, TABLE_A, TABLE_B, TABLE_A)
 
     def test_merging_weights_by_visits(self):
         self.start_both()
         response = self.share('learner_a', 1, [2], 'merge')
         self.assertTrue(response.success, response.message)
+        self.assert_says(response.message, 'merged into the table of agent 2 (13 visits, 10 of them new)')
         self.check_rows(TABLE_A, TABLE_A, MERGED, TABLE_B)
 
     def test_each_receiver_may_choose_the_method(self):
@@ -242,6 +276,82 @@ class ShareTest(TableTestCase):
             return self.share(learner, agent)
 
         return support.Task(share)
+
+
+class SharedPastTest(TableTestCase):
+    """What tables have in common counts once. learner_a serves agent 0, learner_b agent 1."""
+
+    TICKS = 6
+
+    def start_both(self):
+        """Starts both, which learn; they know each other then, and learner_b has the table of learner_a."""
+        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1))
+        self.start_learner('learner_a', q_table=support.NEAREST_TABLE, mode='training', agents=[0])
+        self.start_learner('learner_b', config=recipe, mode='training', agents=[1])
+        self.past = QTableFile(support.NEAREST_TABLE).visits()
+        told = support.wait_for(lambda: self.share('learner_a', [1], 'replace'), 'learner_a to know learner_b')
+        self.assert_says(told, f'replaced the table of agent 1 ({self.past} visits, {self.past} of them new)')
+        support.wait_for(lambda: self.share('learner_b', [0], 'merge'), 'learner_b to know learner_a')
+
+    def share(self, learner, to_agents, method):
+        """Shares with some agents; what the learner says, nothing if they did not take it."""
+        response = self.call(f'{learner}/share_q_table', to_agents=to_agents, method=method)
+        return response.message if response.success else None
+
+    def visits(self, learner):
+        """All visits of a learner's table."""
+        self.succeed(f'{learner}/save_q_table', file=self.path('counted.txt'))
+        return QTableFile(self.path('counted.txt')).visits()
+
+    def walk(self, perceiver, episode):
+        """Both agents walk; each learns from one decision less than there are ticks."""
+        for tick in range(self.TICKS):
+            message = add_agent(perceptions(episode, tick), 0, ahead(45, 5))
+            perceiver.tell(add_agent(message, 1, ahead(-90, 5)))
+            support.wait_for(lambda: self.answered(perceiver, episode, tick) >= {0, 1}, f'answers of tick {tick}')
+
+    @staticmethod
+    def answered(perceiver, episode, tick):
+        """Agents that were answered for."""
+        return {action.agent for message in list(perceiver.actions.messages)
+                if (message.episode, message.tick) == (episode, tick) for action in message.agents}
+
+    def test_replaced_then_merged_three_times(self):
+        """Nobody walks meanwhile: visits stay what they are."""
+        self.start_both()
+        rows = self.saved('learner_a')
+        for _ in range(3):
+            for learner, agent in (('learner_a', 1), ('learner_b', 0)):
+                self.assert_says(self.share(learner, [agent], 'merge'),
+                                 f'merged into the table of agent {agent} ({self.past} visits, 0 of them new)')
+        self.assertEqual((self.visits('learner_a'), self.visits('learner_b')), (self.past, self.past))
+        self.assertEqual((self.saved('learner_a'), self.saved('learner_b', 1)), (rows, rows))
+
+    def test_what_each_learned_since_counts_once(self):
+        self.start_both()
+        perceiver = Perceiver(self, 2)
+        self.walk(perceiver, 0)
+        news = self.TICKS - 1
+        self.assert_says(self.share('learner_a', [1], 'merge'), f'({self.past + 2 * news} visits, {news} of them new)')
+        self.assert_says(self.share('learner_b', [0], 'merge'), f'({self.past + 2 * news} visits, {news} of them new)')
+        self.walk(perceiver, 1)
+        for _ in range(2):
+            self.assertTrue(self.share('learner_a', [1], 'merge'))
+            self.assertTrue(self.share('learner_b', [0], 'merge'))
+        self.assertEqual(self.visits('learner_a'), self.past + 4 * news)
+        self.assertEqual(self.visits('learner_b'), self.past + 4 * news)
+
+    def test_a_file_on_the_way_is_recognised(self):
+        self.start_both()
+        perceiver = Perceiver(self, 2)
+        self.walk(perceiver, 0)
+        news = self.TICKS - 1
+        self.succeed('learner_a/save_q_table', file=self.path('on_the_way.txt'))
+        self.walk(perceiver, 1)
+        response = self.succeed('learner_b/load_q_table', file=self.path('on_the_way.txt'))
+        self.assert_says(response.message, f'replaced the table of agent 1 ({self.past + news} visits, {news} of them')
+        self.assert_says(self.share('learner_a', [1], 'merge'), f'({self.past + 2 * news} visits, {news} of them new)')
+        self.assert_says(self.share('learner_b', [0], 'merge'), f'({self.past + 2 * news} visits, 0 of them new)')
 
 
 class SaveToTest(support.CrowdTestCase):

@@ -16,6 +16,7 @@ import rospy
 import rostest
 from roslib.packages import find_node
 from social_crowd import srv
+from social_crowd.msg import LearnerStatus
 from std_srvs.srv import SetBool, Trigger
 
 PATIENCE = 90.0  # [s] for what comes at once on an idle machine
@@ -330,6 +331,17 @@ class CrowdTestCase(unittest.TestCase):
     def step(self, ticks=1):
         """Walks so many ticks."""
         return self.succeed('crowd_controller/step', ticks=ticks)
+
+    def wait_until_learned(self, learner, decisions):
+        """Waits until a learner has learned from so many decisions."""
+        status = self.listen('learner_status', LearnerStatus)
+
+        def has_all():
+            self.succeed(f'{learner}/set_learning_parameters', parameters='{}')  # changes nothing, publishes a status
+            name = f'{self.namespace}/{learner}'
+            return any(message.node == name and message.decisions >= decisions for message in status.messages)
+
+        wait_for(has_all, f'{decisions} decisions learned from')
 
     # Assertions
 

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
+#include <initializer_list>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "social_crowd/learning/q_table_file.h"
 
@@ -49,10 +53,20 @@ inline std::string text() {
          "checksum: 76724e3a93345499\n";
 }
 
-/// The text without its checksum.
-inline std::string body() {
-  const std::string whole = text();
-  return whole.substr(0, whole.find("checksum: "));
+/// A text without its checksum.
+inline std::string bodyOf(const std::string& text) { return text.substr(0, text.find("checksum: ")); }
+inline std::string body() { return bodyOf(text()); }
+
+/// The same table with what it has of two other sources, and the name of its own.
+inline std::string textWithSources() {
+  std::string all = body() +
+                    "source 0000000000000011 2\n"
+                    "3 0 1\n"
+                    "10 5 0\n"
+                    "source fedcba9876543210 1\n"
+                    "10 4294967295 2\n";
+  all.insert(all.find("visited_rows"), "source: '00000000000000ff'\nother_sources: 2\n");
+  return withChecksum(all);
 }
 
 /// The table that text() stands for.
@@ -69,6 +83,19 @@ inline TrainedTable trained() {
           42,
           7,
           table};
+}
+
+/// The table that textWithSources() stands for.
+inline TrainedTable trainedBySources() {
+  TrainedTable all = trained();
+  const auto visits = [&](std::initializer_list<std::pair<Row, std::array<std::uint32_t, 2>>> rows) {
+    auto counts = std::make_shared<VisitCounts>(2);
+    for (const auto& [row, of_actions] : rows) counts->add(row, of_actions.data());
+    return counts;
+  };
+  all.table.setSources(
+      0xFF, {{0x11, visits({{3, {0, 1}}, {10, {5, 0}}})}, {0xFEDCBA9876543210, visits({{10, {UINT32_MAX, 2}}})}});
+  return all;
 }
 
 }  // namespace crowd::q_table_texts

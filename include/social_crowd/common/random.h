@@ -13,7 +13,7 @@ namespace crowd {
 class KeyedRandom {
  public:
   /// @brief What is being drawn; keeps the choices of different parts independent of each other.
-  enum Stream : std::uint64_t { PLACEMENT = 1, EXPLORATION = 2, SCENARIO_CHOICE = 3, TIES = 4 };
+  enum Stream : std::uint64_t { PLACEMENT = 1, EXPLORATION = 2, SCENARIO_CHOICE = 3, TIES = 4, CONTENT = 5 };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)
       : state_(mix(mix(seed + GOLDEN_GAMMA) + stream)) {

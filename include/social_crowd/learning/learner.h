@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -98,8 +99,10 @@ class Learner {
 
   /// @brief What is in force now; epsilon as of the last episode seen.
   const LearningParameters& parameters() const { return parameters_; }
-  /// @brief Takes effect at once; epsilon stays constant from then on. @throws InputError
-  void setParameters(const LearningParameters& parameters);
+  /// @brief The same with the schedule of epsilon.
+  LearningPlan plan() const { return {parameters_, epsilon_}; }
+  /// @brief Takes effect at once; epsilon is what the schedule says of the present episode. @throws InputError
+  void setPlan(const LearningPlan& plan);
 
   std::uint64_t seed() const { return options_.seed; }
   /// @brief Decisions that were learned from, those of the loaded table included.
@@ -108,10 +111,27 @@ class Learner {
 
   /// @brief The table an agent uses; that of agents not yet known where it is unknown.
   const QTable& tableOf(AgentId agent) const;
+  /// @brief A copy of it for other agents. What it holds is recognised later as what this agent had learned.
+  QTable tableToShare(AgentId agent);
+  /// @brief A copy of it for a file, which is recognised as well. Depends on nothing but the table, so that the same
+  /// training gives the same file.
+  QTable tableToSave(AgentId agent);
+
+  /// @brief What became of a table that was given.
+  struct Taken {
+    std::uint64_t new_visits = 0;  ///< that the agent's table did not have before
+    std::uint64_t visits = 0;      ///< that it has now
+  };
+  struct TakenByAll {
+    Taken newcomers;                    ///< agents not met yet; with a shared table everybody
+    std::map<AgentId, Taken> by_agent;  ///< with own tables
+  };
   /// @brief Gives a table to everybody, now and later. @throws ShapeError, nothing has changed then.
-  void takeTable(QTable table, TakeMethod method);
+  TakenByAll takeTable(QTable table, TakeMethod method);
   /// @brief Gives a table to one agent; with shared tables that is everybody. @throws ShapeError
-  void takeTable(AgentId agent, QTable table, TakeMethod method);
+  Taken takeTable(AgentId agent, QTable table, TakeMethod method);
+  /// @brief Everybody goes on learning in this table as if all of it had been learned here. @throws ShapeError
+  void goOnIn(QTable table);
 
   /// @brief Forgets what was decided last, so that nothing is learned across the gap.
   void forgetDecisions();
@@ -147,7 +167,11 @@ class Learner {
   }
   static void copyTable(Memory& memory);
   void checkShape(const QTable& table) const;
-  void give(TablePointer& place, const QTable& table, TakeMethod method) const;
+  /// From now on what is learned is told from what the tables held before.
+  void beginSources();
+  /// Names the own source of the agent's table.
+  void nameSource(AgentId agent, SourceId name);
+  static Taken give(TablePointer& place, const QTable& table, TakeMethod method);
   void beginEpisode(std::uint64_t episode);
   void listGuests(const Perceptions& perceptions, RelativeActions& actions);
   /// How many of the bodies that an agent was told of are within the model's vision.
@@ -203,8 +227,9 @@ class Learner {
   KeyedRandom chance_;  // of the episode
   bool began_ = false;
   std::uint64_t decisions_ = 0;
-  TablePointer base_;   // of everybody (shared), or what newcomers begin with (own)
-  AgentPlaces places_;  // of memories
+  bool has_own_sources_ = false;  // what was learned here is told from what was given
+  TablePointer base_;             // of everybody (shared), or what newcomers begin with (own)
+  AgentPlaces places_;            // of memories
   std::vector<Memory> memories_;
   std::vector<Guest> guests_;  // scratch, of all agents of a tick
   Space space_;                // scratch, of all agents of a tick while learning

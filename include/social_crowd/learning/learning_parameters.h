@@ -41,8 +41,8 @@ struct LearningParameters {
 void readParameter(YamlMap& map, const std::string& key, double LearningParameters::*member,
                    LearningParameters& parameters);
 
-/// @brief Reads the key `ties`, `first` where it is not there. @throws InputError that names the place
-Ties readTies(YamlMap& map);
+/// @brief Reads the key `ties`, where it is there. @throws InputError that names the place
+Ties readTies(YamlMap& map, Ties otherwise = Ties::FIRST);
 
 /// @brief How epsilon changes over the episodes: from `first` to `last` within so many episodes, then `last`.
 struct EpsilonSchedule {
@@ -56,6 +56,9 @@ struct EpsilonSchedule {
   double at(std::uint64_t episode) const;
 };
 
+/// @brief As readLearningPlan() reads it: a number where it is constant, else {from: ..., to: ..., ...}.
+std::string toText(const EpsilonSchedule& schedule);
+
 /// @brief Learning parameters with the schedule of epsilon, as a configuration's section `learning` gives them.
 struct LearningPlan {
   LearningParameters parameters;  ///< its epsilon is the schedule's first
@@ -63,7 +66,17 @@ struct LearningPlan {
 };
 
 /// @brief Reads a map {alpha, alpha_decay, gamma, lambda, mirrored, ties, epsilon}, all optional; epsilon is a number
-/// or {from, to, episodes, shape: linear|exponential}. @throws InputError
-LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place);
+/// or {from, to, episodes, shape: linear|exponential}. What is not named is taken from `otherwise`. @throws InputError
+LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, const LearningPlan& otherwise = {});
+
+/// @brief The plan with what a text such as "{alpha: 0.05, epsilon: 0}" names changed, and the rest as it is; `name`
+/// stands for the text in messages. @throws InputError as readLearningPlan() does, and if the text is no map
+LearningPlan changedPlan(const LearningPlan& plan, const std::string& text, const std::string& name);
+
+/// @brief All of the plan as changedPlan() reads it: {alpha: 0.1, ...}.
+std::string toText(const LearningPlan& plan);
+
+/// @brief What differs: "alpha from 0.1 to 0.05, epsilon from 0.3 to 0"; empty if nothing does.
+std::string differences(const LearningPlan& before, const LearningPlan& after);
 
 }  // namespace crowd

@@ -15,6 +15,7 @@
 #include "social_crowd/ros/learner_parameters.h"
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/services.h"
+#include "social_crowd/ros/share_report.h"
 #include "social_crowd/ros/tick_messages.h"
 
 namespace crowd {
@@ -45,16 +46,20 @@ class LearnerNode {
 
   /// The agent whose table stands for all where one is to be named.
   AgentId firstAgent() const;
-  TrainedTable trained(AgentId agent) const;
-  void saveAll() const;
+  TrainedTable trained(QTable table) const;
+  /// Writes ~save_to. @param goes_on whether learning goes on in the tables
+  void saveAll(bool goes_on);
   void requireServed(AgentId agent) const;
-  std::string parametersText() const;
+  /// The agent that a request means by a number: 0 may stand for the only one there is, or for all that share a table.
+  AgentId meant(AgentId agent) const;
 
   // learner_sharing.cpp
   void share(const social_crowd::ShareQTable::Request& request, social_crowd::ShareQTable::Response& response);
   void take(const social_crowd::TakeQTable::Request& request, social_crowd::TakeQTable::Response& response);
-  std::vector<AgentId> shareWithin(const social_crowd::ShareQTable::Request& request, const TrainedTable& table);
-  std::vector<AgentId> giveTo(const std::vector<AgentId>& agents, const TrainedTable& trained, TakeMethod method);
+  /// Gives a table to some agents, or to all if none is named.
+  TakeReport giveTo(const std::vector<AgentId>& agents, QTable table, TakeMethod method);
+  void shareWithin(const std::vector<AgentId>& agents, AgentId from, const QTable& table, TakeMethod method,
+                   ShareReport& report);
 
   MainLoop loop_;
   ros::NodeHandle node_;
