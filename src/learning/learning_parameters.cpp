@@ -40,7 +40,7 @@ namespace {
 
 EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsMap()) return EpsilonSchedule::constant(readNumber(node, place, NumberRule::SHARE));
-  YamlMap map(node, place);
+  const YamlMap map(node, place, {"from", "to", "episodes", "shape"});
   EpsilonSchedule schedule;
   schedule.first = map.number("from", NumberRule::SHARE);
   schedule.last = map.number("to", NumberRule::SHARE);
@@ -54,13 +54,12 @@ EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
   } else if (shape != "linear") {
     throwExpected(map.placeOf("shape"), map.need("shape"), "linear or exponential");
   }
-  map.finish();
   return schedule;
 }
 
 }  // namespace
 
-void readParameter(YamlMap& map, const std::string& key, double LearningParameters::*member,
+void readParameter(const YamlMap& map, const std::string& key, double LearningParameters::*member,
                    LearningParameters& parameters) {
   if (!map.has(key)) return;
   LearningParameters alone;
@@ -69,7 +68,7 @@ void readParameter(YamlMap& map, const std::string& key, double LearningParamete
   parameters.*member = alone.*member;
 }
 
-Ties readTies(YamlMap& map) {
+Ties readTies(const YamlMap& map) {
   try {
     return parseTies(map.text("ties", toText(Ties::FIRST)));
   } catch (const InputError&) {
@@ -78,7 +77,7 @@ Ties readTies(YamlMap& map) {
 }
 
 LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
-  YamlMap map(node, place);
+  const YamlMap map(node, place, {"alpha", "alpha_decay", "gamma", "lambda", "mirrored", "ties", "epsilon"});
   LearningPlan plan;
   readParameter(map, "alpha", &LearningParameters::alpha, plan.parameters);
   readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, plan.parameters);
@@ -89,7 +88,6 @@ LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place) {
   plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
   if (map.has("epsilon")) plan.epsilon = readEpsilon(map.need("epsilon"), map.placeOf("epsilon"));
   plan.parameters.epsilon = plan.epsilon.at(0);
-  map.finish();
   return plan;
 }
 

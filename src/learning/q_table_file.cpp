@@ -136,7 +136,9 @@ std::string readHeaderText(LineReader& lines) {
 Header readHeader(LineReader& lines) {
   const std::vector<YAML::Node> documents = parseYamlStream(readHeaderText(lines), lines.name());
   if (documents.size() != 1) lines.fail("a header of YAML before '---'", "nothing");
-  YamlMap map(documents.front(), {lines.name(), 0, ""});
+  const YamlMap map(documents.front(), {lines.name(), 0, ""},
+                    {"state_set", "action_set", "reward", "vision", "rows", "actions", "alpha", "alpha_decay", "gamma",
+                     "lambda", "mirrored", "ties", "epsilon", "decisions", "seed", "visited_rows"});
   Header header;
   header.model = readModel(map);
   const auto rows = static_cast<std::int64_t>(header.model.state_set->rowCount());
@@ -154,7 +156,6 @@ Header readHeader(LineReader& lines) {
   header.decisions = map.count("decisions");
   header.seed = map.count("seed");
   header.visited_rows = static_cast<Row>(map.whole("visited_rows", 0, rows));
-  map.finish();
   return header;
 }
 
