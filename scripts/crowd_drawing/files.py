@@ -22,14 +22,13 @@ def find_scenario(name_or_file):
     path = pathlib.Path(name_or_file)
     if path.exists() or path.parent != pathlib.Path('.') or path.suffix not in ('', '.yaml'):
         return name_or_file
-    folders = [folder / 'config' / 'scenarios' for folder in HOMES if (folder / 'config' / 'scenarios').is_dir()]
-    named = [folder / f'{path.stem}.yaml' for folder in folders if (folder / f'{path.stem}.yaml').is_file()]
-    if named:
-        return named[0]
-    names = sorted(file.stem for folder in folders[:1] for file in folder.glob('*.yaml'))
-    near = difflib.get_close_matches(path.stem, names)
+    scenarios = {file.stem: file for home in HOMES for file in sorted((home / 'config' / 'scenarios').glob('*.yaml'))}
+    if path.stem in scenarios:
+        return scenarios[path.stem]
+    near = difflib.get_close_matches(path.stem, scenarios)
+    names = near + [name for name in scenarios if name not in near]
     raise InputError(f"no scenario '{name_or_file}'" + (f", did you mean '{near[0]}'? There" if near else ': there') +
-                     f" is no file {path.absolute()}; there are {', '.join(near + [n for n in names if n not in near])}")
+                     f" is no file {path.absolute()}; there are {', '.join(names)}")
 
 
 def read_walks(file, instance):

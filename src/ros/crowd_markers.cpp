@@ -75,7 +75,7 @@ void CrowdMarkers::takeScenario(const social_crowd::Scenario& message) {
   // Episodes of one scenario are drawn anew each; the view is not to jump with each.
   if (message.name == scenario_name_ && !scenario_name_.empty()) return;
   scenario_name_ = message.name;
-  publishFrame(middleOf(message));
+  publishFrame(middleOf(message).array().round());  // RViz's grid has its lines at whole metres of the map
 }
 
 void CrowdMarkers::publishFrame(const Vector2& middle) {

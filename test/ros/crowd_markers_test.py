@@ -142,13 +142,13 @@ class CrowdMarkersTest(unittest.TestCase):
         ear = rospy.Subscriber('/tf_static', TFMessage, lambda message: frames.extend(message.transforms))
         self.addCleanup(ear.unregister)
         far = Point(106.0, 8.0, 0.0)
-        self.begin(agent_at(0, 100.0, 20.0, goal=(102.0, 20.0)), agent_at(1, float('nan'), 0.0, goal=(103.0, 21.0)),
+        self.begin(agent_at(0, 100.0, 20.0, goal=(102.0, 20.0)), agent_at(1, float('nan'), 0.0, goal=(103.0, 22.0)),
                    walls=[Wall(Point(101.0, 10.0, 0.0), far)], name='far away')
 
         def is_there():
             moves = [(frame.header.frame_id, frame.child_frame_id, frame.transform.translation.x,
                       frame.transform.translation.y) for frame in list(frames)]
-            return ('map', 'crowd', 103.0, 14.5) in moves  # the middle of x 100 to 106, y 8 to 21
+            return ('map', 'crowd', 103.0, 15.0) in moves  # the middle of x 100 to 106, y 8 to 22
         wait_for(is_there, 'the frame in the middle')
 
     def test_radii_are_those_of_the_state_set(self):

@@ -3,10 +3,13 @@
 import os
 import re
 
+import rosbag
 import rospy
 import support
+from geometry_msgs.msg import Point, Pose2D
 from learning_files import QTableFile, recipe_text
-from social_crowd.msg import AgentStates, LearnerStatus
+from social_crowd.msg import AgentState, AgentStates, LearnerStatus, Scenario
+from visualization_msgs.msg import MarkerArray
 
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 2
@@ -205,6 +208,38 @@ class TrainTest(LaunchTestCase):
         launched = self.launch('train.launch', output=self.path('trained.txt'), config=missing, episodes=1)
         self.assert_ends_with(launched, f'~config: {missing}')
         self.assertFalse(os.path.exists(self.path('trained.txt')))
+
+
+class ReplayTest(LaunchTestCase):
+    """replay.launch."""
+
+    def record(self):
+        """A bag of an agent that has walked 0.5 m, with another one beside it."""
+        agents = [AgentState(agent=i, pose=Pose2D(0.0, i, 0.0), radius=0.25, goal=Point(3.0, i, 0.0)) for i in range(2)]
+        with rosbag.Bag(self.path('walk.bag'), 'w') as bag:
+            messages = [('scenario', Scenario(name='two', agents=agents))]
+            for tick in range(1, 11):
+                moved = [AgentState(agent=i, pose=Pose2D(0.05 * tick, i, 0.0), radius=0.25) for i in range(2)]
+                messages.append(('agents', AgentStates(tick=tick, agents=moved)))
+            for i, (topic, message) in enumerate(messages):
+                bag.write(f'{self.namespace}/{topic}', message, rospy.Time(1000.0 + 0.05 * i))
+        return self.path('walk.bag')
+
+    def test_a_recording_becomes_markers(self):
+        """Without RViz it ends with the recording."""
+        markers = self.listen('markers', MarkerArray)
+        launched = self.launch('replay.launch', bag=self.record())
+
+        def tip_of_a_path(array):
+            points = [point for marker in array.markers if marker.ns == 'paths' for point in marker.points]
+            return any(abs(point.x - 0.5) < 1e-6 for point in points)
+        markers.wait(tip_of_a_path, 'with a path to the place of the last tick')
+        self.assertEqual(launched.wait(), 0, launched.output())
+        self.assert_no_complaint(launched, 'WARN|ERROR|FATAL')
+
+    def test_the_bag_must_be_there(self):
+        launched = self.launch('replay.launch', bag=self.path('missing.bag'))
+        self.assert_ends_with(launched, 'missing.bag')
 
 
 if __name__ == '__main__':

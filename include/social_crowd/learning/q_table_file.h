@@ -19,7 +19,7 @@ struct TrainedTable {
   QTable table;
 };
 
-/// @brief The text of a Q-table file (docs/q_table_file.md): a header of YAML lines, one line a visited row, a
+/// @brief The text of a Q-table file (docs/learning.md, "Q-table files"): a header of YAML lines, one line a visited row, a
 /// checksum.
 std::string toText(const TrainedTable& trained);
 

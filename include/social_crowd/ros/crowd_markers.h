@@ -19,7 +19,8 @@ MarkerParameters readMarkerParameters(const ros::NodeHandle& private_node);
 /// @brief The node that shows a crowd in RViz. It knows the crowd from topics alone, so that a recording can be shown
 /// as well.
 ///
-/// It also publishes the frame `crowd`, in the middle of the scenario, to which RViz's view is bound.
+/// It also publishes the frame `crowd`, in the middle of the scenario (at whole metres), to which RViz's view and grid
+/// are bound.
 ///
 /// Draws at a limited rate, and only if somebody listens and something has changed. Once a second everything is
 /// repeated, changed or not: RViz forgets the markers of a namespace that is switched off and needs them when it is

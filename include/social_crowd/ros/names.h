@@ -35,6 +35,6 @@ constexpr const char* SET_LEARNING_PARAMETERS = "set_learning_parameters";
 // Frames.
 constexpr const char* MAP_FRAME = "map";
 constexpr const char* AGENT_FRAME_PREFIX = "agent_";
-constexpr const char* CROWD_FRAME = "crowd";  ///< in the middle of the scenario, axes as in map
+constexpr const char* CROWD_FRAME = "crowd";  ///< in the middle of the scenario, at whole metres; axes as in map
 
 }  // namespace crowd::names
