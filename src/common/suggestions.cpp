@@ -54,7 +54,10 @@ std::string didYouMean(std::string_view given, const std::vector<std::string>& k
 
 std::string joinNames(const std::vector<std::string>& names, const std::string& prefix) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + prefix + name;
+  for (const std::string& name : names) {
+    if (!text.empty()) text += ", ";
+    text.append(prefix).append(name);
+  }
   return text;
 }
 

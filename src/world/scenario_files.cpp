@@ -66,11 +66,8 @@ std::vector<std::string> namesIn(const fs::path& folder) {
 }  // namespace
 
 std::string shippedScenarios() {
-  static const std::string folder = [] {
-    const fs::path installed = installedScenarios();
-    return installed.empty() ? std::string(SCENARIOS_IN_SOURCE) : installed.string();
-  }();
-  return folder;
+  const fs::path installed = installedScenarios();
+  return installed.empty() ? std::string(SCENARIOS_IN_SOURCE) : installed.string();
 }
 
 std::string findScenario(const std::string& name_or_file, const std::string& base, const std::string& folder) {
@@ -78,7 +75,8 @@ std::string findScenario(const std::string& name_or_file, const std::string& bas
   const fs::path path(name_or_file);
   const fs::path file = fs::path(base) / path;
   const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == EXTENSION);
-  if (isFile(file) || (!is_bare && isFolder(file))) return file.lexically_normal().string();  // who reads a folder says so
+  const bool is_plainly_a_folder = !is_bare && isFolder(file);  // who reads it says so
+  if (isFile(file) || is_plainly_a_folder) return file.lexically_normal().string();
   const fs::path named = fs::path(folder) / (path.stem().string() + EXTENSION);
   if (is_bare && isFile(named)) return named.string();
   throwNoScenario(path, file, folder, is_bare);

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The examples of the documentation: what the pages print is built and run as it stands there."""
+import csv
 import os
 import re
 import subprocess
@@ -111,8 +112,21 @@ class OwnLearnerPageTest(support.CrowdTestCase):
         self.assert_says(served.output(), ' 0 answers missed')
 
 
-class RecipeKeysTest(support.CrowdTestCase):
-    """docs/learning.md: the keys that a recipe needs."""
+class LearningPageTest(support.CrowdTestCase):
+    """docs/learning.md: the keys that a recipe needs, and the recipe that it advises."""
+
+    def test_what_is_advised_arrives(self):
+        """The page says 100 %; the naive recipe is read at least."""
+        recipes = examples('learning.md')
+        recipe = self.write('advised.yaml', recipes['advised.yaml'])
+        self.tool('train', recipe, '--output', self.path('table.txt'))
+        self.tool('evaluate', '--q-table', self.path('table.txt'), '--episodes', 100, '--seed', 1000, '--csv',
+                  self.path('figures.csv'), 'single_obstacle', 'circle12_varied')
+        with open(self.path('figures.csv'), newline='', encoding='utf-8') as stream:
+            rates = [(float(row['success_pct']), float(row['contact_pct'])) for row in csv.DictReader(stream)]
+        self.assertEqual(rates, [(100.0, 0.0), (100.0, 0.0)])
+        naive = self.write('naive.yaml', recipes['naive.yaml'])
+        self.tool('train', naive, '--output', self.path('table.txt'), '--episodes', 1)
 
     def test_the_least_recipe_is_one(self):
         text = examples('learning.md')['least.yaml']

@@ -19,8 +19,8 @@ struct TrainedTable {
   QTable table;
 };
 
-/// @brief The text of a Q-table file (docs/learning.md, "Q-table files"): a header of YAML lines, one line a visited row, a
-/// checksum.
+/// @brief The text of a Q-table file (docs/learning.md, "Q-table files"): a header of YAML lines, one line a visited
+/// row, a checksum.
 std::string toText(const TrainedTable& trained);
 
 /// @brief Reads what toText() wrote, bit for bit; `name` stands for the file in messages.

@@ -12,7 +12,8 @@ namespace crowd {
 
 /// @brief What and how to train, beside the learning itself.
 struct TrainingPlan {
-  std::vector<std::string> scenarios;  ///< files that are there; an episode takes the next document of all of them, round and round
+  std::vector<std::string>
+      scenarios;  ///< files that are there; an episode takes the next document of all of them, round and round
   std::uint64_t episodes = 0;
   std::uint64_t seed = 1;
   TableUse tables = TableUse::SHARED;
