@@ -5,20 +5,17 @@ from crowd_experiments.program import Program, find_config, find_tools
 from crowd_experiments.runs import RunError
 
 from . import experiments
-from .document import fill_document
 from .setting import ComparisonSetting
 
 
 class ComparisonProgram(Program):
-    """A program that may be given the steering benchmark, and fills a document with what it measured."""
+    """A program that may be given the steering benchmark."""
 
     def parser(self):
         parser = super().parser()
         parser.add_argument('--benchmark', type=pathlib.Path, metavar='FOLDER',
                             help='of the steering benchmark: scenarios/, reference.csv, score.py; what needs it is '
                                  'left out without it')
-        parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md',
-                            help="also fill this document's tables, and the pictures it shows in images/ beside it")
         return parser
 
     def setting_of(self, arguments):
@@ -31,12 +28,6 @@ class ComparisonProgram(Program):
             if {'all', experiment.NAME} & set(arguments.experiments) and not experiment.plan(setting):
                 print(f'{experiment.NAME}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)
         return setting
-
-    def write(self, setting, chapters, arguments):
-        if arguments.document:
-            for told in fill_document(arguments.document, chapters):
-                print(told)
-        return super().write(setting, chapters, arguments)
 
 
 PROGRAM = ComparisonProgram(

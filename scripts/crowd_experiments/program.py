@@ -1,13 +1,16 @@
 """A program that carries out experiments and writes a page about them."""
 import argparse
 import dataclasses
+import itertools
 import os
 import pathlib
 import signal
 import subprocess
 import sys
+import textwrap
 import time
 
+from .document import fill_document
 from .page import write_page, write_tables
 from .progress import text_of
 from .runs import RunError, Runner
@@ -15,6 +18,7 @@ from .setting import Setting
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ('train', 'evaluate')
+LONGEST_CELL = 80  # [characters] of a printed table
 EXIT_FINE, EXIT_FAILED, EXIT_INTERRUPTED = 0, 1, 130
 
 
@@ -68,6 +72,8 @@ class Program:
                             help='tiny numbers that mean nothing, to see that all works')
         parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER',
                             help='of train and evaluate (default: beside this program; else they are built)')
+        parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md',
+                            help="also fill this document's tables, and the pictures it shows in images/ beside it")
         return parser
 
     def parse_arguments(self, words):
@@ -76,8 +82,11 @@ class Program:
     def setting_of(self, arguments):
         return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick)
 
-    def write(self, setting, chapters, _arguments):
-        """The page; returns its file."""
+    def write(self, setting, chapters, arguments):
+        """The page, and what the document asks for; returns the page's file."""
+        if arguments.document:
+            for told in fill_document(arguments.document, chapters):
+                print(told)
         page = setting.results / 'index.html'
         write_page(page, self.title, self.name, chapters,
                    self.intro + (' Quick numbers, which mean nothing.' if setting.quick else ''))
@@ -132,8 +141,8 @@ def find_config():
 
 
 def carry_out(setting, chosen, arguments):
-    """Does the runs that are not done yet."""
-    runs = [run for experiment in chosen for run in experiment.plan(setting)]
+    """Does the runs that are not done yet; those that several experiments need once."""
+    runs = list({run.folder: run for experiment in chosen for run in experiment.plan(setting)}.values())
     left = runs if arguments.force else [run for run in runs if not run.is_done()]
     print(f'{len(runs)} runs, {len(runs) - len(left)} of them done before', flush=True)
     if not left:
@@ -149,13 +158,14 @@ def carry_out(setting, chosen, arguments):
 
 
 def print_table(table):
-    """A table for the eye."""
-    rows = [table.header, *table.rows]
-    widths = [max(len(row[i]) for row in rows) for i in range(len(table.header))]
+    """A table for the eye; long texts are broken into lines."""
+    rows = [[textwrap.wrap(cell, LONGEST_CELL) for cell in row] for row in (table.header, *table.rows)]
+    widths = [max(len(line) for row in rows for line in row[i] or ['']) for i in range(len(table.header))]
     print(f'\n{table.title}')
     for row in rows:
-        print('  '.join(f'{cell:<{width}}' if i == 0 else f'{cell:>{width}}'
-                        for i, (cell, width) in enumerate(zip(row, widths))))
+        for line in itertools.zip_longest(*row, fillvalue=''):
+            print('  '.join(f'{cell:<{width}}' if i == 0 else f'{cell:>{width}}'
+                            for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
 
 
 def interrupt(_signal, _frame):

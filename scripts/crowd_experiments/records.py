@@ -12,7 +12,7 @@ def read_csv(file):
         rows = csv.reader(stream)
         names = next(rows)
         columns = list(zip(*rows)) or [()] * len(names)
-    return {name: list(column) if name in TEXTS else numpy.array(column, dtype=float)
+    return {name: list(column) if name in TEXTS else numpy.array(list(map(float, column)))
             for name, column in zip(names, columns)}
 
 
@@ -35,8 +35,9 @@ def percent(flags):
 
 
 def rates(record, rows=slice(None)):
-    """Success and contact [%], as shares of the agents in those rows of a record."""
-    return percent(record['arrived'][rows]), percent(record['touched'][rows])
+    """Success, contact and collision [%], as shares of the agents in those rows of a record. A contact is an overlap
+    of bodies; a collision is the thesis's (4.1), a rim within the collision radius."""
+    return tuple(percent(record[column][rows]) for column in ('arrived', 'touched', 'collided'))
 
 
 def of_scenario(record, name):
@@ -66,6 +67,28 @@ def read_table_header(file):
             key, _, value = line.partition(': ')
             header[key] = value.strip()
     raise ValueError(f'{file}: the header has no end')
+
+
+def read_visits(file):
+    """How often each row of a Q-table was visited; rows that were not are left out."""
+    with open(file, encoding='utf-8') as stream:
+        lines = iter(stream)
+        for line in lines:
+            if line.startswith('---'):
+                break
+        rows = [line.split() for line in lines if line[0].isdigit()]
+    return {int(row[0]): sum(map(int, row[1::2])) for row in rows}
+
+
+def spread_text(values, decimals=2):
+    """Mean ± standard deviation (lowest-highest) of the seeds that have a number; says how many have none."""
+    values = numpy.array(list(values), dtype=float)
+    numbers = finite(values)
+    text = Spread(numbers).text(decimals)
+    if len(numbers) == len(values):
+        return text
+    kind = 'infinite' if numpy.isinf(values).any() else 'none'
+    return f'{text}; {kind} in {len(values) - len(numbers)} of {len(values)} seeds'
 
 
 class Spread:

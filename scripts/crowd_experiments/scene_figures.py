@@ -1,15 +1,51 @@
-"""Scenes with what was walked in them, as panels of figures."""
+"""Scenes with what was walked in them, and what agents perceive, as panels of figures."""
+import math
+
+from matplotlib.patches import Circle, Wedge
+
 from crowd_drawing.files import read_scene, read_walks
 from crowd_drawing.motion import place_of
 from crowd_drawing.picture import OBSTACLE_COLOUR, START_ALPHA, Picture, colours_of
 
+CLASS_COLOURS = {1: '#e31a1c', 2: '0.6'}  # the inner radius is red in the thesis, the rest of the surroundings grey
 
-def draw_scene(axes, scenario, trajectories, instance, colour=None):
-    """A scene with the whole paths of one instance."""
+
+def draw_scene(axes, scenario, trajectories, instance, colour=None, obstacle_colour=OBSTACLE_COLOUR):
+    """A scene with the whole paths of one instance; returns the picture."""
     _, walks = read_walks(trajectories, instance)
     axes.set_xlabel('x [m]')
     axes.set_ylabel('y [m]')
-    draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), colour, with_starts=True).frame()
+    picture = draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), colour, with_starts=True,
+                          obstacle_colour=obstacle_colour)
+    picture.frame()
+    return picture
+
+
+def draw_perception(axes, scene, view, sectors, radii, limits):
+    """What an agent perceives. View: its x, y [m] and heading [degrees]; sectors: those that are occupied, each to the
+    radius of its class; radii of the classes [m]; limits of all sectors, from straight ahead [degrees]."""
+    x, y, heading = view
+    picture = Picture(axes)
+    for obstacle in scene.obstacles:
+        picture.disc(obstacle['position'], obstacle['radius'], facecolor='#d9d2e9', edgecolor='0.35', linewidth=0.8)
+        picture.show(obstacle['position'], obstacle['radius'])
+    for sector in sectors:
+        axes.add_patch(Wedge((x, y), radii[sector.distance_class - 1], heading + sector.begin, heading + sector.end,
+                             facecolor=CLASS_COLOURS[sector.distance_class], alpha=0.55, edgecolor='none', zorder=3))
+    for limit in limits:
+        angle = math.radians(heading + limit)
+        axes.plot([x, x + radii[-1] * math.cos(angle)], [y, y + radii[-1] * math.sin(angle)], color='0.45',
+                  linewidth=0.6, zorder=4)
+    for distance_class, radius in enumerate(radii, 1):
+        axes.add_patch(Circle((x, y), radius, fill=False, edgecolor=CLASS_COLOURS[distance_class], linewidth=1.2,
+                              zorder=5))
+    body = scene.agents[0]
+    picture.disc((x, y), body['radius'], facecolor='#1f77b4', edgecolor='none', alpha=0.9, zorder=6)
+    ahead = math.radians(heading)
+    axes.annotate('', (x + 0.45 * math.cos(ahead), y + 0.45 * math.sin(ahead)), (x, y), zorder=7,
+                  arrowprops={'arrowstyle': '-|>', 'color': 'black'})
+    picture.show((x, y), radii[-1])
+    return picture
 
 
 def last_tick_of(walks):
@@ -17,14 +53,15 @@ def last_tick_of(walks):
     return max(walk[-1][0] for walk in walks.values())
 
 
-def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_ways=True):
-    """Everybody at a tick, with goals and the paths so far; who has arrived is a circle at its end. All of them have
-    the colour, or each its own of a list. Without ways only who is still there is drawn. Returns the picture, whose
-    limits are not set yet."""
+def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_ways=True, marked=None,
+                obstacle_colour=OBSTACLE_COLOUR):
+    """All agents at a tick, with goals and the paths so far; an agent that has arrived is a circle at its end. All of
+    them have the colour, or each its own of a list; the marked one has a black ring. Without ways only those who are
+    still there are drawn. Returns the picture, whose limits are not set yet."""
     picture = Picture(axes)
     for obstacle in scene.obstacles:
         centre = place_of(obstacle, tick * scene.tick)
-        picture.disc(centre, obstacle['radius'], facecolor=OBSTACLE_COLOUR, edgecolor='0.35', linewidth=0.8)
+        picture.disc(centre, obstacle['radius'], facecolor=obstacle_colour, edgecolor='0.35', linewidth=0.8)
         picture.show(centre, obstacle['radius'])
     for wall in scene.walls:
         picture.draw_wall(wall)
@@ -35,7 +72,16 @@ def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_w
             draw_walker(picture, scene.agents[agent], walk, tick, colour[agent], with_starts)
         elif walk[-1][0] >= tick:
             draw_body(picture, scene.agents[agent], walk, tick, colour[agent])
+    if marked is not None:
+        place = place_at(walks[marked], tick)
+        picture.disc(place, 1.7 * scene.agents[marked]['radius'], fill=False, edgecolor='black', linewidth=1.8,
+                     zorder=9)
     return picture
+
+
+def place_at(walk, tick):
+    """Where an agent is at a tick, or where it left."""
+    return next(((x, y) for at, x, y in walk if at >= tick), walk[-1][1:])
 
 
 def draw_body(picture, body, walk, tick, colour):

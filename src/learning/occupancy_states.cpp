@@ -76,7 +76,7 @@ OccupancyStates::SectorSet OccupancyStates::limitsCut(const Segment& wall, doubl
     const Vector2 limit(limit_xs_[i], limit_ys_[i]);
     const double from = cross(limit, wall.from);
     const double to = cross(limit, wall.to);
-    if (from == to || (from > 0.0) == (to > 0.0)) continue;  // the wall does not cross the line of the limit
+    if (from == to || from * to > 0.0) continue;  // the wall does not cross the line of the limit, or lies along it
     const Vector2 crossing = wall.from + from / (from - to) * (wall.to - wall.from);
     const double along = limit.dot(crossing);
     cut |= static_cast<SectorSet>(along >= 0.0 && along <= length) << i;

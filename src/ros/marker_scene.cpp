@@ -103,9 +103,13 @@ void MarkerScene::show(const AgentStates::ConstPtr& states) {
 }
 
 void MarkerScene::take(const PerceptionsMessage& message) {
+  const Perceptions& told = message.content();
+  Perceptions own = only(options_.agent, told);
+  // In a sequential tick the other agents have turns of their own: what the chosen one perceived in its turn stays.
+  const bool is_next = told.episode == perceptions_.episode && told.tick <= perceptions_.tick + 1 && !told.last;
+  if (own.agents.empty() && is_next) return;
   perceptions_ = Perceptions();
   changed_ = true;
-  Perceptions own = only(options_.agent, message.content());
   requireSound(own);
   perceptions_ = std::move(own);
 }

@@ -234,7 +234,7 @@ ObstacleGroup readObstacles(const YAML::Node& node, const YamlPlace& place, cons
   group.line = lineOf(node);
   readPosition(map, group);
   group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
-  group.count = readCount(map, !group.between && group.position.isFixed());
+  group.count = readCount(map, group.between ? group.between->isFixed() : group.position.isFixed());
   readMotion(map, units, group);
   return group;
 }

@@ -148,13 +148,12 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
     if (!isSound(given.action)) throwUnsound(given);
     if (given.agent == id && action == nullptr) action = &given.action;
   }
-  if (id >= agents_.size()) return;
+  if (!isActive(id)) return;
   had_turn_[id] = true;
   Agent& agent = agents_[id];
   beginMove(agent, action);
-  if (!agent.acted) return;
-  if (contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
-  updateGridOf(agent);
+  if (agent.acted && contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
+  updateGridOf(agent);  // also of one that stays: its velocity is another
 }
 
 void World::endTick(Workers& workers) {

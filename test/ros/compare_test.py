@@ -15,12 +15,12 @@ SCRIPTS = support.in_package('scripts')
 sys.path.insert(0, SCRIPTS)
 from crowd_comparison import bars  # noqa: E402
 from crowd_comparison.avoidability import Contact, Recording  # noqa: E402
-from crowd_comparison.document import fill_document  # noqa: E402
 from crowd_comparison.figures_csv import (judged, largest_difference, not_slower, read_figures,  # noqa: E402
                                           time_against)
 from crowd_comparison.lane_order import lane_order, order_above_chance, order_over_time  # noqa: E402
 from crowd_drawing.files import Scene  # noqa: E402
 from crowd_experiments.chapter import Chapter  # noqa: E402
+from crowd_experiments.document import fill_document  # noqa: E402
 from crowd_experiments.records import read_tracks  # noqa: E402
 from crowd_experiments.runs import processor_seconds  # noqa: E402
 

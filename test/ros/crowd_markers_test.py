@@ -272,6 +272,20 @@ class CrowdMarkersTest(unittest.TestCase):
         self.begin(agent_at(0, 0.0, 0.0))
         wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector of the episode before')
 
+    def test_sectors_stay_while_other_agents_have_their_turns(self):
+        self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 9.0, 9.0))
+        self.learn('occupancy')
+        self.perceive(Pose2D(), [PerceivedBody(x=0.5, radius=0.25)])
+        wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector')
+        turn = Perceptions(episode=self.episode, turn=1, agents=[AgentPerception(agent=1, goal_x=1.0)])
+        self.perceptions.publish(turn)
+        self.show(agent_at(0, 0.0, 0.0), agent_at(1, 8.0, 9.0))
+        wait_for(lambda: max(x for x, _ in self.picture.points('bodies')) < 8.5, 'what came after the turn')
+        self.assertIn('sectors', self.picture.kinds())
+        turn.tick = 2  # and the chosen one has had no turn in tick 1
+        self.perceptions.publish(turn)
+        wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector of two ticks ago')
+
     def test_nobody_chosen_means_no_sectors(self):
         plain = Picture('plain_markers')
         self.addCleanup(plain.close)

@@ -170,6 +170,46 @@ class SolidTest(BroadcastTestCase):
         self.assertEqual((result.contact_percent, result.agents[0].touched), (100.0, True))
 
 
+class SequentialTest(BroadcastTestCase):
+    """Agents that take turns, and what is within their collision radius."""
+
+    def test_each_agent_is_asked_in_a_turn_of_its_own(self):
+        self.start_all(SCENE + 'order: sequential\n')
+        self.step(2)
+        self.ears['agents'].wait_at(0, 2)
+        self.assertEqual(self.ears['scenario'].wait().order, Scenario.SEQUENTIAL)
+        asked = [(m.tick, m.turn, [agent.agent for agent in m.agents]) for m in self.ears['perceptions'].messages]
+        for tick in (0, 1):
+            for turn in (0, 1):
+                self.assertIn((tick, turn, [turn]), asked)
+        velocities = [m.bodies[0].velocity_x for m in self.ears['perceptions'].messages if (m.tick, m.turn) == (0, 1)]
+        self.assertNotEqual(velocities[0], 0.0, 'agent 1 should perceive that agent 0 has moved in this tick')
+
+    def test_states_are_those_of_the_end_of_a_tick(self):
+        self.start_all(SCENE + 'order: sequential\n', agents_rate=0.0)
+        self.step(3)
+        for tick in (1, 2, 3):
+            state = self.ears['agents'].wait_at(0, tick)
+            self.assertAlmostEqual(state.obstacles[0].position.x, 3 + 0.05 * tick)
+
+    def test_collisions_are_told_and_counted(self):
+        self.start_all(BOX)  # walls 0.26 m from the agent's centre
+        self.step(2)
+        result = self.ears['episode_results'].wait_at(0, 2)
+        scenario = self.ears['scenario'].wait()
+        self.assertEqual((scenario.order, scenario.collision_radius), (Scenario.SIMULTANEOUS, 0.5))
+        agent = self.ears['agents'].wait_at(0, 2).agents[0]
+        self.assertEqual((agent.in_collision, agent.collided), (True, True))
+        self.assertEqual((result.collision_percent, result.agents[0].collided), (100.0, True))
+
+    def test_nobody_collides_beyond_the_collision_radius(self):
+        self.start_all(BOX + 'collision_radius: 0.2\n')
+        self.step(2)
+        result = self.ears['episode_results'].wait_at(0, 2)
+        self.assertEqual(self.ears['scenario'].wait().collision_radius, 0.2)
+        self.assertEqual((result.collision_percent, result.agents[0].collided), (0.0, False))
+
+
 class OcclusionTest(BroadcastTestCase):
     """Who is perceived."""
 

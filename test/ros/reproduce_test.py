@@ -10,14 +10,22 @@ import stat
 import statistics
 import sys
 
+import numpy
 import support
+import yaml
 from roslib.packages import find_node
 
 SCRIPTS = support.in_package('scripts')
 sys.path.insert(0, SCRIPTS)
 from crowd_drawing.motion import place_of  # noqa: E402
-from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv  # noqa: E402
+from crowd_experiments.chapter import Chapter  # noqa: E402
+from crowd_experiments.records import (Spread, median, of_scenario, rates, read_csv, read_visits,  # noqa: E402
+                                       spread_text)
 from crowd_experiments.runs import Run  # noqa: E402
+from crowd_experiments.setting import Setting  # noqa: E402
+from crowd_experiments.variations import changed, vary_recipe, vary_scenario  # noqa: E402
+from crowd_reproduction import claim, open_choices, reward_claims, reward_judges, reward_runs  # noqa: E402
+from crowd_reproduction.experiments import sensitivity  # noqa: E402
 
 REWARDS = ('distance_gained', 'cosine_cubed')
 
@@ -36,16 +44,22 @@ class ReproduceTest(support.CrowdTestCase):
         return set(glob.glob(self.path('results/runs/*/*/done.txt')))
 
     def test_quick_from_end_to_end(self):
-        first = self.reproduce('reward_evaluation', '--quick')
+        document = self.write('page.md', '<!-- table reward_evaluation/headings -->\n<!-- end -->\n')
+        first = self.reproduce('reward_evaluation', '--quick', '--document', document)
         self.assertEqual(first.wait(), 0, first.output())
-        self.assertEqual(len(self.stamps()), 8)  # two rewards, two sets of parameters, two seeds
+        # Two rewards, two seeds: two sets of parameters, two other headings, longer training.
+        self.assertEqual(len(self.stamps()), 20)
+        self.assertEqual(support.read_text(document).count('\n| thesis\'s parameters, heading: '), 12)
         page = support.read_text(self.path('results/index.html'))
         self.assertIn('4.1-4.12', page)
         self.assertIn('scripts/reproduce reward_evaluation', page)
         self.assertNotIn('<script', page)
-        self.assertEqual(page.count('<img src="data:image/png;base64,'), 7)
-        self.assertEqual(len(glob.glob(self.path('results/figures/*.png'))), 7)
+        figures = {'fig_4_01.png', *(f'fig_4_{number:02d}{parameters}.png' for number in range(2, 13)
+                                     for parameters in ('', '_better'))}
+        self.assertEqual(set(os.listdir(self.path('results/figures'))), figures)
+        self.assertEqual(page.count('<img src="data:image/png;base64,'), len(figures))
         self.check_table()
+        self.check_claims()
         self.check_going_on()
 
     def check_table(self):
@@ -64,13 +78,26 @@ class ReproduceTest(support.CrowdTestCase):
         self.assertEqual(len(rows), 20)
         return 100.0 * sum(row['arrived'] == '1' for row in rows) / len(rows)
 
+    def check_claims(self):
+        """Each claim about the rewards is judged from the records."""
+        setting = Setting(pathlib.Path(), pathlib.Path(support.in_package('config')),
+                          pathlib.Path(self.path('results')), quick=True)
+        chapter = Chapter('claims', 'Claims')
+        claim.add_claims(chapter, 'Rewards', reward_claims.CLAIMS, setting, 'rewards')
+        rows = chapter.tables()[0].rows
+        self.assertEqual(len(rows), len(reward_claims.CLAIMS))
+        self.assertTrue({row[3] for row in rows} <= {claim.COMES_OUT, claim.IN_PART, claim.NOT})
+        arrivals = [self.success_in(f'cosine_cubed_thesis_{seed:02d}/demo.csv') for seed in (1, 2)]
+        self.assertIn(f'cos³ {statistics.mean(arrivals):.2f} ', next(
+            row[2] for row in rows if row[1] == 'success in demo is "slightly better" with cos³ (%)'))
+
     def check_going_on(self):
         """Runs that are done are kept; one that is not is done again."""
         os.remove(sorted(self.stamps())[0])
         again = self.reproduce('reward_evaluation', '--quick')
         self.assertEqual(again.wait(), 0, again.output())
-        self.assertIn('8 runs, 7 of them done before', again.output())
-        self.assertEqual(len(self.stamps()), 8)
+        self.assertIn('20 runs, 19 of them done before', again.output())
+        self.assertEqual(len(self.stamps()), 20)
 
     def test_interrupted(self):
         running = self.reproduce('ambiguity')
@@ -112,15 +139,179 @@ class RecordsTest(support.CrowdTestCase):
 
     def test_record(self):
         record = read_csv(self.write(
-            'record.csv', 'episode,scenario,arrived,touched,path_ratio\n'
-                          '0,"a, b",1,0,1.5\n1,"a, b",0,0,nan\n2,c,1,1,1.25\n3,"a, b",1,1,2.5\n'))
-        self.assertEqual(rates(record), (75.0, 50.0))
+            'record.csv', 'episode,scenario,arrived,touched,collided,path_ratio\n'
+                          '0,"a, b",1,0,1,1.5\n1,"a, b",0,0,1,nan\n2,c,1,1,1,1.25\n3,"a, b",1,1,1,2.5\n'))
+        self.assertEqual(rates(record), (75.0, 50.0, 100.0))
         self.assertEqual(median(record['path_ratio']), 1.5)
         rows = of_scenario(record, 'a, b')
         self.assertEqual(list(rows), [True, True, False, True])
-        success, contact = rates(record, rows)
+        success, contact, collision = rates(record, rows)
         self.assertAlmostEqual(success, 200.0 / 3.0)
         self.assertAlmostEqual(contact, 100.0 / 3.0)
+        self.assertEqual(collision, 100.0)
+
+    def test_spread_says_where_there_is_no_number(self):
+        self.assertEqual(spread_text([1.0, 2.0, 6.0], 1), '3.0 ± 2.6 (1.0-6.0)')
+        self.assertEqual(spread_text([1.0, math.inf, 3.0], 0), '2 ± 1 (1-3); infinite in 1 of 3 seeds')
+        self.assertEqual(spread_text([math.nan, math.nan]), '-; none in 2 of 2 seeds')
+
+    def test_visits(self):
+        file = self.write('q_table.txt', 'a header\nrows: 3\n---\n0 5 0.25 7 -1e-3\n2 1 0.5 0 0\nchecksum: 12ab\n')
+        self.assertEqual(read_visits(file), {0: 12, 2: 1})
+
+    def test_measures_of_an_episode(self):
+        record = {'path_per_gain': numpy.array([1.5, math.nan, 4.0]), 'gain_per_tick': numpy.array([0.02, 0.0, 0.01]),
+                  'path_ratio': numpy.array([1.4, 20.0, 3.0]), 'arrived': numpy.array([1.0, 0.0, 1.0])}
+        self.assertEqual(reward_runs.path_per_gain(record), 4.0)  # of 1.5, 4 and an infinite one
+        self.assertAlmostEqual(reward_runs.shortfall(record), 0.02)  # of 0.01, 0.03 and 0.02
+        self.assertAlmostEqual(reward_runs.path_ratio(record), 2.2)
+        self.assertEqual(reward_runs.breadth(numpy.arange(11.0), (10, 90)), 8.0)  # from 1 to 9
+        self.assertEqual(reward_runs.breadth(numpy.array([1.0, math.inf]), (10, 90)), math.inf)
+
+    def test_quarter(self):
+        record = {'arrived': numpy.array([0, 1, 1, 1, 0, 0, 1, 1])}
+        self.assertEqual(reward_judges.quarter(self.share_of_arrivals, False)(record), 0.5)
+        self.assertEqual(reward_judges.quarter(self.share_of_arrivals, True)(record), 1.0)
+
+    @staticmethod
+    def share_of_arrivals(record):
+        return record['arrived'].mean()
+
+    def test_bends(self):
+        # 1.2 m east in a zigzag, 0.6 m north, 0.6 m north-west; then the agent has left.
+        steps = [(0.03, 0.01), (0.03, -0.01)] * 20 + [(0.0, 0.03)] * 20 + [(-0.03, 0.03)] * 20
+        places = numpy.vstack([[0.0, 0.0], numpy.cumsum(steps, axis=0), [[math.nan, math.nan]] * 5])
+        total, sharpest = reward_runs.bends(places)
+        self.assertAlmostEqual(total, 90.0 + 45.0)
+        self.assertAlmostEqual(sharpest, 90.0)
+
+    def test_separation(self):
+        def separated(*gains):
+            return reward_judges.separated({'gain_per_tick': numpy.array(gains)})
+        self.assertTrue(separated(0.001, 0.016, 0.0, 0.017))
+        self.assertFalse(separated(0.012, 0.016, 0.010, 0.014))
+        # One of forty is less than a twentieth.
+        self.assertFalse(separated(0.0, *[0.016] * 39))
+        self.assertTrue(separated(0.0, 0.0, *[0.016] * 38))
+        # One of two hundred in between does not matter, five of them do.
+        self.assertTrue(separated(*[0.0] * 20, 0.004, *[0.008] * 179))
+        self.assertFalse(separated(*[0.0] * 20, *[0.004] * 5, *[0.008] * 175))
+
+
+class ClaimTest(support.CrowdTestCase):
+    """The rule by which claims are judged."""
+
+    def test_the_mean_and_three_quarters_of_the_seeds(self):
+        # 2.25 > 1, and the differences 2, 2, 2, -1 have the standard error 1.5 / 2; three of four.
+        self.assertEqual(claim.decide_greater([3, 3, 3, 0], [1, 1, 1, 1]), claim.COMES_OUT)
+        # The mean only: 4 > 1, the differences 8, 4, 0, 0 have the standard error sqrt(44 / 3) / 2 = 1.9.
+        self.assertEqual(claim.decide_greater([9, 5, 1, 1], [1, 1, 1, 1]), claim.IN_PART)
+        # The mean 1.75 > 1, but the standard error of the differences 5, 0, -1, -1 is 1.4.
+        self.assertEqual(claim.decide_greater([6, 1, 0, 0], [1, 1, 1, 1]), claim.NOT)
+        self.assertEqual(claim.decide_greater([2, 2, 2, 0], [1, 1, 1, 9]), claim.IN_PART)  # the seeds only
+        self.assertEqual(claim.decide_greater([1, 1], [1, 1]), claim.NOT)  # a tie
+        self.assertEqual(claim.decide_greater([math.inf, math.inf], [1, 2]), claim.COMES_OUT)
+
+    def test_conditions_and_numbers(self):
+        self.assertEqual(claim.decide_each([0.0, 0.5, 0.9, 1.5], lambda rate: rate <= 1.0), claim.COMES_OUT)
+        self.assertEqual(claim.decide_each([0.0, 0.0, 9.0], lambda rate: rate <= 1.0), claim.NOT)
+        self.assertEqual(claim.decide_near([70.0, 80.0], 73.8), claim.COMES_OUT)
+        self.assertEqual(claim.decide_near([76.0, 78.0], 73.8), claim.IN_PART)  # near, but not among them
+        self.assertEqual(claim.decide_near([0.0, 100.0], 73.8), claim.IN_PART)  # among them, but not near
+        self.assertEqual(claim.decide_near([90.0, 100.0], 73.8), claim.NOT)
+
+    def test_parts(self):
+        self.assertEqual(claim.decide_all(claim.NOT, claim.NOT), claim.NOT)
+        self.assertEqual(claim.decide_all(claim.NOT, claim.COMES_OUT), claim.IN_PART)
+
+    def test_table(self):
+        chapter = Chapter('claims', 'Claims')
+        verdicts = (claim.COMES_OUT, claim.NOT, claim.NOT)
+        claims = [claim.Claim('4.1', 'it works', lambda _, verdict=verdict: claim.Judgement('5 of 8', verdict),
+                              {claim.NOT: 'another geometry'}) for verdict in verdicts]
+        claim.add_claims(chapter, 'Claims', claims, None, 'rewards')
+        table, text = chapter.parts
+        self.assertEqual(table.name, 'rewards')
+        self.assertEqual(table.rows, [['4.1', 'it works', '5 of 8', 'comes out', ''],
+                                      *[['4.1', 'it works', '5 of 8', 'does not come out', 'another geometry']] * 2])
+        self.assertEqual(text, 'Of 3 claims 1 come out, 0 come out in part, 2 do not come out.')
+
+    def test_versus(self):
+        self.assertEqual(claim.versus('demo', [1, 4, 4], 'training', [2, 2, 2], 0),
+                         'demo 3 ± 2 (1-4), training 2 ± 0 (2-2); greater with demo in 2 of 3 seeds')
+
+
+class SensitivityTest(support.CrowdTestCase):
+    """Which choices are said to matter."""
+
+    def test_shift(self):
+        # The differences 4, 6, 5, 5 have the mean 5 and the standard error sqrt(2 / 3) / 2 = 0.41.
+        self.assertEqual(sensitivity.shift([14, 16, 15, 15], [10, 10, 10, 10]), 5.0)
+        # 0, 10, 0, 10: mean 5, standard error sqrt(100 / 3) / 2 = 2.9.
+        self.assertEqual(sensitivity.shift([10, 20, 10, 20], [10, 10, 10, 10]), 0.0)
+        self.assertEqual(sensitivity.shift([10.5, 10.5], [10, 10]), 0.0)  # less than a point
+        self.assertEqual(sensitivity.shift([8, 8], [10, 10]), -2.0)
+
+    def test_text(self):
+        self.assertEqual(
+            sensitivity.effects_text({'radius': [None, ('0.2', 1.5)], 'epsilon': [('0.3', -20.25), ('0.2', 3.0)],
+                                      'order': [None, None]}),
+            'Choices that matter: epsilon moves 2 of 2 rates, by up to 20.2 points; radius moves 1 of 2 rates, by up '
+            'to 1.5 points. No effect found: order.')
+
+    def test_swing(self):
+        self.assertIn('(distance gained 0.0 to 100.0 %, cos³ 26.5 to 80.0 %), so 2 seeds', sensitivity.swing_text(
+            {'distance_gained': [100.0, 0.0], 'cosine_cubed': [26.5, 80.0]}))
+
+    def test_names(self):
+        variations = {variation.name() for variation in open_choices.VARIATIONS}
+        self.assertEqual(len(variations), len(open_choices.VARIATIONS))  # no run overwrites another's files
+        self.assertIn('sector_limits_of_set_1_degrees_22.5_67.5_112.5_180', variations)
+
+
+class VariationsTest(support.CrowdTestCase):
+    """Variations of shipped files."""
+
+    def setting(self):
+        """With a config/ of its own."""
+        config, results = pathlib.Path(self.path('config')), pathlib.Path(self.path('results'))
+        for folder in ('experiments', 'scenarios'):
+            (config / folder).mkdir(parents=True, exist_ok=True)
+        return Setting(pathlib.Path(), config, results)
+
+    def test_changes_by_the_paths_of_keys(self):
+        scene = {'agents': [{'speed': 1, 'heading': 0}, {'speed': 2}], 'order': 'sequential'}
+        self.assertEqual(changed(scene, {'agents.*.heading': 'goal', 'agents.1.speed': [3, 4], 'order': None,
+                                         'colour': None, 'learning.epsilon': 0.2}),
+                         {'agents': [{'speed': 1, 'heading': 'goal'}, {'speed': [3, 4], 'heading': 'goal'}],
+                          'learning': {'epsilon': 0.2}})
+        self.assertEqual(scene['order'], 'sequential')  # is left as it was
+        with self.assertRaises(ValueError):
+            changed(scene, {'obstacles.*.radius': 0.2})
+
+    def test_recipe(self):
+        setting = self.setting()
+        self.write('config/experiments/base.yaml', 'learning: {gamma: 0.1, epsilon: 0.1}\n'
+                                                   'training: {scenarios: [../scenarios/a.yaml], episodes: 7}\n')
+        changes = {'learning.epsilon': {'from': 1, 'to': 0}, 'training.episodes': 9}
+        file = vary_recipe(setting, 'base', changes, 'varied')
+        self.assertEqual(file, pathlib.Path(self.path('results/recipes/varied.yaml')))
+        training = {'scenarios': [str(pathlib.Path(self.path('config/scenarios/a.yaml')).resolve())], 'episodes': 9}
+        self.assertEqual(yaml.safe_load(support.read_text(file)),
+                         {'learning': {'gamma': 0.1, 'epsilon': {'from': 1, 'to': 0}}, 'training': training})
+        os.utime(file, (1, 1))
+        vary_recipe(setting, 'base', changes, 'varied')
+        self.assertEqual(os.stat(file).st_mtime, 1)  # it was as it should be
+        other = vary_recipe(setting, file, {}, 'other', [pathlib.Path('/b.yaml')])
+        self.assertEqual(yaml.safe_load(support.read_text(other))['training']['scenarios'], ['/b.yaml'])
+
+    def test_scenario_with_all_its_documents(self):
+        setting = self.setting()
+        self.write('config/scenarios/two.yaml', 'name: one\nagents: [{speed: 1}]\n---\n'
+                                                'name: two\nagents: [{speed: 2}]\n')
+        file = vary_scenario(setting, 'two', {'agents.*.speed': 3}, 'fast')
+        self.assertEqual(list(yaml.safe_load_all(support.read_text(file))),
+                         [{'name': 'one', 'agents': [{'speed': 3}]}, {'name': 'two', 'agents': [{'speed': 3}]}])
 
 
 class RunTest(support.CrowdTestCase):

@@ -310,6 +310,34 @@ TEST(Figures, OverTwoEpisodesByHand) {
   EXPECT_DOUBLE_EQ(figures.maxSpeedRatio(), 1.0);  // of all, even if they did not arrive
 }
 
+TEST(Figures, CollisionsAreAShareOfAllAgentsThatCount) {
+  AgentResult collided = LOST;
+  collided.collided = true;
+  AgentResult removed = collided;
+  removed.removed = true;
+  const EpisodeResult result = episodeResult({CLEAN, collided, removed, CLEAN, CLEAN});
+  EXPECT_EQ(result.collidedCount(), 1U);
+  Figures figures;
+  figures.add(result);
+  EXPECT_DOUBLE_EQ(figures.collisionPercent(), 25.0);
+  EXPECT_DOUBLE_EQ(figures.contactPercent(), 0.0);
+}
+
+TEST(EpisodeMonitor, NotesACollisionThatIsNoContact) {
+  // The agent passes an obstacle 0.45 m from its rim.
+  Scene passing = scenes::scene({scenes::agent({0.0, 0.0}, {2.0, 0.0}, 1.0)}, {scenes::pillar({1.0, 0.7}, 0.25)});
+  World world(passing);
+  EpisodeMonitor monitor(passing, world);
+  while (world.activeCount() > 0) {
+    world.step({{0, {0.0, 1.0}}});
+    monitor.observe(world);
+  }
+  const AgentResult agent = monitor.result().agents.at(0);
+  EXPECT_TRUE(agent.collided);
+  EXPECT_FALSE(agent.touched);
+  EXPECT_DOUBLE_EQ(agent.heading, 0.0);
+}
+
 TEST(Figures, BlockedMovesAreAMeanOverAllAgents) {
   AgentResult removed = blocked(CLEAN, 100);
   removed.removed = true;

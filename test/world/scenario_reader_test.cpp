@@ -377,6 +377,8 @@ TEST(ScenarioReader, ReadsAPlaceBetweenAgentAndGoal) {
             "s.yaml: document 1, line 6: obstacles[0].position.between: the key 'agent' is missing");
   EXPECT_EQ(obstacleError("position: {between: {agent: 0, share: 0}}, radius: 0.4"),
             "s.yaml: document 1, line 6: obstacles[0]: no free place found in 1000 tries");  // on the agent
+  EXPECT_EQ(obstacleError("position: {between: {agent: 0, share: 0.5}}, radius: 0.4, count: 2"),
+            "s.yaml: document 1, line 6: obstacles[0].count: more than one body needs a region as position");
 }
 
 }  // namespace

@@ -24,6 +24,8 @@ void expectSame(const Scene& got, const Scene& expected) {
   EXPECT_EQ(got.max_ticks, expected.max_ticks);
   EXPECT_EQ(got.goal_tolerance, expected.goal_tolerance);
   EXPECT_EQ(got.contact, expected.contact);
+  EXPECT_EQ(got.order, expected.order);
+  EXPECT_EQ(got.collision_radius, expected.collision_radius);
   ASSERT_EQ(got.agents.size(), expected.agents.size());
   for (std::size_t i = 0; i < got.agents.size(); ++i) {
     const AgentStart& agent = got.agents[i];
@@ -81,6 +83,13 @@ TEST(SceneDocument, ObstaclesOnTheirWays) {
 TEST(SceneDocument, SolidWorldsStaySolid) {
   Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
   scene.contact = Contact::SOLID;
+  expectSame(readBack(scene), scene);
+}
+
+TEST(SceneDocument, OrderAndCollisionRadius) {
+  Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
+  scene.order = Order::SEQUENTIAL;
+  scene.collision_radius = 0.35;
   expectSame(readBack(scene), scene);
 }
 

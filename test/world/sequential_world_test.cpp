@@ -59,6 +59,14 @@ TEST(SequentialWorld, ObstaclesMoveAtTheEndOfTheTick) {
   expectVector(lookOf(world, 0).bodies[0].position, 3.0, 0.5);
 }
 
+TEST(SequentialWorld, AnAgentThatStaysInItsTurnIsPerceivedStanding) {
+  World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
+  world.step({ahead(0)});
+  world.moveAgent(0, {});
+  expectVector(lookOf(world, 1).bodies[0].position, -1.5, 0.0);
+  expectVector(lookOf(world, 1).bodies[0].velocity, 0.0, 0.0);
+}
+
 TEST(SequentialWorld, AnAgentWithoutATurnStays) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.step({ahead(0), ahead(1)});
@@ -141,6 +149,10 @@ TEST(SequentialWorld, GhostsThatDoNotLookEndWhereTheyWouldTogether) {
       together.perceive(Vision(), expected);
       one_by_one.perceive(Vision(), seen);
       ASSERT_EQ(seen.bodies.size(), expected.bodies.size());
+      for (std::size_t i = 0; i < seen.bodies.size(); ++i) {
+        ASSERT_EQ(seen.bodies[i].position, expected.bodies[i].position);
+        ASSERT_EQ(seen.bodies[i].velocity, expected.bodies[i].velocity);
+      }
     }
   }
 }

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "social_crowd/world/scene.h"
+
 namespace crowd {
 
 /// @brief The thesis's two distance classes, by the distance from the agent's centre to the other's rim.
 struct DistanceClasses {
   static constexpr int COUNT = 2;
-  static constexpr double DEFAULT_COLLISION_RADIUS = 0.5;
   static constexpr double DEFAULT_VISION_RADIUS = 1.0;
 
   double collision_radius = DEFAULT_COLLISION_RADIUS;  ///< [m], outer limit of class 1

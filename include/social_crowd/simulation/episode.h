@@ -36,7 +36,7 @@ class Episode {
   /// then.
   /// @return whether that was the last turn of the tick
   bool step(const std::vector<AgentAction>& actions);
-  /// @brief Whether all agents have arrived or time is up; changes only at the end of a tick.
+  /// @brief Whether all agents have arrived or time is up, which a step() notes at the end of a tick only.
   bool isOver() const;
 
   /// @brief Turns that a tick has now: one, or one for each agent on its way.

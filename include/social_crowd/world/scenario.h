@@ -53,6 +53,7 @@ struct Between {
   Range aside;  ///< to the left of the line [m]
 
   Vector2 draw(const AgentStart& start, KeyedRandom& random) const;
+  bool isFixed() const { return share.isFixed() && aside.isFixed(); }
 };
 
 /// @brief One entry under `obstacles`: so many obstacles of a kind.

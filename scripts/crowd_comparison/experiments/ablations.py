@@ -1,12 +1,9 @@
 """Each idea of the anticipating crowd switched off once: what does it cost?"""
-import copy
-
-import yaml
-
 from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run
+from crowd_experiments.variations import vary_recipe
 
 from ..figures_csv import greatest, judged, least, not_slower, read_figures, time_against
 from ..models import COLOURS, ORCA, OURS
@@ -20,23 +17,23 @@ WHOLE = 'everything'
 # What is put in place of the recipe's keys.
 ABLATIONS = {
     WHOLE: {},
-    'no reciprocal time': {'state_set': {'reciprocal_times': []}},
-    'no selfish time': {'state_set': {'selfish_times': []}},
-    'no time to fixed things': {'state_set': {'fixed_times': []}},
-    'no share left': {'state_set': {'shares': []}},
-    'no turn in the state': {'state_set': {'turns': []}},
-    'no oncoming': {'state_set': {'oncoming': []}},
-    'gap shared half and half': {'action_set': {'gap_sharing': 'half'}},
-    'no contact rule': {'action_set': {'gap_sharing': 'none'}},
-    'no way out of movers': {'action_set': {'lookout': 0}},
-    'no stay': {'action_set': {'stay': False}},
-    'no slow moves': {'action_set': {'slow_headings': []}},
-    'no conflict price': {'reward': {'conflict_price': 0}},
-    'no turn price': {'reward': {'turn_price': 0}},
-    'no rest price': {'reward': {'rest_price': 0}},
-    'gamma 0.95': {'learning': {'gamma': 0.95}},
-    'gamma 0.1, as the thesis': {'learning': {'gamma': 0.1}},
-    'fixed step size': {'learning': {'alpha': 0.1, 'alpha_decay': 0}},
+    'no reciprocal time': {'state_set.reciprocal_times': []},
+    'no selfish time': {'state_set.selfish_times': []},
+    'no time to fixed things': {'state_set.fixed_times': []},
+    'no share left': {'state_set.shares': []},
+    'no turn in the state': {'state_set.turns': []},
+    'no oncoming': {'state_set.oncoming': []},
+    'gap shared half and half': {'action_set.gap_sharing': 'half'},
+    'no contact rule': {'action_set.gap_sharing': 'none'},
+    'no way out of movers': {'action_set.lookout': 0},
+    'no stay': {'action_set.stay': False},
+    'no slow moves': {'action_set.slow_headings': []},
+    'no conflict price': {'reward.conflict_price': 0},
+    'no turn price': {'reward.turn_price': 0},
+    'no rest price': {'reward.rest_price': 0},
+    'gamma 0.95': {'learning.gamma': 0.95},
+    'gamma 0.1, as the thesis': {'learning.gamma': 0.1},
+    'fixed step size': {'learning.alpha': 0.1, 'learning.alpha_decay': 0},
 }
 QUICK_ABLATIONS = (WHOLE, 'no stay')
 
@@ -66,19 +63,8 @@ def make_run(setting, ablation, seed):
 
 
 def write_recipe(setting, ablation):
-    """The shipped recipe with what is switched off; left alone if it is there as it should be."""
-    shipped = setting.learning(OURS)
-    recipe = yaml.safe_load(shipped.read_text(encoding='utf-8'))
-    for section, changes in copy.deepcopy(ABLATIONS[ablation]).items():
-        recipe[section].update(changes)
-    training = recipe['training']
-    training['scenarios'] = [str((shipped.parent / name).resolve()) for name in training['scenarios']]
-    file = setting.results / 'recipes' / f"{run_name(ablation, 0)[:-3]}.yaml"
-    text = yaml.safe_dump(recipe, sort_keys=False, default_flow_style=None)
-    if not file.is_file() or file.read_text(encoding='utf-8') != text:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding='utf-8')
-    return file
+    """The shipped recipe with what is switched off."""
+    return vary_recipe(setting, setting.learning(OURS), ABLATIONS[ablation], run_name(ablation, 0)[:-3])
 
 
 def report(setting):

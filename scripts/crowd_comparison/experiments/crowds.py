@@ -60,7 +60,7 @@ def report(setting):
 
 
 def row_of(scene, record):
-    success, contact = rates(record)
+    success, contact, _ = rates(record)
     arrived = record['arrived'] > 0
     placements = numpy.unique(record['episode'])
     times = Spread.of_numbers(mean_of(record['time_ratio'][arrived & (record['episode'] == episode)])

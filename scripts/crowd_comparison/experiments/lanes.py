@@ -110,7 +110,7 @@ def add_table(chapter, setting, curves):
     rows = []
     for model, values in curves.items():
         judged = Spread.of_numbers(numpy.nanmean(values[:, begin:end], axis=1))
-        success, contact = rates(read_csv(folder(setting, model) / 'record.csv'))
+        success, contact, _ = rates(read_csv(folder(setting, model) / 'record.csv'))
         rows.append([NAMES[model], judged.text(2), f'{success:.1f}', f'{contact:.1f}'])
     chapter.add_table(f'Order above chance from {JUDGED[0]:g} to {JUDGED[1]:g} s: mean ± standard deviation over the '
                       'placements (lowest-highest)', ['', 'order', 'success %', 'contact %'], rows, 'order')

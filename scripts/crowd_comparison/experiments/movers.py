@@ -67,7 +67,7 @@ def report(setting):
     contacts = {model: judged_contacts(folder(setting, model)) for model in LEARNED}
     rows = []
     for model, judged in contacts.items():
-        success, contact = rates(read_csv(folder(setting, model) / 'record.csv'))
+        success, contact, _ = rates(read_csv(folder(setting, model) / 'record.csv'))
         late = sum(escape is not None and escape.tick == touched.tick - 1 for _, touched, _, escape in judged)
         turned = sum(recording.had_turned(touched) for recording, touched, _, _ in judged)
         rows.append([NAMES[model], f'{success:.1f}', f'{contact:.1f}', str(len(judged)),

@@ -1,4 +1,5 @@
 """The experiments, in the thesis's order. Each module has NAME, TITLE, plan(setting) and report(setting)."""
-from . import ambiguity, learning_curves, reward_evaluation, scenarios, sharing
+from . import ambiguity, future_work, learning_curves, reward_evaluation, scenarios, sensitivity, sharing
+from .. import claims
 
-ALL = (reward_evaluation, ambiguity, scenarios, sharing, learning_curves)
+ALL = (reward_evaluation, sensitivity, ambiguity, scenarios, sharing, learning_curves, future_work, claims)

@@ -3,8 +3,8 @@ import pathlib
 import re
 import shutil
 
-from crowd_experiments.chapter import Figure
-from crowd_experiments.page import markdown_lines
+from .chapter import Figure
+from .page import markdown_lines
 
 MARKS = re.compile(r'(<!-- table ([\w/]+) -->\n).*?(<!-- end -->)', re.DOTALL)
 PICTURES = re.compile(r'!\[[^\]]*\]\(images/(\w+\.png)\)')

@@ -1,0 +1,37 @@
+"""How the agent is trained whose table a crowd uses: alone, first as in 4.1, then among several obstacles (4.3)."""
+SETS = ('nearest', 'occupancy')
+PARAMETERS = ('thesis', 'better')
+SINGLE_EPISODES, FIELD_EPISODES = 2000, 4000
+QUICK_EPISODES = 20
+SINGLE_TABLE, TABLE = 'single.txt', 'q_table.txt'
+DEMO_SEED = 1000  # and the seed of the training: other places than those it was trained at
+TOLD = (f'One agent learns alone: {SINGLE_EPISODES:,} episodes with one obstacle between it and its goal (4.1), then '
+        f'{FIELD_EPISODES:,} among two to eight obstacles, some of which move (its "more thorough training", 4.3).')
+
+
+def learn_single(setting, recipe, seed):
+    """The command of the first part; leaves SINGLE_TABLE."""
+    return [setting.tool('train'), recipe, '--output', SINGLE_TABLE, '--seed', seed, '--episodes',
+            setting.count(SINGLE_EPISODES, QUICK_EPISODES)]
+
+
+def learn_field(setting, recipe, seed):
+    """The command of the second part, which goes on from the first; leaves TABLE."""
+    return [setting.tool('train'), recipe, '--q-table', SINGLE_TABLE, '--output', TABLE, '--seed', seed, '--episodes',
+            setting.count(FIELD_EPISODES, QUICK_EPISODES)]
+
+
+def learn(setting, states, parameters, seed):
+    """The commands of both parts."""
+    return [learn_single(setting, setting.recipe(f'agent_single_{states}_{parameters}'), seed),
+            learn_field(setting, setting.recipe(f'agent_field_{states}_{parameters}'), seed)]
+
+
+def walk(setting, table, seed):
+    """The beginning of a command by which a table walks scenarios in demo mode."""
+    return [setting.tool('evaluate'), '--q-table', table, '--threads', 1, '--seed', DEMO_SEED + seed]
+
+
+def folder_of(setting, states, parameters, seed):
+    """Of the run that trains an agent."""
+    return setting.run_folder('agents', f'{states}_{parameters}_{seed:02d}')

@@ -1,0 +1,88 @@
+"""What the thesis leaves open, and what is tried in place of the choice that was made here."""
+import dataclasses
+import re
+
+from crowd_experiments.variations import EVERY, read_documents, vary_recipe, vary_scenario
+
+from .reward_runs import REWARDS
+
+RECIPE, SCENARIO = 'recipe', 'scenario'
+SECTORS = 'state_set.obstacle_sectors'
+
+
+@dataclasses.dataclass(frozen=True)
+class Choice:
+    """One thing that the thesis leaves open: a key of the recipe or of the scenario."""
+    name: str
+    file: str  # RECIPE or SCENARIO
+    key: str  # its path
+    others: tuple  # values that are tried
+    default: str = ''  # where the file does not say
+
+    def chosen(self, setting):
+        """The value in the thesis configuration, for the eye."""
+        file = setting.recipe(f'reward_{REWARDS[0]}_thesis') if self.file == RECIPE else \
+            setting.scenario('single_obstacle')
+        value = read_documents(file)[0]
+        for key in self.key.split('.'):
+            value = value[0] if key == EVERY else value.get(key, self.default)
+        return value_text(value)
+
+
+CHOICES = (
+    Choice('epsilon in training', RECIPE, 'learning.epsilon', (0.01, 0.05, 0.2, 0.3)),
+    Choice('ties', RECIPE, 'learning.ties', ('random',), 'first'),
+    Choice('heading at the start', SCENARIO, 'agents.*.heading', ('goal', 'kept')),
+    Choice('sector limits of set 1 [degrees]', RECIPE, SECTORS,
+           ((30, 60, 90, 180), (22.5, 67.5, 112.5, 180))),
+    Choice('radius of the obstacle [m]', SCENARIO, 'obstacles.*.radius', (0.2, 0.3, 0.5)),
+    Choice('radius of the agent [m]', SCENARIO, 'agents.*.radius', (0.15, 0.4)),
+    Choice('goal tolerance [m]', SCENARIO, 'goal_tolerance', (0.1, 0.5)),
+    Choice('distance of the goal [m]', SCENARIO, 'agents.*.goal.ring.radius', (3.0, 4.0, 7.0)),
+    Choice('order of moves', SCENARIO, 'order', ('simultaneous',)),
+)
+
+
+@dataclasses.dataclass(frozen=True)
+class Variation:
+    """The thesis configuration with one choice made otherwise; with none it is the thesis configuration itself."""
+    choice: Choice = None
+    value: object = None
+
+    def title(self):
+        """As in tables."""
+        return f'{self.choice.name}: {self.value_text()}' if self.choice else 'thesis configuration'
+
+    def value_text(self):
+        """The value for the eye."""
+        return value_text(self.value)
+
+    def name(self):
+        """As in names of files."""
+        return re.sub(r'[^a-z0-9.]+', '_', self.title().lower()).strip('_')
+
+    def scenario(self, setting):
+        """The scenario that it is trained and tried in."""
+        if self.choice and self.choice.file == SCENARIO:
+            return vary_scenario(setting, 'single_obstacle', {self.choice.key: self.value},
+                                 f'single_obstacle_{self.name()}')
+        return setting.scenario('single_obstacle')
+
+    def recipe(self, setting, reward):
+        """The learning configuration."""
+        base = f'reward_{reward}_thesis'
+        if not self.choice:
+            return setting.recipe(base)
+        changes = {}
+        if self.choice.file == RECIPE:
+            changes = {self.choice.key: list(self.value) if isinstance(self.value, tuple) else self.value}
+        return vary_recipe(setting, base, changes, f'{reward}_{self.name()}', [self.scenario(setting)])
+
+
+def value_text(value):
+    """15, 45, 90, 180"""
+    return ', '.join(map(str, value)) if isinstance(value, (list, tuple)) else str(value)
+
+
+THESIS = Variation()
+VARIATIONS = (THESIS, *(Variation(choice, value) for choice in CHOICES for value in choice.others))
