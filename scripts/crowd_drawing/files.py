@@ -1,15 +1,34 @@
 """Reads what drawings are made of: scenario files and recorded trajectories."""
 import csv
+import difflib
 import math
+import pathlib
 
 import yaml
 
 HEADER = ['instance', 'tick', 'agent', 'x', 'y']
 DEFAULT_TICK = 0.1  # [s]
+HERE = pathlib.Path(__file__).resolve().parent
+# Where config/scenarios may lie: in the source tree and, as seen from PREFIX/lib/social_crowd, in PREFIX/share.
+HOMES = [HERE.parents[1], HERE.parents[2] / 'share' / 'social_crowd']
 
 
 class InputError(Exception):
     """A file that cannot be drawn; the message says which, where and why."""
+
+
+def find_scenario(name_or_file):
+    """The file that is meant: a file if there is one, else the scenario of that name that comes with the package."""
+    path = pathlib.Path(name_or_file)
+    if path.exists() or path.parent != pathlib.Path('.') or path.suffix not in ('', '.yaml'):
+        return name_or_file
+    scenarios = {file.stem: file for home in HOMES for file in sorted((home / 'config' / 'scenarios').glob('*.yaml'))}
+    if path.stem in scenarios:
+        return scenarios[path.stem]
+    near = difflib.get_close_matches(path.stem, scenarios)
+    names = near + [name for name in scenarios if name not in near]
+    raise InputError(f"no scenario '{name_or_file}'" + (f", did you mean '{near[0]}'? There" if near else ': there') +
+                     f" is no file {path.absolute()}; there are {', '.join(names)}")
 
 
 def read_walks(file, instance):

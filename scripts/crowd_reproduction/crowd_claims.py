@@ -72,8 +72,8 @@ CLAIMS = (
           without_incidents('circle6_obstacle'), {IN_PART: INNER_RADIUS}),
     Claim('4.3', 'Lines: an agent is totally deviated, but still manages to find a coherent way to its goal (4.20).',
           deviated),
-    Claim('4.3', 'Lines with a moving obstacle: to check that the agents avoid it, with an efficient path (4.21; no outcome is '
-          'told).',
+    Claim('4.3', 'Lines with a moving obstacle: to check that the agents avoid it, with an efficient path (4.21; no '
+          'outcome is told).',
           avoids_mover),
     Claim('4.3', 'One goal: they avoid each other but remain closer than before (4.22).',
           remain_closer, {IN_PART: IN_THE_MIDDLE}),
@@ -85,8 +85,8 @@ CLAIMS = (
     Claim('4.3', '... although it took time for them to converge.', longer_than_six),
     Claim('4.3', 'Varied speeds: the synchronicity was broken, agents are suddenly surrounded (4.25).',
           varied_speeds, {IN_PART: ONE_BY_ONE, NOT: ONE_BY_ONE}),
-    Claim('4.3', 'Surrounded: any decision will result in an artifact, it goes through an obstacle or through an agent (4.25; '
-          'its text speaks of an obstacle, our scene has none).',
+    Claim('4.3', 'Surrounded: any decision will result in an artifact, it goes through an obstacle or through an '
+          'agent (4.25; its text speaks of an obstacle, our scene has none).',
           surrounded_touch, {IN_PART: ROOM}),
     Claim('5.1', 'An incomplete Q-table: believable for states visited several times, poor for the others.',
           incomplete_table),

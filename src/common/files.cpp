@@ -16,8 +16,18 @@
 namespace crowd {
 namespace {
 
+/// " (that is /FULL/PATH)" of a relative path: a node's working directory is seldom what its user has in mind.
+std::string inFull(const std::string& file) {
+  std::error_code problem;
+  const std::filesystem::path path(file);
+  if (path.empty() || path.is_absolute()) return "";
+  const std::filesystem::path full = std::filesystem::absolute(path, problem).lexically_normal();
+  return problem ? "" : " (that is " + full.string() + ")";
+}
+
 [[noreturn]] void throwSystem(const std::string& file, const std::string& what) {
-  throw FileError(file + ": " + what + ": " + std::strerror(errno));
+  const std::string reason = std::strerror(errno);
+  throw FileError(file + ": " + what + ": " + reason + inFull(file));
 }
 
 /// Some special files claim to be larger than any memory.
@@ -46,7 +56,8 @@ void writeDurably(const std::string& file, const std::string& content) {
 
 std::string readFile(const std::string& file) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw FileError(file + ": is a folder, expected a file");
+  if (std::filesystem::is_directory(file, ignored))
+    throw FileError(file + ": is a folder, expected a file" + inFull(file));
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
   if (stream == nullptr) throwSystem(file, "cannot be read");
   std::string content;
@@ -89,7 +100,7 @@ void GrowingFile::append(const std::string& text) {
 void makeFolder(const std::string& folder) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
-  if (problem) throw FileError(folder + ": cannot be made: " + problem.message());
+  if (problem) throw FileError(folder + ": cannot be made: " + problem.message() + inFull(folder));
 }
 
 std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }

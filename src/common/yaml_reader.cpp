@@ -7,9 +7,11 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/suggestions.h"
 
 namespace crowd {
 namespace {
@@ -235,77 +237,93 @@ YamlMap::YamlMap(const YAML::Node& node, YamlPlace place) : node_(node), place_(
     if (has(entry->first.Scalar())) {
       throwProblem(place_, entry->first, "the key '" + entry->first.Scalar() + "' stands twice");
     }
-    entries_.push_back({entry->first, entry->second, false});
+    entries_.push_back({entry->first, entry->second});
   }
 }
 
-bool YamlMap::has(const std::string& key) const {
-  return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key.Scalar() == key; });
+YamlMap::YamlMap(const YAML::Node& node, YamlPlace place, YamlKeys keys) : YamlMap(node, std::move(place)) {
+  allow(keys);
 }
 
-const YamlMap::Entry* YamlMap::ask(const std::string& key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
-    known_.push_back(key);
+void YamlMap::allow(YamlKeys keys) {
+  known_ = keys;
+  for (const Entry& entry : entries_) {
+    const std::string& key = entry.key.Scalar();
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::vector<std::string> known(known_.begin(), known_.end());
+    const std::string hint = didYouMean(key, known);
+    throwProblem(
+        place_, entry.key,
+        "unknown key '" + key + "'" + (hint.empty() ? "; known are " : hint + " Known are ") + joinNames(known));
   }
-  for (Entry& entry : entries_) {
-    if (entry.key.Scalar() == key) {
-      entry.asked = true;
-      return &entry;
-    }
-  }
-  return nullptr;
 }
 
-YAML::Node YamlMap::need(const std::string& key) {
-  const Entry* const entry = ask(key);
-  if (entry == nullptr) {
-    throwProblem(place_, node_, "the key '" + key + "' is missing");
+bool YamlMap::has(const std::string& key) const { return look(key) != nullptr; }
+
+const YamlMap::Entry* YamlMap::look(const std::string& key) const {
+  if (!known_.empty() && std::find(known_.begin(), known_.end(), key) == known_.end()) {
+    throw std::logic_error("the key '" + key + "' is read and not declared");
   }
-  return entry->value;
+  const auto entry =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& each) { return each.key.Scalar() == key; });
+  return entry == entries_.end() ? nullptr : &*entry;
 }
 
-YAML::Node YamlMap::find(const std::string& key) {
-  const Entry* const entry = ask(key);
+YAML::Node YamlMap::need(const std::string& key) const {
+  const Entry* const entry = look(key);
+  if (entry != nullptr) return entry->value;
+  for (const Entry& other : entries_) {  // with declared keys allow() has told of it
+    const std::string hint = didYouMean(other.key.Scalar(), {key});
+    if (known_.empty() && !hint.empty())
+      throwProblem(place_, other.key, "unknown key '" + other.key.Scalar() + "'" + hint);
+  }
+  throwProblem(place_, node_, "the key '" + key + "' is missing");
+}
+
+YAML::Node YamlMap::find(const std::string& key) const {
+  const Entry* const entry = look(key);
   return entry != nullptr ? entry->value : YAML::Node(YAML::NodeType::Undefined);
 }
 
-double YamlMap::number(const std::string& key, NumberRule rule) { return readNumber(need(key), placeOf(key), rule); }
+double YamlMap::number(const std::string& key, NumberRule rule) const {
+  return readNumber(need(key), placeOf(key), rule);
+}
 
-double YamlMap::number(const std::string& key, NumberRule rule, double otherwise) {
-  const Entry* const entry = ask(key);
+double YamlMap::number(const std::string& key, NumberRule rule, double otherwise) const {
+  const Entry* const entry = look(key);
   return entry != nullptr ? readNumber(entry->value, placeOf(key), rule) : otherwise;
 }
 
-std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high) {
+std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high) const {
   return readWhole(need(key), placeOf(key), low, high);
 }
 
-std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise) {
-  const Entry* const entry = ask(key);
+std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise) const {
+  const Entry* const entry = look(key);
   return entry != nullptr ? readWhole(entry->value, placeOf(key), low, high) : otherwise;
 }
 
-std::uint64_t YamlMap::count(const std::string& key) { return readCount(need(key), placeOf(key)); }
+std::uint64_t YamlMap::count(const std::string& key) const { return readCount(need(key), placeOf(key)); }
 
-std::uint64_t YamlMap::count(const std::string& key, std::uint64_t otherwise) {
-  const Entry* const entry = ask(key);
+std::uint64_t YamlMap::count(const std::string& key, std::uint64_t otherwise) const {
+  const Entry* const entry = look(key);
   return entry != nullptr ? readCount(entry->value, placeOf(key)) : otherwise;
 }
 
-std::string YamlMap::text(const std::string& key) { return readText(need(key), placeOf(key)); }
+std::string YamlMap::text(const std::string& key) const { return readText(need(key), placeOf(key)); }
 
-std::string YamlMap::text(const std::string& key, const std::string& otherwise) {
-  const Entry* const entry = ask(key);
+std::string YamlMap::text(const std::string& key, const std::string& otherwise) const {
+  const Entry* const entry = look(key);
   return entry != nullptr ? readText(entry->value, placeOf(key)) : otherwise;
 }
 
-bool YamlMap::flag(const std::string& key, bool otherwise) {
-  const Entry* const entry = ask(key);
+bool YamlMap::flag(const std::string& key, bool otherwise) const {
+  const Entry* const entry = look(key);
   return entry != nullptr ? readFlag(entry->value, placeOf(key)) : otherwise;
 }
 
 std::vector<double> YamlMap::risingNumbers(const std::string& key, double low, double high,
-                                           const std::vector<double>& otherwise) {
+                                           const std::vector<double>& otherwise) const {
   const YAML::Node node = find(key);
   if (!node) return otherwise;
   const std::string expected = "a list of rising numbers from " + toText(low) + " to " + toText(high);
@@ -317,19 +335,6 @@ std::vector<double> YamlMap::risingNumbers(const std::string& key, double low, d
     if (!rises || numbers[i] < low || numbers[i] > high) throwExpected(placeOf(key).element(i), node[i], expected);
   }
   return numbers;
-}
-
-void YamlMap::finish() const {
-  for (const Entry& entry : entries_) {
-    if (entry.asked) {
-      continue;
-    }
-    std::string known;
-    for (const std::string& key : known_) {
-      known += (known.empty() ? "" : ", ") + key;
-    }
-    throwProblem(place_, entry.key, "unknown key '" + entry.key.Scalar() + "'; known are " + known);
-  }
 }
 
 std::vector<YAML::Node> loadYamlStream(const std::string& file) { return parseYamlStream(readFile(file), file); }

@@ -8,6 +8,7 @@ namespace crowd {
 namespace {
 
 std::shared_ptr<const ActionSet> readGoalFan(YamlMap& map) {
+  map.allow({"type", "headings", "slow_headings", "slow_share", "stay", "gap_sharing", "lookout"});
   GoalFan::Parameters parameters;
   parameters.headings = map.risingNumbers("headings", 0.0, 180.0, parameters.headings);
   if (parameters.headings.empty()) throwExpected(map.placeOf("headings"), map.need("headings"), "at least one");
@@ -21,14 +22,13 @@ std::shared_ptr<const ActionSet> readGoalFan(YamlMap& map) {
     throwExpected(map.placeOf("gap_sharing"), map.need("gap_sharing"), "none, half or moving");
   }
   parameters.lookout = map.number("lookout", NumberRule::NOT_NEGATIVE, parameters.lookout);
-  map.finish();
   return std::make_shared<GoalFan>(parameters);
 }
 
 std::shared_ptr<const ActionSet> readKingsMoves(YamlMap& map) {
+  map.allow({"type", "rotations", "stay"});
   const auto rotations = static_cast<int>(map.whole("rotations", 2, 360, KingsMoves::DEFAULT_ROTATIONS));
   const bool stay = map.flag("stay", false);
-  map.finish();
   return std::make_shared<KingsMoves>(rotations, stay);
 }
 

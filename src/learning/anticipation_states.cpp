@@ -108,6 +108,8 @@ std::string AnticipationStates::spec() const {
 }
 
 std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action actions) {
+  map.allow({"type", "vision_radius", "max_bodies", "reciprocal_times", "selfish_times", "fixed_times", "shares",
+             "turns", "oncoming"});
   AnticipationStates::Parameters parameters;
   parameters.vision_radius = map.number("vision_radius", NumberRule::POSITIVE, parameters.vision_radius);
   parameters.max_bodies = static_cast<std::uint32_t>(map.whole("max_bodies", 0, INT32_MAX, parameters.max_bodies));
@@ -120,7 +122,6 @@ std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action acti
   read("shares", 1.0, parameters.shares);
   read("turns", 180.0, parameters.turns);
   read("oncoming", FASTEST_APPROACH, parameters.oncoming);
-  map.finish();
   return std::make_shared<AnticipationStates>(parameters, actions);
 }
 

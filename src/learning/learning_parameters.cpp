@@ -43,7 +43,7 @@ namespace {
 
 EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsMap()) return EpsilonSchedule::constant(readNumber(node, place, NumberRule::SHARE));
-  YamlMap map(node, place);
+  const YamlMap map(node, place, {"from", "to", "episodes", "shape"});
   EpsilonSchedule schedule;
   schedule.first = map.number("from", NumberRule::SHARE);
   schedule.last = map.number("to", NumberRule::SHARE);
@@ -57,13 +57,12 @@ EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
   } else if (shape != "linear") {
     throwExpected(map.placeOf("shape"), map.need("shape"), "linear or exponential");
   }
-  map.finish();
   return schedule;
 }
 
 }  // namespace
 
-void readParameter(YamlMap& map, const std::string& key, double LearningParameters::*member,
+void readParameter(const YamlMap& map, const std::string& key, double LearningParameters::*member,
                    LearningParameters& parameters) {
   const YAML::Node node = map.find(key);
   if (!node) return;
@@ -74,7 +73,7 @@ void readParameter(YamlMap& map, const std::string& key, double LearningParamete
   parameters.*member = alone.*member;
 }
 
-Ties readTies(YamlMap& map, Ties otherwise) {
+Ties readTies(const YamlMap& map, Ties otherwise) {
   try {
     return parseTies(map.text("ties", toText(otherwise)));
   } catch (const InputError&) {
@@ -83,7 +82,7 @@ Ties readTies(YamlMap& map, Ties otherwise) {
 }
 
 LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, const LearningPlan& otherwise) {
-  YamlMap map(node, place);
+  const YamlMap map(node, place, {"alpha", "alpha_decay", "gamma", "lambda", "mirrored", "ties", "epsilon"});
   LearningPlan plan = otherwise;
   readParameter(map, "alpha", &LearningParameters::alpha, plan.parameters);
   readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, plan.parameters);
@@ -95,7 +94,6 @@ LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, co
     plan.epsilon = readEpsilon(epsilon, map.placeOf("epsilon"));
     plan.parameters.epsilon = plan.epsilon.at(0);
   }
-  map.finish();
   return plan;
 }
 

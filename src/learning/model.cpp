@@ -3,13 +3,10 @@
 namespace crowd {
 namespace {
 
-bool readOcclusion(YamlMap& map) {
+bool readOcclusion(const YamlMap& map) {
   const YAML::Node node = map.find("vision");
   if (!node) return false;
-  YamlMap vision(node, map.placeOf("vision"));
-  const bool occlusion = vision.flag("occlusion", false);
-  vision.finish();
-  return occlusion;
+  return YamlMap(node, map.placeOf("vision"), {"occlusion"}).flag("occlusion", false);
 }
 
 }  // namespace
@@ -39,7 +36,7 @@ void requireFit(const Model& expected, const Model& got, const std::string& what
                    expected.spec());
 }
 
-Model readModel(YamlMap& map) {
+Model readModel(const YamlMap& map) {
   Model model;
   model.action_set = makeActionSet(map.need("action_set"), map.placeOf("action_set"));
   model.state_set = makeStateSet(map.need("state_set"), map.placeOf("state_set"), model.action_set);
@@ -52,10 +49,7 @@ Model parseModel(const std::string& spec) {
   const YamlPlace place{"model", 0, ""};
   const std::vector<YAML::Node> documents = parseYamlStream(spec, place.file);
   if (documents.size() != 1) throw InputError("model: expected one YAML document");
-  YamlMap map(documents.front(), place);
-  Model model = readModel(map);
-  map.finish();
-  return model;
+  return readModel(YamlMap(documents.front(), place, {"state_set", "action_set", "reward", "vision"}));
 }
 
 }  // namespace crowd

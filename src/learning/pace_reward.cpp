@@ -48,6 +48,7 @@ std::string PaceReward::spec() const {
 }
 
 std::shared_ptr<const Reward> readPaceReward(YamlMap& map) {
+  map.allow({"type", "turn_price", "conflict_price", "conflict_time", "rest_price", "contact_price"});
   PaceReward::Parameters parameters;
   const auto read_price = [&](const char* key, double& price) {
     price = map.number(key, NumberRule::NOT_NEGATIVE, price);
@@ -57,7 +58,6 @@ std::shared_ptr<const Reward> readPaceReward(YamlMap& map) {
   parameters.conflict_time = map.number("conflict_time", NumberRule::POSITIVE, parameters.conflict_time);
   read_price("rest_price", parameters.rest_price);
   read_price("contact_price", parameters.contact_price);
-  map.finish();
   return std::make_shared<PaceReward>(parameters);
 }
 

@@ -192,7 +192,7 @@ std::optional<SourceId> toSource(std::string_view text) {
   return source;
 }
 
-SourceId readSource(YamlMap& map) {
+SourceId readSource(const YamlMap& map) {
   const YAML::Node node = map.find("source");
   if (!node) return NO_SOURCE;
   const std::optional<SourceId> source = toSource(readText(node, map.placeOf("source")));
@@ -212,7 +212,10 @@ std::string readHeaderText(LineReader& lines) {
 Header readHeader(LineReader& lines) {
   const std::vector<YAML::Node> documents = parseYamlStream(readHeaderText(lines), lines.name());
   if (documents.size() != 1) lines.fail("a header of YAML before '---'", "nothing");
-  YamlMap map(documents.front(), {lines.name(), 0, ""});
+  const YamlMap map(
+      documents.front(), {lines.name(), 0, ""},
+      {"state_set", "action_set", "reward", "vision", "rows", "actions", "alpha", "alpha_decay", "gamma", "lambda",
+       "mirrored", "ties", "epsilon", "decisions", "seed", "source", "other_sources", "visited_rows"});
   Header header;
   header.model = readModel(map);
   const auto rows = static_cast<std::int64_t>(header.model.state_set->rowCount());
@@ -232,7 +235,6 @@ Header readHeader(LineReader& lines) {
   header.source = readSource(map);
   header.other_sources = static_cast<std::size_t>(map.whole("other_sources", 1, MOST_SOURCES, 0));
   header.visited_rows = static_cast<Row>(map.whole("visited_rows", 0, rows));
-  map.finish();
   return header;
 }
 

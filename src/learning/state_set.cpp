@@ -10,7 +10,7 @@ namespace {
 
 constexpr int MAX_GOAL_SECTORS = 64;
 
-DistanceClasses readDistances(YamlMap& map) {
+DistanceClasses readDistances(const YamlMap& map) {
   DistanceClasses distances;
   distances.collision_radius = map.number("collision_radius", NumberRule::POSITIVE, distances.collision_radius);
   distances.vision_radius = map.number("vision_radius", NumberRule::POSITIVE, distances.vision_radius);
@@ -20,7 +20,7 @@ DistanceClasses readDistances(YamlMap& map) {
   return distances;
 }
 
-std::vector<double> readSectorLimits(YamlMap& map, const std::vector<double>& otherwise) {
+std::vector<double> readSectorLimits(const YamlMap& map, const std::vector<double>& otherwise) {
   const YAML::Node node = map.find("obstacle_sectors");
   if (!node) return otherwise;
   const YamlPlace place = map.placeOf("obstacle_sectors");
@@ -36,10 +36,10 @@ std::vector<double> readSectorLimits(YamlMap& map, const std::vector<double>& ot
 }
 
 OccupancyStates::Parameters readOccupancy(YamlMap& map) {
+  map.allow({"type", "sectors", "collision_radius", "vision_radius"});
   OccupancyStates::Parameters parameters;
   parameters.sectors = static_cast<int>(map.whole("sectors", 2, OccupancyStates::MAX_SECTORS, parameters.sectors));
   parameters.distances = readDistances(map);
-  map.finish();
   return parameters;
 }
 
@@ -50,11 +50,11 @@ std::shared_ptr<const StateSet> makeStateSet(const YAML::Node& node, const YamlP
   YamlMap map(node, place);
   const std::string type = map.text("type");
   if (type == NearestObstacleStates::TYPE) {
+    map.allow({"type", "goal_sectors", "obstacle_sectors", "collision_radius", "vision_radius"});
     NearestObstacleStates::Parameters parameters;
     parameters.goal_sectors = static_cast<int>(map.whole("goal_sectors", 1, MAX_GOAL_SECTORS, parameters.goal_sectors));
     parameters.obstacle_sectors = readSectorLimits(map, parameters.obstacle_sectors);
     parameters.distances = readDistances(map);
-    map.finish();
     return std::make_shared<NearestObstacleStates>(parameters);
   }
   if (type == AnticipationStates::TYPE) return readAnticipationStates(map, action_set->size());

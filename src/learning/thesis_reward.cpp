@@ -58,6 +58,7 @@ std::string ThesisReward::spec() const {
 }
 
 std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& state_set) {
+  map.allow({"type", "goal", "arrival", "obstacle_cost", "stay_cost"});
   ThesisReward::Parameters parameters;
   const std::string goal = map.text("goal");
   if (goal == DISTANCE_GAINED_NAME) {
@@ -68,7 +69,6 @@ std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& sta
   parameters.arrival = map.number("arrival", NumberRule::ANY, parameters.arrival);
   parameters.obstacle_cost = map.number("obstacle_cost", NumberRule::NOT_NEGATIVE);
   parameters.stay_cost = map.number("stay_cost", NumberRule::NOT_NEGATIVE, parameters.stay_cost);
-  map.finish();
   return std::make_shared<ThesisReward>(parameters, state_set);
 }
 

@@ -1,8 +1,9 @@
 #include "social_crowd/ros/controller_parameters.h"
 
-#include <filesystem>
-
+#include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/simulation/recipe.h"
+#include "social_crowd/world/scenario_files.h"
 
 namespace crowd {
 namespace {
@@ -23,16 +24,47 @@ double readPace(Parameters& parameters, double otherwise) {
   return otherwise;
 }
 
+/// What a learning configuration says of scenarios, episodes, seed and vision. It is read by whoever reads recipes.
+void useRecipe(Parameters& parameters, ControllerParameters& read) {
+  const std::string file = parameters.text("config", "");
+  if (file.empty()) return;
+  try {
+    const Recipe recipe = readRecipe(file);
+    read.scenarios = recipe.training.scenarios;
+    read.episodes = recipe.training.episodes;
+    read.seed = recipe.training.seed;
+    read.vision = recipe.model.vision();
+    read.name = stemOf(file);
+  } catch (const Error& error) {
+    parameters.complain("config", error.what());
+  }
+}
+
+void readScenario(Parameters& parameters, ControllerParameters& read) {
+  read.scenario_folder = parameters.text("scenario_folder", shippedScenarios());
+  const std::string scenario = parameters.text("scenario", "");
+  if (scenario.empty()) {
+    if (parameters.isSet("scenario") || parameters.isSet("config")) return;
+    return parameters.complainMissing("scenario", "expected a scenario file or name, or ~config, got nothing");
+  }
+  try {
+    read.scenarios = {findScenario(scenario, "", read.scenario_folder)};
+    read.name = stemOf(read.scenarios.front());
+  } catch (const InputError& error) {
+    parameters.complain("scenario", error.what());
+  }
+}
+
 }  // namespace
 
 ControllerParameters readControllerParameters(const ros::NodeHandle& private_node) {
   Parameters parameters(private_node);
   ControllerParameters read;
-  read.scenario = parameters.text("scenario", "");
-  if (read.scenario.empty()) parameters.complain("scenario", "expected a scenario file or name, got nothing");
-  read.scenario_folder = parameters.text("scenario_folder", "");
+  useRecipe(parameters, read);
+  readScenario(parameters, read);
   read.seed = static_cast<std::uint64_t>(parameters.whole("seed", static_cast<std::int64_t>(read.seed), 0, MAX_WHOLE));
-  read.episodes = static_cast<std::uint64_t>(parameters.whole("episodes", 0, 0, MAX_WHOLE));
+  read.episodes =
+      static_cast<std::uint64_t>(parameters.whole("episodes", static_cast<std::int64_t>(read.episodes), 0, MAX_WHOLE));
   read.pace = readPace(parameters, read.pace);
   read.paused = parameters.flag("paused", read.paused);
   read.start_deadline = parameters.number("start_deadline", read.start_deadline, 0.0, MAX_DEADLINE);
@@ -49,12 +81,6 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.trajectories = parameters.text("trajectories", "");
   parameters.finish();
   return read;
-}
-
-std::string findScenario(const std::string& name_or_file, const std::string& folder) {
-  const std::filesystem::path path(name_or_file);
-  const bool is_name = !folder.empty() && !path.has_parent_path() && !path.has_extension();
-  return is_name ? (std::filesystem::path(folder) / (name_or_file + ".yaml")).string() : name_or_file;
 }
 
 }  // namespace crowd

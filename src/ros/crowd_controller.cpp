@@ -36,8 +36,7 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       lockstep_(parameters_.misses_until_absent),
       paused_(parameters_.paused),
       services_(private_node, SERVICE_THREADS) {
-  const std::string file = findScenario(parameters_.scenario, parameters_.scenario_folder);
-  useScenarios(readScenarios(file), file);
+  useScenarios(readScenarios(parameters_.scenarios), parameters_.name);
   actions_ = subscribeToTicks<ActionsMessage>(node_, names::ACTIONS, QUEUE,
                                               [this](const auto& message) { takeActions(message); });
   advertiseServices();
@@ -76,12 +75,12 @@ void CrowdController::linger() {
   serveUntil(Clock::now() + FLUSH);
 }
 
-void CrowdController::useScenarios(ScenarioList scenarios, const std::string& file) {
+void CrowdController::useScenarios(ScenarioList scenarios, const std::string& name) {
   // All that can fail comes before anything is replaced.
   scenarios.scene(seed_, 0);
-  std::optional<TrajectoryFile> recording = beginRecording(stemOf(file));
+  std::optional<TrajectoryFile> recording = beginRecording(name);
   scenarios_ = std::move(scenarios);
-  scenario_name_ = stemOf(file);
+  scenario_name_ = name;
   restart(std::move(recording));
 }
 

@@ -11,9 +11,11 @@
 #include <social_crowd/Step.h>
 #include <std_srvs/SetBool.h>
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/crowd_controller.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/world/scenario_files.h"
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
@@ -92,11 +94,11 @@ void CrowdController::advertiseServices() {
     });
   });
   services_.serve<social_crowd::LoadScenario>(names::LOAD_SCENARIO, [this](const auto& request, auto& response) {
-    const std::string file = findScenario(request.scenario, parameters_.scenario_folder);
+    const std::string file = findScenario(request.scenario, "", parameters_.scenario_folder);
     ScenarioList scenarios = readScenarios(file);  // parsed and checked before anything is replaced
     response.documents = static_cast<std::uint32_t>(scenarios.size());
     loop_.ask<void>([&] {
-      useScenarios(std::move(scenarios), file);
+      useScenarios(std::move(scenarios), stemOf(file));
       response.message = "loaded " + file + ": " + place();
     });
   });

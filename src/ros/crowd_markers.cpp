@@ -1,7 +1,10 @@
 #include "social_crowd/ros/crowd_markers.h"
 
+#include <geometry_msgs/TransformStamped.h>
+#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/parameters.h"
 
@@ -11,7 +14,8 @@ namespace {
 constexpr std::uint32_t QUEUE = 100;        // messages
 constexpr std::uint32_t MARKERS_QUEUE = 2;  // messages; only the newest counts
 constexpr double WARNING_PERIOD = 10.0;     // [s]
-const ros::WallDuration IDLE(0.1);          // between two looks whether ROS still runs
+constexpr bool LATCHED = true;
+const ros::WallDuration IDLE(0.1);  // between two looks whether ROS still runs
 const ros::WallDuration REPEAT_AFTER(1.0);
 
 constexpr double MIN_RATE = 0.1;       // [Hz]
@@ -53,7 +57,10 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& 
   publisher_ = node_.advertise<visualization_msgs::MarkerArray>(names::MARKERS, MARKERS_QUEUE);
   agents_ = node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
                                                        [this](const auto& message) { scene_.take(message); });
-  scenario_ = subscribe<social_crowd::Scenario>(names::SCENARIO);
+  frame_publisher_ = node_.advertise<tf2_msgs::TFMessage>(names::STATIC_TF, 1, LATCHED);
+  publishFrame(Vector2::Zero());
+  scenario_ = node_.subscribe<social_crowd::Scenario>(names::SCENARIO, QUEUE,
+                                                      [this](const auto& message) { takeScenario(*message); });
   learner_status_ = subscribe<social_crowd::LearnerStatus>(names::LEARNER_STATUS);
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters.rate),
                                  [this](const ros::WallTimerEvent& /*event*/) { publish(); });
@@ -61,6 +68,25 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& 
 
 void CrowdMarkers::run() {
   while (!loop_.isClosed()) loop_.run(IDLE);
+}
+
+void CrowdMarkers::takeScenario(const social_crowd::Scenario& message) {
+  scene_.take(message);
+  // Episodes of one scenario are drawn anew each; the view is not to jump with each.
+  if (message.name == scenario_name_ && !scenario_name_.empty()) return;
+  scenario_name_ = message.name;
+  publishFrame(middleOf(message).array().round());  // RViz's grid has its lines at whole metres of the map
+}
+
+void CrowdMarkers::publishFrame(const Vector2& middle) {
+  geometry_msgs::TransformStamped frame;
+  frame.header.frame_id = names::MAP_FRAME;
+  frame.child_frame_id = names::CROWD_FRAME;
+  frame.transform.translation = toVector3(middle);
+  frame.transform.rotation.w = 1.0;
+  tf2_msgs::TFMessage message;
+  message.transforms.push_back(frame);
+  frame_publisher_.publish(message);
 }
 
 template <typename Message>

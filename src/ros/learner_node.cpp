@@ -49,6 +49,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       taking_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
+  for (const std::string& warning : parameters.warnings) ROS_WARN("%s", warning.c_str());
   status_publisher_ = node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, LATCHED);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
   perceptions_subscriber_ = subscribeToTicks<PerceptionsMessage>(

@@ -71,10 +71,10 @@ void checkSources(Parameters& parameters, const std::optional<Recipe>& recipe, c
   const bool tried_table = !parameters.text("q_table", "").empty();
   const bool tried_config = !parameters.text("config", "").empty();
   if (mode == Mode::DEMO && !tried_table) {
-    parameters.complain("q_table", "expected a Q-table file in demo mode, got nothing");
+    parameters.complainMissing("q_table", "expected a Q-table file in demo mode, got nothing");
   }
   if (mode == Mode::TRAINING && !tried_table && !tried_config) {
-    parameters.complain("config", "expected a learning configuration or ~q_table in training mode, got neither");
+    parameters.complainMissing("config", "expected a learning configuration or ~q_table in training mode, got neither");
   }
   if (!recipe || !table) return;
   try {
@@ -84,26 +84,46 @@ void checkSources(Parameters& parameters, const std::optional<Recipe>& recipe, c
   }
 }
 
+std::vector<std::string> findWarnings(Mode mode, const std::optional<Recipe>& recipe, const std::string& save_to) {
+  std::vector<std::string> warnings;
+  if (mode == Mode::TRAINING && save_to.empty()) {
+    warnings.emplace_back(
+        "what is learned will not be saved: there is no ~save_to (argument save_to of demo.launch); ~save_q_table "
+        "saves "
+        "it at any time");
+  }
+  if (mode == Mode::TRAINING && recipe && recipe->training.side_by_side > 1) {
+    warnings.push_back(
+        "the configuration asks for " + std::to_string(recipe->training.side_by_side) +
+        " learners side by side; through ROS one learns alone, so the table will not be that of 'train'");
+  }
+  return warnings;
+}
+
 }  // namespace
 
 LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   Parameters parameters(private_node);
   Learner::Options options;
   options.mode = readNamed(parameters, "mode", options.mode, parseMode);
-  options.tables = readNamed(parameters, "tables", options.tables, parseTableUse);
   const TakeMethod on_share = readNamed(parameters, "on_share", TakeMethod::REPLACE, parseTakeMethod);
   readAgents(parameters, options.agents);
   const auto recipe = readFileOf(parameters, "config", readRecipe);
   const auto table = readFileOf(parameters, "q_table", loadQTable);
   checkSources(parameters, recipe, table, options.mode);
+  const TrainingPlan training = recipe ? recipe->training : TrainingPlan();
+  options.tables = readNamed(parameters, "tables", training.tables, parseTableUse);
   if (table) options.plan = {table->parameters, EpsilonSchedule::constant(table->parameters.epsilon)};
   if (recipe) options.plan = recipe->learning;
   readLearningParameters(parameters, options.plan);
-  const std::uint64_t seed = recipe ? recipe->training.seed : 1;
-  options.seed = static_cast<std::uint64_t>(parameters.whole("seed", static_cast<std::int64_t>(seed), 0, MAX_WHOLE));
+  const auto seed = static_cast<std::int64_t>(training.seed);
+  options.seed = static_cast<std::uint64_t>(parameters.whole("seed", seed, 0, MAX_WHOLE));
   const std::string save_to = parameters.text("save_to", "");
-  const auto save_every = static_cast<std::uint64_t>(parameters.whole("save_every", 0, 0, MAX_WHOLE));
-  if (save_every > 0 && save_to.empty()) parameters.complain("save_every", "needs ~save_to, the file to write");
+  const auto planned = static_cast<std::int64_t>(training.save_every);
+  const auto save_every = static_cast<std::uint64_t>(parameters.whole("save_every", planned, 0, MAX_WHOLE));
+  if (save_every > 0 && save_to.empty() && parameters.isSet("save_every")) {
+    parameters.complain("save_every", "needs ~save_to, the file to write");
+  }
   if (!save_to.empty()) checkWritable(parameters, save_to);
   parameters.finish();
 
@@ -114,7 +134,8 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
           {model, options.plan.parameters, decisions, options.seed, std::move(values)},
           on_share,
           save_to,
-          save_every};
+          save_to.empty() ? 0 : save_every,
+          findWarnings(options.mode, recipe, save_to)};
 }
 
 }  // namespace crowd

@@ -119,7 +119,7 @@ void RadiiDrawing::add(const AgentState& agent, const std::vector<double>& limit
   if (!isOnFloor(agent)) return;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (!isDrawable(limits[i])) continue;
-    const auto colour = marker_style::ofRadius(static_cast<int>(i) + 1);
+    const auto colour = marker_style::ofRadius(i + 1, limits.size());
     marker_.addCircle(poseOf(agent).position, limits[i], circle_, faint ? marker_style::paler(colour) : colour);
   }
 }
@@ -132,7 +132,7 @@ Marker drawSectors(const Pose& pose, const std::vector<OccupiedSector>& sectors,
     if (!fine || index >= limits.size() || !isDrawable(limits[index])) continue;
     const double inner = index == 0 ? 0.0 : limits[index - 1];
     marker.addRingPart(pose.position, inner, limits[index], pose.heading + sector.from, pose.heading + sector.to,
-                       marker_style::ofSector(sector.distance_class));
+                       marker_style::ofSector(index + 1, limits.size()));
   }
   return marker.finish();
 }

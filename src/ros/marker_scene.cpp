@@ -1,6 +1,8 @@
 #include "social_crowd/ros/marker_scene.h"
 
+#include <Eigen/Geometry>
 #include <boost/make_shared.hpp>
+#include <cmath>
 #include <utility>
 
 #include "social_crowd/learning/model.h"
@@ -47,6 +49,23 @@ Perceptions only(std::int64_t agent, const Perceptions& perceptions) {
 }
 
 }  // namespace
+
+Vector2 middleOf(const social_crowd::Scenario& scenario) {
+  Eigen::AlignedBox2d area;
+  const auto add = [&](double x, double y) {
+    if (std::isfinite(x) && std::isfinite(y)) area.extend(Vector2(x, y));
+  };
+  for (const AgentState& agent : scenario.agents) {
+    add(agent.pose.x, agent.pose.y);
+    add(agent.goal.x, agent.goal.y);
+  }
+  for (const social_crowd::ObstacleState& obstacle : scenario.obstacles) add(obstacle.position.x, obstacle.position.y);
+  for (const social_crowd::Wall& wall : scenario.walls) {
+    add(wall.from.x, wall.from.y);
+    add(wall.to.x, wall.to.y);
+  }
+  return area.isEmpty() ? Vector2(Vector2::Zero()) : Vector2(area.center());
+}
 
 void KnownStateSets::take(const social_crowd::LearnerStatus& status) {
   if (state_set_ == nullptr || status.model != model_) {

@@ -79,11 +79,12 @@ Colour paler(const Colour& colour) {
   return make(shade(colour.r), shade(colour.g), shade(colour.b), colour.a);
 }
 
-Colour ofSector(int distance_class) { return withAlpha(ofRadius(distance_class), distance_class <= 1 ? 0.4 : 0.35); }
+Colour ofRadius(std::size_t distance_class, std::size_t classes) {
+  return distance_class < classes ? make(0.85, 0.2, 0.15) : make(0.95, 0.62, 0.1);
+}
 
-Colour ofRadius(int distance_class) {
-  if (distance_class <= 1) return make(0.85, 0.2, 0.15);
-  return distance_class == 2 ? make(0.95, 0.62, 0.1) : make(0.55, 0.55, 0.6);
+Colour ofSector(std::size_t distance_class, std::size_t classes) {
+  return withAlpha(ofRadius(distance_class, classes), distance_class < classes ? 0.4 : 0.35);
 }
 
 Colour ofContact() { return make(0.9, 0.0, 0.05); }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/suggestions.h"
 
 namespace crowd {
 namespace {
@@ -31,17 +32,16 @@ bool isEmptyText(XmlRpcValue& value) {
 
 XmlRpcValue* Parameters::find(const std::string& name) {
   asked_.insert(name);
-  return node_.getParam(name, value_) ? &value_ : nullptr;
+  return node_.getParam(name, value_) && !isEmptyText(value_) ? &value_ : nullptr;
 }
 
-bool Parameters::isSet(const std::string& name) {
-  XmlRpcValue* const value = find(name);
-  return value != nullptr && !isEmptyText(*value);
-}
+bool Parameters::isSet(const std::string& name) { return find(name) != nullptr; }
 
 void Parameters::complain(const std::string& name, const std::string& what) {
   problems_.push_back("~" + name + ": " + what);
 }
+
+void Parameters::complainMissing(const std::string& name, const std::string& what) { missing_[name] = what; }
 
 void Parameters::expect(const std::string& name, const std::string& expected, XmlRpcValue& got) {
   complain(name, "expected " + expected + ", got " + textOf(got));
@@ -68,7 +68,7 @@ bool Parameters::flag(const std::string& name, bool otherwise) {
 
 double Parameters::number(const std::string& name, double otherwise, double low, double high) {
   XmlRpcValue* const value = find(name);
-  if (value == nullptr || isEmptyText(*value)) return otherwise;
+  if (value == nullptr) return otherwise;
   double number = std::nan("");
   if (value->getType() == XmlRpcValue::TypeDouble) number = static_cast<double>(*value);
   if (value->getType() == XmlRpcValue::TypeInt) number = static_cast<int>(*value);
@@ -102,23 +102,32 @@ std::vector<std::int64_t> Parameters::wholes(const std::string& name) {
   return fine ? numbers : std::vector<std::int64_t>();
 }
 
-void Parameters::noteUnknown() {
+std::set<std::string> Parameters::findUnknown() const {
   const std::string prefix = node_.getNamespace() + "/";
   std::vector<std::string> names;
   node_.getParamNames(names);
+  std::set<std::string> unknown;
   for (const std::string& full : names) {
     if (full.compare(0, prefix.size(), prefix) != 0) continue;
     const std::string name = full.substr(prefix.size(), full.find('/', prefix.size()) - prefix.size());
-    if (asked_.count(name) > 0) continue;
-    std::string known;
-    for (const std::string& asked : asked_) known += (known.empty() ? "~" : ", ~") + asked;
-    complain(name, "there is no such parameter; there are " + known);
-    asked_.insert(name);
+    if (asked_.count(name) == 0) unknown.insert(name);
+  }
+  return unknown;
+}
+
+void Parameters::noteUnknown() {
+  const std::vector<std::string> known(asked_.begin(), asked_.end());
+  for (const std::string& name : findUnknown()) {
+    const std::string hint = didYouMean(name, known, "~");
+    complain(name, "there is no such parameter" + (hint.empty() ? "; there are " : hint + " There are ") +
+                       joinNames(known, "~"));
+    missing_.erase(nearestName(name, known));
   }
 }
 
 void Parameters::finish() {
   noteUnknown();
+  for (const auto& [name, what] : missing_) complain(name, what);
   if (problems_.empty()) return;
   std::string text = "bad parameters of " + node_.getNamespace() + ":";
   for (const std::string& problem : problems_) text += "\n  " + problem;

@@ -10,15 +10,6 @@
 namespace crowd {
 namespace {
 
-ScenarioList readAll(const std::vector<std::string>& files) {
-  std::vector<Scenario> all;
-  for (const std::string& file : files) {
-    const ScenarioList scenarios = readScenarios(file);
-    for (std::size_t i = 0; i < scenarios.size(); ++i) all.push_back(scenarios[i]);
-  }
-  return ScenarioList(std::move(all));
-}
-
 Learner::Options trainingOptions(const Recipe& recipe) {
   Learner::Options options;
   options.mode = Mode::TRAINING;
@@ -58,7 +49,7 @@ EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& lear
 
 Training::Training(Recipe recipe, unsigned threads)
     : recipe_(std::move(recipe)),
-      scenarios_(readAll(recipe_.training.scenarios)),
+      scenarios_(readScenarios(recipe_.training.scenarios)),
       learners_(makeLearners(recipe_)),
       headings_(learners_.size()),
       workers_(std::min(threads, recipe_.training.side_by_side)) {}

@@ -1,5 +1,6 @@
 #include "command_line.h"
 
+#include <charconv>
 #include <csignal>
 #include <iostream>
 
@@ -16,6 +17,16 @@ void noteInterrupt(int signal) {
 }
 
 }  // namespace
+
+CLI::Validator atLeast(std::uint64_t low) {
+  const auto check = [low](const std::string& text) {
+    std::uint64_t value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool fine = read.ec == std::errc() && read.ptr == text.data() + text.size() && value >= low;
+    return fine ? std::string() : "expected a whole number, " + std::to_string(low) + " or more, got '" + text + "'";
+  };
+  return CLI::Validator(check, std::to_string(low) + " or more", "at_least");
+}
 
 void catchInterrupts() {
   std::signal(SIGINT, noteInterrupt);

@@ -16,6 +16,7 @@
 #include "social_crowd/simulation/record.h"
 #include "social_crowd/simulation/state_record.h"
 #include "social_crowd/simulation/trajectory.h"
+#include "social_crowd/world/scenario_files.h"
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
@@ -129,7 +130,10 @@ int evaluateAll(Arguments& arguments) {
   }
   // All files are read before the first is walked: an error in the last one is told at once.
   std::vector<ScenarioList> scenarios;
-  for (const std::string& file : arguments.scenarios) scenarios.push_back(readScenarios(file));
+  for (std::string& file : arguments.scenarios) {
+    file = findScenario(file);
+    scenarios.push_back(readScenarios(file));
+  }
   std::optional<GrowingFile> record;
   if (!arguments.record.empty()) record.emplace(arguments.record, RECORD_HEADER);
   catchInterrupts();
@@ -152,9 +156,9 @@ int runMain(int argc, char** argv) {
   app.add_option("--q-table", arguments.q_table, "Q-table file")->required();
   app.add_option("--config", arguments.config, "learning configuration; else what the table's header says is used");
   app.add_option("--episodes", arguments.plan.episodes, "of each scenario file; else every document once")
-      ->check(CLI::PositiveNumber);
+      ->check(atLeast(1));
   app.add_option("--seed", arguments.plan.seed, "of placements at random, and of ties that are broken at random")
-      ->check(CLI::NonNegativeNumber)
+      ->check(atLeast(0))
       ->capture_default_str();
   app.add_option("--threads", arguments.plan.threads, "results do not depend on it; else one per processor")
       ->check(CLI::Range(1, 1024));
@@ -168,7 +172,9 @@ int runMain(int argc, char** argv) {
       "every decision");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
   app.add_option("--csv", arguments.csv, "file for the figures");
-  app.add_option("SCENARIO", arguments.scenarios, "scenario files")->required();
+  app.add_option("SCENARIO", arguments.scenarios,
+                 "scenario files, or names of the scenarios that come with the package")
+      ->required();
   app.footer("Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");
   return runTool(app, argc, argv, [&] { return evaluateAll(arguments); });
 }

@@ -130,11 +130,12 @@ int runMain(int argc, char** argv) {
   app.add_option("CONFIG", arguments.config, "learning configuration, such as config/learning/thesis_nearest.yaml")
       ->required();
   app.add_option("--output,-o", arguments.output, "Q-table file to write")->required();
-  app.add_option("--episodes", arguments.episodes, "in place of the configuration's")->check(CLI::PositiveNumber);
-  app.add_option("--seed", arguments.seed, "in place of the configuration's")->check(CLI::NonNegativeNumber);
+  app.add_option("--episodes", arguments.episodes, "in place of the configuration's")->check(atLeast(1));
+  app.add_option("--seed", arguments.seed, "in place of the configuration's")->check(atLeast(0));
   app.add_option("--save-every", arguments.save_every,
-                 "also keep the table every so many episodes, as OUTPUT_000500.txt and so on");
-  app.add_option("--q-table", arguments.q_table, "goes on learning from this table")->check(CLI::ExistingFile);
+                 "also keep the table every so many episodes, as OUTPUT_000500.txt and so on")
+      ->check(atLeast(0));
+  app.add_option("--q-table", arguments.q_table, "goes on learning from this table");
   app.add_option("--tables", arguments.tables, "one for all or each its own, in place of the configuration's")
       ->check(CLI::IsMember({"shared", "own"}));
   app.add_option("--threads", arguments.threads,

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "social_crowd/common/suggestions.h"
 #include "social_crowd/common/yaml_reader.h"
 
 namespace crowd {
@@ -55,7 +56,7 @@ Region readBox(const YAML::Node& node, const YamlPlace& place) {
 }
 
 Region readRing(const YAML::Node& node, const YamlPlace& place) {
-  YamlMap map(node, place);
+  const YamlMap map(node, place, {"centre", "radius"});
   Region region;
   region.kind = Region::Kind::RING;
   region.first = readVector(map.need("centre"), map.placeOf("centre"));
@@ -63,8 +64,17 @@ Region readRing(const YAML::Node& node, const YamlPlace& place) {
   if (region.radius.high <= 0.0) {
     throwProblem(map.placeOf("radius"), map.need("radius"), "expected an outer radius above 0");
   }
-  map.finish();
   return region;
+}
+
+/// A map of one key that says where something is, and the key is none of those that `expected` names as {KEY: ...}.
+[[noreturn]] void throwUnknownPlace(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
+  std::vector<std::string> known;
+  for (const char* key : {"box", "ring", "opposite", "between"}) {
+    if (expected.find(std::string("{") + key) != std::string::npos) known.emplace_back(key);
+  }
+  const std::string key = node.begin()->first.Scalar();
+  throwProblem(place, node, "expected " + expected + ", got '" + key + "'" + didYouMean(key, known));
 }
 
 /// Reads [x, y], {box: ...} or {ring: ...}; an `opposite`, where it is allowed, has been dealt with before.
@@ -77,15 +87,14 @@ Region readRegion(const YAML::Node& node, const YamlPlace& place, const std::str
   if (!node.IsMap() || node.size() != 1) {
     throwExpected(place, node, expected);
   }
-  YamlMap map(node, place);
+  const YamlMap map(node, place);
   if (const YAML::Node box = map.find("box")) {
     return readBox(box, map.placeOf("box"));
   }
-  const YAML::Node ring = map.find("ring");
-  if (!ring) {
-    throwProblem(place, node, "expected " + expected);
+  if (const YAML::Node ring = map.find("ring")) {
+    return readRing(ring, map.placeOf("ring"));
   }
-  return readRing(ring, map.placeOf("ring"));
+  throwUnknownPlace(node, place, expected);
 }
 
 Region readRegion(const YAML::Node& node, const YamlPlace& place) {
@@ -104,7 +113,7 @@ std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place) 
   return regions;
 }
 
-void readGoals(YamlMap& map, AgentGroup& group) {
+void readGoals(const YamlMap& map, AgentGroup& group) {
   const YAML::Node goals = map.find("goals");
   if (goals && map.has("goal")) {
     throwProblem(map.place(), goals, "expected either goal or goals, got both");
@@ -116,7 +125,7 @@ void readGoals(YamlMap& map, AgentGroup& group) {
   const YAML::Node goal = map.need("goal");
   const YamlPlace place = map.placeOf("goal");
   if (goal.IsMap() && goal.size() == 1) {
-    YamlMap choice(goal, place);
+    const YamlMap choice(goal, place);
     if (const YAML::Node opposite = choice.find("opposite")) {
       group.opposite = readVector(opposite, choice.placeOf("opposite"));
       return;
@@ -125,7 +134,7 @@ void readGoals(YamlMap& map, AgentGroup& group) {
   group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...} or {opposite: [x, y]}")};
 }
 
-int readCount(YamlMap& map, bool is_fixed) {
+int readCount(const YamlMap& map, bool is_fixed) {
   const auto count = static_cast<int>(map.whole("count", 1, MAX_COUNT, 1));
   if (count > 1 && is_fixed) {
     throwProblem(map.placeOf("count"), map.need("count"), "more than one body needs a region as position");
@@ -134,7 +143,7 @@ int readCount(YamlMap& map, bool is_fixed) {
 }
 
 /// Reads goal, random, kept, or degrees.
-void readHeading(YamlMap& map, AgentGroup& group) {
+void readHeading(const YamlMap& map, AgentGroup& group) {
   const YAML::Node node = map.find("heading");
   const std::string word = node && node.IsScalar() ? node.Scalar() : "";
   if (!node || word == "goal") return;
@@ -150,7 +159,7 @@ void readHeading(YamlMap& map, AgentGroup& group) {
 }
 
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units) {
-  YamlMap map(node, place);
+  const YamlMap map(node, place, {"position", "goal", "goals", "speed", "radius", "heading", "count"});
   AgentGroup group;
   group.line = lineOf(node);
   group.position = readRegion(map.need("position"), map.placeOf("position"));
@@ -159,7 +168,6 @@ AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Unit
   group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
   readHeading(map, group);
   group.count = readCount(map, group.position.isFixed());
-  map.finish();
   return group;
 }
 
@@ -169,7 +177,7 @@ std::vector<Region> readWaypoints(const YAML::Node& node, const YamlPlace& place
   return single ? std::vector<Region>{readRegion(node, place)} : readRegions(node, place);
 }
 
-void readMotion(YamlMap& map, const Units& units, ObstacleGroup& group) {
+void readMotion(const YamlMap& map, const Units& units, ObstacleGroup& group) {
   using Kind = ObstaclePath::Kind;
   const YAML::Node velocity = map.find("velocity");
   const YAML::Node to_and_fro = map.find("to_and_fro");
@@ -197,22 +205,21 @@ void readMotion(YamlMap& map, const Units& units, ObstacleGroup& group) {
 }
 
 Between readBetween(const YAML::Node& node, const YamlPlace& place) {
-  YamlMap map(node, place);
+  const YamlMap map(node, place, {"agent", "share", "aside"});
   Between between;
   between.agent = static_cast<std::size_t>(map.whole("agent", 0, MAX_AGENT));
   between.share = readRange(map.need("share"), map.placeOf("share"), NumberRule::SHARE);
   if (const YAML::Node aside = map.find("aside")) {
     between.aside = readRange(aside, map.placeOf("aside"), NumberRule::ANY);
   }
-  map.finish();
   return between;
 }
 
-void readPosition(YamlMap& map, ObstacleGroup& group) {
+void readPosition(const YamlMap& map, ObstacleGroup& group) {
   const YAML::Node position = map.need("position");
   const YamlPlace place = map.placeOf("position");
   if (position.IsMap() && position.size() == 1) {
-    YamlMap choice(position, place);
+    const YamlMap choice(position, place);
     if (const YAML::Node between = choice.find("between")) {
       group.between = readBetween(between, choice.placeOf("between"));
       return;
@@ -222,14 +229,13 @@ void readPosition(YamlMap& map, ObstacleGroup& group) {
 }
 
 ObstacleGroup readObstacles(const YAML::Node& node, const YamlPlace& place, const Units& units) {
-  YamlMap map(node, place);
+  const YamlMap map(node, place, {"position", "radius", "count", "velocity", "to_and_fro", "waypoints", "speed"});
   ObstacleGroup group;
   group.line = lineOf(node);
   readPosition(map, group);
   group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
   group.count = readCount(map, group.between ? group.between->isFixed() : group.position.isFixed());
   readMotion(map, units, group);
-  map.finish();
   return group;
 }
 
@@ -261,7 +267,7 @@ std::vector<T> readList(const YAML::Node& node, const YamlPlace& place, Read rea
   return list;
 }
 
-Units readUnits(YamlMap& map) {
+Units readUnits(const YamlMap& map) {
   const std::string name = map.text("units", "si");
   if (name != "si" && name != "thesis") {
     throwExpected(map.placeOf("units"), map.need("units"), "si or thesis");
@@ -269,7 +275,7 @@ Units readUnits(YamlMap& map) {
   return {name == "thesis", map.number("tick", NumberRule::POSITIVE, DEFAULT_TICK_DURATION)};
 }
 
-std::uint64_t readDuration(YamlMap& map, const Units& units) {
+std::uint64_t readDuration(const YamlMap& map, const Units& units) {
   const double duration = map.number("duration", NumberRule::POSITIVE);
   // A duration of so many whole ticks must not lose one to rounding.
   const double ticks = std::floor((units.thesis ? duration : duration / units.tick_duration) + 1e-6);
@@ -279,7 +285,7 @@ std::uint64_t readDuration(YamlMap& map, const Units& units) {
   return static_cast<std::uint64_t>(ticks);
 }
 
-Contact readContact(YamlMap& map) {
+Contact readContact(const YamlMap& map) {
   const std::string name = map.text("contact", "ghost");
   if (name != "ghost" && name != "solid") {
     throwExpected(map.placeOf("contact"), map.need("contact"), "ghost or solid");
@@ -287,7 +293,7 @@ Contact readContact(YamlMap& map) {
   return name == "solid" ? Contact::SOLID : Contact::GHOST;
 }
 
-Order readOrder(YamlMap& map) {
+Order readOrder(const YamlMap& map) {
   const std::string name = map.text("order", "simultaneous");
   if (name != "simultaneous" && name != "sequential") {
     throwExpected(map.placeOf("order"), map.need("order"), "simultaneous or sequential");
@@ -296,7 +302,9 @@ Order readOrder(YamlMap& map) {
 }
 
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
-  YamlMap map(node, place);
+  const YamlMap map(node, place,
+                    {"name", "units", "tick", "duration", "goal_tolerance", "collision_radius", "contact", "order",
+                     "seed", "agents", "obstacles", "walls"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -319,7 +327,6 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
   scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);
   scenario.walls = readList<Segment>(map.find("walls"), map.placeOf("walls"), readWall);
-  map.finish();
   return scenario;
 }
 
@@ -339,6 +346,15 @@ ScenarioList readStream(const std::vector<YAML::Node>& documents, const std::str
 }  // namespace
 
 ScenarioList readScenarios(const std::string& file) { return readStream(loadYamlStream(file), file); }
+
+ScenarioList readScenarios(const std::vector<std::string>& files) {
+  std::vector<Scenario> all;
+  for (const std::string& file : files) {
+    const ScenarioList scenarios = readScenarios(file);
+    for (std::size_t i = 0; i < scenarios.size(); ++i) all.push_back(scenarios[i]);
+  }
+  return ScenarioList(std::move(all));
+}
 
 ScenarioList parseScenarios(const std::string& text, const std::string& name) {
   return readStream(parseYamlStream(text, name), name);

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 namespace crowd {
 namespace {
@@ -124,7 +126,6 @@ TEST(YamlMap, ReadsWhatIsThereAndFallsBackWhereAllowed) {
   EXPECT_FALSE(map.find("i"));
   EXPECT_TRUE(map.has("a"));
   EXPECT_FALSE(map.has("i"));
-  EXPECT_NO_THROW(map.finish());
 }
 
 TEST(YamlMap, NamesAMissingKeyWithTheLineOfTheMap) {
@@ -132,18 +133,32 @@ TEST(YamlMap, NamesAMissingKeyWithTheLineOfTheMap) {
   EXPECT_EQ(errorOf([&] { map.need("c"); }), "file.yaml: document 2, line 3: here: the key 'c' is missing");
 }
 
-TEST(YamlMap, NamesAnUnknownKeyWithItsLineAndTheKnownOnes) {
-  YamlMap map(YAML::Load("a: 1\nsped: 2\n"), PLACE);
-  map.number("a", NumberRule::ANY);
-  map.find("speed");
-  EXPECT_EQ(errorOf([&] { map.finish(); }),
-            "file.yaml: document 2, line 2: here: unknown key 'sped'; known are a, speed");
+TEST(YamlMap, NamesAnUnknownKeyWithItsLineTheNearestAndAllKnownOnes) {
+  const auto error = [](const char* text) {
+    return errorOf([&] { YamlMap(YAML::Load(text), PLACE, {"a", "speed", "tick"}); });
+  };
+  EXPECT_EQ(error("a: 1\nsped: 2\n"),
+            "file.yaml: document 2, line 2: here: unknown key 'sped', did you mean 'speed'? Known are a, speed, tick");
+  EXPECT_EQ(error("colour: 2\na: 1\n"),
+            "file.yaml: document 2, line 1: here: unknown key 'colour'; known are a, speed, tick");
+  EXPECT_EQ(error("a: 1\ntick: 2\n"), "no InputError");
 }
 
-TEST(YamlMap, AskingWhetherAKeyIsThereDoesNotReadIt) {
-  const YamlMap map(YAML::Load("a: 1"), PLACE);
-  EXPECT_TRUE(map.has("a"));
-  EXPECT_NE(errorOf([&] { map.finish(); }).find("unknown key 'a'"), std::string::npos);
+TEST(YamlMap, KeysMayBeDeclaredAfterAFirstLook) {
+  YamlMap map(YAML::Load("type: x\nsped: 2\n"), PLACE);
+  EXPECT_EQ(map.text("type"), "x");
+  EXPECT_NE(errorOf([&] {
+              map.allow({"type", "speed"});
+            }).find("did you mean 'speed'? Known are type, speed"),
+            std::string::npos);
+  const YamlMap misspelt(YAML::Load("a: 1\ntpye: x\n"), PLACE);
+  EXPECT_EQ(errorOf([&] { misspelt.text("type"); }),
+            "file.yaml: document 2, line 2: here: unknown key 'tpye', did you mean 'type'?");
+}
+
+TEST(YamlMap, ReadsDeclaredKeysOnly) {
+  const YamlMap map(YAML::Load("a: 1"), PLACE, {"a"});
+  EXPECT_THROW(map.find("b"), std::logic_error);
 }
 
 TEST(YamlMap, RefusesKeysThatStandTwiceAndWhatIsNoMap) {
@@ -188,7 +203,10 @@ TEST(YamlStream, NamesAFileThatCannotBeRead) {
     }
     return "no FileError";
   };
-  EXPECT_EQ(error("no/such/file.yaml"), "no/such/file.yaml: cannot be read: No such file or directory");
+  const std::string full = std::filesystem::current_path().string() + "/no/such/file.yaml";
+  EXPECT_EQ(error("no/such/file.yaml"),
+            "no/such/file.yaml: cannot be read: No such file or directory (that is " + full + ")");
+  EXPECT_EQ(error("/no/such/file.yaml"), "/no/such/file.yaml: cannot be read: No such file or directory");
   EXPECT_EQ(error(testing::TempDir()), testing::TempDir() + ": is a folder, expected a file");
 }
 

@@ -157,10 +157,10 @@ class LoadScenarioTest(ControllerTestCase):
         self.assertEqual((response.episode, response.tick), (1, 2))
 
     def test_by_name(self):
-        self.start_all(scenario_folder=support.in_package('config', 'scenarios'))
+        self.start_all()
         self.do('load_scenario', scenario='circle6')
         self.scenarios.wait(lambda message: message.name == 'circle6')
-        self.refuse('load_scenario', 'no_such_name.yaml', scenario='no_such_name')
+        self.refuse('load_scenario', "did you mean 'circle12'?", scenario='circel12')
 
     def test_its_recording(self):
         self.start_all(trajectories=self.path('ros'))

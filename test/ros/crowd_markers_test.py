@@ -13,6 +13,7 @@ from geometry_msgs.msg import Point, Pose2D
 from social_crowd.msg import (AgentPerception, AgentState, AgentStates, LearnerStatus, ObstacleState, PerceivedBody,
                               Perceptions, Scenario, Wall)
 from support import PATIENCE, wait_for
+from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
 PACKAGE = 'social_crowd'
@@ -135,6 +136,21 @@ class CrowdMarkersTest(unittest.TestCase):
             self.assertEqual(len(marker.colors), len(marker.points), marker.ns)
         self.assertEqual(self.picture.points('walls'), [(0.0, 0.0), (4.0, 0.0)])
 
+    def test_a_frame_is_in_the_middle_of_the_scenario(self):
+        """RViz's view is bound to it; with no transform at all RViz doubts its fixed frame, too."""
+        frames = []
+        ear = rospy.Subscriber('/tf_static', TFMessage, lambda message: frames.extend(message.transforms))
+        self.addCleanup(ear.unregister)
+        far = Point(106.0, 8.0, 0.0)
+        self.begin(agent_at(0, 100.0, 20.0, goal=(102.0, 20.0)), agent_at(1, float('nan'), 0.0, goal=(103.0, 22.0)),
+                   walls=[Wall(Point(101.0, 10.0, 0.0), far)], name='far away')
+
+        def is_there():
+            moves = [(frame.header.frame_id, frame.child_frame_id, frame.transform.translation.x,
+                      frame.transform.translation.y) for frame in list(frames)]
+            return ('map', 'crowd', 103.0, 15.0) in moves  # the middle of x 100 to 106, y 8 to 22
+        wait_for(is_there, 'the frame in the middle')
+
     def test_radii_are_those_of_the_state_set(self):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 50.0, 0.0))
         self.learn('occupancy')
@@ -142,6 +158,22 @@ class CrowdMarkersTest(unittest.TestCase):
         def radii():
             return {round(math.hypot(x, y), 3) for x, y in self.picture.points('radii')}
         wait_for(lambda: radii() == {COLLISION_RADIUS, VISION_RADIUS}, 'two circles around the chosen agent alone')
+        self.assertEqual(self.colours_of_radii(), {COLLISION_RADIUS: 'red', VISION_RADIUS: 'amber'})
+
+    def colours_of_radii(self):
+        """What colour the circle of a radius has."""
+        [marker] = self.picture.markers('radii')
+        return {round(math.hypot(point.x, point.y), 3): 'red' if colour.g < 0.4 else 'amber'
+                for point, colour in zip(marker.points, marker.colors)}
+
+    def test_a_radius_of_vision_alone_is_not_red(self):
+        """Anticipation has no collision radius."""
+        self.begin(agent_at(0, 0.0, 0.0))
+        model = MODEL.replace(f'collision_radius: {COLLISION_RADIUS}, ', '').replace('kings_moves, rotations: 8',
+                                                                                     'goal_fan')
+        self.status.publish(LearnerStatus(serves_all=True, model=model % 'anticipation'))
+        wait_for(lambda: self.picture.markers('radii') and self.colours_of_radii() == {VISION_RADIUS: 'amber'},
+                 'one amber circle')
 
     def test_a_big_crowd_takes_few_markers(self):
         self.picture.most_markers = 0

@@ -3,10 +3,13 @@
 import os
 import re
 
+import rosbag
 import rospy
 import support
+from geometry_msgs.msg import Point, Pose2D
 from learning_files import QTableFile, recipe_text
-from social_crowd.msg import AgentStates, LearnerStatus
+from social_crowd.msg import AgentState, AgentStates, LearnerStatus, Scenario
+from visualization_msgs.msg import MarkerArray
 
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 2
@@ -75,7 +78,45 @@ class DemoTest(LaunchTestCase):
         """Everything else that it offers, at once."""
         self.addCleanup(rospy.delete_param, '/use_sim_time')
         self.assert_ends_well(self.demo(scenario=SCENARIO, mode='training', tables='own', learners='per_agent',
-                                        tf='true', clock='true'))
+                                        tf='true', clock='true', save_to=self.path('table.txt'), save_every=1,
+                                        on_share='merge'))
+        self.assertEqual(self.tables(), [f'table_agent_{agent}.txt' for agent in range(6)])
+
+    def tables(self):
+        """Names of the Q-table files that are there."""
+        return sorted(name for name in os.listdir(self.folder) if name.startswith('table'))
+
+    def test_what_was_learned_is_saved_when_it_is_stopped_by_hand(self):
+        launched = self.launch('demo.launch', mode='training', save_to=self.path('table.txt'))
+        self.listen('agents', AgentStates).wait(lambda states: states.tick > 5, 'that they walk')
+        self.assertEqual(launched.stop(), 0)
+        before = QTableFile(support.ANTICIPATION_TABLE).header['decisions']
+        self.assertGreater(QTableFile(self.path('table.txt')).header['decisions'], before)
+        self.assertNotIn('not be saved', launched.output())
+
+    def test_learners_of_one_agent_do_not_write_the_same_file(self):
+        self.assert_ends_well(self.demo(mode='training', learners='per_agent', save_to=self.path('table.txt'),
+                                        episodes=1))
+        self.assertEqual(self.tables(), [f'table_agent_{agent}.txt' for agent in range(6)])
+
+    def test_that_nothing_is_saved_is_told(self):
+        launched = self.demo(mode='training', episodes=1)
+        self.assertEqual(launched.wait(), 0, launched.output())
+        self.assert_says(launched.output(), 'what is learned will not be saved', 'save_to')
+
+    def test_some_agents_are_left_to_another_learner(self):
+        """It decides for the others, and all arrive."""
+        self.start_learner('my_learner', agents=[1, 4], q_table=support.ANTICIPATION_TABLE)
+        for given in ({}, {'learners': 'per_agent'}):
+            status = self.listen('learner_status', LearnerStatus)
+            launched = self.demo(agents='[0,2,3,5]', episodes=1, **given)
+            self.assert_ends_well(launched)
+            self.assert_says(launched.output(), '6 of 6 agents arrived', ' 0 answers missed')
+            served = [set(message.agents) for message in status.messages if 'my_learner' not in message.node]
+            self.assertEqual(set.union(*served), {0, 2, 3, 5})
+
+    def test_on_share(self):
+        self.assert_ends_with(self.demo(on_share='add'), '~on_share', "'add'")
 
     def test_a_demo_that_keeps_learning(self):
         """The argument reaches learners of either kind; without it epsilon is the table's, also after a run with it."""
@@ -102,8 +143,8 @@ class DemoTest(LaunchTestCase):
         self.assert_ends_with(self.demo(learners='two'), 'learners: expected one or per_agent', "'two'")
 
     def test_no_such_scenario(self):
-        file = support.in_package('config', 'scenarios', 'no_such_scenario.yaml')
-        self.assert_ends_with(self.demo(scenario='no_such_scenario'), file)
+        self.assert_ends_with(self.demo(scenario='wakers6'), support.in_package('config', 'scenarios'),
+                              "no scenario 'wakers6', did you mean 'walkers6'?")
 
     def test_no_such_q_table(self):
         missing = self.path('missing.txt')
@@ -126,6 +167,30 @@ class TrainTest(LaunchTestCase):
         self.assertEqual(table.header['seed'], 2)
         self.assertIn('circle6', self.tool('evaluate', '--q-table', file, '--episodes', 1, support.CIRCLE6))
 
+    def test_scenarios_episodes_and_seed_are_the_recipes(self):
+        """Through ROS the same table comes of it as without, bit for bit."""
+        text = recipe_text(f'{SCENARIO}, circle6', 3, seed=7, tables='own')
+        recipe = self.write('recipe.yaml', text)
+        launched = self.launch('train.launch', output=self.path('ros.txt'), config=recipe)
+        self.assert_ends_well(launched)
+        self.assert_says(launched.output(), 'episode 0 (circle,', 'episode 1 (walls_and_movers,', 'episode 2 (')
+        self.tool('train', recipe, '--output', self.path('headless.txt'))
+        self.assertEqual(support.read_text(self.path('ros_agent_0.txt')), support.read_text(self.path('headless.txt')))
+
+    def test_arguments_win_over_the_recipe(self):
+        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 3, seed=7))
+        launched = self.launch('train.launch', output=self.path('table.txt'), config=recipe, scenario='circle6',
+                               episodes=1, seed=5, tables='shared')
+        self.assert_ends_well(launched)
+        self.assert_says(launched.output(), 'episode 0 (circle6, instance 0)')
+        self.assertEqual(QTableFile(self.path('table.txt')).header['seed'], 5)
+
+    def test_learners_side_by_side_are_not_for_ros(self):
+        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 1).replace('tables: shared', 'side_by_side: 4'))
+        launched = self.launch('train.launch', output=self.path('table.txt'), config=recipe)
+        self.assertEqual(launched.wait(), 0, launched.output())
+        self.assert_says(launched.output(), '4 learners side by side', "not be that of 'train'")
+
     def test_it_goes_on_from_a_table(self):
         file = self.path('trained.txt')
         self.assert_ends_well(self.launch('train.launch', output=file, q_table=support.NEAREST_TABLE, episodes=2,
@@ -143,6 +208,38 @@ class TrainTest(LaunchTestCase):
         launched = self.launch('train.launch', output=self.path('trained.txt'), config=missing, episodes=1)
         self.assert_ends_with(launched, f'~config: {missing}')
         self.assertFalse(os.path.exists(self.path('trained.txt')))
+
+
+class ReplayTest(LaunchTestCase):
+    """replay.launch."""
+
+    def record(self):
+        """A bag of an agent that has walked 0.5 m, with another one beside it."""
+        agents = [AgentState(agent=i, pose=Pose2D(0.0, i, 0.0), radius=0.25, goal=Point(3.0, i, 0.0)) for i in range(2)]
+        with rosbag.Bag(self.path('walk.bag'), 'w') as bag:
+            messages = [('scenario', Scenario(name='two', agents=agents))]
+            for tick in range(1, 11):
+                moved = [AgentState(agent=i, pose=Pose2D(0.05 * tick, i, 0.0), radius=0.25) for i in range(2)]
+                messages.append(('agents', AgentStates(tick=tick, agents=moved)))
+            for i, (topic, message) in enumerate(messages):
+                bag.write(f'{self.namespace}/{topic}', message, rospy.Time(1000.0 + 0.05 * i))
+        return self.path('walk.bag')
+
+    def test_a_recording_becomes_markers(self):
+        """Without RViz it ends with the recording."""
+        markers = self.listen('markers', MarkerArray)
+        launched = self.launch('replay.launch', bag=self.record())
+
+        def tip_of_a_path(array):
+            points = [point for marker in array.markers if marker.ns == 'paths' for point in marker.points]
+            return any(abs(point.x - 0.5) < 1e-6 for point in points)
+        markers.wait(tip_of_a_path, 'with a path to the place of the last tick')
+        self.assertEqual(launched.wait(), 0, launched.output())
+        self.assert_no_complaint(launched, 'WARN|ERROR|FATAL')
+
+    def test_the_bag_must_be_there(self):
+        launched = self.launch('replay.launch', bag=self.path('missing.bag'))
+        self.assert_ends_with(launched, 'missing.bag')
 
 
 if __name__ == '__main__':

@@ -68,6 +68,25 @@ class ControllerParametersTest(RefusalTestCase):
                                         'sede', 'answers')
         self.assert_says(message, 'no such parameter', '~seed', '~answer_deadline')
 
+    def test_misspelt(self):
+        """Each gets the nearest one, and none is listed among those that there are."""
+        message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, pacee=3, epsiodes=1), 'pacee',
+                                        'epsiodes')
+        self.assert_says(message, "~pacee: there is no such parameter, did you mean '~pace'? There are ~agents_rate, ",
+                         "~epsiodes: there is no such parameter, did you mean '~episodes'? There are ~agents_rate, ")
+        for line in message.splitlines():
+            self.assertNotIn('~pacee', line.partition('There are')[2])
+
+    def test_a_required_one_is_misspelt(self):
+        """It is told as the misspelling and not as missing, too."""
+        message = self.assert_all_named(self.start_plain(scenaro=support.CIRCLE6), 'scenaro')
+        self.assert_says(message, "did you mean '~scenario'?")
+
+    def test_a_configuration_that_cannot_be_read(self):
+        recipe = self.write('recipe.yaml', recipe_text('circel6', 1))
+        message = self.assert_all_named(self.start_plain(config=recipe), 'config')
+        self.assert_says(message, f'{recipe}: line 5: training.scenarios[0]', "did you mean 'circle6'?")
+
     def test_all_at_once(self):
         """Missing, wrong, not finite and unknown ones in one message."""
         self.assert_all_named(self.start_plain(seed='x', vision_radius=NAN, no_such_name=1), 'scenario', 'seed',
@@ -122,8 +141,13 @@ class ScenarioFilesTest(RefusalTestCase):
 
     def test_no_file(self):
         self.assert_says(self.refusal(self.path('no_such_file.yaml')), self.path('no_such_file.yaml'))
-        self.assert_says(self.refusal('no_such_name', scenario_folder=self.folder),
-                         os.path.join(self.folder, 'no_such_name.yaml'))
+        self.assert_says(self.refusal('no_such_name', scenario_folder=self.folder), 'no_such_name', self.folder)
+
+    def test_a_name_of_none(self):
+        """Where it was looked for, and what there is, the nearest first."""
+        self.assert_says(self.refusal('circel6'), "no scenario 'circel6', did you mean 'circle6'? There is no file ",
+                         os.path.join(os.getcwd(), 'circel6'), support.in_package('config', 'scenarios'),
+                         'there are circle6, ')
 
 
 class LearnerParametersTest(RefusalTestCase):
@@ -161,7 +185,11 @@ class LearnerParametersTest(RefusalTestCase):
 
     def test_unknown(self):
         message = self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, agnets=[1]), 'agnets')
-        self.assert_says(message, '~agents')
+        self.assert_says(message, "did you mean '~agents'?")
+
+    def test_a_required_one_is_misspelt(self):
+        message = self.assert_all_named(self.start_plain(q_tabel=support.NEAREST_TABLE), 'q_tabel')
+        self.assert_says(message, "did you mean '~q_table'?")
 
     def test_an_empty_text_is_no_number(self):
         """So a launch file leaves epsilon to the configuration, its schedule included."""

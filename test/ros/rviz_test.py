@@ -1,7 +1,11 @@
 #!/usr/bin/python3
-"""RViz with the shipped configuration, on a screen of its own: what a person would see of a running crowd."""
+"""RViz as the launch files start it, on a screen of its own: what a person would see of a running crowd.
+
+The crowd is far from the origin, and has to be in view all the same.
+"""
 
 import os
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -34,8 +38,8 @@ class RvizTest(unittest.TestCase):
         with os.fdopen(read) as displays:
             number = displays.readline().strip()
         self.environment = dict(os.environ, DISPLAY=':' + number, LIBGL_ALWAYS_SOFTWARE='1')
-        config = os.path.join(roslib.packages.get_pkg_dir('social_crowd'), 'rviz', 'social_crowd.rviz')
-        self.rviz = subprocess.Popen(['rviz', '-d', config], env=self.environment)
+        command = roslib.packages.find_node('social_crowd', 'show_crowd')[0]
+        self.rviz = subprocess.Popen([command, '__name:=rviz'], env=self.environment)
 
     def tearDown(self):
         for process in (self.rviz, self.screen):
@@ -73,6 +77,9 @@ class RvizTest(unittest.TestCase):
             wait_for(lambda: self.shows(colour, 100), '%s of colour %s on the screen' % (kind, colour))
         path = [getattr(seen['paths'].colors[0], channel) for channel in 'rgb']
         wait_for(lambda: self.shows(path, 20), 'a path of colour %s on the screen' % path)
+        keep = os.environ.get('SOCIAL_CROWD_SCREENSHOT')
+        if keep:
+            shutil.copy(os.path.join(self.folder.name, 'shot.png'), keep)
 
 
 if __name__ == '__main__':

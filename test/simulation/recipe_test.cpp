@@ -14,21 +14,38 @@ namespace crowd {
 namespace {
 
 const char* const RECIPE =
-    "# a comment\n"                                                             // line 1
-    "state_set: {type: nearest_obstacle, goal_sectors: 4}\n"                    // line 2
-    "action_set: {type: kings_moves, rotations: 6}\n"                           // line 3
-    "reward: {goal: distance_gained, arrival: 50, obstacle_cost: 20}\n"         // line 4
-    "learning:\n"                                                               // line 5
-    "  alpha: 0.2\n"                                                            // line 6
-    "  gamma: 0.5\n"                                                            // line 7
-    "  lambda: 0.25\n"                                                          // line 8
-    "  epsilon: {from: 0.8, to: 0.2, episodes: 10}\n"                           // line 9
-    "training:\n"                                                               // line 10
-    "  scenarios: [a.yaml, ../b.yaml, sub/./c.yaml, /somewhere/else/d.yaml]\n"  // line 11
-    "  episodes: 300\n"                                                         // line 12
-    "  seed: 77\n"                                                              // line 13
-    "  tables: own\n"                                                           // line 14
-    "  save_every: 25\n";                                                       // line 15
+    "# a comment\n"                                                      // line 1
+    "state_set: {type: nearest_obstacle, goal_sectors: 4}\n"             // line 2
+    "action_set: {type: kings_moves, rotations: 6}\n"                    // line 3
+    "reward: {goal: distance_gained, arrival: 50, obstacle_cost: 20}\n"  // line 4
+    "learning:\n"                                                        // line 5
+    "  alpha: 0.2\n"                                                     // line 6
+    "  gamma: 0.5\n"                                                     // line 7
+    "  lambda: 0.25\n"                                                   // line 8
+    "  epsilon: {from: 0.8, to: 0.2, episodes: 10}\n"                    // line 9
+    "training:\n"                                                        // line 10
+    "  scenarios: [a.yaml, ../b.yaml, sub/./c.yaml, circle6]\n"          // line 11
+    "  episodes: 300\n"                                                  // line 12
+    "  seed: 77\n"                                                       // line 13
+    "  tables: own\n"                                                    // line 14
+    "  save_every: 25\n";                                                // line 15
+
+/// A folder in which `learning/r.yaml` holds RECIPE, and all scenario files that it names are there.
+class RecipeFolder {
+ public:
+  RecipeFolder() {
+    std::filesystem::create_directories(folder_.file("learning/sub"));
+    for (const char* name : {"learning/a.yaml", "b.yaml", "learning/sub/c.yaml"}) folder_.write(name, "");
+    file_ = folder_.write("learning/r.yaml", RECIPE);
+  }
+
+  std::string file(const std::string& name) const { return folder_.file(name); }
+  const std::string& recipe() const { return file_; }
+
+ private:
+  TemporaryFolder folder_;
+  std::string file_;
+};
 
 std::string replaced(const std::string& from, const std::string& to) {
   std::string text = RECIPE;
@@ -38,8 +55,7 @@ std::string replaced(const std::string& from, const std::string& to) {
 }
 
 TEST(Recipe, SaysModelLearningAndTraining) {
-  const TemporaryFolder folder;
-  const Recipe recipe = readRecipe(folder.write("r.yaml", RECIPE));
+  const Recipe recipe = readRecipe(RecipeFolder().recipe());
   EXPECT_EQ(recipe.model.action_set->size(), 6U);
   EXPECT_EQ(recipe.model.state_set->rowCount(), 4U * 8U * 2U + 4U + 1U);  // sectors, classes, none, arrived
   EXPECT_EQ(recipe.model.reward->spec(), "{goal: distance_gained, arrival: 50, obstacle_cost: 20}");
@@ -55,17 +71,18 @@ TEST(Recipe, SaysModelLearningAndTraining) {
   EXPECT_EQ(recipe.training.save_every, 25U);
 }
 
-TEST(Recipe, ScenariosAreRelativeToIt) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.file("learning"));
-  const Recipe recipe = readRecipe(folder.write("learning/r.yaml", RECIPE));
+TEST(Recipe, ScenariosAreFilesRelativeToItOrNames) {
+  const RecipeFolder folder;
+  const Recipe recipe = readRecipe(folder.recipe());
   const std::vector<std::string> expected = {folder.file("learning/a.yaml"), folder.file("b.yaml"),
-                                             folder.file("learning/sub/c.yaml"), "/somewhere/else/d.yaml"};
+                                             folder.file("learning/sub/c.yaml"),
+                                             std::string(SOURCE_DIR) + "/config/scenarios/circle6.yaml"};
   EXPECT_EQ(recipe.training.scenarios, expected);
 }
 
 TEST(Recipe, LeavesOutWhatHasADefault) {
   const TemporaryFolder folder;
+  folder.write("s.yaml", "");
   const Recipe recipe = readRecipe(folder.write("r.yaml",
                                                 "state_set: {type: nearest_obstacle}\n"
                                                 "action_set: {type: kings_moves}\n"
@@ -113,17 +130,21 @@ TEST(Recipe, MistakesAreNamedWithFileLineAndWhatWasExpected) {
       {"rotations: 6", "rotations: 1", {"line 3", "action_set.rotations", "2", "'1'"}},
       {"goal: distance_gained", "goal: fun", {"line 4", "reward.goal", "distance_gained or cosine_cubed", "fun"}},
       {"obstacle_cost: 20", "obstacle_cost: -1", {"line 4", "reward.obstacle_cost", "0 or more", "-1"}},
-      {"learning:", "lerning:", {"'learning'"}},
+      {"learning:", "lerning:", {"line 5", "unknown key 'lerning', did you mean 'learning'? Known are state_set,"}},
+      {"alpha: 0.2", "alfa: 0.2", {"line 6", "'alfa', did you mean 'alpha'? Known are alpha, alpha_decay, gamma,"}},
+      {"gamma: 0.5", "gama: 0.5", {"line 7", "'gama', did you mean 'gamma'? Known are alpha, alpha_decay, gamma,"}},
+      {"{type: nearest", "{typ: nearest", {"line 2", "state_set", "unknown key 'typ', did you mean 'type'?"}},
+      {"{type: kings", "{tpye: kings", {"line 3", "action_set", "unknown key 'tpye', did you mean 'type'?"}},
       {"alpha: 0.2", "alpha: 1.5", {"line 6", "alpha", "above 0, at most 1", "1.5"}},
       {"lambda: 0.25", "lambda: .nan", {"line 8", "learning.lambda", "number", ".nan"}},
       {"from: 0.8", "from: 80", {"line 9", "learning.epsilon.from", "from 0 to 1", "80"}},
       {"episodes: 10", "episodes: 0", {"line 9", "learning.epsilon.episodes", "1", "'0'"}},
       {"episodes: 10", "episodes: 10, shape: round", {"line 9", "epsilon.shape", "linear or exponential", "round"}},
-      {"scenarios: [", "files: [", {"line 11", "training", "'scenarios'"}},
-      {"[a.yaml, ../b.yaml, sub/./c.yaml, /somewhere/else/d.yaml]",
+      {"scenarios: [", "files: [", {"line 11", "training", "unknown key 'files'; known are scenarios, episodes, seed"}},
+      {"[a.yaml, ../b.yaml, sub/./c.yaml, circle6]",
        "a.yaml",
        {"line 11", "training.scenarios", "a list of scenario files", "a.yaml"}},
-      {"[a.yaml, ../b.yaml, sub/./c.yaml, /somewhere/else/d.yaml]",
+      {"[a.yaml, ../b.yaml, sub/./c.yaml, circle6]",
        "[]",
        {"line 11", "training.scenarios", "a list of scenario files"}},
       {"a.yaml", "{name: a.yaml}", {"line 11", "training.scenarios[0]", "expected", "a map"}},
@@ -143,6 +164,21 @@ TEST(Recipe, MistakesAreNamedWithFileLineAndWhatWasExpected) {
 TEST(Recipe, LineOfALearningParameterIsItsOwn) {
   expectRefused({"gamma: 0.5", "gamma: 1", {"line 7", "gamma", "from 0 to below 1", "1"}});
   expectRefused({"lambda: 0.25", "lambda: -1", {"line 8", "lambda", "from 0 to 1", "-1"}});
+}
+
+TEST(Recipe, AScenarioThatIsNotThereIsToldWithThoseThatAre) {
+  const TemporaryFolder folder;
+  std::string text = RECIPE;
+  const std::string all = "[a.yaml, ../b.yaml, sub/./c.yaml, circle6]";
+  text.replace(text.find(all), all.size(), "[circel6]");
+  const std::string file = folder.write("r.yaml", text);
+  const std::string message = errorOf<InputError>([&] { readRecipe(file); });
+  EXPECT_EQ(message.find(file +
+                         ": line 11: training.scenarios[0]: no scenario 'circel6', did you mean 'circle6'? There "
+                         "is no file " +
+                         folder.file("circel6") + ", and in "),
+            0U)
+      << message;
 }
 
 TEST(Recipe, IsOneDocument) {

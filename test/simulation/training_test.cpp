@@ -220,7 +220,7 @@ TEST(Training, ResultSaysWhatItWasTrainedWith) {
 TEST(Training, ScenariosThatCannotBeRead) {
   const TemporaryFolder folder;
   folder.write("bad.yaml", "name: bad\n");
-  EXPECT_THROW(Training(recipeFor(folder, "nowhere.yaml", 1, 1)), FileError);
+  EXPECT_THROW(recipeFor(folder, "nowhere.yaml", 1, 1), InputError);
   EXPECT_THROW(Training(recipeFor(folder, "bad.yaml", 1, 1)), InputError);
 }
 

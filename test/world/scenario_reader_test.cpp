@@ -172,15 +172,26 @@ TEST(ScenarioReader, SaysFileDocumentLineAndWhatWasExpected) {
 
 TEST(ScenarioReader, RefusesUnknownMissingAndDoubleKeys) {
   EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
-            "s.yaml: document 1, line 5: unknown key 'obstacle'; known are name, units, tick, duration, "
+            "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
+            "tick, duration, "
             "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),
             "s.yaml: document 1, line 5: agents[0]: the key 'speed' is missing");
-  EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], speed: 1, radius: 0.2, sped: 1"),
-            "s.yaml: document 1, line 5: agents[0]: unknown key 'sped'; known are position, goals, goal, speed, "
-            "radius, heading, count");
+  EXPECT_EQ(
+      agentError("position: [0, 0], goal: [1, 1], speed: 1, radius: 0.2, sped: 1"),
+      "s.yaml: document 1, line 5: agents[0]: unknown key 'sped', did you mean 'speed'? Known are position, goal, "
+      "goals, speed, radius, heading, count");
+  // A required key that is misspelt is not told as missing, and all keys are known before the first is read.
+  EXPECT_EQ(
+      agentError("position: [0, 0], goal: [1, 1], speed: 1, raduis: 0.2"),
+      "s.yaml: document 1, line 5: agents[0]: unknown key 'raduis', did you mean 'radius'? Known are position, goal, "
+      "goals, speed, radius, heading, count");
+  EXPECT_EQ(errorOf("nmae: n\n" + std::string(AGENTS))
+                .find("s.yaml: document 1, line 1: unknown key 'nmae', did you mean "
+                      "'name'? Known are name, units, tick, duration"),
+            0U);
   EXPECT_EQ(errorOf(std::string(HEAD) + "name: m\n" + AGENTS),
             "s.yaml: document 1, line 4: the key 'name' stands twice");
 }
@@ -241,7 +252,12 @@ TEST(ScenarioReader, RefusesWrongAgents) {
   says("position: {ring: {centre: [0, 0], radius: 0}}, goal: [1, 1], speed: 1, radius: 0.2",
        "agents[0].position.ring.radius: expected an outer radius above 0");
   says("position: {ring: {center: [0, 0], radius: 1}}, goal: [1, 1], speed: 1, radius: 0.2",
-       "agents[0].position.ring: the key 'centre' is missing");
+       "agents[0].position.ring: unknown key 'center', did you mean 'centre'? Known are centre, radius");
+  says("position: {rign: {centre: [0, 0], radius: 1}}, goal: [1, 1], speed: 1, radius: 0.2",
+       "agents[0].position: expected [x, y], {box: ...} or {ring: ...}, got 'rign', did you mean 'ring'?");
+  says("position: [0, 0], goal: {opposit: [0, 0]}, speed: 1, radius: 0.2",
+       "agents[0].goal: expected [x, y], {box: ...}, {ring: ...} or {opposite: [x, y]}, got 'opposit', did you mean "
+       "'opposite'?");
   EXPECT_NE(errorOf(std::string(HEAD) + "agents: []\n").find("line 4: agents: expected at least one agent"),
             std::string::npos);
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -44,54 +45,61 @@ Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place);
 /// @brief Reads true or false, or throws InputError.
 bool readFlag(const YAML::Node& node, const YamlPlace& place);
 
-/// @brief A map of a YAML document that is read key by key; every key must be asked for before finish().
+/// @brief The keys that a map may have.
+using YamlKeys = std::initializer_list<const char*>;
+
+/// @brief A map of a YAML document that is read key by key.
 ///
+/// What keys it may have is declared before the first is read, so that a message about an unknown one lists them all
+/// and a key that is missing because it is misspelt is told as the misspelling.
 /// All readers throw InputError with file, document, line and what was expected.
 class YamlMap {
  public:
+  /// @brief A map whose keys are declared later, by allow(); until then any may be read.
   /// @throws InputError unless `node` is a map in which no key stands twice.
   YamlMap(const YAML::Node& node, YamlPlace place);
+  /// @brief A map that may have these keys. @throws InputError as above and as allow() does.
+  YamlMap(const YAML::Node& node, YamlPlace place, YamlKeys keys);
 
-  /// @brief Whether the key is there; this does not ask for it.
+  /// @brief Declares all keys that the map may have.
+  /// @throws InputError naming a key that is none of them, the nearest one, and all of them.
+  void allow(YamlKeys keys);
+
   bool has(const std::string& key) const;
   /// @brief The value of a key that must be there.
-  YAML::Node need(const std::string& key);
+  YAML::Node need(const std::string& key) const;
   /// @brief The value of a key, or an undefined node (false) where it is absent.
-  YAML::Node find(const std::string& key);
+  YAML::Node find(const std::string& key) const;
 
-  double number(const std::string& key, NumberRule rule);
-  double number(const std::string& key, NumberRule rule, double otherwise);
-  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high);
-  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise);
-  std::uint64_t count(const std::string& key);
-  std::uint64_t count(const std::string& key, std::uint64_t otherwise);
-  std::string text(const std::string& key);
-  std::string text(const std::string& key, const std::string& otherwise);
-  bool flag(const std::string& key, bool otherwise);
+  double number(const std::string& key, NumberRule rule) const;
+  double number(const std::string& key, NumberRule rule, double otherwise) const;
+  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high) const;
+  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise) const;
+  std::uint64_t count(const std::string& key) const;
+  std::uint64_t count(const std::string& key, std::uint64_t otherwise) const;
+  std::string text(const std::string& key) const;
+  std::string text(const std::string& key, const std::string& otherwise) const;
+  bool flag(const std::string& key, bool otherwise) const;
   /// @brief A list, possibly empty, of rising numbers from `low` to `high`.
   std::vector<double> risingNumbers(const std::string& key, double low, double high,
-                                    const std::vector<double>& otherwise);
+                                    const std::vector<double>& otherwise) const;
 
   YamlPlace placeOf(const std::string& key) const { return place_.child(key); }
   const YamlPlace& place() const { return place_; }
   const YAML::Node& node() const { return node_; }
 
-  /// @throws InputError naming a key that nobody asked for and those that are known.
-  void finish() const;
-
  private:
   struct Entry {
     YAML::Node key;
     YAML::Node value;
-    bool asked = false;
   };
-  /// The entry of the key, asked for from now on; null if it is absent.
-  const Entry* ask(const std::string& key);
+  /// The entry of the key; null if it is absent. @throws std::logic_error for a key that was not declared.
+  const Entry* look(const std::string& key) const;
 
   YAML::Node node_;
   YamlPlace place_;
   std::vector<Entry> entries_;      // in the order of the file
-  std::vector<std::string> known_;  // keys that were asked for, there or not
+  std::vector<const char*> known_;  // empty: not declared yet
 };
 
 /// @brief All documents of a YAML file.

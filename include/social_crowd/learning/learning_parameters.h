@@ -38,11 +38,11 @@ struct LearningParameters {
 };
 
 /// @brief Reads a learning parameter where the map has that key. @throws InputError that names the place
-void readParameter(YamlMap& map, const std::string& key, double LearningParameters::*member,
+void readParameter(const YamlMap& map, const std::string& key, double LearningParameters::*member,
                    LearningParameters& parameters);
 
 /// @brief Reads the key `ties`, where it is there. @throws InputError that names the place
-Ties readTies(YamlMap& map, Ties otherwise = Ties::FIRST);
+Ties readTies(const YamlMap& map, Ties otherwise = Ties::FIRST);
 
 /// @brief How epsilon changes over the episodes: from `first` to `last` within so many episodes, then `last`.
 struct EpsilonSchedule {

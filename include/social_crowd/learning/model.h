@@ -32,7 +32,7 @@ void requireFit(const Model& expected, const Model& got, const std::string& what
 
 /// @brief Reads the keys state_set, action_set, reward and, where it is there, vision of a map.
 /// @throws InputError if one of the first three is missing, or any is wrong.
-Model readModel(YamlMap& map);
+Model readModel(const YamlMap& map);
 
 /// @brief The model that Model::spec() describes. @throws InputError if the text is no such thing.
 Model parseModel(const std::string& spec);

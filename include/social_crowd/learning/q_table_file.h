@@ -19,8 +19,8 @@ struct TrainedTable {
   QTable table;
 };
 
-/// @brief The text of a Q-table file (docs/learning.md): a header of YAML lines, one line a visited row, where
-/// there are several sources the visits that come from each, a checksum.
+/// @brief The text of a Q-table file (docs/learning.md, "Q-table files"): a header of YAML lines, one line a visited
+/// row, where there are several sources the visits that come from each, a checksum.
 std::string toText(const TrainedTable& trained);
 
 /// @brief Reads what toText() wrote, bit for bit; `name` stands for the file in messages.

@@ -45,7 +45,7 @@ class CrowdController {
   void advertiseServices();
   void takeActions(const ActionsMessage::ConstPtr& message);
 
-  void useScenarios(ScenarioList scenarios, const std::string& file);
+  void useScenarios(ScenarioList scenarios, const std::string& name);
   std::optional<TrajectoryFile> beginRecording(const std::string& name) const;
   void restart(std::optional<TrajectoryFile> recording);
   void beginEpisode();

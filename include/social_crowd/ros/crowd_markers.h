@@ -19,6 +19,9 @@ MarkerParameters readMarkerParameters(const ros::NodeHandle& private_node);
 /// @brief The node that shows a crowd in RViz. It knows the crowd from topics alone, so that a recording can be shown
 /// as well.
 ///
+/// It also publishes the frame `crowd`, in the middle of the scenario (at whole metres), to which RViz's view and grid
+/// are bound.
+///
 /// Draws at a limited rate, and only if somebody listens and something has changed. Once a second everything is
 /// repeated, changed or not: RViz forgets the markers of a namespace that is switched off and needs them when it is
 /// switched on.
@@ -37,6 +40,9 @@ class CrowdMarkers {
   /// Subscribes to a topic whose messages the scene takes.
   template <typename Message>
   ros::Subscriber subscribe(const char* topic);
+  void takeScenario(const social_crowd::Scenario& message);
+  /// Tells tf where the middle of the crowd is. RViz wants to know a transform of its fixed frame, too.
+  void publishFrame(const Vector2& middle);
   void subscribeToPerceptions(bool wanted);
   void publish();
 
@@ -45,6 +51,8 @@ class CrowdMarkers {
   bool shows_sectors_;
   MarkerScene scene_;
   ros::Publisher publisher_;
+  ros::Publisher frame_publisher_;
+  std::string scenario_name_;  // of the scenario in whose middle the frame is
   ros::Subscriber agents_;
   ros::Subscriber scenario_;
   ros::Subscriber learner_status_;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
@@ -16,6 +17,7 @@ struct LearnerParameters {
   TakeMethod on_share = TakeMethod::REPLACE;  ///< ~on_share: replace or merge, where who shares leaves it open
   std::string save_to;                        ///< ~save_to: Q-table file to write at the end
   std::uint64_t save_every = 0;               ///< ~save_every: and every so many episodes; 0: at the end only
+  std::vector<std::string> warnings;          ///< what its user may not expect, to be told at the start
 };
 
 /// @throws InputError naming everything that is wrong.

@@ -40,7 +40,7 @@ class RadiiDrawing {
  public:
   /// @param agents so many will be added
   explicit RadiiDrawing(std::size_t agents);
-  /// @param limits of the distance classes 1, 2, ... [m], from the agent's centre
+  /// @param limits of the distance classes 1, 2, ... [m], from the agent's centre; the last is the radius of vision
   void add(const social_crowd::AgentState& agent, const std::vector<double>& limits, bool faint);
   visualization_msgs::Marker finish() { return marker_.finish(); }
 

@@ -13,6 +13,7 @@
 #include "social_crowd/learning/state_set.h"
 #include "social_crowd/ros/marker_paths.h"
 #include "social_crowd/ros/tick_messages.h"
+#include "social_crowd/world/geometry.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {
@@ -32,6 +33,10 @@ class KnownStateSets {
   std::string model_;  // the text that was read last, and what it stands for
   Shared state_set_;
 };
+
+/// @brief The middle of the smallest upright rectangle around all that a scenario has: agents, goals, obstacles, walls.
+/// What is not finite does not count.
+Vector2 middleOf(const social_crowd::Scenario& scenario);
 
 /// @brief What is shown beside the crowd itself, and how.
 struct MarkerOptions {

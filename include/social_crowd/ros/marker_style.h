@@ -50,10 +50,11 @@ std::size_t cornersFor(std::size_t bodies);
 Colour ofAgent(std::uint32_t agent);
 /// @brief The same colour, nearer to the ground's.
 Colour paler(const Colour& colour);
-/// @brief Of an occupied sector (translucent); 1 is the nearest.
-Colour ofSector(int distance_class);
-/// @brief Of the circle that limits a distance class.
-Colour ofRadius(int distance_class);
+/// @brief Of the circle that limits a distance class, of so many classes: the last limit is the radius of vision,
+/// amber; one before it is a collision radius, red. A state set with one class has a radius of vision only.
+Colour ofRadius(std::size_t distance_class, std::size_t classes);
+/// @brief Of an occupied sector (translucent), as its class.
+Colour ofSector(std::size_t distance_class, std::size_t classes);
 Colour ofContact();
 Colour ofHeading();
 Colour ofObstacle();

@@ -12,6 +12,7 @@ constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, 
 constexpr const char* MARKERS = "markers";                  ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
 constexpr const char* CLOCK = "/clock";                     ///< rosgraph_msgs/Clock; absolute, as ROS wants it
 constexpr const char* TF = "/tf";                           ///< tf2_msgs/TFMessage; absolute, as ROS wants it
+constexpr const char* STATIC_TF = "/tf_static";             ///< tf2_msgs/TFMessage, latched: crowd_markers -> RViz
 
 // Services; private names below the node.
 constexpr const char* PAUSE = "pause";
@@ -34,5 +35,6 @@ constexpr const char* SET_LEARNING_PARAMETERS = "set_learning_parameters";
 // Frames.
 constexpr const char* MAP_FRAME = "map";
 constexpr const char* AGENT_FRAME_PREFIX = "agent_";
+constexpr const char* CROWD_FRAME = "crowd";  ///< in the middle of the scenario, at whole metres; axes as in map
 
 }  // namespace crowd::names

@@ -12,7 +12,8 @@ namespace crowd {
 
 /// @brief What and how to train, beside the learning itself.
 struct TrainingPlan {
-  std::vector<std::string> scenarios;  ///< files; an episode takes the next document of all of them, round and round
+  std::vector<std::string>
+      scenarios;  ///< files that are there; an episode takes the next document of all of them, round and round
   std::uint64_t episodes = 0;
   std::uint64_t seed = 1;
   TableUse tables = TableUse::SHARED;
@@ -28,7 +29,8 @@ struct Recipe {
   TrainingPlan training;
 };
 
-/// @brief Reads a configuration file; paths of scenarios in it are relative to it.
+/// @brief Reads a configuration file. Scenarios are files, whose paths are relative to it, or names of those that come
+/// with the package (findScenario()).
 /// @throws FileError; InputError with file, line and what was expected.
 Recipe readRecipe(const std::string& file);
 

@@ -1,0 +1,44 @@
+#include "social_crowd/common/suggestions.h"
+
+#include <gtest/gtest.h>
+
+namespace crowd {
+namespace {
+
+TEST(EditDistance, CountsInsertedLeftOutReplacedAndExchangedLetters) {
+  EXPECT_EQ(editDistance("", ""), 0U);
+  EXPECT_EQ(editDistance("speed", "speed"), 0U);
+  EXPECT_EQ(editDistance("", "abc"), 3U);
+  EXPECT_EQ(editDistance("sped", "speed"), 1U);     // one left out
+  EXPECT_EQ(editDistance("speeed", "speed"), 1U);   // one inserted
+  EXPECT_EQ(editDistance("raduis", "radius"), 1U);  // two exchanged
+  EXPECT_EQ(editDistance("alfa", "alpha"), 2U);     // one replaced, one inserted
+  EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
+}
+
+TEST(NearestName, IsAtMostTwoEditsAway) {
+  EXPECT_EQ(nearestName("raduis", {"position", "speed", "radius"}), "radius");
+  EXPECT_EQ(nearestName("alfa", {"gamma", "alpha"}), "alpha");
+  EXPECT_EQ(nearestName("circel12", {"circle6", "circle12", "circle12_varied"}), "circle12");
+  EXPECT_EQ(nearestName("colour", {"position", "speed", "radius"}), "");
+  EXPECT_EQ(nearestName("raduis", {}), "");
+}
+
+TEST(NearestName, IsNoOtherWord) {
+  EXPECT_EQ(nearestName("a", {"b"}), "");    // one edit, and all of it is another one
+  EXPECT_EQ(nearestName("ab", {"cd"}), "");  // two edits of two
+  EXPECT_EQ(nearestName("goa", {"goal"}), "goal");
+}
+
+TEST(DidYouMean, IsAQuestionOrNothing) {
+  EXPECT_EQ(didYouMean("pacee", {"pace", "seed"}, "~"), ", did you mean '~pace'?");
+  EXPECT_EQ(didYouMean("colour", {"pace", "seed"}), "");
+}
+
+TEST(SortedByNearness, KeepsTheOrderOfWhatIsEquallyNear) {
+  EXPECT_EQ(sortedByNearness("circel6", {"dummies", "line6", "circle6", "circle12"}).front(), "circle6");
+  EXPECT_EQ(sortedByNearness("aa", {"ac", "ab", "aa"}), (std::vector<std::string>{"aa", "ac", "ab"}));
+}
+
+}  // namespace
+}  // namespace crowd
