@@ -191,6 +191,9 @@ TEST(Training, GoesOnFromATable) {
       }
     }
     EXPECT_EQ(visits, result.agents[agent].ticks);
+    // What was given is known as such.
+    EXPECT_EQ(more.learner().tableOf(agent).newVisitsOf(first.table), 0U);
+    EXPECT_EQ(first.table.newVisitsOf(more.learner().tableOf(agent)), visits);
   }
 }
 

@@ -11,9 +11,9 @@ namespace crowd {
 
 /// @brief Values and visits of every row and action; rows * actions of each, all zero at first.
 ///
-/// A table knows which sources its visits come from (docs/learning.md, Merging): one of its own, to which all that is
-/// learned in it belongs, and others that it was given. So what two tables have in common counts once when they are
-/// merged. The visits of the own source are those that are left; learning does nothing for it.
+/// A table knows which sources its visits come from (docs/learning.md, Replacing and merging): one of its own, to which
+/// all that is learned in it belongs, and others that it was given. So what two tables have in common counts once when
+/// they are merged. The visits of the own source are those that are left; learning does nothing for it.
 class QTable {
  public:
   /// @throws ShapeError unless there is at least one row and one action.
