@@ -185,9 +185,10 @@ TEST(ChangedPlan, IsWrittenAsItIsRead) {
 }
 
 TEST(ChangedPlan, NamesWhatIsWrong) {
-  const std::string known = "known are alpha, alpha_decay, gamma, lambda, mirrored, ties, epsilon";
-  EXPECT_EQ(errorInChange("{alfa: 0.1}"), "parameters: line 1: unknown key 'alfa'; " + known);
-  EXPECT_EQ(errorInChange("{alpha: 1, gama: 0.1}"), "parameters: line 1: unknown key 'gama'; " + known);
+  const std::string known = "Known are alpha, alpha_decay, gamma, lambda, mirrored, ties, epsilon";
+  EXPECT_EQ(errorInChange("{alfa: 0.1}"), "parameters: line 1: unknown key 'alfa', did you mean 'alpha'? " + known);
+  EXPECT_EQ(errorInChange("{alpha: 1, gama: 0.1}"),
+            "parameters: line 1: unknown key 'gama', did you mean 'gamma'? " + known);
   EXPECT_EQ(errorInChange("{alpha: 0}"), "parameters: line 1: alpha: expected a number above 0, at most 1, got 0");
   EXPECT_EQ(errorInChange("{gamma: 1}"), "parameters: line 1: gamma: expected a number from 0 to below 1, got 1");
   EXPECT_EQ(errorInChange("{epsilon: 1.5}"), "parameters: line 1: epsilon: expected a number from 0 to 1, got '1.5'");
