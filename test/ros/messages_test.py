@@ -67,12 +67,12 @@ walls:
 class BroadcastTestCase(support.CrowdTestCase):
     """A paused controller with a learner."""
 
-    def start_all(self, scene=SCENE, **parameters):
-        """Starts both and listens to all topics."""
+    def start_all(self, scene=SCENE, table=support.NEAREST_TABLE, **parameters):
+        """Starts both and listens to all topics. By the table of anticipation the agent of SCENE arrives in time."""
         self.ears = {name: self.listen(name, kind) for name, kind in TOPICS.items()}
         self.file = self.write('scene.yaml', scene)
         self.began = rospy.Time.now()
-        self.start_learner()
+        self.start_learner(q_table=table)
         self.controller = self.start_controller(self.file, paused=True, **parameters)
         for ear in self.ears.values():
             ear.wait_connected()
@@ -139,7 +139,7 @@ class HeadersTest(BroadcastTestCase):
         self.assertEqual(walls, [(2, -1, 4, -1)])
 
     def test_the_result_agrees_with_the_recording(self):
-        self.start_all(trajectories=self.path('ros'))
+        self.start_all(table=support.ANTICIPATION_TABLE, trajectories=self.path('ros'))
         self.walk_an_episode()
         result = self.ears['episode_results'].messages[0]
         self.assertEqual((result.scenario, result.instance, result.tick), ('scene', 0, 30))
@@ -242,7 +242,7 @@ class FramesTest(BroadcastTestCase):
 
     def test_frames(self):
         frames = self.listen('/tf', TFMessage)
-        self.start_all(publish_tf=True)
+        self.start_all(table=support.ANTICIPATION_TABLE, publish_tf=True)
         frames.wait_connected()
         self.walk_an_episode()
         arrived = self.ears['episode_results'].messages[0].agents[0].ticks
