@@ -4,7 +4,7 @@ import os
 import pathlib
 import re
 
-from crowd_comparison.document import fill_document
+from crowd_experiments.document import fill_document
 from crowd_experiments.chapter import Chapter
 
 from . import table
