@@ -154,7 +154,7 @@ void CrowdController::walkTurn() {
   }
   lockstep_.open(episode_->number(), episode_->perceptions().tick, asked);
   broadcaster_.publishPerceptions(*episode_);
-  broadcaster_.tellAgents(*episode_);  // while learners decide
+  if (tick_ended_) broadcaster_.tellAgents(*episode_);  // while learners decide; between turns it is half of a tick
   next_repeat_ = Clock::now() + REPEAT;
   awaitAnswers();
   if (cut_off_ || loop_.isClosed()) return;  // another episode has begun
@@ -171,9 +171,17 @@ void CrowdController::endTick() {
   noteStep();
 }
 
+std::vector<AgentId> CrowdController::activeAgents() const {
+  std::vector<AgentId> active;
+  for (const Agent& agent : episode_->world().agents()) {
+    if (agent.isWalking()) active.push_back(agent.id);
+  }
+  return active;
+}
+
 void CrowdController::awaitAnswers() {
   const Clock since = Clock::now();
-  if (lockstep_.isDeserted()) return awaitSomebody(since);
+  if (lockstep_.isDeserted() && lockstep_.areAbsent(activeAgents())) return awaitSomebody(since);
   const Clock deadline = since + ros::WallDuration(parameters_.answer_deadline);
   while (!loop_.isClosed() && !cut_off_ && !lockstep_.isComplete()) {
     const Clock now = Clock::now();
@@ -199,7 +207,7 @@ void CrowdController::awaitNewcomers(const Clock& since) {
   while (!loop_.isClosed() && !cut_off_ && lockstep_.awaitsNewcomer()) {
     warnOfSilence(since);
     repeatForNewcomers();
-    if (Clock::now() >= deadline) return lockstep_.giveUpOnNewcomers();
+    if (Clock::now() >= deadline) return lockstep_.giveUpOnNewcomers(activeAgents());
     loop_.run(std::min(IDLE, deadline - Clock::now()));
   }
 }

@@ -86,10 +86,10 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
   run_ = message.run;
   episode_ = perceptions.episode;
   tick_ = perceptions.tick;
-  turn_ = perceptions.turn;
   const ActionsMessage::Ptr reply = replies_.next();
   learner_.decide(perceptions, reply->content);
   if (!reply->content.agents.empty()) {
+    answered_turn_ = perceptions.turn;
     reply->run = message.run;
     reply->header.stamp = message.header.stamp;
     reply->header.frame_id = names::MAP_FRAME;
@@ -101,7 +101,7 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
 bool LearnerNode::isRepeated(const PerceptionsMessage& message) const {
   const ActionsMessage::ConstPtr& last = actions_publisher_.last();
   return last != nullptr && message.run == run_ && message.content().episode == last->content.episode &&
-         message.content().tick == last->content.tick && message.content().turn == turn_ &&
+         message.content().tick == last->content.tick && message.content().turn == answered_turn_ &&
          message.header.stamp == last->header.stamp;
 }
 

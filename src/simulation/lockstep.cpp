@@ -20,6 +20,7 @@ void Lockstep::open(std::uint64_t episode, std::uint64_t tick, const std::vector
   awaited_ = 0;
   for (const AgentId agent : agents) {
     Partner& asked = partner(agent);
+    asked.known = true;
     asked.asked = true;
     asked.answered = false;
     awaited_ += asked.absent ? 0 : 1;
@@ -36,6 +37,7 @@ void Lockstep::takeOne(const AgentAction& answer, bool right_tick) {
   const bool known = answer.agent < partners_.size() && partners_[answer.agent].asked;
   const RelativeAction& action = answer.action;
   const bool sound = std::isfinite(action.rotation) && action.speed_share >= 0.0 && action.speed_share <= 1.0;
+  if (!known && sound) noteOutOfTurn(answer.agent);
   if (!known || !sound) {
     ++dropped_;
     return;
@@ -49,6 +51,13 @@ void Lockstep::takeOne(const AgentAction& answer, bool right_tick) {
   partner.answered = true;
   --awaited_;
   answers_.push_back(answer);
+}
+
+void Lockstep::noteOutOfTurn(AgentId agent) {
+  if (agent >= partners_.size() || !partners_[agent].known) return;
+  partners_[agent].heard = true;
+  partners_[agent].misses = 0;
+  partners_[agent].absent = false;
 }
 
 void Lockstep::markPresent(Partner& partner) {
@@ -77,14 +86,20 @@ void Lockstep::close() {
   }
 }
 
-void Lockstep::giveUpOnNewcomers() {
-  for (const AgentId agent : asked_) {
-    Partner& partner = partners_[agent];
-    if (partner.answered || partner.absent || partner.heard) continue;
-    partner.absent = true;
+void Lockstep::giveUpOnNewcomers(const std::vector<AgentId>& agents) {
+  for (const AgentId agent : agents) {
+    Partner& newcomer = partner(agent);
+    if (newcomer.absent || newcomer.heard) continue;
+    newcomer.absent = true;
+    if (!newcomer.asked) continue;
     --awaited_;
     --present_;
   }
+}
+
+bool Lockstep::areAbsent(const std::vector<AgentId>& agents) const {
+  return std::all_of(agents.begin(), agents.end(),
+                     [&](AgentId agent) { return agent < partners_.size() && partners_[agent].absent; });
 }
 
 std::vector<AgentId> Lockstep::missing() const {

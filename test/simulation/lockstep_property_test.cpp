@@ -52,6 +52,7 @@ class RandomPlay {
     for (AgentId id = 0; id < 6; ++id) {
       if (random_.below(4) > 0) asked_.push_back(id);
     }
+    for (const AgentId id : asked_) known_[id] = true;
     answered_.clear();
     counted_answers_ = 0;
     lockstep_.open(episode_, tick_, asked_);
@@ -62,15 +63,15 @@ class RandomPlay {
     const bool sound = random_.below(6) > 0;
     lockstep_.take(answersOf(tick, {id}, {0.0, sound ? 1.0 : 2.0}, episode_));
     ++given_;
-    if (!isAsked(id) || !sound) return;
+    if (!known_[id] || !sound) return;
     heard_[id] = true;
     misses_[id] = 0;
     given_up_[id] = false;
-    if (open && tick == tick_ && !answered(id)) answered_.push_back(id);
+    if (open && isAsked(id) && tick == tick_ && !answered(id)) answered_.push_back(id);
   }
 
   void giveUp() {
-    lockstep_.giveUpOnNewcomers();
+    lockstep_.giveUpOnNewcomers(asked_);
     for (const AgentId id : asked_) {
       if (!heard_[id]) given_up_[id] = true;
     }
@@ -109,6 +110,7 @@ class RandomPlay {
   std::uint64_t tick_ = 0;
   Ids asked_;
   Ids answered_;
+  std::map<AgentId, bool> known_;  // was ever asked
   std::map<AgentId, bool> heard_;
   std::map<AgentId, bool> given_up_;
   std::map<AgentId, int> misses_;  // in a row

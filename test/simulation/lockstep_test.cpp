@@ -243,7 +243,7 @@ TEST(LockstepNewcomers, AreAbsentOnceGivenUp) {
   playTick(lockstep, 0, {0, 1}, {0, 1});
   lockstep.open(EPISODE, 1, {0, 1, 2, 3});
   lockstep.take(answersOf(1, {0}));
-  lockstep.giveUpOnNewcomers();
+  lockstep.giveUpOnNewcomers({0, 1, 2, 3});
   EXPECT_FALSE(lockstep.awaitsNewcomer());
   EXPECT_FALSE(lockstep.isComplete());  // agent 1 is known and awaited
   lockstep.take(answersOf(1, {1}));
@@ -263,7 +263,7 @@ TEST(LockstepNewcomers, GivingUpOnAllOfThemLeavesADesert) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
   EXPECT_FALSE(lockstep.isDeserted());
-  lockstep.giveUpOnNewcomers();
+  lockstep.giveUpOnNewcomers({0, 1});
   EXPECT_TRUE(lockstep.isDeserted());
   EXPECT_TRUE(lockstep.isComplete());
 }
@@ -279,6 +279,34 @@ TEST(LockstepCounts, BeginAnewOnReset) {
   playTick(lockstep, 1, {0, 1}, {1, 1, 1});
   EXPECT_EQ(lockstep.missedCount(), 1U);
   EXPECT_EQ(lockstep.droppedCount(), 2U);
+}
+
+// Sequential scenarios: a tick is opened for one agent after the other.
+
+TEST(LockstepTurns, GivingUpOnNewcomersCountsForTheirTurnsToCome) {
+  Lockstep lockstep(3);
+  lockstep.open(EPISODE, 0, {0});
+  lockstep.giveUpOnNewcomers({0, 1, 2});
+  EXPECT_TRUE(lockstep.areAbsent({0, 1, 2}));
+  lockstep.close();
+  lockstep.open(EPISODE, 0, {1});
+  EXPECT_FALSE(lockstep.awaitsNewcomer());
+  EXPECT_TRUE(lockstep.isComplete());
+}
+
+TEST(LockstepTurns, AnAnswerAfterTheTurnShowsThatALearnerIsThere) {
+  Lockstep lockstep(1);
+  lockstep.open(EPISODE, 0, {0});
+  lockstep.close();
+  EXPECT_TRUE(lockstep.areAbsent({0}));
+  lockstep.open(EPISODE, 0, {1});
+  lockstep.take(answersOf(0, {0}));  // too late for its turn
+  EXPECT_EQ(lockstep.droppedCount(), 1U);
+  EXPECT_FALSE(lockstep.areAbsent({0}));
+  EXPECT_FALSE(lockstep.areAbsent({0, 1}));
+  lockstep.close();
+  lockstep.open(EPISODE, 1, {0});
+  EXPECT_FALSE(lockstep.isComplete());  // it is waited for again
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ class CrowdController {
   void walkTurn();
   void endTick();
   void awaitAnswers();
+  std::vector<AgentId> activeAgents() const;
   void awaitNewcomers(const Clock& since);
   void repeatForNewcomers();
   void awaitSomebody(const Clock& since);

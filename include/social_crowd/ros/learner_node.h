@@ -70,11 +70,11 @@ class LearnerNode {
   Learner learner_;
 
   Recycler<ActionsMessage::Ptr> replies_;
-  std::uint64_t run_ = 0;       // of the controller heard last
-  std::uint64_t episode_ = 0;   // of the last perceptions
-  std::uint64_t tick_ = 0;      // of the last perceptions
-  std::uint32_t turn_ = 0;      // of the last perceptions
-  std::uint64_t episodes_ = 0;  // begun
+  std::uint64_t run_ = 0;            // of the controller heard last
+  std::uint64_t episode_ = 0;        // of the last perceptions
+  std::uint64_t tick_ = 0;           // of the last perceptions
+  std::uint32_t answered_turn_ = 0;  // of the last answer
+  std::uint64_t episodes_ = 0;       // begun
   ros::WallTime last_status_;
   std::map<std::string, social_crowd::LearnerStatus> others_;  // other learners, by node name
 

@@ -30,8 +30,10 @@ class Lockstep {
   bool awaitsNewcomer() const;
   /// @brief Closes the tick: counts who did not answer. The answers are in answers().
   void close();
-  /// @brief From now on these newcomers that never answered are absent.
-  void giveUpOnNewcomers();
+  /// @brief From now on those of the agents that never answered are absent, whether they are asked now or not.
+  void giveUpOnNewcomers(const std::vector<AgentId>& agents);
+  /// @brief Whether all of these agents are absent.
+  bool areAbsent(const std::vector<AgentId>& agents) const;
 
   const std::vector<AgentAction>& answers() const { return answers_; }
   /// @brief Agents of the open tick that have not answered, absent ones included.
@@ -44,6 +46,7 @@ class Lockstep {
 
  private:
   struct Partner {
+    bool known = false;  // was ever asked
     bool heard = false;  // has ever answered
     int misses = 0;      // in a row
     bool absent = false;
@@ -53,6 +56,8 @@ class Lockstep {
   Partner& partner(AgentId agent);
   void takeOne(const AgentAction& answer, bool right_tick);
   void markPresent(Partner& partner);
+  /// An answer while other agents are asked shows that somebody is there.
+  void noteOutOfTurn(AgentId agent);
 
   int misses_until_absent_;
   std::uint64_t episode_ = 0;
