@@ -45,7 +45,8 @@ def read_visits(file):
         header = dict(line.split(': ', 1) for line in iter(lambda: next(stream), '---\n'))
         visits = numpy.zeros(int(header['rows']), dtype=int)
         for line in stream:
-            if not line.startswith('checksum'):
-                row, *cells = line.split(' ')
-                visits[int(row)] = sum(map(int, cells[::2]))
+            if line.startswith(('source', 'checksum')):  # what follows says which visits come from other tables
+                break
+            row, *cells = line.split(' ')
+            visits[int(row)] = sum(map(int, cells[::2]))
     return visits
