@@ -16,10 +16,8 @@ constexpr bool LATCHED = true;
 }  // namespace
 
 CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters)
-    : run_(ros::WallTime::now().toNSec()),  // no two controllers start in the same nanosecond
-      publish_clock_(parameters.publish_clock),
+    : publish_clock_(parameters.publish_clock),
       clock_(1, 0),  // zero means to ROS that there is no time yet
-      perceptions_(node, names::PERCEPTIONS, QUEUE),
       agents_period_(parameters.agents_rate > 0.0 ? 1.0 / parameters.agents_rate : 0.0),
       agents_(node.advertise<social_crowd::AgentStates>(names::AGENTS, QUEUE)),
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
@@ -41,14 +39,6 @@ void CrowdBroadcaster::advanceClock(double seconds) {
   rosgraph_msgs::Clock message;
   message.clock = clock_;
   clock_publisher_.publish(message);
-}
-
-void CrowdBroadcaster::publishPerceptions(Episode& episode) {
-  const auto message = boost::make_shared<PerceptionsMessage>();
-  message->header = header();
-  message->run = run_;
-  message->shared = episode.sharedPerceptions();
-  perceptions_.publish(message);
 }
 
 bool CrowdBroadcaster::hasToldAgents(const Episode& episode) const {

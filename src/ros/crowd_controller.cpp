@@ -4,27 +4,15 @@
 #include <utility>
 
 #include "social_crowd/common/files.h"
-#include "social_crowd/ros/names.h"
-#include "social_crowd/ros/tick_subscriber.h"
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
 namespace {
 
 constexpr unsigned SERVICE_THREADS = 3;
-constexpr std::uint32_t QUEUE = 1000;         // messages; many learners may answer at once
-const ros::WallDuration IDLE(0.1);            // between two looks whether ROS still runs
-const ros::WallDuration WARNING_PERIOD(5.0);  // of the warning that nobody answers
-const ros::WallDuration REPEAT(0.5);          // of perceptions for learners that never answered
-const ros::WallDuration FLUSH(0.25);          // for the last messages to leave the process
-constexpr double MAX_LAG = 0.5;               // [s] behind real time that are made up for
-
-std::string listOf(const std::vector<AgentId>& agents) {
-  constexpr std::size_t MOST = 10;
-  std::string text;
-  for (std::size_t i = 0; i < agents.size() && i < MOST; ++i) text += (i > 0 ? ", " : "") + std::to_string(agents[i]);
-  return agents.size() > MOST ? text + " and " + std::to_string(agents.size() - MOST) + " more" : text;
-}
+const ros::WallDuration IDLE(0.1);    // between two checks whether ROS still runs
+const ros::WallDuration FLUSH(0.25);  // for the last messages to leave the process
+constexpr double MAX_LAG = 0.5;       // [s] behind real time that are made up for
 
 }  // namespace
 
@@ -32,23 +20,12 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
     : parameters_(readControllerParameters(private_node)),
       node_(loop_.adopt(node)),
       broadcaster_(node_, parameters_),
+      answers_(loop_, node_, parameters_),
       seed_(parameters_.seed),
-      lockstep_(parameters_.misses_until_absent),
       paused_(parameters_.paused),
       services_(private_node, SERVICE_THREADS) {
   useScenarios(readScenarios(parameters_.scenarios), parameters_.name);
-  actions_ = subscribeToTicks<ActionsMessage>(node_, names::ACTIONS, QUEUE,
-                                              [this](const auto& message) { takeActions(message); });
   advertiseServices();
-}
-
-void CrowdController::takeActions(const ActionsMessage::ConstPtr& message) {
-  // Answers are latched: a learner may still hold one to a controller that was here before.
-  if (message->run == broadcaster_.run()) {
-    lockstep_.take(message->content);
-  } else {
-    lockstep_.drop(message->content);
-  }
 }
 
 void CrowdController::run() {
@@ -102,7 +79,7 @@ void CrowdController::beginEpisode() {
   Scene scene = scenarios_.scene(seed_, instance_);
   keepHeadings(headings_, scene);
   episode_ = std::make_unique<Episode>(std::move(scene), next_episode_++, parameters_.vision);
-  lockstep_.resetCounts();
+  answers_.cancel();
   trajectory_.clear();
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
   next_tick_ = Clock::now();
@@ -113,8 +90,8 @@ void CrowdController::beginEpisode() {
 
 void CrowdController::endEpisode() {
   broadcaster_.tellAgentsNow(*episode_);
-  broadcaster_.publishPerceptions(*episode_);  // the last ones: learners learn from them and do not answer
-  broadcaster_.publishResult(*episode_, instance_, lockstep_.missedCount(), lockstep_.droppedCount());
+  answers_.publishLast(*episode_, broadcaster_.header());
+  broadcaster_.publishResult(*episode_, instance_, answers_.missedCount(), answers_.droppedCount());
   const EpisodeResult result = episode_->result();
   figures_.add(result);
   headings_ = result.headings();
@@ -134,7 +111,7 @@ void CrowdController::logResult(const EpisodeResult& result) {
       static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), static_cast<unsigned long>(instance_),
       static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
       result.collidedCount(), figures.pathRatio(), figures.timeRatio(),
-      static_cast<unsigned long>(lockstep_.missedCount()), static_cast<unsigned long>(lockstep_.droppedCount()));
+      static_cast<unsigned long>(answers_.missedCount()), static_cast<unsigned long>(answers_.droppedCount()));
 }
 
 void CrowdController::waitWhilePaused() {
@@ -148,18 +125,10 @@ void CrowdController::waitWhilePaused() {
 
 void CrowdController::walkTurn() {
   cut_off_ = false;
-  std::vector<AgentId> asked;
-  for (const AgentPerception& self : episode_->perceptions().agents) {
-    if (!self.arrived) asked.push_back(self.agent);
-  }
-  lockstep_.open(episode_->number(), episode_->perceptions().tick, asked);
-  broadcaster_.publishPerceptions(*episode_);
+  answers_.ask(*episode_, broadcaster_.header());
   if (tick_ended_) broadcaster_.tellAgents(*episode_);  // while learners decide; between turns it is half of a tick
-  next_repeat_ = Clock::now() + REPEAT;
-  awaitAnswers();
-  if (cut_off_ || loop_.isClosed()) return;  // another episode has begun
-  lockstep_.close();
-  tick_ended_ = episode_->step(lockstep_.answers());
+  if (!answers_.wait(*episode_)) return;                // another episode has begun, or the node shuts down
+  tick_ended_ = episode_->step(answers_.answers());
   if (tick_ended_) endTick();
 }
 
@@ -169,70 +138,6 @@ void CrowdController::endTick() {
   keepPace();
   if (!cut_off_ && episode_->isOver()) endEpisode();
   noteStep();
-}
-
-std::vector<AgentId> CrowdController::activeAgents() const {
-  std::vector<AgentId> active;
-  for (const Agent& agent : episode_->world().agents()) {
-    if (agent.isWalking()) active.push_back(agent.id);
-  }
-  return active;
-}
-
-void CrowdController::awaitAnswers() {
-  const Clock since = Clock::now();
-  if (lockstep_.isDeserted() && lockstep_.areAbsent(activeAgents())) return awaitSomebody(since);
-  const Clock deadline = since + ros::WallDuration(parameters_.answer_deadline);
-  while (!loop_.isClosed() && !cut_off_ && !lockstep_.isComplete()) {
-    const Clock now = Clock::now();
-    repeatForNewcomers();
-    if (now >= deadline) {
-      if (!lockstep_.awaitsNewcomer()) return;
-      return awaitNewcomers(since);
-    }
-    loop_.run(std::min(IDLE, deadline - now));
-  }
-}
-
-void CrowdController::repeatForNewcomers() {
-  // roscpp may lose a latched message that is published in the very moment in which somebody connects.
-  const Clock now = Clock::now();
-  if (now < next_repeat_ || !lockstep_.awaitsNewcomer()) return;
-  broadcaster_.repeatPerceptions();
-  next_repeat_ = now + REPEAT;
-}
-
-void CrowdController::awaitNewcomers(const Clock& since) {
-  const Clock deadline = since + ros::WallDuration(parameters_.start_deadline);
-  while (!loop_.isClosed() && !cut_off_ && lockstep_.awaitsNewcomer()) {
-    warnOfSilence(since);
-    repeatForNewcomers();
-    if (Clock::now() >= deadline) return lockstep_.giveUpOnNewcomers(activeAgents());
-    loop_.run(std::min(IDLE, deadline - Clock::now()));
-  }
-}
-
-void CrowdController::awaitSomebody(const Clock& since) {
-  // With nobody left to wait for, a tick lasts as long as in real time: the episode neither hangs nor rushes by.
-  const double turn = episode_->scene().tick_duration / static_cast<double>(episode_->turnsOfTick());
-  const double seconds = std::min(parameters_.answer_deadline, turn);
-  const Clock deadline = since + ros::WallDuration(seconds);
-  while (!loop_.isClosed() && !cut_off_ && lockstep_.isDeserted() && Clock::now() < deadline) {
-    warnOfSilence(since);
-    loop_.run(std::min(IDLE, deadline - Clock::now()));
-  }
-}
-
-void CrowdController::warnOfSilence(const Clock& since) {
-  const Clock now = Clock::now();
-  if (now - last_warning_ < WARNING_PERIOD) return;
-  last_warning_ = now;
-  const std::string topic = actions_.getTopic();
-  const std::string reason = actions_.getNumPublishers() == 0
-                                 ? "no learner is there (nobody publishes on '" + topic + "')"
-                                 : "their learners on '" + topic + "' are silent";
-  ROS_WARN("nobody answers for agent %s since %.1f s: %s; without an answer they stay where they are",
-           listOf(lockstep_.missing()).c_str(), (now - since).toSec(), reason.c_str());
 }
 
 void CrowdController::serveUntil(const Clock& until) {

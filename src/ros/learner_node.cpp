@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "social_crowd/ros/agent_list.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
 
@@ -53,7 +54,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
   status_publisher_ = node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, LATCHED);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
   perceptions_subscriber_ = subscribeToTicks<PerceptionsMessage>(
-      node_, names::PERCEPTIONS, QUEUE, [this](const auto& message) { takePerceptions(message); });
+      node_, names::PERCEPTIONS, QUEUE, [this](const auto& event) { takePerceptions(*event.getMessage()); });
   advertiseServices();
 }
 
@@ -68,9 +69,9 @@ void LearnerNode::run() {
   if (!save_to_.empty()) saveAll(false);
 }
 
-void LearnerNode::takePerceptions(const PerceptionsMessage::ConstPtr& message) {
+void LearnerNode::takePerceptions(const PerceptionsMessage& message) {
   try {
-    answer(*message);
+    answer(message);
   } catch (const Error& error) {
     ROS_ERROR_THROTTLE(5.0, "perceptions were dropped: %s", error.what());
   }
@@ -91,6 +92,7 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
   if (!reply->content.agents.empty()) {
     answered_turn_ = perceptions.turn;
     reply->run = message.run;
+    reply->node = name_;
     reply->header.stamp = message.header.stamp;
     reply->header.frame_id = names::MAP_FRAME;
     actions_publisher_.publish(reply);
@@ -166,7 +168,7 @@ void LearnerNode::requireServed(AgentId agent) const {
   const std::vector<AgentId> served = learner_.servedAgents();
   if (std::binary_search(served.begin(), served.end(), agent)) return;
   throw InputError("agent " + std::to_string(agent) + " is not served by " + name_ + "; it serves " +
-                   (served.empty() ? "nobody yet" : (served.size() == 1 ? "agent " : "agents ") + listOf(served)));
+                   (served.empty() ? "no agent yet" : namedAgents(served)));
 }
 
 AgentId LearnerNode::meant(AgentId agent) const {

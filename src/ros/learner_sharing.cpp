@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "social_crowd/ros/agent_list.h"
 #include "social_crowd/ros/learner_node.h"
 #include "social_crowd/ros/names.h"
 
@@ -107,7 +108,7 @@ void LearnerNode::shareWithin(const std::vector<AgentId>& agents, AgentId from, 
   }
   if (mine.empty()) return;
   if (learner_.tableUse() == TableUse::SHARED) {
-    return report.noteTaken(served, "agents " + listOf(served) + " share it already");
+    return report.noteTaken(served, namedAgents(served) + " share it already");
   }
   const TakeReport taken = giveTo(mine, table, method);
   report.noteTaken(taken.agents(), taken.text());

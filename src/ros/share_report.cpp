@@ -2,13 +2,9 @@
 
 #include <algorithm>
 
-namespace crowd {
+#include "social_crowd/ros/agent_list.h"
 
-std::string listOf(const std::vector<AgentId>& agents) {
-  std::string text;
-  for (const AgentId agent : agents) text += (text.empty() ? "" : ", ") + std::to_string(agent);
-  return text;
-}
+namespace crowd {
 
 void TakeReport::note(AgentId agent, const Learner::Taken& taken) {
   by_outcome_[{taken.visits, taken.new_visits}].push_back(agent);
@@ -25,8 +21,7 @@ std::string TakeReport::text() const {
   std::string text = method_ == TakeMethod::MERGE ? "merged into" : "replaced";
   bool first = true;
   for (const auto& [outcome, agents] : by_outcome_) {
-    const std::string whose =
-        agents.empty() ? "agents to come" : (agents.size() == 1 ? "agent " : "agents ") + listOf(agents);
+    const std::string whose = agents.empty() ? "agents to come" : namedAgents(agents);
     text += (first ? " the table of " : ", that of ") + whose + " (" + std::to_string(outcome.first) + " visits, " +
             std::to_string(outcome.second) + " of them new)";
     first = false;

@@ -21,7 +21,7 @@ constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
 constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
 constexpr std::uint32_t WIRE_PERCEPTIONS = 4 * NUMBER + COUNT + 1 + 3 * COUNT;  // all but header and lists
-constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;
+constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                      // all but header, name and list
 
 /// Puts numbers one behind the other where there is room for them, which is asked for once a list.
 class Writer {
@@ -259,6 +259,7 @@ void Serializer<ActionsMessage>::write(OStream& stream, const ActionsMessage& me
   stream.next(message.content.episode);
   stream.next(message.content.tick);
   stream.next(message.run);
+  stream.next(message.node);
   crowd::putList(stream, message.content.agents, crowd::WIRE_ACTION);
 }
 
@@ -267,12 +268,13 @@ void Serializer<ActionsMessage>::read(IStream& stream, ActionsMessage& message) 
   stream.next(message.content.episode);
   stream.next(message.content.tick);
   stream.next(message.run);
+  stream.next(message.node);
   crowd::takeList(stream, message.content.agents, crowd::WIRE_ACTION);
 }
 
 std::uint32_t Serializer<ActionsMessage>::serializedLength(const ActionsMessage& message) {
   const auto lists = static_cast<std::uint32_t>(message.content.agents.size()) * crowd::WIRE_ACTION;
-  return serializationLength(message.header) + crowd::WIRE_ACTIONS + lists;
+  return serializationLength(message.header) + serializationLength(message.node) + crowd::WIRE_ACTIONS + lists;
 }
 
 }  // namespace ros::serialization

@@ -4,23 +4,37 @@
 #include <cmath>
 
 namespace crowd {
+namespace {
 
-Lockstep::Partner& Lockstep::partner(AgentId agent) {
-  if (agent >= partners_.size()) partners_.resize(agent + 1);
-  return partners_[agent];
+std::optional<Refusal> invalidity(const RelativeAction& action) {
+  if (!std::isfinite(action.rotation)) return Refusal::BAD_ROTATION;
+  const bool is_share = action.speed_share >= 0.0 && action.speed_share <= 1.0;  // false for NaN
+  if (!is_share) return Refusal::BAD_SPEED;
+  return std::nullopt;
+}
+
+bool areEqual(const RelativeAction& one, const RelativeAction& other) {
+  return one.rotation == other.rotation && one.speed_share == other.speed_share;
+}
+
+}  // namespace
+
+Lockstep::AgentRecord& Lockstep::record(AgentId agent) {
+  if (agent >= records_.size()) records_.resize(agent + 1);
+  return records_[agent];
 }
 
 void Lockstep::open(std::uint64_t episode, std::uint64_t tick, const std::vector<AgentId>& agents) {
-  for (const AgentId agent : asked_) partners_[agent].asked = false;
-  episode_ = episode;
-  tick_ = tick;
+  if (open_) abandoned_ = now_;
+  for (const AgentId agent : asked_) records_[agent].asked = false;
+  now_ = {episode, tick};
   open_ = true;
   asked_ = agents;
   answers_.clear();
   awaited_ = 0;
   for (const AgentId agent : agents) {
-    Partner& asked = partner(agent);
-    asked.known = true;
+    AgentRecord& asked = record(agent);
+    asked.asked_at = now_;
     asked.asked = true;
     asked.answered = false;
     awaited_ += asked.absent ? 0 : 1;
@@ -28,67 +42,74 @@ void Lockstep::open(std::uint64_t episode, std::uint64_t tick, const std::vector
   present_ = awaited_;
 }
 
-void Lockstep::take(const RelativeActions& answers) {
-  const bool right_tick = open_ && answers.episode == episode_ && answers.tick == tick_;
-  for (const AgentAction& answer : answers.agents) takeOne(answer, right_tick);
+const std::vector<RefusedAnswer>& Lockstep::take(const RelativeActions& answers, LearnerId learner) {
+  refused_.clear();
+  const Moment moment(answers.episode, answers.tick);
+  for (const AgentAction& answer : answers.agents) takeOne(answer, moment, learner);
+  return refused_;
 }
 
-void Lockstep::takeOne(const AgentAction& answer, bool right_tick) {
-  const bool known = answer.agent < partners_.size() && partners_[answer.agent].asked;
-  const RelativeAction& action = answer.action;
-  const bool sound = std::isfinite(action.rotation) && action.speed_share >= 0.0 && action.speed_share <= 1.0;
-  if (!known && sound) noteOutOfTurn(answer.agent);
-  if (!known || !sound) {
-    ++dropped_;
+void Lockstep::takeOne(const AgentAction& answer, const Moment& moment, LearnerId learner) {
+  if (!wasAsked(answer.agent)) return refuse(Refusal::NOT_ASKED, answer, moment, learner);
+  if (const auto cause = invalidity(answer.action)) return refuse(*cause, answer, moment, learner);
+  AgentRecord& record = records_[answer.agent];
+  markPresent(record);
+  if (open_ && moment == now_ && record.asked && !record.answered) {
+    record.answered = true;
+    record.last = {learner, moment, answer.action};
+    --awaited_;
+    answers_.push_back(answer);
     return;
   }
-  Partner& partner = partners_[answer.agent];
-  markPresent(partner);
-  if (!right_tick || partner.answered) {
-    ++dropped_;
-    return;
-  }
-  partner.answered = true;
-  --awaited_;
-  answers_.push_back(answer);
+  const bool is_repeated = record.last && record.last->learner == learner && record.last->moment == moment &&
+                           areEqual(record.last->action, answer.action);
+  if (!is_repeated && moment != abandoned_) refuse(causeOf(record, moment, learner), answer, moment, learner);
 }
 
-void Lockstep::noteOutOfTurn(AgentId agent) {
-  if (agent >= partners_.size() || !partners_[agent].known) return;
-  partners_[agent].heard = true;
-  partners_[agent].misses = 0;
-  partners_[agent].absent = false;
-}
-
-void Lockstep::markPresent(Partner& partner) {
-  partner.heard = true;
-  partner.misses = 0;
-  if (!partner.absent) return;
-  partner.absent = false;
+void Lockstep::markPresent(AgentRecord& record) {
+  record.heard = true;
+  record.misses = 0;
+  if (!record.absent) return;
+  record.absent = false;
+  if (!record.asked) return;
   ++present_;
-  ++awaited_;
+  if (!record.answered) ++awaited_;
+}
+
+Refusal Lockstep::causeOf(const AgentRecord& record, const Moment& moment, LearnerId learner) const {
+  const bool has_newer = record.last && record.last->moment >= moment;
+  if (has_newer && record.last->learner != learner) return Refusal::OTHER_LEARNER;
+  if (has_newer && record.last->moment == moment) return Refusal::SECOND_ANSWER;
+  if (moment > now_) return Refusal::TOO_EARLY;
+  return moment < now_ || moment == record.asked_at ? Refusal::TOO_LATE : Refusal::NOT_ASKED;
+}
+
+void Lockstep::refuse(Refusal cause, const AgentAction& answer, const Moment& moment, LearnerId learner) {
+  ++dropped_;
+  const LearnerId other = cause == Refusal::OTHER_LEARNER ? records_[answer.agent].last->learner : learner;
+  refused_.push_back({cause, answer, moment.first, moment.second, learner, other});
 }
 
 bool Lockstep::awaitsNewcomer() const {
   return std::any_of(asked_.begin(), asked_.end(), [&](AgentId agent) {
-    const Partner& partner = partners_[agent];
-    return !partner.answered && !partner.absent && !partner.heard;
+    const AgentRecord& record = records_[agent];
+    return !record.answered && !record.absent && !record.heard;
   });
 }
 
 void Lockstep::close() {
   open_ = false;
   for (const AgentId agent : asked_) {
-    Partner& partner = partners_[agent];
-    if (partner.answered) continue;
+    AgentRecord& record = records_[agent];
+    if (record.answered) continue;
     ++missed_;
-    if (++partner.misses >= misses_until_absent_) partner.absent = true;
+    if (++record.misses >= misses_until_absent_) record.absent = true;
   }
 }
 
 void Lockstep::giveUpOnNewcomers(const std::vector<AgentId>& agents) {
   for (const AgentId agent : agents) {
-    Partner& newcomer = partner(agent);
+    AgentRecord& newcomer = record(agent);
     if (newcomer.absent || newcomer.heard) continue;
     newcomer.absent = true;
     if (!newcomer.asked) continue;
@@ -99,13 +120,13 @@ void Lockstep::giveUpOnNewcomers(const std::vector<AgentId>& agents) {
 
 bool Lockstep::areAbsent(const std::vector<AgentId>& agents) const {
   return std::all_of(agents.begin(), agents.end(),
-                     [&](AgentId agent) { return agent < partners_.size() && partners_[agent].absent; });
+                     [&](AgentId agent) { return agent < records_.size() && records_[agent].absent; });
 }
 
 std::vector<AgentId> Lockstep::missing() const {
   std::vector<AgentId> missing;
   for (const AgentId agent : asked_) {
-    if (!partners_[agent].answered) missing.push_back(agent);
+    if (!records_[agent].answered) missing.push_back(agent);
   }
   return missing;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <tuple>
 
 #include "social_crowd/common/random.h"
 #include "social_crowd/simulation/lockstep.h"
@@ -17,6 +18,8 @@ using answers::Ids;
 
 /// Plays at random and keeps the books by hand: what an agent did since it was last heard of.
 class RandomPlay {
+  using Taken = std::tuple<LearnerId, std::uint64_t, std::uint64_t>;  // learner, episode, tick
+
  public:
   explicit RandomPlay(std::uint64_t seed)
       : random_(seed, KeyedRandom::EXPLORATION, {}),
@@ -54,20 +57,32 @@ class RandomPlay {
     }
     for (const AgentId id : asked_) known_[id] = true;
     answered_.clear();
-    counted_answers_ = 0;
     lockstep_.open(episode_, tick_, asked_);
   }
 
   void answer(std::uint64_t tick, bool open) {
     const AgentId id = random_.below(8);
     const bool sound = random_.below(6) > 0;
-    lockstep_.take(answersOf(tick, {id}, {0.0, sound ? 1.0 : 2.0}, episode_));
-    ++given_;
-    if (!known_[id] || !sound) return;
+    const LearnerId learner = random_.below(2);
+    const std::size_t refused =
+        lockstep_.take(answersOf(tick, {id}, {0.0, sound ? 1.0 : 2.0}, episode_), learner).size();
+    refused_ += refused;
+    if (!known_[id] || !sound) {
+      EXPECT_EQ(refused, 1U);
+      return;
+    }
     heard_[id] = true;
     misses_[id] = 0;
     given_up_[id] = false;
-    if (open && isAsked(id) && tick == tick_ && !answered(id)) answered_.push_back(id);
+    const Taken now{learner, episode_, tick};
+    if (open && isAsked(id) && tick == tick_ && !answered(id)) {
+      answered_.push_back(id);
+      last_[id] = now;
+      EXPECT_EQ(refused, 0U);
+    } else {
+      const bool is_repeated = last_.count(id) > 0 && last_[id] == now;
+      EXPECT_EQ(refused, is_repeated ? 0U : 1U);
+    }
   }
 
   void giveUp() {
@@ -98,9 +113,7 @@ class RandomPlay {
     EXPECT_EQ(lockstep_.isComplete(), !awaited);
     EXPECT_EQ(lockstep_.isDeserted(), !asked_.empty() && !somebody_present);
     EXPECT_EQ(lockstep_.awaitsNewcomer(), newcomer);
-    taken_ += answered_.size() - counted_answers_;  // since the last check
-    counted_answers_ = answered_.size();
-    EXPECT_EQ(lockstep_.droppedCount() + taken_, given_);  // each answer is taken or dropped
+    EXPECT_EQ(lockstep_.droppedCount(), refused_);
   }
 
   KeyedRandom random_;
@@ -115,9 +128,8 @@ class RandomPlay {
   std::map<AgentId, bool> given_up_;
   std::map<AgentId, int> misses_;  // in a row
   std::uint64_t missed_ = 0;
-  std::uint64_t given_ = 0;
-  std::uint64_t taken_ = 0;
-  std::size_t counted_answers_ = 0;
+  std::map<AgentId, Taken> last_;  // answer that was taken
+  std::uint64_t refused_ = 0;
 };
 
 TEST(LockstepProperty, BooksAreRightWhateverTheAnswers) {

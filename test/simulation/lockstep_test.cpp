@@ -15,10 +15,20 @@ using answers::EPISODE;
 using answers::Ids;
 using answers::MOVE;
 
+constexpr LearnerId LEARNER = 0;
+constexpr LearnerId OTHER = 1;
+
+/// Causes of the answers that are refused.
+std::vector<Refusal> causesOf(const std::vector<RefusedAnswer>& refused) {
+  std::vector<Refusal> causes;
+  for (const RefusedAnswer& one : refused) causes.push_back(one.cause);
+  return causes;
+}
+
 /// Opens a tick, takes the answers of some and closes it.
 void playTick(Lockstep& lockstep, std::uint64_t tick, const Ids& asked, const Ids& answering) {
   lockstep.open(EPISODE, tick, asked);
-  lockstep.take(answersOf(tick, answering));
+  lockstep.take(answersOf(tick, answering), LEARNER);
   lockstep.close();
 }
 
@@ -28,10 +38,10 @@ TEST(Lockstep, CompleteOnceEverybodyHasAnswered) {
   EXPECT_FALSE(lockstep.isComplete());
   EXPECT_FALSE(lockstep.isDeserted());
   EXPECT_EQ(lockstep.missing(), (Ids{0, 1, 2}));
-  lockstep.take(answersOf(0, {2, 0}));
+  lockstep.take(answersOf(0, {2, 0}), LEARNER);
   EXPECT_FALSE(lockstep.isComplete());
   EXPECT_EQ(lockstep.missing(), Ids{1});
-  lockstep.take(answersOf(0, {1}, {-0.25, 0.5}));
+  lockstep.take(answersOf(0, {1}, {-0.25, 0.5}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
   EXPECT_TRUE(lockstep.missing().empty());
   lockstep.close();
@@ -65,9 +75,9 @@ TEST(Lockstep, EachTickBeginsWithoutAnswers) {
 TEST(LockstepDrops, AnswersToAnotherTickOrEpisode) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 4, {0, 1});
-  lockstep.take(answersOf(3, {0}));
-  lockstep.take(answersOf(5, {0}));
-  lockstep.take(answersOf(4, {0, 1}, MOVE, EPISODE - 1));
+  lockstep.take(answersOf(3, {0}), LEARNER);
+  lockstep.take(answersOf(5, {0}), LEARNER);
+  lockstep.take(answersOf(4, {0, 1}, MOVE, EPISODE - 1), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 4U);
   EXPECT_EQ(lockstep.missing(), (Ids{0, 1}));
   EXPECT_TRUE(lockstep.answers().empty());
@@ -75,10 +85,10 @@ TEST(LockstepDrops, AnswersToAnotherTickOrEpisode) {
 
 TEST(LockstepDrops, AnswersWhileNoTickIsOpen) {
   Lockstep lockstep(3);
-  lockstep.take(answersOf(0, {0}));
+  lockstep.take(answersOf(0, {0}), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 1U);
   playTick(lockstep, 0, {0, 1}, {0});
-  lockstep.take(answersOf(0, {1}));
+  lockstep.take(answersOf(0, {1}), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 2U);
   EXPECT_EQ(agentsOf(lockstep.answers()), Ids{0});
 }
@@ -86,14 +96,14 @@ TEST(LockstepDrops, AnswersWhileNoTickIsOpen) {
 TEST(LockstepDrops, SecondAnswersAndTheFirstHolds) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
-  lockstep.take(answersOf(0, {0}));
-  lockstep.take(answersOf(0, {0}, {2.0, 0.0}));
+  lockstep.take(answersOf(0, {0}), LEARNER);
+  lockstep.take(answersOf(0, {0}, {2.0, 0.0}), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 1U);
   ASSERT_EQ(lockstep.answers().size(), 1U);
   EXPECT_EQ(lockstep.answers()[0].action.rotation, 0.5);
   EXPECT_FALSE(lockstep.isComplete());  // the second answer does not stand for agent 1
-  lockstep.take(answersOf(0, {1, 1}));
-  EXPECT_EQ(lockstep.droppedCount(), 2U);
+  lockstep.take(answersOf(0, {1}), LEARNER);
+  EXPECT_EQ(lockstep.droppedCount(), 1U);
   EXPECT_TRUE(lockstep.isComplete());
 }
 
@@ -101,7 +111,7 @@ TEST(LockstepDrops, UnknownAgents) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0});
-  lockstep.take(answersOf(1, {1, 7, UINT32_MAX}));  // not asked any more, never asked, never asked
+  lockstep.take(answersOf(1, {1, 7, UINT32_MAX}), LEARNER);  // not asked any more, never asked, never asked
   EXPECT_EQ(lockstep.droppedCount(), 3U);
   EXPECT_FALSE(lockstep.isComplete());
   EXPECT_TRUE(lockstep.answers().empty());
@@ -114,10 +124,10 @@ TEST(LockstepDrops, UnsoundAnswers) {
                                                {0.0, INFINITE},     {0.0, -0.01},     {0.0, 1.01}};
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0});
-  for (const RelativeAction& action : unsound) lockstep.take(answersOf(0, {0}, action));
+  for (const RelativeAction& action : unsound) lockstep.take(answersOf(0, {0}, action), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), unsound.size());
   EXPECT_EQ(lockstep.missing(), Ids{0});
-  lockstep.take(answersOf(0, {0}, {-100.0, 0.0}));  // the next sound one is as good as ever
+  lockstep.take(answersOf(0, {0}, {-100.0, 0.0}), LEARNER);  // the next sound one is as good as ever
   EXPECT_TRUE(lockstep.isComplete());
   EXPECT_EQ(lockstep.droppedCount(), unsound.size());
 }
@@ -127,14 +137,14 @@ TEST(LockstepPresence, AbsentAfterSomeMissesInARow) {
   playTick(lockstep, 0, {0, 1}, {0, 1});
   for (std::uint64_t tick = 1; tick <= 3; ++tick) {
     lockstep.open(EPISODE, tick, {0, 1});
-    lockstep.take(answersOf(tick, {0}));
+    lockstep.take(answersOf(tick, {0}), LEARNER);
     EXPECT_FALSE(lockstep.isComplete()) << "tick " << tick;
     lockstep.close();
     EXPECT_EQ(lockstep.missedCount(), tick);
   }
   lockstep.open(EPISODE, 4, {0, 1});
   EXPECT_FALSE(lockstep.isComplete());
-  lockstep.take(answersOf(4, {0}));
+  lockstep.take(answersOf(4, {0}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());  // agent 1 is not waited for
   EXPECT_FALSE(lockstep.isDeserted());
   EXPECT_EQ(lockstep.missing(), Ids{1});
@@ -147,7 +157,7 @@ TEST(LockstepPresence, AnAnswerInBetweenStartsTheCountAnew) {
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
     lockstep.open(EPISODE, tick, {0});
     EXPECT_FALSE(lockstep.isComplete()) << "tick " << tick;  // waited for: never two misses in a row
-    if (tick % 2 == 0) lockstep.take(answersOf(tick, {0}));
+    if (tick % 2 == 0) lockstep.take(answersOf(tick, {0}), LEARNER);
     lockstep.close();
   }
   EXPECT_EQ(lockstep.missedCount(), 5U);
@@ -157,14 +167,14 @@ TEST(LockstepPresence, AbsentOneComesBackWithAnAnswer) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0, 1});
-  lockstep.take(answersOf(1, {1}));
+  lockstep.take(answersOf(1, {1}), LEARNER);
   EXPECT_FALSE(lockstep.isComplete());  // agent 0 is waited for as before
   EXPECT_EQ(agentsOf(lockstep.answers()), Ids{1});
-  lockstep.take(answersOf(1, {0}));
+  lockstep.take(answersOf(1, {0}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
   lockstep.close();
   lockstep.open(EPISODE, 2, {0, 1});
-  lockstep.take(answersOf(2, {0}));
+  lockstep.take(answersOf(2, {0}), LEARNER);
   EXPECT_FALSE(lockstep.isComplete());  // agent 1 is waited for again
 }
 
@@ -172,13 +182,13 @@ TEST(LockstepPresence, LateAnswerShowsPresence) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0, 1});
-  lockstep.take(answersOf(1, {0}));
+  lockstep.take(answersOf(1, {0}), LEARNER);
   ASSERT_TRUE(lockstep.isComplete());
-  lockstep.take(answersOf(0, {1}));
+  lockstep.take(answersOf(0, {1}), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 1U);
   EXPECT_FALSE(lockstep.isComplete());  // it is there: wait for its answer to this tick
   EXPECT_EQ(lockstep.missing(), Ids{1});
-  lockstep.take(answersOf(1, {1}));
+  lockstep.take(answersOf(1, {1}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
 }
 
@@ -187,7 +197,7 @@ TEST(LockstepPresence, LateAnswersBetweenTicksShowPresenceToo) {
   playTick(lockstep, 0, {0}, {0});
   for (std::uint64_t tick = 1; tick < 6; ++tick) {
     playTick(lockstep, tick, {0}, {});
-    lockstep.take(answersOf(tick, {0}));
+    lockstep.take(answersOf(tick, {0}), LEARNER);
   }
   lockstep.open(EPISODE, 6, {0});
   EXPECT_FALSE(lockstep.isDeserted());
@@ -207,7 +217,7 @@ TEST(LockstepPresence, DesertedWhenEverybodyIsAbsent) {
   lockstep.open(EPISODE, 4, {0, 1});
   EXPECT_TRUE(lockstep.isDeserted());
   EXPECT_TRUE(lockstep.isComplete());
-  lockstep.take(answersOf(4, {1}));
+  lockstep.take(answersOf(4, {1}), LEARNER);
   EXPECT_FALSE(lockstep.isDeserted());
   EXPECT_TRUE(lockstep.isComplete());
 }
@@ -216,9 +226,9 @@ TEST(LockstepPresence, IsKeptFromEpisodeToEpisode) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE + 1, 0, {0, 1});
-  lockstep.take(answersOf(0, {0}));
+  lockstep.take(answersOf(0, {0}, {0.0, 0.0}), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 1U);  // an answer to the old episode
-  lockstep.take(answersOf(0, {0}, MOVE, EPISODE + 1));
+  lockstep.take(answersOf(0, {0}, MOVE, EPISODE + 1), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());  // agent 1 is still absent
 }
 
@@ -226,9 +236,9 @@ TEST(LockstepNewcomers, AreAwaitedUntilTheirFirstAnswer) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
   EXPECT_TRUE(lockstep.awaitsNewcomer());
-  lockstep.take(answersOf(0, {0}));
+  lockstep.take(answersOf(0, {0}), LEARNER);
   EXPECT_TRUE(lockstep.awaitsNewcomer());
-  lockstep.take(answersOf(0, {1}));
+  lockstep.take(answersOf(0, {1}), LEARNER);
   EXPECT_FALSE(lockstep.awaitsNewcomer());
   lockstep.close();
   lockstep.open(EPISODE, 1, {0, 1});
@@ -242,19 +252,19 @@ TEST(LockstepNewcomers, AreAbsentOnceGivenUp) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0, 1}, {0, 1});
   lockstep.open(EPISODE, 1, {0, 1, 2, 3});
-  lockstep.take(answersOf(1, {0}));
+  lockstep.take(answersOf(1, {0}), LEARNER);
   lockstep.giveUpOnNewcomers({0, 1, 2, 3});
   EXPECT_FALSE(lockstep.awaitsNewcomer());
   EXPECT_FALSE(lockstep.isComplete());  // agent 1 is known and awaited
-  lockstep.take(answersOf(1, {1}));
+  lockstep.take(answersOf(1, {1}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
   EXPECT_EQ(lockstep.missing(), (Ids{2, 3}));
   lockstep.close();
   EXPECT_EQ(lockstep.missedCount(), 2U);
   lockstep.open(EPISODE, 2, {0, 1, 2, 3});
   EXPECT_FALSE(lockstep.awaitsNewcomer());
-  lockstep.take(answersOf(2, {3}));  // it comes after all
-  lockstep.take(answersOf(2, {0, 1}));
+  lockstep.take(answersOf(2, {3}), LEARNER);  // it comes after all
+  lockstep.take(answersOf(2, {0, 1}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
   EXPECT_EQ(agentsOf(lockstep.answers()), (Ids{3, 0, 1}));
 }
@@ -270,15 +280,93 @@ TEST(LockstepNewcomers, GivingUpOnAllOfThemLeavesADesert) {
 
 TEST(LockstepCounts, BeginAnewOnReset) {
   Lockstep lockstep(3);
-  playTick(lockstep, 0, {0, 1}, {0, 0});
+  playTick(lockstep, 0, {0, 1}, {0, 7});
   EXPECT_EQ(lockstep.missedCount(), 1U);
   EXPECT_EQ(lockstep.droppedCount(), 1U);
   lockstep.resetCounts();
   EXPECT_EQ(lockstep.missedCount(), 0U);
   EXPECT_EQ(lockstep.droppedCount(), 0U);
-  playTick(lockstep, 1, {0, 1}, {1, 1, 1});
+  playTick(lockstep, 1, {0, 1}, {1, 7, 8});
   EXPECT_EQ(lockstep.missedCount(), 1U);
   EXPECT_EQ(lockstep.droppedCount(), 2U);
+}
+
+// Repeated answers: perceptions may be sent again to a learner that has answered, and its answer be sent again as well.
+
+TEST(LockstepRepetitions, AreIgnoredWhileTheTickIsOpenAndAfterIt) {
+  Lockstep lockstep(3);
+  lockstep.open(EPISODE, 0, {0, 1});
+  EXPECT_TRUE(lockstep.take(answersOf(0, {0, 0}), LEARNER).empty());
+  EXPECT_TRUE(lockstep.take(answersOf(0, {0}), LEARNER).empty());
+  lockstep.close();
+  EXPECT_TRUE(lockstep.take(answersOf(0, {0}), LEARNER).empty());
+  lockstep.open(EPISODE, 1, {0, 1});
+  EXPECT_TRUE(lockstep.take(answersOf(0, {0}), LEARNER).empty());
+  EXPECT_EQ(lockstep.droppedCount(), 0U);
+  EXPECT_EQ(lockstep.missing(), (Ids{0, 1}));
+}
+
+TEST(LockstepRepetitions, AnswersToAnAbandonedTickAreIgnored) {
+  Lockstep lockstep(3);
+  lockstep.open(EPISODE, 4, {0, 1});
+  lockstep.open(EPISODE + 1, 0, {0, 1});  // a reset came between
+  EXPECT_TRUE(lockstep.take(answersOf(4, {0, 1}), LEARNER).empty());
+  EXPECT_EQ(lockstep.droppedCount(), 0U);
+  EXPECT_EQ(lockstep.missing(), (Ids{0, 1}));
+}
+
+TEST(LockstepRefusals, NameTheCause) {
+  constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+  Lockstep lockstep(3);
+  playTick(lockstep, 3, {0, 1}, {1});
+  lockstep.open(EPISODE, 4, {0});
+  const auto causes = [&](std::uint64_t tick, AgentId agent, const RelativeAction& action, std::uint64_t episode) {
+    return causesOf(lockstep.take(answersOf(tick, {agent}, action, episode), LEARNER));
+  };
+  using Causes = std::vector<Refusal>;
+  EXPECT_EQ(causes(4, 7, MOVE, EPISODE), Causes{Refusal::NOT_ASKED});  // never
+  EXPECT_EQ(causes(4, 1, MOVE, EPISODE), Causes{Refusal::NOT_ASKED});  // in this tick
+  EXPECT_EQ(causes(4, 0, {NOT_A_NUMBER, 1.0}, EPISODE), Causes{Refusal::BAD_ROTATION});
+  EXPECT_EQ(causes(4, 0, {0.0, 2.0}, EPISODE), Causes{Refusal::BAD_SPEED});
+  EXPECT_EQ(causes(4, 0, {0.0, NOT_A_NUMBER}, EPISODE), Causes{Refusal::BAD_SPEED});
+  EXPECT_EQ(causes(3, 0, MOVE, EPISODE), Causes{Refusal::TOO_LATE});
+  EXPECT_EQ(causes(9, 0, MOVE, EPISODE - 1), Causes{Refusal::TOO_LATE});
+  EXPECT_EQ(causes(5, 0, MOVE, EPISODE), Causes{Refusal::TOO_EARLY});
+  EXPECT_EQ(causes(0, 0, MOVE, EPISODE + 1), Causes{Refusal::TOO_EARLY});
+  EXPECT_EQ(causes(4, 0, MOVE, EPISODE), Causes{});
+  EXPECT_EQ(causes(4, 0, {0.0, 0.0}, EPISODE), Causes{Refusal::SECOND_ANSWER});
+  EXPECT_EQ(lockstep.droppedCount(), 10U);
+}
+
+TEST(LockstepRefusals, NameBothLearnersOfAnAgent) {
+  Lockstep lockstep(3);
+  lockstep.open(EPISODE, 0, {0, 1});
+  EXPECT_TRUE(lockstep.take(answersOf(0, {0}), LEARNER).empty());
+  const std::vector<RefusedAnswer> refused = lockstep.take(answersOf(0, {0, 1}), OTHER);  // with the same action
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_EQ(refused[0].cause, Refusal::OTHER_LEARNER);
+  EXPECT_EQ(refused[0].answer.agent, 0U);
+  EXPECT_EQ(refused[0].learner, OTHER);
+  EXPECT_EQ(refused[0].other, LEARNER);
+}
+
+TEST(LockstepRefusals, NameBothLearnersAlsoWhenTheOtherAnswersLater) {
+  Lockstep lockstep(3);
+  playTick(lockstep, 0, {0}, {0});
+  EXPECT_EQ(causesOf(lockstep.take(answersOf(0, {0}), OTHER)), std::vector<Refusal>{Refusal::OTHER_LEARNER});
+  playTick(lockstep, 1, {0}, {0});
+  lockstep.open(EPISODE, 2, {0});
+  EXPECT_EQ(causesOf(lockstep.take(answersOf(0, {0}), OTHER)), std::vector<Refusal>{Refusal::OTHER_LEARNER});
+}
+
+TEST(LockstepRefusals, ALearnerMayTakeOverFromOneThatHasStopped) {
+  Lockstep lockstep(1);
+  playTick(lockstep, 0, {0}, {0});
+  playTick(lockstep, 1, {0}, {});
+  lockstep.open(EPISODE, 2, {0});
+  EXPECT_EQ(causesOf(lockstep.take(answersOf(1, {0}), OTHER)), std::vector<Refusal>{Refusal::TOO_LATE});
+  EXPECT_TRUE(lockstep.take(answersOf(2, {0}), OTHER).empty());
+  EXPECT_TRUE(lockstep.isComplete());
 }
 
 // Sequential scenarios: a tick is opened for one agent after the other.
@@ -300,7 +388,7 @@ TEST(LockstepTurns, AnAnswerAfterTheTurnShowsThatALearnerIsThere) {
   lockstep.close();
   EXPECT_TRUE(lockstep.areAbsent({0}));
   lockstep.open(EPISODE, 0, {1});
-  lockstep.take(answersOf(0, {0}));  // too late for its turn
+  lockstep.take(answersOf(0, {0}), LEARNER);  // too late for its turn
   EXPECT_EQ(lockstep.droppedCount(), 1U);
   EXPECT_FALSE(lockstep.areAbsent({0}));
   EXPECT_FALSE(lockstep.areAbsent({0, 1}));

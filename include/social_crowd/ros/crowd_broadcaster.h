@@ -10,13 +10,12 @@
 
 #include "social_crowd/common/recycler.h"
 #include "social_crowd/ros/controller_parameters.h"
-#include "social_crowd/ros/latched_publisher.h"
-#include "social_crowd/ros/tick_messages.h"
 #include "social_crowd/simulation/episode.h"
 
 namespace crowd {
 
-/// @brief Everything the crowd controller tells the world: perceptions, where everybody is, results, tf and clock.
+/// @brief Publishes all that the crowd controller publishes except perceptions: agents, scenario, results, tf and
+/// clock.
 class CrowdBroadcaster {
  public:
   /// @param node its queue serves learners that come later
@@ -24,9 +23,6 @@ class CrowdBroadcaster {
 
   /// @brief Moves the simulated clock and publishes it, where a clock is asked for.
   void advanceClock(double seconds);
-  void publishPerceptions(Episode& episode);
-  /// @brief The same message once more, for learners that were connecting when it was sent.
-  void repeatPerceptions() const { perceptions_.repeat(); }
   /// @brief Agents, and tf where it is asked for, if somebody listens; unless this tick's were told already, or others
   /// so short ago that the rate would be exceeded.
   void tellAgents(const Episode& episode);
@@ -35,19 +31,16 @@ class CrowdBroadcaster {
   void publishScenario(const Episode& episode, std::uint64_t instance);
   void publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed, std::uint64_t dropped);
 
-  /// @brief A number of this run of the controller, for perceptions and the answers to them.
-  std::uint64_t run() const { return run_; }
+  /// @brief Header of a message in the frame map, stamped now (simulated time where the clock is published).
+  std_msgs::Header header() const;
 
  private:
-  std_msgs::Header header() const;
   bool hasToldAgents(const Episode& episode) const;
   void publishStates(const Episode& episode);
   void publishFrames(const Episode& episode);
 
-  std::uint64_t run_;
   bool publish_clock_;
   ros::Time clock_;
-  LatchedPublisher<PerceptionsMessage> perceptions_;
   ros::WallDuration agents_period_;
   ros::SteadyTime agents_told_at_;
   std::optional<std::pair<std::uint64_t, std::uint64_t>> agents_told_;  // episode and tick

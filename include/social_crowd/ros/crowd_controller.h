@@ -8,13 +8,12 @@
 #include <optional>
 #include <string>
 
+#include "social_crowd/ros/answer_collector.h"
 #include "social_crowd/ros/controller_parameters.h"
 #include "social_crowd/ros/crowd_broadcaster.h"
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/services.h"
-#include "social_crowd/ros/tick_messages.h"
 #include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/lockstep.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scenario.h"
 
@@ -43,7 +42,6 @@ class CrowdController {
   };
 
   void advertiseServices();
-  void takeActions(const ActionsMessage::ConstPtr& message);
 
   void useScenarios(ScenarioList scenarios, const std::string& name);
   std::optional<TrajectoryFile> beginRecording(const std::string& name) const;
@@ -56,12 +54,6 @@ class CrowdController {
   bool mayWalk() const { return !paused_ || pending_steps_ != nullptr; }
   void walkTurn();
   void endTick();
-  void awaitAnswers();
-  std::vector<AgentId> activeAgents() const;
-  void awaitNewcomers(const Clock& since);
-  void repeatForNewcomers();
-  void awaitSomebody(const Clock& since);
-  void warnOfSilence(const Clock& since);
   /// Serves callbacks until `until`; true if the wait is over because the tick was cut off by a reset.
   void serveUntil(const Clock& until);
   void keepPace();
@@ -81,7 +73,7 @@ class CrowdController {
   MainLoop loop_;
   ros::NodeHandle node_;
   CrowdBroadcaster broadcaster_;
-  ros::Subscriber actions_;
+  AnswerCollector answers_;
 
   ScenarioList scenarios_;
   std::string scenario_name_;
@@ -95,9 +87,6 @@ class CrowdController {
   bool cut_off_ = false;          // the episode was replaced while a tick was under way
   Figures figures_;
 
-  Lockstep lockstep_;
-  Clock last_warning_;
-  Clock next_repeat_;
   Clock next_tick_;
   bool paused_;
   std::unique_ptr<PendingSteps> pending_steps_;

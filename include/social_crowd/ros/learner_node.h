@@ -36,9 +36,9 @@ class LearnerNode {
   LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node, LearnerParameters parameters);
 
   void advertiseServices();
-  void takePerceptions(const PerceptionsMessage::ConstPtr& message);
+  void takePerceptions(const PerceptionsMessage& message);
   void answer(const PerceptionsMessage& message);
-  /// Whether it was answered already: the controller repeats what it still waits for.
+  /// Whether it was answered already: the controller may ask again (PerceptionsPublisher).
   bool isRepeated(const PerceptionsMessage& message) const;
   void noteEpisode();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);

@@ -10,9 +10,6 @@
 
 namespace crowd {
 
-/// @brief Numbers in a row: "1, 2, 5".
-std::string listOf(const std::vector<AgentId>& agents);
-
 /// @brief Which agents of a learner took a table, and what became of it.
 class TakeReport {
  public:

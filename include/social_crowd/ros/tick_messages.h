@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
@@ -39,6 +40,7 @@ struct ActionsMessage {
 
   std_msgs::Header header;
   std::uint64_t run = 0;  ///< of the perceptions answered
+  std::string node;       ///< name of the learner; may be empty
   RelativeActions content;
 };
 

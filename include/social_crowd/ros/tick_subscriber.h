@@ -11,14 +11,16 @@
 
 namespace crowd {
 
-/// @brief Subscribes to a topic of every tick: no waiting in the network, and what comes over the wire is read into
-/// messages that are used again.
+/// @brief Subscribes to a topic of every tick, without delay in the network (tcpNoDelay); messages are read into
+/// buffers that are used again.
+/// @param take is called with each message and the name of the node that published it
 template <typename Message>
 ros::Subscriber subscribeToTicks(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue,
-                                 const std::function<void(const typename Message::ConstPtr&)>& take) {
+                                 const std::function<void(const ros::MessageEvent<const Message>&)>& take) {
   const auto messages = std::make_shared<Recycler<typename Message::Ptr>>();
   ros::SubscribeOptions options;
-  options.init<Message>(topic, queue, take, [messages] { return messages->next(); });
+  options.initByFullCallbackType<const ros::MessageEvent<const Message>&>(topic, queue, take,
+                                                                          [messages] { return messages->next(); });
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   return node.subscribe(options);
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "social_crowd/world/relative_action.h"
+
+namespace crowd {
+
+/// @brief The agents' numbers as text, such as "1, 2, 5"; of more than `most` the first ones and how many are left out.
+std::string agentList(const std::vector<AgentId>& agents, std::size_t most = 20);
+
+/// @brief The same with the noun: "agent 1" or "agents 1, 2, 5".
+std::string namedAgents(const std::vector<AgentId>& agents);
+
+}  // namespace crowd

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "social_crowd/ros/answering_learners.h"
+#include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/perceptions_publisher.h"
+#include "social_crowd/ros/tick_messages.h"
+#include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/lockstep.h"
+
+namespace crowd {
+
+/// @brief Publishes perceptions and waits for the learners' answers, with deadlines. Owned by CrowdController, which
+/// calls ask() and then wait() once a turn; all in the main loop, which wait() serves. docs/architecture.md describes
+/// the protocol.
+class AnswerCollector {
+ public:
+  /// @param node whose callbacks `loop` serves
+  AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const ControllerParameters& parameters);
+
+  /// @brief Publishes the perceptions of the episode's present turn and begins to take answers to them.
+  void ask(Episode& episode, const std_msgs::Header& header);
+  /// @brief Waits until no answer is awaited any more, serving the main loop.
+  /// @return false if cancel() was called meanwhile or the node shuts down; the answers are then void
+  bool wait(const Episode& episode);
+  /// @brief Abandons the present turn: another episode begins. May be called while wait() serves the main loop.
+  void cancel();
+  /// @brief Publishes the last perceptions of an episode, which are not answered.
+  void publishLast(Episode& episode, const std_msgs::Header& header);
+
+  const std::vector<AgentAction>& answers() const { return lockstep_.answers(); }
+  std::uint64_t missedCount() const { return lockstep_.missedCount(); }
+  std::uint64_t droppedCount() const { return lockstep_.droppedCount(); }
+
+ private:
+  using Clock = ros::WallTime;
+
+  PerceptionsMessage::ConstPtr toMessage(Episode& episode, const std_msgs::Header& header) const;
+  void take(const ros::MessageEvent<const ActionsMessage>& event);
+  bool isInterrupted() const { return cancelled_ || loop_.isClosed(); }
+  void serveUntil(const Clock& deadline);
+  void awaitPresent();
+  void awaitNewcomers(const Episode& episode);
+  void awaitAnybody(const Episode& episode);
+  void askAgain();
+  void warnOfSilence();
+
+  const double start_deadline_;   // [s]
+  const double answer_deadline_;  // [s]
+  const std::uint64_t run_;       // number of this run of the controller
+  MainLoop& loop_;
+  Lockstep lockstep_;
+  AnsweringLearners learners_;
+  PerceptionsPublisher perceptions_;
+  ros::Subscriber actions_;
+
+  bool cancelled_ = false;
+  Clock asked_at_;
+  Clock ask_again_at_;
+  ros::WallDuration ask_again_after_;
+  std::optional<Clock> silent_since_;  // no answer was taken since then
+  Clock last_warning_;
+};
+
+}  // namespace crowd

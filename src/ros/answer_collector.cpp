@@ -1,0 +1,153 @@
+#include "social_crowd/ros/answer_collector.h"
+
+#include <algorithm>
+
+#include "social_crowd/ros/agent_list.h"
+#include "social_crowd/ros/names.h"
+#include "social_crowd/ros/tick_subscriber.h"
+#include "social_crowd/ros/topic_publishers.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::uint32_t QUEUE = 1000;           // messages; many learners may answer at once
+const ros::WallDuration IDLE(0.1);              // between two checks whether ROS still runs
+const ros::WallDuration WARNING_PERIOD(5.0);    // of the warning that nobody answers
+const ros::WallDuration FIRST_ASK_AGAIN(0.05);  // doubled each time
+
+std::vector<AgentId> agentsToAsk(const Perceptions& perceptions) {
+  std::vector<AgentId> agents;
+  for (const AgentPerception& self : perceptions.agents) {
+    if (!self.arrived) agents.push_back(self.agent);
+  }
+  return agents;
+}
+
+std::vector<AgentId> walkingAgents(const World& world) {
+  std::vector<AgentId> walking;
+  for (const Agent& agent : world.agents()) {
+    if (agent.isWalking()) walking.push_back(agent.id);
+  }
+  return walking;
+}
+
+}  // namespace
+
+AnswerCollector::AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const ControllerParameters& parameters)
+    : start_deadline_(parameters.start_deadline),
+      answer_deadline_(parameters.answer_deadline),
+      run_(ros::WallTime::now().toNSec()),  // no two controllers start in the same nanosecond
+      loop_(loop),
+      lockstep_(parameters.misses_until_absent),
+      learners_(run_),
+      perceptions_(node),
+      actions_(
+          subscribeToTicks<ActionsMessage>(node, names::ACTIONS, QUEUE, [this](const auto& event) { take(event); })) {}
+
+void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event) {
+  const ActionsMessage& message = *event.getMessage();
+  const std::string node = event.getPublisherName();
+  const LearnerId learner = learners_.numberOf(message.node.empty() ? node : message.node, node);
+  const RunCheck run = learners_.checkRun(message.run, learner);
+  if (run == RunCheck::OTHER) lockstep_.drop(message.content);
+  if (run != RunCheck::OWN) return;
+  perceptions_.markHeard(node);
+  const std::vector<RefusedAnswer>& refused = lockstep_.take(message.content, learner);
+  if (refused.size() < message.content.agents.size()) learners_.noteTaken(learner);
+  if (!refused.empty()) learners_.noteRefused(refused);
+}
+
+PerceptionsMessage::ConstPtr AnswerCollector::toMessage(Episode& episode, const std_msgs::Header& header) const {
+  const auto message = boost::make_shared<PerceptionsMessage>();
+  message->header = header;
+  message->run = run_;
+  message->shared = episode.sharedPerceptions();
+  return message;
+}
+
+void AnswerCollector::ask(Episode& episode, const std_msgs::Header& header) {
+  cancelled_ = false;
+  lockstep_.open(episode.number(), episode.perceptions().tick, agentsToAsk(episode.perceptions()));
+  perceptions_.publish(toMessage(episode, header), true);
+  asked_at_ = Clock::now();
+  ask_again_after_ = FIRST_ASK_AGAIN;
+  ask_again_at_ = asked_at_ + ask_again_after_;
+  if (!silent_since_) silent_since_ = asked_at_;
+}
+
+bool AnswerCollector::wait(const Episode& episode) {
+  if (lockstep_.isDeserted() && lockstep_.areAbsent(walkingAgents(episode.world()))) {
+    awaitAnybody(episode);
+  } else {
+    awaitPresent();
+    awaitNewcomers(episode);
+  }
+  if (isInterrupted()) return false;
+  lockstep_.close();
+  perceptions_.endWait();
+  if (!lockstep_.answers().empty()) silent_since_.reset();
+  return true;
+}
+
+void AnswerCollector::cancel() {
+  cancelled_ = true;
+  perceptions_.endWait();
+  lockstep_.resetCounts();
+}
+
+void AnswerCollector::publishLast(Episode& episode, const std_msgs::Header& header) {
+  perceptions_.publish(toMessage(episode, header), false);
+}
+
+void AnswerCollector::serveUntil(const Clock& deadline) {
+  ros::WallDuration most = std::min(IDLE, deadline - Clock::now());
+  if (lockstep_.awaitsNewcomer()) most = std::min(most, ask_again_at_ - Clock::now());
+  loop_.run(std::max(most, ros::WallDuration(0.0)));
+}
+
+void AnswerCollector::awaitPresent() {
+  const Clock deadline = asked_at_ + ros::WallDuration(answer_deadline_);
+  while (!isInterrupted() && !lockstep_.isComplete() && Clock::now() < deadline) {
+    askAgain();
+    serveUntil(deadline);
+  }
+}
+
+void AnswerCollector::awaitNewcomers(const Episode& episode) {
+  const Clock deadline = asked_at_ + ros::WallDuration(start_deadline_);
+  while (!isInterrupted() && lockstep_.awaitsNewcomer()) {
+    warnOfSilence();
+    askAgain();
+    if (Clock::now() >= deadline) return lockstep_.giveUpOnNewcomers(walkingAgents(episode.world()));
+    serveUntil(deadline);
+  }
+}
+
+void AnswerCollector::awaitAnybody(const Episode& episode) {
+  // With no learner left to wait for, a tick lasts as long as in real time: the episode neither hangs nor rushes by.
+  const double turn = episode.scene().tick_duration / static_cast<double>(episode.turnsOfTick());
+  const Clock deadline = asked_at_ + ros::WallDuration(std::min(answer_deadline_, turn));
+  while (!isInterrupted() && lockstep_.isDeserted() && Clock::now() < deadline) {
+    warnOfSilence();
+    serveUntil(deadline);
+  }
+}
+
+void AnswerCollector::askAgain() {
+  if (!lockstep_.awaitsNewcomer() || Clock::now() < ask_again_at_) return;
+  if (perceptions_.isAnyUnheard(publishersOf(actions_.getTopic()))) perceptions_.publishAgain();
+  ask_again_after_ += ask_again_after_;
+  ask_again_at_ = Clock::now() + ask_again_after_;
+}
+
+void AnswerCollector::warnOfSilence() {
+  const Clock now = Clock::now();
+  if (now - last_warning_ < WARNING_PERIOD) return;
+  last_warning_ = now;
+  const std::string topic = actions_.getTopic();
+  ROS_WARN("no answer for %s for %.1f s: %s. Without an answer they stay where they are",
+           namedAgents(lockstep_.missing()).c_str(), (now - *silent_since_).toSec(),
+           learners_.reasonForSilence(publishersOf(topic), topic).c_str());
+}
+
+}  // namespace crowd

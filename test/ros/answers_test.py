@@ -1,0 +1,202 @@
+#!/usr/bin/python3
+"""Answers that the crowd controller refuses: what it counts and what it says; perceptions are sent once."""
+import rospy
+import support
+from answering import AHEAD, BACK, AbsenceTestCase, Answers, actions_for
+from social_crowd.msg import Perceptions, RelativeAction
+
+NAN, INFINITE = float('nan'), float('inf')
+
+
+class WrongAnswersTest(AbsenceTestCase):
+    """Wrong answers are dropped and counted, and nothing else changes."""
+
+    def check(self, wrong, count, after=False):
+        """Walks an episode without and one with wrong answers, of which so many are dropped a tick."""
+        self.start_quiet(seconds=3, paused=True, trajectories=self.path('ros'))
+        answers = Answers(self)
+        self.step(30)
+        # Not in the last tick, of which the answers might come after the episode's end.
+        setattr(answers, 'after' if after else 'before', lambda now: wrong(now) if now.tick < 29 else [])
+        self.step(30)
+        results = [self.results.wait_at(episode, 30) for episode in (0, 1)]
+        self.assertEqual((results[0].dropped_answers, results[0].missed_answers), (0, 0))
+        self.assertEqual((results[1].dropped_answers, results[1].missed_answers), (count * 29, 0))
+        self.assertEqual(self.rows(1), self.rows(0))
+        self.assertAlmostEqual(self.rows(1)[30][0][0], 1.5)
+
+    def test_for_an_old_tick(self):
+        self.check(lambda now: [actions_for(now.episode, (now.tick - 1) % 2**64, {0: BACK})], 1)
+
+    def test_for_a_tick_to_come(self):
+        self.check(lambda now: [actions_for(now.episode, now.tick + 1, {0: BACK, 1: BACK})], 2)
+
+    def test_for_another_episode(self):
+        self.check(lambda now: [actions_for(episode, now.tick, {0: BACK}) for episode in (0, 2, 2**64 - 1)], 3)
+
+    def test_for_another_controller(self):
+        def to_another(now):
+            message = actions_for(now.episode, now.tick, {0: BACK})
+            message.run = now.run + 1
+            return [message]
+
+        self.check(to_another, 1)
+
+    def test_for_unknown_agents(self):
+        self.check(lambda now: [actions_for(now.episode, now.tick, {2: BACK, 9999: BACK, 2**32 - 1: BACK})], 3)
+
+    def test_that_are_no_numbers(self):
+        bad = [(NAN, 1.0), (0.0, NAN), (INFINITE, 1.0), (-INFINITE, 1.0), (0.0, INFINITE), (0.0, 1.001), (0.0, -0.001)]
+        self.check(lambda now: [actions_for(now.episode, now.tick, {0: action}) for action in bad], len(bad))
+
+    def test_a_second_answer_before_the_tick_ends(self):
+        """The first answer to agent 0 is carried out; the second is dropped, the third repeats the first."""
+        self.check(lambda now: [actions_for(now.episode, now.tick, {0: action}) for action in (AHEAD, BACK)], 1)
+
+    def test_a_second_answer_after_all_have_answered(self):
+        self.check(lambda now: [actions_for(now.episode, now.tick, {0: BACK, 1: BACK})], 2, after=True)
+
+    def test_a_second_answer_in_the_same_message(self):
+        def twice(now):
+            message = actions_for(now.episode, now.tick, {0: AHEAD})
+            message.agents.append(RelativeAction(0, *BACK))
+            return [message]
+
+        self.check(twice, 1)  # the learner's own answer then repeats the first
+
+
+class NamedCausesTest(AbsenceTestCase):
+    """A refused answer is named with its learner and its cause, once for each cause."""
+
+    def refuse(self, change, warning='no answer for'):
+        """Lets a learner give only wrong answers; what the controller prints up to a warning."""
+        self.start_quiet(start_deadline=300.0, answer_deadline=0.2, paused=True)
+        answers = Answers(self)
+        answers.silent = {0, 1}
+        answers.before = lambda now: [change(actions_for(now.episode, now.tick, {0: AHEAD, 1: AHEAD}), now)
+                                      for _ in range(3)]
+        self.call_later('crowd_controller/step', ticks=2)
+        return support.wait_for(lambda: warning in self.controller.output() and self.controller.output(), warning)
+
+    def check_cause(self, output, *words):
+        """Checks the one warning of the cause."""
+        learner = f"'{rospy.get_name()}' answers "
+        warnings = [line for line in output.splitlines() if learner in line and 'once' in line]
+        self.assertEqual(len(warnings), 1, output)
+        self.assert_says(warnings[0], *words)
+
+    def check(self, change, *words):
+        """Checks the warning of the cause, and that the learner is not called silent."""
+        output = self.refuse(change)
+        self.check_cause(output, *words)
+        silence = next(line for line in output.splitlines() if 'no answer for' in line)
+        self.assert_says(silence, 'agents 0, 1', f"'{rospy.get_name()}' answers, but its answers are refused")
+
+    def test_no_run(self):
+        def without_run(message, now):
+            message.run = 0
+            return message
+
+        answer = Answers.send
+        Answers.send = lambda answers, message, perceived: answers.publisher.publish(message)
+        self.addCleanup(setattr, Answers, 'send', answer)
+        self.check(without_run, 'without run', 'expected run')
+
+    def test_speed_above_one(self):
+        def twice_as_fast(message, now):
+            for action in message.agents:
+                action.speed_share = 2.0
+            return message
+
+        self.check(twice_as_fast, 'speed_share 2', 'expected 0 to 1')
+
+    def test_rotation_that_is_no_number(self):
+        def nowhere(message, now):
+            for action in message.agents:
+                action.rotation = NAN
+            return message
+
+        self.check(nowhere, 'rotation nan', 'finite')
+
+    def test_a_tick_to_come(self):
+        def too_early(message, now):
+            message.tick = now.tick + 7
+            return message
+
+        output = self.refuse(too_early, 'has not begun')
+        self.check_cause(output, 'agents 0, 1', 'tick 7 of episode 0', 'expected episode and tick')
+
+    def test_agents_that_are_not_there(self):
+        def unknown(message, now):
+            message.agents = [RelativeAction(12, *AHEAD)]
+            return message
+
+        self.check(unknown, 'agent 12', 'expected agents of the perceptions')
+
+
+class TwoLearnersTest(AbsenceTestCase):
+    """Two learners that serve the same agents."""
+
+    def test_both_are_named_when_it_begins(self):
+        self.start_quiet(paused=True)
+        self.start_learner('learner_a')
+        self.start_learner('learner_b')
+
+        def is_said_after_a_tick():
+            self.step(1)
+            return 'two learners' in self.controller.output()
+
+        support.wait_for(is_said_after_a_tick, 'the warning')
+        self.step(20)
+        warnings = [line for line in self.controller.output().splitlines() if 'two learners' in line]
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assert_says(warnings[0], 'agents 0, 1', f"'{self.namespace}/learner_a'", f"'{self.namespace}/learner_b'",
+                         '~agents')
+
+    def test_nothing_is_said_of_learners_with_agents_of_their_own(self):
+        self.start_quiet(seconds=3, paused=True)
+        self.start_pair()
+        self.step(30)
+        self.assertEqual(self.results.wait_at(0, 30).dropped_answers, 0)
+        self.assertNotIn('WARN', self.controller.output())
+
+
+class SentOnceTest(AbsenceTestCase):
+    """Perceptions are sent once, and once more to a learner that comes later; nothing of that counts as dropped."""
+
+    def test_while_a_learner_is_waited_for(self):
+        heard = self.listen('perceptions', Perceptions)
+        self.start_quiet(seconds=3, answer_deadline=2.0, start_deadline=300.0, paused=True)
+        heard.wait_connected()
+        later = self.call_later('crowd_controller/step', ticks=30)
+        support.wait_for(lambda: 'no answer for' in self.controller.output(), 'the warning, 2 s after the perceptions')
+        self.assertEqual(len(heard.messages), 1)
+        self.start_learner()
+        later.result()
+        result = self.results.wait_at(0, 30)
+        self.assertEqual((result.dropped_answers, result.missed_answers), (0, 0))
+        heard.wait_at(0, 30)
+        self.assertEqual(len([message for message in heard.messages if message.tick > 0 and not message.episode]), 30)
+
+    def test_not_to_subscribers_that_come_when_no_answer_is_awaited(self):
+        self.start_quiet(paused=True)
+        self.start_learner()
+        self.step(1)
+        heard = self.listen('perceptions', Perceptions).wait_connected()
+        self.step(1)
+        self.assertEqual([message.tick for message in [heard.wait_at(0, 1)] + heard.messages], [1, 1])
+
+    def test_how_long_no_answer_has_come_goes_on_after_the_deadline(self):
+        self.start_quiet(start_deadline=0.1, answer_deadline=0.1)
+        self.agents.wait(lambda message: message.tick >= 2)
+
+        def warnings():
+            return [line for line in self.controller.output().splitlines() if 'no answer for' in line]
+
+        support.wait_for(lambda: len(warnings()) >= 2, 'two warnings, 5 s apart')
+        seconds = [float(line.split(' s: ')[0].split()[-1]) for line in warnings()]
+        self.assertGreaterEqual(seconds[1], seconds[0] + 4.5)
+
+
+if __name__ == '__main__':
+    support.run('answers_test')
