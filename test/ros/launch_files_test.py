@@ -204,8 +204,7 @@ class ReplayTest(LaunchTestCase):
             points = [point for marker in array.markers if marker.ns == 'paths' for point in marker.points]
             return any(abs(point.x - 0.5) < 1e-6 for point in points)
         markers.wait(tip_of_a_path, 'with a path to the place of the last tick')
-        self.assertEqual(launched.wait(), 0, launched.output())
-        self.assert_no_complaint(launched, 'WARN|ERROR|FATAL')
+        self.assert_ends_well(launched)
 
     def test_the_bag_must_be_there(self):
         launched = self.launch('replay.launch', bag=self.path('missing.bag'))
