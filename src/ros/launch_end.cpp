@@ -21,8 +21,8 @@ std::vector<std::string> commandOf(pid_t process) {
   return words;
 }
 
-/// Whether it is roslaunch, itself or as the script of an interpreter. One with -c serves a roslaunch on another machine,
-/// which would report its end as an error.
+/// Whether it is roslaunch, itself or as the script of an interpreter. One with -c serves a roslaunch on another
+/// machine, which would report its end as an error.
 bool isRoslaunch(const std::vector<std::string>& command) {
   const auto program_end = command.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(command.size(), 2));
   const bool found = std::any_of(command.begin(), program_end, [](const std::string& word) {
