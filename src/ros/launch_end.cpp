@@ -1,9 +1,9 @@
 #include "social_crowd/ros/launch_end.h"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
