@@ -79,6 +79,7 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
   read.publish_clock = parameters.flag("publish_clock", read.publish_clock);
   read.trajectories = parameters.text("trajectories", "");
+  read.ends_launch = parameters.flag("ends_launch", read.ends_launch);
   parameters.finish();
   return read;
 }

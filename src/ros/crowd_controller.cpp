@@ -4,15 +4,17 @@
 #include <utility>
 
 #include "social_crowd/common/files.h"
+#include "social_crowd/ros/launch_end.h"
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
 namespace {
 
 constexpr unsigned SERVICE_THREADS = 3;
-const ros::WallDuration IDLE(0.1);    // between two checks whether ROS still runs
-const ros::WallDuration FLUSH(0.25);  // for the last messages to leave the process
-constexpr double MAX_LAG = 0.5;       // [s] behind real time that are made up for
+const ros::WallDuration IDLE(0.1);         // between two checks whether ROS still runs
+const ros::WallDuration FLUSH(0.25);       // for the last messages to leave the process
+const ros::WallDuration LAUNCH_END(20.0);  // for roslaunch to shut the node down
+constexpr double MAX_LAG = 0.5;            // [s] behind real time that are made up for
 
 }  // namespace
 
@@ -50,6 +52,12 @@ void CrowdController::linger() {
   }
   // ROS does not tell when a message has left the process.
   serveUntil(Clock::now() + FLUSH);
+  if (parameters_.ends_launch && !loop_.isClosed() && endLaunch()) awaitShutdown(Clock::now() + LAUNCH_END);
+}
+
+void CrowdController::awaitShutdown(const Clock& deadline) {
+  // Whatever is asked of the controller meanwhile must not end it: roslaunch would take its exit for the cause.
+  while (!loop_.isClosed() && Clock::now() < deadline) loop_.run(IDLE);
 }
 
 void CrowdController::useScenarios(ScenarioList scenarios, const std::string& name) {

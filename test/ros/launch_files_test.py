@@ -1,47 +1,17 @@
 #!/usr/bin/python3
 """The launch files: they end by themselves, leave what they promise, and say what is wrong."""
 import os
-import re
 
 import rosbag
 import rospy
 import support
 from geometry_msgs.msg import Point, Pose2D
+from launching import EPISODES, LaunchTestCase
 from learning_files import QTableFile, recipe_text
 from social_crowd.msg import AgentState, AgentStates, LearnerStatus, Scenario
 from visualization_msgs.msg import MarkerArray
 
 SCENARIO = support.data('lockstep.yaml')
-EPISODES = 2
-
-
-class LaunchTestCase(support.CrowdTestCase):
-    """Runs roslaunch."""
-
-    def launch(self, file, **arguments):
-        """Starts a launch file; its nodes wait for answers as long as it takes on a busy machine."""
-        rospy.set_param(f'{self.namespace}/crowd_controller/answer_deadline', 60.0)
-        words = [f'{name}:={value}' for name, value in arguments.items()]
-        return self.start('roslaunch', ['roslaunch', 'social_crowd', file, 'rviz:=false', *words])
-
-    def demo(self, **arguments):
-        """Starts demo.launch as fast as it goes, for a few episodes."""
-        return self.launch('demo.launch', **dict({'pace': 'fast', 'episodes': EPISODES}, **arguments))
-
-    def assert_ends_well(self, launched):
-        """Checks that a launch ends by itself and that nothing went wrong on the way."""
-        self.assertEqual(launched.wait(), 0, launched.output())
-        self.assert_no_complaint(launched, 'WARN|ERROR|FATAL')
-
-    def assert_no_complaint(self, launched, levels):
-        """Checks that nodes said nothing of these levels, and that all ended as they should."""
-        complaints = re.findall(rf'.*\[ ?(?:{levels})\].*|.*(?:exit code|escalating|Traceback).*', launched.output())
-        self.assertEqual(complaints, [])
-
-    def assert_ends_with(self, launched, *words):
-        """Checks that a launch ends by itself and says why."""
-        launched.wait()
-        self.assert_says(launched.output(), *words)
 
 
 class DemoTest(LaunchTestCase):
@@ -234,8 +204,7 @@ class ReplayTest(LaunchTestCase):
             points = [point for marker in array.markers if marker.ns == 'paths' for point in marker.points]
             return any(abs(point.x - 0.5) < 1e-6 for point in points)
         markers.wait(tip_of_a_path, 'with a path to the place of the last tick')
-        self.assertEqual(launched.wait(), 0, launched.output())
-        self.assert_no_complaint(launched, 'WARN|ERROR|FATAL')
+        self.assert_ends_well(launched)
 
     def test_the_bag_must_be_there(self):
         launched = self.launch('replay.launch', bag=self.path('missing.bag'))

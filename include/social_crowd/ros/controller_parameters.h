@@ -27,6 +27,7 @@ struct ControllerParameters {
   bool publish_tf = false;       ///< ~publish_tf: map -> agent_<id>
   bool publish_clock = false;    ///< ~publish_clock: simulated time on /clock
   std::string trajectories;      ///< ~trajectories: folder for recordings; empty: none
+  bool ends_launch = false;      ///< ~ends_launch: end the roslaunch that started it after the last episode
 };
 
 /// @throws InputError naming everything that is wrong.

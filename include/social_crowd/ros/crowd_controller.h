@@ -49,6 +49,7 @@ class CrowdController {
   void beginEpisode();
   void endEpisode();
   void linger();
+  void awaitShutdown(const Clock& deadline);
 
   void waitWhilePaused();
   bool mayWalk() const { return !paused_ || pending_steps_ != nullptr; }

@@ -1,0 +1,136 @@
+#!/usr/bin/python3
+"""How launches end, well and badly, and what roslaunch tells of their arguments."""
+import os
+import re
+import signal
+import subprocess
+import xml.etree.ElementTree as ElementTree
+
+import rospy
+import support
+import yaml
+from launching import LaunchTestCase
+from learning_files import QTableFile
+from social_crowd.msg import AgentStates, EpisodeResult
+
+# A program in place of RViz; it is closed by making a file.
+RVIZ = """#!/bin/bash
+touch "$0.open"
+until [[ -e $0.close ]]; do sleep 0.05; done
+"""
+INCLUDING = """
+<launch>
+  <include file="$(find social_crowd)/launch/{}">{}</include>
+</launch>
+"""
+
+
+class EndTest(LaunchTestCase):
+    """A launch that is done ends well, also in the tests of what launches leave; one that fails does not."""
+
+    def test_nodelets_save_what_they_learned(self):
+        self.assert_ends_well(self.demo(mode='training', nodelets='true', save_to=self.path('table.txt'), episodes=1))
+        before = QTableFile(support.ANTICIPATION_TABLE).header['decisions']
+        self.assertGreater(QTableFile(self.path('table.txt')).header['decisions'], before)
+
+    def test_a_controller_that_cannot_begin(self):
+        for nodelets in ('false', 'true'):
+            launched = self.demo(scenario='wakers6', nodelets=nodelets)
+            self.assert_ends_with(launched, "no scenario 'wakers6'", 'exit code')
+
+    def test_a_controller_that_crashes(self):
+        launched = self.launch('demo.launch')
+        self.listen('agents', AgentStates).wait(what='that they walk')
+        name = f'{self.namespace[1:]}/crowd_controller'
+        process = re.search(rf'process\[{name}-\d+\]: started with pid \[(\d+)\]', launched.output()).group(1)
+        os.kill(int(process), signal.SIGKILL)
+        self.assert_ends_with(launched, 'exit code -9')
+
+    def test_a_controller_that_roslaunch_did_not_start(self):
+        """It just exits; this process gets no signal."""
+        self.start_learner()
+        controller = self.start_controller(support.CIRCLE6, episodes=1, ends_launch=True)
+        self.assertEqual(controller.wait(), 0, controller.output())
+
+
+class RvizTest(LaunchTestCase):
+    """Launches with something in place of RViz."""
+
+    def launch_with_rviz(self, file, **arguments):
+        """Starts a launch file and waits until RViz is there."""
+        self.rviz = self.write('rviz', RVIZ)
+        os.chmod(self.rviz, 0o755)
+        launched = self.launch(file, {'PATH': f'{self.folder}:{os.environ["PATH"]}'}, rviz='true', **arguments)
+        support.wait_for(lambda: os.path.exists(f'{self.rviz}.open'), 'RViz')
+        return launched
+
+    def close_rviz(self):
+        """What its user does."""
+        self.write('rviz.close', '')
+
+    def test_closing_it_ends_a_demo(self):
+        launched = self.launch_with_rviz('demo.launch')
+        self.close_rviz()
+        self.assert_ends_well(launched)
+
+    def test_a_demo_closes_it(self):
+        launched = self.launch_with_rviz('demo.launch', pace='fast', episodes=1, paused='true')
+        self.call('crowd_controller/pause', data=False)
+        self.assert_ends_well(launched)
+
+    def test_closing_it_does_not_end_a_training(self):
+        """Also if it ended another launch before."""
+        rospy.set_param(f'{self.namespace}/rviz/ends_launch', True)
+        launched = self.launch_with_rviz('train.launch', output=self.path('table.txt'), episodes=0, pace=100)
+        self.close_rviz()
+        support.wait_for(lambda: 'process has finished cleanly' in launched.output(), 'the end of RViz')
+        results = self.listen('episode_results', EpisodeResult)
+        results.wait(what='after RViz was closed')
+        self.assertEqual(launched.stop(), 0)
+        self.assertGreater(QTableFile(self.path('table.txt')).header['decisions'], 0)
+
+
+class ArgumentsTest(LaunchTestCase):
+    """What roslaunch tells of arguments, and what their defaults stand for."""
+
+    def ask(self, *arguments):
+        """What roslaunch tells without starting anything."""
+        return subprocess.run(['roslaunch', *arguments], stdout=subprocess.PIPE, timeout=support.PATIENCE,
+                              check=True).stdout.decode()
+
+    def parameters(self, *arguments):
+        """Parameters that a launch sets."""
+        return yaml.safe_load(self.ask('--dump-params', *arguments))
+
+    def words_of(self, file):
+        """Default words that stand for nothing, by argument."""
+        tree = ElementTree.parse(support.in_package('launch', file))
+        defaults = {argument.get('name'): argument.get('default') for argument in tree.findall('arg')}
+        return {name: word for name, word in defaults.items() if word in ('none', 'table', 'config')}
+
+    def test_only_what_must_be_given_is_required(self):
+        for file, required in (('demo.launch', []), ('train.launch', ['output']), ('replay.launch', ['bag'])):
+            told = self.ask('--ros-args', 'social_crowd', file).partition('Optional Arguments:')
+            self.assertEqual(re.findall(r'^  (\w+): ', told[0], re.MULTILINE), required)
+            self.assertIn('rviz (default', told[2])
+
+    def test_words_stand_for_nothing(self):
+        """No parameter has one for its value; an argument that is left empty does the same."""
+        for file, count in (('demo.launch', 3), ('train.launch', 7)):
+            words = self.words_of(file)
+            self.assertEqual(len(words), count, words)
+            parameters = self.parameters('social_crowd', file, 'output:=table.txt')
+            self.assertEqual([name for name, value in parameters.items() if value in words.values()], [])
+            left_empty = self.parameters('social_crowd', file, 'output:=table.txt', *(f'{name}:=' for name in words))
+            self.assertEqual(left_empty, parameters)
+
+    def test_empty_arguments_of_an_include(self):
+        for file in ('demo.launch', 'train.launch'):
+            given = dict(dict.fromkeys(self.words_of(file), ''), **({'output': 't'} if file == 'train.launch' else {}))
+            elements = ''.join(f'<arg name="{name}" value="{value}"/>' for name, value in given.items())
+            including = self.write('including.launch', INCLUDING.format(file, elements))
+            self.assertEqual(self.parameters(including), self.parameters('social_crowd', file, 'output:=t'))
+
+
+if __name__ == '__main__':
+    support.run('launch_end_test')
