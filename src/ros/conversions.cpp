@@ -1,5 +1,8 @@
 #include "social_crowd/ros/conversions.h"
 
+#include <tf2/LinearMath/Quaternion.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
 namespace crowd {
 namespace {
 
@@ -70,6 +73,12 @@ geometry_msgs::Vector3 toVector3(const Vector2& v) {
   vector.x = v.x();
   vector.y = v.y();
   return vector;
+}
+
+geometry_msgs::Quaternion toQuaternion(double heading) {
+  tf2::Quaternion rotation;
+  rotation.setRPY(0.0, 0.0, heading);
+  return tf2::toMsg(rotation);
 }
 
 Vector2 fromPoint(const geometry_msgs::Point& point) { return {point.x, point.y}; }

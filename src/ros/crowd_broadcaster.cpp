@@ -1,8 +1,7 @@
 #include "social_crowd/ros/crowd_broadcaster.h"
 
 #include <rosgraph_msgs/Clock.h>
-
-#include <cmath>
+#include <tf2_msgs/TFMessage.h>
 
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
@@ -23,7 +22,11 @@ CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParamet
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
       results_(node.advertise<social_crowd::EpisodeResult>(names::EPISODE_RESULTS, QUEUE)) {
   if (publish_clock_) clock_publisher_ = node.advertise<rosgraph_msgs::Clock>(names::CLOCK, QUEUE);
-  if (parameters.publish_tf) frames_publisher_ = node.advertise<tf2_msgs::TFMessage>(names::TF, QUEUE);
+  if (parameters.publish_tf) {
+    frames_broadcaster_.emplace();
+    // Publishers of one topic in one process share their connections, so that this one counts the broadcaster's.
+    frames_subscribers_ = ros::NodeHandle().advertise<tf2_msgs::TFMessage>(names::TF, QUEUE);
+  }
 }
 
 std_msgs::Header CrowdBroadcaster::header() const {
@@ -55,7 +58,7 @@ void CrowdBroadcaster::tellAgentsNow(const Episode& episode) {
   agents_told_ = {episode.number(), episode.world().tick()};
   agents_told_at_ = ros::SteadyTime::now();
   if (agents_.getNumSubscribers() > 0) publishStates(episode);
-  if (frames_publisher_ && frames_publisher_.getNumSubscribers() > 0) publishFrames(episode);
+  if (frames_broadcaster_ && frames_subscribers_.getNumSubscribers() > 0) publishFrames(episode);
 }
 
 void CrowdBroadcaster::publishStates(const Episode& episode) {
@@ -69,17 +72,16 @@ void CrowdBroadcaster::publishStates(const Episode& episode) {
 void CrowdBroadcaster::publishFrames(const Episode& episode) {
   const std_msgs::Header now = header();
   std::size_t count = 0;
-  frames_.transforms.resize(episode.world().activeCount());
+  frames_.resize(episode.world().activeCount());
   for (const Agent& agent : episode.world().agents()) {
     if (!agent.isWalking()) continue;
-    geometry_msgs::TransformStamped& frame = frames_.transforms[count++];
+    geometry_msgs::TransformStamped& frame = frames_[count++];
     frame.header = now;
     frame.child_frame_id = names::AGENT_FRAME_PREFIX + std::to_string(agent.id);
     frame.transform.translation = toVector3(agent.pose.position);
-    frame.transform.rotation.z = std::sin(agent.pose.heading / 2.0);
-    frame.transform.rotation.w = std::cos(agent.pose.heading / 2.0);
+    frame.transform.rotation = toQuaternion(agent.pose.heading);
   }
-  frames_publisher_.publish(frames_);
+  frames_broadcaster_->sendTransform(frames_);
 }
 
 void CrowdBroadcaster::publishScenario(const Episode& episode, std::uint64_t instance) {

@@ -1,7 +1,6 @@
 #include "social_crowd/ros/crowd_markers.h"
 
 #include <geometry_msgs/TransformStamped.h>
-#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "social_crowd/ros/conversions.h"
@@ -14,8 +13,7 @@ namespace {
 constexpr std::uint32_t QUEUE = 100;        // messages
 constexpr std::uint32_t MARKERS_QUEUE = 2;  // messages; only the newest counts
 constexpr double WARNING_PERIOD = 10.0;     // [s]
-constexpr bool LATCHED = true;
-const ros::WallDuration IDLE(0.1);  // between two looks whether ROS still runs
+const ros::WallDuration IDLE(0.1);          // between two looks whether ROS still runs
 const ros::WallDuration REPEAT_AFTER(1.0);
 
 constexpr double MIN_RATE = 0.1;       // [Hz]
@@ -57,7 +55,6 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& 
   publisher_ = node_.advertise<visualization_msgs::MarkerArray>(names::MARKERS, MARKERS_QUEUE);
   agents_ = node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
                                                        [this](const auto& message) { scene_.take(message); });
-  frame_publisher_ = node_.advertise<tf2_msgs::TFMessage>(names::STATIC_TF, 1, LATCHED);
   publishFrame(Vector2::Zero());
   scenario_ = node_.subscribe<social_crowd::Scenario>(names::SCENARIO, QUEUE,
                                                       [this](const auto& message) { takeScenario(*message); });
@@ -83,10 +80,8 @@ void CrowdMarkers::publishFrame(const Vector2& middle) {
   frame.header.frame_id = names::MAP_FRAME;
   frame.child_frame_id = names::CROWD_FRAME;
   frame.transform.translation = toVector3(middle);
-  frame.transform.rotation.w = 1.0;
-  tf2_msgs::TFMessage message;
-  message.transforms.push_back(frame);
-  frame_publisher_.publish(message);
+  frame.transform.rotation = toQuaternion(0.0);
+  frame_broadcaster_.sendTransform(frame);
 }
 
 template <typename Message>

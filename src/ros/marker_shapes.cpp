@@ -21,7 +21,7 @@ ListMarker::ListMarker(const char* kind, int id, marker_style::Layer layer, int 
   marker_.type = type;
   marker_.action = visualization_msgs::Marker::ADD;
   marker_.pose.position.z = static_cast<int>(layer) * marker_style::LAYER_HEIGHT;
-  marker_.pose.orientation.w = 1.0;
+  marker_.pose.orientation = toQuaternion(0.0);
   marker_.color.a = 1.0F;
 }
 

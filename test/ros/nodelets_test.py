@@ -8,11 +8,17 @@ import rospy
 import support
 from learning_files import QTableFile, recipe_text
 from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
+from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 12  # so that each of the six documents is walked twice
 NODELET = ['rosrun', 'nodelet', 'nodelet']
+
+
+def children(message):
+    """The frames that a message of tf tells of."""
+    return {frame.child_frame_id for frame in message.transforms}
 
 
 class NodeletTestCase(support.CrowdTestCase):
@@ -105,6 +111,17 @@ class DemoTest(NodeletTestCase):
             self.assertGreaterEqual(messages, 20, topic)
             self.assertEqual(size, 0, topic)
         self.assertGreater(self.received('learner_status')[1], 0, 'otherwise roscpp would not count')
+
+    def test_frames(self):
+        """Broadcasters of all nodelets share the manager's publishers of /tf and /tf_static."""
+        frames, static_frames = self.listen('/tf', TFMessage), self.listen('/tf_static', TFMessage)
+        self.load('crowd_markers')
+        self.load('learner', q_table=support.NEAREST_TABLE)
+        self.load_controller(paused=True, publish_tf=True)
+        frames.wait_connected()
+        self.step(1)
+        frames.wait(lambda message: {'agent_0', 'agent_1'} <= children(message), 'with the frames of agents')
+        static_frames.wait(lambda message: children(message) == {'crowd'}, 'with the frame of the crowd')
 
     def received(self, topic):
         """Messages and bytes of a topic that nodelets have received so far."""

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/Point.h>
+#include <geometry_msgs/Quaternion.h>
 #include <geometry_msgs/Vector3.h>
 #include <social_crowd/AgentStates.h>
 #include <social_crowd/EpisodeResult.h>
@@ -16,6 +17,8 @@ namespace crowd {
 
 geometry_msgs::Point toPoint(const Vector2& v);
 geometry_msgs::Vector3 toVector3(const Vector2& v);
+/// @brief The rotation of a body that faces `heading` [rad], counterclockwise from the x axis of the map.
+geometry_msgs::Quaternion toQuaternion(double heading);
 Vector2 fromPoint(const geometry_msgs::Point& point);
 Vector2 fromVector3(const geometry_msgs::Vector3& vector);
 

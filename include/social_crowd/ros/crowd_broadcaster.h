@@ -1,12 +1,14 @@
 #pragma once
 
+#include <geometry_msgs/TransformStamped.h>
 #include <ros/ros.h>
 #include <social_crowd/AgentStates.h>
-#include <tf2_msgs/TFMessage.h>
+#include <tf2_ros/transform_broadcaster.h>
 
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "social_crowd/common/recycler.h"
 #include "social_crowd/ros/controller_parameters.h"
@@ -49,8 +51,9 @@ class CrowdBroadcaster {
   ros::Publisher scenario_;
   ros::Publisher results_;
   ros::Publisher clock_publisher_;
-  ros::Publisher frames_publisher_;  // none where no tf is asked for
-  tf2_msgs::TFMessage frames_;       // of the last tick that was published
+  std::optional<tf2_ros::TransformBroadcaster> frames_broadcaster_;  // none where no tf is asked for
+  ros::Publisher frames_subscribers_;  // counts the subscribers of /tf, which the broadcaster does not tell
+  std::vector<geometry_msgs::TransformStamped> frames_;  // of the last tick that was published
 };
 
 }  // namespace crowd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <tf2_ros/static_transform_broadcaster.h>
 
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/marker_scene.h"
@@ -51,7 +52,7 @@ class CrowdMarkers {
   bool shows_sectors_;
   MarkerScene scene_;
   ros::Publisher publisher_;
-  ros::Publisher frame_publisher_;
+  tf2_ros::StaticTransformBroadcaster frame_broadcaster_;
   std::string scenario_name_;  // of the scenario in whose middle the frame is
   ros::Subscriber agents_;
   ros::Subscriber scenario_;

@@ -11,8 +11,7 @@ constexpr const char* EPISODE_RESULTS = "episode_results";  ///< EpisodeResult: 
 constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, latched: learner -> anybody
 constexpr const char* MARKERS = "markers";                  ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
 constexpr const char* CLOCK = "/clock";                     ///< rosgraph_msgs/Clock; absolute, as ROS wants it
-constexpr const char* TF = "/tf";                           ///< tf2_msgs/TFMessage; absolute, as ROS wants it
-constexpr const char* STATIC_TF = "/tf_static";             ///< tf2_msgs/TFMessage, latched: crowd_markers -> RViz
+constexpr const char* TF = "/tf";                           ///< tf2_msgs/TFMessage; absolute, as tf2_ros has it
 
 // Services; private names below the node.
 constexpr const char* PAUSE = "pause";
