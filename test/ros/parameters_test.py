@@ -227,6 +227,11 @@ class CrewParametersTest(RefusalTestCase):
         self.assertEqual(crew.wait(), 1)
         self.assert_says(crew.output(), 'learners', 'per_agent', "'two'")
 
+    def test_rosrun_finds_it(self):
+        crew = self.start('crew', ['rosrun', 'social_crowd', 'learner_crew', '_learners:=two'])
+        self.assertEqual(crew.wait(), 1)
+        self.assert_says(crew.output(), 'learners: expected one or per_agent')
+
 
 if __name__ == '__main__':
     support.run('parameters_test')

@@ -1,17 +1,12 @@
-"""What the rostests share: nodes as processes of their own, waiting with a deadline, recordings."""
+"""What the rostests share: nodes, topics and services of a name space of their own; and what all tests share."""
 import os
-import re
 import shutil
-import signal
-import subprocess
 import sys
 import tempfile
 import threading
-import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-import rospkg
 import rospy
 import rostest
 from roslib.packages import find_node
@@ -19,11 +14,12 @@ from social_crowd import srv
 from social_crowd.msg import LearnerStatus
 from std_srvs.srv import SetBool, Trigger
 
-PATIENCE = 90.0  # [s] for what comes at once on an idle machine
-PERIOD = 0.01  # [s] between two looks
-PACKAGE = rospkg.RosPack().get_path('social_crowd')
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, 'support'))
+from programs import (ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE,  # noqa: E402, F401
+                      ProgramRunner, assert_same_recording, assert_says, data, in_package, page_examples, read_bytes,
+                      read_text, recording_of, wait_for)
+
 TICK = 0.1  # [s] of a scenario that does not say otherwise
-COLOUR = re.compile(r'\x1b\[[0-9;]*m')
 SERVICES = {
     'pause': SetBool,
     'step': srv.Step,
@@ -44,48 +40,6 @@ SERVICES = {
 }
 
 skips = {}  # reasons, by test
-
-
-def in_package(*parts):
-    """A path in the package."""
-    return os.path.join(PACKAGE, *parts)
-
-
-NEAREST_TABLE = in_package('config', 'q_tables', 'thesis_nearest.txt')
-OCCUPANCY_TABLE = in_package('config', 'q_tables', 'thesis_occupancy.txt')
-ANTICIPATION_TABLE = in_package('config', 'q_tables', 'anticipation.txt')
-CIRCLE6 = in_package('config', 'scenarios', 'circle6.yaml')
-
-
-def data(name):
-    """A file in test/data."""
-    return in_package('test', 'data', name)
-
-
-def wait_for(condition, what, seconds=PATIENCE):
-    """Polls until the condition gives something true, and returns that."""
-    deadline = time.monotonic() + seconds
-    while True:
-        result = condition()
-        if result:
-            return result
-        if time.monotonic() > deadline:
-            raise AssertionError(f'waited {seconds:g} s in vain for {what}')
-        time.sleep(PERIOD)
-
-
-def read_text(file):
-    """What a file holds."""
-    with open(file, encoding='utf-8', errors='replace') as stream:
-        return stream.read()
-
-
-def read_bytes(file):
-    """What a file holds, byte for byte; None if there is no such file."""
-    if not os.path.exists(file):
-        return None
-    with open(file, 'rb') as stream:
-        return stream.read()
 
 
 class Task:
@@ -117,62 +71,6 @@ class Task:
         return self.value
 
 
-class Process:
-    """A program that runs beside the test; its output goes to a file."""
-
-    def __init__(self, name, command, log, environment=None):
-        self.name = name
-        self.log = log
-        self.is_given_up = False  # killed on purpose: how it ends says nothing
-        environment = dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED='1', **(environment or {}))
-        with open(log, 'wb') as stream:
-            self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream, stderr=stream,
-                                            env=environment)
-
-    def output(self):
-        """What it has printed so far, without colours."""
-        return COLOUR.sub('', read_text(self.log))
-
-    def is_running(self):
-        """Whether it has not ended yet."""
-        return self.process.poll() is None
-
-    def wait(self, seconds=PATIENCE):
-        """Waits for its end; the exit status."""
-        wait_for(lambda: not self.is_running(), f'the end of {self.name}', seconds)
-        return self.process.returncode
-
-    def signal(self, number):
-        """Sends it a signal."""
-        self.process.send_signal(number)
-
-    def stop(self):
-        """Asks it to end, as Ctrl-C does; the exit status."""
-        if self.is_running():
-            self.signal(signal.SIGINT)
-        return self.wait()
-
-    def kill(self):
-        """Ends it without a chance to say goodbye."""
-        self.is_given_up = True
-        self.process.kill()
-        self.process.wait()
-
-    def clean_up(self):
-        """Ends it in any case; what was wrong with its end, if anything."""
-        if self.is_given_up:
-            self.process.kill()
-            self.process.wait()
-            return ''
-        was_running = self.is_running()
-        try:
-            status = self.stop()
-        except AssertionError:
-            self.kill()
-            return f'{self.name} did not end when asked to'
-        return f'{self.name} ended with exit status {status} when asked to' if was_running and status != 0 else ''
-
-
 class Listener:
     """Keeps all messages of a topic."""
 
@@ -197,7 +95,7 @@ class Listener:
                          f'of episode {episode}, tick {tick}')
 
 
-class CrowdTestCase(unittest.TestCase):
+class CrowdTestCase(unittest.TestCase, ProgramRunner):
     """A test with a name space and a folder of its own, in which it starts nodes."""
 
     longMessage = True
@@ -208,31 +106,24 @@ class CrowdTestCase(unittest.TestCase):
         """Runs the test; if it fails, shows what its processes printed."""
         CrowdTestCase.count += 1
         self.namespace = f'/test_{CrowdTestCase.count}'
-        self.folder = tempfile.mkdtemp(prefix='social_crowd_')
-        self.processes = []
+        ProgramRunner.__init__(self, tempfile.mkdtemp(prefix='social_crowd_'), {'ROS_NAMESPACE': self.namespace})
         self.listeners = []
         problems = len(result.failures) + len(result.errors)
         try:
             super().run(result)
             if len(result.failures) + len(result.errors) > problems:
-                self.show_outputs()
+                print(f'--- {self.id()}\n{self.outputs()}', file=sys.stderr)
         finally:
             shutil.rmtree(self.folder, ignore_errors=True)
 
     def setUp(self):
-        self.addCleanup(self.clean_up)
+        self.addCleanup(self.check_ends)
 
-    def clean_up(self):
+    def check_ends(self):
         """Ends all processes and looks how they end."""
         for listener in self.listeners:
             listener.subscriber.unregister()
-        problems = [process.clean_up() for process in reversed(self.processes)]
-        self.assertEqual('\n'.join(problem for problem in problems if problem), '', 'processes that ended badly')
-
-    def show_outputs(self):
-        """Prints what the processes printed."""
-        for process in self.processes:
-            print(f'--- output of {process.name} ({self.id()})\n{process.output()}', file=sys.stderr)
+        self.assertEqual(self.clean_up(), '', 'processes that ended badly')
 
     def skip(self, reason):
         """Ends the test as one that could not run."""
@@ -240,26 +131,7 @@ class CrowdTestCase(unittest.TestCase):
         print(f'SKIPPED {self.id()}: {reason}', file=sys.stderr)
         self.skipTest(reason)
 
-    # Files
-
-    def path(self, name):
-        """A path in the test's folder."""
-        return os.path.join(self.folder, name)
-
-    def write(self, name, text):
-        """Writes a file in the test's folder; its path."""
-        with open(self.path(name), 'w', encoding='utf-8') as stream:
-            stream.write(text)
-        return self.path(name)
-
-    # Processes
-
-    def start(self, name, command, environment=None):
-        """Starts a program."""
-        log = self.path(f'{len(self.processes)}_{name}.log')
-        process = Process(name, command, log, dict({'ROS_NAMESPACE': self.namespace}, **(environment or {})))
-        self.processes.append(process)
-        return process
+    # Nodes
 
     def start_node(self, kind, name, parameters, arguments=()):
         """Starts a node of this package with private parameters."""
@@ -281,21 +153,6 @@ class CrowdTestCase(unittest.TestCase):
         if not {'q_table', 'config'} & set(parameters):
             parameters['q_table'] = NEAREST_TABLE
         return self.start_node('learner', name, parameters, arguments)
-
-    def tool(self, name, *arguments, within=()):
-        """Runs a program of this package to its end, perhaps within another one; what it printed."""
-        command = [*within, *find_node('social_crowd', name)[:1], *map(str, arguments)]
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
-        output = done.stdout.decode(errors='replace')
-        self.assertEqual(done.returncode, 0, f'{name} failed:\n{output}')
-        return output
-
-    def headless(self, scenario, table=NEAREST_TABLE, **options):
-        """The recording of a run without ROS, byte for byte."""
-        folder = tempfile.mkdtemp(dir=self.folder)
-        arguments = [part for name, value in options.items() for part in (f'--{name}', value)]
-        self.tool('evaluate', '--q-table', table, '--trajectories', folder, *arguments, scenario)
-        return read_bytes(os.path.join(folder, recording_of(scenario)))
 
     # ROS
 
@@ -345,24 +202,8 @@ class CrowdTestCase(unittest.TestCase):
 
     # Assertions
 
-    def assert_says(self, text, *words):
-        """Checks that a text holds all these words."""
-        missing = [word for word in words if word not in text]
-        self.assertEqual(missing, [], f'these are missing in: {text}')
-
-    def assert_same_recording(self, got, expected):
-        """Compares recordings byte for byte; the first line that differs is told."""
-        self.assertIsNotNone(got, 'there is no recording')
-        if got == expected:
-            return
-        lines = [recording.decode().splitlines() + ['(the end)'] for recording in (got, expected)]
-        first = next(i for i, pair in enumerate(zip(*lines)) if pair[0] != pair[1])
-        self.fail(f'the recordings differ from line {first + 1}: got {lines[0][first]}, expected {lines[1][first]}')
-
-
-def recording_of(scenario):
-    """Name of a scenario file's recording."""
-    return os.path.splitext(os.path.basename(scenario))[0] + '.csv'
+    assert_says = staticmethod(assert_says)
+    assert_same_recording = staticmethod(assert_same_recording)
 
 
 def read_recording(file):

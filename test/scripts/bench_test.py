@@ -1,18 +1,14 @@
-#!/usr/bin/python3
 """scripts/bench: what it makes of the figures of a program of benchmarks, which here are made by hand."""
 import json
 import os
 import pathlib
 import signal
-import sys
 
-import support
-
-SCRIPTS = support.in_package('scripts')
-sys.path.insert(0, SCRIPTS)
-from crowd_bench import document, profile, table  # noqa: E402
-from crowd_bench.catalogue import BENCHMARKS  # noqa: E402
-from crowd_bench.sweeps import SWEEPS  # noqa: E402
+import pytest
+from crowd_bench import document, profile, table
+from crowd_bench.catalogue import BENCHMARKS
+from crowd_bench.sweeps import SWEEPS
+from programs import assert_says, in_package, read_bytes, read_text, wait_for
 
 # Answers as Google Benchmark does, with what each repetition tells; of None it does not come to an end.
 PROGRAM = '''#!/usr/bin/python3
@@ -53,59 +49,61 @@ TOLD = {
 ENTRIES = {entry.name: entry for entry in BENCHMARKS + SWEEPS}
 
 
-class BenchTest(support.CrowdTestCase):
+class BenchTest:
     """The program as a whole."""
 
-    def bench(self, *words, program=PROGRAM.format(told=TOLD)):
+    def bench(self, runner, *words, program=PROGRAM.format(told=TOLD)):
         """Starts scripts/bench with a program made by hand."""
-        os.makedirs(self.path('tools'), exist_ok=True)
-        os.chmod(self.write('tools/core_benchmarks', program), 0o755)
-        return self.start('bench', [os.path.join(SCRIPTS, 'bench'), '--tools', self.path('tools'), '--repetitions', '3',
-                                    '--plots', self.path('plots'), '--json', self.path('results.json'), *words])
+        os.makedirs(runner.path('tools'), exist_ok=True)
+        os.chmod(runner.write('tools/core_benchmarks', program), 0o755)
+        return runner.start('bench', [in_package('scripts', 'bench'), '--tools', runner.path('tools'),
+                                      '--repetitions', '3', '--plots', runner.path('plots'),
+                                      '--json', runner.path('results.json'), *words])
 
-    def results(self):
+    def results(self, runner):
         """What was written, by name."""
-        return {result.pop('name'): result for result in json.loads(support.read_text(self.path('results.json')))}
+        return {result.pop('name'): result for result in json.loads(read_text(runner.path('results.json')))}
 
-    def test_medians_and_ratios(self):
-        running = self.bench('train_occupancy', 'crowd_step_10000_two_threads', 'q_table_load', 'memory_100000')
-        self.assertEqual(running.wait(), 0, running.output())
-        self.assertEqual(self.results(), {
+    def test_medians_and_ratios(self, runner):
+        running = self.bench(runner, 'train_occupancy', 'crowd_step_10000_two_threads', 'q_table_load', 'memory_100000')
+        assert running.wait() == 0, running.output()
+        assert self.results(runner) == {
             'train_occupancy': {'value': 2e6, 'unit': 'decisions/s', 'yardstick': 6e6, 'ratio': 2.0},
             'crowd_step_10000_two_threads': {'value': 3e6, 'unit': 'agent steps/s', 'yardstick': 2e6, 'ratio': 1.5},
             'q_table_load': {'value': 31.0, 'unit': 'ms', 'yardstick': 0.5, 'ratio': 62.0},
             'memory_100000': {'value': 150.0, 'unit': 'MB', 'yardstick': None, 'ratio': None},
-        })
-        self.assertEqual(len(running.output().splitlines()), 5, 'a heading and a line each')
+        }
+        assert len(running.output().splitlines()) == 5, 'a heading and a line each'
 
-    def test_sweeps_fill_the_document_with_pictures(self):
-        os.mkdir(self.path('images'))
-        page = self.write('page.md', '<!-- table performance/crowd_step_agents -->\n<!-- end -->\n'
-                                     '![](images/crowd_step_agents.png)\n')
-        running = self.bench('crowd_step_agents', '--document', page)
-        self.assertEqual(running.wait(), 0, running.output())
-        self.assert_says(support.read_text(page), '| 1,000 | 1.000 | 1.00 | 1.00 |\n| 20,000 | 0.500 | 2.00 | 2.00 |')
-        self.assertTrue(support.read_bytes(self.path('images/crowd_step_agents.png')).startswith(b'\x89PNG'))
+    def test_sweeps_fill_the_document_with_pictures(self, runner):
+        os.mkdir(runner.path('images'))
+        page = runner.write('page.md', '<!-- table performance/crowd_step_agents -->\n<!-- end -->\n'
+                                       '![](images/crowd_step_agents.png)\n')
+        running = self.bench(runner, 'crowd_step_agents', '--document', page)
+        assert running.wait() == 0, running.output()
+        rows = '| 1,000 | 1.000 | 1.00 | 1.00 |\n| 20,000 | 0.500 | 2.00 | 2.00 |'
+        assert rows in read_text(page)
+        assert read_bytes(runner.path('images/crowd_step_agents.png')).startswith(b'\x89PNG')
 
-    def test_an_interrupt_keeps_what_is_measured(self):
-        running = self.bench('train_occupancy', 'q_table_save')
-        support.wait_for(lambda: 'train_occupancy  ' in running.output(), 'the first result')
+    def test_an_interrupt_keeps_what_is_measured(self, runner):
+        running = self.bench(runner, 'train_occupancy', 'q_table_save')
+        wait_for(lambda: 'train_occupancy  ' in running.output(), 'the first result')
         running.signal(signal.SIGINT)
-        self.assertEqual(running.wait(), 130, running.output())
-        self.assertEqual(set(self.results()), {'train_occupancy'})
+        assert running.wait() == 130, running.output()
+        assert set(self.results(runner)) == {'train_occupancy'}
 
-    def test_what_goes_wrong_is_told(self):
-        broken = self.bench('train_occupancy', program='#!/bin/sh\necho out of order\nexit 3\n')
-        self.assertEqual(broken.wait(), 1)
-        self.assert_says(broken.output(), 'core_benchmarks failed', 'out of order')
-        lacking = self.bench('train_anticipation', 'q_table_load')
-        self.assertEqual(lacking.wait(), 1)
-        self.assert_says(lacking.output(), 'has no benchmark', 'train_anticipation')
-        self.assertEqual(set(self.results()), {'q_table_load'}, 'what follows is measured')
-        self.assertEqual(self.bench('no_such_benchmark').wait(), 2)
+    def test_what_goes_wrong_is_told(self, runner):
+        broken = self.bench(runner, 'train_occupancy', program='#!/bin/sh\necho out of order\nexit 3\n')
+        assert broken.wait() == 1
+        assert_says(broken.output(), 'core_benchmarks failed', 'out of order')
+        lacking = self.bench(runner, 'train_anticipation', 'q_table_load')
+        assert lacking.wait() == 1
+        assert_says(lacking.output(), 'has no benchmark', 'train_anticipation')
+        assert set(self.results(runner)) == {'q_table_load'}, 'what follows is measured'
+        assert self.bench(runner, 'no_such_benchmark').wait() == 2
 
 
-class TableTest(support.CrowdTestCase):
+class TableTest:
     """Results against their bars, and as rows of the document."""
 
     def test_bars(self):
@@ -120,38 +118,39 @@ class TableTest(support.CrowdTestCase):
             benchmark = ENTRIES[name]
             ratio = benchmark.ratio(value, yardstick) if yardstick else None
             result = benchmark.result(value, yardstick, ratio)
-            self.assertEqual(benchmark.clears_bar(result), expected, (name, value))
+            assert benchmark.clears_bar(result) == expected, (name, value)
 
-    def test_rows_that_were_not_measured_stay(self):
-        file = pathlib.Path(self.write('page.md', '<!-- table performance/benchmarks -->\n| name | what |\n|---|---|\n'
-                                                  '| q_table_save | a | b | c | d | e | f | g | h | i |\n'
-                                                  '<!-- end -->\n'))
+    def test_rows_that_were_not_measured_stay(self, runner):
+        file = pathlib.Path(runner.write('page.md', '<!-- table performance/benchmarks -->\n'
+                                                    '| name | what |\n|---|---|\n'
+                                                    '| q_table_save | a | b | c | d | e | f | g | h | i |\n'
+                                                    '<!-- end -->\n'))
         load = ENTRIES['q_table_load']
         slow = (f'| q_table_load | {load.what} | ≤ 50 ms | 60 ms'
                 f' | 49.5, 61 | {load.yardstick} | 0.5 ms | 120.00 |  | no |')
         fast = f'| q_table_load | {load.what} | ≤ 50 ms | 40 ms |  | {load.yardstick} | 0.5 ms | 80.00 |  | yes |'
         document.fill(file, [load.result(60.0, 0.5, 120.0, (49.5, 61.0))], [], [], 3)
-        text = support.read_text(file)
-        self.assert_says(text, '| q_table_save | a | b | c | d | e | f | g | h | i |', slow,
-                         f"| train_occupancy | {ENTRIES['train_occupancy'].what} |  |")
+        text = read_text(file)
+        assert_says(text, '| q_table_save | a | b | c | d | e | f | g | h | i |', slow,
+                    f"| train_occupancy | {ENTRIES['train_occupancy'].what} |  |")
         document.fill(file, [load.result(40.0, 0.5, 80.0)], [], [], 3)
-        self.assertEqual(support.read_text(file), text.replace(slow, fast))
+        assert read_text(file) == text.replace(slow, fast)
 
     def test_a_result_through_ros_has_no_spread(self):
         lockstep = ENTRIES['ros_lockstep_12']
         result = {'name': lockstep.name, 'value': 7000.0, 'unit': lockstep.unit, 'yardstick': 7000.0, 'ratio': 1.0}
-        self.assertEqual(table.row(result, lockstep)[3:5], ['7,000 ticks/s', ''])
+        assert table.row(result, lockstep)[3:5] == ['7,000 ticks/s', '']
 
     def test_quantities(self):
-        self.assertEqual([table.quantity(value, 'x') for value in (2512345.0, 123456.0, 6543.2, 51.234, 0.4321, None)],
-                         ['2.51 M x', '0.123 M x', '6,543 x', '51.2 x', '0.432 x', ''])
+        quantities = [table.quantity(value, 'x') for value in (2512345.0, 123456.0, 6543.2, 51.234, 0.4321, None)]
+        assert quantities == ['2.51 M x', '0.123 M x', '6,543 x', '51.2 x', '0.432 x', '']
 
     def test_speed_up_by_threads(self):
         sweep = ENTRIES['crowd_step_threads']
-        self.assertEqual(sweep.points([(1, 2e6), (2, 3e6)]), [(1, 1.0), (2, 1.5)])
+        assert sweep.points([(1, 2e6), (2, 3e6)]) == [(1, 1.0), (2, 1.5)]
 
 
-class ProfileTest(support.CrowdTestCase):
+class ProfileTest:
     """Where the time goes."""
 
     def test_annotation(self):
@@ -161,18 +160,13 @@ class ProfileTest(support.CrowdTestCase):
                 '200 (20.00%)  ???:crowd::World::look(crowd::Vision const&) const\'2 [/lib/core.so]\n'
                 ' 50 ( 5.00%)  ???:crowd::(anonymous namespace)::walk(int) [/lib/core.so]\n')
         shares = profile.read_annotation(text)
-        self.assertEqual(shares, [('crowd::World::look', 80.0), ('__sincos_fma', 15.0), ('crowd::walk', 5.0)])
-        self.assertEqual(profile.rows(shares)[-1], ['all others', '0.0'])
+        assert shares == [('crowd::World::look', 80.0), ('__sincos_fma', 15.0), ('crowd::walk', 5.0)]
+        assert profile.rows(shares)[-1] == ['all others', '0.0']
 
     def test_nothing_counted_is_an_error(self):
-        with self.assertRaisesRegex(profile.RunError, 'counted nothing'):
+        with pytest.raises(profile.RunError, match='counted nothing'):
             profile.read_annotation('Ir\n---\n0  PROGRAM TOTALS\n---\nIr  file:function\n---\n')
 
     def test_by_class(self):
         shares = [('crowd::World::look', 40.0), ('sin', 20.0), ('crowd::World::step', 10.0), ('crowd::QTable::at', 9.0)]
-        self.assertEqual(profile.by_class(shares),
-                         [('crowd::World', 50.0), (profile.LIBRARIES, 20.0), ('crowd::QTable', 9.0)])
-
-
-if __name__ == '__main__':
-    support.run('bench_test')
+        assert profile.by_class(shares) == [('crowd::World', 50.0), (profile.LIBRARIES, 20.0), ('crowd::QTable', 9.0)]

@@ -1,6 +1,6 @@
 """Q-table files, taken apart and made by hand, and learning configurations."""
-import support
 import yaml
+from programs import read_text
 
 
 class QTableFile:
@@ -8,7 +8,7 @@ class QTableFile:
     sources as {source: {row: [visits by action]}}."""
 
     def __init__(self, file):
-        text = support.read_text(file)
+        text = read_text(file)
         head, _, body = text.partition('\n---\n')
         self.magic, _, header = head.partition('\n')
         self.header = yaml.safe_load(header)

@@ -1,0 +1,110 @@
+"""Programs and scripts from the command line: rosrun finds them at once, and what is wrong is told with a remedy."""
+import os
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+from programs import NEAREST_TABLE, PATIENCE, assert_says, in_package
+from roslib.packages import find_node
+
+
+def run_here(runner, *command):
+    """Exit status and output of a command that is run in the test's folder, without anybody to answer questions."""
+    done = subprocess.run(list(map(str, command)), cwd=runner.folder, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
+    return done.returncode, done.stdout.decode(errors='replace')
+
+
+class RosrunTest:
+    """rosrun social_crowd PROGRAM."""
+
+    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce'])
+    def test_it_finds_one_of_each(self, runner, name):
+        status, output = run_here(runner, 'rosrun', 'social_crowd', name, '--help')
+        assert status == 0, output
+        assert 'non-unique' not in output
+        assert 'usage' in output.lower()
+
+
+class ToolTest:
+    """train, evaluate and plot_paths."""
+
+    def refuse(self, runner, status, words, name, *arguments):
+        """Runs a program that is to refuse."""
+        got, output = run_here(runner, find_node('social_crowd', name)[0], *arguments)
+        assert got == status, output
+        assert_says(output, *words)
+        return output
+
+    def test_numbers_out_of_range(self, runner):
+        recipe = in_package('config', 'learning', 'thesis_nearest.yaml')
+        for program, given in (('train', [recipe, '--output', 'table.txt']),
+                               ('evaluate', ['--q-table', NEAREST_TABLE, 'circle6'])):
+            words = ["--episodes: expected a whole number, 1 or more, got '0'"]
+            output = self.refuse(runner, 2, words, program, *given, '--episodes', 0)
+            assert len(output) < 120
+            words = ["--seed: expected a whole number, 0 or more, got '-1'"]
+            self.refuse(runner, 2, words, program, *given, '--seed', -1)
+
+    def test_files_that_are_not_there(self, runner):
+        words = ['table.txt: cannot be read: No such file', os.path.join(runner.folder, 'table.txt')]
+        self.refuse(runner, 1, words, 'evaluate', '--q-table', 'table.txt', 'circle6')
+        words = ['recipe.yaml: cannot be read', os.path.join(runner.folder, 'recipe.yaml')]
+        self.refuse(runner, 1, words, 'train', 'recipe.yaml', '--output', 'new.txt')
+
+    def test_a_misspelt_scenario(self, runner):
+        words = ["no scenario 'circel6', did you mean 'circle6'? There is no file",
+                 os.path.join(runner.folder, 'circel6'), in_package('config', 'scenarios'), 'there are circle6, ']
+        self.refuse(runner, 1, words, 'evaluate', '--q-table', NEAREST_TABLE, 'circel6')
+
+    def test_scenarios_have_names(self, runner):
+        recording = runner.path('circle6.csv')
+        runner.tool('evaluate', '--q-table', NEAREST_TABLE, '--trajectories', runner.folder, 'circle6')
+        drawing = ['--trajectories', recording, '--output', 'paths.png', '--scenario']
+        status, output = run_here(runner, find_node('social_crowd', 'plot_paths')[0], *drawing, 'circle6')
+        assert status == 0, output
+        assert os.path.exists(runner.path('paths.png'))
+        words = ["no scenario 'circel6', did you mean 'circle6'? There is no file", 'there are circle6, ']
+        self.refuse(runner, 1, words, 'plot_paths', *drawing, 'circel6')
+
+
+class BuildTest:
+    """scripts/build in a copied clone."""
+
+    def copy(self, runner, made_for, build):
+        """A clone with nothing but the script in it, and a build folder that was made for another one."""
+        scripts = pathlib.Path(runner.path('clone/scripts'))
+        scripts.mkdir(parents=True)
+        shutil.copy(in_package('scripts', 'build'), scripts)
+        stop = scripts / 'install_dependencies'  # what comes next; the script ends there
+        stop.write_text('#!/bin/sh\necho looked at the build folder\nexit 7\n', encoding='utf-8')
+        stop.chmod(0o755)
+        pathlib.Path(build).mkdir(parents=True)
+        cache = pathlib.Path(build, 'CMakeCache.txt')
+        cache.write_text(f'CMAKE_HOME_DIRECTORY:INTERNAL={made_for}\n', encoding='utf-8')
+        return cache
+
+    def build(self, runner, **environment):
+        """Runs the script."""
+        return run_here(runner, 'env', *(f'{name}={value}' for name, value in environment.items()),
+                        runner.path('clone/scripts/build'))
+
+    def test_a_copied_build_folder_is_made_anew(self, runner):
+        cache = self.copy(runner, '/somewhere/else', runner.path('clone/.build'))
+        status, output = self.build(runner)
+        assert status == 7, output
+        assert_says(output, 'clone/.build was made for /somewhere/else and is made anew', 'looked at')
+        assert not cache.exists()
+
+    def test_its_own_is_kept(self, runner):
+        cache = self.copy(runner, runner.path('clone'), runner.path('clone/.build'))
+        assert self.build(runner) == (7, 'looked at the build folder\n')
+        assert cache.exists()
+
+    def test_one_elsewhere_may_be_in_use(self, runner):
+        cache = self.copy(runner, '/somewhere/else', runner.path('theirs'))
+        status, output = self.build(runner, SOCIAL_CROWD_BUILD=runner.path('theirs'))
+        assert status == 1, output
+        assert_says(output, 'theirs was made for /somewhere/else', 'SOCIAL_CROWD_BUILD')
+        assert cache.exists()

@@ -1,0 +1,61 @@
+"""docs/library.md: the project that it prints is built with an installed copy, and run."""
+import os
+import re
+import subprocess
+
+import pytest
+from learning_files import recipe_text
+from programs import assert_says, page_examples, read_text
+
+LONG = 300.0  # [s] for a compiler on a busy machine
+
+
+def without_devel(variable):
+    """The paths in a variable of the environment, less those of the build folder."""
+    return [path for path in os.environ.get(variable, '').split(':') if path and '/devel' not in path]
+
+
+class LibraryPageTest:
+    """docs/library.md: a project of one's own, with an installed copy."""
+
+    def run_here(self, runner, *command):
+        """Exit status and output of a command that knows nothing of the build folder."""
+        environment = dict(os.environ, CMAKE_PREFIX_PATH='', LD_LIBRARY_PATH=':'.join(without_devel('LD_LIBRARY_PATH')))
+        done = subprocess.run(list(map(str, command)), cwd=runner.folder, env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=LONG, check=False)
+        return done.returncode, done.stdout.decode(errors='replace')
+
+    def run_to_its_end(self, runner, *command):
+        """What a command prints; it has to succeed."""
+        status, output = self.run_here(runner, *command)
+        assert status == 0, f'{command}:\n{output}'
+        return output
+
+    def test_the_example_walks_and_learns(self, runner, request):
+        build = request.config.getoption('--build')
+        if build is None:
+            pytest.skip('needs --build, the folder from which the package is installed')
+        prefix = runner.path('installed')
+        self.run_to_its_end(runner, 'cmake', '--install', build, '--prefix', prefix)
+        files = page_examples('library.md')
+        assert sorted(files) == ['CMakeLists.txt', 'learn.cpp', 'walk.cpp']
+        for name, text in files.items():
+            runner.write(name, text)
+        others = without_devel('CMAKE_PREFIX_PATH')
+        prefixes = ';'.join([prefix, *others])
+        self.run_to_its_end(runner, 'cmake', '-S', '.', '-B', 'build', f'-DCMAKE_PREFIX_PATH={prefixes}')
+        self.run_to_its_end(runner, 'cmake', '--build', 'build')
+        self.check_programs(runner, os.path.join(prefix, 'share', 'social_crowd', 'config'))
+
+    def check_programs(self, runner, config):
+        """They do what the tools do; scenarios have the names of the installed copy."""
+        table = os.path.join(config, 'q_tables', 'anticipation.txt')
+        walked = self.run_to_its_end(runner, 'build/walk', table, 'circle6')
+        assert re.search(r'^6 of 6 arrived, 0 were in contact, \d+ ticks\n$', walked)
+        recipe = runner.write('recipe.yaml', recipe_text('circle6', 2, seed=4))
+        learned = self.run_to_its_end(runner, 'build/learn', recipe, 'table.txt')
+        assert re.search(r'^2 episodes, \d+ decisions\n$', learned)
+        runner.tool('train', recipe, '--output', runner.path('expected.txt'))
+        assert read_text(runner.path('table.txt')) == read_text(runner.path('expected.txt'))
+        _, output = self.run_here(runner, 'build/walk', table, 'circel6')
+        assert_says(output, f'{os.path.realpath(config)}/scenarios none of that name')
