@@ -1,12 +1,37 @@
-"""Fixtures of the tests of scripts and programs."""
+"""Options and fixtures of the tests of scripts and programs."""
+import signal
 import tempfile
+import time
 
 import pytest
 from programs import ProgramRunner
 
+DEADLINE = pytest.StashKey()
+
 
 def pytest_addoption(parser):
     parser.addoption('--build', help='folder the package was built in; without it, nothing that installs it is tested')
+    parser.addoption('--time-limit', type=float, help='for all tests together [s]; those that are not done then fail')
+
+
+def pytest_configure(config):
+    limit = config.getoption('--time-limit')
+    config.stash[DEADLINE] = None if limit is None else time.monotonic() + limit
+
+
+def fail_out_of_time(_signal, _frame):
+    """Ends the test that is running."""
+    pytest.fail('the time limit of all tests is over')
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_call(item):
+    deadline = item.config.stash[DEADLINE]
+    if deadline is not None:
+        signal.signal(signal.SIGALRM, fail_out_of_time)
+        signal.setitimer(signal.ITIMER_REAL, max(deadline - time.monotonic(), 0.001))  # 0 would be never
+    yield
+    signal.setitimer(signal.ITIMER_REAL, 0.0)
 
 
 @pytest.fixture
@@ -16,5 +41,5 @@ def runner():
         programs = ProgramRunner(folder)
         yield programs
         problems = programs.clean_up()
-        print(programs.outputs())
+        print(programs.outputs(), end='')
         assert not problems
