@@ -7,7 +7,8 @@
 // Where the compiler does not know them it is not defined.
 // CROWD_FASTEST(wide, plain): of two functions of one type the first, which is CROWD_AVX512, where the processor runs
 // it.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
+// ThreadSanitizer cannot start with functions that are chosen while the program is loaded.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define CROWD_VECTORISED __attribute__((target_clones("avx512f", "avx2", "default")))
 #define CROWD_AVX512 __attribute__((target("avx512f,avx512vl,avx512dq,avx512cd,bmi2,popcnt")))
 
