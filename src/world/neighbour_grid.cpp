@@ -2,13 +2,23 @@
 
 #include <algorithm>
 
-#include "social_crowd/world/neighbour_look.h"
+#include "simd/kernels.h"
 
 namespace crowd {
+namespace {
+
+static_assert(NeighbourGrid::PADDING >= simd::DiscArrays::PADDING, "kernels read so far");
+
+bool isAnyNearby(const NeighbourGrid& grid, const NeighbourGrid::Run& run, const simd::Circle& circle) {
+  const simd::DiscArrays discs{grid.xs(), grid.ys(), grid.radii(), grid.bodies()};
+  return simd::kernels().is_any_nearby(discs, {run.begin, run.end}, circle);
+}
+
+}  // namespace
 
 void NeighbourGrid::clear() {
   added_.clear();
-  bodies_.clear();
+  motions_.clear();
   max_radius_ = 0.0;
 }
 
@@ -18,10 +28,8 @@ void NeighbourGrid::add(const Vector2& centre, double radius, std::uint32_t body
 }
 
 void NeighbourGrid::build(double cell_size) {
-  xs_.resize(added_.size());
-  ys_.resize(added_.size());
-  radii_.resize(added_.size());
-  bodies_.resize(added_.size());
+  for (auto* numbers : {&xs_, &ys_, &radii_}) numbers->resize(added_.size() + PADDING);
+  bodies_.resize(added_.size() + PADDING);
   motions_.resize(added_.size());
   if (added_.size() <= LIST) {
     for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], i);
@@ -99,10 +107,10 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
 }
 
 bool NeighbourGrid::isAnyInRuns(const Vector2& point, double distance, std::uint32_t except) const {
-  static const Look LOOK = fastestLook();
-  if (isList()) return LOOK(*this, all(), point, distance, except);
+  const simd::Circle circle{point.x(), point.y(), distance, except};
+  if (isList()) return isAnyNearby(*this, all(), circle);
   const Cells cells = cellsNear(point, distance);
-  const auto look = [&](std::int64_t row) { return LOOK(*this, runOf(cells, row), point, distance, except); };
+  const auto look = [&](std::int64_t row) { return isAnyNearby(*this, runOf(cells, row), circle); };
   // Nearly always one or two rows. Both are looked at in any case: a branch would be guessed wrong half of the time.
   const bool at_bottom = look(cells.bottom);
   bool any = look(cells.top) || at_bottom;

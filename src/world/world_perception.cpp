@@ -1,6 +1,7 @@
 #include <algorithm>
+#include <array>
 
-#include "bodies_side_by_side.h"
+#include "simd/kernels.h"
 #include "social_crowd/common/prefetch.h"
 #include "social_crowd/world/world.h"
 
@@ -118,12 +119,12 @@ inline void World::look(const Vision& vision, const Agent& agent, std::size_t be
   if (!walls_.empty()) findWalls(vision, agent, frame, looker);
   if (vision.occlusion) {
     looker.near.resize(found.size());
-    findBodies(found, agent, frame, 0, looker.near);
+    findBodies(found, agent, 0, looker.near);
     hide(vision, self, looker);
   }
   self.wall_count = static_cast<std::uint32_t>(looker.walls.size()) - self.first_wall;
   if (vision.max_bodies == 0) perceptions.bodies.resize(first + self.body_count);
-  if (!vision.occlusion) return findBodies(found, agent, frame, first, perceptions.bodies);
+  if (!vision.occlusion) return findBodies(found, agent, first, perceptions.bodies);
   for (std::size_t i = 0; i < looker.bodies.size(); ++i) perceptions.bodies.set(first + i, looker.bodies[i]);
 }
 
@@ -138,19 +139,25 @@ inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPe
   self.acted = agent.acted;
 }
 
-inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
+inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, std::size_t first,
                               PerceivedBodies& bodies) const {
-  std::size_t i = 0;
-  // Less than four are sooner done than asked about.
-  if (found.size() >= FOUR) {
-    i = writeSideBySide({grid_, found, agent.pose.position, agent.ahead, agents_.size(), obstacles_.empty()}, first,
-                        bodies);
-  }
-  for (; i < found.size(); ++i) {
-    const std::uint32_t disc = found[i].disc;
-    bodies.set(first + i,
-               {frame.intoFrame(grid_.centre(disc) - agent.pose.position), frame.intoFrame(grid_.velocity(disc)),
-                grid_.radius(disc), grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE});
+  constexpr std::size_t BLOCK = 16;
+  static_assert(sizeof(NeighbourGrid::Motion) == 4 * sizeof(double), "a row of numbers");
+  static_assert(PerceivedBodies::MARGIN >= simd::WantedMotions::PADDING, "so many more may be written");
+  const Vector2& place = agent.pose.position;
+  const simd::Frame frame{place.x(), place.y(), agent.ahead.x(), agent.ahead.y()};
+  std::array<std::uint32_t, BLOCK + simd::WantedMotions::PADDING> discs{};
+  for (std::size_t done = 0; done < found.size(); done += BLOCK) {
+    const std::size_t count = std::min(BLOCK, found.size() - done);
+    const std::size_t to = first + done;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t disc = found[done + i].disc;
+      discs[i] = disc;
+      bodies.radii()[to + i] = grid_.radius(disc);
+      bodies.kinds()[to + i] = grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE;
+    }
+    simd::kernels().turn_into_frame({&grid_.motions()->x, discs.data(), count}, frame,
+                                    {bodies.xs() + to, bodies.ys() + to, bodies.vxs() + to, bodies.vys() + to});
   }
 }
 
