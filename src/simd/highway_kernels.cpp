@@ -7,7 +7,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "simd/frames_inl.h"
 #include "simd/near_neighbours_inl.h"
 #include "simd/nearby_discs_inl.h"
 #include "simd/ranks_inl.h"
@@ -18,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace crowd::simd::HWY_NAMESPACE {
 
 Kernels targetKernels() {
-  return {hwy::TargetName(HWY_TARGET), collectNearby, isAnyNearby, rankAscending, turnIntoFrame, findNear,
+  return {hwy::TargetName(HWY_TARGET), collectNearby, rankAscending, findNear,
           accumulateTimeToCollision,   findRowNumbers};
 }
 

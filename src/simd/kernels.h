@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "simd/frames.h"
 #include "simd/near_neighbours.h"
 #include "simd/nearby_discs.h"
 #include "simd/ranks.h"
@@ -15,9 +14,7 @@ namespace crowd::simd {
 struct Kernels {
   const char* target;  ///< "reference", or Highway's name of the instruction set
   CollectNearby* collect_nearby;
-  IsAnyNearby* is_any_nearby;
   RankAscending* rank_ascending;
-  TurnIntoFrame* turn_into_frame;
   FindNear* find_near;
   AccumulateTimeToCollision* accumulate_time_to_collision;
   FindRowNumbers* find_row_numbers;

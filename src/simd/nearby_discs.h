@@ -41,8 +41,4 @@ struct CollectedDiscs {
 using CollectNearby = std::size_t(const DiscArrays& arrays, DiscRange range, const Circle& circle, std::size_t count,
                                   const CollectedDiscs& collected);
 
-/// @brief Whether a range has a disc whose rim is in the circle. False for a disc whose radius does not make up for
-/// the circle's if that is negative.
-using IsAnyNearby = bool(const DiscArrays& arrays, DiscRange range, const Circle& circle);
-
 }  // namespace crowd::simd

@@ -65,14 +65,14 @@ class NearbyDiscs {
       : arrays_(arrays), end_(range.end), except_(circle.except), x_(circle.x), y_(circle.y), radius_(circle.radius) {}
 
   /// Looks at the discs from number `i` on. @return which are in the circle
-  HWY_INLINE Mask look(std::size_t i, Numbers& squares, Numbers& radii, Numbers& limits) const {
+  HWY_INLINE Mask look(std::size_t i, Numbers& squares, Numbers& radii) const {
     const Tag d;
     const hn::RebindToUnsigned<Tag> du;
     const auto dx = hn::Sub(hn::LoadU(d, arrays_.xs + i), hn::Set(d, x_));
     const auto dy = hn::Sub(hn::LoadU(d, arrays_.ys + i), hn::Set(d, y_));
     squares = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
     radii = hn::LoadU(d, arrays_.radii + i);
-    limits = hn::Add(hn::Set(d, radius_), radii);
+    const auto limits = hn::Add(hn::Set(d, radius_), radii);
     const auto bodies = hn::PromoteTo(du, hn::LoadU(hn::Rebind<std::uint32_t, Tag>(), arrays_.bodies + i));
     const auto others = hn::RebindMask(d, hn::Ne(bodies, hn::Set(du, except_)));
     const auto near = hn::And(hn::Le(squares, hn::Mul(limits, limits)), hn::FirstN(d, end_ - i));
@@ -100,8 +100,7 @@ inline std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, cons
   for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(d), places = hn::Add(places, step)) {
     NearbyDiscs::Numbers squares;
     NearbyDiscs::Numbers radii;
-    NearbyDiscs::Numbers limits;
-    const auto near = discs.look(i, squares, radii, limits);
+    const auto near = discs.look(i, squares, radii);
     const auto rims = hn::Sub(hn::Sqrt(squares), radii);
     std::uint8_t marks[8] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays): as many as may be written
     hn::StoreMaskBits(d, near, marks);
@@ -110,20 +109,6 @@ inline std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, cons
     count += hwy::PopCount(marks[0]);
   }
   return count;
-}
-
-inline bool isAnyNearby(const DiscArrays& arrays, DiscRange range, const Circle& circle) {
-  const NearbyDiscs::Tag d;
-  const NearbyDiscs discs(arrays, range, circle);
-  auto any = hn::FirstN(d, 0);
-  for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(d)) {
-    NearbyDiscs::Numbers squares;
-    NearbyDiscs::Numbers radii;
-    NearbyDiscs::Numbers limits;
-    const auto near = discs.look(i, squares, radii, limits);
-    any = hn::Or(any, hn::And(near, hn::Ge(limits, hn::Zero(d))));
-  }
-  return !hn::AllFalse(d, any);
 }
 
 }  // namespace crowd::simd::HWY_NAMESPACE

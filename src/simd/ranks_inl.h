@@ -33,16 +33,26 @@ HWY_INLINE hn::Vec<RankCounts> writeRanks(hn::Vec<RankCounts> ranks, std::size_t
   return hn::Add(sum, hn::IfThenElseZero(counted, ranks));
 }
 
+/// A register of numbers in single precision.
+/// @details Stored by halves it could not be loaded as a whole before it is in the cache.
+HWY_INLINE hn::Vec<RankKeys> loadKeys(const double* numbers) {
+  const RankKeys d;
+#if HWY_TARGET == HWY_SCALAR
+  return hn::Set(d, static_cast<float>(*numbers));
+#else
+  const hn::Half<RankKeys> half;
+  const hn::Rebind<double, hn::Half<RankKeys>> doubles;
+  const auto low = hn::DemoteTo(half, hn::LoadU(doubles, numbers));
+  return hn::Combine(d, hn::DemoteTo(half, hn::LoadU(doubles, numbers + hn::Lanes(doubles))), low);
+#endif
+}
+
 inline std::uint32_t rankAscending(const double* numbers, std::size_t count, std::uint32_t* ranks) {
   const RankKeys d;
   const RankCounts du;
-  const hn::Rebind<double, hn::Half<RankKeys>> doubles;
-  const hn::Half<RankKeys> half;
   const std::size_t lanes = hn::Lanes(d);
   alignas(64) float keys[MAX_RANKED];  // NOLINT(cppcoreguidelines-avoid-c-arrays): of any alignment
-  for (std::size_t i = 0; i < count; i += hn::Lanes(doubles)) {
-    hn::StoreU(hn::DemoteTo(half, hn::LoadU(doubles, numbers + i)), half, keys + i);
-  }
+  for (std::size_t i = 0; i < count; i += lanes) hn::Store(loadKeys(numbers + i), d, keys + i);
   auto sum = hn::Zero(du);
   std::size_t i = 0;
   // As many registers side by side as are needed, so that each key is read once.

@@ -24,17 +24,6 @@ std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, const Circl
   return count;
 }
 
-bool isAnyNearby(const DiscArrays& arrays, DiscRange range, const Circle& circle) {
-  bool any = false;
-  for (std::uint32_t i = range.begin; i < range.end; ++i) {
-    const double dx = arrays.xs[i] - circle.x;
-    const double dy = arrays.ys[i] - circle.y;
-    const double limit = circle.radius + arrays.radii[i];
-    any |= (limit >= 0.0) & (dx * dx + dy * dy <= limit * limit) & (arrays.bodies[i] != circle.except);
-  }
-  return any;
-}
-
 std::uint32_t rankAscending(const double* numbers, std::size_t count, std::uint32_t* ranks) {
   std::uint32_t sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -44,18 +33,6 @@ std::uint32_t rankAscending(const double* numbers, std::size_t count, std::uint3
     sum += smaller;
   }
   return sum;
-}
-
-void turnIntoFrame(const WantedMotions& motions, const Frame& frame, const MotionArrays& turned) {
-  for (std::size_t i = 0; i < motions.count; ++i) {
-    const double* const row = motions.rows + 4 * std::size_t{motions.wanted[i]};
-    const double dx = row[0] - frame.x;
-    const double dy = row[1] - frame.y;
-    turned.xs[i] = dx * frame.ahead_x + dy * frame.ahead_y;
-    turned.ys[i] = dy * frame.ahead_x - dx * frame.ahead_y;
-    turned.vxs[i] = row[2] * frame.ahead_x + row[3] * frame.ahead_y;
-    turned.vys[i] = row[3] * frame.ahead_x - row[2] * frame.ahead_y;
-  }
 }
 
 /// All is multiplied by the distance, so that no root is taken.
@@ -133,8 +110,7 @@ void findRowNumbers(const ClassDigit* digits, std::size_t digit_count, LastDigit
 
 }  // namespace
 
-const Kernels REFERENCE = {
-    "reference",   collectNearby, isAnyNearby, rankAscending, turnIntoFrame, findNear, accumulateTimeToCollision,
-    findRowNumbers};
+const Kernels REFERENCE = {"reference",   collectNearby, rankAscending, findNear, accumulateTimeToCollision,
+                           findRowNumbers};
 
 }  // namespace crowd::simd

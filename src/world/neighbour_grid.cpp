@@ -2,16 +2,22 @@
 
 #include <algorithm>
 
-#include "simd/kernels.h"
+#include "simd/nearby_discs.h"
 
 namespace crowd {
 namespace {
 
 static_assert(NeighbourGrid::PADDING >= simd::DiscArrays::PADDING, "kernels read so far");
 
-bool isAnyNearby(const NeighbourGrid& grid, const NeighbourGrid::Run& run, const simd::Circle& circle) {
-  const simd::DiscArrays discs{grid.xs(), grid.ys(), grid.radii(), grid.bodies()};
-  return simd::kernels().is_any_nearby(discs, {run.begin, run.end}, circle);
+/// Whether a run has a disc whose rim is within `distance` [m] of the point, those of one body not counted.
+bool isAnyInRun(const NeighbourGrid& grid, const NeighbourGrid::Run& run, const Vector2& point, double distance,
+                std::uint32_t except) {
+  bool any = false;
+  for (std::uint32_t i = run.begin; i < run.end; ++i) {
+    const double limit = distance + grid.radius(i);
+    any |= (limit >= 0.0) & ((grid.centre(i) - point).squaredNorm() <= limit * limit) & (grid.body(i) != except);
+  }
+  return any;
 }
 
 }  // namespace
@@ -107,10 +113,9 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
 }
 
 bool NeighbourGrid::isAnyInRuns(const Vector2& point, double distance, std::uint32_t except) const {
-  const simd::Circle circle{point.x(), point.y(), distance, except};
-  if (isList()) return isAnyNearby(*this, all(), circle);
+  if (isList()) return isAnyInRun(*this, all(), point, distance, except);
   const Cells cells = cellsNear(point, distance);
-  const auto look = [&](std::int64_t row) { return isAnyNearby(*this, runOf(cells, row), circle); };
+  const auto look = [&](std::int64_t row) { return isAnyInRun(*this, runOf(cells, row), point, distance, except); };
   // Nearly always one or two rows. Both are looked at in any case: a branch would be guessed wrong half of the time.
   const bool at_bottom = look(cells.bottom);
   bool any = look(cells.top) || at_bottom;

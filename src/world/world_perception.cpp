@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 
-#include "simd/kernels.h"
 #include "social_crowd/common/prefetch.h"
 #include "social_crowd/world/world.h"
 
@@ -141,23 +139,19 @@ inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPe
 
 inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, std::size_t first,
                               PerceivedBodies& bodies) const {
-  constexpr std::size_t BLOCK = 16;
-  static_assert(sizeof(NeighbourGrid::Motion) == 4 * sizeof(double), "a row of numbers");
-  static_assert(PerceivedBodies::MARGIN >= simd::WantedMotions::PADDING, "so many more may be written");
   const Vector2& place = agent.pose.position;
-  const simd::Frame frame{place.x(), place.y(), agent.ahead.x(), agent.ahead.y()};
-  std::array<std::uint32_t, BLOCK + simd::WantedMotions::PADDING> discs{};
-  for (std::size_t done = 0; done < found.size(); done += BLOCK) {
-    const std::size_t count = std::min(BLOCK, found.size() - done);
-    const std::size_t to = first + done;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t disc = found[done + i].disc;
-      discs[i] = disc;
-      bodies.radii()[to + i] = grid_.radius(disc);
-      bodies.kinds()[to + i] = grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE;
-    }
-    simd::kernels().turn_into_frame({&grid_.motions()->x, discs.data(), count}, frame,
-                                    {bodies.xs() + to, bodies.ys() + to, bodies.vxs() + to, bodies.vys() + to});
+  const Vector2& ahead = agent.ahead;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::uint32_t disc = found[i].disc;
+    const NeighbourGrid::Motion& motion = grid_.motions()[disc];
+    const double dx = motion.x - place.x();
+    const double dy = motion.y - place.y();
+    bodies.xs()[first + i] = dx * ahead.x() + dy * ahead.y();
+    bodies.ys()[first + i] = dy * ahead.x() - dx * ahead.y();
+    bodies.vxs()[first + i] = motion.vx * ahead.x() + motion.vy * ahead.y();
+    bodies.vys()[first + i] = motion.vy * ahead.x() - motion.vx * ahead.y();
+    bodies.radii()[first + i] = grid_.radius(disc);
+    bodies.kinds()[first + i] = grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE;
   }
 }
 

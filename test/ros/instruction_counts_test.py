@@ -15,6 +15,7 @@ from crowd_experiments.runs import RunError  # noqa: E402
 
 ADVICE = 'If that is as it should be: scripts/count_instructions --keep'
 VALGRIND = ('valgrind', '--tool=none', '--quiet')
+REFERENCE = ('env', 'SOCIAL_CROWD_SIMD=reference')
 
 
 class InstructionCountsTest(support.CrowdTestCase):
@@ -51,7 +52,7 @@ class InstructionCountsTest(support.CrowdTestCase):
 
 
 class SameBitsTest(support.CrowdTestCase):
-    """Valgrind knows no AVX-512: within it the forms for AVX2 run, else those for what the processor has."""
+    """Kernels for what the processor has, those for AVX2 (valgrind knows no AVX-512), and the scalar ones."""
 
     def setUp(self):
         super().setUp()
@@ -61,11 +62,12 @@ class SameBitsTest(support.CrowdTestCase):
     def check(self, written, tool, *arguments):
         """What a tool writes is the same either way, byte for byte."""
         results = []
-        for within in ((), VALGRIND):
+        for within in ((), VALGRIND, REFERENCE):
             self.tool(tool, *arguments, within=within)
             results.append(support.read_bytes(self.path(written)))
             os.remove(self.path(written))
-        self.assert_same_recording(*results)
+        for other in results[1:]:
+            self.assert_same_recording(other, results[0])
 
     def test_trajectories(self):
         self.check('circle12.csv', 'evaluate', '--q-table', support.ANTICIPATION_TABLE, '--threads', 1, '--episodes', 2,

@@ -7,12 +7,14 @@ import rosgraph
 import rospy
 import support
 from learning_files import QTableFile, recipe_text
+from roslib.packages import find_node
 from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
 from visualization_msgs.msg import MarkerArray
 
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 12  # so that each of the six documents is walked twice
 NODELET = ['rosrun', 'nodelet', 'nodelet']
+PRELOAD = os.environ.get('CROWD_NODELET_PRELOAD')  # see scripts/test --sanitizer
 
 
 class NodeletTestCase(support.CrowdTestCase):
@@ -20,7 +22,9 @@ class NodeletTestCase(support.CrowdTestCase):
 
     def setUp(self):
         super().setUp()
-        self.manager = self.start('manager', NODELET + ['manager', '__name:=manager'])
+        program = find_node('nodelet', 'nodelet')[:1] if PRELOAD else NODELET
+        self.manager = self.start('manager', program + ['manager', '__name:=manager'],
+                                  {'LD_PRELOAD': PRELOAD} if PRELOAD else None)
 
     def load(self, kind, name='', **parameters):
         """Starts the process that loads a nodelet, and unloads it when it ends."""

@@ -68,21 +68,6 @@ TEST(CollectNearby, WritesPlacesAndRimsInOrder) {
   }
 }
 
-TEST(IsAnyNearby, LooksAtTheRangeOnly) {
-  Discs discs(3);
-  discs.xs[2] = 5.0;
-  discs.bodies = std::vector<std::uint32_t>(3 + DiscArrays::PADDING, 4);
-  discs.bodies[0] = 3;
-  for (const Kernels& kernels : availableKernels()) {
-    SCOPED_TRACE(kernels.target);
-    EXPECT_TRUE(kernels.is_any_nearby(discs.arrays(), {0, 2}, {1.0, 0.0, 1.0, 4}));
-    EXPECT_FALSE(kernels.is_any_nearby(discs.arrays(), {1, 2}, {1.0, 0.0, 1.0, 4}));
-    EXPECT_FALSE(kernels.is_any_nearby(discs.arrays(), {2, 3}, {1.0, 0.0, 1.0, NOBODY}));
-    EXPECT_FALSE(kernels.is_any_nearby(discs.arrays(), {0, 0}, {0.0, 0.0, 1.0, NOBODY}));
-    EXPECT_FALSE(kernels.is_any_nearby(discs.arrays(), {0, 2}, {0.0, 0.0, -1.0, NOBODY})) << "radius below 0";
-  }
-}
-
 /// Discs at random, some on the rim of the circle.
 Discs anyDiscs(KeyedRandom& random, const Circle& circle) {
   Discs discs(random.below(40));
@@ -98,7 +83,7 @@ Discs anyDiscs(KeyedRandom& random, const Circle& circle) {
   return discs;
 }
 
-TEST(NearbyDiscs, AreTheSameOnEveryTarget) {
+TEST(CollectNearby, IsTheSameOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const Circle circle{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 5.0),
@@ -113,11 +98,6 @@ TEST(NearbyDiscs, AreTheSameOnEveryTarget) {
     const Collected expected = collect(REFERENCE, discs, ranges, circle);
     for (const Kernels& kernels : availableKernels()) {
       ASSERT_TRUE(collect(kernels, discs, ranges, circle) == expected) << kernels.target << ", seed " << seed;
-      for (const DiscRange& range : ranges) {
-        ASSERT_EQ(kernels.is_any_nearby(discs.arrays(), range, circle),
-                  REFERENCE.is_any_nearby(discs.arrays(), range, circle))
-            << kernels.target << ", seed " << seed;
-      }
     }
   }
 }
