@@ -13,6 +13,7 @@ using Lanes = MoveOutlooks::Lanes;
 constexpr std::size_t LANES = MoveOutlooks::LANES;
 
 /// What is known of an agent while its outlooks are worked out.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): begin() writes it, and zeroing takes time
 struct Course {
   CandidateVelocities candidates;
   Vector2 preferred;   // its velocity if nobody were there [m/s]
