@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
+#include "simd/kernels.h"
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/common/vectorised.h"
 
 namespace crowd {
 namespace {
@@ -13,49 +12,11 @@ namespace {
 constexpr double LONGEST_TIME = 60.0;      // [s]
 constexpr double FASTEST_APPROACH = 10.0;  // [top speeds]
 
-using Lanes = MoveOutlooks::Lanes;
-
-// Lanes that fit into a register, so that what is counted stays there.
-constexpr std::size_t BLOCK = 8;
-using Values = float __attribute__((vector_size(BLOCK * sizeof(float))));
-using Counts = std::int32_t __attribute__((vector_size(BLOCK * sizeof(float))));
-static_assert(MoveOutlooks::LANES % BLOCK == 0, "whole blocks");
-
-/// A digit of the rows of all moves: the class of each value, that is how many limits it reaches.
-struct Digit {
-  const Lanes& values;
-  float sign;  // what is compared is sign * value
-  const std::vector<float>& limits;
-};
-
-/// The row of each of the first `count` moves. The last digit is the same for all of them.
-CROWD_VECTORISED void combine(const std::array<Digit, 5>& digits, float last, const std::vector<float>& last_limits,
-                              std::size_t count, Row* rows) {
-  constexpr std::size_t BLOCKS = MoveOutlooks::LANES / BLOCK;
-  std::array<Counts, BLOCKS> counts{};
-  for (const Digit& digit : digits) {
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written right below
-    std::array<Values, BLOCKS> values;
-    for (std::size_t i = 0; i < BLOCKS; ++i) {
-      std::memcpy(&values[i], &digit.values[i * BLOCK], sizeof(Values));
-      values[i] *= digit.sign;
-      counts[i] *= static_cast<std::int32_t>(digit.limits.size() + 1);
-    }
-    for (const float limit : digit.limits) {
-      for (std::size_t i = 0; i < BLOCKS; ++i) counts[i] -= values[i] >= limit;  // true is -1
-    }
-  }
-  Counts last_class{};
-  for (const float limit : last_limits) last_class -= Values{} + last >= limit;
-  for (Counts& block : counts) block = block * static_cast<std::int32_t>(last_limits.size() + 1) + last_class;
-  for (std::size_t first = 0; first < count; first += BLOCK) {
-    const Counts& block = counts[first / BLOCK];
-    if (first + BLOCK <= count) {
-      std::memcpy(&rows[first], &block, sizeof(block));
-    } else {
-      for (std::size_t i = first; i < count; ++i) rows[i] = static_cast<Row>(block[i - first]);
-    }
-  }
+/// A digit of row numbers: the classes of a quantity, which are as many limits as it reaches.
+/// @param sign what is compared with the limits is sign * value
+simd::ClassDigit digitOf(const MoveOutlooks::Lanes& values, const std::vector<float>& limits, float sign = 1.0F) {
+  static_assert(MoveOutlooks::LANES % simd::VALUES_PADDED == 0, "kernels read so many");
+  return {values.data(), sign, limits.data(), limits.size()};
 }
 
 }  // namespace
@@ -79,12 +40,14 @@ void AnticipationStates::addLimits(const std::vector<double>& limits, Limits& si
 }
 
 void AnticipationStates::findRows(const MoveOutlooks& outlooks, std::size_t count, Row* rows) const {
-  combine({{{outlooks.reciprocal_times, 1.0F, reciprocal_times_},
-            {outlooks.selfish_times, 1.0F, selfish_times_},
-            {outlooks.fixed_times, 1.0F, fixed_times_},
-            {outlooks.shares, 1.0F, shares_},
-            {outlooks.turn_cosines, -1.0F, turn_cosines_}}},
-          outlooks.oncoming, oncoming_, count, rows);
+  const auto digits = {digitOf(outlooks.reciprocal_times, reciprocal_times_),
+                       digitOf(outlooks.selfish_times, selfish_times_), digitOf(outlooks.fixed_times, fixed_times_),
+                       digitOf(outlooks.shares, shares_), digitOf(outlooks.turn_cosines, turn_cosines_, -1.0F)};
+  // The last digit is the same for all moves.
+  const auto reached = [&](float limit) { return outlooks.oncoming >= limit; };
+  const auto last = static_cast<std::uint32_t>(std::count_if(oncoming_.begin(), oncoming_.end(), reached));
+  const auto classes = static_cast<std::uint32_t>(oncoming_.size() + 1);
+  simd::kernels().find_row_numbers(digits.begin(), digits.size(), {classes, last}, count, rows);
 }
 
 void AnticipationStates::findRows(const Chooser& chooser) const { findRowsOfAll({&chooser, 1}); }

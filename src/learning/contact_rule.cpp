@@ -4,7 +4,6 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/fixed_list.h"
-#include "social_crowd/common/vectorised.h"
 #include "social_crowd/learning/near_agents.h"
 #include "social_crowd/learning/way_out.h"
 
@@ -54,14 +53,14 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
 
 /// All that is wanted is admissible as long as nothing is in the way. By whole registers: a copy in smaller pieces
 /// could not be read by such before it is in the cache.
-CROWD_VECTORISED void admitAll(MoveBlock* moves, std::size_t count) {
+void admitAll(MoveBlock* moves, std::size_t count) {
   for (std::size_t block = 0; block < blocksOf(count); ++block) {
     for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) moves[block].share[i] = moves[block].wanted[i];
   }
 }
 
 /// @param reach the longest displacement of a tick [m]
-CROWD_VECTORISED void apply(const Limit& limit, double reach, MoveBlock& moves) {
+void apply(const Limit& limit, double reach, MoveBlock& moves) {
   const double nx = limit.normal.x();
   const double ny = limit.normal.y();
   for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {

@@ -1,7 +1,8 @@
 #include "social_crowd/learning/goal_fan.h"
 
+#include <algorithm>
+
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/common/vectorised.h"
 
 namespace crowd {
 namespace {
@@ -15,15 +16,15 @@ Vector2 goalDirection(const Perception& perception) {
 
 /// The fan around another bearing than the heading.
 /// @param turned so many moves are measured from there, the others from the heading
-CROWD_VECTORISED void turn(const MoveBlock& fan, const Vector2& bearing, std::size_t turned, MoveBlock& moves) {
+void turn(const MoveBlock& fan, const Vector2& bearing, std::size_t turned, MoveBlock& moves) {
   const double cosine = bearing.x();
   const double sine = bearing.y();
-  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
-    const double x = cosine * fan.x[i] - sine * fan.y[i];
-    const double y = sine * fan.x[i] + cosine * fan.y[i];
-    moves.x[i] = i < turned ? x : fan.x[i];
-    moves.y[i] = i < turned ? y : fan.y[i];
-    moves.wanted[i] = fan.wanted[i];
+  moves.x = fan.x;
+  moves.y = fan.y;
+  moves.wanted = fan.wanted;
+  for (std::size_t i = 0; i < std::min(turned, MoveBlock::SIZE); ++i) {
+    moves.x[i] = cosine * fan.x[i] - sine * fan.y[i];
+    moves.y[i] = sine * fan.x[i] + cosine * fan.y[i];
   }
 }
 

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/common/vectorised.h"
 #include "social_crowd/learning/time_to_contact.h"
 
 namespace crowd {
 namespace {
 
-CROWD_VECTORISED bool touchesAnybody(const PerceivedBodiesView& bodies, double radius) {
+bool touchesAnybody(const PerceivedBodiesView& bodies, double radius) {
   const double* const xs = bodies.xs();
   const double* const ys = bodies.ys();
   const double* const radii = bodies.radii();

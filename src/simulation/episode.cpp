@@ -40,9 +40,13 @@ bool Episode::findTurn() {
 
 bool Episode::isOver() const { return world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks; }
 
-const std::shared_ptr<Perceptions>& Episode::perceive() {
-  if (are_current_) return perceptions_;
-  buffers_.renew(perceptions_);
+const Perceptions& Episode::perceptions() {
+  if (are_current_) return *perceptions_;
+  if (may_be_held_) {
+    perceptions_.reset();
+    perceptions_ = buffers_.next();
+    may_be_held_ = false;
+  }
   perceptions_->turn = 0;
   if (!isSequential() || isOver()) {
     world_.perceive(vision_, *perceptions_);
@@ -52,6 +56,12 @@ const std::shared_ptr<Perceptions>& Episode::perceive() {
   perceptions_->episode = number_;
   perceptions_->last = isOver();
   are_current_ = true;
+  return *perceptions_;
+}
+
+std::shared_ptr<const Perceptions> Episode::sharedPerceptions() {
+  perceptions();
+  may_be_held_ = true;
   return perceptions_;
 }
 

@@ -2,13 +2,29 @@
 
 #include <algorithm>
 
-#include "social_crowd/world/neighbour_look.h"
+#include "simd/nearby_discs.h"
 
 namespace crowd {
+namespace {
+
+static_assert(NeighbourGrid::PADDING >= simd::DiscArrays::PADDING, "kernels read so far");
+
+/// Whether a run has a disc whose rim is within `distance` [m] of the point, those of one body not counted.
+bool isAnyInRun(const NeighbourGrid& grid, const NeighbourGrid::Run& run, const Vector2& point, double distance,
+                std::uint32_t except) {
+  bool any = false;
+  for (std::uint32_t i = run.begin; i < run.end; ++i) {
+    const double limit = distance + grid.radius(i);
+    any |= (limit >= 0.0) & ((grid.centre(i) - point).squaredNorm() <= limit * limit) & (grid.body(i) != except);
+  }
+  return any;
+}
+
+}  // namespace
 
 void NeighbourGrid::clear() {
   added_.clear();
-  bodies_.clear();
+  motions_.clear();
   max_radius_ = 0.0;
 }
 
@@ -18,10 +34,8 @@ void NeighbourGrid::add(const Vector2& centre, double radius, std::uint32_t body
 }
 
 void NeighbourGrid::build(double cell_size) {
-  xs_.resize(added_.size());
-  ys_.resize(added_.size());
-  radii_.resize(added_.size());
-  bodies_.resize(added_.size());
+  for (auto* numbers : {&xs_, &ys_, &radii_}) numbers->resize(added_.size() + PADDING);
+  bodies_.resize(added_.size() + PADDING);
   motions_.resize(added_.size());
   if (added_.size() <= LIST) {
     for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], i);
@@ -99,10 +113,9 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
 }
 
 bool NeighbourGrid::isAnyInRuns(const Vector2& point, double distance, std::uint32_t except) const {
-  static const Look LOOK = fastestLook();
-  if (isList()) return LOOK(*this, all(), point, distance, except);
+  if (isList()) return isAnyInRun(*this, all(), point, distance, except);
   const Cells cells = cellsNear(point, distance);
-  const auto look = [&](std::int64_t row) { return LOOK(*this, runOf(cells, row), point, distance, except); };
+  const auto look = [&](std::int64_t row) { return isAnyInRun(*this, runOf(cells, row), point, distance, except); };
   // Nearly always one or two rows. Both are looked at in any case: a branch would be guessed wrong half of the time.
   const bool at_bottom = look(cells.bottom);
   bool any = look(cells.top) || at_bottom;

@@ -128,12 +128,11 @@ void World::rebuildGrid() {
 
 void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
   takeOrders(actions);
-  const std::size_t agents = orders_.size();
   workers.run(
-      agents,
+      orders_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          if (i + ORDERS_AHEAD < agents) prefetchAt(orders_[i + ORDERS_AHEAD]);
+          if (i + ORDERS_AHEAD < end) prefetchAt(orders_[i + ORDERS_AHEAD]);  // beyond it another worker writes
           beginMove(agents_[i], std::exchange(orders_[i], nullptr));
         }
       },

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "bodies_side_by_side.h"
 #include "social_crowd/common/prefetch.h"
 #include "social_crowd/world/world.h"
 
@@ -118,12 +117,12 @@ inline void World::look(const Vision& vision, const Agent& agent, std::size_t be
   if (!walls_.empty()) findWalls(vision, agent, frame, looker);
   if (vision.occlusion) {
     looker.near.resize(found.size());
-    findBodies(found, agent, frame, 0, looker.near);
+    findBodies(found, agent, 0, looker.near);
     hide(vision, self, looker);
   }
   self.wall_count = static_cast<std::uint32_t>(looker.walls.size()) - self.first_wall;
   if (vision.max_bodies == 0) perceptions.bodies.resize(first + self.body_count);
-  if (!vision.occlusion) return findBodies(found, agent, frame, first, perceptions.bodies);
+  if (!vision.occlusion) return findBodies(found, agent, first, perceptions.bodies);
   for (std::size_t i = 0; i < looker.bodies.size(); ++i) perceptions.bodies.set(first + i, looker.bodies[i]);
 }
 
@@ -138,19 +137,21 @@ inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPe
   self.acted = agent.acted;
 }
 
-inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
+inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, std::size_t first,
                               PerceivedBodies& bodies) const {
-  std::size_t i = 0;
-  // Less than four are sooner done than asked about.
-  if (found.size() >= FOUR) {
-    i = writeSideBySide({grid_, found, agent.pose.position, agent.ahead, agents_.size(), obstacles_.empty()}, first,
-                        bodies);
-  }
-  for (; i < found.size(); ++i) {
+  const Vector2& place = agent.pose.position;
+  const Vector2& ahead = agent.ahead;
+  for (std::size_t i = 0; i < found.size(); ++i) {
     const std::uint32_t disc = found[i].disc;
-    bodies.set(first + i,
-               {frame.intoFrame(grid_.centre(disc) - agent.pose.position), frame.intoFrame(grid_.velocity(disc)),
-                grid_.radius(disc), grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE});
+    const NeighbourGrid::Motion& motion = grid_.motions()[disc];
+    const double dx = motion.x - place.x();
+    const double dy = motion.y - place.y();
+    bodies.xs()[first + i] = dx * ahead.x() + dy * ahead.y();
+    bodies.ys()[first + i] = dy * ahead.x() - dx * ahead.y();
+    bodies.vxs()[first + i] = motion.vx * ahead.x() + motion.vy * ahead.y();
+    bodies.vys()[first + i] = motion.vy * ahead.x() - motion.vx * ahead.y();
+    bodies.radii()[first + i] = grid_.radius(disc);
+    bodies.kinds()[first + i] = grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE;
   }
 }
 

@@ -58,94 +58,50 @@ TEST(Recycler, TakesBackWhatAnotherThreadHasRead) {
   }
 }
 
-TEST(RecyclerRenew, FillsWhatIsEmpty) {
-  Recycler<Pointer> recycler;
-  Pointer held;
-  recycler.renew(held);
-  ASSERT_NE(held, nullptr);
-  EXPECT_TRUE(held->empty());
-}
-
-TEST(RecyclerRenew, LeavesWhatNobodyElseHolds) {
-  Recycler<Pointer> recycler;
-  Pointer held;
-  recycler.renew(held);
-  held->assign(100, 7);
-  const std::vector<int>* const first = held.get();
-  for (int i = 0; i < 10; ++i) {
-    recycler.renew(held);
-    ASSERT_EQ(held.get(), first);
-  }
-  EXPECT_EQ(*held, std::vector<int>(100, 7));
-  const Pointer other = held;
-  recycler.renew(held);
-  const std::vector<int>* const second = held.get();
-  EXPECT_NE(second, first);
-  recycler.renew(held);
-  EXPECT_EQ(held.get(), second);
-}
-
-TEST(RecyclerRenew, NeverGivesWhatSomebodyElseHolds) {
-  Recycler<Pointer> recycler;
-  std::vector<Pointer> others;  // more than are kept for later
-  Pointer held;
-  for (int i = 0; i < 100; ++i) {
-    recycler.renew(held);
-    held->assign(1, i);
-    others.push_back(held);
-  }
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(others[static_cast<std::size_t>(i)]->front(), i);
-}
-
-TEST(RecyclerRenew, TwoAreEnoughForOneReaderBehind) {
+TEST(Recycler, TwoAreEnoughForOneReaderBehind) {
   Recycler<Pointer> recycler;
   std::set<const std::vector<int>*> places;
-  Pointer held;
   Pointer read;
   for (int i = 0; i < 100; ++i) {
-    recycler.renew(held);
-    held->assign(1000, i);
+    Pointer filled = recycler.next();
+    filled->assign(1000, i);
     if (i > 0) {
       ASSERT_EQ(*read, std::vector<int>(1000, i - 1));
     }
-    read = held;
-    places.insert(held.get());
+    places.insert(filled.get());
+    read = std::move(filled);
   }
   EXPECT_EQ(places.size(), 2U);
 }
 
-TEST(RecyclerRenew, DoesNotKeepWhatIsHeldNoMore) {
-  Recycler<Pointer> recycler;
-  Pointer held;
-  std::vector<std::weak_ptr<std::vector<int>>> all;
-  std::vector<Pointer> others;
-  for (int i = 0; i < 20; ++i) {
-    recycler.renew(held);
-    others.push_back(held);
-    all.emplace_back(held);
-  }
-  others.clear();
-  recycler.renew(held);
-  const auto alive = [](const std::weak_ptr<std::vector<int>>& one) { return !one.expired(); };
-  EXPECT_EQ(std::count_if(all.begin(), all.end(), alive), 8);  // as many as are kept for later
+/// Counts those of its kind.
+class Counted {
+ public:
+  Counted() { ++count; }
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
+  ~Counted() { --count; }
+  static int count;
+};
+int Counted::count = 0;
+
+TEST(Recycler, KeepsAFewOnlyOfManyThatWereHeld) {
+  Recycler<std::shared_ptr<Counted>> recycler;
+  std::vector<std::shared_ptr<Counted>> held;
+  for (int i = 0; i < 20; ++i) held.push_back(recycler.next());
+  EXPECT_EQ(Counted::count, 20);
+  held.clear();
+  EXPECT_EQ(Counted::count, 8);
 }
 
-TEST(RecyclerRenew, WaitsForAReaderInAnotherThread) {
-  Recycler<Pointer> recycler;
-  Pointer held;
-  for (int i = 0; i < 200; ++i) {
-    recycler.renew(held);
-    held->assign(1000, i);
-    int sum = 0;
-    std::thread reader([read = held, &sum]() mutable {
-      for (const int number : *read) sum += number;
-      read.reset();
-    });
-    recycler.renew(held);  // the same only if it has been read
-    held->assign(1000, -1);
-    reader.join();
-    ASSERT_EQ(sum, 1000 * i);
-  }
+TEST(Recycler, WhatIsHeldOutlivesIt) {
+  auto recycler = std::make_unique<Recycler<std::shared_ptr<Counted>>>();
+  std::shared_ptr<Counted> held = recycler->next();
+  recycler->next().reset();
+  recycler.reset();
+  EXPECT_EQ(Counted::count, 1);
+  held.reset();
+  EXPECT_EQ(Counted::count, 0);
 }
 
 }  // namespace

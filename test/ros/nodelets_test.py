@@ -7,6 +7,7 @@ import rosgraph
 import rospy
 import support
 from learning_files import QTableFile, recipe_text
+from roslib.packages import find_node
 from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
@@ -14,6 +15,7 @@ from visualization_msgs.msg import MarkerArray
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 12  # so that each of the six documents is walked twice
 NODELET = ['rosrun', 'nodelet', 'nodelet']
+PRELOAD = os.environ.get('CROWD_NODELET_PRELOAD')  # see scripts/test --sanitizer
 
 
 def children(message):
@@ -26,7 +28,9 @@ class NodeletTestCase(support.CrowdTestCase):
 
     def setUp(self):
         super().setUp()
-        self.manager = self.start('manager', NODELET + ['manager', '__name:=manager'])
+        program = find_node('nodelet', 'nodelet')[:1] if PRELOAD else NODELET
+        self.manager = self.start('manager', program + ['manager', '__name:=manager'],
+                                  {'LD_PRELOAD': PRELOAD} if PRELOAD else None)
 
     def load(self, kind, name='', **parameters):
         """Starts the process that loads a nodelet, and unloads it when it ends."""

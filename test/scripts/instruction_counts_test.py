@@ -11,6 +11,7 @@ from programs import ANTICIPATION_TABLE, assert_same_recording, in_package, read
 
 ADVICE = 'If that is as it should be: scripts/count_instructions --keep'
 VALGRIND = ('valgrind', '--tool=none', '--quiet')
+REFERENCE = ('env', 'SOCIAL_CROWD_SIMD=reference')
 needs_valgrind = pytest.mark.skipif(not has_valgrind(), reason='there is no valgrind')
 
 
@@ -46,16 +47,17 @@ class InstructionCountsTest:
 
 @needs_valgrind
 class SameBitsTest:
-    """Valgrind knows no AVX-512: within it the forms for AVX2 run, else those for what the processor has."""
+    """Kernels for what the processor has, those for AVX2 (valgrind knows no AVX-512), and the scalar ones."""
 
     def check(self, runner, written, tool, *arguments):
         """What a tool writes is the same either way, byte for byte."""
         results = []
-        for within in ((), VALGRIND):
+        for within in ((), VALGRIND, REFERENCE):
             runner.tool(tool, *arguments, within=within)
             results.append(read_bytes(runner.path(written)))
             os.remove(runner.path(written))
-        assert_same_recording(*results)
+        for other in results[1:]:
+            assert_same_recording(other, results[0])
 
     def test_trajectories(self, runner):
         self.check(runner, 'circle12.csv', 'evaluate', '--q-table', ANTICIPATION_TABLE, '--threads', 1,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "social_crowd/common/errors.h"
@@ -59,6 +60,22 @@ TEST(Episode, PerceptionsStayAsTheyAreWhileSomebodyHoldsThem) {
     EXPECT_EQ(held[tick]->tick, tick);
     EXPECT_EQ(held[tick]->episode, NUMBER);
     EXPECT_EQ(held[tick]->agents[1].goal, Vector2(2.0 - 0.5 * static_cast<double>(tick), 0.0));
+  }
+}
+
+TEST(Episode, ReadersInOtherThreadsSeePerceptionsUnchanged) {
+  Episode episode(oneAndTwoMetres(), NUMBER, Vision());
+  for (int tick = 0; tick < 100; ++tick) {
+    const std::uint64_t expected = episode.world().tick();
+    std::uint64_t read = 0;
+    std::thread reader([held = episode.sharedPerceptions(), &read]() mutable {
+      read = held->tick;
+      held.reset();
+    });
+    episode.step({});
+    EXPECT_EQ(episode.perceptions().tick, expected + 1);
+    reader.join();
+    ASSERT_EQ(read, expected);
   }
 }
 

@@ -1,45 +1,54 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
+#include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace crowd {
 
-/// @brief Hands out objects to fill, one of those again that nobody else holds any more, so that large buffers are not
-/// allocated again and again. What is in them from before stays.
-/// @tparam Pointer a shared pointer that tells its use_count(); whoever holds a copy may be in another thread
+/// @brief Hands out objects to fill, preferably those that were handed out before and that nobody holds any more, so
+/// that large buffers are not allocated again and again. What is in them from before stays.
+/// @tparam Pointer a shared pointer; any thread may hold copies, also when the recycler is gone
 template <typename Pointer>
 class Recycler {
  public:
-  /// @brief Another object in place of the one that is held, or that one again, if nobody else holds it.
-  void renew(Pointer& held) {
-    constexpr long BY_BOTH = 2;
-    if (!spares_.empty() && held == spares_.front() && held.use_count() == BY_BOTH) {
-      std::atomic_thread_fence(std::memory_order_acquire);  // as in next()
-      return;
-    }
-    held.reset();
-    held = next();
-  }
-
-  /// @brief An object that nobody else holds, a new one if there is none.
-  Pointer next() {
-    for (const Pointer& spare : spares_) {
-      if (spare.use_count() > 1) continue;
-      // All that its last holder did, in whichever thread, comes before what is done now.
-      std::atomic_thread_fence(std::memory_order_acquire);
-      return spare;
-    }
-    Pointer fresh(new typename Pointer::element_type());
-    if (spares_.size() < MOST) spares_.push_back(fresh);
-    return fresh;
-  }
+  /// @brief An object that nobody else holds, a new one if there is none. Any thread may call this.
+  Pointer next() { return Pointer(free_->take().release(), GiveBack{free_}); }
 
  private:
-  static constexpr std::size_t MOST = 8;  // who holds more than these is not in a hurry
+  using Object = typename Pointer::element_type;
+  static constexpr std::size_t MAX_FREE = 8;  // that are kept for later
 
-  std::vector<Pointer> spares_;
+  /// Objects that nobody holds.
+  class FreeList {
+   public:
+    FreeList() { objects_.reserve(MAX_FREE); }
+    std::unique_ptr<Object> take() {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (objects_.empty()) return std::make_unique<Object>();
+      std::unique_ptr<Object> last = std::move(objects_.back());
+      objects_.pop_back();
+      return last;
+    }
+    void put(std::unique_ptr<Object> object) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (objects_.size() < MAX_FREE) objects_.push_back(std::move(object));
+    }
+
+   private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Object>> objects_;
+  };
+
+  /// What a pointer does with its object when nobody holds it any more.
+  struct GiveBack {
+    std::shared_ptr<FreeList> free;
+    void operator()(Object* object) const { free->put(std::unique_ptr<Object>(object)); }
+  };
+
+  std::shared_ptr<FreeList> free_ = std::make_shared<FreeList>();
 };
 
 }  // namespace crowd

@@ -48,8 +48,7 @@ class NearAgents {
   const NearAgent* end() const { return list_.data() + count_; }
 
  private:
-  // A whole register is written behind the last one.
-  std::array<NearAgent, MOST + LOOKED_AT> list_;
+  std::array<NearAgent, MOST> list_;
   std::size_t count_ = 0;
 };
 

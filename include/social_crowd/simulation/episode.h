@@ -25,9 +25,9 @@ class Episode {
   Episode(Scene scene, std::uint64_t number, const Vision& vision, Workers& workers = Workers::alone());
 
   /// @brief What the agents perceive whose turn it is; once the episode is over that is all of them, with `last`.
-  const Perceptions& perceptions() { return *perceive(); }
+  const Perceptions& perceptions();
   /// @brief The same to be kept: it stays as it is while somebody holds it.
-  std::shared_ptr<const Perceptions> sharedPerceptions() { return perceive(); }
+  std::shared_ptr<const Perceptions> sharedPerceptions();
   /// @brief What the learner decides on perceptions(): the same as Learner::decide(). Where all agents have their turn
   /// in demo mode it is faster (see GreedyCrowd), in another order of agents, and the learner does not come to know
   /// them.
@@ -55,7 +55,6 @@ class Episode {
   void removeObstacle(std::size_t number);
 
  private:
-  const std::shared_ptr<Perceptions>& perceive();
   bool isSequential() const { return scene_.order == Order::SEQUENTIAL; }
   void perceiveTurn();
   /// Goes on to the next agent that is to have a turn in this tick, beginning with `turn_`; whether there is one.
@@ -69,7 +68,8 @@ class Episode {
   EpisodeMonitor monitor_;
   std::uint64_t number_;
   Recycler<std::shared_ptr<Perceptions>> buffers_;
-  std::shared_ptr<Perceptions> perceptions_;  // those of the last time that somebody asked
+  std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // those of the last time that somebody asked
+  bool may_be_held_ = false;                                    // by others: they were shared
   bool are_current_ = false;
   AgentId turn_ =
       0;  // the agent whose turn it is, sequential only; the number of agents if no turn is left in the tick

@@ -28,9 +28,9 @@ class NeighbourGrid {
   void build(double cell_size);
 
   /// @brief Whether there are so few discs that they are kept in order of add(), and may move().
-  bool isList() const { return bodies_.size() <= LIST; }
+  bool isList() const { return size() <= LIST; }
   /// @brief Whether they are even so few that it is best to look at them one by one.
-  bool isShort() const { return bodies_.size() <= SHORT; }
+  bool isShort() const { return size() <= SHORT; }
   /// @brief Puts a disc of a list in another place [m], with another velocity [m/s].
   void move(std::size_t disc, const Vector2& centre, const Vector2& velocity) {
     xs_[disc] = centre.x();
@@ -39,9 +39,11 @@ class NeighbourGrid {
   }
 
   /// @brief Number of discs, in order of the cells.
-  std::size_t size() const { return bodies_.size(); }
+  std::size_t size() const { return motions_.size(); }
   Vector2 centre(std::size_t disc) const { return {xs_[disc], ys_[disc]}; }
-  /// @brief The same as lists, for loops over runs of discs.
+  /// @brief Behind the last disc so many more of these numbers may be read, whatever they are.
+  static constexpr std::size_t PADDING = 16;
+  /// @brief The numbers of all discs, for loops over runs of discs.
   const double* xs() const { return xs_.data(); }
   const double* ys() const { return ys_.data(); }
   const double* radii() const { return radii_.data(); }

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/world/neighbour_candidates.h"
 #include "social_crowd/world/neighbour_grid.h"
 #include "social_crowd/world/view.h"
 
@@ -20,9 +19,6 @@ struct NearDisc {
 /// is found does not depend on that.
 class NeighbourSearch {
  public:
-  /// @param collect how candidates are gathered; what is found is the same whichever way
-  explicit NeighbourSearch(Gather collect = fastestGather()) : collect_(collect) {}
-
   /// @brief The discs whose rim is within `distance` [m] of the point, nearest rim first, equal ones by their body's
   /// number; not more than `most` of them (0: all). Valid until the next search.
   /// @param except a body that is left out
@@ -35,17 +31,19 @@ class NeighbourSearch {
                                  std::uint32_t except);
   View<NearDisc> findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
                             std::uint32_t except);
-  void gather(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except);
+  /// Writes down the discs whose rim is within the distance; makes `count_` of them.
+  void collect(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except);
   /// Fails if two candidates are equally far.
   bool sortByRank();
   void sortBySelection(const NeighbourGrid& grid, std::size_t most);
 
-  Gather collect_;
   double last_reach_ = 0.0;  // [m]; how far the last search had to look
   // Working space; the vectors only grow.
   NeighbourGrid::Runs runs_;
-  NeighbourCandidates candidates_;
-  std::vector<NearDisc> found_;  // sorted
+  std::size_t count_ = 0;             // of collected discs
+  std::vector<std::uint64_t> discs_;  // their places in the grid
+  std::vector<double> rims_;          // distances of their rims from the point [m]
+  std::vector<NearDisc> found_;       // sorted
 };
 
 }  // namespace crowd

@@ -162,8 +162,7 @@ class World {
             Perceptions& perceptions) const;
   void lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
   /// Writes the bodies that the search has found.
-  void findBodies(const View<NearDisc>& found, const Agent& agent, const Rotation& frame, std::size_t first,
-                  PerceivedBodies& bodies) const;
+  void findBodies(const View<NearDisc>& found, const Agent& agent, std::size_t first, PerceivedBodies& bodies) const;
   void findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const;
   void hide(const Vision& vision, AgentPerception& self, Looker& looker) const;
   Agent& findWalking(AgentId id);

@@ -1,0 +1,43 @@
+// The kernels written with Highway, compiled once for each instruction set.
+
+#include "simd/kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "simd/highway_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/near_neighbours_inl.h"
+#include "simd/nearby_discs_inl.h"
+#include "simd/ranks_inl.h"
+#include "simd/row_numbers_inl.h"
+#include "simd/time_to_collision_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace crowd::simd::HWY_NAMESPACE {
+
+Kernels targetKernels() {
+  return {hwy::TargetName(HWY_TARGET), collectNearby, rankAscending, findNear,
+          accumulateTimeToCollision,   findRowNumbers};
+}
+
+}  // namespace crowd::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace crowd::simd {
+
+HWY_EXPORT(targetKernels);
+
+std::vector<Kernels> highwayKernels() {
+  std::vector<Kernels> kernels;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::GetChosenTarget().Update(target);
+    kernels.push_back(HWY_DYNAMIC_DISPATCH(targetKernels)());
+  }
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  return kernels;
+}
+
+}  // namespace crowd::simd
+#endif

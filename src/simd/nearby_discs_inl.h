@@ -1,0 +1,117 @@
+// Included once for each instruction set.
+#if defined(CROWD_NEARBY_DISCS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef CROWD_NEARBY_DISCS_INL
+#undef CROWD_NEARBY_DISCS_INL
+#else
+#define CROWD_NEARBY_DISCS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include "simd/nearby_discs.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace crowd::simd::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_SCALAR
+constexpr bool HAS_COMPRESS = true;
+constexpr std::size_t MAX_DISC_LANES = 8;  // no more than PADDING
+#else
+constexpr bool HAS_COMPRESS = false;
+constexpr std::size_t MAX_DISC_LANES = 4;
+#endif
+
+/// Of lanes of two words each, the words of those that are marked, in order; then anything.
+struct CompressTable {
+  static constexpr std::size_t WORDS = 2 * MAX_DISC_LANES;
+  std::uint32_t words[HAS_COMPRESS ? 1 : 1U << MAX_DISC_LANES][WORDS] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays)
+
+  constexpr CompressTable() {
+    for (std::size_t marks = 0; marks < sizeof(words) / sizeof(words[0]); ++marks) {
+      std::size_t to = 0;
+      for (std::uint32_t lane = 0; lane < MAX_DISC_LANES; ++lane) {
+        if ((marks >> lane & 1U) == 0) continue;
+        words[marks][to++] = 2 * lane;
+        words[marks][to++] = 2 * lane + 1;
+      }
+    }
+  }
+};
+constexpr CompressTable COMPRESS_TABLE;
+
+/// Stores all lanes, those that are marked first.
+/// @details Highway's own Compress() is slow for AVX2 with GCC 12, which copies its table at each call.
+template <typename D>
+HWY_INLINE void storeCompressed(D d, hn::Vec<D> lanes, hn::Mask<D> mask, std::uint8_t marks, hn::TFromD<D>* to) {
+  if constexpr (HAS_COMPRESS) {
+    hn::StoreU(hn::Compress(lanes, mask), d, to);
+  } else {
+    const hn::Repartition<std::uint32_t, D> words;
+    const auto order = hn::SetTableIndices(words, COMPRESS_TABLE.words[marks]);
+    hn::StoreU(hn::BitCast(d, hn::TableLookupLanes(hn::BitCast(words, lanes), order)), d, to);
+  }
+}
+
+/// Compares a few discs with a circle.
+class NearbyDiscs {
+ public:
+  using Tag = hn::CappedTag<double, MAX_DISC_LANES>;
+  using Numbers = hn::Vec<Tag>;
+  using Mask = hn::Mask<Tag>;
+
+  HWY_INLINE NearbyDiscs(const DiscArrays& arrays, DiscRange range, const Circle& circle)
+      : arrays_(arrays), end_(range.end), except_(circle.except), x_(circle.x), y_(circle.y), radius_(circle.radius) {}
+
+  /// Looks at the discs from number `i` on. @return which are in the circle
+  HWY_INLINE Mask look(std::size_t i, Numbers& squares, Numbers& radii) const {
+    const Tag d;
+    const hn::RebindToUnsigned<Tag> du;
+    const auto dx = hn::Sub(hn::LoadU(d, arrays_.xs + i), hn::Set(d, x_));
+    const auto dy = hn::Sub(hn::LoadU(d, arrays_.ys + i), hn::Set(d, y_));
+    squares = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+    radii = hn::LoadU(d, arrays_.radii + i);
+    const auto limits = hn::Add(hn::Set(d, radius_), radii);
+    const auto bodies = hn::PromoteTo(du, hn::LoadU(hn::Rebind<std::uint32_t, Tag>(), arrays_.bodies + i));
+    const auto others = hn::RebindMask(d, hn::Ne(bodies, hn::Set(du, except_)));
+    const auto near = hn::And(hn::Le(squares, hn::Mul(limits, limits)), hn::FirstN(d, end_ - i));
+    return hn::And(near, others);
+  }
+
+ private:
+  const DiscArrays& arrays_;
+  std::size_t end_;
+  std::uint32_t except_;
+  double x_;
+  double y_;
+  double radius_;
+};
+
+/// Those that are in the circle move together in a register, which is stored as a whole; what comes next is written
+/// over the others.
+inline std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, const Circle& circle, std::size_t count,
+                                 const CollectedDiscs& collected) {
+  const NearbyDiscs::Tag d;
+  const hn::RebindToUnsigned<NearbyDiscs::Tag> du;
+  const NearbyDiscs discs(arrays, range, circle);
+  const auto step = hn::Set(du, hn::Lanes(d));
+  auto places = hn::Add(hn::Set(du, range.begin), hn::Iota(du, 0));
+  for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(d), places = hn::Add(places, step)) {
+    NearbyDiscs::Numbers squares;
+    NearbyDiscs::Numbers radii;
+    const auto near = discs.look(i, squares, radii);
+    const auto rims = hn::Sub(hn::Sqrt(squares), radii);
+    std::uint8_t marks[8] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays): as many as may be written
+    hn::StoreMaskBits(d, near, marks);
+    storeCompressed(du, places, hn::RebindMask(du, near), marks[0], collected.discs + count);
+    storeCompressed(d, rims, near, marks[0], collected.rims + count);
+    count += hwy::PopCount(marks[0]);
+  }
+  return count;
+}
+
+}  // namespace crowd::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,116 @@
+// The scalar kernels: what they calculate, one number after the other.
+
+#include <algorithm>
+#include <cmath>
+
+#include "simd/kernels.h"
+
+namespace crowd::simd {
+namespace {
+
+std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, const Circle& circle, std::size_t count,
+                          const CollectedDiscs& collected) {
+  for (std::uint32_t i = range.begin; i < range.end; ++i) {
+    const double dx = arrays.xs[i] - circle.x;
+    const double dy = arrays.ys[i] - circle.y;
+    const double square = dx * dx + dy * dy;
+    const double limit = circle.radius + arrays.radii[i];
+    // Written in any case, and kept by counting on: a branch would be mispredicted half of the time.
+    collected.discs[count] = i;
+    collected.rims[count] = std::sqrt(square) - arrays.radii[i];
+    count +=
+        static_cast<std::size_t>(square <= limit * limit) & static_cast<std::size_t>(arrays.bodies[i] != circle.except);
+  }
+  return count;
+}
+
+std::uint32_t rankAscending(const double* numbers, std::size_t count, std::uint32_t* ranks) {
+  std::uint32_t sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint32_t smaller = 0;
+    for (std::size_t j = 0; j < count; ++j) smaller += static_cast<float>(numbers[j]) < static_cast<float>(numbers[i]);
+    ranks[i] = smaller;
+    sum += smaller;
+  }
+  return sum;
+}
+
+/// All is multiplied by the distance, so that no root is taken.
+std::uint32_t findNear(const NeighbourArrays& neighbours, const Nearness& nearness) {
+  std::uint32_t near = 0;
+  for (std::size_t i = 0; i < std::min(neighbours.count, MAX_LOOKED_AT); ++i) {
+    const double x = neighbours.xs[i];
+    const double y = neighbours.ys[i];
+    const double receding =
+        x * (nearness.velocity_x + neighbours.vxs[i]) + y * (nearness.velocity_y + neighbours.vys[i]);
+    const double square = x * x + y * y;
+    const double rest = square + nearness.tick_duration * (receding < 0.0 ? receding : 0.0);
+    const double apart = nearness.room + neighbours.radii[i];
+    const bool far = rest > 0.0 && rest * rest > apart * apart * square;
+    near |= far ? 0U : std::uint32_t{1} << i;
+  }
+  return near;
+}
+
+/// A neighbour in single precision.
+struct Disc {
+  float x;
+  float y;
+  float gap;       // square of the distance less that of the sum of both radii, 0 if they overlap [m2]
+  float per_root;  // what makes the inverse time of a root
+};
+
+/// The inverse of the time in which the disc is reached with a relative velocity; not a number if it is not reached.
+/// @details Of the roots of |p - t v| = r, t = gap / (p.v + sqrt(inside)) is the smaller one. It is negative if the
+/// disc recedes.
+float inverseTime(const Disc& disc, float vx, float vy) {
+  const float closing = disc.x * vx + disc.y * vy;
+  const float square = vx * vx + vy * vy;
+  return (closing + std::sqrt(closing * closing - square * disc.gap)) * disc.per_root;
+}
+
+void raise(float value, float& highest) { highest = value > highest ? value : highest; }  // also if it is not a number
+
+float accumulateTimeToCollision(const NeighbourArrays& neighbours, const Observer& self,
+                                const CandidateArrays& candidates) {
+  float fastest = 0.0F;
+  for (std::size_t i = 0; i < neighbours.count; ++i) {
+    const double reach = self.radius + neighbours.radii[i];
+    const double gap = (neighbours.xs[i] * neighbours.xs[i] + neighbours.ys[i] * neighbours.ys[i]) - reach * reach;
+    Disc disc{static_cast<float>(neighbours.xs[i]), static_cast<float>(neighbours.ys[i]),
+              static_cast<float>(gap > 0.0 ? gap : 0.0), AT_ONCE};
+    if (disc.gap > 0.0F) disc.per_root = 1.0F / disc.gap;
+    const auto vx = static_cast<float>(neighbours.vxs[i]);
+    const auto vy = static_cast<float>(neighbours.vys[i]);
+    const float approach = disc.x * (self.preferred_x - vx) + disc.y * (self.preferred_y - vy);
+    if (approach > 0.0F) raise(approach * approach / (disc.x * disc.x + disc.y * disc.y), fastest);
+    // With 2u - w - v the time is half of what it is with u - (w + v) / 2.
+    const float mean_vx = 0.5F * (self.velocity_x + vx);
+    const float mean_vy = 0.5F * (self.velocity_y + vy);
+    for (std::size_t k = 0; k < candidates.count; ++k) {
+      raise(inverseTime(disc, candidates.xs[k] - vx, candidates.ys[k] - vy), candidates.constant_velocity[k]);
+      if (candidates.reciprocal == nullptr) continue;
+      raise(inverseTime(disc, candidates.xs[k] - mean_vx, candidates.ys[k] - mean_vy), candidates.reciprocal[k]);
+    }
+  }
+  return fastest;
+}
+
+void findRowNumbers(const ClassDigit* digits, std::size_t digit_count, LastDigit last, std::size_t count,
+                    std::uint32_t* rows) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint32_t row = 0;
+    for (const ClassDigit* digit = digits; digit != digits + digit_count; ++digit) {
+      row *= static_cast<std::uint32_t>(digit->limit_count + 1);
+      for (std::size_t k = 0; k < digit->limit_count; ++k) row += digit->sign * digit->values[i] >= digit->limits[k];
+    }
+    rows[i] = row * last.classes + last.digit;
+  }
+}
+
+}  // namespace
+
+const Kernels REFERENCE = {"reference",   collectNearby, rankAscending, findNear, accumulateTimeToCollision,
+                           findRowNumbers};
+
+}  // namespace crowd::simd

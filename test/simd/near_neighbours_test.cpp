@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "simd/kernels.h"
+#include "social_crowd/common/random.h"
+
+namespace crowd::simd {
+namespace {
+
+struct Neighbours {
+  std::vector<double> xs, ys, vxs, vys, radii;
+
+  void add(double x, double y, double vx, double vy, double radius) {
+    xs.push_back(x);
+    ys.push_back(y);
+    vxs.push_back(vx);
+    vys.push_back(vy);
+    radii.push_back(radius);
+  }
+
+  std::uint32_t findNear(const Kernels& kernels, const Nearness& nearness) const {
+    Neighbours padded = *this;
+    for (auto* list : {&padded.xs, &padded.ys, &padded.vxs, &padded.vys, &padded.radii}) {
+      list->resize(xs.size() + NeighbourArrays::PADDING, std::numeric_limits<double>::quiet_NaN());
+    }
+    return kernels.find_near(
+        {padded.xs.data(), padded.ys.data(), padded.vxs.data(), padded.vys.data(), padded.radii.data(), xs.size()},
+        nearness);
+  }
+};
+
+TEST(FindNear, CountsThoseWhoComeNearWithinATick) {
+  Neighbours neighbours;
+  neighbours.add(0.7, 0.0, 0.0, 0.0, 0.25);   // within 0.5 and its radius
+  neighbours.add(0.8, 0.0, 0.0, 0.0, 0.25);   // just not
+  neighbours.add(-0.8, 0.0, 1.0, 0.0, 0.25);  // comes 0.1 m nearer
+  neighbours.add(0.8, 0.0, 1.0, 0.0, 0.25);   // parts
+  neighbours.add(0.7, 0.0, 10.0, 0.0, 0.25);  // parts, too, but that does not count
+  neighbours.add(0.0, 0.0, 0.0, 0.0, 0.25);   // in the same place
+  for (const Kernels& kernels : availableKernels()) {
+    EXPECT_EQ(neighbours.findNear(kernels, {0.0, 0.0, 0.1, 0.5}), 0b110101U) << kernels.target;
+    EXPECT_EQ(neighbours.findNear(kernels, {-1.0, 0.0, 0.1, 0.5}), 0b110011U) << kernels.target << ", walking back";
+  }
+}
+
+TEST(FindNear, IsTheSameOnEveryTarget) {
+  for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    Neighbours neighbours;
+    for (std::uint32_t left = random.below(20); left > 0; --left) {
+      const double farthest = random.below(4) == 0 ? 0.01 : 2.0;
+      const double x = random.uniform(-farthest, farthest);
+      const double y = random.below(4) == 0 ? 0.0 : random.uniform(-farthest, farthest);
+      const double vx = random.uniform(-1.6, 1.6);
+      const double vy = random.below(4) == 0 ? 0.0 : random.uniform(-1.6, 1.6);
+      neighbours.add(x, y, vx, vy, random.uniform(0.0, 0.4));
+    }
+    const double vx = random.below(4) == 0 ? 0.0 : random.uniform(-1.6, 1.6);
+    const Nearness nearness{vx, random.uniform(-1.6, 1.6), random.uniform(0.01, 0.5), random.uniform(0.1, 0.9)};
+    const std::uint32_t expected = neighbours.findNear(REFERENCE, nearness);
+    for (const Kernels& kernels : availableKernels()) {
+      ASSERT_EQ(neighbours.findNear(kernels, nearness), expected) << kernels.target << ", seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace crowd::simd

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "simd/kernels.h"
+#include "social_crowd/common/random.h"
+
+namespace crowd::simd {
+namespace {
+
+constexpr std::uint32_t NOBODY = std::numeric_limits<std::uint32_t>::max();
+constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+
+/// Discs, and behind them numbers that must not matter.
+struct Discs {
+  std::vector<double> xs, ys, radii;
+  std::vector<std::uint32_t> bodies;
+
+  explicit Discs(std::size_t count)
+      : xs(count + DiscArrays::PADDING),
+        ys(count + DiscArrays::PADDING),
+        radii(count + DiscArrays::PADDING),
+        bodies(count + DiscArrays::PADDING) {}
+  std::size_t size() const { return xs.size() - DiscArrays::PADDING; }
+  DiscArrays arrays() const { return {xs.data(), ys.data(), radii.data(), bodies.data()}; }
+};
+
+/// What a kernel collects: places and rims.
+struct Collected {
+  std::vector<std::uint64_t> discs;
+  std::vector<double> rims;
+
+  bool operator==(const Collected& other) const { return discs == other.discs && rims == other.rims; }
+};
+
+Collected collect(const Kernels& kernels, const Discs& discs, const std::vector<DiscRange>& ranges,
+                  const Circle& circle) {
+  std::size_t room = DiscArrays::PADDING;
+  for (const DiscRange& range : ranges) room += range.end - range.begin;
+  Collected collected{std::vector<std::uint64_t>(room), std::vector<double>(room)};
+  std::size_t count = 0;
+  for (const DiscRange& range : ranges) {
+    count =
+        kernels.collect_nearby(discs.arrays(), range, circle, count, {collected.discs.data(), collected.rims.data()});
+  }
+  collected.discs.resize(count);
+  collected.rims.resize(count);
+  return collected;
+}
+
+TEST(CollectNearby, WritesPlacesAndRimsInOrder) {
+  Discs discs(4);
+  discs.xs = {4.0, 1.0, 0.0, 10.0};
+  discs.ys = {3.0, 0.0, 0.0, 0.0};
+  discs.radii = {0.5, 0.25, 1.0, 0.5};
+  discs.bodies = {7, 8, 9, 10};
+  for (auto* list : {&discs.xs, &discs.ys, &discs.radii}) list->resize(4 + DiscArrays::PADDING);
+  discs.bodies.resize(4 + DiscArrays::PADDING, 11);
+  for (const Kernels& kernels : availableKernels()) {
+    SCOPED_TRACE(kernels.target);
+    EXPECT_TRUE(collect(kernels, discs, {{0, 4}}, {0.0, 0.0, 4.5, 8}) == (Collected{{0, 2}, {4.5, -1.0}}));
+    EXPECT_TRUE(collect(kernels, discs, {{1, 2}, {3, 3}, {0, 1}}, {0.0, 0.0, 6.0, NOBODY}) ==
+                (Collected{{1, 0}, {0.75, 4.5}}));
+    EXPECT_TRUE(collect(kernels, discs, {{0, 4}}, {20.0, 0.0, 1.0, NOBODY}) == (Collected{{}, {}}));
+  }
+}
+
+/// Discs at random, some on the rim of the circle.
+Discs anyDiscs(KeyedRandom& random, const Circle& circle) {
+  Discs discs(random.below(40));
+  for (std::size_t i = 0; i < discs.xs.size(); ++i) {
+    discs.radii[i] = random.uniform(0.0, 0.6);
+    discs.xs[i] = random.uniform(-6.0, 6.0);
+    discs.ys[i] = random.below(4) == 0 ? circle.y : random.uniform(-6.0, 6.0);
+    if (random.below(4) == 0) discs.xs[i] = circle.x + circle.radius + discs.radii[i];
+    discs.bodies[i] = random.below(20);
+    if (i < discs.size()) continue;
+    for (auto* list : {&discs.xs, &discs.ys, &discs.radii}) (*list)[i] = random.below(2) == 0 ? NOT_A_NUMBER : circle.x;
+  }
+  return discs;
+}
+
+TEST(CollectNearby, IsTheSameOnEveryTarget) {
+  for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    const Circle circle{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 5.0),
+                        random.below(2) == 0 ? NOBODY : random.below(20)};
+    const Discs discs = anyDiscs(random, circle);
+    std::vector<DiscRange> ranges;
+    for (std::uint32_t begin = 0; begin < discs.size();) {
+      const std::uint32_t end = begin + random.below(static_cast<std::uint32_t>(discs.size()) - begin + 1);
+      ranges.push_back({begin, end});
+      begin = end + random.below(3);
+    }
+    const Collected expected = collect(REFERENCE, discs, ranges, circle);
+    for (const Kernels& kernels : availableKernels()) {
+      ASSERT_TRUE(collect(kernels, discs, ranges, circle) == expected) << kernels.target << ", seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace crowd::simd
