@@ -36,7 +36,7 @@ class NeighbourLoop {
     grid_.build(World::CELL_SIZE);
     for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
       const auto found =
-          search_.findNearest(grid_, grid_.centre(disc), vision.radius, vision.max_bodies, grid_.body(disc));
+          search_.findNearest(grid_, grid_.centre(disc), vision.radius, vision.max_neighbours, grid_.body(disc));
       benchmark::DoNotOptimize(found.size());
     }
     return grid_.size();
@@ -98,12 +98,12 @@ void walkWithThreads(benchmark::State& state) { walk(state, planOfThreads(state.
 
 /// As many crowds as threads, each on its own: what so many threads of this machine are worth at best.
 void walkSideBySide(benchmark::State& state) {
-  Workers workers(static_cast<unsigned>(state.range(0)));
+  ThreadPool thread_pool(static_cast<unsigned>(state.range(0)));
   std::vector<std::unique_ptr<CrowdWalk>> crowds;
-  while (crowds.size() < workers.count()) crowds.push_back(warmUp(CrowdPlan()));
+  while (crowds.size() < thread_pool.count()) crowds.push_back(warmUp(CrowdPlan()));
   std::vector<std::size_t> steps(crowds.size());
   for (auto _ : state) {
-    workers.run(crowds.size(), [&](unsigned /*worker*/, std::size_t first, std::size_t last) {
+    thread_pool.run(crowds.size(), [&](unsigned /*worker*/, std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) steps[i] += repeat([&] { return crowds[i]->step(); });
     });
   }

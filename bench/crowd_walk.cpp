@@ -61,20 +61,20 @@ Scene makeCrowd(const CrowdPlan& plan) {
     for (int i = 0; i < GOALS; ++i) agent.goals.push_back(drawPoint(random, side));
     const Vector2 way = agent.goals.front() - place;
     agent.heading = std::atan2(way.y(), way.x());
-    agent.speed = SPEEDS.draw(random);
+    agent.max_speed = SPEEDS.draw(random);
     agent.radius = RADII.draw(random);
   }
   return scene;
 }
 
 CrowdWalk::CrowdWalk(const CrowdPlan& plan)
-    : world_(makeCrowd(plan)), learner_(makeWalker()), vision_(learner_.model().vision()), workers_(plan.threads) {
+    : world_(makeCrowd(plan)), learner_(makeWalker()), vision_(learner_.model().vision()), thread_pool_(plan.threads) {
   vision_.radius = plan.vision_radius;
 }
 
 std::size_t CrowdWalk::step() {
-  crowd_.decide(world_, 0, vision_, learner_, actions_, workers_);
-  world_.step(actions_, workers_);
+  crowd_.decide(world_, 0, vision_, learner_, actions_, thread_pool_);
+  world_.step(actions_, thread_pool_);
   return actions_.size();
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "social_crowd/common/workers.h"
+#include "social_crowd/common/thread_pool.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/greedy_crowd.h"
 #include "social_crowd/world/scene.h"
@@ -14,7 +14,7 @@ namespace crowd {
 struct CrowdPlan {
   std::size_t agents = 10'000;
   double density = 0.5;        ///< [agents per m2]
-  double vision_radius = 6.0;  ///< [m]; of what is perceived the 16 nearest bodies
+  double vision_radius = 6.0;  ///< [m]; of what is perceived the 16 nearest neighbours
   unsigned threads = 1;
 };
 
@@ -35,7 +35,7 @@ class CrowdWalk {
   World world_;
   Learner learner_;
   Vision vision_;
-  Workers workers_;
+  ThreadPool thread_pool_;
   GreedyCrowd crowd_;
   std::vector<AgentAction> actions_;
 };

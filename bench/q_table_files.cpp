@@ -12,7 +12,7 @@
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/simulation/recipe.h"
+#include "social_crowd/simulation/training_config.h"
 
 namespace crowd {
 namespace {
@@ -23,8 +23,8 @@ constexpr const char* BYTES_FILE = "bytes.txt";
 
 /// The table of thesis set 2 with values of all sizes.
 TrainedTable makeFullTable() {
-  const Recipe recipe = readRecipe(SOURCE_DIR "/config/learning/thesis_occupancy.yaml");
-  QTable table(recipe.model.state_set->rowCount(), recipe.model.action_set->size());
+  const TrainingConfig config = readTrainingConfig(SOURCE_DIR "/config/learning/thesis_occupancy.yaml");
+  QTable table(config.model.state_set->rowCount(), config.model.action_set->size());
   KeyedRandom random(1, KeyedRandom::EXPLORATION, {});
   for (Row row = 0; row < table.rows(); ++row) {
     for (Action action = 0; action < table.actions(); ++action) {
@@ -32,7 +32,7 @@ TrainedTable makeFullTable() {
       table.set(row, action, value, 1 + random.below(MOST_VISITS));
     }
   }
-  return {recipe.model, recipe.learning.parameters, 0, 1, std::move(table)};
+  return {config.model, config.learning.parameters, 0, 1, std::move(table)};
 }
 
 void require(bool fine, const char* what) {

@@ -12,20 +12,20 @@ namespace {
 
 constexpr const char* ONE_OBSTACLE = SOURCE_DIR "/config/scenarios/training_single.yaml";
 
-/// A shipped recipe with another scenario, episodes and learners side by side.
-Recipe recipeFor(const std::string& config, const std::string& scenario, std::uint64_t episodes,
-                 std::uint32_t side_by_side = 1) {
-  Recipe recipe = readRecipe(SOURCE_DIR "/config/learning/" + config + ".yaml");
-  recipe.training.scenarios = {scenario};
-  recipe.training.episodes = episodes;
-  recipe.training.side_by_side = side_by_side;
-  return recipe;
+/// A shipped training configuration with another scenario, episodes and learners side by side.
+TrainingConfig configFor(const std::string& name, const std::string& scenario, std::uint64_t episodes,
+                         std::uint32_t side_by_side = 1) {
+  TrainingConfig config = readTrainingConfig(SOURCE_DIR "/config/learning/" + name + ".yaml");
+  config.training.scenarios = {scenario};
+  config.training.episodes = episodes;
+  config.training.side_by_side = side_by_side;
+  return config;
 }
 
-Recipe occupancyRecipe() { return recipeFor("thesis_occupancy", ONE_OBSTACLE, 2000); }
+TrainingConfig occupancyConfig() { return configFor("thesis_occupancy", ONE_OBSTACLE, 2000); }
 
-Recipe crowdRecipe(std::uint64_t episodes, std::uint32_t side_by_side = 1) {
-  return recipeFor("anticipation", SOURCE_DIR "/bench/scenarios/random_crowd_12.yaml", episodes, side_by_side);
+TrainingConfig crowdConfig(std::uint64_t episodes, std::uint32_t side_by_side = 1) {
+  return configFor("anticipation", SOURCE_DIR "/bench/scenarios/random_crowd_12.yaml", episodes, side_by_side);
 }
 
 void finish(Training& training) {
@@ -33,8 +33,8 @@ void finish(Training& training) {
 }
 
 /// Trains from nothing. @return decisions
-std::uint64_t train(const Recipe& recipe, unsigned threads = 1) {
-  Training training(recipe, threads);
+std::uint64_t train(const TrainingConfig& config, unsigned threads = 1) {
+  Training training(config, threads);
   finish(training);
   return training.decisions();
 }
@@ -42,52 +42,52 @@ std::uint64_t train(const Recipe& recipe, unsigned threads = 1) {
 /// The same loop without learning: the training's episodes, walked with what came of them.
 class WalkedEpisodes {
  public:
-  explicit WalkedEpisodes(const Recipe& recipe)
-      : recipe_(recipe),
-        scenarios_(readScenarios(recipe.training.scenarios.front())),
-        learner_(recipe.model, Learner::Options(), trainedTable(recipe)) {}
+  explicit WalkedEpisodes(const TrainingConfig& config)
+      : config_(config),
+        scenarios_(readScenarios(config.training.scenarios.front())),
+        learner_(config.model, Learner::Options(), trainedTable(config)) {}
 
   /// @return decisions
   std::uint64_t walk() {
     std::uint64_t decisions = 0;
-    for (std::uint64_t episode = 0; episode < recipe_.training.episodes; ++episode) {
-      decisions += runEpisode(scenarios_.scene(recipe_.training.seed, episode), episode, learner_).ticks;
+    for (std::uint64_t episode = 0; episode < config_.training.episodes; ++episode) {
+      decisions += runEpisode(scenarios_.scene(config_.training.seed, episode), episode, learner_).ticks;
     }
     return decisions;
   }
 
  private:
-  static QTable trainedTable(const Recipe& recipe) {
-    Training training(recipe);
+  static QTable trainedTable(const TrainingConfig& config) {
+    Training training(config);
     finish(training);
     return training.learner().tableOf(0);
   }
 
-  Recipe recipe_;
+  TrainingConfig config_;
   ScenarioList scenarios_;
   Learner learner_;
 };
 
 void trainOccupancy(benchmark::State& state) {
-  const Recipe recipe = occupancyRecipe();
-  WalkedEpisodes episodes(recipe);
+  const TrainingConfig config = occupancyConfig();
+  WalkedEpisodes episodes(config);
   takeTurns(
-      state, Clock::OF_THREAD, [&] { return train(recipe); }, [&] { return episodes.walk(); });
+      state, Clock::OF_THREAD, [&] { return train(config); }, [&] { return episodes.walk(); });
 }
 
 /// Trains again and again.
-void train(benchmark::State& state, const Recipe& recipe, unsigned threads = 1) {
+void train(benchmark::State& state, const TrainingConfig& config, unsigned threads = 1) {
   std::uint64_t decisions = 0;
-  for (auto _ : state) decisions += train(recipe, threads);
+  for (auto _ : state) decisions += train(config, threads);
   setRate(state, decisions);
 }
 
-void trainAnticipation(benchmark::State& state) { train(state, crowdRecipe(200)); }
+void trainAnticipation(benchmark::State& state) { train(state, crowdConfig(200)); }
 
 /// Two turns of ten episodes each.
 void trainSideBySide(benchmark::State& state) {
   constexpr std::uint32_t LEARNERS = 16;
-  train(state, crowdRecipe(2 * 10 * LEARNERS, LEARNERS), static_cast<unsigned>(state.range(0)));
+  train(state, crowdConfig(2 * 10 * LEARNERS, LEARNERS), static_cast<unsigned>(state.range(0)));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace crowd::bench {
 
 /// @brief Walks a scenario without ROS in one thread and prints ticks a second.
 /// @param warm_up ticks before those that are timed
-void walkHeadless(const std::string& scenario, const std::string& q_table, unsigned max_bodies, unsigned warm_up,
+void walkHeadless(const std::string& scenario, const std::string& q_table, unsigned max_neighbours, unsigned warm_up,
                   unsigned ticks);
 
 /// @brief Lets a paused crowd_controller walk from the scenario's beginning and prints ticks a second, bytes of

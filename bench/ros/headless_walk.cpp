@@ -9,14 +9,14 @@
 
 namespace crowd::bench {
 
-void walkHeadless(const std::string& scenario, const std::string& q_table, unsigned max_bodies, unsigned warm_up,
+void walkHeadless(const std::string& scenario, const std::string& q_table, unsigned max_neighbours, unsigned warm_up,
                   unsigned ticks) {
   TrainedTable trained = loadQTable(q_table);
   Learner::Options options;
   options.plan.parameters = trained.parameters;
   Learner learner(trained.model, options, std::move(trained.table));
   Vision vision;  // the radius of the controller's default
-  vision.max_bodies = max_bodies;
+  vision.max_neighbours = max_neighbours;
   Episode episode(readScenarios(scenario).scene(1, 0), 0, vision);
   RelativeActions actions;
   const auto walk = [&](unsigned count) {

@@ -17,7 +17,7 @@ int runMain(int argc, char** argv) {
   std::string scenario;
   std::string q_table;
   std::vector<std::string> topics;
-  unsigned max_bodies = 0;
+  unsigned max_neighbours = 0;
   unsigned warm_up = 0;
   unsigned count = 1;
   std::size_t bytes = 0;
@@ -25,7 +25,7 @@ int runMain(int argc, char** argv) {
   CLI::App* const headless = app.add_subcommand("headless", "walk without ROS; ticks/s");
   headless->add_option("scenario", scenario)->required();
   headless->add_option("q_table", q_table)->required();
-  headless->add_option("max_bodies", max_bodies)->required();
+  headless->add_option("max_neighbours", max_neighbours)->required();
   CLI::App* const lockstep = app.add_subcommand("lockstep", "let a paused crowd_controller walk; ticks/s and bytes");
   CLI::App* const trip = app.add_subcommand("round_trip", "send messages to echo; round trips/s");
   trip->add_option("bytes", bytes)->required();
@@ -39,7 +39,7 @@ int runMain(int argc, char** argv) {
   sinking->add_option("topics", topics)->required();
   CLI11_PARSE(app, argc, argv);
 
-  if (headless->parsed()) walkHeadless(scenario, q_table, max_bodies, warm_up, count);
+  if (headless->parsed()) walkHeadless(scenario, q_table, max_neighbours, warm_up, count);
   if (lockstep->parsed()) timeLockstep(warm_up, count);
   if (trip->parsed()) roundTrip(bytes, warm_up, count);
   if (answering->parsed()) echo(bytes);

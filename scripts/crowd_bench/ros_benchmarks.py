@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 from crowd_bench.ros_system import REPOSITORY, RosSystem, arguments_of, cpu_seconds, program  # noqa: E402
 
 Q_TABLE = os.path.join(REPOSITORY, 'config', 'q_tables', 'anticipation.txt')
-MAX_BODIES = 16  # all that the table looks at
+MAX_NEIGHBOURS = 16  # all that the table looks at
 NODELET = ['rosrun', 'nodelet', 'nodelet']
 WARM_UP = 30  # ticks
 CROWD_TICKS = 250
@@ -46,8 +46,8 @@ def few_scenario():
 
 def controller_parameters(scenario, **others):
     """Parameters of a controller that waits for `step`."""
-    return {'scenario': scenario, 'max_bodies': MAX_BODIES, 'pace': 'fast', 'paused': True, 'answer_deadline': 60.0,
-            **others}
+    return {'scenario': scenario, 'max_neighbours': MAX_NEIGHBOURS, 'real_time_factor': 'fast', 'paused': True,
+            'answer_deadline': 60.0, **others}
 
 
 def best_of(*measures):
@@ -58,7 +58,7 @@ def best_of(*measures):
 
 def headless(system, scenario, ticks):
     """What measures ticks/s without ROS."""
-    return lambda: system.figures('ros_bench', 'headless', scenario, Q_TABLE, MAX_BODIES, WARM_UP, ticks)[0]
+    return lambda: system.figures('ros_bench', 'headless', scenario, Q_TABLE, MAX_NEIGHBOURS, WARM_UP, ticks)[0]
 
 
 def walking(system, ticks):
@@ -109,7 +109,7 @@ def real_time_1000():
     """1,000 agents in real time at 10 Hz with markers and frames: what all nodes together take of a core."""
     with RosSystem() as system:
         scenario = system.write('scenario.yaml', crowd_scenario())
-        parameters = controller_parameters(scenario, pace=1.0, paused=False, publish_tf=True)
+        parameters = controller_parameters(scenario, real_time_factor=1.0, paused=False, publish_tf=True)
         kinds = {'learner': {'q_table': Q_TABLE}, 'crowd_markers': {}, 'crowd_controller': parameters}
         nodes = {kind: system.start_node(kind, **parameters) for kind, parameters in kinds.items()}
         system.start('sink', [program('ros_bench'), 'sink', 'markers', '/tf'])

@@ -2,8 +2,9 @@
 
 A contact begins at a tick at the end of which an agent overlaps a moving obstacle by more than 1 mm, and did not at the
 end of the tick before. It was avoidable if there is a tick within the last LOOK_BACK seconds before it from which the
-agent could have left by a plain move: walk straight on at one of HEADINGS headings, at full or half its top speed, or
-stand, from there until LOOK_ON seconds after the contact, without overlapping anybody or anything by more than 1 mm at
+agent could have left by a straight move: walk straight on at one of HEADINGS headings, at full or half its maximum
+speed, or stand, from there until LOOK_ON seconds after the contact, without overlapping anybody or
+anything by more than 1 mm at
 the end of any tick; all others, those who give way to the agent too, walk as they were recorded. That is judged with
 hindsight: whether the agent could have known is not asked.
 """
@@ -18,7 +19,7 @@ OVERLAP = 1e-3  # [m]
 LOOK_BACK = 3.0  # [s]
 LOOK_ON = 1.0  # [s]
 HEADINGS = 36
-SHARES = (0.5, 1.0)  # of the top speed
+SHARES = (0.5, 1.0)  # of the maximum speed
 TURNED_WITHIN = 1.0  # [s] before the contact: so recent a turn of the obstacle nobody could have foreseen
 
 
@@ -70,14 +71,14 @@ class Recording:
         @param among_others False: as if no other agent were there"""
         ticks_back = min(contact.tick, round(LOOK_BACK / self.scene.tick))
         for tick in range(contact.tick - 1, contact.tick - ticks_back - 1, -1):
-            velocities = self.plain_moves(contact.agent)
+            velocities = self.straight_moves(contact.agent)
             clear = self.are_clear(contact, tick, velocities, among_others)
             if clear.any():
                 return Escape(tick, tuple(velocities[numpy.argmax(clear)]))
         return None
 
-    def plain_moves(self, agent):
-        """Standing, and straight on at each heading and share of the top speed (n, 2) [m/s]."""
+    def straight_moves(self, agent):
+        """Standing, and straight on at each heading and fraction of the maximum speed (n, 2) [m/s]."""
         angles = 2.0 * math.pi / HEADINGS * numpy.arange(HEADINGS)
         directions = numpy.stack([numpy.cos(angles), numpy.sin(angles)], axis=1)
         speed = self.scene.agents[agent]['speed']

@@ -1,5 +1,5 @@
 """The bars that the anticipating crowd is to clear, and whether it does."""
-from .figures_csv import WITHOUT_WAY, greatest, judged, least, not_slower, time_against
+from .metrics_csv import WITHOUT_WAY, greatest, judged, least, not_slower, time_against
 
 HEADER = ['asked for', 'bar', 'seed 1', 'worst seed', 'bar is met by', 'aim', 'aim is met by']
 
@@ -13,7 +13,7 @@ class Bar:
 
     def row(self, seeds):
         """Cells: what each of the seeds' figures gives, against bar and aim."""
-        values = [self.measure(figures) for figures in seeds]
+        values = [self.measure(metrics) for metrics in seeds]
         worst = min(values) if self.at_least else max(values)
         return [self.label, self.limit(self.bar), self.text(values[0]), self.text(worst), self.met(values, self.bar),
                 self.limit(self.aim), self.met(values, self.aim)]
@@ -56,7 +56,7 @@ def rows(seeds, orca, seconds):
         Bar(f'turning rad/m, most but {WITHOUT_WAY}', lambda f: greatest(f, 'turn_rad_per_m', scenarios), 1.0, None),
         Bar('turning rad/m, most', lambda f: greatest(f, 'turn_rad_per_m'), 1.0, None),
         Bar("turning / ORCA's, most", lambda f: max(turn_against(f, orca).values()), None, 2),
-        Bar('fastest tick / top speed', lambda f: greatest(f, 'max_speed_ratio'), 1.0, 1.0),
+        Bar('fastest tick / maximum speed', lambda f: greatest(f, 'max_speed_ratio'), 1.0, 1.0),
     ]
     cells = [bar.row(seeds) for bar in bars]
     time = Bar('training, processor time [s]', lambda value: value, 60, 10, 1)
@@ -68,11 +68,11 @@ def mean(values):
     return sum(numbers) / len(numbers)
 
 
-def most_above(figures, orca, key):
-    return max(figures[name][key] - orca[name][key] for name in judged(orca))
+def most_above(metrics, orca, key):
+    return max(metrics[name][key] - orca[name][key] for name in judged(orca))
 
 
-def turn_against(figures, orca):
+def turn_against(metrics, orca):
     """Turning against ORCA's, by scenario."""
-    return {name: figures[name]['turn_rad_per_m'] / orca[name]['turn_rad_per_m'] for name in judged(orca)
+    return {name: metrics[name]['turn_rad_per_m'] / orca[name]['turn_rad_per_m'] for name in judged(orca)
             if orca[name]['turn_rad_per_m'] > 0}

@@ -12,7 +12,7 @@ class ComparisonSetting(Setting):
     benchmark: typing.Optional[pathlib.Path] = None
 
     def learning(self, model):
-        """A shipped learning configuration."""
+        """A shipped training configuration."""
         return self.config / 'learning' / f'{model}.yaml'
 
     def table(self, model):

@@ -133,7 +133,7 @@ def find_tools(given):
 
 
 def find_config():
-    """The folder of scenarios and learning configurations, in a clone or where the package is installed."""
+    """The folder of scenarios and training configurations, in a clone or where the package is installed."""
     for folder in (REPOSITORY / 'config', REPOSITORY.parent / 'share' / 'social_crowd' / 'config'):
         if (folder / 'experiments').is_dir():
             return folder

@@ -54,7 +54,7 @@ class Run:
 
 
 def files_behind(path):
-    """The file that a word of a command names, with the scenarios that a learning configuration trains on."""
+    """The file that a word of a command names, with the scenarios that a training configuration trains on."""
     if not (path.is_absolute() and path.is_file()):
         return []
     files = [path]
@@ -66,11 +66,11 @@ def files_behind(path):
 
 
 @functools.lru_cache(maxsize=None)
-def scenarios_of(recipe):
-    """The scenarios that a learning configuration trains on; none if it is a scenario itself."""
-    with open(recipe, encoding='utf-8') as stream:
+def scenarios_of(config):
+    """The scenarios that a training configuration trains on; none if it is a scenario itself."""
+    with open(config, encoding='utf-8') as stream:
         training = (next(yaml.safe_load_all(stream)) or {}).get('training', {})
-    return [recipe.parent / name for name in training.get('scenarios', [])]
+    return [config.parent / name for name in training.get('scenarios', [])]
 
 
 digests = {}  # by file, its size and its time: programs are read once

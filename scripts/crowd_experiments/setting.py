@@ -23,8 +23,8 @@ class Setting:
         """The program `train` or `evaluate`."""
         return self.tools / name
 
-    def recipe(self, name):
-        """A learning configuration of the experiments."""
+    def config_file(self, name):
+        """A training configuration of the experiments."""
         return self.config / 'experiments' / f'{name}.yaml'
 
     def scenario(self, name):

@@ -1,4 +1,4 @@
-"""Variations of shipped recipes and scenarios, written beside the results."""
+"""Variations of shipped training configurations and scenarios, written beside the results."""
 import copy
 import pathlib
 
@@ -9,15 +9,17 @@ DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
 EVERY = '*'  # in a path of keys: each entry of a list
 
 
-def vary_recipe(setting, base, changes, name, scenarios=None):
-    """The recipe `base`, a name in config/experiments or a file, with other values; returns the file of that name.
+def vary_config(setting, base, changes, name, scenarios=None):
+    """The training configuration `base`, a name in config/experiments or a file, with other values; returns the file
+    of that name.
+
     Changes are new values by the paths of their keys, such as {'learning.epsilon': 0.05}; None removes a key. It
     trains on the scenarios given, or on those of its base."""
-    file = base if isinstance(base, pathlib.Path) else setting.recipe(base)
-    recipe = changed(read_documents(file)[0], changes)
-    training = recipe['training']
+    file = base if isinstance(base, pathlib.Path) else setting.config_file(base)
+    config = changed(read_documents(file)[0], changes)
+    training = config['training']
     training['scenarios'] = [str((file.parent / scenario).resolve()) for scenario in scenarios or training['scenarios']]
-    return write_if_new(setting.results / 'recipes' / f'{name}.yaml', file, [recipe])
+    return write_if_new(setting.results / 'configs' / f'{name}.yaml', file, [config])
 
 
 def vary_scenario(setting, base, changes, name):
@@ -26,7 +28,7 @@ def vary_scenario(setting, base, changes, name):
     scenario is its key `name`, which stays as it is unless it is changed, too."""
     file = base if isinstance(base, pathlib.Path) else setting.scenario(base)
     documents = [changed(document, changes) for document in read_documents(file)]
-    return write_if_new(setting.results / 'recipes' / 'scenarios' / f'{name}.yaml', file, documents)
+    return write_if_new(setting.results / 'configs' / 'scenarios' / f'{name}.yaml', file, documents)
 
 
 def read_documents(file):

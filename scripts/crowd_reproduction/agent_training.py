@@ -9,22 +9,22 @@ TOLD = (f'One agent learns alone: {SINGLE_EPISODES:,} episodes with one obstacle
         f'{FIELD_EPISODES:,} among two to eight obstacles, some of which move (its "more thorough training", 4.3).')
 
 
-def learn_single(setting, recipe, seed):
+def learn_single(setting, config, seed):
     """The command of the first part; leaves SINGLE_TABLE."""
-    return [setting.tool('train'), recipe, '--output', SINGLE_TABLE, '--seed', seed, '--episodes',
+    return [setting.tool('train'), config, '--output', SINGLE_TABLE, '--seed', seed, '--episodes',
             setting.count(SINGLE_EPISODES, QUICK_EPISODES)]
 
 
-def learn_field(setting, recipe, seed):
+def learn_field(setting, config, seed):
     """The command of the second part, which goes on from the first; leaves TABLE."""
-    return [setting.tool('train'), recipe, '--q-table', SINGLE_TABLE, '--output', TABLE, '--seed', seed, '--episodes',
+    return [setting.tool('train'), config, '--q-table', SINGLE_TABLE, '--output', TABLE, '--seed', seed, '--episodes',
             setting.count(FIELD_EPISODES, QUICK_EPISODES)]
 
 
 def learn(setting, states, parameters, seed):
     """The commands of both parts."""
-    return [learn_single(setting, setting.recipe(f'agent_single_{states}_{parameters}'), seed),
-            learn_field(setting, setting.recipe(f'agent_field_{states}_{parameters}'), seed)]
+    return [learn_single(setting, setting.config_file(f'agent_single_{states}_{parameters}'), seed),
+            learn_field(setting, setting.config_file(f'agent_field_{states}_{parameters}'), seed)]
 
 
 def walk(setting, table, seed):

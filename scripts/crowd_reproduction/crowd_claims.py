@@ -1,7 +1,8 @@
 """Claims of chapters 3, 4.2, 4.3 and 5 about crowds."""
 from . import scenario_runs as runs
 from .claim import IN_PART, NOT, Claim
-from .crowd_judges import (filling_was_needed, dummies, without_incidents, deviated, avoids_mover, remain_closer,
+from .crowd_judges import (filling_was_needed, dummies, without_incidents, deviated, avoids_moving_obstacle,
+                           remain_closer,
                            grouping, breached, grouped_again, twelve_like_six, longer_than_six, varied_speeds,
                            surrounded_touch)
 from .experiments import ambiguity, future_work, learning_curves, scenarios, sharing
@@ -32,8 +33,8 @@ ONE_BY_ONE = ('That the agents move one after the other (algorithm 3.3) breaks t
               'as many if all start exactly on the circle at one speed (table synchronicity).')
 ROOM = ('About ten times as many contacts as elsewhere; but a sector counts as occupied up to 1 m away, so many agents '
         'get out of it.')
-SWINGS = ('Contacts go on to fall; success and collisions swing from one table to the next (constant step size, gamma '
-          '0.1).')
+SWINGS = ('Contacts go on to fall; success and collisions swing from one table to the next (constant learning rate, '
+          'gamma 0.1).')
 WHEN_IT_COSTS = ('Where staying costs enough that agents arrive, they are surrounded, and touch others, about as often '
                  'as without it.')
 INNER_RADIUS = 'There is hardly a contact, but agents do come within the inner radius, the thesis\'s own collision.'
@@ -74,7 +75,7 @@ CLAIMS = (
           deviated),
     Claim('4.3', 'Lines with a moving obstacle: to check that the agents avoid it, with an efficient path (4.21; no '
           'outcome is told).',
-          avoids_mover),
+          avoids_moving_obstacle),
     Claim('4.3', 'One goal: they avoid each other but remain closer than before (4.22).',
           remain_closer, {IN_PART: IN_THE_MIDDLE}),
     Claim('4.3', 'They can achieve a grouping behavior (4.22).', grouping),

@@ -68,7 +68,7 @@ def deviated(setting):
                      decide(is_good(told.mean), map(is_good, told.values)))
 
 
-def nearest_to_mover(setting, seed):
+def nearest_to_moving_obstacle(setting, seed):
     """How near each agent comes to the moving obstacle's centre [m], in the recorded instances."""
     obstacle = runs.obstacle_places(setting, 'line6_mover', 2001)
     nearest = []
@@ -78,8 +78,8 @@ def nearest_to_mover(setting, seed):
     return numpy.array(nearest)
 
 
-def avoids_mover(setting):
-    nearest = [nearest_to_mover(setting, seed) for seed in setting.seeds(runs.SEEDS)]
+def avoids_moving_obstacle(setting):
+    nearest = [nearest_to_moving_obstacle(setting, seed) for seed in setting.seeds(runs.SEEDS)]
     rim = groups.OBSTACLE_RADIUS
     touching, colliding = ([100.0 * float(numpy.mean(of_seed < limit)) for of_seed in nearest]
                            for limit in (rim + RADIUS - CONTACT_OVERLAP, rim + COLLISION_RADIUS))

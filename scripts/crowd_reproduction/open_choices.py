@@ -2,17 +2,17 @@
 import dataclasses
 import re
 
-from crowd_experiments.variations import EVERY, read_documents, vary_recipe, vary_scenario
+from crowd_experiments.variations import EVERY, read_documents, vary_config, vary_scenario
 
 from .reward_runs import REWARDS
 
-RECIPE, SCENARIO = 'recipe', 'scenario'
+CONFIG, SCENARIO = 'training configuration', 'scenario'
 SECTORS = 'state_set.obstacle_sectors'
 
 
 @dataclasses.dataclass(frozen=True)
 class Choice:
-    """One thing that the thesis leaves open: a key of the recipe or of the scenario."""
+    """One thing that the thesis leaves open: a key of the training configuration or of the scenario."""
     name: str
     file: str  # RECIPE or SCENARIO
     key: str  # its path
@@ -21,7 +21,7 @@ class Choice:
 
     def chosen(self, setting):
         """The value in the thesis configuration, for the eye."""
-        file = setting.recipe(f'reward_{REWARDS[0]}_thesis') if self.file == RECIPE else \
+        file = setting.config_file(f'reward_{REWARDS[0]}_thesis') if self.file == CONFIG else \
             setting.scenario('single_obstacle')
         value = read_documents(file)[0]
         for key in self.key.split('.'):
@@ -30,10 +30,10 @@ class Choice:
 
 
 CHOICES = (
-    Choice('epsilon in training', RECIPE, 'learning.epsilon', (0.01, 0.05, 0.2, 0.3)),
-    Choice('ties', RECIPE, 'learning.ties', ('random',), 'first'),
+    Choice('epsilon in training', CONFIG, 'learning.epsilon', (0.01, 0.05, 0.2, 0.3)),
+    Choice('ties', CONFIG, 'learning.ties', ('random',), 'first'),
     Choice('heading at the start', SCENARIO, 'agents.*.heading', ('goal', 'kept')),
-    Choice('sector limits of set 1 [degrees]', RECIPE, SECTORS,
+    Choice('sector limits of set 1 [degrees]', CONFIG, SECTORS,
            ((30, 60, 90, 180), (22.5, 67.5, 112.5, 180))),
     Choice('radius of the obstacle [m]', SCENARIO, 'obstacles.*.radius', (0.2, 0.3, 0.5)),
     Choice('radius of the agent [m]', SCENARIO, 'agents.*.radius', (0.15, 0.4)),
@@ -68,15 +68,15 @@ class Variation:
                                  f'single_obstacle_{self.name()}')
         return setting.scenario('single_obstacle')
 
-    def recipe(self, setting, reward):
-        """The learning configuration."""
+    def config(self, setting, reward):
+        """The training configuration."""
         base = f'reward_{reward}_thesis'
         if not self.choice:
-            return setting.recipe(base)
+            return setting.config_file(base)
         changes = {}
-        if self.choice.file == RECIPE:
+        if self.choice.file == CONFIG:
             changes = {self.choice.key: list(self.value) if isinstance(self.value, tuple) else self.value}
-        return vary_recipe(setting, base, changes, f'{reward}_{self.name()}', [self.scenario(setting)])
+        return vary_config(setting, base, changes, f'{reward}_{self.name()}', [self.scenario(setting)])
 
 
 def value_text(value):

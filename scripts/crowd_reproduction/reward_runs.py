@@ -6,7 +6,7 @@ import numpy
 
 from crowd_experiments.records import median, rates, read_csv, read_tracks, read_visits
 from crowd_experiments.runs import Run
-from crowd_experiments.variations import vary_recipe, vary_scenario
+from crowd_experiments.variations import vary_config, vary_scenario
 
 NAME = 'reward_evaluation'
 REWARDS = ('distance_gained', 'cosine_cubed')
@@ -50,12 +50,12 @@ class Variant:
         return vary_scenario(setting, 'single_obstacle', {'agents.*.heading': self.heading},
                              f'single_obstacle_heading_{self.heading}')
 
-    def recipe(self, setting):
-        """The learning configuration."""
+    def config(self, setting):
+        """The training configuration."""
         shipped = f'reward_{self.reward}_{self.parameters}'
         if self.heading == HEADING:
-            return setting.recipe(shipped)
-        return vary_recipe(setting, shipped, {}, self.name(), [self.scenario(setting)])
+            return setting.config_file(shipped)
+        return vary_config(setting, shipped, {}, self.name(), [self.scenario(setting)])
 
     def folder(self, setting, seed):
         """Of a run."""
@@ -79,7 +79,7 @@ def make_run(setting, variant, seed):
     walk = [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', '1', '--seed', DEMO_SEED + seed]
     scenario, free = variant.scenario(setting), setting.scenario('single_free')
     commands = [
-        [setting.tool('train'), variant.recipe(setting), '--output', 'q_table.txt', '--seed', seed, '--episodes',
+        [setting.tool('train'), variant.config(setting), '--output', 'q_table.txt', '--seed', seed, '--episodes',
          episodes, '--record', 'training.csv'],
         walk + ['--episodes', setting.count(DEMO_EPISODES, 20), '--record', 'demo.csv', scenario]]
     if variant in MAIN:

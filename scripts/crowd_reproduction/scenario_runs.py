@@ -80,8 +80,9 @@ def make_run(setting, table, seed):
     """A crowd learns on a mix of scenarios, and walks."""
     _, states, parameters = table
     return Run(folder_of(setting, table, seed), [
-        [setting.tool('train'), setting.recipe(f'crowd_mix_{states}_{parameters}'), '--output', agent_training.TABLE,
-         '--seed', seed, '--episodes', setting.count(MIX_EPISODES, 16)], judged_walk(setting, seed)], cost=2.5)
+        [setting.tool('train'), setting.config_file(f'crowd_mix_{states}_{parameters}'), '--output',
+         agent_training.TABLE, '--seed', seed, '--episodes', setting.count(MIX_EPISODES, 16)],
+        judged_walk(setting, seed)], cost=2.5)
 
 
 def judged_walk(setting, seed, table=agent_training.TABLE, record=DEMO):

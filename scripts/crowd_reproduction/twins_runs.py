@@ -30,7 +30,7 @@ def plan(setting):
 def make_run(setting, states, parameters, seed):
     """Trains on the tests, then walks them."""
     return Run(folder_of(setting, ('twins', states, parameters), seed), [
-        [setting.tool('train'), setting.recipe(f'twins_{states}_{parameters}'), '--output', agent_training.TABLE,
+        [setting.tool('train'), setting.config_file(f'twins_{states}_{parameters}'), '--output', agent_training.TABLE,
          '--seed', seed, '--episodes', setting.count(TWINS_EPISODES, 40)], *walks(setting, 'twins', seed)], cost=1.0)
 
 

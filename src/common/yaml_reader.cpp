@@ -63,7 +63,7 @@ const char* wordsFor(NumberRule rule) {
       return "a number of 0 or more";
     case NumberRule::POSITIVE:
       return "a number above 0";
-    case NumberRule::SHARE:
+    case NumberRule::FRACTION:
       return "a number from 0 to 1";
     case NumberRule::ANY:
       break;
@@ -77,7 +77,7 @@ bool follows(double value, NumberRule rule) {
       return value >= 0.0;
     case NumberRule::POSITIVE:
       return value > 0.0;
-    case NumberRule::SHARE:
+    case NumberRule::FRACTION:
       return value >= 0.0 && value <= 1.0;
     case NumberRule::ANY:
       break;

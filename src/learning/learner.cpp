@@ -45,12 +45,12 @@ Learner::Learner(Model model, Options options)
 
 Learner::Learner(Model model, Options options, QTable table)
     : model_(std::move(model)),
-      sight_{model_.state_set->distanceLimits().back(), model_.state_set->maxBodies()},
+      sight_{model_.state_set->distanceLimits().back(), model_.state_set->maxNeighbours()},
       stride_(model_.state_set->rowsPerPerception()),
       moves_stride_(model_.state_set->needsMoves() ? blocksOf(model_.action_set->size()) : 0),
       options_(std::move(options)),
       parameters_(options_.plan.parameters),
-      step_sizes_(parameters_),
+      learning_rates_(parameters_),
       mirror_(mirrorFor(model_, parameters_)),
       epsilon_(options_.plan.epsilon),
       chance_(options_.seed, KeyedRandom::EXPLORATION, {episode_}),
@@ -82,7 +82,7 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
   if (perceptions.agents.size() == 1 && options_.mode == Mode::TRAINING && servesAll()) {
     return learnAndChoose(perceptions, actions);
   }
-  listGuests(perceptions, actions);
+  listServedAgents(perceptions, actions);
   if (options_.mode == Mode::TRAINING) {
     // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
     learn(perceptions);
@@ -93,69 +93,73 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
 }
 
 inline void Learner::learnAndChoose(const Perceptions& perceptions, RelativeActions& actions) {
-  makeRoom(1, space_);
+  makeRoom(1, workspace_);
   const AgentPerception& self = perceptions.agents.front();
   Memory& memory = memories_[placeOf(self.agent)];
-  const Chooser chooser = chooserAt(0, perceptionOf(perceptions, 0, bodiesInSight(perceptions, self)), space_);
-  if (!self.arrived) findRows(chooser);
-  learnOne(chooser.seen, perceptions, rowsOf(chooser), memory);
+  const DecisionContext context =
+      contextAt(0, perceptionOf(perceptions, 0, neighboursInSight(perceptions, self)), workspace_);
+  if (!self.arrived) findRows(context);
+  learnOne(context.seen, perceptions, rowsOf(context), memory);
   actions.agents.clear();
   if (perceptions.last || self.arrived) return;
   const KeyedRandom chance = chance_.with(perceptions.tick);
-  const Action action = chooseExploring(chance, perceptions, self, rowsOf(chooser), memory);
-  answer(chooser, action, actions.agents.emplace_back());
+  const Action action = chooseExploring(chance, perceptions, self, rowsOf(context), memory);
+  answer(context, action, actions.agents.emplace_back());
 }
 
-void Learner::decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const {
-  makeRoom(MAX_CHOOSERS, space);
-  space.group.clear();
+void Learner::decideGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,
+                             std::vector<AgentAction>& actions) const {
+  makeRoom(MAX_BATCH, workspace);
+  workspace.group.clear();
   std::size_t answers = actions.size();
   actions.resize(answers + perceptions.agents.size());
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const AgentPerception& self = perceptions.agents[i];
     if (self.arrived || !serves(self.agent)) continue;
-    const Perception seen = perceptionOf(perceptions, i, bodiesInSight(perceptions, self));
-    joinGreedily(perceptions, seen, answers++, space, actions);
+    const Perception seen = perceptionOf(perceptions, i, neighboursInSight(perceptions, self));
+    joinGreedily(perceptions, seen, answers++, workspace, actions);
   }
-  answerGreedily(perceptions, space, actions);
+  answerGreedily(perceptions, workspace, actions);
   actions.resize(answers);
 }
 
-Learner::Choice Learner::greedyChoice(const Perceptions& perceptions, std::size_t index, Space& space) const {
-  makeRoom(1, space);
+Learner::Choice Learner::greedyChoice(const Perceptions& perceptions, std::size_t index,
+                                      DecisionWorkspace& workspace) const {
+  makeRoom(1, workspace);
   const AgentPerception& self = perceptions.agents[index];
-  const Chooser chooser = chooserAt(0, perceptionOf(perceptions, index, bodiesInSight(perceptions, self)), space);
-  findRows(chooser);
+  const DecisionContext context =
+      contextAt(0, perceptionOf(perceptions, index, neighboursInSight(perceptions, self)), workspace);
+  findRows(context);
   const double tie = tieOf(perceptions, self.agent);
-  const Action action = QLearner::chooseGreedy(tableOf(self.agent), rowsOf(chooser), tie);
-  return {rowsOf(chooser)[action], action};
+  const Action action = QLearner::chooseGreedy(tableOf(self.agent), rowsOf(context), tie);
+  return {rowsOf(context)[action], action};
 }
 
-inline void Learner::listGuests(const Perceptions& perceptions, RelativeActions& actions) {
-  guests_.resize(perceptions.agents.size());
-  Guest* guest = guests_.data();
+inline void Learner::listServedAgents(const Perceptions& perceptions, RelativeActions& actions) {
+  served_agents_.resize(perceptions.agents.size());
+  ServedAgent* served_agent = served_agents_.data();
   std::uint32_t answers = 0;
   for (const AgentPerception& self : perceptions.agents) {
     const bool served = serves(self.agent);
-    *guest++ = {served ? placeOf(self.agent) : NOBODY, served && !self.arrived ? answers++ : NOBODY,
-                bodiesInSight(perceptions, self)};
+    *served_agent++ = {served ? placeOf(self.agent) : NOBODY, served && !self.arrived ? answers++ : NOBODY,
+                       neighboursInSight(perceptions, self)};
   }
   actions.agents.resize(perceptions.last ? 0 : answers);
 }
 
 template <typename Work>
-inline void Learner::forEachGuest(const Perceptions& perceptions, const Work& work) const {
-  const std::size_t size = guests_.size();
+inline void Learner::forEachServedAgent(const Perceptions& perceptions, const Work& work) const {
+  const std::size_t size = served_agents_.size();
   if (perceptions.order.size() != size) {
     for (std::size_t index = 0; index < size; ++index) {
-      if (guests_[index].answer != NOBODY) work(index);
+      if (served_agents_[index].answer != NOBODY) work(index);
     }
     return;
   }
   for (std::size_t i = 0; i < size; ++i) {
     if (i + PREFETCH_AHEAD < size) prefetch(perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]]);
     const std::size_t index = perceptions.order[i];
-    if (guests_[index].answer != NOBODY) work(index);
+    if (served_agents_[index].answer != NOBODY) work(index);
   }
 }
 
@@ -167,58 +171,60 @@ void Learner::beginEpisode(std::uint64_t episode) {
   forgetDecisions();
 }
 
-inline std::uint32_t Learner::bodiesInSight(const Perceptions& perceptions, const AgentPerception& self) const {
+inline std::uint32_t Learner::neighboursInSight(const Perceptions& perceptions, const AgentPerception& self) const {
   // Without a limit the state set takes what it looks at from whatever there is.
-  if (sight_.max_bodies == 0) return self.body_count;
-  std::uint32_t count = std::min(sight_.max_bodies, self.body_count);
+  if (sight_.max_neighbours == 0) return self.neighbour_count;
+  std::uint32_t count = std::min(sight_.max_neighbours, self.neighbour_count);
   // The nearest comes first.
-  while (count > 0 && rimDistance(perceptions.bodies[self.first_body + count - 1]) > sight_.radius) --count;
+  while (count > 0 && rimDistance(perceptions.neighbours[self.first_neighbour + count - 1]) > sight_.radius) --count;
   return count;
 }
 
-inline void Learner::makeRoom(std::size_t choices, Space& space) const {
-  if (space.rows.size() >= choices * stride_) return;
-  space.rows.resize(choices * stride_);
-  space.moves.resize(choices * moves_stride_);
+inline void Learner::makeRoom(std::size_t choices, DecisionWorkspace& workspace) const {
+  if (workspace.rows.size() >= choices * stride_) return;
+  workspace.rows.resize(choices * stride_);
+  workspace.moves.resize(choices * moves_stride_);
 }
 
-inline Chooser Learner::chooserAt(std::size_t place, const Perception& seen, Space& space) const {
-  return {seen, moves_stride_ == 0 ? nullptr : &space.moves[place * moves_stride_], &space.rows[place * stride_]};
+inline DecisionContext Learner::contextAt(std::size_t place, const Perception& seen,
+                                          DecisionWorkspace& workspace) const {
+  return {seen, moves_stride_ == 0 ? nullptr : &workspace.moves[place * moves_stride_],
+          &workspace.rows[place * stride_]};
 }
 
-inline void Learner::findRows(const Chooser& chooser) const {
-  if (chooser.moves != nullptr) model_.action_set->findMoves(chooser);
-  model_.state_set->findRows(chooser);
+inline void Learner::findRows(const DecisionContext& context) const {
+  if (context.moves != nullptr) model_.action_set->findMoves(context);
+  model_.state_set->findRows(context);
 }
 
-inline void Learner::findRowsOfGroup(const Space& space) const {
-  const Choosers group(space.group.data(), space.group.size());
+inline void Learner::findRowsOfGroup(const DecisionWorkspace& workspace) const {
+  const DecisionBatch group(workspace.group.data(), workspace.group.size());
   if (moves_stride_ > 0) model_.action_set->findMovesOfAll(group);
   model_.state_set->findRowsOfAll(group);
 }
 
 inline void Learner::learn(const Perceptions& perceptions) {
   findAllRows(perceptions);
-  const std::size_t size = guests_.size();
+  const std::size_t size = served_agents_.size();
   for (std::size_t i = 0; i < size; ++i) {
-    const Guest guest = guests_[i];
-    if (guest.place == NOBODY) continue;
-    const Chooser chooser = chooserAt(i, perceptionOf(perceptions, i), space_);
-    learnOne(chooser.seen, perceptions, rowsOf(chooser), memories_[guest.place]);
+    const ServedAgent served_agent = served_agents_[i];
+    if (served_agent.place == NOBODY) continue;
+    const DecisionContext context = contextAt(i, perceptionOf(perceptions, i), workspace_);
+    learnOne(context.seen, perceptions, rowsOf(context), memories_[served_agent.place]);
   }
 }
 
-/// Of all guests that are to answer: nothing of what is learned changes their rows.
+/// Of all served agents that are to answer: nothing of what is learned changes their rows.
 inline void Learner::findAllRows(const Perceptions& perceptions) {
-  makeRoom(guests_.size(), space_);
-  space_.group.clear();
+  makeRoom(served_agents_.size(), workspace_);
+  workspace_.group.clear();
   const auto find = [&] {
-    findRowsOfGroup(space_);
-    space_.group.clear();
+    findRowsOfGroup(workspace_);
+    workspace_.group.clear();
   };
-  forEachGuest(perceptions, [&](std::size_t index) {
-    space_.group.add(chooserAt(index, perceptionOf(perceptions, index), space_));
-    if (space_.group.isFull()) find();
+  forEachServedAgent(perceptions, [&](std::size_t index) {
+    workspace_.group.add(contextAt(index, perceptionOf(perceptions, index), workspace_));
+    if (workspace_.group.isFull()) find();
   });
   find();
 }
@@ -233,11 +239,11 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
     return;
   }
   if (now.arrived) {
-    memory.learner.learnTerminal(writable(memory), (*model_.reward)(memory.before, seen, 0), parameters_, step_sizes_,
-                                 mirror_);
+    memory.learner.learnTerminal(writable(memory), (*model_.reward)(memory.before, seen, 0), parameters_,
+                                 learning_rates_, mirror_);
   } else {
     const double reward = (*model_.reward)(memory.before, seen, rows[0]);
-    memory.learner.learn(writable(memory), reward, rows, parameters_, step_sizes_, mirror_);
+    memory.learner.learn(writable(memory), reward, rows, parameters_, learning_rates_, mirror_);
     if (perceptions.last) memory.learner.resetTraces();
   }
   ++decisions_;
@@ -245,22 +251,23 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
 
 inline void Learner::exploreAll(const Perceptions& perceptions, RelativeActions& actions) {
   const KeyedRandom chance = chance_.with(perceptions.tick);
-  forEachGuest(perceptions, [&](std::size_t index) {
-    const Guest guest = guests_[index];
-    const Chooser chooser = chooserAt(index, perceptionOf(perceptions, index), space_);
+  forEachServedAgent(perceptions, [&](std::size_t index) {
+    const ServedAgent served_agent = served_agents_[index];
+    const DecisionContext context = contextAt(index, perceptionOf(perceptions, index), workspace_);
     const Action action =
-        chooseExploring(chance, perceptions, chooser.seen.self, rowsOf(chooser), memories_[guest.place]);
-    answer(chooser, action, actions.agents[guest.answer]);
+        chooseExploring(chance, perceptions, context.seen.self, rowsOf(context), memories_[served_agent.place]);
+    answer(context, action, actions.agents[served_agent.answer]);
   });
 }
 
 inline void Learner::chooseGreedily(const Perceptions& perceptions, RelativeActions& actions) {
-  makeRoom(MAX_CHOOSERS, space_);
-  space_.group.clear();
-  forEachGuest(perceptions, [&](std::size_t index) {
-    joinGreedily(perceptions, perceptionOf(perceptions, index), guests_[index].answer, space_, actions.agents);
+  makeRoom(MAX_BATCH, workspace_);
+  workspace_.group.clear();
+  forEachServedAgent(perceptions, [&](std::size_t index) {
+    joinGreedily(perceptions, perceptionOf(perceptions, index), served_agents_[index].answer, workspace_,
+                 actions.agents);
   });
-  answerGreedily(perceptions, space_, actions.agents);
+  answerGreedily(perceptions, workspace_, actions.agents);
 }
 
 inline double Learner::tieOf(const Perceptions& perceptions, AgentId agent) const {
@@ -269,24 +276,24 @@ inline double Learner::tieOf(const Perceptions& perceptions, AgentId agent) cons
 }
 
 inline void Learner::joinGreedily(const Perceptions& perceptions, const Perception& seen, std::size_t answer,
-                                  Space& space, std::vector<AgentAction>& actions) const {
-  const std::size_t place = space.group.size();
-  space.group.add(chooserAt(place, seen, space));
-  space.answers[place] = answer;
-  if (space.group.isFull()) answerGreedily(perceptions, space, actions);
+                                  DecisionWorkspace& workspace, std::vector<AgentAction>& actions) const {
+  const std::size_t place = workspace.group.size();
+  workspace.group.add(contextAt(place, seen, workspace));
+  workspace.answers[place] = answer;
+  if (workspace.group.isFull()) answerGreedily(perceptions, workspace, actions);
 }
 
-inline void Learner::answerGreedily(const Perceptions& perceptions, Space& space,
+inline void Learner::answerGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,
                                     std::vector<AgentAction>& actions) const {
-  findRowsOfGroup(space);
-  const auto& group = space.group;
-  std::array<Action, MAX_CHOOSERS> chosen;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  findRowsOfGroup(workspace);
+  const auto& group = workspace.group;
+  std::array<Action, MAX_BATCH> chosen;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   for (std::size_t k = 0; k < group.size(); ++k) {
     const AgentId agent = group[k].seen.self.agent;
     chosen[k] = QLearner::chooseGreedy(tableOf(agent), rowsOf(group[k]), tieOf(perceptions, agent));
   }
-  for (std::size_t k = 0; k < group.size(); ++k) answer(group[k], chosen[k], actions[space.answers[k]]);
-  space.group.clear();
+  for (std::size_t k = 0; k < group.size(); ++k) answer(group[k], chosen[k], actions[workspace.answers[k]]);
+  workspace.group.clear();
 }
 
 inline Action Learner::chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions,
@@ -296,20 +303,20 @@ inline Action Learner::chooseExploring(const KeyedRandom& chance, const Percepti
   const double any = random.uniform();
   const double tie = tieOf(perceptions, self.agent);
   const Action action = QLearner::chooseExploring(*memory.table, rows, parameters_.epsilon, draw, any, tie);
-  memory.learner.noteDecision(*memory.table, rows, action, parameters_);
+  memory.learner.recordDecision(*memory.table, rows, action, parameters_);
   memory.episode = perceptions.episode;
   memory.tick = perceptions.tick;
   memory.before = self;
   return action;
 }
 
-inline void Learner::answer(const Chooser& chooser, Action action, AgentAction& given) const {
-  given.agent = chooser.seen.self.agent;
+inline void Learner::answer(const DecisionContext& context, Action action, AgentAction& given) const {
+  given.agent = context.seen.self.agent;
   // Written to where it stays: a copy of what has just been written would wait until that is in the cache.
-  if (chooser.moves == nullptr) {
-    model_.action_set->findAction(chooser.seen, action, given.action);
+  if (context.moves == nullptr) {
+    model_.action_set->findAction(context.seen, action, given.action);
   } else {
-    given.action = toAction(moveAt(chooser.moves, action));
+    given.action = toAction(moveAt(context.moves, action));
   }
 }
 
@@ -339,7 +346,7 @@ void Learner::setPlan(const LearningPlan& plan) {
   const std::string problems = parameters.problems();
   if (!problems.empty()) throw InputError(problems);
   mirror_ = mirrorFor(model_, parameters);
-  step_sizes_ = StepSizes(parameters);
+  learning_rates_ = LearningRateSchedule(parameters);
   parameters_ = parameters;
   epsilon_ = plan.epsilon;
 }

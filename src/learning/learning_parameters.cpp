@@ -34,19 +34,19 @@ std::string LearningParameters::problems() const {
 
 double EpsilonSchedule::at(std::uint64_t episode) const {
   if (episode >= episodes) return last;
-  const double share = static_cast<double>(episode) / static_cast<double>(episodes);
-  if (shape == Shape::EXPONENTIAL) return first * std::pow(last / first, share);
-  return first + share * (last - first);
+  const double fraction = static_cast<double>(episode) / static_cast<double>(episodes);
+  if (shape == Shape::EXPONENTIAL) return first * std::pow(last / first, fraction);
+  return first + fraction * (last - first);
 }
 
 namespace {
 
 EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
-  if (!node.IsMap()) return EpsilonSchedule::constant(readNumber(node, place, NumberRule::SHARE));
+  if (!node.IsMap()) return EpsilonSchedule::constant(readNumber(node, place, NumberRule::FRACTION));
   const YamlMap map(node, place, {"from", "to", "episodes", "shape"});
   EpsilonSchedule schedule;
-  schedule.first = map.number("from", NumberRule::SHARE);
-  schedule.last = map.number("to", NumberRule::SHARE);
+  schedule.first = map.number("from", NumberRule::FRACTION);
+  schedule.last = map.number("to", NumberRule::FRACTION);
   schedule.episodes = static_cast<std::uint64_t>(map.whole("episodes", 1, INT64_MAX));
   const std::string shape = map.text("shape", "linear");
   if (shape == "exponential") {

@@ -7,7 +7,8 @@ namespace {
 
 using Copies = std::vector<const QTable*>;
 
-void mergeEntry(const Copies& copies, const StepSizes& step_sizes, Row row, Action action, QTable& table) {
+void mergeEntry(const Copies& copies, const LearningRateSchedule& learning_rates, Row row, Action action,
+                QTable& table) {
   const std::uint32_t before = table.visits(row, action);
   std::uint64_t since = 0;  // visits of all copies
   const QTable* only = nullptr;
@@ -26,16 +27,16 @@ void mergeEntry(const Copies& copies, const StepSizes& step_sizes, Row row, Acti
     const std::uint32_t visits = copy->visits(row, action);
     if (visits == before) continue;
     const double weight = static_cast<double>(visits - before) / static_cast<double>(since);
-    news += weight * (copy->value(row, action) - past) / (1.0 - step_sizes.keptShare(before, visits));
+    news += weight * (copy->value(row, action) - past) / (1.0 - learning_rates.retainedWeight(before, visits));
   }
-  table.set(row, action, past + (1.0 - step_sizes.keptShare(before, after)) * news, after);
+  table.set(row, action, past + (1.0 - learning_rates.retainedWeight(before, after)) * news, after);
 }
 
 }  // namespace
 
-void mergeCopies(const Copies& copies, const StepSizes& step_sizes, Row begin, Row end, QTable& table) {
+void mergeCopies(const Copies& copies, const LearningRateSchedule& learning_rates, Row begin, Row end, QTable& table) {
   for (Row row = begin; row < end; ++row) {
-    for (Action action = 0; action < table.actions(); ++action) mergeEntry(copies, step_sizes, row, action, table);
+    for (Action action = 0; action < table.actions(); ++action) mergeEntry(copies, learning_rates, row, action, table);
   }
 }
 

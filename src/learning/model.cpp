@@ -17,7 +17,7 @@ Vision Model::vision() const {
   constexpr double MARGIN = 1e-6;  // [m]
   vision.radius = state_set->distanceLimits().back() + MARGIN;
   vision.occlusion = occlusion;
-  vision.max_bodies = state_set->maxBodies();
+  vision.max_neighbours = state_set->maxNeighbours();
   return vision;
 }
 

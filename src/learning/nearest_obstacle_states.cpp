@@ -16,9 +16,9 @@ std::vector<double> inRadians(std::vector<double> degrees) {
 /// Distance to the nearest rim and a point in the direction it lies, both as seen by the agent.
 std::pair<double, Vector2> findNearest(const Perception& perception) {
   std::pair<double, Vector2> nearest(std::numeric_limits<double>::infinity(), Vector2::Zero());
-  for (const PerceivedBody& body : perception.bodies) {
-    const double distance = body.position.norm() - body.radius;
-    if (distance < nearest.first) nearest = {distance, body.position};
+  for (const Neighbour& neighbour : perception.neighbours) {
+    const double distance = neighbour.position.norm() - neighbour.radius;
+    if (distance < nearest.first) nearest = {distance, neighbour.position};
   }
   for (const Segment& wall : perception.walls) {
     const Vector2 point = nearestPoint(wall, Vector2::Zero());

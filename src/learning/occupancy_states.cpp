@@ -33,9 +33,9 @@ OccupancyStates::OccupancyStates(const Parameters& parameters)
 Row OccupancyStates::rowOf(const Perception& perception) const {
   Occupied occupied{};
   // A whole body, of which two numbers are needed, would be put together in memory first.
-  const PerceivedBodiesView& bodies = perception.bodies;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    addBody({bodies.xs()[i], bodies.ys()[i]}, bodies.radii()[i], occupied);
+  const NeighbourSpan& neighbours = perception.neighbours;
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    addNeighbour({neighbours.xs()[i], neighbours.ys()[i]}, neighbours.radii()[i], occupied);
   }
   for (const Segment& wall : perception.walls) addWall(wall, occupied);
   Row row = codes_ * static_cast<Row>(sectors_.indexOf(bearingOf(perception.self.goal)));  // (3.5)
@@ -84,7 +84,7 @@ OccupancyStates::SectorSet OccupancyStates::limitsCut(const Segment& wall, doubl
   return cut;
 }
 
-inline void OccupancyStates::addBody(const Vector2& centre, double radius, Occupied& occupied) const {
+inline void OccupancyStates::addNeighbour(const Vector2& centre, double radius, Occupied& occupied) const {
   const DistanceClasses& distances = parameters_.distances;
   const int distance_class = distances.classOf(centre.norm() - radius);
   if (distance_class == 0) return;

@@ -4,8 +4,8 @@ namespace crowd {
 namespace {
 
 /// Counts a visit; returns by how much it moves the value (3.1).
-double visit(QTable& table, Row row, Action action, double target, const StepSizes& step_sizes) {
-  return step_sizes.at(table.countVisit(row, action)) * (target - table.value(row, action));
+double visit(QTable& table, Row row, Action action, double target, const LearningRateSchedule& learning_rates) {
+  return learning_rates.at(table.countVisit(row, action)) * (target - table.value(row, action));
 }
 
 }  // namespace
@@ -19,12 +19,12 @@ void QLearner::fadeTraces(const QTable& table, const Rows& rows, Action action, 
   }
 }
 
-void QLearner::update(QTable& table, double target, const LearningParameters& parameters, const StepSizes& step_sizes,
-                      const Mirror& mirror) {
-  const double step = visit(table, row_, action_, target, step_sizes);
+void QLearner::update(QTable& table, double target, const LearningParameters& parameters,
+                      const LearningRateSchedule& learning_rates, const Mirror& mirror) {
+  const double step = visit(table, row_, action_, target, learning_rates);
   const bool has_image = mirror.hasImage(row_, action_);
   const double mirrored_step =
-      has_image ? visit(table, mirror.row(row_), mirror.action(action_), target, step_sizes) : step;
+      has_image ? visit(table, mirror.row(row_), mirror.action(action_), target, learning_rates) : step;
   if (parameters.lambda > 0.0) return addToTraces(table, step, mirrored_step, mirror);
   table.addTo(row_, action_, step);
   if (has_image) table.addTo(mirror.row(row_), mirror.action(action_), mirrored_step);

@@ -186,9 +186,9 @@ std::uint64_t QTable::merge(const QTable& other) {
   forEachNews(*this, pairs, [&](Row row, Action action, const Tally& tally) {
     news += tally.only_theirs;
     const auto sum = static_cast<double>(tally.only_mine + tally.only_theirs);
-    const double share = static_cast<double>(tally.only_theirs) / sum;
+    const double fraction = static_cast<double>(tally.only_theirs) / sum;
     const auto visits = static_cast<std::uint32_t>(std::min<std::uint64_t>(tally.all, UINT32_MAX));
-    set(row, action, meanOf(value(row, action), other.value(row, action), share), visits);
+    set(row, action, meanOf(value(row, action), other.value(row, action), fraction), visits);
   });
   foreign_.clear();
   for (const SourcePair& pair : pairs) {

@@ -1,6 +1,6 @@
 #include "social_crowd/learning/reward.h"
 
-#include "social_crowd/learning/pace_reward.h"
+#include "social_crowd/learning/progress_reward.h"
 #include "social_crowd/learning/thesis_reward.h"
 
 namespace crowd {
@@ -13,8 +13,8 @@ std::shared_ptr<const Reward> makeReward(const YAML::Node& node, const YamlPlace
   YamlMap map(node, place);
   const std::string type = map.text("type", ThesisReward::TYPE);
   if (type == ThesisReward::TYPE) return readThesisReward(map, state_set);
-  if (type == PaceReward::TYPE) return readPaceReward(map);
-  throwExpected(map.placeOf("type"), map.need("type"), "thesis or pace");
+  if (type == ProgressReward::TYPE) return readProgressReward(map);
+  throwExpected(map.placeOf("type"), map.need("type"), "thesis or progress");
 }
 
 }  // namespace crowd

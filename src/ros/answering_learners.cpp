@@ -18,7 +18,7 @@ std::string briefly(Refusal cause) {
     case Refusal::BAD_ROTATION:
       return "rotation is not a finite number";
     case Refusal::BAD_SPEED:
-      return "speed_share is not within 0 to 1";
+      return "speed_fraction is not within 0 to 1";
     case Refusal::TOO_LATE:
       return "for a tick that is over";
     case Refusal::TOO_EARLY:
@@ -41,7 +41,7 @@ std::string explained(const RefusedAnswer& refused, const std::vector<AgentId>& 
     case Refusal::BAD_ROTATION:
       return whose + " with rotation " + toText(refused.answer.action.rotation) + ", expected a finite number [rad]";
     case Refusal::BAD_SPEED:
-      return whose + " with speed_share " + toText(refused.answer.action.speed_share) + ", expected 0 to 1";
+      return whose + " with speed_fraction " + toText(refused.answer.action.speed_fraction) + ", expected 0 to 1";
     case Refusal::TOO_LATE:
       return whose + " in " + when + ", which is over: expected episode and tick of the perceptions, within " +
              "~answer_deadline";

@@ -2,38 +2,40 @@
 
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/simulation/recipe.h"
+#include "social_crowd/simulation/training_config.h"
 #include "social_crowd/world/scenario_files.h"
 
 namespace crowd {
 namespace {
 
-constexpr double MAX_PACE = 1e6;
+constexpr double MAX_REAL_TIME_FACTOR = 1e6;
 constexpr double MAX_DEADLINE = 3600.0;  // [s]
 constexpr double MAX_VISION = 1e3;       // [m]
 constexpr double MAX_RATE = 1e6;         // [Hz]
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 constexpr const char* FAST = "fast";
 
-double readPace(Parameters& parameters, double otherwise) {
-  const std::string text = parameters.text("pace", toText(otherwise));
+double readRealTimeFactor(Parameters& parameters, double otherwise) {
+  const std::string text = parameters.text("real_time_factor", toText(otherwise));
   if (text == FAST) return 0.0;
   const std::optional<double> factor = toNumber(text);
-  if (factor && *factor >= 0.0 && *factor <= MAX_PACE) return *factor;
-  parameters.complain("pace", "expected 'fast' or a factor of real time from 0 (fast) to 1e6, got '" + text + "'");
+  if (factor && *factor >= 0.0 && *factor <= MAX_REAL_TIME_FACTOR) return *factor;
+  parameters.complain("real_time_factor",
+                      "expected 'fast' or a factor of real time from 0 (fast) to 1e6, got '" + text + "'");
   return otherwise;
 }
 
-/// What a learning configuration says of scenarios, episodes, seed and vision. It is read by whoever reads recipes.
-void useRecipe(Parameters& parameters, ControllerParameters& read) {
+/// What a training configuration says of scenarios, episodes, seed and vision. It is read by whoever reads training
+/// configurations.
+void useConfig(Parameters& parameters, ControllerParameters& read) {
   const std::string file = parameters.text("config", "");
   if (file.empty()) return;
   try {
-    const Recipe recipe = readRecipe(file);
-    read.scenarios = recipe.training.scenarios;
-    read.episodes = recipe.training.episodes;
-    read.seed = recipe.training.seed;
-    read.vision = recipe.model.vision();
+    const TrainingConfig config = readTrainingConfig(file);
+    read.scenarios = config.training.scenarios;
+    read.episodes = config.training.episodes;
+    read.seed = config.training.seed;
+    read.vision = config.model.vision();
     read.name = stemOf(file);
   } catch (const Error& error) {
     parameters.complain("config", error.what());
@@ -60,20 +62,20 @@ void readScenario(Parameters& parameters, ControllerParameters& read) {
 ControllerParameters readControllerParameters(const ros::NodeHandle& private_node) {
   Parameters parameters(private_node);
   ControllerParameters read;
-  useRecipe(parameters, read);
+  useConfig(parameters, read);
   readScenario(parameters, read);
   read.seed = static_cast<std::uint64_t>(parameters.whole("seed", static_cast<std::int64_t>(read.seed), 0, MAX_WHOLE));
   read.episodes =
       static_cast<std::uint64_t>(parameters.whole("episodes", static_cast<std::int64_t>(read.episodes), 0, MAX_WHOLE));
-  read.pace = readPace(parameters, read.pace);
+  read.real_time_factor = readRealTimeFactor(parameters, read.real_time_factor);
   read.paused = parameters.flag("paused", read.paused);
   read.start_deadline = parameters.number("start_deadline", read.start_deadline, 0.0, MAX_DEADLINE);
   read.answer_deadline = parameters.number("answer_deadline", read.answer_deadline, 1e-3, MAX_DEADLINE);
   read.misses_until_absent =
       static_cast<int>(parameters.whole("misses_until_absent", read.misses_until_absent, 1, MAX_WHOLE));
   read.vision.radius = parameters.number("vision_radius", read.vision.radius, 0.0, MAX_VISION);
-  read.vision.max_bodies =
-      static_cast<std::uint32_t>(parameters.whole("max_bodies", read.vision.max_bodies, 0, MAX_WHOLE));
+  read.vision.max_neighbours =
+      static_cast<std::uint32_t>(parameters.whole("max_neighbours", read.vision.max_neighbours, 0, MAX_WHOLE));
   read.vision.occlusion = parameters.flag("occlusion", read.vision.occlusion);
   read.agents_rate = parameters.number("agents_rate", read.agents_rate, 0.0, MAX_RATE);
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);

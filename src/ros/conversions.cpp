@@ -12,7 +12,7 @@ void toMessage(const Agent& agent, social_crowd::AgentState& message) {
   message.pose.y = agent.pose.position.y();
   message.pose.theta = agent.pose.heading;
   message.velocity = toVector3(agent.velocity);
-  message.speed = agent.speed;
+  message.max_speed = agent.max_speed;
   message.radius = agent.radius;
   message.goal = toPoint(agent.goal());
   message.status = static_cast<std::uint8_t>(agent.status);
@@ -92,13 +92,13 @@ void toMessage(const World& world, social_crowd::AgentStates& message) {
 }
 
 void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message) {
-  Figures figures;
-  figures.add(result);
+  Metrics metrics;
+  metrics.add(result);
   message.tick = result.ticks;
   message.scenario = result.scenario;
-  message.success_percent = figures.successPercent();
-  message.contact_percent = figures.contactPercent();
-  message.collision_percent = figures.collisionPercent();
+  message.success_percent = metrics.successPercent();
+  message.contact_percent = metrics.contactPercent();
+  message.collision_percent = metrics.collisionPercent();
   message.blocked_moves = result.blockedMoves();
   message.agents.clear();
   for (const AgentResult& agent : result.agents) message.agents.push_back(toMessage(agent, message.agents.size()));

@@ -43,12 +43,12 @@ void CrowdController::run() {
 }
 
 void CrowdController::linger() {
-  if (figures_.episodes() > 1) {
+  if (metrics_.episodes() > 1) {
     ROS_INFO(
         "%lu episodes: success %.2f %%, contact %.2f %%, collision %.2f %%, clean %.1f %%, path ratio %.3f, time ratio "
         "%.3f",
-        static_cast<unsigned long>(figures_.episodes()), figures_.successPercent(), figures_.contactPercent(),
-        figures_.collisionPercent(), figures_.cleanPercent(), figures_.pathRatio(), figures_.timeRatio());
+        static_cast<unsigned long>(metrics_.episodes()), metrics_.successPercent(), metrics_.contactPercent(),
+        metrics_.collisionPercent(), metrics_.cleanPercent(), metrics_.pathRatio(), metrics_.timeRatio());
   }
   // ROS does not tell when a message has left the process.
   serveUntil(Clock::now() + FLUSH);
@@ -101,7 +101,7 @@ void CrowdController::endEpisode() {
   answers_.publishLast(*episode_, broadcaster_.header());
   broadcaster_.publishResult(*episode_, instance_, answers_.missedCount(), answers_.droppedCount());
   const EpisodeResult result = episode_->result();
-  figures_.add(result);
+  metrics_.add(result);
   headings_ = result.headings();
   logResult(result);
   if (trajectory_file_) trajectory_file_->append(trajectory_);
@@ -110,15 +110,15 @@ void CrowdController::endEpisode() {
 }
 
 void CrowdController::logResult(const EpisodeResult& result) {
-  Figures figures;
-  figures.add(result);
+  Metrics metrics;
+  metrics.add(result);
   ROS_INFO(
       "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, %zu in collision, path "
       "ratio %.3f, "
       "time ratio %.3f, %lu answers missed, %lu dropped",
       static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), static_cast<unsigned long>(instance_),
       static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
-      result.collidedCount(), figures.pathRatio(), figures.timeRatio(),
+      result.collidedCount(), metrics.pathRatio(), metrics.timeRatio(),
       static_cast<unsigned long>(answers_.missedCount()), static_cast<unsigned long>(answers_.droppedCount()));
 }
 
@@ -155,8 +155,8 @@ void CrowdController::serveUntil(const Clock& until) {
 }
 
 void CrowdController::keepPace() {
-  if (parameters_.pace <= 0.0) return;
-  next_tick_ += ros::WallDuration(episode_->scene().tick_duration / parameters_.pace);
+  if (parameters_.real_time_factor <= 0.0) return;
+  next_tick_ += ros::WallDuration(episode_->scene().tick_duration / parameters_.real_time_factor);
   if ((Clock::now() - next_tick_).toSec() > MAX_LAG) next_tick_ = Clock::now();
   if (Clock::now() >= next_tick_) return;
   broadcaster_.tellAgents(*episode_);

@@ -107,7 +107,7 @@ void CrowdController::advertiseServices() {
     start.position = {request.pose.x, request.pose.y};
     start.heading = request.pose.theta;
     start.goals = {fromPoint(request.goal)};
-    start.speed = request.speed;
+    start.max_speed = request.max_speed;
     start.radius = request.radius;
     loop_.ask<void>([&] {
       response.agent = episode_->spawnAgent(start);

@@ -80,7 +80,7 @@ void LearnerNode::takePerceptions(const PerceptionsMessage& message) {
 void LearnerNode::answer(const PerceptionsMessage& message) {
   if (isRepeated(message)) return actions_publisher_.repeat();
   const Perceptions& perceptions = message.content();
-  requireSound(perceptions);
+  requireValid(perceptions);
   const bool new_run = message.run != run_;
   if (new_run) learner_.forgetDecisions();
   const bool new_episode = new_run || episodes_ == 0 || perceptions.episode != episode_;

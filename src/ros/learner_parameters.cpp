@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "social_crowd/simulation/recipe.h"
+#include "social_crowd/simulation/training_config.h"
 
 namespace crowd {
 namespace {
@@ -66,25 +66,26 @@ void readAgents(Parameters& parameters, std::set<AgentId>& agents) {
 }
 
 /// Model and table come from a table, a configuration, or both.
-void checkSources(Parameters& parameters, const std::optional<Recipe>& recipe, const std::optional<TrainedTable>& table,
-                  Mode mode) {
+void checkSources(Parameters& parameters, const std::optional<TrainingConfig>& config,
+                  const std::optional<TrainedTable>& table, Mode mode) {
   const bool tried_table = !parameters.text("q_table", "").empty();
   const bool tried_config = !parameters.text("config", "").empty();
   if (mode == Mode::DEMO && !tried_table) {
     parameters.complainMissing("q_table", "expected a Q-table file in demo mode, got nothing");
   }
   if (mode == Mode::TRAINING && !tried_table && !tried_config) {
-    parameters.complainMissing("config", "expected a learning configuration or ~q_table in training mode, got neither");
+    parameters.complainMissing("config", "expected a training configuration or ~q_table in training mode, got neither");
   }
-  if (!recipe || !table) return;
+  if (!config || !table) return;
   try {
-    requireFit(recipe->model, table->model, parameters.text("q_table", ""));
+    requireFit(config->model, table->model, parameters.text("q_table", ""));
   } catch (const ShapeError& error) {
     parameters.complain("q_table", error.what());
   }
 }
 
-std::vector<std::string> findWarnings(Mode mode, const std::optional<Recipe>& recipe, const std::string& save_to) {
+std::vector<std::string> findWarnings(Mode mode, const std::optional<TrainingConfig>& config,
+                                      const std::string& save_to) {
   std::vector<std::string> warnings;
   if (mode == Mode::TRAINING && save_to.empty()) {
     warnings.emplace_back(
@@ -92,9 +93,9 @@ std::vector<std::string> findWarnings(Mode mode, const std::optional<Recipe>& re
         "saves "
         "it at any time");
   }
-  if (mode == Mode::TRAINING && recipe && recipe->training.side_by_side > 1) {
+  if (mode == Mode::TRAINING && config && config->training.side_by_side > 1) {
     warnings.push_back(
-        "the configuration asks for " + std::to_string(recipe->training.side_by_side) +
+        "the configuration asks for " + std::to_string(config->training.side_by_side) +
         " learners side by side; through ROS one learns alone, so the table will not be that of 'train'");
   }
   return warnings;
@@ -108,13 +109,13 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   options.mode = readNamed(parameters, "mode", options.mode, parseMode);
   const TakeMethod on_share = readNamed(parameters, "on_share", TakeMethod::REPLACE, parseTakeMethod);
   readAgents(parameters, options.agents);
-  const auto recipe = readFileOf(parameters, "config", readRecipe);
+  const auto config = readFileOf(parameters, "config", readTrainingConfig);
   const auto table = readFileOf(parameters, "q_table", loadQTable);
-  checkSources(parameters, recipe, table, options.mode);
-  const TrainingPlan training = recipe ? recipe->training : TrainingPlan();
+  checkSources(parameters, config, table, options.mode);
+  const TrainingPlan training = config ? config->training : TrainingPlan();
   options.tables = readNamed(parameters, "tables", training.tables, parseTableUse);
   if (table) options.plan = {table->parameters, EpsilonSchedule::constant(table->parameters.epsilon)};
-  if (recipe) options.plan = recipe->learning;
+  if (config) options.plan = config->learning;
   readLearningParameters(parameters, options.plan);
   const auto seed = static_cast<std::int64_t>(training.seed);
   options.seed = static_cast<std::uint64_t>(parameters.whole("seed", seed, 0, MAX_WHOLE));
@@ -127,7 +128,7 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   if (!save_to.empty()) checkWritable(parameters, save_to);
   parameters.finish();
 
-  const Model model = recipe ? recipe->model : table->model;
+  const Model model = config ? config->model : table->model;
   const std::uint64_t decisions = table ? table->decisions : 0;
   QTable values = table ? table->table : QTable(model.state_set->rowCount(), model.action_set->size());
   return {options,
@@ -135,7 +136,7 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
           on_share,
           save_to,
           save_to.empty() ? 0 : save_every,
-          findWarnings(options.mode, recipe, save_to)};
+          findWarnings(options.mode, config, save_to)};
 }
 
 }  // namespace crowd

@@ -39,10 +39,10 @@ Perceptions only(std::int64_t agent, const Perceptions& perceptions) {
   own.tick_duration = perceptions.tick_duration;
   for (const AgentPerception& self : perceptions.agents) {
     if (self.agent != agent) continue;
-    copyPart(perceptions.bodies, self.first_body, self.body_count, own.bodies);
+    copyPart(perceptions.neighbours, self.first_neighbour, self.neighbour_count, own.neighbours);
     copyPart(perceptions.walls, self.first_wall, self.wall_count, own.walls);
     own.agents.push_back(self);
-    own.agents.back().first_body = own.agents.back().first_wall = 0;
+    own.agents.back().first_neighbour = own.agents.back().first_wall = 0;
     break;
   }
   return own;
@@ -110,7 +110,7 @@ void MarkerScene::take(const PerceptionsMessage& message) {
   if (own.agents.empty() && is_next) return;
   perceptions_ = Perceptions();
   changed_ = true;
-  requireSound(own);
+  requireValid(own);
   perceptions_ = std::move(own);
 }
 

@@ -16,7 +16,7 @@ using ros::serialization::OStream;
 // Bytes on the wire: what the .msg files say, packed.
 constexpr std::uint32_t NUMBER = sizeof(double);
 constexpr std::uint32_t COUNT = sizeof(std::uint32_t);
-constexpr std::uint32_t WIRE_BODY = 1 + 5 * NUMBER;
+constexpr std::uint32_t WIRE_NEIGHBOUR = 1 + 5 * NUMBER;
 constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
 constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
@@ -65,15 +65,15 @@ class Reader {
   const std::uint8_t* place_;
 };
 
-void put(Writer& writer, const AgentPerception& self, std::uint32_t first_body) {
+void put(Writer& writer, const AgentPerception& self, std::uint32_t first_neighbour) {
   writer.put(self.agent);
   writer.put(self.pose.position);
   writer.put(self.pose.heading);
   writer.put(self.velocity);
-  writer.put(self.speed, self.radius);
+  writer.put(self.max_speed, self.radius);
   writer.put(self.goal);
   writer.put(self.goal_number, std::uint8_t{self.arrived}, std::uint8_t{self.acted});
-  writer.put(first_body, self.body_count, self.first_wall, self.wall_count);
+  writer.put(first_neighbour, self.neighbour_count, self.first_wall, self.wall_count);
 }
 
 void take(Reader& reader, AgentPerception& self) {
@@ -81,33 +81,33 @@ void take(Reader& reader, AgentPerception& self) {
   reader.take(self.pose.position);
   reader.take(self.pose.heading);
   reader.take(self.velocity);
-  reader.take(self.speed);
+  reader.take(self.max_speed);
   reader.take(self.radius);
   reader.take(self.goal);
   reader.take(self.goal_number);
   reader.take(self.arrived);
   reader.take(self.acted);
-  reader.take(self.first_body);
-  reader.take(self.body_count);
+  reader.take(self.first_neighbour);
+  reader.take(self.neighbour_count);
   reader.take(self.first_wall);
   reader.take(self.wall_count);
 }
 
-void put(Writer& writer, const PerceivedBody& body) {
-  writer.put(static_cast<std::uint8_t>(body.kind));
-  writer.put(body.position);
-  writer.put(body.velocity);
-  writer.put(body.radius);
+void put(Writer& writer, const Neighbour& neighbour) {
+  writer.put(static_cast<std::uint8_t>(neighbour.kind));
+  writer.put(neighbour.position);
+  writer.put(neighbour.velocity);
+  writer.put(neighbour.radius);
 }
 
-PerceivedBody takeBody(Reader& reader) {
-  PerceivedBody body;
+Neighbour takeNeighbour(Reader& reader) {
+  Neighbour neighbour;
   const std::uint8_t kind = reader.takeByte();
-  body.kind = kind == social_crowd::PerceivedBody::AGENT ? BodyKind::AGENT : BodyKind::OBSTACLE;
-  reader.take(body.position);
-  reader.take(body.velocity);
-  reader.take(body.radius);
-  return body;
+  neighbour.kind = kind == social_crowd::Neighbour::AGENT ? NeighbourKind::AGENT : NeighbourKind::OBSTACLE;
+  reader.take(neighbour.position);
+  reader.take(neighbour.velocity);
+  reader.take(neighbour.radius);
+  return neighbour;
 }
 
 void put(Writer& writer, const Segment& wall) {
@@ -121,13 +121,13 @@ void take(Reader& reader, Segment& wall) {
 }
 
 void put(Writer& writer, const AgentAction& action) {
-  writer.put(action.agent, action.action.rotation, action.action.speed_share);
+  writer.put(action.agent, action.action.rotation, action.action.speed_fraction);
 }
 
 void take(Reader& reader, AgentAction& action) {
   reader.take(action.agent);
   reader.take(action.action.rotation);
-  reader.take(action.action.speed_share);
+  reader.take(action.action.speed_fraction);
 }
 
 /// Room for a list of so many elements, its length already written.
@@ -157,30 +157,30 @@ void takeList(IStream& stream, std::vector<Element>& list, std::uint32_t size) {
   for (Element& element : list) take(reader, element);
 }
 
-void takeBodies(IStream& stream, PerceivedBodies& bodies) {
+void takeNeighbours(IStream& stream, NeighbourList& neighbours) {
   std::uint32_t count = 0;
-  Reader reader = openList(stream, count, WIRE_BODY);
-  bodies.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) bodies.set(i, takeBody(reader));
+  Reader reader = openList(stream, count, WIRE_NEIGHBOUR);
+  neighbours.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) neighbours.set(i, takeNeighbour(reader));
 }
 
-std::size_t countBodies(const Perceptions& perceptions) {
+std::size_t countNeighbours(const Perceptions& perceptions) {
   std::size_t count = 0;
-  for (const AgentPerception& self : perceptions.agents) count += self.body_count;
+  for (const AgentPerception& self : perceptions.agents) count += self.neighbour_count;
   return count;
 }
 
 /// Bodies go agent by agent, without the gaps that may be between them.
 void putAgentsAndBodies(OStream& stream, const Perceptions& perceptions) {
   Writer agents = beginList(stream, perceptions.agents.size(), WIRE_SELF);
-  std::uint32_t first_body = 0;
+  std::uint32_t first_neighbour = 0;
   for (const AgentPerception& self : perceptions.agents) {
-    put(agents, self, first_body);
-    first_body += self.body_count;
+    put(agents, self, first_neighbour);
+    first_neighbour += self.neighbour_count;
   }
-  Writer bodies = beginList(stream, first_body, WIRE_BODY);
+  Writer neighbours = beginList(stream, first_neighbour, WIRE_NEIGHBOUR);
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
-    for (const PerceivedBody& body : Perception(perceptions, i).bodies) put(bodies, body);
+    for (const Neighbour& neighbour : Perception(perceptions, i).neighbours) put(neighbours, neighbour);
   }
 }
 
@@ -191,20 +191,20 @@ void checkPart(std::uint32_t first, std::uint32_t count, std::size_t size, const
 }
 
 void checkNumbers(const AgentPerception& self) {
-  const bool finite = std::isfinite(self.goal.x()) && std::isfinite(self.goal.y()) && std::isfinite(self.speed) &&
+  const bool finite = std::isfinite(self.goal.x()) && std::isfinite(self.goal.y()) && std::isfinite(self.max_speed) &&
                       std::isfinite(self.radius);
   if (!finite)
-    throw InputError("perceptions: goal, speed or radius of agent " + std::to_string(self.agent) +
+    throw InputError("perceptions: goal, max_speed or radius of agent " + std::to_string(self.agent) +
                      " is not a finite number");
   if (self.agent >= AGENT_LIMIT) throw InputError("perceptions: there is no agent " + std::to_string(self.agent));
 }
 
 }  // namespace
 
-void requireSound(const Perceptions& perceptions) {
+void requireValid(const Perceptions& perceptions) {
   for (const AgentPerception& self : perceptions.agents) {
     checkNumbers(self);
-    checkPart(self.first_body, self.body_count, perceptions.bodies.size(), "bodies");
+    checkPart(self.first_neighbour, self.neighbour_count, perceptions.neighbours.size(), "neighbours");
     checkPart(self.first_wall, self.wall_count, perceptions.walls.size(), "walls");
   }
 }
@@ -243,13 +243,14 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   stream.next(last);
   content.last = last != 0;
   crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
-  crowd::takeBodies(stream, content.bodies);
+  crowd::takeNeighbours(stream, content.neighbours);
   crowd::takeList(stream, content.walls, crowd::WIRE_WALL);
 }
 
 std::uint32_t Serializer<PerceptionsMessage>::serializedLength(const PerceptionsMessage& message) {
   const Perceptions& content = message.content();
-  const std::size_t lists = content.agents.size() * crowd::WIRE_SELF + crowd::countBodies(content) * crowd::WIRE_BODY +
+  const std::size_t lists = content.agents.size() * crowd::WIRE_SELF +
+                            crowd::countNeighbours(content) * crowd::WIRE_NEIGHBOUR +
                             content.walls.size() * crowd::WIRE_WALL;
   return serializationLength(message.header) + crowd::WIRE_PERCEPTIONS + static_cast<std::uint32_t>(lists);
 }

@@ -12,8 +12,8 @@ struct DiscArrays {
 
   const double* xs;  ///< of the centres [m]
   const double* ys;
-  const double* radii;          ///< [m]
-  const std::uint32_t* bodies;  ///< numbers of the bodies
+  const double* radii;              ///< [m]
+  const std::uint32_t* neighbours;  ///< numbers of the bodies
 };
 
 /// @brief The discs begin .. end-1.

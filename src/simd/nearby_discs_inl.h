@@ -73,8 +73,8 @@ class NearbyDiscs {
     squares = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
     radii = hn::LoadU(d, arrays_.radii + i);
     const auto limits = hn::Add(hn::Set(d, radius_), radii);
-    const auto bodies = hn::PromoteTo(du, hn::LoadU(hn::Rebind<std::uint32_t, Tag>(), arrays_.bodies + i));
-    const auto others = hn::RebindMask(d, hn::Ne(bodies, hn::Set(du, except_)));
+    const auto neighbours = hn::PromoteTo(du, hn::LoadU(hn::Rebind<std::uint32_t, Tag>(), arrays_.neighbours + i));
+    const auto others = hn::RebindMask(d, hn::Ne(neighbours, hn::Set(du, except_)));
     const auto near = hn::And(hn::Le(squares, hn::Mul(limits, limits)), hn::FirstN(d, end_ - i));
     return hn::And(near, others);
   }

@@ -18,8 +18,8 @@ std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, const Circl
     // Written in any case, and kept by counting on: a branch would be mispredicted half of the time.
     collected.discs[count] = i;
     collected.rims[count] = std::sqrt(square) - arrays.radii[i];
-    count +=
-        static_cast<std::size_t>(square <= limit * limit) & static_cast<std::size_t>(arrays.bodies[i] != circle.except);
+    count += static_cast<std::size_t>(square <= limit * limit) &
+             static_cast<std::size_t>(arrays.neighbours[i] != circle.except);
   }
   return count;
 }

@@ -4,30 +4,30 @@
 
 namespace crowd {
 
-Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Workers& workers)
+Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool)
     : scene_(std::move(scene)),
       world_(scene_),
       vision_(vision),
-      workers_(&workers),
+      thread_pool_(&thread_pool),
       monitor_(scene_, world_),
       number_(number) {}
 
 bool Episode::step(const std::vector<AgentAction>& actions) {
   if (!isSequential()) {
-    world_.step(actions, *workers_);
+    world_.step(actions, *thread_pool_);
     return endTick();
   }
   world_.moveAgent(turn_, actions);
   are_current_ = false;
   ++turn_;
   if (findTurn()) return false;
-  world_.endTick(*workers_);
+  world_.endTick(*thread_pool_);
   turn_ = 0;
   return endTick();
 }
 
 bool Episode::endTick() {
-  monitor_.observe(world_, *workers_);
+  monitor_.observe(world_, *thread_pool_);
   are_current_ = false;
   return true;
 }
@@ -77,7 +77,7 @@ void Episode::decide(Learner& learner, RelativeActions& actions) {
   actions.episode = number_;
   actions.tick = world_.tick();
   actions.agents.clear();
-  if (!isOver()) crowd_.decide(world_, number_, vision_, learner, actions.agents, *workers_);
+  if (!isOver()) crowd_.decide(world_, number_, vision_, learner, actions.agents, *thread_pool_);
 }
 
 AgentId Episode::spawnAgent(const AgentStart& start) {
@@ -94,7 +94,7 @@ void Episode::removeAgent(AgentId id) {
 
 void Episode::setGoal(AgentId id, const Vector2& goal) {
   world_.setGoal(id, goal);
-  monitor_.noteGoal(world_.agents()[id], goal);
+  monitor_.recordGoal(world_.agents()[id], goal);
   are_current_ = false;
 }
 

@@ -67,13 +67,13 @@ void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
   track.goal = start.goals.front();
   track.position = start.position;
   track.distance = (track.goal - track.position).norm();
-  track.speed = start.speed;
+  track.max_speed = start.max_speed;
   track.result.heading = start.heading;
   track.result.straight_length = straightLength(start, goal_tolerance_);
   tracks_.push_back(track);
 }
 
-void EpisodeMonitor::noteGoal(const Agent& agent, const Vector2& goal) {
+void EpisodeMonitor::recordGoal(const Agent& agent, const Vector2& goal) {
   Track& track = tracks_[agent.id];
   const double length = (agent.pose.position - track.start).norm() + (goal - agent.pose.position).norm();
   track.result.straight_length = std::max(SHORTEST_LENGTH, length - goal_tolerance_);
@@ -81,7 +81,7 @@ void EpisodeMonitor::noteGoal(const Agent& agent, const Vector2& goal) {
   track.distance = (goal - track.position).norm();
 }
 
-void EpisodeMonitor::observe(const World& world, Workers& workers) {
+void EpisodeMonitor::observe(const World& world, ThreadPool& thread_pool) {
   ticks_ = world.tick();
   // Bodies that are not in each other's way go where they look.
   const bool along_heading = world.contact() == Contact::GHOST;
@@ -93,7 +93,7 @@ void EpisodeMonitor::observe(const World& world, Workers& workers) {
       if (agent.isWalking() || just_arrived) observeAgent(agent, along_heading, tracks_[i]);
     }
   };
-  workers.run(tracks_.size(), observe_some, FEW_AGENTS);
+  thread_pool.run(tracks_.size(), observe_some, FEW_AGENTS);
 }
 
 inline void EpisodeMonitor::observeAgent(const Agent& agent, bool along_heading, Track& track) const {
@@ -127,8 +127,8 @@ EpisodeResult EpisodeMonitor::result() const {
   for (const Track& track : tracks_) {
     AgentResult agent = track.result;
     agent.path_ratio = agent.path_length / agent.straight_length;
-    agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.speed / agent.straight_length;
-    agent.max_speed_ratio = track.longest_step / (tick_duration_ * track.speed);
+    agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.max_speed / agent.straight_length;
+    agent.max_speed_ratio = track.longest_step / (tick_duration_ * track.max_speed);
     agent.turn_per_metre = track.turn / std::max(SHORTEST_LENGTH, agent.path_length);
     agent.gain_per_tick = agent.ticks > 0 ? agent.distance_gained / static_cast<double>(agent.ticks) : 0.0;
     agent.path_per_gain = agent.distance_gained > 0.0 ? agent.path_length / agent.distance_gained
@@ -138,7 +138,7 @@ EpisodeResult EpisodeMonitor::result() const {
   return result;
 }
 
-void Figures::add(const EpisodeResult& result) {
+void Metrics::add(const EpisodeResult& result) {
   ++episodes_;
   clean_ += result.isClean() ? 1 : 0;
   agents_ += result.agentCount();

@@ -25,11 +25,11 @@ Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed) {
 }
 
 EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const EvaluationPlan& plan, Learner& learner,
-                      Workers& workers) {
+                      ThreadPool& thread_pool) {
   EvaluatedEpisode walked;
   walked.instance = instance;
   if (plan.scenes) walked.scene = toDocument(scene);
-  Episode episode(scene, instance, learner.model().vision(), workers);
+  Episode episode(scene, instance, learner.model().vision(), thread_pool);
   RelativeActions actions;
   bool tick_ended = true;
   for (;;) {
@@ -100,14 +100,14 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
   const auto side_by_side = static_cast<unsigned>(std::clamp<std::uint64_t>(at_a_time, 1, std::max(1U, plan.threads)));
   const auto work = [&] {
     try {
-      Workers workers(plan.threads / side_by_side);
+      ThreadPool thread_pool(plan.threads / side_by_side);
       Learner learner = makeDemoLearner(trained, plan.seed);
       std::vector<double> headings;  // of the agents at the end of the episode before
       std::uint64_t instance = 0;
       while (run.next(instance)) {
         Scene scene = scenarios.scene(plan.seed, instance);
         keepHeadings(headings, scene);
-        EvaluatedEpisode walked = walk(scene, instance, plan, learner, workers);
+        EvaluatedEpisode walked = walk(scene, instance, plan, learner, thread_pool);
         headings = walked.result.headings();
         run.bring(std::move(walked));
       }

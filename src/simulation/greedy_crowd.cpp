@@ -11,24 +11,26 @@ constexpr std::size_t FEW_BLOCKS = FEW_AGENTS / BLOCK;
 }  // namespace
 
 void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
-                         std::vector<AgentAction>& actions, Workers& workers) {
+                         std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
   const std::size_t bodies = world.bodyCount();
   const std::size_t blocks = (bodies + BLOCK - 1) / BLOCK;
-  if (desks_.size() < workers.count()) desks_.resize(workers.count());
+  if (workspaces_.size() < thread_pool.count()) workspaces_.resize(thread_pool.count());
   // Who decides alone writes decisions where they stay.
-  const std::size_t lists = workers.leavesToCaller(blocks, FEW_BLOCKS) ? 0 : blocks;
+  const std::size_t lists = thread_pool.runsInCaller(blocks, FEW_BLOCKS) ? 0 : blocks;
   if (decided_.size() < lists) decided_.resize(lists);
   for (std::size_t block = 0; block < lists; ++block) decided_[block].clear();
   actions.clear();
-  workers.run(
+  thread_pool.run(
       blocks,
       [&](unsigned worker, std::size_t begin, std::size_t end) {
-        Desk& desk = desks_[worker];
-        desk.perceptions.episode = episode;
+        ThreadWorkspace& workspace = workspaces_[worker];
+        workspace.perceptions.episode = episode;
         for (std::size_t block = begin; block < end; ++block) {
           const std::size_t first = block * BLOCK;
-          world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), desk.looker, desk.perceptions);
-          learner.decideGreedily(desk.perceptions, desk.space, lists == 0 ? actions : decided_[block]);
+          world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), workspace.perception_workspace,
+                             workspace.perceptions);
+          learner.decideGreedily(workspace.perceptions, workspace.decision_workspace,
+                                 lists == 0 ? actions : decided_[block]);
         }
       },
       FEW_BLOCKS);

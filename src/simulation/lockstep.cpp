@@ -8,13 +8,13 @@ namespace {
 
 std::optional<Refusal> invalidity(const RelativeAction& action) {
   if (!std::isfinite(action.rotation)) return Refusal::BAD_ROTATION;
-  const bool is_share = action.speed_share >= 0.0 && action.speed_share <= 1.0;  // false for NaN
+  const bool is_share = action.speed_fraction >= 0.0 && action.speed_fraction <= 1.0;  // false for NaN
   if (!is_share) return Refusal::BAD_SPEED;
   return std::nullopt;
 }
 
 bool areEqual(const RelativeAction& one, const RelativeAction& other) {
-  return one.rotation == other.rotation && one.speed_share == other.speed_share;
+  return one.rotation == other.rotation && one.speed_fraction == other.speed_fraction;
 }
 
 }  // namespace

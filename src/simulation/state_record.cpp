@@ -23,11 +23,11 @@ std::string textOf(const std::vector<OccupiedSector>& occupied) {
 
 void appendStateRows(std::uint64_t instance, const Perceptions& perceptions, const Learner& learner,
                      std::string& rows) {
-  Learner::Space space;
+  Learner::DecisionWorkspace workspace;
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const AgentPerception& self = perceptions.agents[i];
     if (self.arrived || perceptions.last) continue;
-    const Learner::Choice choice = learner.greedyChoice(perceptions, i, space);
+    const Learner::Choice choice = learner.greedyChoice(perceptions, i, workspace);
     rows += std::to_string(instance) + "," + std::to_string(perceptions.tick) + "," + std::to_string(self.agent);
     for (const double value : {self.pose.position.x(), self.pose.position.y(), toDegrees(self.pose.heading)}) {
       rows += "," + toText(value);

@@ -10,18 +10,18 @@
 namespace crowd {
 namespace {
 
-Learner::Options trainingOptions(const Recipe& recipe) {
+Learner::Options trainingOptions(const TrainingConfig& config) {
   Learner::Options options;
   options.mode = Mode::TRAINING;
-  options.tables = recipe.training.tables;
-  options.seed = recipe.training.seed;
-  options.plan = recipe.learning;
+  options.tables = config.training.tables;
+  options.seed = config.training.seed;
+  options.plan = config.learning;
   return options;
 }
 
-std::vector<Learner> makeLearners(const Recipe& recipe) {
-  const TrainingPlan& plan = recipe.training;
-  if (plan.side_by_side > 1 && recipe.learning.parameters.lambda > 0.0) {
+std::vector<Learner> makeLearners(const TrainingConfig& config) {
+  const TrainingPlan& plan = config.training;
+  if (plan.side_by_side > 1 && config.learning.parameters.lambda > 0.0) {
     throw InputError("training.side_by_side: expected 1 with traces (learning.lambda above 0), got " +
                      std::to_string(plan.side_by_side));
   }
@@ -29,15 +29,15 @@ std::vector<Learner> makeLearners(const Recipe& recipe) {
     throw InputError("training.side_by_side: expected 1 with own tables, got " + std::to_string(plan.side_by_side));
   }
   std::vector<Learner> learners;
-  for (std::uint32_t i = 0; i < plan.side_by_side; ++i) learners.emplace_back(recipe.model, trainingOptions(recipe));
+  for (std::uint32_t i = 0; i < plan.side_by_side; ++i) learners.emplace_back(config.model, trainingOptions(config));
   return learners;
 }
 
 }  // namespace
 
 EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& learner) {
-  Workers& workers = Workers::alone();
-  Episode episode(scene, number, learner.model().vision(), workers);
+  ThreadPool& thread_pool = ThreadPool::callerOnly();
+  Episode episode(scene, number, learner.model().vision(), thread_pool);
   RelativeActions actions;
   episode.decide(learner, actions);
   while (!episode.isOver()) {
@@ -47,15 +47,15 @@ EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& lear
   return episode.result();
 }
 
-Training::Training(Recipe recipe, unsigned threads)
-    : recipe_(std::move(recipe)),
-      scenarios_(readScenarios(recipe_.training.scenarios)),
-      learners_(makeLearners(recipe_)),
+Training::Training(TrainingConfig config, unsigned threads)
+    : config_(std::move(config)),
+      scenarios_(readScenarios(config_.training.scenarios)),
+      learners_(makeLearners(config_)),
       headings_(learners_.size()),
-      workers_(std::min(threads, recipe_.training.side_by_side)) {}
+      thread_pool_(std::min(threads, config_.training.side_by_side)) {}
 
-Training::Training(Recipe recipe, TrainedTable begin, unsigned threads) : Training(std::move(recipe), threads) {
-  requireFit(recipe_.model, begin.model, "the table to begin with");
+Training::Training(TrainingConfig config, TrainedTable begin, unsigned threads) : Training(std::move(config), threads) {
+  requireFit(config_.model, begin.model, "the table to begin with");
   for (Learner& learner : learners_) learner.takeTable(begin.table, TakeMethod::REPLACE);
   learners_.front().setDecisions(begin.decisions);
   decisions_before_ = begin.decisions;
@@ -64,19 +64,19 @@ Training::Training(Recipe recipe, TrainedTable begin, unsigned threads) : Traini
 std::vector<EpisodeResult> Training::runNextTurn() {
   if (learners_.size() == 1) return runEpisodes(1);
   QTable table = learner().tableOf(0);
-  std::vector<EpisodeResult> results = runEpisodes(recipe_.training.turn);
+  std::vector<EpisodeResult> results = runEpisodes(config_.training.turn);
   merge(std::move(table));
   return results;
 }
 
 std::vector<EpisodeResult> Training::runEpisodes(std::uint64_t each) {
-  const std::uint64_t left = recipe_.training.episodes - episode_;
+  const std::uint64_t left = config_.training.episodes - episode_;
   std::vector<EpisodeResult> results(std::min(left, each * learners_.size()));
-  workers_.run(learners_.size(), [&](unsigned /*worker*/, std::size_t first, std::size_t last) {
+  thread_pool_.run(learners_.size(), [&](unsigned /*worker*/, std::size_t first, std::size_t last) {
     for (std::size_t number = first; number < last; ++number) {
       const std::uint64_t end = std::min<std::uint64_t>((number + 1) * each, results.size());
       for (std::uint64_t i = number * each; i < end; ++i) {
-        Scene scene = scenarios_.scene(recipe_.training.seed, episode_ + i);
+        Scene scene = scenarios_.scene(config_.training.seed, episode_ + i);
         keepHeadings(headings_[number], scene);
         results[i] = runEpisode(scene, episode_ + i, learners_[number]);
         headings_[number] = results[i].headings();
@@ -90,9 +90,9 @@ std::vector<EpisodeResult> Training::runEpisodes(std::uint64_t each) {
 void Training::merge(QTable table) {
   std::vector<const QTable*> copies;
   for (const Learner& learner : learners_) copies.push_back(&learner.tableOf(0));
-  const StepSizes step_sizes(recipe_.learning.parameters);
-  workers_.run(table.rows(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
-    mergeCopies(copies, step_sizes, static_cast<Row>(begin), static_cast<Row>(end), table);
+  const LearningRateSchedule learning_rates(config_.learning.parameters);
+  thread_pool_.run(table.rows(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
+    mergeCopies(copies, learning_rates, static_cast<Row>(begin), static_cast<Row>(end), table);
   });
   for (Learner& learner : learners_) learner.goOnIn(table);
 }
@@ -106,8 +106,8 @@ std::uint64_t Training::allDecisions() const {
 TrainedTable Training::trained() const {
   LearningParameters parameters = learner().parameters();
   if (episode_ > 0)
-    parameters.epsilon = recipe_.learning.epsilon.at(episode_ - 1);  // the last one's, whoever learned it
-  return {recipe_.model, parameters, allDecisions(), recipe_.training.seed, learner().tableOf(0)};
+    parameters.epsilon = config_.learning.epsilon.at(episode_ - 1);  // the last one's, whoever learned it
+  return {config_.model, parameters, allDecisions(), config_.training.seed, learner().tableOf(0)};
 }
 
 }  // namespace crowd

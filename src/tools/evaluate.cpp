@@ -12,9 +12,9 @@
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/simulation/recipe.h"
 #include "social_crowd/simulation/record.h"
 #include "social_crowd/simulation/state_record.h"
+#include "social_crowd/simulation/training_config.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scenario_files.h"
 #include "social_crowd/world/scenario_reader.h"
@@ -39,11 +39,11 @@ constexpr const char* CSV_HEADER =
     "ratio,"
     "blocked_per_agent\n";
 
-std::string csvRow(const std::string& name, const Figures& figures) {
-  std::string row = name + "," + std::to_string(figures.episodes());
-  for (const double value : {figures.successPercent(), figures.contactPercent(), figures.collisionPercent(),
-                             figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(), figures.turnPerMetre(),
-                             figures.maxSpeedRatio(), figures.blockedMovesPerAgent()}) {
+std::string csvRow(const std::string& name, const Metrics& metrics) {
+  std::string row = name + "," + std::to_string(metrics.episodes());
+  for (const double value : {metrics.successPercent(), metrics.contactPercent(), metrics.collisionPercent(),
+                             metrics.cleanPercent(), metrics.pathRatio(), metrics.timeRatio(), metrics.turnPerMetre(),
+                             metrics.maxSpeedRatio(), metrics.blockedMovesPerAgent()}) {
     row += "," + toText(value);
   }
   return row + "\n";
@@ -54,19 +54,19 @@ void printHeader() {
               "collision%", "clean%", "path", "time", "rad/m", "speed", "blocked");
 }
 
-void printRow(const std::string& name, const Figures& figures) {
+void printRow(const std::string& name, const Metrics& metrics) {
   std::printf("%-18s %9llu %8.2f %8.2f %10.2f %7.1f %6.3f %6.3f %6.2f %6.2f %7.2f\n", name.c_str(),
-              static_cast<unsigned long long>(figures.episodes()), figures.successPercent(), figures.contactPercent(),
-              figures.collisionPercent(), figures.cleanPercent(), figures.pathRatio(), figures.timeRatio(),
-              figures.turnPerMetre(), figures.maxSpeedRatio(), figures.blockedMovesPerAgent());
+              static_cast<unsigned long long>(metrics.episodes()), metrics.successPercent(), metrics.contactPercent(),
+              metrics.collisionPercent(), metrics.cleanPercent(), metrics.pathRatio(), metrics.timeRatio(),
+              metrics.turnPerMetre(), metrics.maxSpeedRatio(), metrics.blockedMovesPerAgent());
   std::fflush(stdout);
 }
 
 /// The configuration's model in place of the one in the table's header.
-void useModelOf(const std::string& config, const std::string& file, TrainedTable& trained) {
-  const Recipe recipe = readRecipe(config);
-  requireFit(recipe.model, trained.model, file);
-  trained.model = recipe.model;
+void useModelOf(const std::string& config_file, const std::string& file, TrainedTable& trained) {
+  const TrainingConfig config = readTrainingConfig(config_file);
+  requireFit(config.model, trained.model, file);
+  trained.model = config.model;
 }
 
 std::string recordRows(const EvaluatedEpisode& walked) {
@@ -102,21 +102,21 @@ class Writing {
   std::optional<GrowingFile> scenes_;
 };
 
-Figures evaluateFile(const TrainedTable& trained, const Arguments& arguments, const std::string& name,
+Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, const std::string& name,
                      const ScenarioList& scenarios, std::optional<GrowingFile>& record) {
   Writing writing(arguments, name);
   const std::uint64_t episodes = arguments.plan.episodes > 0 ? arguments.plan.episodes : scenarios.size();
   ProgressBar bar(name, episodes);
-  Figures figures;
+  Metrics metrics;
   evaluate(trained, scenarios, arguments.plan, [&](EvaluatedEpisode& walked) {
     writing.write(walked);
     if (record) record->append(recordRows(walked));
-    figures.add(walked.result);
-    if (bar.isDue(figures.episodes()) && figures.episodes() < episodes) bar.show(figures.episodes(), "");
+    metrics.add(walked.result);
+    if (bar.isDue(metrics.episodes()) && metrics.episodes() < episodes) bar.show(metrics.episodes(), "");
     return !isInterrupted();
   });
   bar.clear();
-  return figures;
+  return metrics;
 }
 
 int evaluateAll(Arguments& arguments) {
@@ -141,20 +141,20 @@ int evaluateAll(Arguments& arguments) {
   printHeader();
   for (std::size_t i = 0; i < scenarios.size() && !isInterrupted(); ++i) {
     const std::string name = stemOf(arguments.scenarios[i]);
-    const Figures figures = evaluateFile(trained, arguments, name, scenarios[i], record);
-    printRow(name, figures);
-    csv += csvRow(name, figures);
+    const Metrics metrics = evaluateFile(trained, arguments, name, scenarios[i], record);
+    printRow(name, metrics);
+    csv += csvRow(name, metrics);
   }
   if (!arguments.csv.empty()) replaceFile(arguments.csv, csv);
   return isInterrupted() ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
 int runMain(int argc, char** argv) {
-  CLI::App app("Walks scenarios with a Q-table (demo mode) and prints the steering benchmark's figures.", "evaluate");
+  CLI::App app("Walks scenarios with a Q-table (demo mode) and prints the steering benchmark's metrics.", "evaluate");
   Arguments arguments;
   arguments.plan.threads = std::max(1U, std::thread::hardware_concurrency());
   app.add_option("--q-table", arguments.q_table, "Q-table file")->required();
-  app.add_option("--config", arguments.config, "learning configuration; else what the table's header says is used");
+  app.add_option("--config", arguments.config, "training configuration; else what the table's header says is used");
   app.add_option("--episodes", arguments.plan.episodes, "of each scenario file; else every document once")
       ->check(atLeast(1));
   app.add_option("--seed", arguments.plan.seed, "of placements at random, and of ties that are broken at random")
@@ -171,7 +171,7 @@ int runMain(int argc, char** argv) {
       "folder for a NAME.csv a scenario file: the row of the Q-table, the action and the occupied sectors of "
       "every decision");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
-  app.add_option("--csv", arguments.csv, "file for the figures");
+  app.add_option("--csv", arguments.csv, "file for the metrics");
   app.add_option("SCENARIO", arguments.scenarios,
                  "scenario files, or names of the scenarios that come with the package")
       ->required();

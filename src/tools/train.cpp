@@ -12,9 +12,9 @@
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/simulation/recipe.h"
 #include "social_crowd/simulation/record.h"
 #include "social_crowd/simulation/training.h"
+#include "social_crowd/simulation/training_config.h"
 
 namespace crowd {
 namespace {
@@ -61,19 +61,19 @@ class RecentRates {
   std::deque<Counts> results_;
 };
 
-Recipe readRecipeFor(const Arguments& arguments) {
-  Recipe recipe = readRecipe(arguments.config);
-  if (arguments.episodes) recipe.training.episodes = *arguments.episodes;
-  if (arguments.seed) recipe.training.seed = *arguments.seed;
-  if (arguments.save_every) recipe.training.save_every = *arguments.save_every;
-  if (!arguments.tables.empty()) recipe.training.tables = parseTableUse(arguments.tables);
-  return recipe;
+TrainingConfig readConfigFor(const Arguments& arguments) {
+  TrainingConfig config = readTrainingConfig(arguments.config);
+  if (arguments.episodes) config.training.episodes = *arguments.episodes;
+  if (arguments.seed) config.training.seed = *arguments.seed;
+  if (arguments.save_every) config.training.save_every = *arguments.save_every;
+  if (!arguments.tables.empty()) config.training.tables = parseTableUse(arguments.tables);
+  return config;
 }
 
 Training beginTraining(const Arguments& arguments) {
-  Recipe recipe = readRecipeFor(arguments);
-  if (arguments.q_table.empty()) return Training(std::move(recipe), arguments.threads);
-  return Training(std::move(recipe), loadQTable(arguments.q_table), arguments.threads);
+  TrainingConfig config = readConfigFor(arguments);
+  if (arguments.q_table.empty()) return Training(std::move(config), arguments.threads);
+  return Training(std::move(config), loadQTable(arguments.q_table), arguments.threads);
 }
 
 std::string recordRows(std::uint64_t episode, const EpisodeResult& result) {
@@ -94,7 +94,7 @@ int train(const Arguments& arguments) {
   saveQTable(arguments.output, training.trained());  // a name that cannot be written is told now, not after the work
   std::optional<GrowingFile> record;
   if (!arguments.record.empty()) record.emplace(arguments.record, RECORD_HEADER);
-  const TrainingPlan& plan = training.recipe().training;
+  const TrainingPlan& plan = training.config().training;
   ProgressBar bar("episode", plan.episodes);
   RecentRates rates;
   const auto note = [&] {
@@ -127,7 +127,7 @@ int runMain(int argc, char** argv) {
   CLI::App app("Trains a Q-table: one agent or many learn to walk in the scenarios that CONFIG names.", "train");
   Arguments arguments;
   arguments.threads = std::max(1U, std::thread::hardware_concurrency());
-  app.add_option("CONFIG", arguments.config, "learning configuration, such as config/learning/thesis_nearest.yaml")
+  app.add_option("CONFIG", arguments.config, "training configuration, such as config/learning/thesis_nearest.yaml")
       ->required();
   app.add_option("--output,-o", arguments.output, "Q-table file to write")->required();
   app.add_option("--episodes", arguments.episodes, "in place of the configuration's")->check(atLeast(1));

@@ -16,13 +16,13 @@ bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
 
 }  // namespace
 
-View<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vector2& point, double distance,
+Span<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vector2& point, double distance,
                                             std::size_t most, std::uint32_t except) {
   return grid.isShort() ? findInShortList(grid, point, distance, most, except)
                         : findInRuns(grid, point, distance, most, except);
 }
 
-View<NearDisc> NeighbourSearch::findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance,
+Span<NearDisc> NeighbourSearch::findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance,
                                            std::size_t most, std::uint32_t except) {
   const bool all = most == 0;
   // A quarter more than last time: with neighbours spread evenly that is enough more often than not.
@@ -40,7 +40,7 @@ View<NearDisc> NeighbourSearch::findInRuns(const NeighbourGrid& grid, const Vect
   return {found_.data(), wanted};
 }
 
-View<NearDisc> NeighbourSearch::findInShortList(const NeighbourGrid& grid, const Vector2& point, double distance,
+Span<NearDisc> NeighbourSearch::findInShortList(const NeighbourGrid& grid, const Vector2& point, double distance,
                                                 std::size_t most, std::uint32_t except) {
   found_.resize(std::max(found_.size(), grid.size()));
   std::size_t count = 0;

@@ -11,13 +11,13 @@ constexpr double HAIR = 1e-9;
 
 }  // namespace
 
-Occlusion::Screen Occlusion::screenOf(const PerceivedBody& body) {
-  const double distance_squared = body.position.squaredNorm();
-  const double tangent_squared = distance_squared - body.radius * body.radius;
+Occlusion::Screen Occlusion::screenOf(const Neighbour& neighbour) {
+  const double distance_squared = neighbour.position.squaredNorm();
+  const double tangent_squared = distance_squared - neighbour.radius * neighbour.radius;
   if (tangent_squared <= HAIR * distance_squared) return {};
-  const Vector2 middle = (tangent_squared / distance_squared) * body.position;
-  const double half = body.radius * std::sqrt(tangent_squared) / distance_squared;
-  const Vector2 to_the_left(-half * body.position.y(), half * body.position.x());
+  const Vector2 middle = (tangent_squared / distance_squared) * neighbour.position;
+  const double half = neighbour.radius * std::sqrt(tangent_squared) / distance_squared;
+  const Vector2 to_the_left(-half * neighbour.position.y(), half * neighbour.position.x());
   return {middle - to_the_left, middle + to_the_left, true};
 }
 
@@ -27,10 +27,10 @@ Occlusion::Screen Occlusion::screenOf(const Segment& wall) {
   return width > 0.0 ? Screen{wall.from, wall.to, true} : Screen{wall.to, wall.from, true};
 }
 
-PerceivedBody Occlusion::spanned(const PerceivedBody& body, const Screen& chord, const Part& part) {
+Neighbour Occlusion::spanned(const Neighbour& neighbour, const Screen& chord, const Part& part) {
   const Vector2 to_the_left = (chord.left - chord.right).normalized();
-  PerceivedBody disc = body;
-  disc.position += (part.from + part.to - 1.0) * body.radius * to_the_left;
+  Neighbour disc = neighbour;
+  disc.position += (part.from + part.to - 1.0) * neighbour.radius * to_the_left;
   disc.radius *= part.to - part.from;
   return disc;
 }
@@ -73,49 +73,50 @@ const std::vector<Occlusion::Part>& Occlusion::visibleParts(const Screen& seen, 
   return visible_;
 }
 
-void Occlusion::apply(std::vector<PerceivedBody>& bodies, std::size_t first_body, std::vector<Segment>& walls,
+void Occlusion::apply(std::vector<Neighbour>& neighbours, std::size_t first_neighbour, std::vector<Segment>& walls,
                       std::size_t first_wall, double radius) {
   screens_.clear();
   for (std::size_t i = first_wall; i < walls.size(); ++i) screens_.push_back(screenOf(walls[i]));
   const std::size_t wall_count = screens_.size();
-  screenBodies(bodies, first_body);
-  cutBodies(bodies, first_body, wall_count, radius);
+  screenNeighbours(neighbours, first_neighbour);
+  cutNeighbours(neighbours, first_neighbour, wall_count, radius);
   cutWalls(walls, first_wall, radius);
 }
 
-void Occlusion::screenBodies(std::vector<PerceivedBody>& bodies, std::size_t first) {
+void Occlusion::screenNeighbours(std::vector<Neighbour>& neighbours, std::size_t first) {
   std::size_t kept = first;
-  for (std::size_t i = first; i < bodies.size(); ++i) {
-    const Screen screen = screenOf(bodies[i]);
+  for (std::size_t i = first; i < neighbours.size(); ++i) {
+    const Screen screen = screenOf(neighbours[i]);
     if (visibleParts(screen, screens_.size()).empty()) continue;
     screens_.push_back(screen);
-    bodies[kept++] = bodies[i];
+    neighbours[kept++] = neighbours[i];
   }
-  bodies.resize(kept);
+  neighbours.resize(kept);
 }
 
-void Occlusion::cutBodies(std::vector<PerceivedBody>& bodies, std::size_t first, std::size_t first_screen,
-                          double radius) {
+void Occlusion::cutNeighbours(std::vector<Neighbour>& neighbours, std::size_t first, std::size_t first_screen,
+                              double radius) {
   // From the back: what is seen of a body is never nearer than the whole of it, so that it can only move towards those
   // that are in their places already.
-  std::size_t kept = bodies.size();
-  for (std::size_t i = bodies.size(); i-- > first;) {
+  std::size_t kept = neighbours.size();
+  for (std::size_t i = neighbours.size(); i-- > first;) {
     const std::size_t own = first_screen + i - first;
     if (visibleParts(screens_[own], own).empty()) continue;
     const Part hull = {visible_.front().from, visible_.back().to};
     if (hull.isAll()) {
-      bodies[--kept] = bodies[i];
+      neighbours[--kept] = neighbours[i];
       continue;
     }
-    const PerceivedBody seen = spanned(bodies[i], screens_[own], hull);
+    const Neighbour seen = spanned(neighbours[i], screens_[own], hull);
     const double rim = rimDistance(seen);
     if (rim > radius) continue;
     std::size_t next = kept--;
-    for (; next < bodies.size() && rimDistance(bodies[next]) < rim; ++next) bodies[next - 1] = bodies[next];
-    bodies[next - 1] = seen;
+    for (; next < neighbours.size() && rimDistance(neighbours[next]) < rim; ++next)
+      neighbours[next - 1] = neighbours[next];
+    neighbours[next - 1] = seen;
   }
-  const auto begin = bodies.begin();
-  bodies.erase(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(kept));
+  const auto begin = neighbours.begin();
+  neighbours.erase(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(kept));
 }
 
 void Occlusion::cutWalls(std::vector<Segment>& walls, std::size_t first, double radius) {

@@ -65,7 +65,7 @@ class Placement {
   enum class Position { FIXED, DRAWN, BETWEEN };
   static Position positionOf(const ObstacleGroup& group);
 
-  void noteFixedGoals();
+  void recordFixedGoals();
   void placeObstacles(Position position);
   Vector2 drawStart(const ObstacleGroup& group, const Label& label);
   Obstacle drawObstacle(const ObstacleGroup& group, const Label& label);
@@ -105,7 +105,7 @@ Scene Placement::place() {
     obstacle_count += static_cast<std::size_t>(group.count);
   }
   scene_.obstacles.resize(obstacle_count, {ObstaclePath::atRest(Vector2::Zero()), 0.0});
-  noteFixedGoals();
+  recordFixedGoals();
   placeObstacles(Position::FIXED);
   placeFixedAgents();
   placeObstacles(Position::DRAWN);
@@ -118,7 +118,7 @@ void Placement::fail(const Label& label, const std::string& problem) const {
   throw InputError(scenario_.source + ", line " + std::to_string(label.line) + ": " + problem);
 }
 
-void Placement::noteFixedGoals() {
+void Placement::recordFixedGoals() {
   for (const AgentGroup& group : scenario_.agents) {
     for (const Region& goal : group.goals) {
       if (goal.isFixed()) {
@@ -224,7 +224,7 @@ void Placement::completeAgents() {
       const Label label{"agents", entry, group.line, number, group.count};
       AgentStart& agent = scene_.agents[next];
       completeAgent(group, label, agent, separate_goals);
-      agent.speed = group.speed.draw(random_);
+      agent.max_speed = group.max_speed.draw(random_);
       agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
       agent.heading = wrapAngle(agent.heading);
       agent.keeps_heading = group.keeps_heading;

@@ -164,7 +164,7 @@ AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Unit
   group.line = lineOf(node);
   group.position = readRegion(map.need("position"), map.placeOf("position"));
   readGoals(map, group);
-  group.speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
+  group.max_speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
   group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
   readHeading(map, group);
   group.count = readCount(map, group.position.isFixed());
@@ -208,7 +208,7 @@ Between readBetween(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place, {"agent", "share", "aside"});
   Between between;
   between.agent = static_cast<std::size_t>(map.whole("agent", 0, MAX_AGENT));
-  between.share = readRange(map.need("share"), map.placeOf("share"), NumberRule::SHARE);
+  between.share = readRange(map.need("share"), map.placeOf("share"), NumberRule::FRACTION);
   if (const YAML::Node aside = map.find("aside")) {
     between.aside = readRange(aside, map.placeOf("aside"), NumberRule::ANY);
   }

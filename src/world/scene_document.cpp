@@ -22,7 +22,7 @@ std::string quoted(const std::string& text) {
 
 std::string entryOf(const AgentStart& agent) {
   return "  - {position: " + pointText(agent.position) +
-         ", goals: " + listText(agent.goals.begin(), agent.goals.end()) + ", speed: " + toText(agent.speed) +
+         ", goals: " + listText(agent.goals.begin(), agent.goals.end()) + ", speed: " + toText(agent.max_speed) +
          ", radius: " + toText(agent.radius) + ", heading: " + toText(toDegrees(agent.heading)) + "}\n";
 }
 

@@ -20,10 +20,10 @@ const std::vector<SolidMotion::Outcome>& SolidMotion::move(const std::vector<Dis
   findNeighbours();
   for (Index i = 0; i < bodies_.size(); ++i) {
     if (!bodies_[i].is_agent) continue;
-    foreseeWalls(i, 0.0);
+    predictWallImpacts(i, 0.0);
     for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
       const Index other = neighbours_[k];
-      if (other > i || !bodies_[other].is_agent) foresee(i, other, 0.0);
+      if (other > i || !bodies_[other].is_agent) predictImpact(i, other, 0.0);
     }
   }
   for (double now = takeNext(); now < NEVER; now = takeNext()) {
@@ -67,12 +67,12 @@ void SolidMotion::findNeighbours() {
   }
 }
 
-void SolidMotion::foreseeAll(Index agent, double now) {
-  foreseeWalls(agent, now);
-  for (std::size_t k = first_[agent]; k < first_[agent + 1]; ++k) foresee(agent, neighbours_[k], now);
+void SolidMotion::predictImpacts(Index agent, double now) {
+  predictWallImpacts(agent, now);
+  for (std::size_t k = first_[agent]; k < first_[agent + 1]; ++k) predictImpact(agent, neighbours_[k], now);
 }
 
-void SolidMotion::foresee(Index agent, Index other, double now) {
+void SolidMotion::predictImpact(Index agent, Index other, double now) {
   if (agent == other) return;
   const Body& body = bodies_[agent];
   const Body& second = bodies_[other];
@@ -83,7 +83,7 @@ void SolidMotion::foresee(Index agent, Index other, double now) {
   if (after < NEVER) add({now + after, agent, other, body.changes, second.changes});
 }
 
-void SolidMotion::foreseeWalls(Index agent, double now) {
+void SolidMotion::predictWallImpacts(Index agent, double now) {
   const Body& body = bodies_[agent];
   if (body.way.isZero(0.0)) return;
   const Vector2 position = body.at(now);
@@ -156,7 +156,7 @@ void SolidMotion::settle(double now) {
     body.judged = false;
     body.pushes = 0;
   }
-  for (const Index agent : judged_) foreseeAll(agent, now);
+  for (const Index agent : judged_) predictImpacts(agent, now);
   judged_.clear();
 }
 

@@ -19,7 +19,7 @@ Agent makeAgent(AgentId id, const AgentStart& start) {
   agent.id = id;
   agent.pose = {start.position, wrapAngle(start.heading)};
   agent.ahead = unitVector(agent.pose.heading);
-  agent.speed = start.speed;
+  agent.max_speed = start.max_speed;
   agent.radius = start.radius;
   agent.goals = start.goals;
   agent.present_goal = start.goals.front();
@@ -40,15 +40,15 @@ void requirePoint(const std::string& what, const Vector2& point) {
   requireFinite(what, point.y());
 }
 
-bool isSound(const RelativeAction& action) {
-  return std::isfinite(action.rotation) && action.speed_share >= 0.0 && action.speed_share <= 1.0;
+bool isValid(const RelativeAction& action) {
+  return std::isfinite(action.rotation) && action.speed_fraction >= 0.0 && action.speed_fraction <= 1.0;
 }
 
-[[noreturn]] void throwUnsound(const AgentAction& given) {
+[[noreturn]] void throwInvalid(const AgentAction& given) {
   const RelativeAction& action = given.action;
   throw InputError("agent " + std::to_string(given.agent) +
-                   ": expected a finite rotation and a share of the speed from 0 to 1, got rotation " +
-                   toText(action.rotation) + " and share " + toText(action.speed_share));
+                   ": expected a finite rotation and a fraction of the maximum speed from 0 to 1, got rotation " +
+                   toText(action.rotation) + " and share " + toText(action.speed_fraction));
 }
 
 }  // namespace
@@ -126,9 +126,9 @@ void World::rebuildGrid() {
   grid_.build(CELL_SIZE);
 }
 
-void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
+void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
   takeOrders(actions);
-  workers.run(
+  thread_pool.run(
       orders_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -138,13 +138,13 @@ void World::step(const std::vector<AgentAction>& actions, Workers& workers) {
       },
       FEW_AGENTS);
   if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
-  finishTick(workers);
+  finishTick(thread_pool);
 }
 
 void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   const RelativeAction* action = nullptr;
   for (const AgentAction& given : actions) {
-    if (!isSound(given.action)) throwUnsound(given);
+    if (!isValid(given.action)) throwInvalid(given);
     if (given.agent == id && action == nullptr) action = &given.action;
   }
   if (!isActive(id)) return;
@@ -155,22 +155,22 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   updateGridOf(agent);  // also of one that stays: its velocity is another
 }
 
-void World::endTick(Workers& workers) {
+void World::endTick(ThreadPool& thread_pool) {
   for (Agent& agent : agents_) {
     if (!had_turn_[agent.id]) beginMove(agent, nullptr);
   }
   had_turn_.assign(agents_.size(), false);
   if (contact_ == Contact::SOLID) moveSolids([&](std::size_t body) { return body >= agents_.size(); });
-  finishTick(workers);
+  finishTick(thread_pool);
 }
 
-void World::finishTick(Workers& workers) {
+void World::finishTick(ThreadPool& thread_pool) {
   ++tick_;
   moveObstacles();
   updateGrid();
   // Who arrives in this tick still stands on the floor at its end: the grid is that of everybody.
   std::atomic<std::size_t> arrived{0};
-  workers.run(
+  thread_pool.run(
       agents_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         std::size_t arrivals = 0;
@@ -186,9 +186,9 @@ void World::finishTick(Workers& workers) {
 
 inline void World::takeOrders(const std::vector<AgentAction>& actions) {
   for (const AgentAction& given : actions) {
-    if (!isSound(given.action)) {
+    if (!isValid(given.action)) {
       std::fill(orders_.begin(), orders_.end(), nullptr);
-      throwUnsound(given);
+      throwInvalid(given);
     }
     if (given.agent < orders_.size() && orders_[given.agent] == nullptr) orders_[given.agent] = &given.action;
   }
@@ -203,7 +203,7 @@ inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
     agent.pose.heading = wrapAngle(agent.pose.heading + action->rotation);
     agent.ahead = unitVector(agent.pose.heading);
   }
-  agent.velocity = action->speed_share * agent.speed * agent.ahead;
+  agent.velocity = action->speed_fraction * agent.max_speed * agent.ahead;
   if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
 }
 
@@ -293,7 +293,7 @@ void World::requireFreePlace(const Vector2& centre, double radius, bool agents_o
 }
 
 AgentId World::spawnAgent(const AgentStart& start) {
-  requireAbove("speed [m/s]", start.speed);
+  requireAbove("max_speed [m/s]", start.max_speed);
   requireAbove("radius [m]", start.radius);
   requireFinite("heading [rad]", start.heading);
   requirePoint("position [m]", start.position);

@@ -9,24 +9,24 @@ void World::perceive(const Vision& vision, Perceptions& perceptions) {
   const std::size_t count = active_count_ + just_arrived_count_;
   perceptions.agents.resize(count);
   perceptions.order.clear();
-  begin(vision, count, looker_, perceptions);
+  begin(vision, count, workspace_, perceptions);
   if (grid_.isList()) {
     lookOneByOne(vision, perceptions);
   } else {
     lookInOrder(vision, perceptions);
   }
-  std::swap(perceptions.walls, looker_.walls);
+  std::swap(perceptions.walls, workspace_.walls);
 }
 
 void World::perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perceptions& perceptions) {
   perceptions.agents.resize(id ? 1 : 0);
   perceptions.order.clear();
-  begin(vision, perceptions.agents.size(), looker_, perceptions);
+  begin(vision, perceptions.agents.size(), workspace_, perceptions);
   for (AgentPerception& self : perceptions.agents) {
     self.agent = *id;
-    look(vision, agents_[*id], 0, looker_, self, perceptions);
+    look(vision, agents_[*id], 0, workspace_, self, perceptions);
   }
-  std::swap(perceptions.walls, looker_.walls);
+  std::swap(perceptions.walls, workspace_.walls);
 }
 
 inline void World::lookOneByOne(const Vision& vision, Perceptions& perceptions) {
@@ -35,7 +35,7 @@ inline void World::lookOneByOne(const Vision& vision, Perceptions& perceptions) 
   for (const Agent& agent : agents_) {
     if (!isPerceiving(agent)) continue;
     perceived[count].agent = agent.id;
-    look(vision, agent, count, looker_, perceived[count], perceptions);
+    look(vision, agent, count, workspace_, perceived[count], perceptions);
     ++count;
   }
 }
@@ -54,7 +54,7 @@ void World::lookInOrder(const Vision& vision, Perceptions& perceptions) {
       prefetch(agents_[next.agent]);
     }
     AgentPerception& self = perceptions.agents[perceptions.order[i]];
-    look(vision, agents_[self.agent], i, looker_, self, perceptions);
+    look(vision, agents_[self.agent], i, workspace_, self, perceptions);
   }
 }
 
@@ -73,17 +73,18 @@ void World::orderAgents(Perceptions& perceptions) {
   }
 }
 
-inline void World::begin(const Vision& vision, std::size_t agents, Looker& looker, Perceptions& perceptions) const {
+inline void World::begin(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
+                         Perceptions& perceptions) const {
   perceptions.tick = tick_;
   perceptions.tick_duration = tick_duration_;
-  perceptions.bodies.resize(vision.max_bodies * agents);
-  looker.walls.clear();
+  perceptions.neighbours.resize(vision.max_neighbours * agents);
+  workspace.walls.clear();
 }
 
-void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t last, Looker& looker,
+void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t last, PerceptionWorkspace& workspace,
                          Perceptions& perceptions) const {
   perceptions.order.clear();
-  begin(vision, last - first, looker, perceptions);
+  begin(vision, last - first, workspace, perceptions);
   std::size_t count = 0;
   for (std::size_t disc = first; disc < last; ++disc) {
     if (disc + PREFETCH_AHEAD < grid_.size()) {
@@ -96,40 +97,41 @@ void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t la
     if (count == perceptions.agents.size()) perceptions.agents.emplace_back();
     AgentPerception& self = perceptions.agents[count];
     self.agent = body;
-    look(vision, agents_[body], count++, looker, self, perceptions);
+    look(vision, agents_[body], count++, workspace, self, perceptions);
   }
   perceptions.agents.resize(count);
-  std::swap(perceptions.walls, looker.walls);
+  std::swap(perceptions.walls, workspace.walls);
 }
 
-inline void World::look(const Vision& vision, const Agent& agent, std::size_t before, Looker& looker,
+inline void World::look(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
                         AgentPerception& self, Perceptions& perceptions) const {
   // With no limit the bodies of all stand one behind the other, however many.
-  const std::size_t first = vision.max_bodies > 0 ? vision.max_bodies * before : perceptions.bodies.size();
+  const std::size_t first = vision.max_neighbours > 0 ? vision.max_neighbours * before : perceptions.neighbours.size();
   // Where bodies hide each other, all of them are needed to tell whom one sees.
-  const std::size_t most = vision.occlusion ? 0 : vision.max_bodies;
+  const std::size_t most = vision.occlusion ? 0 : vision.max_neighbours;
   const Rotation frame(agent.ahead);
-  const auto found = looker.search.findNearest(grid_, agent.pose.position, vision.radius, most, agent.id);
-  self.first_body = static_cast<std::uint32_t>(first);
-  self.body_count = static_cast<std::uint32_t>(found.size());
-  self.first_wall = static_cast<std::uint32_t>(looker.walls.size());
+  const auto found = workspace.search.findNearest(grid_, agent.pose.position, vision.radius, most, agent.id);
+  self.first_neighbour = static_cast<std::uint32_t>(first);
+  self.neighbour_count = static_cast<std::uint32_t>(found.size());
+  self.first_wall = static_cast<std::uint32_t>(workspace.walls.size());
   lookAtSelf(agent, frame, self);
-  if (!walls_.empty()) findWalls(vision, agent, frame, looker);
+  if (!walls_.empty()) findWalls(vision, agent, frame, workspace);
   if (vision.occlusion) {
-    looker.near.resize(found.size());
-    findBodies(found, agent, 0, looker.near);
-    hide(vision, self, looker);
+    workspace.near.resize(found.size());
+    writeNeighbours(found, agent, 0, workspace.near);
+    hide(vision, self, workspace);
   }
-  self.wall_count = static_cast<std::uint32_t>(looker.walls.size()) - self.first_wall;
-  if (vision.max_bodies == 0) perceptions.bodies.resize(first + self.body_count);
-  if (!vision.occlusion) return findBodies(found, agent, first, perceptions.bodies);
-  for (std::size_t i = 0; i < looker.bodies.size(); ++i) perceptions.bodies.set(first + i, looker.bodies[i]);
+  self.wall_count = static_cast<std::uint32_t>(workspace.walls.size()) - self.first_wall;
+  if (vision.max_neighbours == 0) perceptions.neighbours.resize(first + self.neighbour_count);
+  if (!vision.occlusion) return writeNeighbours(found, agent, first, perceptions.neighbours);
+  for (std::size_t i = 0; i < workspace.neighbours.size(); ++i)
+    perceptions.neighbours.set(first + i, workspace.neighbours[i]);
 }
 
 inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {
   self.pose = agent.pose;
   self.velocity = frame.intoFrame(agent.velocity);
-  self.speed = agent.speed;
+  self.max_speed = agent.max_speed;
   self.radius = agent.radius;
   self.goal = frame.intoFrame(agent.goal() - agent.pose.position);
   self.goal_number = agent.goal_number;
@@ -137,8 +139,8 @@ inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPe
   self.acted = agent.acted;
 }
 
-inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, std::size_t first,
-                              PerceivedBodies& bodies) const {
+inline void World::writeNeighbours(const Span<NearDisc>& found, const Agent& agent, std::size_t first,
+                                   NeighbourList& neighbours) const {
   const Vector2& place = agent.pose.position;
   const Vector2& ahead = agent.ahead;
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -146,31 +148,32 @@ inline void World::findBodies(const View<NearDisc>& found, const Agent& agent, s
     const NeighbourGrid::Motion& motion = grid_.motions()[disc];
     const double dx = motion.x - place.x();
     const double dy = motion.y - place.y();
-    bodies.xs()[first + i] = dx * ahead.x() + dy * ahead.y();
-    bodies.ys()[first + i] = dy * ahead.x() - dx * ahead.y();
-    bodies.vxs()[first + i] = motion.vx * ahead.x() + motion.vy * ahead.y();
-    bodies.vys()[first + i] = motion.vy * ahead.x() - motion.vx * ahead.y();
-    bodies.radii()[first + i] = grid_.radius(disc);
-    bodies.kinds()[first + i] = grid_.body(disc) < agents_.size() ? BodyKind::AGENT : BodyKind::OBSTACLE;
+    neighbours.xs()[first + i] = dx * ahead.x() + dy * ahead.y();
+    neighbours.ys()[first + i] = dy * ahead.x() - dx * ahead.y();
+    neighbours.vxs()[first + i] = motion.vx * ahead.x() + motion.vy * ahead.y();
+    neighbours.vys()[first + i] = motion.vy * ahead.x() - motion.vx * ahead.y();
+    neighbours.radii()[first + i] = grid_.radius(disc);
+    neighbours.kinds()[first + i] = grid_.body(disc) < agents_.size() ? NeighbourKind::AGENT : NeighbourKind::OBSTACLE;
   }
 }
 
-inline void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const {
+inline void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& frame,
+                             PerceptionWorkspace& workspace) const {
   for (const Segment& wall : walls_) {
     if (distanceTo(wall, agent.pose.position) > vision.radius) continue;
-    looker.walls.push_back(
+    workspace.walls.push_back(
         {frame.intoFrame(wall.from - agent.pose.position), frame.intoFrame(wall.to - agent.pose.position)});
   }
 }
 
-/// Leaves what is seen of the looker's bodies and walls.
-inline void World::hide(const Vision& vision, AgentPerception& self, Looker& looker) const {
-  const PerceivedBodiesView near(looker.near, 0, looker.near.size());
-  looker.bodies.assign(near.begin(), near.end());
-  looker.occlusion.apply(looker.bodies, 0, looker.walls, self.first_wall, vision.radius);
-  const bool too_many = vision.max_bodies > 0 && looker.bodies.size() > vision.max_bodies;
-  if (too_many) looker.bodies.resize(vision.max_bodies);
-  self.body_count = static_cast<std::uint32_t>(looker.bodies.size());
+/// Leaves what is seen of the agent's bodies and walls.
+inline void World::hide(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const {
+  const NeighbourSpan near(workspace.near, 0, workspace.near.size());
+  workspace.neighbours.assign(near.begin(), near.end());
+  workspace.occlusion.apply(workspace.neighbours, 0, workspace.walls, self.first_wall, vision.radius);
+  const bool too_many = vision.max_neighbours > 0 && workspace.neighbours.size() > vision.max_neighbours;
+  if (too_many) workspace.neighbours.resize(vision.max_neighbours);
+  self.neighbour_count = static_cast<std::uint32_t>(workspace.neighbours.size());
 }
 
 }  // namespace crowd

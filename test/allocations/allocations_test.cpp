@@ -46,7 +46,8 @@ Scene lattice() {
 Learner makeLearner(Mode mode) {
   Learner::Options options;
   options.mode = mode;
-  return {parseModel("{state_set: {type: anticipation}, action_set: {type: goal_fan}, reward: {type: pace}}"), options};
+  return {parseModel("{state_set: {type: anticipation}, action_set: {type: goal_relative}, reward: {type: progress}}"),
+          options};
 }
 
 /// Whether there comes a row of ticks that allocate nothing. When that is depends on who works when: a worker that had
@@ -54,9 +55,9 @@ Learner makeLearner(Mode mode) {
 bool getsWarm(Mode mode, unsigned threads) {
   constexpr int ROW = 50;
   constexpr int MOST = 400;  // then they would leave the floor
-  Workers workers(threads);
+  ThreadPool thread_pool(threads);
   Learner learner = makeLearner(mode);
-  Episode episode(lattice(), 0, learner.model().vision(), workers);
+  Episode episode(lattice(), 0, learner.model().vision(), thread_pool);
   RelativeActions actions;
   int quiet = 0;
   for (int tick = 0; tick < MOST && quiet < ROW; ++tick) {

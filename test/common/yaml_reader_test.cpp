@@ -65,10 +65,10 @@ TEST(ReadNumber, DoesNotQuoteWholeFiles) { EXPECT_LT(numberError(std::string(100
 TEST(ReadNumber, FollowsItsRule) {
   EXPECT_EQ(readNumber(YAML::Load("0"), PLACE, NumberRule::NOT_NEGATIVE), 0.0);
   EXPECT_EQ(readNumber(YAML::Load("1e-9"), PLACE, NumberRule::POSITIVE), 1e-9);
-  EXPECT_EQ(readNumber(YAML::Load("1"), PLACE, NumberRule::SHARE), 1.0);
+  EXPECT_EQ(readNumber(YAML::Load("1"), PLACE, NumberRule::FRACTION), 1.0);
   EXPECT_NE(numberError("-1e-9", NumberRule::NOT_NEGATIVE).find("a number of 0 or more"), std::string::npos);
   EXPECT_NE(numberError("0", NumberRule::POSITIVE).find("a number above 0"), std::string::npos);
-  EXPECT_NE(numberError("1.01", NumberRule::SHARE).find("a number from 0 to 1"), std::string::npos);
+  EXPECT_NE(numberError("1.01", NumberRule::FRACTION).find("a number from 0 to 1"), std::string::npos);
 }
 
 TEST(ReadWhole, TakesWholeNumbersWithinTheLimitsOnly) {
@@ -115,7 +115,7 @@ TEST(ReadText, TakesScalarsOnly) {
 
 TEST(YamlMap, ReadsWhatIsThereAndFallsBackWhereAllowed) {
   YamlMap map(YAML::Load("{a: 0.5, b: 3, c: word, d: true}"), PLACE);
-  EXPECT_EQ(map.number("a", NumberRule::SHARE), 0.5);
+  EXPECT_EQ(map.number("a", NumberRule::FRACTION), 0.5);
   EXPECT_EQ(map.whole("b", 0, 9), 3);
   EXPECT_EQ(map.text("c"), "word");
   EXPECT_TRUE(map.flag("d", false));

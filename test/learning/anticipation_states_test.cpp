@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/learning/goal_fan.h"
+#include "social_crowd/learning/goal_relative_actions.h"
 #include "social_crowd/learning/kings_moves.h"
-#include "social_crowd/learning/time_to_contact.h"
+#include "social_crowd/learning/time_to_collision.h"
 #include "support/error_of.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
@@ -16,42 +16,43 @@ constexpr double ROUNDING = 1e-5;  // of times in single precision
 const CandidateMove ANY_MOVE;
 
 const AnticipationStates& states() {
-  static const AnticipationStates STATES({}, GoalFan().size());
+  static const AnticipationStates STATES({}, GoalRelativeActions().size());
   return STATES;
 }
 
 /// What would come of a move.
-struct Outlook {
+struct Features {
   double reciprocal_time = NEVER;
-  double selfish_time = NEVER;
-  double fixed_time = NEVER;
-  double share = 1.0;
+  double constant_velocity_time = NEVER;
+  double static_time = NEVER;
+  double fraction = 1.0;
   double turn_cosine = 1.0;
   double oncoming = 0.0;
 };
 
-MoveOutlooks describeAll(const PerceptionsBuilder& scene, const CandidateMove& move) {
-  const double least_share = AnticipationStates::Parameters().shares.front();
-  return foreseeAlone(scene.perception(), toBlocks({move})[0], 1, least_share);
+MoveFeatures describeAll(const PerceptionsBuilder& scene, const CandidateMove& move) {
+  const double min_fraction = AnticipationStates::Parameters().admissible_fractions.front();
+  return featuresAlone(scene.perception(), toBlocks({move})[0], 1, min_fraction);
 }
 
-Outlook describe(const PerceptionsBuilder& scene, const CandidateMove& move) {
-  const MoveOutlooks all = describeAll(scene, move);
-  return {all.reciprocal_times[0], all.selfish_times[0], all.fixed_times[0],
-          all.shares[0],           all.turn_cosines[0],  all.oncoming};
+Features describe(const PerceptionsBuilder& scene, const CandidateMove& move) {
+  const MoveFeatures all = describeAll(scene, move);
+  return {all.reciprocal_times[0], all.constant_velocity_times[0],
+          all.static_times[0],     all.admissible_fractions[0],
+          all.turn_cosines[0],     all.oncoming};
 }
 
 /// What would come of full speed ahead, 0.3 m/s.
-Outlook ahead(const PerceptionsBuilder& scene) { return describe(scene, {Vector2::UnitX(), 1.0, 1.0}); }
+Features ahead(const PerceptionsBuilder& scene) { return describe(scene, {Vector2::UnitX(), 1.0, 1.0}); }
 
-Row rowOf(const Outlook& outlook) {
-  MoveOutlooks lanes = describeAll(PerceptionsBuilder().agent(0, {1.0, 0.0}), ANY_MOVE);
-  lanes.reciprocal_times[0] = static_cast<float>(outlook.reciprocal_time);
-  lanes.selfish_times[0] = static_cast<float>(outlook.selfish_time);
-  lanes.fixed_times[0] = static_cast<float>(outlook.fixed_time);
-  lanes.shares[0] = static_cast<float>(outlook.share);
-  lanes.turn_cosines[0] = static_cast<float>(outlook.turn_cosine);
-  lanes.oncoming = static_cast<float>(outlook.oncoming);
+Row rowOf(const Features& move_features) {
+  MoveFeatures lanes = describeAll(PerceptionsBuilder().agent(0, {1.0, 0.0}), ANY_MOVE);
+  lanes.reciprocal_times[0] = static_cast<float>(move_features.reciprocal_time);
+  lanes.constant_velocity_times[0] = static_cast<float>(move_features.constant_velocity_time);
+  lanes.static_times[0] = static_cast<float>(move_features.static_time);
+  lanes.admissible_fractions[0] = static_cast<float>(move_features.fraction);
+  lanes.turn_cosines[0] = static_cast<float>(move_features.turn_cosine);
+  lanes.oncoming = static_cast<float>(move_features.oncoming);
   Row row = 0;
   states().findRows(lanes, 1, &row);
   return row;
@@ -65,68 +66,70 @@ std::vector<Row> rowsOf(const AnticipationStates& states, const ActionSet& actio
 }
 
 TEST(AnticipationStates, NothingComesOfAFreeMove) {
-  const auto outlook = ahead(PerceptionsBuilder().agent(0, {9.0, 0.0}));
-  EXPECT_GE(outlook.reciprocal_time, NEVER);
-  EXPECT_GE(outlook.selfish_time, NEVER);
-  EXPECT_GE(outlook.fixed_time, NEVER);
-  EXPECT_EQ(outlook.share, 1.0);
-  EXPECT_EQ(outlook.turn_cosine, 1.0);
+  const auto move_features = ahead(PerceptionsBuilder().agent(0, {9.0, 0.0}));
+  EXPECT_GE(move_features.reciprocal_time, NEVER);
+  EXPECT_GE(move_features.constant_velocity_time, NEVER);
+  EXPECT_GE(move_features.static_time, NEVER);
+  EXPECT_EQ(move_features.fraction, 1.0);
+  EXPECT_EQ(move_features.turn_cosine, 1.0);
 }
 
 TEST(AnticipationStates, AnAgentMeetsAsItGoesOnOrDoesItsHalf) {
   // 1.2 m apart, it comes with 0.1 m/s, the agent went aside with 0.1 m/s: 0.4 m/s head on; and 0.7 m/s, a little
   // aside.
-  const auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).body({1.7, 0.0}, 0.25).velocity({0.0, 0.1}, {-0.1, 0.0});
-  const auto outlook = ahead(scene);
-  EXPECT_NEAR(outlook.selfish_time, 3.0, ROUNDING);
-  EXPECT_NEAR(outlook.reciprocal_time, timeToContact(Vector2(1.7, 0.0), {0.7, -0.1}, 0.5), ROUNDING);
-  EXPECT_GE(outlook.fixed_time, NEVER);
-  EXPECT_NEAR(outlook.turn_cosine, 1.0, ROUNDING);
+  const auto scene =
+      PerceptionsBuilder().agent(0, {9.0, 0.0}).neighbour({1.7, 0.0}, 0.25).velocity({0.0, 0.1}, {-0.1, 0.0});
+  const auto move_features = ahead(scene);
+  EXPECT_NEAR(move_features.constant_velocity_time, 3.0, ROUNDING);
+  EXPECT_NEAR(move_features.reciprocal_time, timeToCollision(Vector2(1.7, 0.0), {0.7, -0.1}, 0.5), ROUNDING);
+  EXPECT_GE(move_features.static_time, NEVER);
+  EXPECT_NEAR(move_features.turn_cosine, 1.0, ROUNDING);
 }
 
 TEST(AnticipationStates, ObstaclesAndWallsYieldToNobody) {
-  auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).body({2.0, 0.0}, 0.25).kind(BodyKind::OBSTACLE);
-  EXPECT_NEAR(ahead(scene).fixed_time, 5.0, ROUNDING);
-  EXPECT_GE(ahead(scene).selfish_time, NEVER);
+  auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).neighbour({2.0, 0.0}, 0.25).kind(NeighbourKind::OBSTACLE);
+  EXPECT_NEAR(ahead(scene).static_time, 5.0, ROUNDING);
+  EXPECT_GE(ahead(scene).constant_velocity_time, NEVER);
   scene.wall({0.85, -1.0}, {0.85, 1.0});
-  EXPECT_NEAR(ahead(scene).fixed_time, 2.0, ROUNDING);
+  EXPECT_NEAR(ahead(scene).static_time, 2.0, ROUNDING);
 }
 
 TEST(AnticipationStates, ABlockedMoveMeetsWhatStayingMeets) {
   // 1.2 m apart, it comes with 0.1 m/s, the agent stood: 12 s if the agent stays; the wall is never met.
   const auto scene = PerceptionsBuilder()
                          .agent(0, {9.0, 0.0})
-                         .body({1.7, 0.0}, 0.25)
+                         .neighbour({1.7, 0.0}, 0.25)
                          .velocity({0.0, 0.0}, {-0.1, 0.0})
                          .wall({0.85, -1.0}, {0.85, 1.0});
   const auto blocked = describe(scene, {Vector2::UnitX(), 1.0, 0.04});
-  EXPECT_NEAR(blocked.selfish_time, 12.0, ROUNDING);
+  EXPECT_NEAR(blocked.constant_velocity_time, 12.0, ROUNDING);
   EXPECT_NEAR(blocked.reciprocal_time, 12.0, ROUNDING);
-  EXPECT_GE(blocked.fixed_time, NEVER);
-  EXPECT_NEAR(blocked.share, 0.04, ROUNDING);
+  EXPECT_GE(blocked.static_time, NEVER);
+  EXPECT_NEAR(blocked.fraction, 0.04, ROUNDING);
   const auto cut = describe(scene, {Vector2::UnitX(), 1.0, 0.06});
-  EXPECT_NEAR(cut.selfish_time, 3.0, ROUNDING);
+  EXPECT_NEAR(cut.constant_velocity_time, 3.0, ROUNDING);
   EXPECT_NEAR(cut.reciprocal_time, 1.2 / 0.7, ROUNDING);
-  EXPECT_NEAR(cut.fixed_time, 2.0, ROUNDING);
+  EXPECT_NEAR(cut.static_time, 2.0, ROUNDING);
 }
 
 TEST(AnticipationStates, WhatLiesBehindTheGoalDoesNotCount) {
-  const auto scene = PerceptionsBuilder().agent(0, {1.0, 0.0}).body({2.0, 0.0}, 0.25).kind(BodyKind::OBSTACLE);
-  EXPECT_GE(ahead(scene).fixed_time, NEVER);
+  const auto scene =
+      PerceptionsBuilder().agent(0, {1.0, 0.0}).neighbour({2.0, 0.0}, 0.25).kind(NeighbourKind::OBSTACLE);
+  EXPECT_GE(ahead(scene).static_time, NEVER);
 }
 
 TEST(AnticipationStates, EveryRowStandsForOneSetOfClasses) {
   std::vector<bool> taken(states().rowCount(), false);
   const std::vector<double> late = {0.1, 0.5, 1.2, 1.7, 2.5, 3.5, 5, NEVER};
-  const std::vector<double> selfish = {0.1, 1, 3, NEVER};
+  const std::vector<double> constant_velocity = {0.1, 1, 3, NEVER};
   const std::vector<double> fixed = {0.1, 0.7, 1, 2, 4, NEVER};
   for (const double r : late) {
-    for (const double s : selfish) {
+    for (const double s : constant_velocity) {
       for (const double f : fixed) {
-        for (const double share : {0.0, 0.1, 0.6, 1.0}) {
+        for (const double fraction : {0.0, 0.1, 0.6, 1.0}) {
           for (const double turn : {0.0, 10.0, 30.0, 90.0}) {
             for (const double oncoming : {0.0, 1.5}) {
-              const Row row = rowOf({r, s, f, share, std::cos(toRadians(turn)), oncoming});
+              const Row row = rowOf({r, s, f, fraction, std::cos(toRadians(turn)), oncoming});
               ASSERT_LT(row, states().rowCount());
               EXPECT_FALSE(taken[row]) << row;
               taken[row] = true;
@@ -141,13 +144,14 @@ TEST(AnticipationStates, EveryRowStandsForOneSetOfClasses) {
 }
 
 TEST(AnticipationStates, FindsARowForEachMove) {
-  const auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).body({1.0, 0.0}, 0.25).velocity({0.3, 0}, {-0.3, 0});
-  const std::vector<Row> rows = rowsOf(states(), GoalFan(), scene);
-  ASSERT_EQ(rows.size(), GoalFan().size());
+  const auto scene =
+      PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({1.0, 0.0}, 0.25).velocity({0.3, 0}, {-0.3, 0});
+  const std::vector<Row> rows = rowsOf(states(), GoalRelativeActions(), scene);
+  ASSERT_EQ(rows.size(), GoalRelativeActions().size());
   const double approach = 2.0;  // 0.3 against 0.3 m/s
-  auto outlook = ahead(scene);
-  outlook.oncoming = approach;
-  EXPECT_EQ(rows[0], rowOf(outlook));
+  auto move_features = ahead(scene);
+  move_features.oncoming = approach;
+  EXPECT_EQ(rows[0], rowOf(move_features));
   EXPECT_NE(rows[0], rows[13]);  // straight back
 }
 
@@ -155,10 +159,10 @@ TEST(AnticipationStates, ServesAnyActionSet) {
   for (const int count : {2, 4, 24, 25, 60}) {
     const KingsMoves kings(count);
     const AnticipationStates states({}, kings.size());
-    const auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).body({-1.0, 0.0}, 0.25);
+    const auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({-1.0, 0.0}, 0.25);
     const std::vector<Row> rows = rowsOf(states, kings, scene);
     ASSERT_EQ(rows.size(), kings.size());
-    EXPECT_EQ(rows[0], rowOf(Outlook()));
+    EXPECT_EQ(rows[0], rowOf(Features()));
     // Half-way round the circle somebody stands 0.5 m away: contact after 1.7 s, or half of that.
     const Action back = kings.size() / 2;
     if (count % 2 == 0) {
@@ -169,15 +173,17 @@ TEST(AnticipationStates, ServesAnyActionSet) {
 
 TEST(AnticipationStates, IsWhatItsSpecSays) {
   const std::string spec =
-      "{type: anticipation, vision_radius: 5, max_bodies: 9, reciprocal_times: [1, 2], selfish_times: [], fixed_times: "
-      "[3], shares: [0.5], turns: [10], oncoming: []}";
-  const auto made = makeStateSet(YAML::Load(spec), {"file.yaml", 0, "state_set"}, std::make_shared<GoalFan>());
+      "{type: anticipation, vision_radius: 5, max_neighbours: 9, reciprocal_times: [1, 2], constant_velocity_times: "
+      "[], static_times: "
+      "[3], admissible_fractions: [0.5], turns: [10], oncoming: []}";
+  const auto made =
+      makeStateSet(YAML::Load(spec), {"file.yaml", 0, "state_set"}, std::make_shared<GoalRelativeActions>());
   EXPECT_EQ(made->spec(), spec);
   EXPECT_EQ(made->rowCount(), 24U);  // 3 * 2 * 2 * 2
-  EXPECT_EQ(made->maxBodies(), 9U);
+  EXPECT_EQ(made->maxNeighbours(), 9U);
   const auto error = errorOf<InputError>([] {
     makeStateSet(YAML::Load("{type: anticipation, turns: [190]}"), {"file.yaml", 0, "state_set"},
-                 std::make_shared<GoalFan>());
+                 std::make_shared<GoalRelativeActions>());
   });
   EXPECT_TRUE(contains(error, "turns[0]: expected a list of rising numbers from 0 to 180, got '190'"));
 }

@@ -24,8 +24,8 @@ PerceptionsBuilder goalAt(double degrees) { return PerceptionsBuilder().agent(0,
 
 /// A body of radius 0.1 m whose rim is so far away [m], at a bearing [degrees]. At 0.3 m and beyond it spans up to
 /// asin(0.1 / 0.4) = 14.5 degrees to either side, less than half a sector's width.
-PerceptionsBuilder& addBody(double degrees, double rim, PerceptionsBuilder& scene) {
-  return scene.body(polar(degrees, rim + 0.1), 0.1);
+PerceptionsBuilder& addNeighbour(double degrees, double rim, PerceptionsBuilder& scene) {
+  return scene.neighbour(polar(degrees, rim + 0.1), 0.1);
 }
 
 TEST(CondensedOccupancyStates, HasATwelfthOfTheRows) {
@@ -44,30 +44,30 @@ TEST(CondensedOccupancyStates, TellsWhichSectorsAreOccupied) {
   const Row digits[] = {128, 64, 32, 16, 8, 4, 2, 1};
   for (int sector = 0; sector < 8; ++sector) {
     PerceptionsBuilder scene = goalAt(0.0);
-    EXPECT_EQ(rowOf(addBody(45.0 * sector, 0.6, scene)), digits[sector]);
+    EXPECT_EQ(rowOf(addNeighbour(45.0 * sector, 0.6, scene)), digits[sector]);
   }
   PerceptionsBuilder across_a_limit = goalAt(90.0);  // at 0.7 m and 22.5 degrees it lies in both sectors
-  EXPECT_EQ(rowOf(addBody(22.5, 0.6, across_a_limit)), 2U * 512U + 128U + 64U);
+  EXPECT_EQ(rowOf(addNeighbour(22.5, 0.6, across_a_limit)), 2U * 512U + 128U + 64U);
   PerceptionsBuilder two = goalAt(-45.0);
-  addBody(180.0, 0.9, two);
-  EXPECT_EQ(rowOf(addBody(-45.0, 0.6, two)), 7U * 512U + 8U + 1U);
+  addNeighbour(180.0, 0.9, two);
+  EXPECT_EQ(rowOf(addNeighbour(-45.0, 0.6, two)), 7U * 512U + 8U + 1U);
   PerceptionsBuilder beyond = goalAt(0.0);
-  EXPECT_EQ(rowOf(addBody(0.0, 1.01, beyond)), 0U);
+  EXPECT_EQ(rowOf(addNeighbour(0.0, 1.01, beyond)), 0U);
   EXPECT_EQ(rowOf(goalAt(0.0).wall({0.8, -0.1}, {0.8, 0.1})), 128U);  // to 7.1 degrees on both sides
 }
 
 TEST(CondensedOccupancyStates, TellsWhetherAnythingIsNearAnywhere) {
   PerceptionsBuilder near = goalAt(0.0);
-  EXPECT_EQ(rowOf(addBody(180.0, 0.4, near)), 256U + 8U);
+  EXPECT_EQ(rowOf(addNeighbour(180.0, 0.4, near)), 256U + 8U);
   // Which of them is near is not told.
   for (const double near_one : {0.0, 90.0}) {
     PerceptionsBuilder scene = goalAt(45.0);
-    addBody(near_one, 0.4, scene);
-    EXPECT_EQ(rowOf(addBody(90.0 - near_one, 0.9, scene)), 512U + 256U + 128U + 32U);
+    addNeighbour(near_one, 0.4, scene);
+    EXPECT_EQ(rowOf(addNeighbour(90.0 - near_one, 0.9, scene)), 512U + 256U + 128U + 32U);
   }
   PerceptionsBuilder both = goalAt(45.0);
-  addBody(0.0, 0.4, both);
-  EXPECT_EQ(rowOf(addBody(90.0, 0.3, both)), 512U + 256U + 128U + 32U);
+  addNeighbour(0.0, 0.4, both);
+  EXPECT_EQ(rowOf(addNeighbour(90.0, 0.3, both)), 512U + 256U + 128U + 32U);
 }
 
 TEST(CondensedOccupancyStates, IsAFunctionOfStateSetTwo) {
@@ -105,8 +105,8 @@ TEST(CondensedOccupancyStates, TellsItsSectorsForPictures) {
   const CondensedOccupancyStates states;
   EXPECT_TRUE(states.occupiedSectors(goalAt(0.0).perception()).empty());
   PerceptionsBuilder scene = goalAt(0.0);
-  addBody(0.0, 0.6, scene);
-  addBody(90.0, 0.3, scene);
+  addNeighbour(0.0, 0.6, scene);
+  addNeighbour(90.0, 0.3, scene);
   const auto occupied = states.occupiedSectors(scene.perception());
   ASSERT_EQ(occupied.size(), 2U);
   EXPECT_NEAR(occupied[0].from, toRadians(-22.5), 1e-9);
@@ -128,7 +128,7 @@ TEST(CondensedOccupancyStates, AreReadFromYamlAndWrittenAsSuch) {
   EXPECT_EQ(four->rowCount(), 129U);  // 4 * 2 * 2^4 + 1
   EXPECT_EQ(four->distanceLimits(), (std::vector<double>{0.25, 3.0}));
   // Goal behind, a body at the right whose rim is 2.9 m away: 2 * 32 + 1.
-  EXPECT_EQ(rowOf(*four, PerceptionsBuilder().agent(0, {-1.0, 0.0}).body({0.0, -3.0}, 0.1)), 65U);
+  EXPECT_EQ(rowOf(*four, PerceptionsBuilder().agent(0, {-1.0, 0.0}).neighbour({0.0, -3.0}, 0.1)), 65U);
   const std::string message = errorOf<InputError>([] { make("{type: condensed_occupancy, sectors: 13}"); });
   EXPECT_TRUE(contains(message, "state_set.sectors: expected")) << message;
   EXPECT_TRUE(contains(errorOf<InputError>([] { make("{type: condensed_occupancy, vision_radius: 0.5}"); }),

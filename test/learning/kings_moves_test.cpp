@@ -30,7 +30,7 @@ TEST(KingsMoves, TurnByEighthsOfTheCircleAndWalkAtFullSpeed) {
   for (Action action = 0; action < 8; ++action) {
     EXPECT_NEAR(rotationInDegrees(moves, action), expected.at(action), 1e-9);
     const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {1.0, 0.0});
-    EXPECT_EQ(moves.relativeAction(scene.perception(), action).speed_share, 1.0);
+    EXPECT_EQ(moves.relativeAction(scene.perception(), action).speed_fraction, 1.0);
   }
 }
 
@@ -38,12 +38,12 @@ TEST(KingsMoves, MeanTheSameWhateverIsPerceived) {
   const KingsMoves moves;
   const PerceptionsBuilder free = PerceptionsBuilder().agent(0, {1.0, 0.0});
   const PerceptionsBuilder blocked =
-      PerceptionsBuilder().agent(1, {-2.0, 5.0}).body({0.5, 0.0}, 0.3).wall({0.0, 1.0}, {1.0, 1.0});
+      PerceptionsBuilder().agent(1, {-2.0, 5.0}).neighbour({0.5, 0.0}, 0.3).wall({0.0, 1.0}, {1.0, 1.0});
   for (Action action = 0; action < moves.size(); ++action) {
     const RelativeAction one = moves.relativeAction(free.perception(), action);
     const RelativeAction other = moves.relativeAction(blocked.perception(), action);
     EXPECT_EQ(one.rotation, other.rotation);
-    EXPECT_EQ(one.speed_share, other.speed_share);
+    EXPECT_EQ(one.speed_fraction, other.speed_fraction);
   }
 }
 
@@ -60,13 +60,13 @@ TEST(KingsMoves, MayEndWithStaying) {
   ASSERT_EQ(moves.size(), 9U);
   const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(90.0, 3.0));
   EXPECT_EQ(moves.relativeAction(scene.perception(), 8).rotation, 0.0);
-  EXPECT_EQ(moves.relativeAction(scene.perception(), 8).speed_share, 0.0);
+  EXPECT_EQ(moves.relativeAction(scene.perception(), 8).speed_fraction, 0.0);
   const KingsMoves without;
   for (Action action = 0; action < 8; ++action) {
     const RelativeAction one = moves.relativeAction(scene.perception(), action);
     const RelativeAction other = without.relativeAction(scene.perception(), action);
     EXPECT_EQ(one.rotation, other.rotation);
-    EXPECT_EQ(one.speed_share, other.speed_share);
+    EXPECT_EQ(one.speed_fraction, other.speed_fraction);
   }
 }
 
@@ -96,7 +96,7 @@ TEST(KingsMoves, AreReadFromYamlAndWrittenAsSuch) {
 }
 
 TEST(KingsMoves, AreRefusedWithWordsForWhatIsWrong) {
-  EXPECT_TRUE(contains(errorIn("{type: queens_moves}"), "expected kings_moves or goal_fan, got 'queens_moves'"));
+  EXPECT_TRUE(contains(errorIn("{type: queens_moves}"), "expected kings_moves or goal_relative, got 'queens_moves'"));
   EXPECT_TRUE(contains(errorIn("{rotations: 8}"), "'type' is missing"));
   EXPECT_TRUE(contains(errorIn("{type: kings_moves, rotation: 8}"), "unknown key 'rotation'"));
   for (const char* const rotations : {"1", "0", "-8", "361", "8.0", "many", "[8]", "4294967304"}) {

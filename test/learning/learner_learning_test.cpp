@@ -36,9 +36,9 @@ TEST(Learning, LearnsFromWhatItsDecisionLedTo) {
 TEST(Learning, LearnsWhatObstaclesCost) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
-  decide(learner, tick(1, 0, 4.0).body({1.0, 0.0}, 0.25));  // class 2: -0.8, half of it
+  decide(learner, tick(1, 0, 4.0).neighbour({1.0, 0.0}, 0.25));  // class 2: -0.8, half of it
   EXPECT_DOUBLE_EQ(learner.tableOf(0).value(0, 0), -0.4);
-  decide(learner, tick(2, 0, 4.0).body({0.5, 0.0}, 0.25));  // class 1: -80; the row was 3 + 2
+  decide(learner, tick(2, 0, 4.0).neighbour({0.5, 0.0}, 0.25));  // class 1: -80; the row was 3 + 2
   EXPECT_DOUBLE_EQ(learner.tableOf(0).value(5, 0), -40.0);
 }
 

@@ -147,10 +147,10 @@ class RowPerAction : public StateSet {
  public:
   Row rowCount() const override { return 5; }
   std::size_t rowsPerPerception() const override { return 2; }
-  void findRows(const Chooser& chooser) const override {
-    const Row far = chooser.seen.self.goal.norm() > 2.0 ? 1 : 0;
-    chooser.rows[0] = far;
-    chooser.rows[1] = 2 + far;
+  void findRows(const DecisionContext& context) const override {
+    const Row far = context.seen.self.goal.norm() > 2.0 ? 1 : 0;
+    context.rows[0] = far;
+    context.rows[1] = 2 + far;
   }
   Row mirrored(Row row) const override { return row; }
   std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
@@ -186,8 +186,8 @@ TEST(Learner, LooksUpEveryActionInARowOfItsOwn) {
 
 TEST(Learner, LooksAtNoMoreThanItsModelsVision) {
   const Model two_within_three_metres = parseModel(
-      "{state_set: {type: anticipation, vision_radius: 3, max_bodies: 2}, action_set: {type: goal_fan}, "
-      "reward: {type: pace}}");
+      "{state_set: {type: anticipation, vision_radius: 3, max_neighbours: 2}, action_set: {type: goal_relative}, "
+      "reward: {type: progress}}");
   KeyedRandom random(11, KeyedRandom::EXPLORATION, {});
   QTable table(two_within_three_metres.state_set->rowCount(), two_within_three_metres.action_set->size());
   for (Row row = 0; row < table.rows(); ++row) {
@@ -196,18 +196,18 @@ TEST(Learner, LooksAtNoMoreThanItsModelsVision) {
   Learner learner(two_within_three_metres, options(Mode::DEMO), table);
   const auto answer = [&](const PerceptionsBuilder& told) {
     const RelativeAction action = decide(learner, told).agents.at(0).action;
-    return std::pair<double, double>(action.rotation, action.speed_share);
+    return std::pair<double, double>(action.rotation, action.speed_fraction);
   };
   int differed = 0;
   for (int i = 0; i < 100; ++i) {
     const PerceptionsBuilder nobody = PerceptionsBuilder().agent(0, {5.0, 0.0});
     PerceptionsBuilder seen = nobody;
-    for (const double distance : {0.7, 0.9}) seen.body(polar(random.uniform(-90.0, 90.0), distance), 0.25);
+    for (const double distance : {0.7, 0.9}) seen.neighbour(polar(random.uniform(-90.0, 90.0), distance), 0.25);
     PerceptionsBuilder told = seen;
-    for (const double distance : {0.95, 1.0, 4.0}) told.body(polar(random.uniform(-90.0, 90.0), distance), 0.25);
+    for (const double distance : {0.95, 1.0, 4.0}) told.neighbour(polar(random.uniform(-90.0, 90.0), distance), 0.25);
     EXPECT_EQ(answer(told), answer(seen));
     PerceptionsBuilder far = nobody;
-    EXPECT_EQ(answer(far.body(polar(0.0, 3.3), 0.25)), answer(nobody));
+    EXPECT_EQ(answer(far.neighbour(polar(0.0, 3.3), 0.25)), answer(nobody));
     differed += answer(seen) != answer(nobody) ? 1 : 0;
   }
   EXPECT_GT(differed, 50);  // else there would be nothing to see

@@ -15,8 +15,8 @@ namespace {
 void learnOne(QTable& table, double target, const LearningParameters& parameters) {
   const Row row = 0;
   QLearner learner;
-  learner.noteDecision(table, {&row, 0}, 0, parameters);
-  learner.learnTerminal(table, target, parameters, StepSizes(parameters));
+  learner.recordDecision(table, {&row, 0}, 0, parameters);
+  learner.learnTerminal(table, target, parameters, LearningRateSchedule(parameters));
 }
 
 QTable learned(QTable table, const std::vector<double>& targets, const LearningParameters& parameters) {
@@ -28,7 +28,7 @@ QTable merged(QTable table, const std::vector<QTable>& copies, const LearningPar
   std::vector<const QTable*> pointers;
   pointers.reserve(copies.size());
   for (const QTable& copy : copies) pointers.push_back(&copy);
-  mergeCopies(pointers, StepSizes(parameters), 0, table.rows(), table);
+  mergeCopies(pointers, LearningRateSchedule(parameters), 0, table.rows(), table);
   return table;
 }
 
@@ -41,13 +41,13 @@ QTable tableOf(double value, std::uint32_t visits) {
 constexpr LearningParameters MEANS = {1e-6, 0.5, 0.0, 0.0, 1.0};  // a value is the mean of its targets
 constexpr LearningParameters HALVES = {0.5, 0.5, 0.0, 0.0, 0.0};
 
-TEST(KeptShare, IsTheProductOfWhatTheStepsLeave) {
-  EXPECT_EQ(StepSizes(HALVES).keptShare(7, 7), 1.0);
-  EXPECT_EQ(StepSizes(HALVES).keptShare(7, 10), 0.125);
-  EXPECT_DOUBLE_EQ(StepSizes(MEANS).keptShare(2, 6), 2.0 / 6.0);  // 2/3 * 3/4 * 4/5 * 5/6
-  EXPECT_EQ(StepSizes(MEANS).keptShare(0, 3), 0.0);               // the first step goes all the way
+TEST(RetainedWeight, IsTheProductOfWhatTheStepsLeave) {
+  EXPECT_EQ(LearningRateSchedule(HALVES).retainedWeight(7, 7), 1.0);
+  EXPECT_EQ(LearningRateSchedule(HALVES).retainedWeight(7, 10), 0.125);
+  EXPECT_DOUBLE_EQ(LearningRateSchedule(MEANS).retainedWeight(2, 6), 2.0 / 6.0);  // 2/3 * 3/4 * 4/5 * 5/6
+  EXPECT_EQ(LearningRateSchedule(MEANS).retainedWeight(0, 3), 0.0);               // the first step goes all the way
   const LearningParameters quarter = {0.25, 0.5, 0.0, 0.0, 1.0};
-  EXPECT_DOUBLE_EQ(StepSizes(quarter).keptShare(1, 6),
+  EXPECT_DOUBLE_EQ(LearningRateSchedule(quarter).retainedWeight(1, 6),
                    1.0 / 2 * 2 / 3 * 3 / 4 * 3 / 4 * 3 / 4);  // steps 1/2, 1/3, then 1/4
 }
 
@@ -136,7 +136,7 @@ TEST(MergeCopies, MergesTheRowsAskedForOnly) {
   QTable expected = table;
   expected.set(1, 1, 5.0, 2);
   const QTable idle = table;
-  mergeCopies({&copy, &idle}, StepSizes(HALVES), 1, 2, table);
+  mergeCopies({&copy, &idle}, LearningRateSchedule(HALVES), 1, 2, table);
   EXPECT_EQ(table, expected);
 }
 

@@ -26,10 +26,10 @@ std::vector<Model> models() {
               "{type: kings_moves, rotations: 7}", thesis),
       modelOf("{type: occupancy}", "{type: kings_moves}", thesis),
       modelOf("{type: occupancy, sectors: 5}", "{type: kings_moves, rotations: 2}", thesis),
-      modelOf("{type: occupancy}", "{type: goal_fan}", thesis),
+      modelOf("{type: occupancy}", "{type: goal_relative}", thesis),
       modelOf("{type: condensed_occupancy}", "{type: kings_moves, stay: true}", thesis),
-      modelOf("{type: anticipation}", "{type: goal_fan}", "{type: pace}"),
-      modelOf("{type: anticipation}", "{type: kings_moves}", "{type: pace}"),
+      modelOf("{type: anticipation}", "{type: goal_relative}", "{type: progress}"),
+      modelOf("{type: anticipation}", "{type: kings_moves}", "{type: progress}"),
   };
 }
 
@@ -41,9 +41,9 @@ Vector2 flipped(const Vector2& vector) { return {vector.x(), -vector.y()}; }
 PerceptionsBuilder mirrorImage(const Perception& seen) {
   PerceptionsBuilder image;
   image.agent(seen.self.agent, flipped(seen.self.goal));
-  for (const PerceivedBody& body : seen.bodies) {
-    image.body(flipped(body.position), body.radius).kind(body.kind);
-    image.velocity(flipped(seen.self.velocity), flipped(body.velocity));
+  for (const Neighbour& neighbour : seen.neighbours) {
+    image.neighbour(flipped(neighbour.position), neighbour.radius).kind(neighbour.kind);
+    image.velocity(flipped(seen.self.velocity), flipped(neighbour.velocity));
   }
   for (const Segment& wall : seen.walls) image.wall(flipped(wall.from), flipped(wall.to));
   return image;
@@ -63,9 +63,9 @@ PerceptionsBuilder anyPerception(std::uint64_t seed) {
   for (std::uint32_t left = 1 + random.below(4); left > 0; --left) {
     const Vector2 position = anyVector(random, 1.0);
     const double radius = random.uniform(0.05, 0.3);
-    scene.body(position + 0.3 * position.normalized(), radius);
+    scene.neighbour(position + 0.3 * position.normalized(), radius);
     scene.velocity(own_velocity, random.below(3) == 0 ? Vector2::Zero() : anyVector(random, 0.4));
-    scene.kind(random.below(2) == 0 ? BodyKind::AGENT : BodyKind::OBSTACLE);
+    scene.kind(random.below(2) == 0 ? NeighbourKind::AGENT : NeighbourKind::OBSTACLE);
   }
   for (std::uint32_t left = random.below(3); left > 0; --left) {
     const Vector2 from = anyVector(random, 1.5);
@@ -128,7 +128,7 @@ TEST(Mirror, MoveOfTheMirroredActionIsTheMirroredMove) {
         const RelativeAction mirrored = model.action_set->relativeAction(image.perception(), mirror.action(action));
         ASSERT_NEAR((unitVector(mirrored.rotation) - flipped(unitVector(move.rotation))).norm(), 0.0, 1e-12)
             << "seed " << seed << ", action " << action;
-        ASSERT_NEAR(mirrored.speed_share, move.speed_share, 1e-12) << "seed " << seed << ", action " << action;
+        ASSERT_NEAR(mirrored.speed_fraction, move.speed_fraction, 1e-12) << "seed " << seed << ", action " << action;
       }
     }
   }
@@ -150,12 +150,12 @@ TEST(Mirror, ByHand) {
   // Goal sector 1; class 1 in sector 1, class 2 in sector 4: these digits stand for 3^6 and 3^3, that of sector 7
   // for 1.
   EXPECT_EQ(occupancy.row(6561U + 729U + 2U * 27U), 7U * 6561U + 2U * 27U + 1U);
-  const Mirror fan = mirrorOf(models()[4]);
-  EXPECT_EQ(fan.action(0), 0U);
-  EXPECT_EQ(fan.action(1), 2U);    // 10 degrees to either side
-  EXPECT_EQ(fan.action(13), 13U);  // the way back
-  EXPECT_EQ(fan.action(16), 15U);  // 35 degrees, slow
-  EXPECT_EQ(fan.action(17), 17U);  // stay
+  const Mirror goal_relative = mirrorOf(models()[4]);
+  EXPECT_EQ(goal_relative.action(0), 0U);
+  EXPECT_EQ(goal_relative.action(1), 2U);    // 10 degrees to either side
+  EXPECT_EQ(goal_relative.action(13), 13U);  // the way back
+  EXPECT_EQ(goal_relative.action(16), 15U);  // 35 degrees, slow
+  EXPECT_EQ(goal_relative.action(17), 17U);  // stay
 }
 
 /// How many rows and actions are their own mirror image.
@@ -206,14 +206,14 @@ TEST(MirroredLearning, TeachesTheMirrorImageTheSameTarget) {
   const Row here = 1;
   const Row there = 2;
   QLearner learner;
-  learner.noteDecision(table, {&here, 0}, 2, HALVES);
-  learner.learn(table, 2.0, {&there, 0}, HALVES, StepSizes(HALVES), mirror);  // target 2 + 0.5 * 8 = 6
+  learner.recordDecision(table, {&here, 0}, 2, HALVES);
+  learner.learn(table, 2.0, {&there, 0}, HALVES, LearningRateSchedule(HALVES), mirror);  // target 2 + 0.5 * 8 = 6
   QTable expected = table;
   expected.set(1, 2, 3.0, 1);  // half of the way from 0
   expected.set(3, 6, 5.0, 2);  // half of the way from 4
   EXPECT_EQ(table, expected);
-  learner.noteDecision(table, {&here, 0}, 0, HALVES);
-  learner.learnTerminal(table, 16.0, HALVES, StepSizes(HALVES), mirror);
+  learner.recordDecision(table, {&here, 0}, 0, HALVES);
+  learner.learnTerminal(table, 16.0, HALVES, LearningRateSchedule(HALVES), mirror);
   expected.set(1, 0, 8.0, 1);
   expected.set(3, 0, 8.0, 1);
   EXPECT_EQ(table, expected);
@@ -223,8 +223,8 @@ TEST(MirroredLearning, LearnsWhatIsItsOwnMirrorImageOnce) {
   QTable table = learners::emptyTable();
   const Row ahead = 0;
   QLearner learner;
-  learner.noteDecision(table, {&ahead, 0}, 4, HALVES);
-  learner.learnTerminal(table, 8.0, HALVES, StepSizes(HALVES), mirrorOf(learners::model()));
+  learner.recordDecision(table, {&ahead, 0}, 4, HALVES);
+  learner.learnTerminal(table, 8.0, HALVES, LearningRateSchedule(HALVES), mirrorOf(learners::model()));
   QTable expected = learners::emptyTable();
   expected.set(0, 4, 4.0, 1);
   EXPECT_EQ(table, expected);
@@ -236,8 +236,8 @@ TEST(MirroredLearning, StepsOfTheMirrorImageShrinkWithItsOwnVisits) {
   table.set(3, 7, 2.0, 3);
   const Row here = 1;
   QLearner learner;
-  learner.noteDecision(table, {&here, 0}, 1, means);
-  learner.learnTerminal(table, 10.0, means, StepSizes(means), mirrorOf(learners::model()));
+  learner.recordDecision(table, {&here, 0}, 1, means);
+  learner.learnTerminal(table, 10.0, means, LearningRateSchedule(means), mirrorOf(learners::model()));
   EXPECT_EQ(table.value(1, 1), 10.0);  // the first visit
   EXPECT_EQ(table.value(3, 7), 4.0);   // the fourth: 2 + (10 - 2) / 4
   EXPECT_EQ(table.visits(3, 7), 4U);
@@ -250,8 +250,8 @@ TEST(MirroredLearning, CarriesStepsBackToMirrorImagesOfEarlierDecisions) {
   table.set(2, 5, -8.0, 1);  // the mirror image of (2, 3)
   QLearner learner;
   const auto decide_and_learn = [&](Row row, Action action, double reward, Row next) {
-    learner.noteDecision(table, {&row, 0}, action, traces);
-    learner.learn(table, reward, {&next, 0}, traces, StepSizes(traces), mirror);
+    learner.recordDecision(table, {&row, 0}, action, traces);
+    learner.learn(table, reward, {&next, 0}, traces, LearningRateSchedule(traces), mirror);
   };
   decide_and_learn(1, 2, 8.0, 0);  // (1, 2) and (3, 6) become 4
   decide_and_learn(0, 0, 4.0, 2);  // its own image: step 2; a quarter of that goes back

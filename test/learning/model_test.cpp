@@ -61,7 +61,7 @@ TEST(Model, SeesAsFarAsItsStateSetLooks) {
   EXPECT_LT(parseModel(NEAREST).vision().radius, 1.001);
   EXPECT_GT(parseModel(OCCUPANCY).vision().radius, 2.5);
   EXPECT_LT(parseModel(OCCUPANCY).vision().radius, 2.501);
-  EXPECT_EQ(parseModel(OCCUPANCY).vision().max_bodies, 0U);
+  EXPECT_EQ(parseModel(OCCUPANCY).vision().max_neighbours, 0U);
 }
 
 TEST(Model, PerceivesWhatIsHiddenUnlessItSaysOtherwise) {

@@ -20,8 +20,8 @@ Situation describe(const PerceptionsBuilder& scene) { return NearestObstacleStat
 
 int goalSectorOf(const Vector2& goal) { return describe(PerceptionsBuilder().agent(0, goal)).goal_sector; }
 
-int classOfBody(const Vector2& position, double radius) {
-  return describe(agentAlone().body(position, radius)).distance_class;
+int classOfNeighbour(const Vector2& position, double radius) {
+  return describe(agentAlone().neighbour(position, radius)).distance_class;
 }
 
 int classOfWall(const Vector2& from, const Vector2& to) { return describe(agentAlone().wall(from, to)).distance_class; }
@@ -75,8 +75,8 @@ TEST(NearestObstacleStates, HasTheUnevenObstacleSectors) {
                                             {-89.9, 6},
                                             {-90.1, 7},
                                             {-179.9, 7}}) {
-    const Situation body = describe(agentAlone().body(polar(edge.degrees, 0.7), 0.1));
-    EXPECT_EQ(body.obstacle_sector, edge.sector) << edge.degrees << " degrees";
+    const Situation neighbour = describe(agentAlone().neighbour(polar(edge.degrees, 0.7), 0.1));
+    EXPECT_EQ(neighbour.obstacle_sector, edge.sector) << edge.degrees << " degrees";
     // A wall that turns its end towards the agent.
     const Situation wall = describe(agentAlone().wall(polar(edge.degrees, 3.0), polar(edge.degrees, 0.7)));
     EXPECT_EQ(wall.obstacle_sector, edge.sector) << edge.degrees << " degrees";
@@ -85,10 +85,10 @@ TEST(NearestObstacleStates, HasTheUnevenObstacleSectors) {
 
 TEST(NearestObstacleStates, CountsBothLimitsInTheClassWithin) {
   // 0.75 - 0.25 = 0.5 and 1.25 - 0.25 = 1, both exactly.
-  EXPECT_EQ(classOfBody({0.75, 0.0}, 0.25), 1);
-  EXPECT_EQ(classOfBody({std::nextafter(0.75, 1.0), 0.0}, 0.25), 2);
-  EXPECT_EQ(classOfBody({0.0, -1.25}, 0.25), 2);
-  EXPECT_EQ(classOfBody({0.0, -std::nextafter(1.25, 2.0)}, 0.25), 0);
+  EXPECT_EQ(classOfNeighbour({0.75, 0.0}, 0.25), 1);
+  EXPECT_EQ(classOfNeighbour({std::nextafter(0.75, 1.0), 0.0}, 0.25), 2);
+  EXPECT_EQ(classOfNeighbour({0.0, -1.25}, 0.25), 2);
+  EXPECT_EQ(classOfNeighbour({0.0, -std::nextafter(1.25, 2.0)}, 0.25), 0);
   EXPECT_EQ(classOfWall({0.5, -3.0}, {0.5, 3.0}), 1);
   EXPECT_EQ(classOfWall({std::nextafter(0.5, 1.0), -3.0}, {std::nextafter(0.5, 1.0), 3.0}), 2);
   EXPECT_EQ(classOfWall({-3.0, 1.0}, {3.0, 1.0}), 2);
@@ -96,40 +96,42 @@ TEST(NearestObstacleStates, CountsBothLimitsInTheClassWithin) {
 }
 
 TEST(NearestObstacleStates, CountsOverlapAsNear) {
-  EXPECT_EQ(classOfBody({0.2, 0.1}, 0.3), 1);  // the agent's centre lies within
-  EXPECT_EQ(classOfBody({0.0, 0.0}, 0.3), 1);
+  EXPECT_EQ(classOfNeighbour({0.2, 0.1}, 0.3), 1);  // the agent's centre lies within
+  EXPECT_EQ(classOfNeighbour({0.0, 0.0}, 0.3), 1);
   EXPECT_EQ(classOfWall({-1.0, 0.0}, {1.0, 0.0}), 1);
 }
 
 TEST(NearestObstacleStates, PerceivesNothingBeyondItsRadius) {
   const Situation alone = describe(agentAlone());
   EXPECT_EQ(alone.distance_class, 0);
-  EXPECT_EQ(classOfBody({3.0, 0.0}, 0.5), 0);
+  EXPECT_EQ(classOfNeighbour({3.0, 0.0}, 0.5), 0);
   EXPECT_EQ(classOfWall({1.5, -1.0}, {1.5, 1.0}), 0);
   // However far, what is seen nowhere changes no row.
   const NearestObstacleStates states;
   for (double degrees = -175.0; degrees < 180.0; degrees += 10.0) {
-    EXPECT_EQ(states.rowOf(describe(agentAlone().body(polar(degrees, 2.0), 0.5))), 0U);
+    EXPECT_EQ(states.rowOf(describe(agentAlone().neighbour(polar(degrees, 2.0), 0.5))), 0U);
   }
 }
 
 TEST(NearestObstacleStates, LooksAtTheNearestRimNotTheNearestCentre) {
   // Rims: 0.9 - 0.1 = 0.8 at the left, 1.5 - 1.1 = 0.4 at the right.
-  const Situation situation = describe(agentAlone().body(polar(60.0, 0.9), 0.1).body(polar(-60.0, 1.5), 1.1));
+  const Situation situation = describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).neighbour(polar(-60.0, 1.5), 1.1));
   EXPECT_EQ(situation.obstacle_sector, 6);
   EXPECT_EQ(situation.distance_class, 1);
 }
 
 TEST(NearestObstacleStates, LooksAtBodiesAndWallsAlike) {
-  const Situation wall = describe(agentAlone().body(polar(60.0, 0.9), 0.1).wall({-2.0, -0.3}, {2.0, -0.3}));
+  const Situation wall = describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).wall({-2.0, -0.3}, {2.0, -0.3}));
   EXPECT_EQ(wall.obstacle_sector, 7);  // 0.3 at -90 degrees: a limit goes to the sector behind it
   EXPECT_EQ(wall.distance_class, 1);
-  const Situation body = describe(agentAlone().body(polar(60.0, 0.9), 0.1).wall({-2.0, -0.9}, {2.0, -0.9}));
-  EXPECT_EQ(body.obstacle_sector, 2);
-  EXPECT_EQ(body.distance_class, 2);
+  const Situation neighbour = describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).wall({-2.0, -0.9}, {2.0, -0.9}));
+  EXPECT_EQ(neighbour.obstacle_sector, 2);
+  EXPECT_EQ(neighbour.distance_class, 2);
   // By a centimetre: rim 0.8 at the left, wall at the right.
-  EXPECT_EQ(describe(agentAlone().body(polar(60.0, 0.9), 0.1).wall({-2.0, -0.81}, {2.0, -0.81})).obstacle_sector, 2);
-  EXPECT_EQ(describe(agentAlone().body(polar(60.0, 0.9), 0.1).wall({-2.0, -0.79}, {2.0, -0.79})).obstacle_sector, 7);
+  EXPECT_EQ(describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).wall({-2.0, -0.81}, {2.0, -0.81})).obstacle_sector,
+            2);
+  EXPECT_EQ(describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).wall({-2.0, -0.79}, {2.0, -0.79})).obstacle_sector,
+            7);
 }
 
 TEST(NearestObstacleStates, FindsTheNearestOfManyInAnyOrder) {
@@ -144,7 +146,7 @@ TEST(NearestObstacleStates, FindsTheNearestOfManyInAnyOrder) {
       const double degrees = random.uniform(-179.0, 179.0);
       const double radius = random.uniform(0.05, 0.5);
       const double rim = i == nearest ? random.uniform(0.1, 0.2) : random.uniform(0.3, 2.0);
-      scene.body(polar(degrees, rim + radius), radius);
+      scene.neighbour(polar(degrees, rim + radius), radius);
       if (i == nearest) bearing = degrees;
     }
     const double side = std::abs(bearing);
@@ -209,7 +211,7 @@ TEST(NearestObstacleStates, EveryRowButTheTerminalOneCanBePerceived) {
     for (const double bearing : {7.5, 30.0, 67.5, 135.0, -7.5, -30.0, -67.5, -135.0}) {
       for (const double rim : {0.3, 0.8}) {
         const PerceptionsBuilder scene =
-            PerceptionsBuilder().agent(0, polar(goal, 5.0)).body(polar(bearing, rim + 0.1), 0.1);
+            PerceptionsBuilder().agent(0, polar(goal, 5.0)).neighbour(polar(bearing, rim + 0.1), 0.1);
         states.findRows({scene.perception(), nullptr, &row});
         rows.insert(row);
       }
@@ -221,8 +223,8 @@ TEST(NearestObstacleStates, EveryRowButTheTerminalOneCanBePerceived) {
 
 TEST(NearestObstacleStates, TellsTheSectorForPictures) {
   const NearestObstacleStates states;
-  EXPECT_TRUE(states.occupiedSectors(agentAlone().body({3.0, 0.0}, 0.5).perception()).empty());
-  const auto occupied = states.occupiedSectors(agentAlone().body(polar(-30.0, 0.8), 0.1).perception());
+  EXPECT_TRUE(states.occupiedSectors(agentAlone().neighbour({3.0, 0.0}, 0.5).perception()).empty());
+  const auto occupied = states.occupiedSectors(agentAlone().neighbour(polar(-30.0, 0.8), 0.1).perception());
   ASSERT_EQ(occupied.size(), 1U);
   EXPECT_NEAR(occupied[0].from, toRadians(-45.0), 1e-9);
   EXPECT_NEAR(occupied[0].to, toRadians(-15.0), 1e-9);
@@ -241,7 +243,7 @@ TEST(NearestObstacleStates, KeepsToItsParameters) {
             "{type: nearest_obstacle, goal_sectors: 4, obstacle_sectors: [22.5, 180], collision_radius: 0.25, "
             "vision_radius: 3}");
   const auto class_at = [&](double rim) {
-    return states.describe(agentAlone().body({rim + 0.5, 0.0}, 0.5).perception()).distance_class;
+    return states.describe(agentAlone().neighbour({rim + 0.5, 0.0}, 0.5).perception()).distance_class;
   };
   EXPECT_EQ(class_at(0.25), 1);
   EXPECT_EQ(class_at(0.5), 2);

@@ -129,7 +129,7 @@ bool compareWorld(std::uint64_t seed, std::uint32_t max_discs, std::uint32_t max
     const Disc disc = {polar(random.uniform(-180.0, 180.0), distance), random.uniform(0.02, 1.2)};
     if (isAMatterOfOpinion(disc, parameters.sectors)) return false;
     searchDisc(disc, parameters.sectors, expected);
-    scene.body(disc.centre, disc.radius);
+    scene.neighbour(disc.centre, disc.radius);
   }
   for (std::uint32_t i = random.below(max_walls + 1); i > 0; --i) {
     const double distance = random.uniform(0.0, 2.0);

@@ -24,7 +24,9 @@ Classes classesOf(const PerceptionsBuilder& scene) {
   return states.distanceClasses(states.rowOf(states.describe(scene.perception())));
 }
 
-Classes classesOfBody(const Vector2& position, double radius) { return classesOf(agentAlone().body(position, radius)); }
+Classes classesOfNeighbour(const Vector2& position, double radius) {
+  return classesOf(agentAlone().neighbour(position, radius));
+}
 
 /// Those of a wall, which must not depend on which end comes first.
 Classes classesOfWall(const Vector2& from, const Vector2& to) {
@@ -64,14 +66,14 @@ TEST(OccupancyStates, HasTheEightGoalSectors) {
 
 TEST(OccupancyStates, PutsABodyIntoTheSectorItLiesIn) {
   // Half the angle it spans is asin(0.1 / 0.7) = 8.2 degrees; its rim is 0.6 away.
-  EXPECT_EQ(classesOfBody(polar(0.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(45.0, 0.7), 0.1), (Classes{0, 2, 0, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(90.0, 0.7), 0.1), (Classes{0, 0, 2, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(135.0, 0.7), 0.1), (Classes{0, 0, 0, 2, 0, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(180.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 2, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(-135.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 2, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(-90.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 0, 2, 0}));
-  EXPECT_EQ(classesOfBody(polar(-45.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 0, 0, 2}));
+  EXPECT_EQ(classesOfNeighbour(polar(0.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(45.0, 0.7), 0.1), (Classes{0, 2, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(90.0, 0.7), 0.1), (Classes{0, 0, 2, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(135.0, 0.7), 0.1), (Classes{0, 0, 0, 2, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(180.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 2, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(-135.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 2, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(-90.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 0, 2, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(-45.0, 0.7), 0.1), (Classes{0, 0, 0, 0, 0, 0, 0, 2}));
 }
 
 // Limiting vectors lie at 22.5, 67.5, ... degrees; sin 22.5 = 0.3827, cos 22.5 = 0.9239.
@@ -79,73 +81,75 @@ TEST(OccupancyStates, PutsABodyIntoTheSectorItLiesIn) {
 TEST(OccupancyStates, ALimitThatIsCutPutsABodyIntoBothSectorsBesideIt) {
   // At 20 degrees the limit at 22.5 passes 0.7 sin 2.5 = 0.031 from the centre, at 14 degrees 0.7 sin 8.5 = 0.103. The
   // rim is 0.6 away, so the vector of length 0.5 does not reach it.
-  EXPECT_EQ(classesOfBody(polar(20.0, 0.7), 0.1), (Classes{2, 2, 0, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(14.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(-20.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 2}));
-  EXPECT_EQ(classesOfBody(polar(110.0, 0.7), 0.1), (Classes{0, 0, 2, 2, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(20.0, 0.7), 0.1), (Classes{2, 2, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(14.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(-20.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 2}));
+  EXPECT_EQ(classesOfNeighbour(polar(110.0, 0.7), 0.1), (Classes{0, 0, 2, 2, 0, 0, 0, 0}));
 }
 
 TEST(OccupancyStates, EachLimitHasAClassOfItsOwn) {
   // The rim is 0.4 away: class 1 where the centre is. The limits beside it pass 0.7 * 0.3827 = 0.268 from the centre
   // and are cut from 0.7 * 0.9239 - sqrt(0.3^2 - 0.268^2) = 0.512 on: beyond the vector of length 0.5, so class 2.
-  EXPECT_EQ(classesOfBody(polar(0.0, 0.7), 0.3), (Classes{1, 2, 0, 0, 0, 0, 0, 2}));
-  EXPECT_EQ(classesOfBody(polar(-90.0, 0.7), 0.3), (Classes{0, 0, 0, 0, 0, 2, 1, 2}));
+  EXPECT_EQ(classesOfNeighbour(polar(0.0, 0.7), 0.3), (Classes{1, 2, 0, 0, 0, 0, 0, 2}));
+  EXPECT_EQ(classesOfNeighbour(polar(-90.0, 0.7), 0.3), (Classes{0, 0, 0, 0, 0, 2, 1, 2}));
   // At 0.65: 0.249; 0.601 - sqrt(0.09 - 0.062) = 0.433, class 1.
-  EXPECT_EQ(classesOfBody(polar(0.0, 0.65), 0.3), (Classes{1, 1, 0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(classesOfNeighbour(polar(0.0, 0.65), 0.3), (Classes{1, 1, 0, 0, 0, 0, 0, 1}));
 }
 
 TEST(OccupancyStates, LimitingVectorsAreNoLongerThanVision) {
   // The rim is 0.9 away. The limits pass 1.5 * 0.3827 = 0.574 from the centre, but are cut from 1.386 - sqrt(0.36 -
   // 0.33) = 1.21 on only.
-  EXPECT_EQ(classesOfBody(polar(0.0, 1.5), 0.6), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(0.0, 1.5), 0.6), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
 }
 
 TEST(OccupancyStates, ALargeBodyCutsFurtherLimits) {
   // The limits at 67.5 degrees pass cos 22.5 = 0.924 from the centre, where they are sin 22.5 = 0.383 long. Those at
   // 112.5 degrees begin 1 m from the centre and lead away from it.
-  EXPECT_EQ(classesOfBody(polar(0.0, 1.0), 0.99), (Classes{1, 1, 1, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(classesOfNeighbour(polar(0.0, 1.0), 0.99), (Classes{1, 1, 1, 0, 0, 0, 1, 1}));
 }
 
 TEST(OccupancyStates, GoesOnBehindTheAgent) {
-  EXPECT_EQ(classesOfBody(polar(180.0, 0.7), 0.3), (Classes{0, 0, 0, 2, 1, 2, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(180.0, 0.7), 0.3), (Classes{0, 0, 0, 2, 1, 2, 0, 0}));
   // The limit at 157.5 degrees passes 0.7 sin 7.5 = 0.091 from the centre, and is cut from 0.694 - sqrt(0.044 - 0.008)
   // = 0.505 on; that at 202.5 degrees passes 0.7 sin 37.5 = 0.426 from it. The rim is 0.49 away.
-  EXPECT_EQ(classesOfBody(polar(165.0, 0.7), 0.21), (Classes{0, 0, 0, 2, 1, 0, 0, 0}));
-  EXPECT_EQ(classesOfBody(polar(-165.0, 0.7), 0.21), (Classes{0, 0, 0, 0, 1, 2, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(165.0, 0.7), 0.21), (Classes{0, 0, 0, 2, 1, 0, 0, 0}));
+  EXPECT_EQ(classesOfNeighbour(polar(-165.0, 0.7), 0.21), (Classes{0, 0, 0, 0, 1, 2, 0, 0}));
 }
 
 TEST(OccupancyStates, ABodyAroundTheAgentIsEverywhere) {
-  EXPECT_EQ(classesOfBody({0.1, 0.0}, 0.3), ALL_NEAR);
-  EXPECT_EQ(classesOfBody({0.0, 0.0}, 0.3), ALL_NEAR);
-  EXPECT_EQ(classesOfBody({0.0, -0.25}, 0.26), ALL_NEAR);
-  EXPECT_EQ(classesOfBody({0.0, 2.0}, 3.0), ALL_NEAR);
+  EXPECT_EQ(classesOfNeighbour({0.1, 0.0}, 0.3), ALL_NEAR);
+  EXPECT_EQ(classesOfNeighbour({0.0, 0.0}, 0.3), ALL_NEAR);
+  EXPECT_EQ(classesOfNeighbour({0.0, -0.25}, 0.26), ALL_NEAR);
+  EXPECT_EQ(classesOfNeighbour({0.0, 2.0}, 3.0), ALL_NEAR);
 }
 
 TEST(OccupancyStates, CountsBothLimitsInTheClassWithin) {
   // 0.75 - 0.25 = 0.5 and 1.25 - 0.25 = 1, both exactly; asin(0.25 / 0.75) = 19.5 degrees stay within the sector.
-  EXPECT_EQ(classesOfBody({0.75, 0.0}, 0.25)[0], 1);
-  EXPECT_EQ(classesOfBody({std::nextafter(0.75, 1.0), 0.0}, 0.25)[0], 2);
-  EXPECT_EQ(classesOfBody({1.25, 0.0}, 0.25)[0], 2);
-  EXPECT_EQ(classesOfBody({std::nextafter(1.25, 2.0), 0.0}, 0.25), NOTHING);
-  EXPECT_EQ(classesOfBody({3.0, 0.0}, 0.25), NOTHING);
+  EXPECT_EQ(classesOfNeighbour({0.75, 0.0}, 0.25)[0], 1);
+  EXPECT_EQ(classesOfNeighbour({std::nextafter(0.75, 1.0), 0.0}, 0.25)[0], 2);
+  EXPECT_EQ(classesOfNeighbour({1.25, 0.0}, 0.25)[0], 2);
+  EXPECT_EQ(classesOfNeighbour({std::nextafter(1.25, 2.0), 0.0}, 0.25), NOTHING);
+  EXPECT_EQ(classesOfNeighbour({3.0, 0.0}, 0.25), NOTHING);
 }
 
 TEST(OccupancyStates, TheNearerOfTwoInASectorCounts) {
   const Vector2 near = polar(5.0, 0.4);  // rim 0.3
   const Vector2 far = polar(-5.0, 0.9);  // rim 0.8
   const Classes expected = {1, 0, 0, 0, 0, 0, 0, 0};
-  EXPECT_EQ(classesOf(agentAlone().body(near, 0.1).body(far, 0.1)), expected);
-  EXPECT_EQ(classesOf(agentAlone().body(far, 0.1).body(near, 0.1)), expected);
+  EXPECT_EQ(classesOf(agentAlone().neighbour(near, 0.1).neighbour(far, 0.1)), expected);
+  EXPECT_EQ(classesOf(agentAlone().neighbour(far, 0.1).neighbour(near, 0.1)), expected);
 }
 
 TEST(OccupancyStates, ANearBodyDoesNotBringAFarOneNearer) {
   // The far one (90 degrees, rim 0.7, asin(0.3 / 1) = 17.5 degrees) shares no sector with the near one.
-  EXPECT_EQ(classesOf(agentAlone().body(polar(0.0, 0.4), 0.1).body(polar(90.0, 1.0), 0.3)),
+  EXPECT_EQ(classesOf(agentAlone().neighbour(polar(0.0, 0.4), 0.1).neighbour(polar(90.0, 1.0), 0.3)),
             (Classes{1, 0, 2, 0, 0, 0, 0, 0}));
   // Two far ones and a wall behind; the bodies share the sector ahead.
-  EXPECT_EQ(
-      classesOf(agentAlone().body(polar(20.0, 0.7), 0.1).body(polar(-20.0, 0.7), 0.1).wall({-0.4, -0.1}, {-0.4, 0.1})),
-      (Classes{2, 2, 0, 0, 1, 0, 0, 2}));
+  EXPECT_EQ(classesOf(agentAlone()
+                          .neighbour(polar(20.0, 0.7), 0.1)
+                          .neighbour(polar(-20.0, 0.7), 0.1)
+                          .wall({-0.4, -0.1}, {-0.4, 0.1})),
+            (Classes{2, 2, 0, 0, 1, 0, 0, 2}));
 }
 
 TEST(OccupancyStates, ALongWallIsNearInOneSectorAndFarInTheNext) {
@@ -218,7 +222,7 @@ TEST(OccupancyStates, NoTwoSituationsShareARowAndEachCanBePerceived) {
       for (std::size_t sector = 0; sector < 8; ++sector, rest /= 3) {
         classes[sector] = rest % 3;
         const double rim = classes[sector] == 1 ? 0.3 : 0.8;
-        if (classes[sector] > 0) scene.body(polar(45.0 * static_cast<double>(sector), rim + 0.01), 0.01);
+        if (classes[sector] > 0) scene.neighbour(polar(45.0 * static_cast<double>(sector), rim + 0.01), 0.01);
       }
       Row row = 0;
       states.findRows({scene.perception(), nullptr, &row});
@@ -234,7 +238,7 @@ TEST(OccupancyStates, NoTwoSituationsShareARowAndEachCanBePerceived) {
 TEST(OccupancyStates, TellsItsSectorsForPictures) {
   const OccupancyStates states;
   EXPECT_TRUE(states.occupiedSectors(agentAlone().perception()).empty());
-  const PerceptionsBuilder scene = agentAlone().body(polar(0.0, 0.7), 0.1).body(polar(90.0, 0.4), 0.1);
+  const PerceptionsBuilder scene = agentAlone().neighbour(polar(0.0, 0.7), 0.1).neighbour(polar(90.0, 0.4), 0.1);
   const auto occupied = states.occupiedSectors(scene.perception());
   ASSERT_EQ(occupied.size(), 2U);
   EXPECT_NEAR(occupied[0].from, toRadians(-22.5), 1e-9);
@@ -257,7 +261,7 @@ TEST(OccupancyStates, KeepsToItsParameters) {
   EXPECT_EQ(states.rowsPerPerception(), 1U);
   EXPECT_EQ(states.spec(), "{type: occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
   // At the right, rim 2.9; goal behind.
-  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {-1.0, 0.0}).body({0.0, -3.0}, 0.1);
+  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {-1.0, 0.0}).neighbour({0.0, -3.0}, 0.1);
   EXPECT_EQ(states.rowOf(states.describe(scene.perception())), 164U);  // 2 * 81 + 2
 }
 

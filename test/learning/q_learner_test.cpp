@@ -13,9 +13,13 @@ class LearnerAndTable {
  public:
   explicit LearnerAndTable(double lambda) : parameters{0.5, 0.5, lambda, 0.0} {}
 
-  void decide(Row row, Action action) { learner.noteDecision(table, {&row, 0}, action, parameters); }
-  void learn(double reward, Row next) { learner.learn(table, reward, {&next, 0}, parameters, StepSizes(parameters)); }
-  void learnTerminal(double reward) { learner.learnTerminal(table, reward, parameters, StepSizes(parameters)); }
+  void decide(Row row, Action action) { learner.recordDecision(table, {&row, 0}, action, parameters); }
+  void learn(double reward, Row next) {
+    learner.learn(table, reward, {&next, 0}, parameters, LearningRateSchedule(parameters));
+  }
+  void learnTerminal(double reward) {
+    learner.learnTerminal(table, reward, parameters, LearningRateSchedule(parameters));
+  }
 
   QTable table{4, 2};
   QLearner learner;
@@ -48,8 +52,8 @@ TEST(QLearning, LearnsAtTheThesisRate) {
   const Row here = 0;
   const Row there = 1;
   const LearningParameters parameters;  // alpha 0.1, gamma 0.1, lambda 0
-  learner.noteDecision(table, {&here, 0}, 0, parameters);
-  learner.learn(table, 0.125, {&there, 0}, parameters, StepSizes(parameters));
+  learner.recordDecision(table, {&here, 0}, 0, parameters);
+  learner.learn(table, 0.125, {&there, 0}, parameters, LearningRateSchedule(parameters));
   EXPECT_DOUBLE_EQ(table.value(0, 0), 0.5125);  // 0.1 * (0.125 + 0.1 * 50)
 }
 
@@ -220,11 +224,11 @@ TEST(WatkinsTraces, GoBackThroughLongEpisodes) {
   QLearner learner;
   const LearningParameters parameters = {1.0, 0.5, 1.0, 0.0};
   for (Row row = 0; row < 11; ++row) {
-    learner.noteDecision(table, {&row, 0}, 0, parameters);
+    learner.recordDecision(table, {&row, 0}, 0, parameters);
     const Row next = row + 1;
-    if (row < 10) learner.learn(table, 0.0, {&next, 0}, parameters, StepSizes(parameters));
+    if (row < 10) learner.learn(table, 0.0, {&next, 0}, parameters, LearningRateSchedule(parameters));
   }
-  learner.learnTerminal(table, 1024.0, parameters, StepSizes(parameters));
+  learner.learnTerminal(table, 1024.0, parameters, LearningRateSchedule(parameters));
   for (Row row = 0; row < 11; ++row) EXPECT_EQ(table.value(row, 0), 1 << row) << row;
 }
 
@@ -239,14 +243,14 @@ TEST(QLearning, LearnsInTheRowOfTheActionTaken) {
   table.set(2, 1, 100.0, 1);  // not among the actions of the next state
   QLearner learner;
   const LearningParameters parameters = {0.5, 0.5, 0.5, 0.0};
-  learner.noteDecision(table, {here.data(), 1}, 1, parameters);
-  learner.learn(table, 1.0, {there.data(), 1}, parameters, StepSizes(parameters));  // error 1 + 0.5 * 6 = 4
+  learner.recordDecision(table, {here.data(), 1}, 1, parameters);
+  learner.learn(table, 1.0, {there.data(), 1}, parameters, LearningRateSchedule(parameters));  // error 1 + 0.5 * 6 = 4
   EXPECT_EQ(table.value(1, 1), 2.0);
   EXPECT_EQ(table.visits(1, 1), 1U);
   EXPECT_FALSE(table.isVisited(3));
   // Action 0 is exploring (4 against 6): it cuts the trace.
-  learner.noteDecision(table, {there.data(), 1}, 0, parameters);
-  learner.learnTerminal(table, 0.0, parameters, StepSizes(parameters));
+  learner.recordDecision(table, {there.data(), 1}, 0, parameters);
+  learner.learnTerminal(table, 0.0, parameters, LearningRateSchedule(parameters));
   EXPECT_EQ(table.value(2, 0), 2.0);
   EXPECT_EQ(table.value(1, 1), 2.0);
 }

@@ -359,7 +359,7 @@ TEST(QTableMerge, SharesWhatOthersContributed) {
   EXPECT_EQ(a.foreign()[0].visits, before[0].visits);
 }
 
-TEST(QTableMerge, CountsAtTheirLargestNumberStaySound) {
+TEST(QTableMerge, CountsAtTheirLargestNumberStayValid) {
   QTable a = sourced(1, 1.0, UINT32_MAX - 5);
   const QTable b = wentOn(sourced(2, 2.0, UINT32_MAX), 3, 2.0, 0);
   a.merge(b);

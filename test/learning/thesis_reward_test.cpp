@@ -113,7 +113,7 @@ TEST(ThesisReward, OccupiedSectorsCostTenThenATenthAndEmptyOnesNothing) {
 TEST(ThesisReward, WorkedExampleOfSet2) {
   // A disc of radius 0.3 at (0.7, 0): class 1 ahead, class 2 on either side (occupancy_states_test.cpp).
   const OccupancyStates states;
-  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).body({0.7, 0.0}, 0.3);
+  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({0.7, 0.0}, 0.3);
   EXPECT_DOUBLE_EQ(occupancyReward().obstaclePart(states.rowOf(scene.perception())), -10.2);  // -(10 + 0.1 + 0.1)
 }
 

@@ -64,10 +64,10 @@ std::vector<Action> chosen(const Learner::Options& options, std::uint64_t episod
 /// The same by decideGreedily(), which keeps nothing.
 std::vector<Action> chosenGreedily(const Learner::Options& options, std::uint64_t episode = 0) {
   const Learner learner(model(), options, threeAlike());
-  Learner::Space space;
+  Learner::DecisionWorkspace workspace;
   std::vector<AgentAction> actions;
   for (std::uint64_t tick = 0; tick < TICKS; ++tick) {
-    learner.decideGreedily(allAhead(tick, episode).all(), space, actions);
+    learner.decideGreedily(allAhead(tick, episode).all(), workspace, actions);
   }
   return toActions(actions);
 }
@@ -110,11 +110,11 @@ TEST(Ties, AreBrokenTheSameWayWhereOneChoiceIsAskedFor) {
   const Learner::Options options = breaking(Ties::RANDOM, Mode::DEMO);
   const std::vector<Action> actions = chosen(options, 9);
   const Learner learner(model(), options, threeAlike());
-  Learner::Space space;
+  Learner::DecisionWorkspace workspace;
   for (std::uint64_t tick = 0; tick < 20; ++tick) {
     const PerceptionsBuilder scene = allAhead(tick, 9);
     for (AgentId agent = 0; agent < AGENTS; ++agent) {
-      const Learner::Choice choice = learner.greedyChoice(scene.all(), agent, space);
+      const Learner::Choice choice = learner.greedyChoice(scene.all(), agent, workspace);
       EXPECT_EQ(choice.row, 0U);
       EXPECT_EQ(choice.action, actions[tick * AGENTS + agent]) << "tick " << tick << ", agent " << agent;
     }
@@ -133,9 +133,9 @@ TEST(Ties, AreBrokenBySeedEpisodeTickAndAgentAlone) {
   EXPECT_NE(first_tick, std::vector<Action>(AGENTS, first_tick.front()));
   // One agent alone, asked for one tick alone.
   const Learner learner(model(), options, threeAlike());
-  Learner::Space space;
+  Learner::DecisionWorkspace workspace;
   std::vector<AgentAction> alone;
-  learner.decideGreedily(PerceptionsBuilder(0, 1).agent(17, goalIn(0, 4.0)).all(), space, alone);
+  learner.decideGreedily(PerceptionsBuilder(0, 1).agent(17, goalIn(0, 4.0)).all(), workspace, alone);
   EXPECT_EQ(toActions(alone), std::vector<Action>{next_tick[17]});
 }
 

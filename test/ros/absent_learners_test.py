@@ -38,7 +38,7 @@ class KilledLearnerTest(AbsenceTestCase):
         return self.agents.wait_at(0, response.tick).agents[1].velocity.x > 0.0
 
     def test_while_everybody_walks(self):
-        self.start_quiet(pace=30.0, episodes=1, trajectories=self.path('ros'))
+        self.start_quiet(real_time_factor=30.0, episodes=1, trajectories=self.path('ros'))
         self.start_pair()
         self.agents.wait(lambda message: message.tick > 10)
         self.second.kill()
@@ -99,8 +99,8 @@ class NoLearnerTest(AbsenceTestCase):
 
     def test_services_answer_meanwhile(self):
         self.start_quiet(start_deadline=300.0)
-        spawned = self.succeed('crowd_controller/spawn_agent', pose=Pose2D(0, 20, 0), goal=Point(100, 20, 0), speed=0.5,
-                               radius=0.25)
+        spawned = self.succeed('crowd_controller/spawn_agent', pose=Pose2D(0, 20, 0), goal=Point(100, 20, 0),
+                               max_speed=0.5, radius=0.25)
         self.assertEqual(spawned.agent, 2)
         self.succeed('crowd_controller/set_goal', agent=0, goal=Point(0, 5, 0))
         self.succeed('crowd_controller/reset', keep_seed=True)

@@ -5,7 +5,7 @@ import rospy
 import support
 from social_crowd.msg import AgentStates, EpisodeResult, Perceptions, RelativeAction, RelativeActions
 
-AHEAD, BACK = (0.0, 1.0), (math.pi, 1.0)  # rotation, share of the speed
+AHEAD, BACK = (0.0, 1.0), (math.pi, 1.0)  # rotation, fraction of the maximum speed
 # Two agents that see nobody and walk straight ahead for all of the episode.
 QUIET = """
 name: quiet
@@ -87,7 +87,7 @@ class Answers:
 
 
 def actions_for(episode, tick, actions):
-    """An answer: {agent: (rotation, share of the speed)}."""
+    """An answer: {agent: (rotation, fraction of the maximum speed)}."""
     message = RelativeActions(episode=episode, tick=tick)
     message.agents = [RelativeAction(agent, *action) for agent, action in actions.items()]
     return message

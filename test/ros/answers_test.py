@@ -105,10 +105,10 @@ class NamedCausesTest(AbsenceTestCase):
     def test_speed_above_one(self):
         def twice_as_fast(message, now):
             for action in message.agents:
-                action.speed_share = 2.0
+                action.speed_fraction = 2.0
             return message
 
-        self.check(twice_as_fast, 'speed_share 2', 'expected 0 to 1')
+        self.check(twice_as_fast, 'speed_fraction 2', 'expected 0 to 1')
 
     def test_rotation_that_is_no_number(self):
         def nowhere(message, now):

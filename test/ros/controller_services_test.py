@@ -47,7 +47,7 @@ class PauseAndStepTest(ControllerTestCase):
         self.assertEqual((response.episode, response.tick), (0, 200))
 
     def test_bad_steps_are_refused(self):
-        self.start_all(pace=1.0)
+        self.start_all(real_time_factor=1.0)
         self.refuse('step', 'at least 1', ticks=0)
         later = self.call_later('crowd_controller/step', ticks=20)
         self.agents.wait(lambda message: message.tick >= 1)
@@ -76,7 +76,7 @@ class PauseAndStepTest(ControllerTestCase):
 
     def test_going_on_ends_a_step(self):
         """Who steps 1000000 ticks gets an answer, at the latest when somebody else lets the crowd walk."""
-        self.start_all(pace=5.0)
+        self.start_all(real_time_factor=5.0)
         later = self.call_later('crowd_controller/step', ticks=1000000)
         self.agents.wait(lambda message: message.tick >= 1)
         self.do('pause', data=False)

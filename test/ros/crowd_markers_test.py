@@ -10,7 +10,7 @@ import roslib.packages
 import rospy
 import rostest
 from geometry_msgs.msg import Point, Pose2D
-from social_crowd.msg import (AgentPerception, AgentState, AgentStates, LearnerStatus, ObstacleState, PerceivedBody,
+from social_crowd.msg import (AgentPerception, AgentState, AgentStates, LearnerStatus, ObstacleState, Neighbour,
                               Perceptions, Scenario, Wall)
 from support import PATIENCE, wait_for
 from tf2_msgs.msg import TFMessage
@@ -64,7 +64,8 @@ class Picture:
 
 
 def agent_at(number, x, y, goal=(9.0, 9.0), **others):
-    return AgentState(agent=number, pose=Pose2D(x, y, 0.0), speed=1.3, radius=0.25, goal=Point(*goal, 0.0), **others)
+    return AgentState(agent=number, pose=Pose2D(x, y, 0.0), max_speed=1.3, radius=0.25, goal=Point(*goal, 0.0),
+                      **others)
 
 
 def sectors_of(points, centre):
@@ -117,9 +118,10 @@ class CrowdMarkersTest(unittest.TestCase):
         self.tick += 1
 
     def perceive(self, pose, bodies, **others):
-        self_perception = AgentPerception(agent=0, pose=pose, radius=0.25, goal_x=3.0, body_count=len(bodies), **others)
-        other = AgentPerception(agent=1, goal_x=1.0, first_body=len(bodies))
-        self.perceptions.publish(Perceptions(episode=self.episode, agents=[other, self_perception], bodies=bodies))
+        self_perception = AgentPerception(agent=0, pose=pose, radius=0.25, goal_x=3.0, neighbour_count=len(bodies),
+                                          **others)
+        other = AgentPerception(agent=1, goal_x=1.0, first_neighbour=len(bodies))
+        self.perceptions.publish(Perceptions(episode=self.episode, agents=[other, self_perception], neighbours=bodies))
 
     def learn(self, state_set, **others):
         self.status.publish(LearnerStatus(serves_all=True, model=MODEL % state_set, **others))
@@ -129,7 +131,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 1.0, 0.0), walls=[wall], obstacles=[obstacle])
         self.show(agent_at(0, 0.5, 0.0), agent_at(1, 1.0, 0.5), obstacles=[obstacle])
         self.learn('occupancy')
-        self.perceive(Pose2D(0.5, 0.0, 0.0), [PerceivedBody(x=0.5, y=0.5, radius=0.25)])
+        self.perceive(Pose2D(0.5, 0.0, 0.0), [Neighbour(x=0.5, y=0.5, radius=0.25)])
         wait_for(lambda: self.picture.kinds() == KINDS, 'markers of all kinds')
         for marker in self.picture.markers():
             self.assertEqual(marker.header.frame_id, 'map')
@@ -170,7 +172,7 @@ class CrowdMarkersTest(unittest.TestCase):
         """Anticipation has no collision radius."""
         self.begin(agent_at(0, 0.0, 0.0))
         model = MODEL.replace(f'collision_radius: {COLLISION_RADIUS}, ', '').replace('kings_moves, rotations: 8',
-                                                                                     'goal_fan')
+                                                                                     'goal_relative')
         self.status.publish(LearnerStatus(serves_all=True, model=model % 'anticipation'))
         wait_for(lambda: self.picture.markers('radii') and self.colours_of_radii() == {VISION_RADIUS: 'amber'},
                  'one amber circle')
@@ -245,8 +247,8 @@ class CrowdMarkersTest(unittest.TestCase):
         self.begin(agent_at(0, 2.0, 1.0), agent_at(1, 9.0, 9.0))
         self.learn('occupancy')
         # Straight ahead (90 degrees in the map) and near; to the right and farther; behind and out of sight.
-        self.perceive(pose, [PerceivedBody(x=0.7, radius=0.2), PerceivedBody(y=-1.2, radius=0.2),
-                             PerceivedBody(x=-9.0, radius=0.2)])
+        self.perceive(pose, [Neighbour(x=0.7, radius=0.2), Neighbour(y=-1.2, radius=0.2),
+                             Neighbour(x=-9.0, radius=0.2)])
 
         def sectors(near, far):
             parts = sectors_of(self.picture.points('sectors'), (2.0, 1.0))
@@ -259,7 +261,7 @@ class CrowdMarkersTest(unittest.TestCase):
         wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector')
 
     def test_sectors_of_another_episode_or_of_one_who_left_are_not_shown(self):
-        near = [PerceivedBody(x=0.5, radius=0.25)]
+        near = [Neighbour(x=0.5, radius=0.25)]
         self.begin(agent_at(0, 0.0, 0.0))
         self.learn('occupancy')
         self.perceive(Pose2D(), near)
@@ -275,7 +277,7 @@ class CrowdMarkersTest(unittest.TestCase):
     def test_sectors_stay_while_other_agents_have_their_turns(self):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 9.0, 9.0))
         self.learn('occupancy')
-        self.perceive(Pose2D(), [PerceivedBody(x=0.5, radius=0.25)])
+        self.perceive(Pose2D(), [Neighbour(x=0.5, radius=0.25)])
         wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector')
         turn = Perceptions(episode=self.episode, turn=1, agents=[AgentPerception(agent=1, goal_x=1.0)])
         self.perceptions.publish(turn)
@@ -291,7 +293,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.addCleanup(plain.close)
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 40.0, 0.0))
         self.learn('occupancy')
-        self.perceive(Pose2D(), [PerceivedBody(x=0.5, radius=0.25)])
+        self.perceive(Pose2D(), [Neighbour(x=0.5, radius=0.25)])
         wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector of the other node')
         wait_for(lambda: any(x > 30.0 for x, _ in plain.points('radii')), 'radii of everybody')
         self.assertNotIn('sectors', plain.kinds())
@@ -310,7 +312,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.begin(agent_at(0, 0.0, 0.0), walls=[Wall(to=Point(nan, 0.0, 0.0)), Wall(to=Point(1.0, 0.0, 0.0))])
         self.status.publish(LearnerStatus(serves_all=True, model='state_set: {type: none}'))
         self.perceive(Pose2D(), [], first_wall=7, wall_count=9)
-        self.perceive(Pose2D(nan, nan, nan), [PerceivedBody(x=nan, radius=0.25), PerceivedBody(x=0.5, radius=0.25)])
+        self.perceive(Pose2D(nan, nan, nan), [Neighbour(x=nan, radius=0.25), Neighbour(x=0.5, radius=0.25)])
         self.show(agent_at(0, 0.0, 0.0), agent_at(1, nan, 0.0), agent_at(2, 0.0, 1e300),
                   agent_at(3, 0.0, 0.0, goal=(nan, 0.0)))
         wait_for(lambda: self.picture.body_count() == 2, 'the two bodies that are fine')

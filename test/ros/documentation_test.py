@@ -44,8 +44,8 @@ class OwnLearnerPageTest(support.CrowdTestCase):
     def test_the_page_names_arguments_that_there_are(self):
         page = support.read_text(support.in_package('docs', 'own_learner.md'))
         self.assertIn('demo.launch agents:="[1, 2, 3, 4, 5]"', page)
-        served = self.start('roslaunch', ['roslaunch', 'social_crowd', 'demo.launch', 'rviz:=false', 'pace:=fast',
-                                          'episodes:=1', 'agents:=[1, 2, 3, 4, 5]'])
+        served = self.start('roslaunch', ['roslaunch', 'social_crowd', 'demo.launch', 'rviz:=false',
+                                          'real_time_factor:=fast', 'episodes:=1', 'agents:=[1, 2, 3, 4, 5]'])
         self.start_example(agents='[0]')
         self.assertEqual(served.wait(), 0, served.output())
         self.assert_says(served.output(), ' 0 answers missed')

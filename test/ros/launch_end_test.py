@@ -74,14 +74,15 @@ class RvizTest(LaunchTestCase):
         self.assert_ends_well(launched)
 
     def test_a_demo_closes_it(self):
-        launched = self.launch_with_rviz('demo.launch', pace='fast', episodes=1, paused='true')
+        launched = self.launch_with_rviz('demo.launch', real_time_factor='fast', episodes=1, paused='true')
         self.call('crowd_controller/pause', data=False)
         self.assert_ends_well(launched)
 
     def test_closing_it_does_not_end_a_training(self):
         """Also if it ended another launch before."""
         rospy.set_param(f'{self.namespace}/rviz/ends_launch', True)
-        launched = self.launch_with_rviz('train.launch', output=self.path('table.txt'), episodes=0, pace=100)
+        launched = self.launch_with_rviz('train.launch', output=self.path('table.txt'), episodes=0,
+                                         real_time_factor=100)
         self.close_rviz()
         support.wait_for(lambda: 'process has finished cleanly' in launched.output(), 'the end of RViz')
         results = self.listen('episode_results', EpisodeResult)

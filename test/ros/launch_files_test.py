@@ -7,7 +7,7 @@ import rospy
 import support
 from geometry_msgs.msg import Point, Pose2D
 from launching import EPISODES, LaunchTestCase
-from learning_files import QTableFile, recipe_text
+from learning_files import QTableFile, config_text
 from social_crowd.msg import AgentState, AgentStates, LearnerStatus, Scenario
 from visualization_msgs.msg import MarkerArray
 
@@ -21,7 +21,8 @@ class DemoTest(LaunchTestCase):
         """The recording is that of a run without ROS."""
         launched = self.demo(scenario=SCENARIO, trajectories=self.path('ros'), seed=5, **arguments)
         self.assert_ends_well(launched)
-        self.assert_says(launched.output(), 'episode 0 (circle', 'episode 1 (walls_and_movers', f'{EPISODES} episodes')
+        self.assert_says(launched.output(), 'episode 0 (circle', 'episode 1 (walls_and_moving_obstacles',
+                         f'{EPISODES} episodes')
         return support.read_bytes(self.path('ros/lockstep.csv'))
 
     def test_one_learner(self):
@@ -130,34 +131,35 @@ class TrainTest(LaunchTestCase):
 
     def test_it_leaves_a_table_that_can_be_used(self):
         file = self.path('trained.txt')
-        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 1))
-        self.assert_ends_well(self.launch('train.launch', output=file, config=recipe, episodes=3, seed=2))
+        config = self.write('config.yaml', config_text(SCENARIO, 1))
+        self.assert_ends_well(self.launch('train.launch', output=file, config=config, episodes=3, seed=2))
         table = QTableFile(file)
         self.assertGreater(table.header['decisions'], 100)
         self.assertEqual(table.header['seed'], 2)
         self.assertIn('circle6', self.tool('evaluate', '--q-table', file, '--episodes', 1, support.CIRCLE6))
 
-    def test_scenarios_episodes_and_seed_are_the_recipes(self):
+    def test_scenarios_episodes_and_seed_are_the_configs(self):
         """Through ROS the same table comes of it as without, bit for bit."""
-        text = recipe_text(f'{SCENARIO}, circle6', 3, seed=7, tables='own')
-        recipe = self.write('recipe.yaml', text)
-        launched = self.launch('train.launch', output=self.path('ros.txt'), config=recipe)
+        text = config_text(f'{SCENARIO}, circle6', 3, seed=7, tables='own')
+        config = self.write('config.yaml', text)
+        launched = self.launch('train.launch', output=self.path('ros.txt'), config=config)
         self.assert_ends_well(launched)
-        self.assert_says(launched.output(), 'episode 0 (circle,', 'episode 1 (walls_and_movers,', 'episode 2 (')
-        self.tool('train', recipe, '--output', self.path('headless.txt'))
+        self.assert_says(launched.output(), 'episode 0 (circle,', 'episode 1 (walls_and_moving_obstacles,',
+                         'episode 2 (')
+        self.tool('train', config, '--output', self.path('headless.txt'))
         self.assertEqual(support.read_text(self.path('ros_agent_0.txt')), support.read_text(self.path('headless.txt')))
 
-    def test_arguments_win_over_the_recipe(self):
-        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 3, seed=7))
-        launched = self.launch('train.launch', output=self.path('table.txt'), config=recipe, scenario='circle6',
+    def test_arguments_win_over_the_config(self):
+        config = self.write('config.yaml', config_text(SCENARIO, 3, seed=7))
+        launched = self.launch('train.launch', output=self.path('table.txt'), config=config, scenario='circle6',
                                episodes=1, seed=5, tables='shared')
         self.assert_ends_well(launched)
         self.assert_says(launched.output(), 'episode 0 (circle6, instance 0)')
         self.assertEqual(QTableFile(self.path('table.txt')).header['seed'], 5)
 
     def test_learners_side_by_side_are_not_for_ros(self):
-        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 1).replace('tables: shared', 'side_by_side: 4'))
-        launched = self.launch('train.launch', output=self.path('table.txt'), config=recipe)
+        config = self.write('config.yaml', config_text(SCENARIO, 1).replace('tables: shared', 'side_by_side: 4'))
+        launched = self.launch('train.launch', output=self.path('table.txt'), config=config)
         self.assertEqual(launched.wait(), 0, launched.output())
         self.assert_says(launched.output(), '4 learners side by side', "not be that of 'train'")
 

@@ -19,7 +19,7 @@ class LaunchTestCase(support.CrowdTestCase):
 
     def demo(self, **arguments):
         """Starts demo.launch as fast as it goes, for a few episodes."""
-        return self.launch('demo.launch', **dict({'pace': 'fast', 'episodes': EPISODES}, **arguments))
+        return self.launch('demo.launch', **dict({'real_time_factor': 'fast', 'episodes': EPISODES}, **arguments))
 
     def assert_ends_well(self, launched):
         """Checks that a launch ends by itself, that nothing went wrong on the way, and that roslaunch agrees."""

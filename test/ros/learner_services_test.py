@@ -3,7 +3,7 @@
 import math
 
 import support
-from learning_files import QTableFile, q_table_text, recipe_text
+from learning_files import QTableFile, config_text, q_table_text
 from perceiving import Perceiver, add_agent, ahead, all_situations, perceptions
 from rosgraph_msgs.msg import Log
 from social_crowd.msg import LearnerStatus
@@ -23,8 +23,8 @@ class LearnerTestCase(support.CrowdTestCase):
 
     def start_untrained(self, **parameters):
         """Starts a learner that knows nothing and explores nothing."""
-        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1))
-        self.start_one(config=recipe, mode='training', epsilon=0.0, **parameters)
+        config = self.write('config.yaml', config_text(support.CIRCLE6, 1))
+        self.start_one(config=config, mode='training', epsilon=0.0, **parameters)
 
     def saved(self):
         """The learner's table."""
@@ -241,8 +241,8 @@ class LearningParametersTest(LearnerTestCase):
 
     def test_epsilon_set_while_running_replaces_the_schedule(self):
         learning = '{alpha: 0.2, epsilon: {from: 0.8, to: 0.2, episodes: 10}}'
-        recipe = self.write('schedule.yaml', recipe_text(support.CIRCLE6, 1, learning=learning))
-        self.start_one(config=recipe, mode='training')
+        config = self.write('schedule.yaml', config_text(support.CIRCLE6, 1, learning=learning))
+        self.start_one(config=config, mode='training')
         self.walk(5, 1)
         self.status.wait(lambda status: status.episode == 5 and abs(status.epsilon - 0.5) < 1e-12)
         self.assert_says(self.set_parameters('{gamma: 0.5}'), 'changed gamma from 0.1 to 0.5;', 'to: 0.2')
@@ -307,9 +307,9 @@ class PerceptionsTest(LearnerTestCase):
         self.start_one(q_table=self.write('back.txt', q_table_text({4: {4: (1, 1.0)}})))  # goal behind: turn round
         message = add_agent(perceptions(2**40, 2**33), 0, ahead(180, 5))
         message.run = 2**63 + 1
-        rotation, speed_share = self.perceiver.ask(message)[0]
+        rotation, speed_fraction = self.perceiver.ask(message)[0]
         self.assertAlmostEqual(abs(rotation), math.pi)
-        self.assertEqual(speed_share, 1.0)
+        self.assertEqual(speed_fraction, 1.0)
         answer = self.perceiver.actions.messages[-1]
         self.assertEqual((answer.header.frame_id, answer.header.stamp), ('map', message.header.stamp))
         self.assertEqual(answer.run, message.run)
@@ -317,7 +317,7 @@ class PerceptionsTest(LearnerTestCase):
     def senseless(self):
         """Perceptions that contradict themselves or hold what is no number; each in a tick of its own."""
         beyond = add_agent(perceptions(0, 1), 0, ahead(0, 5), ahead(0, 1))
-        beyond.agents[0].body_count = 2**32 - 1
+        beyond.agents[0].neighbour_count = 2**32 - 1
         walls = add_agent(perceptions(0, 2), 0, ahead(0, 5))
         walls.agents[0].first_wall = 2**32 - 1
         walls.agents[0].wall_count = 1

@@ -4,11 +4,12 @@ import math
 
 import rospy
 import support
-from learning_files import QTableFile, checksum_of, recipe_text
+from learning_files import QTableFile, checksum_of, config_text
 from roslib.packages import find_node
 from social_crowd.msg import EpisodeResult
 
-# A circle, walls, movers, several goals, random places, solid bodies, agents that take turns, headings that are kept.
+# A circle, walls, moving obstacles, several goals, random places, solid bodies, agents that take turns, headings that
+# are kept.
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 12  # so that each of the six documents is walked twice
 
@@ -92,20 +93,20 @@ class DemoTest(support.CrowdTestCase):
 
     def test_what_is_hidden(self):
         """Agents that do not perceive what others and walls hide; the learner takes the nearest 16 of what they see."""
-        recipe = support.read_text(support.in_package('config', 'learning', 'anticipation.yaml'))
-        recipe = recipe.replace('../scenarios', support.in_package('config', 'scenarios'))
-        recipe = self.write('recipe.yaml', recipe + 'vision: {occlusion: true}\n')
+        config = support.read_text(support.in_package('config', 'learning', 'anticipation.yaml'))
+        config = config.replace('../scenarios', support.in_package('config', 'scenarios'))
+        config = self.write('config.yaml', config + 'vision: {occlusion: true}\n')
         table = self.path('table.txt')
-        self.tool('train', recipe, '--output', table, '--episodes', 20)
+        self.tool('train', config, '--output', table, '--episodes', 20)
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
         self.start_learner(q_table=table)
         self.assert_same_recording(self.walk(occlusion=True, vision_radius=6.0 + 1e-6), expected)
 
     def test_ties_broken_at_random(self):
         """A table that knows little, so that most values are equal: chance is that of the same seed."""
-        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1, learning='{ties: random}'))
+        config = self.write('config.yaml', config_text(support.CIRCLE6, 1, learning='{ties: random}'))
         table = self.path('table.txt')
-        self.tool('train', recipe, '--output', table)
+        self.tool('train', config, '--output', table)
         first = self.write('first.txt', without_random_ties(support.read_text(table)))
         recordings = [self.headless(SCENARIO, file, episodes=EPISODES, seed=5) for file in (first, table)]
         self.assertNotEqual(*recordings)
@@ -129,12 +130,12 @@ class TrainingTest(support.CrowdTestCase):
     LEARNING = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
 
     def train_headless(self, scenario, tables):
-        """Trains without ROS; the recipe's path, the table's path and what it learned from."""
-        text = recipe_text(scenario, self.EPISODES, self.SEED, tables, self.LEARNING)
-        recipe = self.write('recipe.yaml', text)
+        """Trains without ROS; the training configuration's path, the table's path and what it learned from."""
+        text = config_text(scenario, self.EPISODES, self.SEED, tables, self.LEARNING)
+        config = self.write('config.yaml', text)
         table = self.path('headless.txt')
-        self.tool('train', recipe, '--output', table)
-        return recipe, table, QTableFile(table).header['decisions']
+        self.tool('train', config, '--output', table)
+        return config, table, QTableFile(table).header['decisions']
 
     def walk(self, scenario):
         """Walks the episodes through ROS."""
@@ -150,8 +151,8 @@ class TrainingTest(support.CrowdTestCase):
 
     def check(self, scenario, tables, **parameters):
         """One learner for all agents: tables are the same byte for byte, saved by service and at the end."""
-        recipe, headless, decisions = self.train_headless(scenario, tables)
-        learner = self.start_learner(mode='training', config=recipe, tables=tables, seed=self.SEED,
+        config, headless, decisions = self.train_headless(scenario, tables)
+        learner = self.start_learner(mode='training', config=config, tables=tables, seed=self.SEED,
                                      save_to=self.path('at_end.txt'), **parameters)
         self.walk(scenario)
         saved = self.saved_after('learner', decisions)
@@ -180,8 +181,8 @@ class TrainingTest(support.CrowdTestCase):
 
     def test_a_learner_each(self):
         """The rows are the same; each learner counts the decisions of its own agent only."""
-        recipe, headless, _ = self.train_headless(SCENARIO, 'own')
-        parameters = {'mode': 'training', 'config': recipe, 'tables': 'own', 'seed': self.SEED}
+        config, headless, _ = self.train_headless(SCENARIO, 'own')
+        parameters = {'mode': 'training', 'config': config, 'tables': 'own', 'seed': self.SEED}
         self.start_node('learner_crew', 'learner_crew',
                         {f'learner/{name}': value for name, value in parameters.items()})
         self.walk(SCENARIO)

@@ -23,7 +23,7 @@ TOPICS = {
     'actions': RelativeActions,
     'learner_status': LearnerStatus,
 }
-# Two agents, one of which arrives; a wall and an obstacle that moves. 3 s are 30 ticks.
+# Two agents, one of which arrives; a wall and a moving obstacle. 3 s are 30 ticks.
 SCENE = """
 name: scene
 duration: 3
@@ -130,7 +130,7 @@ class HeadersTest(BroadcastTestCase):
         self.assertEqual((scenario.name, scenario.instance, scenario.max_ticks), ('scene', 0, 30))
         self.assertEqual((scenario.tick_duration, scenario.goal_tolerance), (0.1, 0.2))
         self.assertEqual(scenario.contact, Scenario.GHOST)
-        agents = [(a.agent, a.pose.x, a.pose.y, a.goal.x, a.goal.y, a.speed, a.radius) for a in scenario.agents]
+        agents = [(a.agent, a.pose.x, a.pose.y, a.goal.x, a.goal.y, a.max_speed, a.radius) for a in scenario.agents]
         self.assertEqual(agents, [(0, 0, 0, 0.8, 0.6, 0.5, 0.25), (1, 3, 0, 3, 9, 0.5, 0.3)])
         obstacle = scenario.obstacles[0]
         place = (obstacle.position.x, obstacle.position.y, obstacle.velocity.x, obstacle.velocity.y, obstacle.radius)
@@ -182,7 +182,8 @@ class SequentialTest(BroadcastTestCase):
         for tick in (0, 1):
             for turn in (0, 1):
                 self.assertIn((tick, turn, [turn]), asked)
-        velocities = [m.bodies[0].velocity_x for m in self.ears['perceptions'].messages if (m.tick, m.turn) == (0, 1)]
+        velocities = [m.neighbours[0].velocity_x for m in self.ears['perceptions'].messages
+                      if (m.tick, m.turn) == (0, 1)]
         self.assertNotEqual(velocities[0], 0.0, 'agent 1 should perceive that agent 0 has moved in this tick')
 
     def test_states_are_those_of_the_end_of_a_tick(self):
@@ -217,7 +218,7 @@ class OcclusionTest(BroadcastTestCase):
         """How many bodies and walls each agent perceives at the start."""
         self.start_all(ROW, **parameters)
         self.step(1)
-        return [(agent.body_count, agent.wall_count) for agent in self.ears['perceptions'].wait_at(0, 0).agents]
+        return [(agent.neighbour_count, agent.wall_count) for agent in self.ears['perceptions'].wait_at(0, 0).agents]
 
     def test_everybody_by_default(self):
         self.assertEqual(self.perceived(), [(2, 1)] * 3)

@@ -6,7 +6,7 @@ import xmlrpc.client
 import rosgraph
 import rospy
 import support
-from learning_files import QTableFile, recipe_text
+from learning_files import QTableFile, config_text
 from roslib.packages import find_node
 from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
 from tf2_msgs.msg import TFMessage
@@ -41,7 +41,7 @@ class NodeletTestCase(support.CrowdTestCase):
 
     def load_controller(self, scenario=SCENARIO, **parameters):
         """Loads a controller that is in no hurry with its learners."""
-        patient = {'scenario': scenario, 'pace': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0}
+        patient = {'scenario': scenario, 'real_time_factor': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0}
         return self.load('crowd_controller', **dict(patient, **parameters))
 
     def wait_loaded(self, name):
@@ -87,7 +87,7 @@ class DemoTest(NodeletTestCase):
     def test_a_controller_alone_in_its_process(self):
         """Without a manager that it could be unloaded from, it ends the process when it is done."""
         self.start_learner()
-        parameters = {'scenario': support.CIRCLE6, 'pace': 'fast', 'episodes': 1, 'answer_deadline': 60.0}
+        parameters = {'scenario': support.CIRCLE6, 'real_time_factor': 'fast', 'episodes': 1, 'answer_deadline': 60.0}
         for key, value in parameters.items():
             rospy.set_param(f'{self.namespace}/crowd_controller/{key}', value)
         alone = self.start('alone', NODELET + ['standalone', 'social_crowd/crowd_controller',
@@ -141,11 +141,11 @@ class TrainingTest(NodeletTestCase):
 
     def test_the_same_table_as_without_ros(self):
         learning = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
-        recipe = self.write('recipe.yaml', recipe_text(SCENARIO, 7, 3, 'shared', learning))
-        self.tool('train', recipe, '--output', self.path('headless.txt'))
+        config = self.write('config.yaml', config_text(SCENARIO, 7, 3, 'shared', learning))
+        self.tool('train', config, '--output', self.path('headless.txt'))
         decisions = QTableFile(self.path('headless.txt')).header['decisions']
         status = self.listen('learner_status', LearnerStatus)
-        learner = self.load('learner', mode='training', config=recipe, seed=3, save_to=self.path('ros.txt'))
+        learner = self.load('learner', mode='training', config=config, seed=3, save_to=self.path('ros.txt'))
         status.wait(what='that the learner is there')
         self.assertEqual(self.load_controller(episodes=7, seed=3).wait(), 0)
 
@@ -189,10 +189,10 @@ class LoadingTest(NodeletTestCase):
         self.assert_manager_is_well()
 
     def test_bad_parameters_are_named_and_the_manager_goes_on(self):
-        refused = self.load_controller(pace='slow', no_such_name=1)
+        refused = self.load_controller(real_time_factor='slow', no_such_name=1)
         self.assertNotEqual(refused.wait(), 0)
         support.wait_for(lambda: '~no_such_name' in self.manager.output(), 'a message of the manager')
-        self.assert_says(self.manager.output(), 'bad parameters', '~pace', "'slow'")
+        self.assert_says(self.manager.output(), 'bad parameters', '~real_time_factor', "'slow'")
         rospy.delete_param(f'{self.namespace}/crowd_controller')
         self.load('learner', q_table=support.NEAREST_TABLE)
         self.assertEqual(self.load_controller(episodes=1).wait(), 0)
@@ -202,7 +202,7 @@ class LoadingTest(NodeletTestCase):
         markers = self.listen('markers', MarkerArray)
         self.load('crowd_markers')
         self.load('learner', q_table=support.NEAREST_TABLE)
-        self.load_controller(pace=1.0)
+        self.load_controller(real_time_factor=1.0)
         markers.wait(lambda array: any(marker.ns == 'paths' and marker.points for marker in array.markers), 'of paths')
 
 

@@ -3,7 +3,7 @@
 import os
 
 import support
-from learning_files import recipe_text
+from learning_files import config_text
 from social_crowd.msg import LearnerStatus
 
 NAN, INFINITE = float('nan'), float('inf')
@@ -47,19 +47,20 @@ class ControllerParametersTest(RefusalTestCase):
         self.assert_says(message, 'expected a scenario file or name')
 
     def test_out_of_range(self):
-        bad = {'seed': -1, 'episodes': -1, 'pace': -1.0, 'start_deadline': -1.0, 'answer_deadline': 0.0,
-               'misses_until_absent': 0, 'vision_radius': -0.5, 'max_bodies': -2}
+        bad = {'seed': -1, 'episodes': -1, 'real_time_factor': -1.0, 'start_deadline': -1.0, 'answer_deadline': 0.0,
+               'misses_until_absent': 0, 'vision_radius': -0.5, 'max_neighbours': -2}
         message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
         self.assert_says(message, 'got -0.5', 'from 0 to')
 
     def test_not_finite(self):
-        bad = {'pace': INFINITE, 'start_deadline': NAN, 'answer_deadline': INFINITE, 'vision_radius': NAN}
+        bad = {'real_time_factor': INFINITE, 'start_deadline': NAN, 'answer_deadline': INFINITE, 'vision_radius': NAN}
         self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
 
     def test_of_a_wrong_type(self):
-        bad = {'scenario': [1, 2], 'scenario_folder': {'a': 1}, 'seed': 'one', 'episodes': 2.5, 'pace': 'quick',
-               'paused': 'yes', 'start_deadline': 'soon', 'answer_deadline': True, 'misses_until_absent': 3.0,
-               'vision_radius': [6.0], 'max_bodies': '4', 'occlusion': 1, 'publish_tf': 1, 'publish_clock': 'true',
+        bad = {'scenario': [1, 2], 'scenario_folder': {'a': 1}, 'seed': 'one', 'episodes': 2.5,
+               'real_time_factor': 'quick', 'paused': 'yes', 'start_deadline': 'soon',
+               'answer_deadline': True, 'misses_until_absent': 3.0,
+               'vision_radius': [6.0], 'max_neighbours': '4', 'occlusion': 1, 'publish_tf': 1, 'publish_clock': 'true',
                'trajectories': True}
         self.assert_all_named(self.start_plain(**bad), *bad)
 
@@ -70,12 +71,13 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_misspelt(self):
         """Each gets the nearest one, and none is listed among those that there are."""
-        message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, pacee=3, epsiodes=1), 'pacee',
-                                        'epsiodes')
-        self.assert_says(message, "~pacee: there is no such parameter, did you mean '~pace'? There are ~agents_rate, ",
+        message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, real_time_facter=3, epsiodes=1),
+                                        'real_time_facter', 'epsiodes')
+        self.assert_says(message, "~real_time_facter: there is no such parameter, did you mean '~real_time_factor'? "
+                         'There are ~agents_rate, ',
                          "~epsiodes: there is no such parameter, did you mean '~episodes'? There are ~agents_rate, ")
         for line in message.splitlines():
-            self.assertNotIn('~pacee', line.partition('There are')[2])
+            self.assertNotIn('~real_time_facter', line.partition('There are')[2])
 
     def test_a_required_one_is_misspelt(self):
         """It is told as the misspelling and not as missing, too."""
@@ -83,9 +85,9 @@ class ControllerParametersTest(RefusalTestCase):
         self.assert_says(message, "did you mean '~scenario'?")
 
     def test_a_configuration_that_cannot_be_read(self):
-        recipe = self.write('recipe.yaml', recipe_text('circel6', 1))
-        message = self.assert_all_named(self.start_plain(config=recipe), 'config')
-        self.assert_says(message, f'{recipe}: line 5: training.scenarios[0]', "did you mean 'circle6'?")
+        config = self.write('config.yaml', config_text('circel6', 1))
+        message = self.assert_all_named(self.start_plain(config=config), 'config')
+        self.assert_says(message, f'{config}: line 5: training.scenarios[0]', "did you mean 'circle6'?")
 
     def test_all_at_once(self):
         """Missing, wrong, not finite and unknown ones in one message."""
@@ -94,8 +96,8 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_numbers_may_come_as_whole_ones_and_texts(self):
         """As roslaunch and rosparam hand them on."""
-        node = self.start_controller(self.write('scene.yaml', SCENE), pace='2', answer_deadline=1, vision_radius=6,
-                                     paused=True)
+        node = self.start_controller(self.write('scene.yaml', SCENE), real_time_factor='2', answer_deadline=1,
+                                     vision_radius=6, paused=True)
         self.succeed('crowd_controller/pause', data=True)
         self.assertTrue(node.is_running())
 
@@ -178,8 +180,8 @@ class LearnerParametersTest(RefusalTestCase):
         self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
 
     def test_contradictory(self):
-        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1))
-        bad = {'q_table': support.OCCUPANCY_TABLE, 'config': recipe, 'save_every': 5, 'agents': [1, 2, 1]}
+        config = self.write('config.yaml', config_text(support.CIRCLE6, 1))
+        bad = {'q_table': support.OCCUPANCY_TABLE, 'config': config, 'save_every': 5, 'agents': [1, 2, 1]}
         message = self.assert_all_named(self.start_plain(mode='training', **bad), 'q_table', 'save_every', 'agents')
         self.assert_says(message, 'another state set', 'save_to', 'agent 1')
 
@@ -193,18 +195,18 @@ class LearnerParametersTest(RefusalTestCase):
 
     def test_an_empty_text_is_no_number(self):
         """So a launch file leaves epsilon to the configuration, its schedule included."""
-        recipe = recipe_text(support.CIRCLE6, 1, learning='{alpha: 0.2, epsilon: {from: 0.8, to: 0.2, episodes: 10}}')
+        config = config_text(support.CIRCLE6, 1, learning='{alpha: 0.2, epsilon: {from: 0.8, to: 0.2, episodes: 10}}')
         status = self.listen('learner_status', LearnerStatus)
-        self.start_plain(mode='training', config=self.write('recipe.yaml', recipe), epsilon='', alpha='')
+        self.start_plain(mode='training', config=self.write('config.yaml', config), epsilon='', alpha='')
         told = status.wait()
         self.assertEqual((told.alpha, told.epsilon), (0.2, 0.8))
 
     def test_files_that_cannot_be_read(self):
         table = self.write('table.txt', 'no table')
-        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1) + 'colour: red\n')
-        message = self.assert_all_named(self.start_plain(mode='training', q_table=table, config=recipe), 'q_table',
+        config = self.write('config.yaml', config_text(support.CIRCLE6, 1) + 'colour: red\n')
+        message = self.assert_all_named(self.start_plain(mode='training', q_table=table, config=config), 'q_table',
                                         'config')
-        self.assert_says(message, table, 'line 1', recipe, 'colour')
+        self.assert_says(message, table, 'line 1', config, 'colour')
         missing = self.path('missing.txt')
         self.assert_says(self.assert_all_named(self.start_plain(q_table=missing), 'q_table'), missing)
 

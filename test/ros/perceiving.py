@@ -3,7 +3,7 @@ import math
 
 import rospy
 import support
-from social_crowd.msg import AgentPerception, PerceivedBody, Perceptions, RelativeActions
+from social_crowd.msg import AgentPerception, Neighbour, Perceptions, RelativeActions
 
 FREE = None  # nothing is perceived
 NEAR, FAR = 0.3, 0.8  # [m] to the rim: the thesis's distance classes 1 and 2
@@ -25,11 +25,11 @@ def perceptions(episode, tick, last=False):
 
 def add_agent(message, agent, goal, body=FREE, arrived=False, acted=True):
     """Adds what one agent perceives: goal and at most one obstacle, (x, y) in its frame [m]."""
-    self = AgentPerception(agent=agent, speed=0.3, radius=RADIUS, goal_x=goal[0], goal_y=goal[1], arrived=arrived,
-                           acted=acted, first_body=len(message.bodies), first_wall=len(message.walls))
+    self = AgentPerception(agent=agent, max_speed=0.3, radius=RADIUS, goal_x=goal[0], goal_y=goal[1], arrived=arrived,
+                           acted=acted, first_neighbour=len(message.neighbours), first_wall=len(message.walls))
     if body is not FREE:
-        self.body_count = 1
-        message.bodies.append(PerceivedBody(kind=PerceivedBody.OBSTACLE, x=body[0], y=body[1], radius=RADIUS))
+        self.neighbour_count = 1
+        message.neighbours.append(Neighbour(kind=Neighbour.OBSTACLE, x=body[0], y=body[1], radius=RADIUS))
     message.agents.append(self)
     return message
 
@@ -60,11 +60,11 @@ class Perceiver:
         self.publisher.publish(message)
 
     def ask(self, message):
-        """Publishes perceptions and waits for the answer: {agent: (rotation, share of the speed)}."""
+        """Publishes perceptions and waits for the answer: {agent: (rotation, fraction of the maximum speed)}."""
         self.tell(message)
         return answers_of(self.actions.wait_at(message.episode, message.tick))
 
 
 def answers_of(message):
-    """An answer as {agent: (rotation, share of the speed)}."""
-    return {action.agent: (action.rotation, action.speed_share) for action in message.agents}
+    """An answer as {agent: (rotation, fraction of the maximum speed)}."""
+    return {action.agent: (action.rotation, action.speed_fraction) for action in message.agents}

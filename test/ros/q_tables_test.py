@@ -4,7 +4,7 @@ import os
 import threading
 
 import support
-from learning_files import QTableFile, q_table_text, recipe_text
+from learning_files import QTableFile, config_text, q_table_text
 from perceiving import Perceiver, add_agent, ahead, all_situations, perceptions
 from social_crowd.msg import LearnerStatus
 
@@ -34,8 +34,8 @@ class SaveAndLoadTest(TableTestCase):
     def trained_table(self):
         """A table that decides otherwise than the thesis's."""
         scenario = support.in_package('config', 'scenarios', 'training_single.yaml')
-        recipe = self.write('recipe.yaml', recipe_text(scenario, 20))
-        self.tool('train', recipe, '--output', self.path('trained.txt'))
+        config = self.write('config.yaml', config_text(scenario, 20))
+        self.tool('train', config, '--output', self.path('trained.txt'))
         return self.path('trained.txt')
 
     def test_a_saved_table_decides_alike_elsewhere(self):
@@ -285,9 +285,9 @@ class SharedPastTest(TableTestCase):
 
     def start_both(self):
         """Starts both, which learn; they know each other then, and learner_b has the table of learner_a."""
-        recipe = self.write('recipe.yaml', recipe_text(support.CIRCLE6, 1))
+        config = self.write('config.yaml', config_text(support.CIRCLE6, 1))
         self.start_learner('learner_a', q_table=support.NEAREST_TABLE, mode='training', agents=[0])
-        self.start_learner('learner_b', config=recipe, mode='training', agents=[1])
+        self.start_learner('learner_b', config=config, mode='training', agents=[1])
         self.past = QTableFile(support.NEAREST_TABLE).visits()
         told = support.wait_for(lambda: self.share('learner_a', [1], 'replace'), 'learner_a to know learner_b')
         self.assert_says(told, f'replaced the table of agent 1 ({self.past} visits, {self.past} of them new)')

@@ -144,7 +144,7 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
 
     def start_controller(self, scenario, arguments=(), **parameters):
         """Starts a crowd controller that is in no hurry with its learners, only with its clock."""
-        defaults = {'scenario': scenario, 'pace': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0,
+        defaults = {'scenario': scenario, 'real_time_factor': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0,
                     'agents_rate': 0}
         return self.start_node('crowd_controller', 'crowd_controller', dict(defaults, **parameters), arguments)
 

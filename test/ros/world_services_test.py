@@ -13,9 +13,10 @@ NAN = float('nan')
 class AgentsTest(ControllerTestCase):
     """spawn_agent, remove_agent, set_goal."""
 
-    def spawn(self, x, y, goal=(10.0, 20.0), theta=0.0, speed=0.4, radius=0.3):
+    def spawn(self, x, y, goal=(10.0, 20.0), theta=0.0, max_speed=0.4, radius=0.3):
         """A request."""
-        return {'pose': Pose2D(x, y, theta), 'goal': Point(goal[0], goal[1], 0.0), 'speed': speed, 'radius': radius}
+        return {'pose': Pose2D(x, y, theta), 'goal': Point(goal[0], goal[1], 0.0), 'max_speed': max_speed,
+                'radius': radius}
 
     def test_a_new_agent_walks(self):
         self.start_all()
@@ -26,7 +27,7 @@ class AgentsTest(ControllerTestCase):
         self.assertEqual(message.tick, 3)
         self.assertEqual(len(message.agents), 3)
         new = message.agents[2]
-        self.assertEqual((new.agent, new.status, new.speed, new.radius), (2, AgentState.WALKING, 0.4, 0.3))
+        self.assertEqual((new.agent, new.status, new.max_speed, new.radius), (2, AgentState.WALKING, 0.4, 0.3))
         self.assertEqual((new.goal.x, new.goal.y), (10.0, 20.0))
         self.assert_place(message, 2, 0.04, 20.0)
         self.assert_place(self.walk(10), 2, 0.44, 20.0)
@@ -45,7 +46,8 @@ class AgentsTest(ControllerTestCase):
         self.start_all()
         for values, words in (
                 ({'x': NAN}, ['position']), ({'y': float('inf')}, ['position']), ({'theta': NAN}, ['heading']),
-                ({'goal': (NAN, 0.0)}, ['goal']), ({'speed': 0.0}, ['speed', 'above 0']), ({'speed': NAN}, ['speed']),
+                ({'goal': (NAN, 0.0)}, ['goal']), ({'max_speed': 0.0}, ['max_speed', 'above 0']),
+                ({'max_speed': NAN}, ['max_speed']),
                 ({'radius': -1.0}, ['radius', 'above 0']), ({'x': 0.1, 'y': 0.1}, ['agent 0']),
                 ({'x': 0.1, 'y': 30.1}, ['obstacle 0'])):
             self.refuse('spawn_agent', *words, **self.spawn(**dict({'x': 0.0, 'y': 20.0}, **values)))
@@ -133,7 +135,7 @@ class ObstaclesTest(ControllerTestCase):
         self.do('spawn_obstacle', **self.spawn(2.0, 0.0))
         self.step(1)
         perceived = self.perceptions.wait_at(0, 1)
-        bodies = [(body.x, body.y, body.radius) for body in perceived.bodies]
+        bodies = [(body.x, body.y, body.radius) for body in perceived.neighbours]
         self.assertEqual(bodies, [(1.95, 0.0, 0.5)])
 
     def test_removing(self):
@@ -178,7 +180,8 @@ class ManyCallersTest(ControllerTestCase):
         for i in range(5):
             y = 40.0 + 2.0 * i
             # In an episode of 200 ticks it walks 6 m, past no other place.
-            response = self.do('spawn_agent', pose=Pose2D(x, y, 0.0), goal=Point(x + 60, y, 0), speed=0.3, radius=0.25)
+            response = self.do('spawn_agent', pose=Pose2D(x, y, 0.0), goal=Point(x + 60, y, 0), max_speed=0.3,
+                               radius=0.25)
             spawned.append((response.agent, place_in(response.message)[0]))
 
 

@@ -38,8 +38,8 @@ class ToolTest:
         return output
 
     def test_numbers_out_of_range(self, runner):
-        recipe = in_package('config', 'learning', 'thesis_nearest.yaml')
-        for program, given in (('train', [recipe, '--output', 'table.txt']),
+        config = in_package('config', 'learning', 'thesis_nearest.yaml')
+        for program, given in (('train', [config, '--output', 'table.txt']),
                                ('evaluate', ['--q-table', NEAREST_TABLE, 'circle6'])):
             words = ["--episodes: expected a whole number, 1 or more, got '0'"]
             output = self.refuse(runner, 2, words, program, *given, '--episodes', 0)
@@ -50,8 +50,8 @@ class ToolTest:
     def test_files_that_are_not_there(self, runner):
         words = ['table.txt: cannot be read: No such file', os.path.join(runner.folder, 'table.txt')]
         self.refuse(runner, 1, words, 'evaluate', '--q-table', 'table.txt', 'circle6')
-        words = ['recipe.yaml: cannot be read', os.path.join(runner.folder, 'recipe.yaml')]
-        self.refuse(runner, 1, words, 'train', 'recipe.yaml', '--output', 'new.txt')
+        words = ['config.yaml: cannot be read', os.path.join(runner.folder, 'config.yaml')]
+        self.refuse(runner, 1, words, 'train', 'config.yaml', '--output', 'new.txt')
 
     def test_a_misspelt_scenario(self, runner):
         words = ["no scenario 'circel6', did you mean 'circle6'? There is no file",

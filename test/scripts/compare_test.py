@@ -9,7 +9,7 @@ import numpy
 import pytest
 from crowd_comparison import bars
 from crowd_comparison.avoidability import Contact, Recording
-from crowd_comparison.figures_csv import (judged, largest_difference, not_slower, read_figures,
+from crowd_comparison.metrics_csv import (judged, largest_difference, not_slower, read_metrics,
                                           time_against)
 from crowd_comparison.lane_order import lane_order, order_above_chance, order_over_time
 from crowd_drawing.files import Scene
@@ -75,11 +75,12 @@ class LaneOrderTest:
 class AvoidabilityTest:
     """Contacts with obstacles that move, on walks made by hand: ticks of 0.1 s, bodies of 0.25 and 0.5 m."""
 
-    def recording(self, mover, others=(), walls=(), ticks=60, start=(0.0, 0.0)):
-        """An agent that stands at its start, others that stand around it, and a mover."""
+    def recording(self, moving_obstacle, others=(), walls=(), ticks=60, start=(0.0, 0.0)):
+        """An agent that stands at its start, others that stand around it, and a moving obstacle."""
         places = [start, *others]
         agents = [{'position': list(place), 'goal': [9.0, 9.0], 'speed': 1.0, 'radius': 0.25} for place in places]
-        scene = Scene({'agents': agents, 'obstacles': [mover], 'walls': [list(map(list, wall)) for wall in walls]}, '')
+        walls = [list(map(list, wall)) for wall in walls]
+        scene = Scene({'agents': agents, 'obstacles': [moving_obstacle], 'walls': walls}, '')
         return Recording(scene, numpy.broadcast_to(numpy.array(places, dtype=float), (ticks, len(places), 2)))
 
     def slow(self):
@@ -97,14 +98,14 @@ class AvoidabilityTest:
         gone[20:] = math.nan
         assert Recording(recording.scene, gone).contacts() == []
 
-    def test_a_slow_mover_can_be_avoided(self):
+    def test_a_slow_moving_obstacle_can_be_avoided(self):
         recording = self.recording(self.slow())
         escape = recording.last_escape(recording.contacts()[0])
         assert escape is not None
         # Straight away from it at full speed is enough even from the last tick on.
         assert escape.tick == 25
 
-    def test_a_fast_mover_overruns_who_stands_close(self):
+    def test_a_fast_moving_obstacle_overruns_who_stands_close(self):
         # 12 m/s from 0.9 m off: touches at the first tick, in which the agent gets no further than 0.1 m.
         recording = self.recording({'position': [0.9, 0.0], 'radius': 0.5, 'velocity': [-12.0, 0.0]})
         contact, = recording.contacts()
@@ -113,7 +114,7 @@ class AvoidabilityTest:
         assert recording.last_escape(contact, among_others=False) is None
 
     def test_hemmed_in_by_others(self):
-        # Seven others around it, through which the mover walks and the agent does not.
+        # Seven others around it, through which the moving obstacle walks and the agent does not.
         angles = [2.0 * math.pi * i / 7.0 for i in range(7)]
         ring = [(0.58 * math.cos(angle), 0.58 * math.sin(angle)) for angle in angles]
         recording = self.recording(self.slow(), others=ring)
@@ -122,7 +123,7 @@ class AvoidabilityTest:
         assert recording.last_escape(contact, among_others=False) is not None
 
     def test_walls_are_in_the_way(self):
-        # A dead end, 0.6 m wide, that the mover fills.
+        # A dead end, 0.6 m wide, that the moving obstacle fills.
         box = [((-0.3, 0.3), (5.0, 0.3)), ((-0.3, -0.3), (5.0, -0.3)), ((-0.3, -0.3), (-0.3, 0.3))]
         recording = self.recording(self.slow(), walls=box)
         assert recording.last_escape(recording.contacts()[0]) is None
@@ -214,7 +215,7 @@ class CompareTest:
         running = self.compare(runner, 'benchmark', '--benchmark', self.write_benchmark(runner), '--document', document)
         assert running.wait() == 0, running.output()
         assert_says(running.output(), 'time / ORCA', 'thesis set 2')
-        figures = read_figures(runner.path('results/runs/benchmark/thesis_nearest_01/figures.csv'))
+        figures = read_metrics(runner.path('results/runs/benchmark/thesis_nearest_01/metrics.csv'))
         assert set(figures) == {'near', 'far'}
         row = re.search(r'^\| near \| (\S+).*$', read_text(document), re.MULTILINE)
         assert row is not None, read_text(document)

@@ -4,7 +4,7 @@ import re
 import subprocess
 
 import pytest
-from learning_files import recipe_text
+from learning_files import config_text
 from programs import assert_says, page_examples, read_text
 
 LONG = 300.0  # [s] for a compiler on a busy machine
@@ -52,10 +52,10 @@ class LibraryPageTest:
         table = os.path.join(config, 'q_tables', 'anticipation.txt')
         walked = self.run_to_its_end(runner, 'build/walk', table, 'circle6')
         assert re.search(r'^6 of 6 arrived, 0 were in contact, \d+ ticks\n$', walked)
-        recipe = runner.write('recipe.yaml', recipe_text('circle6', 2, seed=4))
-        learned = self.run_to_its_end(runner, 'build/learn', recipe, 'table.txt')
+        config = runner.write('config.yaml', config_text('circle6', 2, seed=4))
+        learned = self.run_to_its_end(runner, 'build/learn', config, 'table.txt')
         assert re.search(r'^2 episodes, \d+ decisions\n$', learned)
-        runner.tool('train', recipe, '--output', runner.path('expected.txt'))
+        runner.tool('train', config, '--output', runner.path('expected.txt'))
         assert read_text(runner.path('table.txt')) == read_text(runner.path('expected.txt'))
         _, output = self.run_here(runner, 'build/walk', table, 'circel6')
         assert_says(output, f'{os.path.realpath(config)}/scenarios none of that name')

@@ -13,7 +13,7 @@ from crowd_drawing.motion import place_of
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.runs import Run
 from crowd_experiments.setting import Setting
-from crowd_experiments.variations import changed, vary_recipe, vary_scenario
+from crowd_experiments.variations import changed, vary_config, vary_scenario
 from crowd_reproduction import claim, reward_claims
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
@@ -132,20 +132,20 @@ class VariationsTest:
         with pytest.raises(ValueError):
             changed(scene, {'obstacles.*.radius': 0.2})
 
-    def test_recipe(self, runner):
+    def test_config(self, runner):
         setting = self.setting(runner)
         runner.write('config/experiments/base.yaml', 'learning: {gamma: 0.1, epsilon: 0.1}\n'
                                                      'training: {scenarios: [../scenarios/a.yaml], episodes: 7}\n')
         changes = {'learning.epsilon': {'from': 1, 'to': 0}, 'training.episodes': 9}
-        file = vary_recipe(setting, 'base', changes, 'varied')
-        assert file == pathlib.Path(runner.path('results/recipes/varied.yaml'))
+        file = vary_config(setting, 'base', changes, 'varied')
+        assert file == pathlib.Path(runner.path('results/configs/varied.yaml'))
         training = {'scenarios': [str(pathlib.Path(runner.path('config/scenarios/a.yaml')).resolve())], 'episodes': 9}
         learning = {'gamma': 0.1, 'epsilon': {'from': 1, 'to': 0}}
         assert yaml.safe_load(read_text(file)) == {'learning': learning, 'training': training}
         os.utime(file, (1, 1))
-        vary_recipe(setting, 'base', changes, 'varied')
+        vary_config(setting, 'base', changes, 'varied')
         assert os.stat(file).st_mtime == 1  # it was as it should be
-        other = vary_recipe(setting, file, {}, 'other', [pathlib.Path('/b.yaml')])
+        other = vary_config(setting, file, {}, 'other', [pathlib.Path('/b.yaml')])
         assert yaml.safe_load(read_text(other))['training']['scenarios'] == ['/b.yaml']
 
     def test_scenario_with_all_its_documents(self, runner):
@@ -162,17 +162,17 @@ class RunTest:
 
     def test_stamp_changes_with_all_that_it_is_made_from(self, runner):
         scenario = runner.write('scenario.yaml', 'name: one\n')
-        recipe = runner.write('recipe.yaml', 'training: {scenarios: [scenario.yaml]}\n')
+        config = runner.write('config.yaml', 'training: {scenarios: [scenario.yaml]}\n')
 
         def stamp(*words):
-            return Run(pathlib.Path(runner.folder), [['train', recipe, *words]]).stamp()
+            return Run(pathlib.Path(runner.folder), [['train', config, *words]]).stamp()
 
         stamps = [stamp('--seed', 1)]
         assert stamp('--seed', 1) == stamps[0]
         stamps.append(stamp('--seed', 2))
         runner.write('scenario.yaml', 'name: another\n')
         stamps.append(stamp('--seed', 1))
-        runner.write('recipe.yaml', 'training: {scenarios: [scenario.yaml], episodes: 7}\n')
+        runner.write('config.yaml', 'training: {scenarios: [scenario.yaml], episodes: 7}\n')
         stamps.append(stamp('--seed', 1))
         os.remove(scenario)
         with pytest.raises(OSError):

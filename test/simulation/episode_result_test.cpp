@@ -11,7 +11,7 @@ namespace crowd {
 namespace {
 
 using scenes::agent;
-using scenes::mover;
+using scenes::moving_obstacle;
 using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
@@ -41,7 +41,7 @@ std::vector<RelativeAction> times(std::size_t count, const RelativeAction& move)
 const RelativeAction AHEAD{0.0, 1.0};
 const RelativeAction STAY{0.0, 0.0};
 
-TEST(AgentFigures, StraightWalkAtFullSpeed) {
+TEST(AgentMetrics, StraightWalkAtFullSpeed) {
   // 4 m less the tolerance of 0.25 m are 3.75 m; it gets there in 8 steps of 0.5 m.
   const AgentResult result = walk(agent({0.0, 0.0}, {4.0, 0.0}, 1.0), times(8, AHEAD));
   EXPECT_TRUE(result.arrived);
@@ -55,7 +55,7 @@ TEST(AgentFigures, StraightWalkAtFullSpeed) {
   EXPECT_DOUBLE_EQ(result.max_speed_ratio, 1.0);
 }
 
-TEST(AgentFigures, PerfectWalkHasRatiosOfOne) {
+TEST(AgentMetrics, PerfectWalkHasRatiosOfOne) {
   Scene line = scenes::halfSeconds(scene({agent({1.0, 1.0}, {1.0, 5.0}, 1.0)}));
   line.goal_tolerance = 0.5;
   const AgentResult result = walk(line, times(7, AHEAD));
@@ -64,7 +64,7 @@ TEST(AgentFigures, PerfectWalkHasRatiosOfOne) {
   EXPECT_NEAR(result.time_ratio, 1.0, 1e-12);
 }
 
-TEST(AgentFigures, SpeedAndTimeCountInTheAgentsOwnTopSpeed) {
+TEST(AgentMetrics, SpeedAndTimeCountInTheAgentsOwnTopSpeed) {
   // 0.8 m/s at most, walks at half of it: 0.2 m a tick. 2 m less 0.25 m: there after 9 ticks and 1.8 m.
   const AgentResult result = walk(agent({0.0, 0.0}, {2.0, 0.0}, 0.8), times(9, {0.0, 0.5}));
   EXPECT_TRUE(result.arrived);
@@ -73,13 +73,13 @@ TEST(AgentFigures, SpeedAndTimeCountInTheAgentsOwnTopSpeed) {
   EXPECT_NEAR(result.max_speed_ratio, 0.5, 1e-12);
 }
 
-TEST(AgentFigures, MaxSpeedRatioIsThatOfTheFastestTick) {
+TEST(AgentMetrics, MaxSpeedRatioIsThatOfTheFastestTick) {
   const AgentResult result = walk(wanderer({0.0, 0.0}, 2.0), {{0.0, 0.25}, {0.0, 0.75}, {0.0, 0.5}});
   EXPECT_DOUBLE_EQ(result.max_speed_ratio, 0.75);
   EXPECT_DOUBLE_EQ(result.path_length, 1.5);  // 0.25, 0.75 and 0.5 m
 }
 
-TEST(AgentFigures, SquareIsThreeQuarterTurns) {
+TEST(AgentMetrics, SquareIsThreeQuarterTurns) {
   // Once around a square of 2 m, to the goal 1 m south of the start: 9 m for 0.75 m.
   AgentStart start = agent({0.0, 0.0}, {0.0, -1.0}, 1.0);
   start.heading = -PI / 2;
@@ -99,7 +99,7 @@ TEST(AgentFigures, SquareIsThreeQuarterTurns) {
   EXPECT_NEAR(result.turn_per_metre, 1.5 * PI / 9.0, 1e-12);
 }
 
-TEST(AgentFigures, ZigzagTurnsWithEveryStep) {
+TEST(AgentMetrics, ZigzagTurnsWithEveryStep) {
   // 8 steps of 0.5 m, 30 degrees to the left and to the right in turns: 7 turns of 60 degrees in 4 m.
   std::vector<RelativeAction> moves = {{PI / 6, 1.0}};
   for (int i = 1; i < 8; ++i) moves.push_back({i % 2 == 1 ? -PI / 3 : PI / 3, 1.0});
@@ -109,12 +109,12 @@ TEST(AgentFigures, ZigzagTurnsWithEveryStep) {
   EXPECT_NEAR(result.turn_per_metre, 7.0 * PI / 3.0 / 4.0, 1e-12);
 }
 
-TEST(AgentFigures, TurningBackIsHalfATurn) {
+TEST(AgentMetrics, TurningBackIsHalfATurn) {
   const AgentResult result = walk(wanderer({0.0, 0.0}, 1.0), {AHEAD, {PI, 1.0}});
   EXPECT_NEAR(result.turn_per_metre, PI, 1e-9);  // in 1 m
 }
 
-TEST(AgentFigures, StandingStill) {
+TEST(AgentMetrics, StandingStill) {
   const AgentResult result = walk(agent({0.0, 0.0}, {2.25, 0.0}, 1.0), times(10, {1.0, 0.0}));
   EXPECT_FALSE(result.arrived);
   EXPECT_EQ(result.ticks, 10U);
@@ -125,40 +125,40 @@ TEST(AgentFigures, StandingStill) {
   EXPECT_EQ(result.max_speed_ratio, 0.0);
 }
 
-TEST(AgentFigures, TurnsDuringAStopDoNotCount) {
+TEST(AgentMetrics, TurnsDuringAStopDoNotCount) {
   const AgentResult result = walk(wanderer({0.0, 0.0}, 1.0), {AHEAD, AHEAD, STAY, {PI / 2, 1.0}, AHEAD});
   EXPECT_EQ(result.turn_per_metre, 0.0);
   EXPECT_DOUBLE_EQ(result.path_length, 2.0);
 }
 
-TEST(AgentFigures, TurnsCountAboveFiveCentimetresASecondOnly) {
+TEST(AgentMetrics, TurnsCountAboveFiveCentimetresASecondOnly) {
   // Ten steps and nine quarter turns.
   const std::vector<RelativeAction> circling = times(10, {PI / 2, 1.0});
   EXPECT_EQ(walk(wanderer({0.0, 0.0}, 0.049), circling).turn_per_metre, 0.0);
   EXPECT_NEAR(walk(wanderer({0.0, 0.0}, 0.051), circling).turn_per_metre, 4.5 * PI / 0.255, 1e-9);
 }
 
-TEST(AgentFigures, BothTicksOfATurnMustBeThatFast) {
+TEST(AgentMetrics, BothTicksOfATurnMustBeThatFast) {
   const RelativeAction creep{PI / 2, 0.04};  // 0.04 m/s
   const RelativeAction turn{PI / 2, 1.0};
   EXPECT_EQ(walk(wanderer({0.0, 0.0}, 1.0), {AHEAD, creep, turn, creep}).turn_per_metre, 0.0);
   EXPECT_NEAR(walk(wanderer({0.0, 0.0}, 1.0), {creep, AHEAD, turn, creep}).turn_per_metre, PI / 2 / 1.04, 1e-9);
 }
 
-TEST(AgentFigures, TurnIsPerTenCentimetresAtLeast) {
+TEST(AgentMetrics, TurnIsPerTenCentimetresAtLeast) {
   // One quarter turn in 0.06 m.
   const AgentResult result = walk(wanderer({0.0, 0.0}, 0.06), {AHEAD, {PI / 2, 1.0}});
   EXPECT_NEAR(result.path_length, 0.06, 1e-12);
   EXPECT_NEAR(result.turn_per_metre, PI / 2 / 0.1, 1e-9);
 }
 
-TEST(AgentFigures, StraightLengthGoesFromGoalToGoal) {
+TEST(AgentMetrics, StraightLengthGoesFromGoalToGoal) {
   AgentStart start = agent({0.0, 0.0}, {3.0, 4.0}, 1.0);
   start.goals.emplace_back(3.0, 10.0);
   EXPECT_DOUBLE_EQ(walk(start, {STAY}).straight_length, 10.75);  // 5 + 6 - 0.25
 }
 
-TEST(AgentFigures, StraightLengthIsTenCentimetresAtLeast) {
+TEST(AgentMetrics, StraightLengthIsTenCentimetresAtLeast) {
   const AgentResult result = walk(agent({0.0, 0.0}, {0.3, 0.0}, 1.0), {AHEAD});
   EXPECT_TRUE(result.arrived);
   EXPECT_DOUBLE_EQ(result.straight_length, 0.1);
@@ -166,7 +166,7 @@ TEST(AgentFigures, StraightLengthIsTenCentimetresAtLeast) {
   EXPECT_NEAR(result.time_ratio, 5.0, 1e-12);
 }
 
-TEST(AgentFigures, WithoutATickNothingIsMeasured) {
+TEST(AgentMetrics, WithoutATickNothingIsMeasured) {
   const AgentResult result = walk(agent({0.0, 0.0}, {0.1, 0.0}, 1.0), {});
   EXPECT_FALSE(result.arrived);
   EXPECT_EQ(result.ticks, 0U);
@@ -175,7 +175,7 @@ TEST(AgentFigures, WithoutATickNothingIsMeasured) {
   EXPECT_EQ(result.turn_per_metre, 0.0);
 }
 
-TEST(AgentFigures, ContactOnTheWayStaysInTheResult) {
+TEST(AgentMetrics, ContactOnTheWayStaysInTheResult) {
   // Through a pillar at 1 m; both ends of the walk are free.
   const Scene through = scenes::halfSeconds(scene({agent({0.0, 0.0}, {2.0, 0.0}, 1.0)}, {pillar({1.0, 0.0}, 0.2)}));
   EXPECT_FALSE(walk(through, {AHEAD}).touched);
@@ -185,7 +185,7 @@ TEST(AgentFigures, ContactOnTheWayStaysInTheResult) {
   EXPECT_TRUE(result.touched);
 }
 
-TEST(AgentFigures, AfterArrivalNothingCounts) {
+TEST(AgentMetrics, AfterArrivalNothingCounts) {
   // Agent 0 arrives at (1, 0) after 2 ticks; then agent 1 walks over that place.
   const Scene crossing = scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), wanderer({-1.5, 0.0}, 1.0)}));
   World world(crossing);
@@ -253,7 +253,7 @@ TEST(DistanceGained, AGoalSetOnTheWayIsNoGainInItself) {
   for (int tick = 0; tick < 4; ++tick) {
     if (tick == 2) {
       world.setGoal(0, {-5.0, 0.0});
-      monitor.noteGoal(world.agents()[0], {-5.0, 0.0});
+      monitor.recordGoal(world.agents()[0], {-5.0, 0.0});
     }
     world.step({{0, AHEAD}});
     monitor.observe(world);
@@ -296,31 +296,31 @@ TEST(EpisodeResult, IsCleanIfAllArrivedAndNobodyTouched) {
   EXPECT_EQ(episodeResult({LOST, CLEAN, BUMPED}).touchedCount(), 1U);
 }
 
-TEST(Figures, OverTwoEpisodesByHand) {
-  Figures figures;
-  figures.add(episodeResult({CLEAN, BUMPED, LOST}));
-  figures.add(episodeResult({CLEAN}));
-  EXPECT_EQ(figures.episodes(), 2U);
-  EXPECT_DOUBLE_EQ(figures.successPercent(), 75.0);
-  EXPECT_DOUBLE_EQ(figures.contactPercent(), 25.0);
-  EXPECT_DOUBLE_EQ(figures.cleanPercent(), 50.0);
-  EXPECT_DOUBLE_EQ(figures.pathRatio(), 3.5 / 3.0);  // of the three that arrived
-  EXPECT_DOUBLE_EQ(figures.timeRatio(), 4.5 / 3.0);
-  EXPECT_DOUBLE_EQ(figures.turnPerMetre(), 2.0 / 3.0);
-  EXPECT_DOUBLE_EQ(figures.maxSpeedRatio(), 1.0);  // of all, even if they did not arrive
+TEST(Metrics, OverTwoEpisodesByHand) {
+  Metrics metrics;
+  metrics.add(episodeResult({CLEAN, BUMPED, LOST}));
+  metrics.add(episodeResult({CLEAN}));
+  EXPECT_EQ(metrics.episodes(), 2U);
+  EXPECT_DOUBLE_EQ(metrics.successPercent(), 75.0);
+  EXPECT_DOUBLE_EQ(metrics.contactPercent(), 25.0);
+  EXPECT_DOUBLE_EQ(metrics.cleanPercent(), 50.0);
+  EXPECT_DOUBLE_EQ(metrics.pathRatio(), 3.5 / 3.0);  // of the three that arrived
+  EXPECT_DOUBLE_EQ(metrics.timeRatio(), 4.5 / 3.0);
+  EXPECT_DOUBLE_EQ(metrics.turnPerMetre(), 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(metrics.maxSpeedRatio(), 1.0);  // of all, even if they did not arrive
 }
 
-TEST(Figures, CollisionsAreAShareOfAllAgentsThatCount) {
+TEST(Metrics, CollisionsAreAShareOfAllAgentsThatCount) {
   AgentResult collided = LOST;
   collided.collided = true;
   AgentResult removed = collided;
   removed.removed = true;
   const EpisodeResult result = episodeResult({CLEAN, collided, removed, CLEAN, CLEAN});
   EXPECT_EQ(result.collidedCount(), 1U);
-  Figures figures;
-  figures.add(result);
-  EXPECT_DOUBLE_EQ(figures.collisionPercent(), 25.0);
-  EXPECT_DOUBLE_EQ(figures.contactPercent(), 0.0);
+  Metrics metrics;
+  metrics.add(result);
+  EXPECT_DOUBLE_EQ(metrics.collisionPercent(), 25.0);
+  EXPECT_DOUBLE_EQ(metrics.contactPercent(), 0.0);
 }
 
 TEST(EpisodeMonitor, NotesACollisionThatIsNoContact) {
@@ -338,18 +338,18 @@ TEST(EpisodeMonitor, NotesACollisionThatIsNoContact) {
   EXPECT_DOUBLE_EQ(agent.heading, 0.0);
 }
 
-TEST(Figures, BlockedMovesAreAMeanOverAllAgents) {
+TEST(Metrics, BlockedMovesAreAMeanOverAllAgents) {
   AgentResult removed = blocked(CLEAN, 100);
   removed.removed = true;
   const EpisodeResult crowded = episodeResult({blocked(BUMPED, 4), blocked(LOST, 5), removed});
   EXPECT_EQ(crowded.blockedMoves(), 9U);
-  Figures figures;
-  figures.add(crowded);
-  figures.add(episodeResult({CLEAN, CLEAN}));
-  EXPECT_DOUBLE_EQ(figures.blockedMovesPerAgent(), 9.0 / 4.0);
+  Metrics metrics;
+  metrics.add(crowded);
+  metrics.add(episodeResult({CLEAN, CLEAN}));
+  EXPECT_DOUBLE_EQ(metrics.blockedMovesPerAgent(), 9.0 / 4.0);
 }
 
-TEST(AgentFigures, BlockedMovesAreCounted) {
+TEST(AgentMetrics, BlockedMovesAreCounted) {
   // Two steps of 0.5 m lead up to the wall, two more lead nowhere.
   const Scene blocked_way =
       scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0)}, {}, {{{1.25, -1.0}, {1.25, 1.0}}})));
@@ -361,10 +361,10 @@ TEST(AgentFigures, BlockedMovesAreCounted) {
   EXPECT_FALSE(walk(blocked_way, times(2, AHEAD)).touched);
 }
 
-TEST(AgentFigures, WhoIsPushedTurnsThoughItLooksTheSameWay) {
+TEST(AgentMetrics, WhoIsPushedTurnsThoughItLooksTheSameWay) {
   // An obstacle pushes it 0.5 m to the side, then it walks 0.5 m ahead: a quarter turn in 1 m.
   Scene pushed = scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0, 0.25)})));
-  pushed.obstacles.push_back(mover({0.0, 0.5}, {0.0, -1.0}, 0.25));
+  pushed.obstacles.push_back(moving_obstacle({0.0, 0.5}, {0.0, -1.0}, 0.25));
   World world(pushed);
   EpisodeMonitor monitor(pushed, world);
   for (const RelativeAction& move : {STAY, AHEAD}) {
@@ -378,16 +378,16 @@ TEST(AgentFigures, WhoIsPushedTurnsThoughItLooksTheSameWay) {
   EXPECT_TRUE(result.touched);
 }
 
-TEST(Figures, WithoutArrivalsThereAreNoMeans) {
-  Figures figures;
-  EXPECT_TRUE(std::isnan(figures.blockedMovesPerAgent()));
-  EXPECT_EQ(figures.successPercent(), 0.0);
-  EXPECT_EQ(figures.cleanPercent(), 0.0);
-  figures.add(episodeResult({LOST}));
-  EXPECT_EQ(figures.successPercent(), 0.0);
-  EXPECT_TRUE(std::isnan(figures.pathRatio()));
-  EXPECT_TRUE(std::isnan(figures.timeRatio()));
-  EXPECT_TRUE(std::isnan(figures.turnPerMetre()));
+TEST(Metrics, WithoutArrivalsThereAreNoMeans) {
+  Metrics metrics;
+  EXPECT_TRUE(std::isnan(metrics.blockedMovesPerAgent()));
+  EXPECT_EQ(metrics.successPercent(), 0.0);
+  EXPECT_EQ(metrics.cleanPercent(), 0.0);
+  metrics.add(episodeResult({LOST}));
+  EXPECT_EQ(metrics.successPercent(), 0.0);
+  EXPECT_TRUE(std::isnan(metrics.pathRatio()));
+  EXPECT_TRUE(std::isnan(metrics.timeRatio()));
+  EXPECT_TRUE(std::isnan(metrics.turnPerMetre()));
 }
 
 }  // namespace

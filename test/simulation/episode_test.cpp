@@ -80,8 +80,8 @@ TEST(Episode, ReadersInOtherThreadsSeePerceptionsUnchanged) {
 }
 
 TEST(Episode, PerceivesAsFarAsItWasTold) {
-  EXPECT_EQ(Episode(oneAndTwoMetres(), NUMBER, {2.7, 0}).perceptions().bodies.size(), 0U);  // rims 2.75 m away
-  EXPECT_EQ(Episode(oneAndTwoMetres(), NUMBER, {2.8, 0}).perceptions().bodies.size(), 2U);
+  EXPECT_EQ(Episode(oneAndTwoMetres(), NUMBER, {2.7, 0}).perceptions().neighbours.size(), 0U);  // rims 2.75 m away
+  EXPECT_EQ(Episode(oneAndTwoMetres(), NUMBER, {2.8, 0}).perceptions().neighbours.size(), 2U);
 }
 
 TEST(Episode, EndsWhenEverybodyHasArrived) {
@@ -159,7 +159,7 @@ TEST(EpisodeChanges, RemovedAgentIsPerceivedNoMoreAndHasNotArrived) {
   episode.removeAgent(1);
   ASSERT_EQ(episode.perceptions().agents.size(), 1U);
   EXPECT_EQ(episode.perceptions().agents[0].agent, 0U);
-  EXPECT_TRUE(episode.perceptions().bodies.empty());
+  EXPECT_TRUE(episode.perceptions().neighbours.empty());
   episode.step({ahead(0)});
   EXPECT_TRUE(episode.isOver());
   EXPECT_EQ(episode.result().arrivedCount(), 1U);
@@ -179,11 +179,11 @@ TEST(EpisodeChanges, GoalAndObstaclesAreInThePerceptionsAtOnce) {
   episode.setGoal(0, {0.0, 4.0});
   EXPECT_EQ(episode.perceptions().agents[0].goal, Vector2(0.0, 4.0));
   EXPECT_EQ(episode.spawnObstacle({0.0, 1.0}, {0.0, 0.0}, 0.25), 1U);
-  ASSERT_EQ(episode.perceptions().bodies.size(), 2U);
-  EXPECT_EQ(episode.perceptions().bodies[0].position, Vector2(0.0, 1.0));
+  ASSERT_EQ(episode.perceptions().neighbours.size(), 2U);
+  EXPECT_EQ(episode.perceptions().neighbours[0].position, Vector2(0.0, 1.0));
   episode.removeObstacle(0);
-  ASSERT_EQ(episode.perceptions().bodies.size(), 1U);
-  EXPECT_EQ(episode.perceptions().bodies[0].position, Vector2(0.0, 1.0));
+  ASSERT_EQ(episode.perceptions().neighbours.size(), 1U);
+  EXPECT_EQ(episode.perceptions().neighbours[0].position, Vector2(0.0, 1.0));
 }
 
 TEST(EpisodeChanges, RefusedChangesChangeNothing) {
@@ -194,7 +194,7 @@ TEST(EpisodeChanges, RefusedChangesChangeNothing) {
   EXPECT_THROW(episode.spawnObstacle({0.1, 0.0}, {0.0, 0.0}, 0.5), InputError);
   EXPECT_THROW(episode.removeObstacle(0), InputError);
   EXPECT_EQ(episode.perceptions().agents.size(), 2U);
-  EXPECT_EQ(episode.perceptions().bodies.size(), 2U);
+  EXPECT_EQ(episode.perceptions().neighbours.size(), 2U);
   EXPECT_EQ(episode.perceptions().agents[0].goal, Vector2(1.0, 0.0));
   EXPECT_EQ(episode.result().agents.size(), 2U);
 }

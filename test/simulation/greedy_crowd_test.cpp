@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::uint64_t EPISODE = 7;
 
-/// Agent, rotation and share of the speed.
+/// Agent, rotation and fraction of the maximum speed.
 using Decision = std::tuple<AgentId, double, double>;
 
 std::vector<Decision> toDecisions(const std::vector<AgentAction>& actions) {
   std::vector<Decision> decisions;
   decisions.reserve(actions.size());
   for (const AgentAction& given : actions) {
-    decisions.emplace_back(given.agent, given.action.rotation, given.action.speed_share);
+    decisions.emplace_back(given.agent, given.action.rotation, given.action.speed_fraction);
   }
   return decisions;
 }
@@ -45,9 +45,9 @@ class Crowds {
     std::vector<Decision> first;
     for (std::size_t i = 0; i < crowds_.size(); ++i) {
       std::vector<AgentAction> actions = {{12345, {6.0, 7.0}}};  // to be overwritten
-      crowds_[i].decide(world, EPISODE, vision, learner, actions, workers_[i]);
+      crowds_[i].decide(world, EPISODE, vision, learner, actions, thread_pool_[i]);
       if (i == 0) first = toDecisions(actions);
-      EXPECT_EQ(toDecisions(actions), first) << workers_[i].count() << " threads";
+      EXPECT_EQ(toDecisions(actions), first) << thread_pool_[i].count() << " threads";
     }
     std::sort(first.begin(), first.end());
     return first;
@@ -55,18 +55,19 @@ class Crowds {
 
  private:
   std::array<GreedyCrowd, 3> crowds_;
-  std::array<Workers, 3> workers_ = {Workers(1), Workers(2), Workers(7)};
+  std::array<ThreadPool, 3> thread_pool_ = {ThreadPool(1), ThreadPool(2), ThreadPool(7)};
 };
 
 /// With limits to what is perceived and without, with rows of their own for the actions and without.
 std::vector<Model> models() {
   const std::string thesis = "action_set: {type: kings_moves}, reward: {goal: distance_gained, obstacle_cost: 10}";
-  const std::string fan = "state_set: {type: anticipation}, action_set: {type: goal_fan, gap_sharing: moving}, ";
+  const std::string goal_relative =
+      "state_set: {type: anticipation}, action_set: {type: goal_relative, gap_sharing: moving}, ";
   return {
       parseModel("{state_set: {type: nearest_obstacle}, " + thesis + "}"),
       parseModel("{state_set: {type: occupancy}, " + thesis + "}"),
-      parseModel("{" + fan + "reward: {type: pace}}"),
-      parseModel("{" + fan + "reward: {type: pace}, vision: {occlusion: true}}"),
+      parseModel("{" + goal_relative + "reward: {type: progress}}"),
+      parseModel("{" + goal_relative + "reward: {type: progress}, vision: {occlusion: true}}"),
   };
 }
 
@@ -173,7 +174,7 @@ TEST(GreedyCrowd, LooksUpTheTablesOfTheirOwn) {
 TEST(GreedyCrowd, ForgetsTheLastWorld) {
   const Model model = models()[2];
   const Learner learner = makeLearner(model);
-  Workers many(7);
+  ThreadPool many(7);
   GreedyCrowd crowd;
   std::vector<AgentAction> actions;
   crowd.decide(World(scenes::randomCrowd(1)), EPISODE, model.vision(), learner, actions, many);

@@ -62,12 +62,12 @@ class RandomPlay {
 
   void answer(std::uint64_t tick, bool open) {
     const AgentId id = random_.below(8);
-    const bool sound = random_.below(6) > 0;
+    const bool valid = random_.below(6) > 0;
     const LearnerId learner = random_.below(2);
     const std::size_t refused =
-        lockstep_.take(answersOf(tick, {id}, {0.0, sound ? 1.0 : 2.0}, episode_), learner).size();
+        lockstep_.take(answersOf(tick, {id}, {0.0, valid ? 1.0 : 2.0}, episode_), learner).size();
     refused_ += refused;
-    if (!known_[id] || !sound) {
+    if (!known_[id] || !valid) {
       EXPECT_EQ(refused, 1U);
       return;
     }

@@ -48,7 +48,7 @@ TEST(Lockstep, CompleteOnceEverybodyHasAnswered) {
   ASSERT_EQ(agentsOf(lockstep.answers()), (Ids{2, 0, 1}));
   EXPECT_EQ(lockstep.answers()[0].action.rotation, 0.5);
   EXPECT_EQ(lockstep.answers()[2].action.rotation, -0.25);
-  EXPECT_EQ(lockstep.answers()[2].action.speed_share, 0.5);
+  EXPECT_EQ(lockstep.answers()[2].action.speed_fraction, 0.5);
   EXPECT_EQ(lockstep.missedCount(), 0U);
   EXPECT_EQ(lockstep.droppedCount(), 0U);
 }
@@ -117,19 +117,19 @@ TEST(LockstepDrops, UnknownAgents) {
   EXPECT_TRUE(lockstep.answers().empty());
 }
 
-TEST(LockstepDrops, UnsoundAnswers) {
+TEST(LockstepDrops, InvalidAnswers) {
   constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
-  const std::vector<RelativeAction> unsound = {{NOT_A_NUMBER, 1.0}, {-INFINITE, 1.0}, {0.0, NOT_A_NUMBER},
+  const std::vector<RelativeAction> invalid = {{NOT_A_NUMBER, 1.0}, {-INFINITE, 1.0}, {0.0, NOT_A_NUMBER},
                                                {0.0, INFINITE},     {0.0, -0.01},     {0.0, 1.01}};
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0});
-  for (const RelativeAction& action : unsound) lockstep.take(answersOf(0, {0}, action), LEARNER);
-  EXPECT_EQ(lockstep.droppedCount(), unsound.size());
+  for (const RelativeAction& action : invalid) lockstep.take(answersOf(0, {0}, action), LEARNER);
+  EXPECT_EQ(lockstep.droppedCount(), invalid.size());
   EXPECT_EQ(lockstep.missing(), Ids{0});
-  lockstep.take(answersOf(0, {0}, {-100.0, 0.0}), LEARNER);  // the next sound one is as good as ever
+  lockstep.take(answersOf(0, {0}, {-100.0, 0.0}), LEARNER);  // the next valid one is as good as ever
   EXPECT_TRUE(lockstep.isComplete());
-  EXPECT_EQ(lockstep.droppedCount(), unsound.size());
+  EXPECT_EQ(lockstep.droppedCount(), invalid.size());
 }
 
 TEST(LockstepPresence, AbsentAfterSomeMissesInARow) {

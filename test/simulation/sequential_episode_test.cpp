@@ -60,7 +60,7 @@ TEST(SequentialEpisode, AnAgentThatHasArrivedGetsItsLastPerceptionAtItsTurn) {
   EXPECT_TRUE(episode.perceptions().agents[0].arrived);
   EXPECT_FALSE(episode.step({}));
   EXPECT_EQ(asked(episode), Ids{1});
-  EXPECT_EQ(episode.perceptions().agents[0].body_count, 0U);  // the other has left
+  EXPECT_EQ(episode.perceptions().agents[0].neighbour_count, 0U);  // the other has left
   EXPECT_TRUE(episode.step({}));
   EXPECT_EQ(asked(episode), Ids{1});  // the other has no turn any more
 }

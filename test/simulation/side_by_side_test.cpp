@@ -26,16 +26,17 @@ class SideBySide : public testing::Test {
  protected:
   SideBySide() { folder_.write("s.yaml", scenarios()); }
 
-  Recipe recipe(std::uint64_t episodes, const std::string& training, const std::string& learning = "alpha: 0.1") const {
-    return readRecipe(folder_.write("recipe.yaml",
-                                    "state_set: {type: nearest_obstacle}\n"
-                                    "action_set: {type: kings_moves}\n"
-                                    "reward: {goal: cosine_cubed, obstacle_cost: 80}\n"
-                                    "learning: {gamma: 0.5, epsilon: {from: 0.5, to: 0.1, episodes: 20}, " +
-                                        learning +
-                                        "}\n"
-                                        "training: {scenarios: [s.yaml], seed: 5, episodes: " +
-                                        std::to_string(episodes) + ", " + training + "}\n"));
+  TrainingConfig config(std::uint64_t episodes, const std::string& training,
+                        const std::string& learning = "alpha: 0.1") const {
+    return readTrainingConfig(folder_.write("config.yaml",
+                                            "state_set: {type: nearest_obstacle}\n"
+                                            "action_set: {type: kings_moves}\n"
+                                            "reward: {goal: cosine_cubed, obstacle_cost: 80}\n"
+                                            "learning: {gamma: 0.5, epsilon: {from: 0.5, to: 0.1, episodes: 20}, " +
+                                                learning +
+                                                "}\n"
+                                                "training: {scenarios: [s.yaml], seed: 5, episodes: " +
+                                                std::to_string(episodes) + ", " + training + "}\n"));
   }
 
   static std::vector<EpisodeResult> finish(Training& training) {
@@ -52,7 +53,7 @@ class SideBySide : public testing::Test {
 TEST_F(SideBySide, ResultDoesNotDependOnTheNumberOfThreads) {
   for (const char* const learning : {"alpha: 0.1", "alpha: 0.01, alpha_decay: 0.7, mirrored: true"}) {
     const auto train = [&](unsigned threads) {
-      Training training(recipe(37, "side_by_side: 4, turn: 3", learning), threads);
+      Training training(config(37, "side_by_side: 4, turn: 3", learning), threads);
       std::string ticks;
       for (const EpisodeResult& result : finish(training)) ticks += std::to_string(result.agents[0].ticks) + " ";
       return toText(training.trained()) + ticks;
@@ -65,7 +66,7 @@ TEST_F(SideBySide, ResultDoesNotDependOnTheNumberOfThreads) {
 
 TEST_F(SideBySide, SeedAndNumberOfLearnersMatter) {
   const auto train = [&](const std::string& plan, std::uint64_t seed) {
-    Recipe changed = recipe(24, plan);
+    TrainingConfig changed = config(24, plan);
     changed.training.seed = seed;
     Training training(changed, 2);
     finish(training);
@@ -79,8 +80,8 @@ TEST_F(SideBySide, SeedAndNumberOfLearnersMatter) {
 }
 
 TEST_F(SideBySide, OneLearnerLearnsEpisodeByEpisodeInOneTable) {
-  const Recipe plain = recipe(12, "save_every: 0");
-  Training training(recipe(12, "side_by_side: 1, turn: 3"), 7);
+  const TrainingConfig plain = config(12, "save_every: 0");
+  Training training(config(12, "side_by_side: 1, turn: 3"), 7);
   EXPECT_EQ(training.runNextTurn().size(), 1U);
   finish(training);
   Learner::Options options;
@@ -96,7 +97,7 @@ TEST_F(SideBySide, OneLearnerLearnsEpisodeByEpisodeInOneTable) {
 }
 
 TEST_F(SideBySide, ATurnMergesWhatEachLearnsFromItsOwnEpisodes) {
-  const Recipe two = recipe(5, "side_by_side: 2, turn: 2");
+  const TrainingConfig two = config(5, "side_by_side: 2, turn: 2");
   Training training(two, 2);
   const ScenarioList list = parseScenarios(scenarios(), "s.yaml");
   Learner::Options options;
@@ -114,7 +115,7 @@ TEST_F(SideBySide, ATurnMergesWhatEachLearnsFromItsOwnEpisodes) {
       tables.push_back(learner.tableOf(0));
       decisions += learner.decisions();
     }
-    mergeCopies({&tables[0], &tables[1]}, StepSizes(two.learning.parameters), 0, expected.rows(), expected);
+    mergeCopies({&tables[0], &tables[1]}, LearningRateSchedule(two.learning.parameters), 0, expected.rows(), expected);
     EXPECT_EQ(training.runNextTurn().size(), turn[0].size() + turn[1].size());
     EXPECT_EQ(training.trained().table, expected);
     EXPECT_EQ(training.trained().decisions, decisions);
@@ -125,7 +126,7 @@ TEST_F(SideBySide, ATurnMergesWhatEachLearnsFromItsOwnEpisodes) {
 }
 
 TEST_F(SideBySide, ResultsComeInTheOrderOfTheEpisodes) {
-  Training training(recipe(11, "side_by_side: 3, turn: 3"), 2);
+  Training training(config(11, "side_by_side: 3, turn: 3"), 2);
   std::string names;
   for (const EpisodeResult& result : finish(training)) names += result.scenario + " ";
   EXPECT_EQ(names, "first second first second first second first second first second first ");
@@ -133,7 +134,7 @@ TEST_F(SideBySide, ResultsComeInTheOrderOfTheEpisodes) {
 }
 
 TEST_F(SideBySide, EveryDecisionIsCountedInTheVisitsOnce) {
-  Training training(recipe(24, "side_by_side: 4, turn: 2"), 2);
+  Training training(config(24, "side_by_side: 4, turn: 2"), 2);
   finish(training);
   const TrainedTable trained = training.trained();
   std::uint64_t visits = 0;
@@ -145,10 +146,10 @@ TEST_F(SideBySide, EveryDecisionIsCountedInTheVisitsOnce) {
 }
 
 TEST_F(SideBySide, GoesOnFromATable) {
-  Training first(recipe(4, "side_by_side: 2, turn: 2"), 1);
+  Training first(config(4, "side_by_side: 2, turn: 2"), 1);
   finish(first);
   const TrainedTable begin = first.trained();
-  Training more(recipe(4, "side_by_side: 2, turn: 2"), begin, 1);
+  Training more(config(4, "side_by_side: 2, turn: 2"), begin, 1);
   EXPECT_EQ(more.trained().table, begin.table);
   EXPECT_EQ(more.decisions(), 0U);
   finish(more);
@@ -158,7 +159,7 @@ TEST_F(SideBySide, GoesOnFromATable) {
 
 TEST_F(SideBySide, WithTracesOrOwnTablesIsRefused) {
   const auto error = [&](const std::string& training, const std::string& learning) {
-    return errorOf<InputError>([&] { Training(recipe(4, training, learning)); });
+    return errorOf<InputError>([&] { Training(config(4, training, learning)); });
   };
   EXPECT_EQ(error("side_by_side: 2", "lambda: 0.5"),
             "training.side_by_side: expected 1 with traces (learning.lambda above 0), got 2");
@@ -168,10 +169,10 @@ TEST_F(SideBySide, WithTracesOrOwnTablesIsRefused) {
 }
 
 TEST_F(SideBySide, IsOneLearnerUnlessToldOtherwise) {
-  EXPECT_EQ(recipe(1, "tables: shared").training.side_by_side, 1U);
-  EXPECT_EQ(recipe(1, "side_by_side: 6, turn: 7").training.side_by_side, 6U);
-  EXPECT_EQ(recipe(1, "side_by_side: 6, turn: 7").training.turn, 7U);
-  const auto error = [&](const std::string& training) { return errorOf<InputError>([&] { recipe(1, training); }); };
+  EXPECT_EQ(config(1, "tables: shared").training.side_by_side, 1U);
+  EXPECT_EQ(config(1, "side_by_side: 6, turn: 7").training.side_by_side, 6U);
+  EXPECT_EQ(config(1, "side_by_side: 6, turn: 7").training.turn, 7U);
+  const auto error = [&](const std::string& training) { return errorOf<InputError>([&] { config(1, training); }); };
   EXPECT_TRUE(contains(error("side_by_side: 0"), "training.side_by_side: expected"));
   EXPECT_TRUE(contains(error("turn: 0"), "training.turn: expected"));
 }

@@ -20,7 +20,9 @@ Learner learnerOf(const std::string& state_set, Row rows) {
 }
 
 /// At tick 4 an agent whose goal lies ahead, and a disc of radius 0.3 that is 0.7 m ahead.
-PerceptionsBuilder agentBeforeADisc() { return PerceptionsBuilder(3, 4).agent(6, {5.0, 0.0}).body({0.7, 0.0}, 0.3); }
+PerceptionsBuilder agentBeforeADisc() {
+  return PerceptionsBuilder(3, 4).agent(6, {5.0, 0.0}).neighbour({0.7, 0.0}, 0.3);
+}
 
 TEST(StateRecord, OfSet2) {
   std::string rows;

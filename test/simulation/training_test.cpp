@@ -38,21 +38,21 @@ std::string twoAgents(const std::string& name, const std::string& radius = "1") 
          "     radius: 0.2}\n";
 }
 
-/// A recipe in the folder with the thesis's state set 1 and parameters.
-Recipe recipeFor(const TemporaryFolder& folder, const std::string& scenarios, std::uint64_t episodes,
-                 std::uint64_t seed, const std::string& more = "") {
-  return readRecipe(folder.write("recipe.yaml",
-                                 "state_set: {type: nearest_obstacle}\n"
-                                 "action_set: {type: kings_moves}\n"
-                                 "reward: {goal: cosine_cubed, obstacle_cost: 80}\n"
-                                 "learning: {alpha: 0.1, gamma: 0.1, epsilon: 0.1}\n"
-                                 "training: {scenarios: [" +
-                                     scenarios + "], episodes: " + std::to_string(episodes) +
-                                     ", seed: " + std::to_string(seed) + more + "}\n"));
+/// A training configuration in the folder with the thesis's state set 1 and parameters.
+TrainingConfig configFor(const TemporaryFolder& folder, const std::string& scenarios, std::uint64_t episodes,
+                         std::uint64_t seed, const std::string& more = "") {
+  return readTrainingConfig(folder.write("config.yaml",
+                                         "state_set: {type: nearest_obstacle}\n"
+                                         "action_set: {type: kings_moves}\n"
+                                         "reward: {goal: cosine_cubed, obstacle_cost: 80}\n"
+                                         "learning: {alpha: 0.1, gamma: 0.1, epsilon: 0.1}\n"
+                                         "training: {scenarios: [" +
+                                             scenarios + "], episodes: " + std::to_string(episodes) +
+                                             ", seed: " + std::to_string(seed) + more + "}\n"));
 }
 
-TrainedTable train(const Recipe& recipe) {
-  Training training(recipe);
+TrainedTable train(const TrainingConfig& config) {
+  Training training(config);
   while (!training.isDone()) training.runNextTurn();
   return training.trained();
 }
@@ -60,8 +60,8 @@ TrainedTable train(const Recipe& recipe) {
 TEST(Training, SameSeedSameTableBitForBit) {
   const TemporaryFolder folder;
   folder.write("s.yaml", OBSTACLE_IN_THE_WAY);
-  const TrainedTable first = train(recipeFor(folder, "s.yaml", 20, 3));
-  const TrainedTable again = train(recipeFor(folder, "s.yaml", 20, 3));
+  const TrainedTable first = train(configFor(folder, "s.yaml", 20, 3));
+  const TrainedTable again = train(configFor(folder, "s.yaml", 20, 3));
   EXPECT_GT(first.decisions, 1000U);
   EXPECT_EQ(first.decisions, again.decisions);
   EXPECT_TRUE(first.table == again.table);
@@ -71,8 +71,8 @@ TEST(Training, SameSeedSameTableBitForBit) {
 TEST(Training, AnotherSeedAnotherTable) {
   const TemporaryFolder folder;
   folder.write("s.yaml", OBSTACLE_IN_THE_WAY);
-  const TrainedTable one = train(recipeFor(folder, "s.yaml", 20, 3));
-  const TrainedTable other = train(recipeFor(folder, "s.yaml", 20, 4));
+  const TrainedTable one = train(configFor(folder, "s.yaml", 20, 3));
+  const TrainedTable other = train(configFor(folder, "s.yaml", 20, 4));
   EXPECT_TRUE(one.table != other.table);
   EXPECT_EQ(one.seed, 3U);
   EXPECT_EQ(other.seed, 4U);
@@ -83,19 +83,19 @@ TEST(Training, SeedDecidesOnExplorationToo) {
   folder.write("s.yaml",
                "{name: fixed, duration: 5, goal_tolerance: 0.3,\n"
                " agents: [{position: [0, 0], goal: [3, 0], speed: 1, radius: 0.2}]}\n");
-  EXPECT_TRUE(train(recipeFor(folder, "s.yaml", 10, 3)).table != train(recipeFor(folder, "s.yaml", 10, 4)).table);
+  EXPECT_TRUE(train(configFor(folder, "s.yaml", 10, 3)).table != train(configFor(folder, "s.yaml", 10, 4)).table);
 }
 
 /// The share of a hundred episodes, none of them met in training, in which the agent arrives [percent].
 double successPercent(const TrainedTable& trained) {
-  Figures figures;
+  Metrics metrics;
   evaluate(trained, parseScenarios(OBSTACLE_IN_THE_WAY, "s.yaml"), {100, 1234, 1, false},
            [&](EvaluatedEpisode& walked) {
-             figures.add(walked.result);
+             metrics.add(walked.result);
              return true;
            });
-  EXPECT_EQ(figures.episodes(), 100U);
-  return figures.successPercent();
+  EXPECT_EQ(metrics.episodes(), 100U);
+  return metrics.successPercent();
 }
 
 TEST(Training, TrainedAgentsArriveFarMoreOften) {
@@ -104,11 +104,11 @@ TEST(Training, TrainedAgentsArriveFarMoreOften) {
   constexpr int SEEDS = 5;
   double sum = 0.0;
   for (std::uint64_t seed = 1; seed <= SEEDS; ++seed) {
-    const double percent = successPercent(train(recipeFor(folder, "s.yaml", 500, seed)));
+    const double percent = successPercent(train(configFor(folder, "s.yaml", 500, seed)));
     EXPECT_GT(percent, 0.0) << "seed " << seed;
     sum += percent;
   }
-  TrainedTable empty = Training(recipeFor(folder, "s.yaml", 1, 1)).trained();
+  TrainedTable empty = Training(configFor(folder, "s.yaml", 1, 1)).trained();
   // An empty table walks straight on in whatever direction it looks. Among trained ones there may be one that dances
   // in front of the obstacle: with the thesis's gamma of 0.1 they look hardly further than a step ahead.
   EXPECT_LT(successPercent(empty), 20.0);
@@ -118,7 +118,7 @@ TEST(Training, TrainedAgentsArriveFarMoreOften) {
 TEST(Training, TellsHowFarItIs) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
-  Training training(recipeFor(folder, "s.yaml", 2, 1));
+  Training training(configFor(folder, "s.yaml", 2, 1));
   EXPECT_EQ(training.episode(), 0U);
   EXPECT_FALSE(training.isDone());
   EXPECT_EQ(training.trained().decisions, 0U);
@@ -138,7 +138,7 @@ TEST(Training, PlaysAllScenariosRoundAndRound) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("first") + "---\n" + twoAgents("second"));
   folder.write("t.yaml", twoAgents("third"));
-  Training training(recipeFor(folder, "s.yaml, t.yaml", 7, 1));
+  Training training(configFor(folder, "s.yaml, t.yaml", 7, 1));
   std::string names;
   while (!training.isDone()) names += training.runNextTurn().at(0).scenario + " ";
   EXPECT_EQ(names, "first second third first second third first ");
@@ -148,7 +148,7 @@ TEST(Training, PlacesDependOnSeedAndEpisodeAlone) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair", "[1, 2]"));
   const auto lengths = [&](std::uint64_t seed) {
-    Training training(recipeFor(folder, "s.yaml", 2, seed));
+    Training training(configFor(folder, "s.yaml", 2, seed));
     const double first = training.runNextTurn().at(0).agents[0].straight_length;
     return std::make_pair(first, training.runNextTurn().at(0).agents[0].straight_length);
   };
@@ -160,11 +160,11 @@ TEST(Training, PlacesDependOnSeedAndEpisodeAlone) {
 TEST(Training, WithOwnTablesEachAgentLearnsForItself) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
-  Training training(recipeFor(folder, "s.yaml", 5, 1, ", tables: own"));
+  Training training(configFor(folder, "s.yaml", 5, 1, ", tables: own"));
   while (!training.isDone()) training.runNextTurn();
   EXPECT_TRUE(training.learner().tableOf(0) != training.learner().tableOf(1));
   EXPECT_TRUE(training.trained().table == training.learner().tableOf(0));  // the pioneer's
-  Training shared(recipeFor(folder, "s.yaml", 5, 1));
+  Training shared(configFor(folder, "s.yaml", 5, 1));
   shared.runNextTurn();
   EXPECT_TRUE(shared.learner().tableOf(0) == shared.learner().tableOf(1));
 }
@@ -172,8 +172,8 @@ TEST(Training, WithOwnTablesEachAgentLearnsForItself) {
 TEST(Training, GoesOnFromATable) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
-  const TrainedTable first = train(recipeFor(folder, "s.yaml", 3, 1));
-  Training more(recipeFor(folder, "s.yaml", 2, 5, ", tables: own"), first);
+  const TrainedTable first = train(configFor(folder, "s.yaml", 3, 1));
+  Training more(configFor(folder, "s.yaml", 2, 5, ", tables: own"), first);
   EXPECT_TRUE(more.trained().table == first.table);
   EXPECT_EQ(more.trained().decisions, first.decisions);
   EXPECT_EQ(more.decisions(), 0U);
@@ -200,20 +200,20 @@ TEST(Training, GoesOnFromATable) {
 TEST(Training, GoesOnFromATableOfItsOwnStatesOnly) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
-  Recipe other = recipeFor(folder, "s.yaml", 1, 1);
+  TrainingConfig other = configFor(folder, "s.yaml", 1, 1);
   other.model = parseModel(
       "{state_set: {type: nearest_obstacle, goal_sectors: 4}, action_set: {type: kings_moves}, "
       "reward: {goal: cosine_cubed, obstacle_cost: 80}}");
   const TrainedTable begin = train(other);
-  EXPECT_THROW(Training(recipeFor(folder, "s.yaml", 1, 1), begin), ShapeError);
+  EXPECT_THROW(Training(configFor(folder, "s.yaml", 1, 1), begin), ShapeError);
 }
 
 TEST(Training, ResultSaysWhatItWasTrainedWith) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
-  const Recipe recipe = recipeFor(folder, "s.yaml", 1, 9);
-  const TrainedTable trained = train(recipe);
-  EXPECT_TRUE(trained.model.fits(recipe.model));
+  const TrainingConfig config = configFor(folder, "s.yaml", 1, 9);
+  const TrainedTable trained = train(config);
+  EXPECT_TRUE(trained.model.fits(config.model));
   EXPECT_EQ(trained.seed, 9U);
   EXPECT_EQ(trained.parameters.alpha, 0.1);
   EXPECT_EQ(trained.parameters.gamma, 0.1);
@@ -223,20 +223,20 @@ TEST(Training, ResultSaysWhatItWasTrainedWith) {
 TEST(Training, ScenariosThatCannotBeRead) {
   const TemporaryFolder folder;
   folder.write("bad.yaml", "name: bad\n");
-  EXPECT_THROW(recipeFor(folder, "nowhere.yaml", 1, 1), InputError);
-  EXPECT_THROW(Training(recipeFor(folder, "bad.yaml", 1, 1)), InputError);
+  EXPECT_THROW(configFor(folder, "nowhere.yaml", 1, 1), InputError);
+  EXPECT_THROW(Training(configFor(folder, "bad.yaml", 1, 1)), InputError);
 }
 
 TEST(RunEpisode, PlaysToTheEndAndHandsTheNumberToTheLearner) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
-  const Recipe recipe = recipeFor(folder, "s.yaml", 1, 1);
+  const TrainingConfig config = configFor(folder, "s.yaml", 1, 1);
   const Scene scene = parseScenarios(twoAgents("pair"), "s.yaml").scene(1, 0);
   const auto play = [&](std::uint64_t number) {
     Learner::Options options;
     options.mode = Mode::TRAINING;
     options.plan.epsilon = EpsilonSchedule::constant(1.0);
-    Learner learner(recipe.model, options);
+    Learner learner(config.model, options);
     const EpisodeResult result = runEpisode(scene, number, learner);
     EXPECT_EQ(result.scenario, "pair");
     EXPECT_EQ(result.ticks, 20U);  // a random walk does not get there
@@ -253,8 +253,8 @@ TEST(Training, AgentsThatKeepTheirHeadingLearnFromWhereTheEpisodeBeforeLeftThem)
       "  - {position: [0, 0], goal: [3, 0], speed: 1, radius: 0.2, heading: ";
   folder.write("kept.yaml", agents + "kept}\n");
   folder.write("goal.yaml", agents + "goal}\n");
-  Training kept(recipeFor(folder, "kept.yaml", 2, 1));
-  Training towards_goal(recipeFor(folder, "goal.yaml", 2, 1));
+  Training kept(configFor(folder, "kept.yaml", 2, 1));
+  Training towards_goal(configFor(folder, "goal.yaml", 2, 1));
   const EpisodeResult first = kept.runNextTurn().at(0);
   EXPECT_EQ(towards_goal.runNextTurn().at(0).agents[0].heading, first.agents[0].heading);
   EXPECT_NE(first.agents[0].heading, 0.0);  // the goal lies at 0

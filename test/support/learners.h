@@ -85,7 +85,7 @@ inline PerceptionsBuilder randomTick(std::uint64_t seed, std::uint64_t episode, 
     if (random.below(10) == 0) scene.missed();
     if (random.below(2) == 0) {
       const double side = random.uniform(-180.0, 180.0);
-      scene.body(polar(side, random.uniform(0.4, 1.2)), 0.2);
+      scene.neighbour(polar(side, random.uniform(0.4, 1.2)), 0.2);
     }
   }
   return scene;

@@ -1,4 +1,4 @@
-"""Q-table files, taken apart and made by hand, and learning configurations."""
+"""Q-table files, taken apart and made by hand, and training configurations."""
 import yaml
 from programs import read_text
 
@@ -58,9 +58,9 @@ def checksum_of(text):
     return f'{value:016x}'
 
 
-def recipe_text(scenario, episodes, seed=1, tables='shared', learning='{alpha: 0.2, gamma: 0.9, epsilon: 0.3}',
+def config_text(scenario, episodes, seed=1, tables='shared', learning='{alpha: 0.2, gamma: 0.9, epsilon: 0.3}',
                 model=NEAREST_MODEL):
-    """A learning configuration."""
+    """A training configuration."""
     parts = ''.join(line + '\n' for line in model.splitlines() if not line.startswith(('rows', 'actions')))
     return (f'{parts}learning: {learning}\n'
             f'training: {{scenarios: [{scenario}], episodes: {episodes}, seed: {seed}, tables: {tables}}}\n')

@@ -14,11 +14,11 @@ namespace crowd::sceneries {
 constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 
 /// How far a line of sight goes until it meets the body [m].
-inline double sightTo(const PerceivedBody& body, const Vector2& sight) {
-  const double along = body.position.dot(sight);
-  const double aside = cross(sight, body.position);
-  if (along < 0.0 || std::abs(aside) > body.radius) return NO_HIT;
-  return along - std::sqrt(body.radius * body.radius - aside * aside);
+inline double sightTo(const Neighbour& neighbour, const Vector2& sight) {
+  const double along = neighbour.position.dot(sight);
+  const double aside = cross(sight, neighbour.position);
+  if (along < 0.0 || std::abs(aside) > neighbour.radius) return NO_HIT;
+  return along - std::sqrt(neighbour.radius * neighbour.radius - aside * aside);
 }
 
 inline double sightTo(const Segment& wall, const Vector2& sight) {
@@ -31,10 +31,10 @@ inline double sightTo(const Segment& wall, const Vector2& sight) {
 /// The bearings at which anything begins, ends or crosses, in order.
 inline std::vector<double> criticalBearings(const Scenery& scenery) {
   std::vector<double> bearings = {-PI, PI};
-  for (const PerceivedBody& body : scenery.bodies) {
-    const double half = std::asin(body.radius / body.position.norm());
-    bearings.push_back(wrapAngle(bearingOf(body.position) - half));
-    bearings.push_back(wrapAngle(bearingOf(body.position) + half));
+  for (const Neighbour& neighbour : scenery.neighbours) {
+    const double half = std::asin(neighbour.radius / neighbour.position.norm());
+    bearings.push_back(wrapAngle(bearingOf(neighbour.position) - half));
+    bearings.push_back(wrapAngle(bearingOf(neighbour.position) + half));
   }
   for (const Segment& wall : scenery.walls) {
     bearings.push_back(bearingOf(wall.from));
@@ -58,7 +58,7 @@ struct Range {
 /// What is seen, by looking in the middle between all bearings at which anything changes: of each body the ranges in
 /// which it is in front, from the right, and how long the seen parts of the walls are together [m].
 struct Seen {
-  std::vector<std::vector<Range>> bodies;
+  std::vector<std::vector<Range>> neighbours;
   double wall_length = 0.0;
 };
 
@@ -105,23 +105,23 @@ const Thing* firstMet(const std::vector<Thing>& things, const Vector2& sight, do
 /// Of numbered bodies.
 inline Seen lookEverywhere(const Scenery& scenery) {
   Seen seen;
-  seen.bodies.resize(scenery.bodies.size());
+  seen.neighbours.resize(scenery.neighbours.size());
   const std::vector<double> bearings = criticalBearings(scenery);
   for (std::size_t i = 1; i < bearings.size(); ++i) {
     const double half = 0.5 * (bearings[i] - bearings[i - 1]);
     const double middle = bearings[i - 1] + half;
     if (2.0 * half < NARROW) continue;
     double nearest = NO_HIT;
-    const PerceivedBody* body = firstMet(scenery.bodies, unitVector(middle), nearest);
+    const Neighbour* neighbour = firstMet(scenery.neighbours, unitVector(middle), nearest);
     const Segment* wall = firstMet(scenery.walls, unitVector(middle), nearest);
     if (wall != nullptr) {
       seen.wall_length += lengthBetween(*wall, bearings[i - 1], bearings[i]);
-    } else if (body != nullptr) {
-      const double aside = wrapAngle(middle - bearingOf(body->position));
-      seen.bodies[numberOf(*body)].push_back({aside - half, aside + half});
+    } else if (neighbour != nullptr) {
+      const double aside = wrapAngle(middle - bearingOf(neighbour->position));
+      seen.neighbours[numberOf(*neighbour)].push_back({aside - half, aside + half});
     }
   }
-  for (std::vector<Range>& ranges : seen.bodies) ranges = joined(ranges);
+  for (std::vector<Range>& ranges : seen.neighbours) ranges = joined(ranges);
   return seen;
 }
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "social_crowd/learning/action_set.h"
-#include "social_crowd/learning/contact_rule.h"
-#include "social_crowd/learning/move_outlooks.h"
+#include "social_crowd/learning/move_features.h"
+#include "social_crowd/learning/separation_rule.h"
 
 namespace crowd {
 
@@ -24,15 +24,16 @@ inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception
 }
 
 /// @brief What would come of the first `count` moves of a block.
-inline MoveOutlooks foreseeAlone(const Perception& perception, MoveBlock moves, std::size_t count, double least_share) {
-  const Chooser alone = {perception, &moves, nullptr};
-  MoveOutlooks outlooks;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  foresee({&alone, 1}, 0, count, least_share, &outlooks);
-  return outlooks;
+inline MoveFeatures featuresAlone(const Perception& perception, MoveBlock moves, std::size_t count,
+                                  double min_fraction) {
+  const DecisionContext alone = {perception, &moves, nullptr};
+  MoveFeatures features;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  computeMoveFeatures({&alone, 1}, 0, count, min_fraction, &features);
+  return features;
 }
 
-/// @brief What a contact rule makes of moves.
-inline std::vector<CandidateMove> cut(const ContactRule& rule, const Perception& perception,
+/// @brief What a separation rule makes of moves.
+inline std::vector<CandidateMove> cut(const SeparationRule& rule, const Perception& perception,
                                       std::vector<CandidateMove> moves) {
   std::vector<MoveBlock> blocks = toBlocks(moves);
   rule.cut(perception, blocks.data(), moves.size());

@@ -25,7 +25,7 @@ inline Bits bitsOf(const Perception& seen) {
                                  self.pose.heading,
                                  self.velocity.x(),
                                  self.velocity.y(),
-                                 self.speed,
+                                 self.max_speed,
                                  self.radius,
                                  self.goal.x(),
                                  self.goal.y(),
@@ -33,9 +33,9 @@ inline Bits bitsOf(const Perception& seen) {
                                  self.arrived ? 1.0 : 0,
                                  self.acted ? 1.0 : 0.0,
                                  double(self.goal_number)};
-  for (const PerceivedBody& body : seen.bodies) {
-    numbers.insert(numbers.end(), {body.position.x(), body.position.y(), body.velocity.x(), body.velocity.y(),
-                                   body.radius, static_cast<double>(body.kind)});
+  for (const Neighbour& neighbour : seen.neighbours) {
+    numbers.insert(numbers.end(), {neighbour.position.x(), neighbour.position.y(), neighbour.velocity.x(),
+                                   neighbour.velocity.y(), neighbour.radius, static_cast<double>(neighbour.kind)});
   }
   numbers.push_back(static_cast<double>(seen.walls.size()));
   for (const Segment& wall : seen.walls) {

@@ -24,38 +24,38 @@ class PerceptionsBuilder {
     AgentPerception self;
     self.agent = id;
     self.goal = goal;
-    self.speed = 0.3;
+    self.max_speed = 0.3;
     self.radius = 0.25;
     self.acted = true;
-    self.first_body = static_cast<std::uint32_t>(all_.bodies.size());
+    self.first_neighbour = static_cast<std::uint32_t>(all_.neighbours.size());
     self.first_wall = static_cast<std::uint32_t>(all_.walls.size());
     all_.agents.push_back(self);
     return *this;
   }
 
-  PerceptionsBuilder& body(const Vector2& position, double radius) {
-    PerceivedBody body;
-    body.position = position;
-    body.radius = radius;
-    all_.bodies.push_back(body);
-    ++all_.agents.back().body_count;
+  PerceptionsBuilder& neighbour(const Vector2& position, double radius) {
+    Neighbour neighbour;
+    neighbour.position = position;
+    neighbour.radius = radius;
+    all_.neighbours.push_back(neighbour);
+    ++all_.agents.back().neighbour_count;
     return *this;
   }
 
   /// @brief What the body is.
-  PerceptionsBuilder& kind(BodyKind kind) {
-    PerceivedBody body = all_.bodies[all_.bodies.size() - 1];
-    body.kind = kind;
-    all_.bodies.set(all_.bodies.size() - 1, body);
+  PerceptionsBuilder& kind(NeighbourKind kind) {
+    Neighbour neighbour = all_.neighbours[all_.neighbours.size() - 1];
+    neighbour.kind = kind;
+    all_.neighbours.set(all_.neighbours.size() - 1, neighbour);
     return *this;
   }
 
   /// @brief How the agent and its body moved in the last tick, in the agent's frame [m/s].
   PerceptionsBuilder& velocity(const Vector2& own, const Vector2& of_body) {
     all_.agents.back().velocity = own;
-    PerceivedBody body = all_.bodies[all_.bodies.size() - 1];
-    body.velocity = of_body;
-    all_.bodies.set(all_.bodies.size() - 1, body);
+    Neighbour neighbour = all_.neighbours[all_.neighbours.size() - 1];
+    neighbour.velocity = of_body;
+    all_.neighbours.set(all_.neighbours.size() - 1, neighbour);
     return *this;
   }
 
@@ -95,8 +95,8 @@ class PerceptionsBuilder {
 /// which stands beside it in the list, sees that one touched at once.
 inline void addTouchedAgent(AgentId id, PerceptionsBuilder& scene) {
   scene.agent(id, {9.0, 0.0});
-  for (std::size_t i = 0; i < PerceivedBodies::MARGIN; ++i) {
-    scene.body({0.1, 0.0}, 0.25).velocity(Vector2::Zero(), {-10.0, 0.0});
+  for (std::size_t i = 0; i < NeighbourList::MARGIN; ++i) {
+    scene.neighbour({0.1, 0.0}, 0.25).velocity(Vector2::Zero(), {-10.0, 0.0});
   }
 }
 

@@ -16,56 +16,58 @@ namespace crowd::sceneries {
 constexpr double FAR = 100.0;  // radius of vision [m]
 
 struct Scenery {
-  std::vector<PerceivedBody> bodies;
+  std::vector<Neighbour> neighbours;
   std::vector<Segment> walls;
 };
 
-inline PerceivedBody body(const Vector2& position, double radius) {
-  PerceivedBody made;
+inline Neighbour neighbour(const Vector2& position, double radius) {
+  Neighbour made;
   made.position = position;
   made.radius = radius;
   return made;
 }
 
 /// The number is kept where occlusion changes nothing.
-inline void setNumber(PerceivedBody& body, std::size_t number) { body.velocity.x() = static_cast<double>(number); }
-inline std::size_t numberOf(const PerceivedBody& body) { return static_cast<std::size_t>(body.velocity.x()); }
+inline void setNumber(Neighbour& neighbour, std::size_t number) {
+  neighbour.velocity.x() = static_cast<double>(number);
+}
+inline std::size_t numberOf(const Neighbour& neighbour) { return static_cast<std::size_t>(neighbour.velocity.x()); }
 
 /// The same with bodies numbered from 0 in their order.
 inline Scenery numbered(Scenery scenery) {
-  for (std::size_t i = 0; i < scenery.bodies.size(); ++i) setNumber(scenery.bodies[i], i);
+  for (std::size_t i = 0; i < scenery.neighbours.size(); ++i) setNumber(scenery.neighbours[i], i);
   return scenery;
 }
 
 /// The body of that number, or null where it is not among them.
-inline const PerceivedBody* find(const Scenery& scenery, std::size_t number) {
-  const auto found = std::find_if(scenery.bodies.begin(), scenery.bodies.end(),
-                                  [&](const PerceivedBody& body) { return numberOf(body) == number; });
-  return found == scenery.bodies.end() ? nullptr : &*found;
+inline const Neighbour* find(const Scenery& scenery, std::size_t number) {
+  const auto found = std::find_if(scenery.neighbours.begin(), scenery.neighbours.end(),
+                                  [&](const Neighbour& neighbour) { return numberOf(neighbour) == number; });
+  return found == scenery.neighbours.end() ? nullptr : &*found;
 }
 
 /// What is left to be seen.
 inline Scenery look(Scenery scenery, double radius = FAR) {
   Occlusion occlusion;
-  occlusion.apply(scenery.bodies, 0, scenery.walls, 0, radius);
+  occlusion.apply(scenery.neighbours, 0, scenery.walls, 0, radius);
   return scenery;
 }
 
 inline void sortByRim(Scenery& scenery) {
-  std::sort(scenery.bodies.begin(), scenery.bodies.end(),
-            [](const PerceivedBody& a, const PerceivedBody& b) { return rimDistance(a) < rimDistance(b); });
+  std::sort(scenery.neighbours.begin(), scenery.neighbours.end(),
+            [](const Neighbour& a, const Neighbour& b) { return rimDistance(a) < rimDistance(b); });
 }
 
-inline bool overlap(const PerceivedBody& a, const PerceivedBody& b) {
+inline bool overlap(const Neighbour& a, const Neighbour& b) {
   return (a.position - b.position).norm() < a.radius + b.radius;
 }
 
 /// Whether a body overlaps any thing of the scenery but the body of that number.
-inline bool overlapsAny(const PerceivedBody& body, const Scenery& scenery, std::size_t but) {
-  return std::any_of(scenery.bodies.begin(), scenery.bodies.end(),
-                     [&](const PerceivedBody& other) { return numberOf(other) != but && overlap(body, other); }) ||
+inline bool overlapsAny(const Neighbour& neighbour, const Scenery& scenery, std::size_t but) {
+  return std::any_of(scenery.neighbours.begin(), scenery.neighbours.end(),
+                     [&](const Neighbour& other) { return numberOf(other) != but && overlap(neighbour, other); }) ||
          std::any_of(scenery.walls.begin(), scenery.walls.end(),
-                     [&](const Segment& wall) { return distanceTo(wall, body.position) < body.radius; });
+                     [&](const Segment& wall) { return distanceTo(wall, neighbour.position) < neighbour.radius; });
 }
 
 /// Random bodies in order of their rims, and walls; on request none of them overlap, but for walls that cross. No rim
@@ -78,10 +80,10 @@ inline Scenery randomScenery(std::uint64_t seed, bool apart, double clearance = 
     made.walls.push_back({from, scenes::randomPoint(random, 6.0)});
   }
   for (std::uint32_t i = 2 + random.below(25); i > 0; --i) {
-    PerceivedBody next = body(scenes::randomPoint(random, 6.0), random.uniform(0.05, 1.0));
-    setNumber(next, made.bodies.size());
+    Neighbour next = neighbour(scenes::randomPoint(random, 6.0), random.uniform(0.05, 1.0));
+    setNumber(next, made.neighbours.size());
     const bool blocked = rimDistance(next) < clearance || overlapsAny(next, made, numberOf(next));
-    if (!apart || !blocked) made.bodies.push_back(next);
+    if (!apart || !blocked) made.neighbours.push_back(next);
   }
   sortByRim(made);
   return numbered(made);

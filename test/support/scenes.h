@@ -20,13 +20,14 @@ constexpr std::uint64_t MAX_TICKS = 1000;
 inline const Vector2 FAR_AWAY(1000.0, 0.0);
 
 /// An agent that looks towards its goal.
-inline AgentStart agent(const Vector2& position, const Vector2& goal, double speed = SPEED, double radius = RADIUS) {
-  return {position, bearingOf(goal - position), {goal}, speed, radius};
+inline AgentStart agent(const Vector2& position, const Vector2& goal, double max_speed = SPEED,
+                        double radius = RADIUS) {
+  return {position, bearingOf(goal - position), {goal}, max_speed, radius};
 }
 
 /// An agent that looks along x and never arrives.
-inline AgentStart wanderer(const Vector2& position, double speed = SPEED, double radius = RADIUS) {
-  return {position, 0.0, {FAR_AWAY}, speed, radius};
+inline AgentStart wanderer(const Vector2& position, double max_speed = SPEED, double radius = RADIUS) {
+  return {position, 0.0, {FAR_AWAY}, max_speed, radius};
 }
 
 inline Scene scene(std::vector<AgentStart> agents, std::vector<Obstacle> obstacles = {},
@@ -56,7 +57,7 @@ inline Scene solid(Scene scene) {
 
 inline Obstacle pillar(const Vector2& position, double radius) { return {ObstaclePath::atRest(position), radius}; }
 
-inline Obstacle mover(const Vector2& start, const Vector2& velocity, double radius) {
+inline Obstacle moving_obstacle(const Vector2& start, const Vector2& velocity, double radius) {
   return {ObstaclePath::straight(start, velocity), radius};
 }
 
@@ -76,7 +77,7 @@ inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, doub
     for (std::uint32_t goals = 1 + random.below(2); goals > 0; --goals) {
       start.goals.emplace_back(start.position + randomPoint(random, 3.0));
     }
-    start.speed = random.uniform(0.5, 2.0);
+    start.max_speed = random.uniform(0.5, 2.0);
     start.radius = random.uniform(0.15, 0.4);
   }
   for (std::uint32_t i = random.below(6); i > 0; --i) {
@@ -86,7 +87,7 @@ inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, doub
   for (std::uint32_t i = random.below(4); i > 0; --i) {
     const Vector2 start = randomPoint(random, half_width);
     const Vector2 velocity = randomPoint(random, 1.0);
-    made.obstacles.push_back(mover(start, velocity, random.uniform(0.2, 0.8)));
+    made.obstacles.push_back(moving_obstacle(start, velocity, random.uniform(0.2, 0.8)));
   }
   for (std::uint32_t i = random.below(4); i > 0; --i) {
     const Vector2 from = randomPoint(random, half_width);
@@ -103,8 +104,8 @@ inline Scene randomCrowd(std::uint64_t seed) {
 }
 
 /// A solid crowd in which nothing overlaps at the start: agents as fast as `max_speed` [m/s] in a square that they fill
-/// to a good part, obstacles at rest, as many movers as wanted, and walls.
-inline Scene solidCrowd(std::uint64_t seed, std::size_t agents, double max_speed, std::size_t movers = 0) {
+/// to a good part, obstacles at rest, as many moving obstacles as wanted, and walls.
+inline Scene solidCrowd(std::uint64_t seed, std::size_t agents, double max_speed, std::size_t moving_obstacles = 0) {
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
   const double half_width = 0.5 * std::sqrt(static_cast<double>(agents)) + 1.0;
   Scene made = solid(scene({}));
@@ -113,9 +114,9 @@ inline Scene solidCrowd(std::uint64_t seed, std::size_t agents, double max_speed
     made.walls.push_back({from, randomPoint(random, half_width)});
     made.obstacles.push_back(pillar(randomPoint(random, half_width), random.uniform(0.2, 0.6)));
   }
-  for (std::size_t i = 0; i < movers; ++i) {
+  for (std::size_t i = 0; i < moving_obstacles; ++i) {
     const Vector2 start = randomPoint(random, half_width);
-    made.obstacles.push_back(mover(start, randomPoint(random, 1.5), random.uniform(0.2, 0.6)));
+    made.obstacles.push_back(moving_obstacle(start, randomPoint(random, 1.5), random.uniform(0.2, 0.6)));
   }
   while (made.agents.size() < agents) {
     made.agents.push_back(

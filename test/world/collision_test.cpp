@@ -11,7 +11,7 @@ namespace crowd {
 namespace {
 
 using scenes::agent;
-using scenes::mover;
+using scenes::moving_obstacle;
 using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
@@ -69,7 +69,7 @@ TEST(Collision, TheSceneMaySetTheRadius) {
 
 TEST(Collision, StaysInTheBooksWhenItIsOver) {
   // The obstacle passes at 5 m/s: its rim is 0.5 away after the first tick and 1 m after the second.
-  World world(scene({wanderer({0.0, 0.0})}, {mover({0.5, 0.75}, {-5.0, 0.0}, 0.25)}));
+  World world(scene({wanderer({0.0, 0.0})}, {moving_obstacle({0.5, 0.75}, {-5.0, 0.0}, 0.25)}));
   EXPECT_FALSE(world.agents()[0].collided);
   world.step({});
   EXPECT_TRUE(world.agents()[0].in_collision && world.agents()[0].collided);

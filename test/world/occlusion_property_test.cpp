@@ -23,7 +23,7 @@ using sceneries::Scenery;
 using sceneries::Seen;
 
 /// Half of what a body spans [rad].
-double halfWidth(const PerceivedBody& body) { return std::asin(body.radius / body.position.norm()); }
+double halfWidth(const Neighbour& neighbour) { return std::asin(neighbour.radius / neighbour.position.norm()); }
 
 /// Calls check(scenery, what is seen of it) for so many sceneries without overlaps.
 template <typename Check>
@@ -41,9 +41,9 @@ TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
   double hidden_length = 0.0;
   checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
     const Seen expected = lookEverywhere(scenery);
-    for (std::size_t i = 0; i < scenery.bodies.size(); ++i) {
-      EXPECT_EQ(find(seen, i) == nullptr, expected.bodies[i].empty()) << "body " << i;
-      ++(expected.bodies[i].empty() ? hidden : in_sight);
+    for (std::size_t i = 0; i < scenery.neighbours.size(); ++i) {
+      EXPECT_EQ(find(seen, i) == nullptr, expected.neighbours[i].empty()) << "body " << i;
+      ++(expected.neighbours[i].empty() ? hidden : in_sight);
     }
     double length = 0.0;
     for (const Segment& wall : seen.walls) length += (wall.to - wall.from).norm();
@@ -61,24 +61,25 @@ TEST(OcclusionProperty, DiscsSpanWhatIsSeen) {
   std::size_t cut = 0;
   checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
     const Seen expected = lookEverywhere(scenery);
-    for (const PerceivedBody& disc : seen.bodies) {
-      const PerceivedBody& body = scenery.bodies[numberOf(disc)];
-      const std::vector<Range>& ranges = expected.bodies[numberOf(disc)];
+    for (const Neighbour& disc : seen.neighbours) {
+      const Neighbour& neighbour = scenery.neighbours[numberOf(disc)];
+      const std::vector<Range>& ranges = expected.neighbours[numberOf(disc)];
       ASSERT_FALSE(ranges.empty());
       // Where a line of sight meets the chord, from -1 at its right to 1 at its left end.
-      const double slope = std::tan(halfWidth(body));
+      const double slope = std::tan(halfWidth(neighbour));
       const double right = std::tan(ranges.front().from) / slope;
       const double left = std::tan(ranges.back().to) / slope;
-      const Vector2 to_the_left = Vector2(-body.position.y(), body.position.x()).normalized();
-      EXPECT_NEAR(disc.radius, 0.5 * (left - right) * body.radius, 1e-5);
-      EXPECT_LT((disc.position - body.position - 0.5 * (left + right) * body.radius * to_the_left).norm(), 1e-5);
-      EXPECT_EQ(disc.velocity, body.velocity);
+      const Vector2 to_the_left = Vector2(-neighbour.position.y(), neighbour.position.x()).normalized();
+      EXPECT_NEAR(disc.radius, 0.5 * (left - right) * neighbour.radius, 1e-5);
+      EXPECT_LT((disc.position - neighbour.position - 0.5 * (left + right) * neighbour.radius * to_the_left).norm(),
+                1e-5);
+      EXPECT_EQ(disc.velocity, neighbour.velocity);
       if (right > -1.0 + 1e-5 || left < 1.0 - 1e-5) {
-        EXPECT_LT(disc.radius, body.radius);
+        EXPECT_LT(disc.radius, neighbour.radius);
         ++cut;
       } else if (right < -1.0 + 1e-9 && left > 1.0 - 1e-9) {
-        EXPECT_EQ(disc.position, body.position);
-        EXPECT_EQ(disc.radius, body.radius);
+        EXPECT_EQ(disc.position, neighbour.position);
+        EXPECT_EQ(disc.radius, neighbour.radius);
         ++whole;
       }
     }
@@ -94,14 +95,14 @@ TEST(OcclusionProperty, DiscsAreSeenWhereThePartsAre) {
   std::size_t looked_at = 0;
   checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
     const Seen expected = lookEverywhere(scenery);
-    for (const PerceivedBody& disc : seen.bodies) {
-      const PerceivedBody& body = scenery.bodies[numberOf(disc)];
-      const double ratio = body.radius / body.position.norm();
+    for (const Neighbour& disc : seen.neighbours) {
+      const Neighbour& neighbour = scenery.neighbours[numberOf(disc)];
+      const double ratio = neighbour.radius / neighbour.position.norm();
       if (ratio > 0.6) continue;
       const double most = std::asin(ratio) - std::atan(ratio) + 1e-6;
-      const double middle = wrapAngle(bearingOf(disc.position) - bearingOf(body.position));
-      EXPECT_NEAR(middle - halfWidth(disc), expected.bodies[numberOf(disc)].front().from, most);
-      EXPECT_NEAR(middle + halfWidth(disc), expected.bodies[numberOf(disc)].back().to, most);
+      const double middle = wrapAngle(bearingOf(disc.position) - bearingOf(neighbour.position));
+      EXPECT_NEAR(middle - halfWidth(disc), expected.neighbours[numberOf(disc)].front().from, most);
+      EXPECT_NEAR(middle + halfWidth(disc), expected.neighbours[numberOf(disc)].back().to, most);
       ++looked_at;
     }
   });
@@ -113,14 +114,15 @@ TEST(OcclusionProperty, DiscsLieWithinTheBodiesInOrderOfTheirRims) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double radius = seed % 3 == 0 ? 4.0 : sceneries::FAR;
     Scenery scenery = randomScenery(seed, seed % 2 == 0);
-    const auto beyond = [&](const PerceivedBody& body) { return rimDistance(body) > radius; };
-    scenery.bodies.erase(std::find_if(scenery.bodies.begin(), scenery.bodies.end(), beyond), scenery.bodies.end());
+    const auto beyond = [&](const Neighbour& neighbour) { return rimDistance(neighbour) > radius; };
+    scenery.neighbours.erase(std::find_if(scenery.neighbours.begin(), scenery.neighbours.end(), beyond),
+                             scenery.neighbours.end());
     const Scenery seen = look(scenery, radius);
     double last = -sceneries::FAR;
-    for (const PerceivedBody& disc : seen.bodies) {
-      const PerceivedBody& body = scenery.bodies[numberOf(disc)];
+    for (const Neighbour& disc : seen.neighbours) {
+      const Neighbour& neighbour = scenery.neighbours[numberOf(disc)];
       EXPECT_GT(disc.radius, 0.0);
-      EXPECT_LE((disc.position - body.position).norm() + disc.radius, body.radius + 1e-12);
+      EXPECT_LE((disc.position - neighbour.position).norm() + disc.radius, neighbour.radius + 1e-12);
       EXPECT_LE(last, rimDistance(disc));
       EXPECT_LE(rimDistance(disc), radius);
       last = rimDistance(disc);
@@ -147,12 +149,12 @@ struct Count {
 };
 
 void expectChangesBelow(double most, std::size_t number, const Look& before, const Look& now, Count& count) {
-  const PerceivedBody* const then = find(before.seen, number);
-  const PerceivedBody* const disc = find(now.seen, number);
+  const Neighbour* const then = find(before.seen, number);
+  const Neighbour* const disc = find(now.seen, number);
   ++count.compared;
   if (then != nullptr && disc != nullptr) {
     // A part that comes or goes beside another one may do so with a jump: the disc spans both.
-    if (before.ranges.bodies[number].size() != now.ranges.bodies[number].size()) {
+    if (before.ranges.neighbours[number].size() != now.ranges.neighbours[number].size()) {
       ++count.glimpses;
       return;
     }
@@ -173,19 +175,20 @@ TEST(OcclusionProperty, DiscsChangeLittleWhereBodiesMoveLittle) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Scenery scenery = randomScenery(seed, true, 1.0);
-    if (scenery.bodies.empty()) continue;
-    PerceivedBody& mover = scenery.bodies[seed % scenery.bodies.size()];
+    if (scenery.neighbours.empty()) continue;
+    Neighbour& moving_obstacle = scenery.neighbours[seed % scenery.neighbours.size()];
     std::optional<Look> before;
     for (int tick = 0; tick < 1000; ++tick) {
       SCOPED_TRACE("tick " + std::to_string(tick));
-      mover.position += STEP * unitVector(static_cast<double>(seed));
-      const bool in_the_way = rimDistance(mover) < 1.0 || sceneries::overlapsAny(mover, scenery, numberOf(mover));
-      if (in_the_way || mover.position.norm() > 9.5) {
+      moving_obstacle.position += STEP * unitVector(static_cast<double>(seed));
+      const bool in_the_way = rimDistance(moving_obstacle) < 1.0 ||
+                              sceneries::overlapsAny(moving_obstacle, scenery, numberOf(moving_obstacle));
+      if (in_the_way || moving_obstacle.position.norm() > 9.5) {
         before.reset();
         continue;
       }
       const Look now(scenery);
-      for (std::size_t i = 0; before && i < scenery.bodies.size(); ++i) {
+      for (std::size_t i = 0; before && i < scenery.neighbours.size(); ++i) {
         expectChangesBelow(MOST, i, *before, now, count);
       }
       before = now;
@@ -201,19 +204,19 @@ TEST(OcclusionProperty, TakingSomethingAwayHidesNobody) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Scenery scenery = randomScenery(seed, seed % 2 == 0);
     const Scenery seen = look(scenery);
-    for (std::size_t i = 0; i < scenery.bodies.size() + scenery.walls.size(); ++i) {
+    for (std::size_t i = 0; i < scenery.neighbours.size() + scenery.walls.size(); ++i) {
       Scenery less = scenery;
-      if (i < less.bodies.size()) {
-        less.bodies.erase(less.bodies.begin() + static_cast<std::ptrdiff_t>(i));
+      if (i < less.neighbours.size()) {
+        less.neighbours.erase(less.neighbours.begin() + static_cast<std::ptrdiff_t>(i));
       } else {
-        less.walls.erase(less.walls.begin() + static_cast<std::ptrdiff_t>(i - less.bodies.size()));
+        less.walls.erase(less.walls.begin() + static_cast<std::ptrdiff_t>(i - less.neighbours.size()));
       }
       const Scenery seen_then = look(less);
-      for (const PerceivedBody& body : seen.bodies) {
-        if (numberOf(body) == i) continue;
-        const PerceivedBody* const then = find(seen_then, numberOf(body));
+      for (const Neighbour& neighbour : seen.neighbours) {
+        if (numberOf(neighbour) == i) continue;
+        const Neighbour* const then = find(seen_then, numberOf(neighbour));
         ASSERT_NE(then, nullptr) << "without " << i;
-        EXPECT_GE(then->radius, body.radius - 1e-8) << "without " << i;
+        EXPECT_GE(then->radius, neighbour.radius - 1e-8) << "without " << i;
       }
     }
   }
@@ -224,7 +227,7 @@ TEST(OcclusionProperty, NearestBodyIsAlwaysSeen) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Scenery scenery = randomScenery(seed, true);
     scenery.walls.clear();
-    if (scenery.bodies.empty()) continue;
+    if (scenery.neighbours.empty()) continue;
     EXPECT_NE(find(look(scenery), 0), nullptr);
   }
 }
@@ -233,16 +236,17 @@ TEST(OcclusionProperty, WhatIsHiddenHidesNothing) {
   std::size_t hidden = 0;
   checkSceneries(200, [&](const Scenery& scenery, const Scenery& seen) {
     Scenery less = scenery;
-    less.bodies.erase(std::remove_if(less.bodies.begin(), less.bodies.end(),
-                                     [&](const PerceivedBody& body) { return find(seen, numberOf(body)) == nullptr; }),
-                      less.bodies.end());
-    hidden += scenery.bodies.size() - less.bodies.size();
+    less.neighbours.erase(
+        std::remove_if(less.neighbours.begin(), less.neighbours.end(),
+                       [&](const Neighbour& neighbour) { return find(seen, numberOf(neighbour)) == nullptr; }),
+        less.neighbours.end());
+    hidden += scenery.neighbours.size() - less.neighbours.size();
     const Scenery seen_then = look(less);
-    ASSERT_EQ(seen_then.bodies.size(), seen.bodies.size());
-    for (std::size_t i = 0; i < seen.bodies.size(); ++i) {
-      EXPECT_EQ(numberOf(seen_then.bodies[i]), numberOf(seen.bodies[i]));
-      EXPECT_LT((seen_then.bodies[i].position - seen.bodies[i].position).norm(), 1e-8);
-      EXPECT_NEAR(seen_then.bodies[i].radius, seen.bodies[i].radius, 1e-8);
+    ASSERT_EQ(seen_then.neighbours.size(), seen.neighbours.size());
+    for (std::size_t i = 0; i < seen.neighbours.size(); ++i) {
+      EXPECT_EQ(numberOf(seen_then.neighbours[i]), numberOf(seen.neighbours[i]));
+      EXPECT_LT((seen_then.neighbours[i].position - seen.neighbours[i].position).norm(), 1e-8);
+      EXPECT_NEAR(seen_then.neighbours[i].radius, seen.neighbours[i].radius, 1e-8);
     }
   });
   EXPECT_GT(hidden, 500U);

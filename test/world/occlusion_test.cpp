@@ -12,10 +12,10 @@
 namespace crowd {
 namespace {
 
-using sceneries::body;
 using sceneries::FAR;
 using sceneries::find;
 using sceneries::look;
+using sceneries::neighbour;
 using sceneries::numbered;
 using sceneries::numberOf;
 using sceneries::Scenery;
@@ -27,12 +27,12 @@ const Vector2 LEFT(-0.6, 0.8);
 constexpr double BIG_DISTANCE = 2.0;
 constexpr double BIG_RADIUS = 1.2;
 
-const PerceivedBody BIG = body({BIG_DISTANCE, 0.0}, BIG_RADIUS);
+const Neighbour BIG = neighbour({BIG_DISTANCE, 0.0}, BIG_RADIUS);
 
 Vector2 turned(const Vector2& v, double angle) { return Rotation(angle).outOfFrame(v); }
 
 Scenery turned(Scenery scenery, double angle) {
-  for (PerceivedBody& body : scenery.bodies) body.position = turned(body.position, angle);
+  for (Neighbour& neighbour : scenery.neighbours) neighbour.position = turned(neighbour.position, angle);
   for (Segment& wall : scenery.walls) wall = {turned(wall.from, angle), turned(wall.to, angle)};
   return scenery;
 }
@@ -41,7 +41,7 @@ Scenery turned(Scenery scenery, double angle) {
 bool sees(const Scenery& scenery) {
   const auto seen_at = [&](double angle) {
     const Scenery seen = look(turned(numbered(scenery), angle));
-    return find(seen, scenery.bodies.size() - 1) != nullptr;
+    return find(seen, scenery.neighbours.size() - 1) != nullptr;
   };
   const bool seen = seen_at(0.0);
   for (int i = 1; i < 24; ++i) EXPECT_EQ(seen_at(i * PI / 12.0), seen) << "turned by " << 15 * i << " degrees";
@@ -53,7 +53,7 @@ void expectLast(const Scenery& scenery, const Vector2& position, double radius) 
   for (int i = 0; i < 24; ++i) {
     SCOPED_TRACE("turned by " + std::to_string(15 * i) + " degrees");
     const Scenery seen = look(turned(numbered(scenery), i * PI / 12.0));
-    const PerceivedBody* const last = find(seen, scenery.bodies.size() - 1);
+    const Neighbour* const last = find(seen, scenery.neighbours.size() - 1);
     ASSERT_NE(last, nullptr);
     EXPECT_LT((last->position - turned(position, i * PI / 12.0)).norm(), 1e-12);
     EXPECT_NEAR(last->radius, radius, 1e-12);
@@ -69,89 +69,90 @@ void expectWalls(const Scenery& seen, const std::vector<Segment>& expected) {
 }
 
 TEST(OcclusionOfBodies, BehindABiggerOne) {
-  EXPECT_FALSE(sees({{BIG, body({5.0, 0.0}, 1.0)}, {}}));
-  EXPECT_TRUE(sees({{body({5.0, 0.0}, 1.0), BIG}, {}}));
-  EXPECT_TRUE(sees({{BIG, body({5.0, 0.0}, 4.0)}, {}}));  // reaches beyond it to either side
-  EXPECT_TRUE(sees({{BIG, body({-5.0, 0.0}, 1.0)}, {}}));
+  EXPECT_FALSE(sees({{BIG, neighbour({5.0, 0.0}, 1.0)}, {}}));
+  EXPECT_TRUE(sees({{neighbour({5.0, 0.0}, 1.0), BIG}, {}}));
+  EXPECT_TRUE(sees({{BIG, neighbour({5.0, 0.0}, 4.0)}, {}}));  // reaches beyond it to either side
+  EXPECT_TRUE(sees({{BIG, neighbour({-5.0, 0.0}, 1.0)}, {}}));
 }
 
 TEST(OcclusionOfBodies, EndsAtTheLineOfSightThatTouchesTheOther) {
   // 0.5 m to the right of that line.
   const Vector2 behind = 5.0 * SIGHT - 0.5 * LEFT;
-  EXPECT_FALSE(sees({{BIG, body(behind, 0.4999)}, {}}));
-  EXPECT_TRUE(sees({{BIG, body(behind, 0.5001)}, {}}));
+  EXPECT_FALSE(sees({{BIG, neighbour(behind, 0.4999)}, {}}));
+  EXPECT_TRUE(sees({{BIG, neighbour(behind, 0.5001)}, {}}));
 }
 
 TEST(OcclusionOfBodies, BehindAWall) {
   const Segment wall{{2.0, -1.0}, {2.0, 1.0}};  // hides all that is less than 1 m aside for 2 m ahead
-  EXPECT_FALSE(sees({{body({4.0, 0.0}, 0.5)}, {wall}}));
-  EXPECT_FALSE(sees({{body({4.0, 1.2}, 0.5)}, {wall}}));
-  EXPECT_TRUE(sees({{body({4.0, 1.6}, 0.5)}, {wall}}));
-  EXPECT_TRUE(sees({{body({1.0, 0.0}, 0.25)}, {wall}}));
-  EXPECT_FALSE(sees({{body({2.25, 0.0}, 0.25)}, {wall}}));  // it touches the wall from behind
-  EXPECT_TRUE(sees({{body({1.75, 0.0}, 0.25)}, {wall}}));   // and from before
+  EXPECT_FALSE(sees({{neighbour({4.0, 0.0}, 0.5)}, {wall}}));
+  EXPECT_FALSE(sees({{neighbour({4.0, 1.2}, 0.5)}, {wall}}));
+  EXPECT_TRUE(sees({{neighbour({4.0, 1.6}, 0.5)}, {wall}}));
+  EXPECT_TRUE(sees({{neighbour({1.0, 0.0}, 0.25)}, {wall}}));
+  EXPECT_FALSE(sees({{neighbour({2.25, 0.0}, 0.25)}, {wall}}));  // it touches the wall from behind
+  EXPECT_TRUE(sees({{neighbour({1.75, 0.0}, 0.25)}, {wall}}));   // and from before
 }
 
 TEST(OcclusionOfBodies, BehindTwoThatTouch) {
-  const PerceivedBody left = body({2.0, 0.25}, 0.25);
-  const PerceivedBody right = body({2.0, -0.25}, 0.25);
+  const Neighbour left = neighbour({2.0, 0.25}, 0.25);
+  const Neighbour right = neighbour({2.0, -0.25}, 0.25);
   EXPECT_TRUE(sees({{left, right}, {}}));
   EXPECT_TRUE(sees({{right, left}, {}}));
-  EXPECT_FALSE(sees({{left, right, body({4.0, 0.0}, 0.2)}, {}}));
-  EXPECT_FALSE(sees({{left, right, body({4.0, 0.4}, 0.2)}, {}}));
+  EXPECT_FALSE(sees({{left, right, neighbour({4.0, 0.0}, 0.2)}, {}}));
+  EXPECT_FALSE(sees({{left, right, neighbour({4.0, 0.4}, 0.2)}, {}}));
 }
 
 TEST(OcclusionOfBodies, ThroughAGap) {
   // The gap of 0.1 m spans 1.4 degrees to either side.
-  const PerceivedBody left = body({2.0, 0.3}, 0.25);
-  const PerceivedBody right = body({2.0, -0.3}, 0.25);
-  EXPECT_TRUE(sees({{left, right, body({4.0, 0.0}, 0.2)}, {}}));
-  EXPECT_TRUE(sees({{left, right, body({4.0, 0.25}, 0.2)}, {}}));
-  EXPECT_FALSE(sees({{left, right, body({4.0, 0.4}, 0.2)}, {}}));
+  const Neighbour left = neighbour({2.0, 0.3}, 0.25);
+  const Neighbour right = neighbour({2.0, -0.3}, 0.25);
+  EXPECT_TRUE(sees({{left, right, neighbour({4.0, 0.0}, 0.2)}, {}}));
+  EXPECT_TRUE(sees({{left, right, neighbour({4.0, 0.25}, 0.2)}, {}}));
+  EXPECT_FALSE(sees({{left, right, neighbour({4.0, 0.4}, 0.2)}, {}}));
 }
 
 TEST(OcclusionOfBodies, NearerRimIsNotAlwaysInFront) {
   // The rim of the large one is 2 m away, but where the small one stands, it recedes: 3.2 m along the line of sight
   // that touches it, 0.06 m aside.
-  const PerceivedBody large = body({5.0, 0.0}, 3.0);
-  EXPECT_TRUE(sees({{large, body(3.2 * SIGHT - 0.06 * LEFT, 0.04)}, {}}));
-  EXPECT_FALSE(sees({{large, body(6.0 * SIGHT - 0.06 * LEFT, 0.04)}, {}}));
+  const Neighbour large = neighbour({5.0, 0.0}, 3.0);
+  EXPECT_TRUE(sees({{large, neighbour(3.2 * SIGHT - 0.06 * LEFT, 0.04)}, {}}));
+  EXPECT_FALSE(sees({{large, neighbour(6.0 * SIGHT - 0.06 * LEFT, 0.04)}, {}}));
 }
 
 TEST(OcclusionOfBodies, TheFlankMayBeHiddenByOneWithAFurtherRim) {
   // The large one spans 36.9 degrees to either side. The near one hides it from -41.9 to 31.9 degrees; the one at its
   // flank, with its rim 2.28 m away, from 29.5 to 39.5.
-  const PerceivedBody near = body(unitVector(toRadians(-5.0)), 0.6);
-  const PerceivedBody large = body({5.0, 0.0}, 3.0);
-  const PerceivedBody at_flank = body(2.5 * unitVector(toRadians(34.5)), 0.22);
+  const Neighbour near = neighbour(unitVector(toRadians(-5.0)), 0.6);
+  const Neighbour large = neighbour({5.0, 0.0}, 3.0);
+  const Neighbour at_flank = neighbour(2.5 * unitVector(toRadians(34.5)), 0.22);
   EXPECT_FALSE(sees({{near, at_flank, large}, {}}));
   EXPECT_TRUE(sees({{near, large, at_flank}, {}}));
-  EXPECT_EQ(look({{near, large, at_flank}, {}}).bodies.size(), 2U);
-  EXPECT_EQ(look({{near, large}, {}}).bodies.size(), 2U);
+  EXPECT_EQ(look({{near, large, at_flank}, {}}).neighbours.size(), 2U);
+  EXPECT_EQ(look({{near, large}, {}}).neighbours.size(), 2U);
 }
 
 TEST(OcclusionOfBodies, NobodyLooksFromInsideABody) {
-  EXPECT_TRUE(sees({{body({0.1, 0.0}, 0.5), body({4.0, 0.0}, 0.2)}, {}}));
-  EXPECT_TRUE(sees({{BIG, body({0.1, 0.0}, 0.5)}, {}}));
-  EXPECT_TRUE(sees({{body({0.5, 0.0}, 0.1), body({0.0, 0.0}, 2.0)}, {}}));
+  EXPECT_TRUE(sees({{neighbour({0.1, 0.0}, 0.5), neighbour({4.0, 0.0}, 0.2)}, {}}));
+  EXPECT_TRUE(sees({{BIG, neighbour({0.1, 0.0}, 0.5)}, {}}));
+  EXPECT_TRUE(sees({{neighbour({0.5, 0.0}, 0.1), neighbour({0.0, 0.0}, 2.0)}, {}}));
 }
 
 TEST(OcclusionOfBodies, WallsSeenEdgeOnHideNothing) {
-  const Scenery seen = look({{body({5.0, 0.0}, 0.2)}, {{{1.0, 0.0}, {3.0, 0.0}}}});
-  EXPECT_EQ(seen.bodies.size(), 1U);
+  const Scenery seen = look({{neighbour({5.0, 0.0}, 0.2)}, {{{1.0, 0.0}, {3.0, 0.0}}}});
+  EXPECT_EQ(seen.neighbours.size(), 1U);
   expectWalls(seen, {{{1.0, 0.0}, {3.0, 0.0}}});
-  EXPECT_EQ(look({{body({5.0, 0.0}, 0.2)}, {{{-1.0, 0.0}, {3.0, 0.0}}}}).bodies.size(), 1U);  // through the agent
+  EXPECT_EQ(look({{neighbour({5.0, 0.0}, 0.2)}, {{{-1.0, 0.0}, {3.0, 0.0}}}}).neighbours.size(),
+            1U);  // through the agent
 }
 
 /// The chord of this one stands 3.2 m ahead and reaches 2.4 m to either side.
-const PerceivedBody LARGE = body({5.0, 0.0}, 3.0);
+const Neighbour LARGE = neighbour({5.0, 0.0}, 3.0);
 
 /// A wall 1 m ahead that hides these shares of the chord, from the right.
 Segment hiding(double from, double to) { return {{1.0, 0.75 * (2.0 * from - 1.0)}, {1.0, 0.75 * (2.0 * to - 1.0)}}; }
 
 TEST(OcclusionOfParts, HalfBehindAnother) {
   // The line of sight that touches the big one goes through the centre: the left half is seen.
-  expectLast({{BIG, body(5.0 * SIGHT, 0.5)}, {}}, 5.0 * SIGHT + 0.25 * LEFT, 0.25);
+  expectLast({{BIG, neighbour(5.0 * SIGHT, 0.5)}, {}}, 5.0 * SIGHT + 0.25 * LEFT, 0.25);
 }
 
 TEST(OcclusionOfParts, BehindTheEndOfAWall) {
@@ -163,11 +164,11 @@ TEST(OcclusionOfParts, BehindTheEndOfAWall) {
 TEST(OcclusionOfParts, WholeWhereNeitherFlankIsHidden) {
   const std::vector<Scenery> sceneries = {{{LARGE}, {hiding(0.3, 0.6)}},
                                           {{LARGE}, {hiding(0.001, 0.4), hiding(0.5, 0.999)}},
-                                          {{body({1.0, 0.0}, 0.1), LARGE}, {}},  // a narrow post
+                                          {{neighbour({1.0, 0.0}, 0.1), LARGE}, {}},  // a narrow post
                                           {{LARGE}, {hiding(-1.0, -0.1)}},
                                           {{LARGE}, {}}};
   for (std::size_t i = 0; i < sceneries.size(); ++i) {
-    const PerceivedBody seen = look(sceneries[i]).bodies.back();
+    const Neighbour seen = look(sceneries[i]).neighbours.back();
     EXPECT_EQ(seen.position, LARGE.position) << i;
     EXPECT_EQ(seen.radius, LARGE.radius) << i;
   }
@@ -189,36 +190,36 @@ TEST(OcclusionOfParts, HidesAsTheWholeBodyDoes) {
   // touches that line.
   const Segment wall = hiding(-0.1, 0.9);
   EXPECT_TRUE(sees({{LARGE}, {wall}}));
-  EXPECT_FALSE(sees({{LARGE, body(6.0 * SIGHT - 0.06 * LEFT, 0.0599)}, {wall}}));
-  EXPECT_TRUE(sees({{LARGE, body(6.0 * SIGHT - 0.06 * LEFT, 0.0601)}, {wall}}));
+  EXPECT_FALSE(sees({{LARGE, neighbour(6.0 * SIGHT - 0.06 * LEFT, 0.0599)}, {wall}}));
+  EXPECT_TRUE(sees({{LARGE, neighbour(6.0 * SIGHT - 0.06 * LEFT, 0.0601)}, {wall}}));
 }
 
 TEST(OcclusionOfParts, BeyondTheRadiusOfVisionIsLeftOut) {
   const Scenery cut = {{LARGE}, {hiding(-0.1, 0.25)}};
   const double rim = std::hypot(5.0, 0.75) - 2.25;  // 2.8 m; of the whole body 2 m
-  EXPECT_EQ(look(cut, rim + 1e-9).bodies.size(), 1U);
-  EXPECT_EQ(look(cut, rim - 1e-9).bodies.size(), 0U);
-  EXPECT_EQ(look({{LARGE}, {hiding(0.3, 0.6)}}, 2.0).bodies.size(), 1U);
+  EXPECT_EQ(look(cut, rim + 1e-9).neighbours.size(), 1U);
+  EXPECT_EQ(look(cut, rim - 1e-9).neighbours.size(), 0U);
+  EXPECT_EQ(look({{LARGE}, {hiding(0.3, 0.6)}}, 2.0).neighbours.size(), 1U);
 }
 
 TEST(OcclusionOfParts, StandInOrderOfWhatIsSeen) {
   // The rim of the large one goes from 2 to 2.8 m.
-  const Scenery seen = look(
-      numbered({{body({-1.5, 0.0}, 0.5), LARGE, body({-2.0, -2.0}, 0.3), body({0.0, 3.0}, 0.3), body({0.0, -4.0}, 0.5)},
-                {hiding(-0.1, 0.25)}}));
+  const Scenery seen = look(numbered({{neighbour({-1.5, 0.0}, 0.5), LARGE, neighbour({-2.0, -2.0}, 0.3),
+                                       neighbour({0.0, 3.0}, 0.3), neighbour({0.0, -4.0}, 0.5)},
+                                      {hiding(-0.1, 0.25)}}));
   std::vector<std::size_t> order;
-  for (const PerceivedBody& body : seen.bodies) order.push_back(numberOf(body));
+  for (const Neighbour& neighbour : seen.neighbours) order.push_back(numberOf(neighbour));
   EXPECT_EQ(order, (std::vector<std::size_t>{0, 2, 3, 1, 4}));
 }
 
 TEST(OcclusionOfParts, EqualOnesStayInOrder) {
   // Bodies in the same place do not hide each other.
   const Scenery seen = look(numbered({{LARGE, LARGE, LARGE}, {hiding(-0.1, 0.25)}}));
-  ASSERT_EQ(seen.bodies.size(), 3U);
+  ASSERT_EQ(seen.neighbours.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(numberOf(seen.bodies[i]), i);
-    EXPECT_EQ(seen.bodies[i].position, seen.bodies[0].position);
-    EXPECT_LT(seen.bodies[i].radius, 2.3);
+    EXPECT_EQ(numberOf(seen.neighbours[i]), i);
+    EXPECT_EQ(seen.neighbours[i].position, seen.neighbours[0].position);
+    EXPECT_LT(seen.neighbours[i].radius, 2.3);
   }
 }
 
@@ -231,7 +232,7 @@ TEST(OcclusionOfWalls, CutByABody) {
 }
 
 TEST(OcclusionOfWalls, CutBehindTheAgentToo) {
-  const Scenery seen = look({{body({-2.0, 0.0}, 1.2)}, {{{-4.0, -6.0}, {-4.0, 6.0}}}});
+  const Scenery seen = look({{neighbour({-2.0, 0.0}, 1.2)}, {{{-4.0, -6.0}, {-4.0, 6.0}}}});
   expectWalls(seen, {{{-4.0, 3.0}, {-4.0, 6.0}}, {{-4.0, -6.0}, {-4.0, -3.0}}});
 }
 
@@ -261,7 +262,7 @@ TEST(OcclusionOfWalls, TwiceTheSameWallIsSeenTwice) {
 TEST(OcclusionOfWalls, PartsBeyondTheRadiusOfVisionAreLeftOut) {
   // Of the wall beside the agent a disc hides what is near it, the rest is more than 2 m away.
   const Segment wall{{0.0, 1.0}, {8.0, 1.0}};
-  const PerceivedBody hiding = body({0.6, 0.7}, 0.28);
+  const Neighbour hiding = neighbour({0.6, 0.7}, 0.28);
   const Scenery seen = look({{hiding}, {wall}});
   ASSERT_EQ(seen.walls.size(), 2U);
   EXPECT_LT(distanceTo(seen.walls[1], Vector2::Zero()), distanceTo(seen.walls[0], Vector2::Zero()));
@@ -270,16 +271,16 @@ TEST(OcclusionOfWalls, PartsBeyondTheRadiusOfVisionAreLeftOut) {
 
 TEST(OcclusionOfOthers, StaysAsItIs) {
   // Of those before, one would be hidden and one partly.
-  std::vector<PerceivedBody> bodies = {BIG, body({9.0, 0.0}, 0.1),  body(5.0 * SIGHT, 0.5),
-                                       BIG, body(5.0 * SIGHT, 0.5), body({5.0, 0.0}, 0.1)};
+  std::vector<Neighbour> neighbours = {BIG, neighbour({9.0, 0.0}, 0.1),  neighbour(5.0 * SIGHT, 0.5),
+                                       BIG, neighbour(5.0 * SIGHT, 0.5), neighbour({5.0, 0.0}, 0.1)};
   std::vector<Segment> walls = {{{7.0, -0.1}, {7.0, 0.1}}, {{8.0, -0.1}, {8.0, 0.1}}};
   Occlusion occlusion;
-  occlusion.apply(bodies, 3, walls, 1, FAR);
-  ASSERT_EQ(bodies.size(), 5U);
-  EXPECT_EQ(bodies[1].position, Vector2(9.0, 0.0));
-  EXPECT_EQ(bodies[2].position, Vector2(5.0 * SIGHT));
-  EXPECT_EQ(bodies[2].radius, 0.5);
-  EXPECT_NEAR(bodies[4].radius, 0.25, 1e-12);
+  occlusion.apply(neighbours, 3, walls, 1, FAR);
+  ASSERT_EQ(neighbours.size(), 5U);
+  EXPECT_EQ(neighbours[1].position, Vector2(9.0, 0.0));
+  EXPECT_EQ(neighbours[2].position, Vector2(5.0 * SIGHT));
+  EXPECT_EQ(neighbours[2].radius, 0.5);
+  EXPECT_NEAR(neighbours[4].radius, 0.25, 1e-12);
   ASSERT_EQ(walls.size(), 1U);
   EXPECT_EQ(walls[0].from, Vector2(7.0, -0.1));
 }
@@ -291,41 +292,41 @@ TEST(OcclusionInTheWorld, OnlyOnRequest) {
   World world(line);
   Perceptions all;
   world.perceive({6.0, 0, false}, all);
-  EXPECT_EQ(all.agents[0].body_count, 3U);
+  EXPECT_EQ(all.agents[0].neighbour_count, 3U);
   EXPECT_EQ(all.agents[0].wall_count, 2U);
   Perceptions seen;
   world.perceive({6.0, 0, true}, seen);
   const Perception first(seen, 0);
-  ASSERT_EQ(first.bodies.size(), 2U);  // (4, 0) is hidden
-  EXPECT_EQ(first.bodies[0].position, Vector2(2.0, 0.0));
-  EXPECT_EQ(first.bodies[1].position, Vector2(0.0, 5.0));
+  ASSERT_EQ(first.neighbours.size(), 2U);  // (4, 0) is hidden
+  EXPECT_EQ(first.neighbours[0].position, Vector2(2.0, 0.0));
+  EXPECT_EQ(first.neighbours[1].position, Vector2(0.0, 5.0));
   ASSERT_EQ(first.walls.size(), 1U);
   EXPECT_EQ(first.walls[0].from, Vector2(-3.0, -1.0));
-  EXPECT_EQ(Perception(seen, 1).bodies.size(), 3U);  // who stands in the middle sees both
+  EXPECT_EQ(Perception(seen, 1).neighbours.size(), 3U);  // who stands in the middle sees both
   world.perceive({6.0, 1, true}, seen);
-  EXPECT_EQ(seen.agents[0].body_count, 1U);
+  EXPECT_EQ(seen.agents[0].neighbour_count, 1U);
 }
 
-TEST(OcclusionInTheWorld, MaxBodiesCountsThoseThatAreSeen) {
+TEST(OcclusionInTheWorld, MaxNeighboursCountsThoseThatAreSeen) {
   World world(scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({2.0, 0.0}), scenes::wanderer({4.0, 0.0}),
                              scenes::wanderer({0.0, 5.0})}));
   Perceptions seen;
   world.perceive({6.0, 2, true}, seen);
   const Perception first(seen, 0);
-  ASSERT_EQ(first.bodies.size(), 2U);
-  EXPECT_EQ(first.bodies[1].position, Vector2(0.0, 5.0));
+  ASSERT_EQ(first.neighbours.size(), 2U);
+  EXPECT_EQ(first.neighbours[1].position, Vector2(0.0, 5.0));
 }
 
-TEST(OcclusionInTheWorld, MaxBodiesCountsTheNearestPartsThatAreSeen) {
+TEST(OcclusionInTheWorld, MaxNeighboursCountsTheNearestPartsThatAreSeen) {
   Scene scene = scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({0.0, 2.75})},
                               {scenes::pillar(LARGE.position, LARGE.radius)}, {hiding(-0.1, 0.25)});
   World world(scene);
   Perceptions seen;
   world.perceive({6.0, 1, false}, seen);
-  EXPECT_EQ(Perception(seen, 0).bodies[0].position, LARGE.position);
+  EXPECT_EQ(Perception(seen, 0).neighbours[0].position, LARGE.position);
   world.perceive({6.0, 1, true}, seen);  // the rim that is left of the pillar is 2.8 m away, the agent's 2.5 m
-  ASSERT_EQ(seen.agents[0].body_count, 1U);
-  EXPECT_EQ(Perception(seen, 0).bodies[0].position, Vector2(0.0, 2.75));
+  ASSERT_EQ(seen.agents[0].neighbour_count, 1U);
+  EXPECT_EQ(Perception(seen, 0).neighbours[0].position, Vector2(0.0, 2.75));
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ using Ids = std::vector<AgentId>;
 
 /// What perceiveSome() needs, and what it perceived before.
 struct Eyes {
-  World::Looker looker;
+  World::PerceptionWorkspace workspace;
   Perceptions perceptions;
 
   const Perceptions& look(const World& world, const Vision& vision, std::size_t begin, std::size_t end) {
-    world.perceiveSome(vision, begin, end, looker, perceptions);
+    world.perceiveSome(vision, begin, end, workspace, perceptions);
     return perceptions;
   }
 };
@@ -63,12 +63,12 @@ TEST(PerceiveSome, ByHand) {
   expectVector(seen.self.pose.position, 3.0, 4.5);
   expectVector(seen.self.velocity, 1.0, 0.0);
   EXPECT_TRUE(seen.self.acted);
-  ASSERT_EQ(seen.bodies.size(), 2U);
-  expectVector(seen.bodies[0].position, -4.5, 2.5);  // it looks north: south is behind, west is left
-  expectVector(seen.bodies[0].velocity, 0.0, -1.0);
-  EXPECT_EQ(seen.bodies[0].kind, BodyKind::AGENT);
-  expectVector(seen.bodies[1].position, -6.5, 3.0);
-  EXPECT_EQ(seen.bodies[1].kind, BodyKind::OBSTACLE);
+  ASSERT_EQ(seen.neighbours.size(), 2U);
+  expectVector(seen.neighbours[0].position, -4.5, 2.5);  // it looks north: south is behind, west is left
+  expectVector(seen.neighbours[0].velocity, 0.0, -1.0);
+  EXPECT_EQ(seen.neighbours[0].kind, NeighbourKind::AGENT);
+  expectVector(seen.neighbours[1].position, -6.5, 3.0);
+  EXPECT_EQ(seen.neighbours[1].kind, NeighbourKind::OBSTACLE);
   ASSERT_EQ(seen.walls.size(), 1U);
   expectVector(seen.walls[0].from, -13.5, 4.0);
   expectVector(seen.walls[0].to, 4.5, 4.0);
@@ -91,7 +91,7 @@ using Everybody = std::map<AgentId, Bits>;
 
 /// How much of what was compared.
 struct Count {
-  std::size_t bodies = 0;
+  std::size_t neighbours = 0;
   std::size_t walls = 0;
   std::size_t arrived = 0;
   std::size_t lists = 0;
@@ -103,7 +103,7 @@ Everybody seenAtOnce(World& world, const Vision& vision, Count& count) {
   Everybody everybody;
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const Perception seen(perceptions, i);
-    count.bodies += seen.bodies.size();
+    count.neighbours += seen.neighbours.size();
     count.walls += seen.walls.size();
     if (seen.self.arrived) {
       ++count.arrived;
@@ -163,8 +163,8 @@ TEST(PerceiveSome, SeesTheSameAsPerceiveInWhateverBlocks) {
     EXPECT_GT(count.lists, 100U);
     EXPECT_LT(count.lists, 2400U);  // of 2500: not all worlds were so small
   }
-  EXPECT_LT(counts[1].bodies, counts[0].bodies);  // some perceived more than 3
-  EXPECT_LT(counts[2].bodies, counts[0].bodies);  // some were hidden
+  EXPECT_LT(counts[1].neighbours, counts[0].neighbours);  // some perceived more than 3
+  EXPECT_LT(counts[2].neighbours, counts[0].neighbours);  // some were hidden
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace crowd {
 namespace {
 
 using scenes::agent;
-using scenes::mover;
+using scenes::moving_obstacle;
 using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
@@ -36,7 +36,7 @@ Perceptions perceive(const Scene& scene, const Vision& vision = Vision()) {
 
 /// How many bodies agent 0 of a scene perceives.
 std::size_t bodyCount(const Scene& scene, double vision_radius) {
-  return perceive(scene, {vision_radius, 0}).agents.at(0).body_count;
+  return perceive(scene, {vision_radius, 0}).agents.at(0).neighbour_count;
 }
 
 TEST(PerceptionFrame, PositionsAndGoalByHand) {
@@ -47,37 +47,37 @@ TEST(PerceptionFrame, PositionsAndGoalByHand) {
   EXPECT_EQ(self.agent, 0U);
   expectVector(self.pose.position, 1.0, 1.0);
   EXPECT_DOUBLE_EQ(self.pose.heading, PI / 2);
-  EXPECT_EQ(self.speed, 1.5);
+  EXPECT_EQ(self.max_speed, 1.5);
   EXPECT_EQ(self.radius, 0.3);
   expectVector(self.goal, 1.0, -3.0);  // 1 m ahead, 3 m to the right
   EXPECT_FALSE(self.arrived);
   EXPECT_FALSE(self.acted);
 
   const Perception perception(seen, 0);
-  ASSERT_EQ(perception.bodies.size(), 2U);
-  expectVector(perception.bodies[0].position, -1.0, 1.0);  // behind on the left, rim at 1.01 m
-  EXPECT_EQ(perception.bodies[0].radius, 0.4);
-  EXPECT_EQ(perception.bodies[0].kind, BodyKind::OBSTACLE);
-  expectVector(perception.bodies[1].position, 2.0, 0.0);  // ahead, rim at 1.8 m
-  EXPECT_EQ(perception.bodies[1].radius, 0.2);
-  EXPECT_EQ(perception.bodies[1].kind, BodyKind::AGENT);
+  ASSERT_EQ(perception.neighbours.size(), 2U);
+  expectVector(perception.neighbours[0].position, -1.0, 1.0);  // behind on the left, rim at 1.01 m
+  EXPECT_EQ(perception.neighbours[0].radius, 0.4);
+  EXPECT_EQ(perception.neighbours[0].kind, NeighbourKind::OBSTACLE);
+  expectVector(perception.neighbours[1].position, 2.0, 0.0);  // ahead, rim at 1.8 m
+  EXPECT_EQ(perception.neighbours[1].radius, 0.2);
+  EXPECT_EQ(perception.neighbours[1].kind, NeighbourKind::AGENT);
 }
 
 TEST(PerceptionFrame, VelocitiesByHand) {
   // Agent 0 turns north and walks at 0.5 m/s, agent 1 walks west at 1 m/s, the obstacle goes north-east.
   World world(scene({wanderer({0.0, 0.0}, 1.0), wanderer({3.0, 0.0}, 1.0), wanderer({0.0, 4.0})},
-                    {mover({-2.0, 0.0}, {0.25, 0.5}, 0.5)}));
+                    {moving_obstacle({-2.0, 0.0}, {0.25, 0.5}, 0.5)}));
   world.step({{0, {PI / 2, 0.5}}, {1, {PI, 1.0}}});
   const Perceptions seen = perceive(world);
   const Perception perception(seen, 0);
   expectVector(perception.self.velocity, 0.5, 0.0);
   EXPECT_TRUE(perception.self.acted);
-  ASSERT_EQ(perception.bodies.size(), 3U);
-  expectVector(perception.bodies[0].position, 0.0, 1.975);  // the obstacle, 1.475 m to its rim
-  expectVector(perception.bodies[0].velocity, 0.5, -0.25);
-  expectVector(perception.bodies[1].position, -0.05, -2.9);
-  expectVector(perception.bodies[1].velocity, 0.0, 1.0);  // west is on the left
-  expectVector(perception.bodies[2].velocity, 0.0, 0.0);
+  ASSERT_EQ(perception.neighbours.size(), 3U);
+  expectVector(perception.neighbours[0].position, 0.0, 1.975);  // the obstacle, 1.475 m to its rim
+  expectVector(perception.neighbours[0].velocity, 0.5, -0.25);
+  expectVector(perception.neighbours[1].position, -0.05, -2.9);
+  expectVector(perception.neighbours[1].velocity, 0.0, 1.0);  // west is on the left
+  expectVector(perception.neighbours[2].velocity, 0.0, 0.0);
   EXPECT_FALSE(seen.agents[2].acted);
 }
 
@@ -87,7 +87,7 @@ TEST(PerceptionFrame, VelocityOfWhoStopsIsZeroAgain) {
   world.step({});
   const Perceptions seen = perceive(world);
   expectVector(seen.agents[0].velocity, 0.0, 0.0);
-  expectVector(seen.bodies[0].velocity, 0.0, 0.0);
+  expectVector(seen.neighbours[0].velocity, 0.0, 0.0);
 }
 
 TEST(PerceptionFrame, GoalIsTheNextOfSeveral) {
@@ -120,24 +120,24 @@ TEST(PerceptionOrder, NearestRimFirst) {
       perceive(scene({wanderer({0.0, 0.0}), wanderer({0.0, 2.0})},
                      {pillar({3.0, 0.0}, 0.1), pillar({-1.5, 0.0}, 0.1), pillar({0.0, -5.0}, 4.5)}));
   const Perception perception(seen, 0);
-  ASSERT_EQ(perception.bodies.size(), 4U);
-  expectVector(perception.bodies[0].position, 0.0, -5.0);
-  expectVector(perception.bodies[1].position, -1.5, 0.0);
-  expectVector(perception.bodies[2].position, 0.0, 2.0);
-  expectVector(perception.bodies[3].position, 3.0, 0.0);
+  ASSERT_EQ(perception.neighbours.size(), 4U);
+  expectVector(perception.neighbours[0].position, 0.0, -5.0);
+  expectVector(perception.neighbours[1].position, -1.5, 0.0);
+  expectVector(perception.neighbours[2].position, 0.0, 2.0);
+  expectVector(perception.neighbours[3].position, 3.0, 0.0);
 }
 
-TEST(PerceptionOrder, MaxBodiesKeepsTheNearestRims) {
+TEST(PerceptionOrder, MaxNeighboursKeepsTheNearestRims) {
   const Scene crowded = scene({wanderer({0.0, 0.0}), wanderer({0.0, 2.0})},
                               {pillar({3.0, 0.0}, 0.1), pillar({-1.5, 0.0}, 0.1), pillar({0.0, -5.0}, 4.5)});
   const Perceptions seen = perceive(crowded, {6.0, 2});
   const Perception perception(seen, 0);
-  ASSERT_EQ(perception.bodies.size(), 2U);
-  expectVector(perception.bodies[0].position, 0.0, -5.0);
-  expectVector(perception.bodies[1].position, -1.5, 0.0);
-  EXPECT_EQ(perceive(crowded, {6.0, 4}).agents[0].body_count, 4U);
-  EXPECT_EQ(perceive(crowded, {6.0, 9}).agents[0].body_count, 4U);
-  EXPECT_EQ(perceive(crowded, {6.0, 0}).agents[0].body_count, 4U);  // 0: no limit
+  ASSERT_EQ(perception.neighbours.size(), 2U);
+  expectVector(perception.neighbours[0].position, 0.0, -5.0);
+  expectVector(perception.neighbours[1].position, -1.5, 0.0);
+  EXPECT_EQ(perceive(crowded, {6.0, 4}).agents[0].neighbour_count, 4U);
+  EXPECT_EQ(perceive(crowded, {6.0, 9}).agents[0].neighbour_count, 4U);
+  EXPECT_EQ(perceive(crowded, {6.0, 0}).agents[0].neighbour_count, 4U);  // 0: no limit
 }
 
 TEST(PerceptionWalls, InTheFrameOfTheAgentWithinItsVision) {
@@ -164,7 +164,7 @@ TEST(PerceptionList, SaysWhenItIsAndReplacesWhatStoodThere) {
   EXPECT_EQ(perceptions.tick_duration, 0.5);
   EXPECT_EQ(Perception(perceptions, 1).tick_duration, 0.5);
   EXPECT_EQ(perceptions.agents.size(), 2U);
-  EXPECT_EQ(perceptions.bodies.size(), 2U);
+  EXPECT_EQ(perceptions.neighbours.size(), 2U);
   EXPECT_TRUE(perceptions.walls.empty());
   EXPECT_EQ(perceptions.episode, 17U);  // these two are not the world's to say
   EXPECT_TRUE(perceptions.last);
@@ -177,48 +177,48 @@ TEST(PerceptionList, LastPerceptionOfWhoArrivesTellsOfTheOthers) {
   ASSERT_EQ(seen.agents.size(), 2U);
   EXPECT_TRUE(seen.agents[0].arrived);
   EXPECT_TRUE(seen.agents[0].acted);
-  ASSERT_EQ(seen.agents[0].body_count, 1U);  // but the other one does not perceive it any more
-  EXPECT_EQ(seen.agents[1].body_count, 0U);
-  expectVector(Perception(seen, 0).bodies[0].position, 2.0, 0.0);
+  ASSERT_EQ(seen.agents[0].neighbour_count, 1U);  // but the other one does not perceive it any more
+  EXPECT_EQ(seen.agents[1].neighbour_count, 0U);
+  expectVector(Perception(seen, 0).neighbours[0].position, 2.0, 0.0);
 }
 
 /// A body as seen from outside: what an agent is to perceive.
 struct Expected {
   double rim_distance = 0.0;
-  PerceivedBody body;
+  Neighbour neighbour;
 };
 
 /// What an agent is to perceive, by looking at everything.
 std::vector<Expected> lookAtAll(const World& world, const Agent& agent, double vision) {
   const Eigen::Rotation2Dd turn(-agent.pose.heading);
   std::vector<Expected> all;
-  const auto look = [&](const Vector2& position, const Vector2& velocity, double radius, BodyKind kind) {
+  const auto look = [&](const Vector2& position, const Vector2& velocity, double radius, NeighbourKind kind) {
     const Vector2 to_other = position - agent.pose.position;
     const double rim_distance = to_other.norm() - radius;
     if (rim_distance <= vision) all.push_back({rim_distance, {turn * to_other, turn * velocity, radius, kind}});
   };
   for (const Agent& other : world.agents()) {
     if (!other.isWalking() || other.id == agent.id) continue;
-    look(other.pose.position, other.velocity, other.radius, BodyKind::AGENT);
+    look(other.pose.position, other.velocity, other.radius, NeighbourKind::AGENT);
   }
   for (const Obstacle& obstacle : world.obstacles()) {
     const double t = world.time();
-    look(obstacle.path.position(t), obstacle.path.velocity(t), obstacle.radius, BodyKind::OBSTACLE);
+    look(obstacle.path.position(t), obstacle.path.velocity(t), obstacle.radius, NeighbourKind::OBSTACLE);
   }
   std::sort(all.begin(), all.end(),
             [](const Expected& a, const Expected& b) { return a.rim_distance < b.rim_distance; });
   return all;
 }
 
-void expectSameBody(const PerceivedBody& body, const PerceivedBody& expected) {
-  EXPECT_LT((body.position - expected.position).norm(), 1e-9);
-  EXPECT_LT((body.velocity - expected.velocity).norm(), 1e-9);
-  EXPECT_EQ(body.radius, expected.radius);
-  EXPECT_EQ(body.kind, expected.kind);
+void expectSameNeighbour(const Neighbour& neighbour, const Neighbour& expected) {
+  EXPECT_LT((neighbour.position - expected.position).norm(), 1e-9);
+  EXPECT_LT((neighbour.velocity - expected.velocity).norm(), 1e-9);
+  EXPECT_EQ(neighbour.radius, expected.radius);
+  EXPECT_EQ(neighbour.kind, expected.kind);
 }
 
 TEST(PerceptionProperty, AgreesWithLookingAtEverything) {
-  std::size_t bodies = 0;
+  std::size_t neighbours = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     World world(scenes::randomScene(seed, 60));
@@ -231,18 +231,18 @@ TEST(PerceptionProperty, AgreesWithLookingAtEverything) {
         SCOPED_TRACE("tick " + std::to_string(tick) + ", agent " + std::to_string(seen.agents[i].agent));
         const Perception perception(seen, i);
         std::vector<Expected> all = lookAtAll(world, world.agents()[seen.agents[i].agent], vision.radius);
-        if (vision.max_bodies > 0 && all.size() > vision.max_bodies) all.resize(vision.max_bodies);
-        ASSERT_EQ(perception.bodies.size(), all.size());
-        for (std::size_t k = 0; k < all.size(); ++k) expectSameBody(perception.bodies[k], all[k].body);
-        bodies += all.size();
+        if (vision.max_neighbours > 0 && all.size() > vision.max_neighbours) all.resize(vision.max_neighbours);
+        ASSERT_EQ(perception.neighbours.size(), all.size());
+        for (std::size_t k = 0; k < all.size(); ++k) expectSameNeighbour(perception.neighbours[k], all[k].neighbour);
+        neighbours += all.size();
       }
     }
   }
-  EXPECT_GT(bodies, 10000U);
+  EXPECT_GT(neighbours, 10000U);
 }
 
 TEST(PerceptionProperty, FewerBodiesAreTheFirstOfMoreBitForBit) {
-  std::size_t bodies = 0;
+  std::size_t neighbours = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     World world(scenes::randomScene(seed, 60));
     KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
@@ -256,15 +256,15 @@ TEST(PerceptionProperty, FewerBodiesAreTheFirstOfMoreBitForBit) {
         for (std::size_t i = 0; i < all.agents.size(); ++i) {
           const Perception fewer(some, i);
           Perception first(all, i);
-          ASSERT_EQ(fewer.bodies.size(), std::min<std::size_t>(most, first.bodies.size()));
-          first.bodies = first.bodies.front(fewer.bodies.size());
+          ASSERT_EQ(fewer.neighbours.size(), std::min<std::size_t>(most, first.neighbours.size()));
+          first.neighbours = first.neighbours.front(fewer.neighbours.size());
           EXPECT_EQ(bitsOf(fewer), bitsOf(first)) << "seed " << seed << ", tick " << tick << ", most " << most;
-          bodies += fewer.bodies.size();
+          neighbours += fewer.neighbours.size();
         }
       }
     }
   }
-  EXPECT_GT(bodies, 10000U);
+  EXPECT_GT(neighbours, 10000U);
 }
 
 /// Turns and moves a whole scene.
@@ -295,18 +295,18 @@ class Motion {
 
 void expectSamePerceptions(const Perceptions& seen, const Perceptions& expected) {
   ASSERT_EQ(seen.agents.size(), expected.agents.size());
-  ASSERT_EQ(seen.bodies.size(), expected.bodies.size());
+  ASSERT_EQ(seen.neighbours.size(), expected.neighbours.size());
   ASSERT_EQ(seen.walls.size(), expected.walls.size());
   for (std::size_t i = 0; i < seen.agents.size(); ++i) {
     EXPECT_EQ(seen.agents[i].agent, expected.agents[i].agent);
     EXPECT_EQ(seen.agents[i].arrived, expected.agents[i].arrived);
-    EXPECT_EQ(seen.agents[i].body_count, expected.agents[i].body_count);
+    EXPECT_EQ(seen.agents[i].neighbour_count, expected.agents[i].neighbour_count);
     EXPECT_EQ(seen.agents[i].wall_count, expected.agents[i].wall_count);
     EXPECT_LT((seen.agents[i].velocity - expected.agents[i].velocity).norm(), 1e-9);
     EXPECT_LT((seen.agents[i].goal - expected.agents[i].goal).norm(), 1e-9);
     const Perception one(seen, i);
     const Perception other(expected, i);
-    for (std::size_t k = 0; k < one.bodies.size(); ++k) expectSameBody(one.bodies[k], other.bodies[k]);
+    for (std::size_t k = 0; k < one.neighbours.size(); ++k) expectSameNeighbour(one.neighbours[k], other.neighbours[k]);
     for (std::size_t k = 0; k < one.walls.size(); ++k) {
       EXPECT_LT((one.walls[k].from - other.walls[k].from).norm(), 1e-9);
       EXPECT_LT((one.walls[k].to - other.walls[k].to).norm(), 1e-9);

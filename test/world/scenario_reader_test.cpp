@@ -63,7 +63,7 @@ TEST(ScenarioReader, ReadsTheSchemaOfTheBenchmark) {
   ASSERT_EQ(scene.agents[0].goals.size(), 1U);
   EXPECT_EQ(scene.agents[0].goals[0], Vector2(4.0, 6.0));
   EXPECT_NEAR(scene.agents[0].heading, std::atan2(4.0, 3.0), 1e-12);
-  EXPECT_EQ(scene.agents[0].speed, 1.3);
+  EXPECT_EQ(scene.agents[0].max_speed, 1.3);
   EXPECT_EQ(scene.agents[0].radius, 0.25);
   EXPECT_NEAR(scene.agents[1].heading, -PI / 2.0, 1e-12);
   ASSERT_EQ(scene.obstacles.size(), 2U);
@@ -90,8 +90,8 @@ TEST(ScenarioReader, TurnsThesisUnitsIntoSI) {
   EXPECT_EQ(scene.max_ticks, 2000U);
   EXPECT_EQ(scene.goal_tolerance, 0.3);
   EXPECT_EQ(scene.agents[0].radius, 0.25);
-  EXPECT_NEAR(scene.agents[0].speed * scene.tick_duration, 0.03, 1e-15);
-  EXPECT_NEAR(scene.agents[0].speed, 0.15, 1e-15);
+  EXPECT_NEAR(scene.agents[0].max_speed * scene.tick_duration, 0.03, 1e-15);
+  EXPECT_NEAR(scene.agents[0].max_speed, 0.15, 1e-15);
   expectNear(scene.obstacles[0].path.velocity(0.0), {0.05, -0.1});
   expectNear(scene.obstacles[1].path.velocity(0.0), {0.0, 0.05});
 }

@@ -20,7 +20,7 @@ std::vector<Vector2> places(const Scene& scene) {
   for (const AgentStart& agent : scene.agents) {
     all.push_back(agent.position);
     all.insert(all.end(), agent.goals.begin(), agent.goals.end());
-    all.emplace_back(agent.speed, agent.radius);
+    all.emplace_back(agent.max_speed, agent.radius);
     all.emplace_back(agent.heading, 0.0);
   }
   for (const Obstacle& obstacle : scene.obstacles) {
@@ -163,7 +163,7 @@ TEST(Scenario, DrawnNumbersLieInTheirRanges) {
   forManyHalls([](const Scene& scene) {
     for (std::size_t i = 0; i < 12; ++i) {
       const AgentStart& agent = scene.agents[i];
-      EXPECT_TRUE(agent.speed >= 0.8 && agent.speed <= 1.6);
+      EXPECT_TRUE(agent.max_speed >= 0.8 && agent.max_speed <= 1.6);
       EXPECT_TRUE(agent.radius >= 0.2 && agent.radius <= 0.3);
       EXPECT_TRUE(agent.heading >= -PI && agent.heading <= PI);
       EXPECT_LE(agent.position.cwiseAbs().maxCoeff(), 4.0);

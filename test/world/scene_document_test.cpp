@@ -34,7 +34,7 @@ void expectSame(const Scene& got, const Scene& expected) {
     EXPECT_NEAR(wrapAngle(agent.heading - original.heading), 0.0, EPSILON);
     ASSERT_EQ(agent.goals.size(), original.goals.size());
     for (std::size_t goal = 0; goal < agent.goals.size(); ++goal) expectNear(agent.goals[goal], original.goals[goal]);
-    EXPECT_EQ(agent.speed, original.speed);
+    EXPECT_EQ(agent.max_speed, original.max_speed);
     EXPECT_EQ(agent.radius, original.radius);
   }
   ASSERT_EQ(got.obstacles.size(), expected.obstacles.size());
@@ -54,7 +54,7 @@ void expectSame(const Scene& got, const Scene& expected) {
 
 TEST(SceneDocument, TinySceneAsText) {
   Scene scene = scenes::scene({{{1.0, -2.0}, PI / 2, {{1.0, 2.0}, {0.5, 2.0}}, 1.5, 0.25}},
-                              {scenes::pillar({0.0, 3.0}, 0.5), scenes::mover({4.0, 0.0}, {-0.5, 0.0}, 0.25)},
+                              {scenes::pillar({0.0, 3.0}, 0.5), scenes::moving_obstacle({4.0, 0.0}, {-0.5, 0.0}, 0.25)},
                               {{{0.0, 5.0}, {1.0, 5.0}}});
   scene.name = "Anna's";
   EXPECT_EQ(toDocument(scene),

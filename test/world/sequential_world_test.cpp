@@ -12,7 +12,7 @@
 namespace crowd {
 namespace {
 
-using scenes::mover;
+using scenes::moving_obstacle;
 using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
@@ -35,9 +35,9 @@ TEST(SequentialWorld, TheNextAgentPerceivesWhereTheOneBeforeHasGone) {
   ASSERT_EQ(seen.agents.size(), 1U);
   EXPECT_EQ(seen.agents[0].agent, 1U);
   EXPECT_EQ(seen.tick, 0U);
-  ASSERT_EQ(seen.agents[0].body_count, 1U);
-  expectVector(seen.bodies[0].position, -1.5, 0.0);  // 0.5 - 2
-  expectVector(seen.bodies[0].velocity, 1.0, 0.0);
+  ASSERT_EQ(seen.agents[0].neighbour_count, 1U);
+  expectVector(seen.neighbours[0].position, -1.5, 0.0);  // 0.5 - 2
+  expectVector(seen.neighbours[0].velocity, 1.0, 0.0);
 }
 
 TEST(SequentialWorld, AnAgentPerceivesTheOthersOfTheTickBeforeUntilTheyMove) {
@@ -47,24 +47,24 @@ TEST(SequentialWorld, AnAgentPerceivesTheOthersOfTheTickBeforeUntilTheyMove) {
   world.endTick();
   EXPECT_EQ(world.tick(), 1U);
   const Perceptions seen = lookOf(world, 0);
-  expectVector(seen.bodies[0].position, 1.0, 0.0);  // 1.5 - 0.5
-  expectVector(seen.bodies[0].velocity, -1.0, 0.0);
+  expectVector(seen.neighbours[0].position, 1.0, 0.0);  // 1.5 - 0.5
+  expectVector(seen.neighbours[0].velocity, -1.0, 0.0);
 }
 
 TEST(SequentialWorld, ObstaclesMoveAtTheEndOfTheTick) {
-  World world(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {mover({3.0, 0.0}, {0.0, 1.0}, 0.2)}));
+  World world(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {moving_obstacle({3.0, 0.0}, {0.0, 1.0}, 0.2)}));
   world.moveAgent(0, {});
-  expectVector(lookOf(world, 0).bodies[0].position, 3.0, 0.0);
+  expectVector(lookOf(world, 0).neighbours[0].position, 3.0, 0.0);
   world.endTick();
-  expectVector(lookOf(world, 0).bodies[0].position, 3.0, 0.5);
+  expectVector(lookOf(world, 0).neighbours[0].position, 3.0, 0.5);
 }
 
 TEST(SequentialWorld, AnAgentThatStaysInItsTurnIsPerceivedStanding) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.step({ahead(0)});
   world.moveAgent(0, {});
-  expectVector(lookOf(world, 1).bodies[0].position, -1.5, 0.0);
-  expectVector(lookOf(world, 1).bodies[0].velocity, 0.0, 0.0);
+  expectVector(lookOf(world, 1).neighbours[0].position, -1.5, 0.0);
+  expectVector(lookOf(world, 1).neighbours[0].velocity, 0.0, 0.0);
 }
 
 TEST(SequentialWorld, AnAgentWithoutATurnStays) {
@@ -85,12 +85,12 @@ TEST(SequentialWorld, TakesTheActionOfTheAgentOnly) {
   expectVector(world.agents()[1].pose.position, 2.0, 0.0);
 }
 
-TEST(SequentialWorld, RefusesAnUnsoundActionBeforeAnythingMoves) {
+TEST(SequentialWorld, RefusesAnInvalidActionBeforeAnythingMoves) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0)}));
   EXPECT_TRUE(contains(errorOf<InputError>([&] {
                          world.moveAgent(0, {ahead(0), {0, {0.0, 2.0}}});
                        }),
-                       "expected a finite rotation and a share of the speed from 0 to 1"));
+                       "expected a finite rotation and a fraction of the maximum speed from 0 to 1"));
   expectVector(world.agents()[0].pose.position, 0.0, 0.0);
 }
 
@@ -115,7 +115,8 @@ TEST(SequentialWorld, InASolidWorldEachStopsAtWhereTheOthersAreThen) {
 
 TEST(SequentialWorld, InASolidWorldObstaclesPushAtTheEndOfTheTick) {
   // The obstacle comes with 1 m/s; after the agent's turn their rims are 0.25 m apart.
-  World world(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {mover({0.75, 0.0}, {-1.0, 0.0}, 0.25)})));
+  World world(
+      scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {moving_obstacle({0.75, 0.0}, {-1.0, 0.0}, 0.25)})));
   world.moveAgent(0, {{0, {PI / 2, 0.0}}});
   world.endTick();
   EXPECT_NEAR(world.agents()[0].pose.position.x(), -0.25, 1e-12);
@@ -148,10 +149,10 @@ TEST(SequentialWorld, GhostsThatDoNotLookEndWhereTheyWouldTogether) {
       Perceptions seen;
       together.perceive(Vision(), expected);
       one_by_one.perceive(Vision(), seen);
-      ASSERT_EQ(seen.bodies.size(), expected.bodies.size());
-      for (std::size_t i = 0; i < seen.bodies.size(); ++i) {
-        ASSERT_EQ(seen.bodies[i].position, expected.bodies[i].position);
-        ASSERT_EQ(seen.bodies[i].velocity, expected.bodies[i].velocity);
+      ASSERT_EQ(seen.neighbours.size(), expected.neighbours.size());
+      for (std::size_t i = 0; i < seen.neighbours.size(); ++i) {
+        ASSERT_EQ(seen.neighbours[i].position, expected.neighbours[i].position);
+        ASSERT_EQ(seen.neighbours[i].velocity, expected.neighbours[i].velocity);
       }
     }
   }

@@ -103,7 +103,7 @@ TEST(ShippedScenarios, WalkAsTheThesisDoes) {
     const Scene scene = readScenarios(file.string()).scene(1, 0);
     EXPECT_EQ(scene.max_ticks, 2000U);
     for (const AgentStart& agent : scene.agents) {
-      const double step = agent.speed * scene.tick_duration;
+      const double step = agent.max_speed * scene.tick_duration;
       EXPECT_TRUE(step >= 0.02 - 1e-12 && step <= 0.04 + 1e-12) << step;
       EXPECT_EQ(agent.radius, 0.25);
     }

@@ -13,7 +13,7 @@
 namespace crowd {
 namespace {
 
-using scenes::mover;
+using scenes::moving_obstacle;
 using scenes::pillar;
 using scenes::scene;
 using scenes::solid;
@@ -79,9 +79,10 @@ TEST(SolidWorld, WhoArrivesLeavesTheWay) {
   EXPECT_FALSE(world.agents()[0].touched);
 }
 
-TEST(SolidWorld, MoverPushesAnAgentAlong) {
+TEST(SolidWorld, MovingObstaclePushesAnAgentAlong) {
   // From 1 m away at 0.5 m a tick; radii sum up to 0.5 m: it pushes from the second tick on.
-  World world(solid(scenes::halfSeconds(scene({wanderer({1.0, 0.0})}, {mover({0.0, 0.0}, {1.0, 0.0}, 0.25)}))));
+  World world(
+      solid(scenes::halfSeconds(scene({wanderer({1.0, 0.0})}, {moving_obstacle({0.0, 0.0}, {1.0, 0.0}, 0.25)}))));
   const Agent& pushed = world.agents()[0];
   for (int tick = 1; tick <= 6; ++tick) {
     world.step({});
@@ -92,15 +93,15 @@ TEST(SolidWorld, MoverPushesAnAgentAlong) {
   EXPECT_EQ(pushed.blocked_moves, 0U);  // it made no move
 }
 
-TEST(SolidWorld, MoverThatPassesOverAnAgentIsInContactWithIt) {
+TEST(SolidWorld, MovingObstacleThatPassesOverAnAgentIsInContactWithIt) {
   World world(solid(scenes::halfSeconds(
-      scene({wanderer({1.0, 0.0})}, {mover({0.0, 0.0}, {1.0, 0.0}, 0.25)}, {{{1.25, -1.0}, {1.25, 1.0}}}))));
+      scene({wanderer({1.0, 0.0})}, {moving_obstacle({0.0, 0.0}, {1.0, 0.0}, 0.25)}, {{{1.25, -1.0}, {1.25, 1.0}}}))));
   for (int tick = 1; tick <= 2; ++tick) world.step({});
   EXPECT_DOUBLE_EQ(world.agents()[0].pose.position.x(), 1.0);  // at the wall
   EXPECT_TRUE(world.agents()[0].in_contact);
 }
 
-TEST(SolidWorld, TurningPointOfAMoverWithinATick) {
+TEST(SolidWorld, TurningPointOfAMovingObstacleWithinATick) {
   // It walks 0.75 m to and 0.25 m fro in a tick of 1 m: half a metre nearer, and it ends where its path says.
   Scene scene = solid(scenes::halfSeconds(scenes::scene({wanderer({9.0, 9.0})})));
   scene.obstacles.push_back({ObstaclePath::toAndFro({{0.0, 0.0}, {0.75, 0.0}}, 2.0), 0.25});
@@ -191,7 +192,7 @@ std::vector<Walk> walksOf(const World& before, const World& after, const std::ve
   }
   for (const AgentAction& given : actions) {
     const Agent& agent = after.agents()[given.agent];
-    const double length = given.action.speed_share * agent.speed * after.tickDuration();
+    const double length = given.action.speed_fraction * agent.max_speed * after.tickDuration();
     walks[given.agent].way = length * unitVector(agent.pose.heading);
   }
   return walks;
@@ -283,8 +284,8 @@ TEST(SolidWorldProperty, OrderOfAgentsAndActionsDoesNotMatter) {
 }
 
 TEST(SolidWorldProperty, WhereNothingTouchesItIsAGhostWorldBitForBit) {
-  Scene ghosts =
-      scene({}, {pillar({50.0, 50.0}, 0.5), mover({-50.0, 50.0}, {0.3, 0.1}, 0.5)}, {{{-50.0, -50.0}, {50.0, -50.0}}});
+  Scene ghosts = scene({}, {pillar({50.0, 50.0}, 0.5), moving_obstacle({-50.0, 50.0}, {0.3, 0.1}, 0.5)},
+                       {{{-50.0, -50.0}, {50.0, -50.0}}});
   for (int i = 0; i < 20; ++i) ghosts.agents.push_back(wanderer({10.0 * i, 0.37 * i}, 0.7 + 0.03 * i));
   World ghost_world(ghosts);
   World world(solid(ghosts));

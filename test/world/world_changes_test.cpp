@@ -13,7 +13,7 @@ namespace crowd {
 namespace {
 
 using scenes::agent;
-using scenes::mover;
+using scenes::moving_obstacle;
 using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
@@ -26,11 +26,11 @@ template <typename Call>
 void expectRefused(World& world, const std::string& reason, const Call& call) {
   SCOPED_TRACE(reason);
   const std::vector<double> before = stateOf(world);
-  const std::size_t bodies = lookAround(world).bodies.size();
+  const std::size_t bodies = lookAround(world).neighbours.size();
   const std::string message = errorOf<InputError>(call);
   EXPECT_TRUE(contains(message, reason)) << message;
   EXPECT_EQ(stateOf(world), before);
-  EXPECT_EQ(lookAround(world).bodies.size(), bodies);
+  EXPECT_EQ(lookAround(world).neighbours.size(), bodies);
 }
 
 TEST(WorldChanges, SpawnedAgentIsThereAtOnceAndWalks) {
@@ -41,11 +41,11 @@ TEST(WorldChanges, SpawnedAgentIsThereAtOnceAndWalks) {
   EXPECT_TRUE(world.isActive(1));
   const Perceptions seen = lookAround(world);
   ASSERT_EQ(seen.agents.size(), 2U);
-  ASSERT_EQ(seen.agents[0].body_count, 2U);
-  expectVector(seen.bodies[0].position, 0.0, 3.0);  // the rim of the obstacle is nearer
-  EXPECT_EQ(seen.bodies[0].kind, BodyKind::OBSTACLE);
-  expectVector(seen.bodies[1].position, 3.0, 0.0);
-  EXPECT_EQ(seen.bodies[1].kind, BodyKind::AGENT);
+  ASSERT_EQ(seen.agents[0].neighbour_count, 2U);
+  expectVector(seen.neighbours[0].position, 0.0, 3.0);  // the rim of the obstacle is nearer
+  EXPECT_EQ(seen.neighbours[0].kind, NeighbourKind::OBSTACLE);
+  expectVector(seen.neighbours[1].position, 3.0, 0.0);
+  EXPECT_EQ(seen.neighbours[1].kind, NeighbourKind::AGENT);
   world.step({ahead(1)});
   expectVector(world.agents()[1].pose.position, 3.0, 0.1);
 }
@@ -62,7 +62,7 @@ TEST(WorldChanges, SpawnedAgentNeedsAFreePlace) {
   EXPECT_EQ(world.spawnAgent(wanderer({5.0, 5.0})), 3U);  // where agent 1 has left the floor
 }
 
-TEST(WorldChanges, SpawnedAgentMustBeSound) {
+TEST(WorldChanges, SpawnedAgentMustBeValid) {
   World world(scene({wanderer({0.0, 0.0})}));
   const auto refuse = [&](const std::string& what, const AgentStart& start) {
     expectRefused(world, what, [&] { world.spawnAgent(start); });
@@ -97,7 +97,7 @@ TEST(WorldChanges, RemovedAgentIsGone) {
   const Perceptions seen = lookAround(world);
   ASSERT_EQ(seen.agents.size(), 2U);  // agent 2 has just arrived
   EXPECT_EQ(seen.agents[0].agent, 1U);
-  EXPECT_EQ(seen.agents[0].body_count, 0U);
+  EXPECT_EQ(seen.agents[0].neighbour_count, 0U);
   world.step({ahead(0), ahead(1)});
   expectVector(world.agents()[0].pose.position, 0.0, 0.0);
   expectRefused(world, "0", [&] { world.removeAgent(0); });  // gone already
@@ -142,15 +142,15 @@ TEST(WorldChanges, SpawnedObstacleBeginsItsPathNow) {
   EXPECT_EQ(world.spawnObstacle({4.0, -4.0}, {0.0, 1.0}, 0.5), 0U);   // obstacles may overlap walls
   EXPECT_EQ(world.spawnObstacle({4.0, -4.0}, {0.0, 0.0}, 0.25), 1U);  // and each other
   const Perceptions now = lookAround(world);
-  ASSERT_EQ(now.bodies.size(), 2U);
-  expectVector(now.bodies[0].position, 4.0, -4.0);
-  expectVector(now.bodies[0].velocity, 0.0, 1.0);
-  expectVector(now.bodies[1].velocity, 0.0, 0.0);
+  ASSERT_EQ(now.neighbours.size(), 2U);
+  expectVector(now.neighbours[0].position, 4.0, -4.0);
+  expectVector(now.neighbours[0].velocity, 0.0, 1.0);
+  expectVector(now.neighbours[1].velocity, 0.0, 0.0);
   EXPECT_FALSE(world.obstacles()[1].path.moves());
   world.step({});
   const Perceptions later = lookAround(world);
-  expectVector(later.bodies[0].position, 4.0, -3.5);
-  expectVector(later.bodies[1].position, 4.0, -4.0);
+  expectVector(later.neighbours[0].position, 4.0, -3.5);
+  expectVector(later.neighbours[1].position, 4.0, -4.0);
 }
 
 TEST(WorldChanges, BadObstaclesAreRefused) {
@@ -164,14 +164,14 @@ TEST(WorldChanges, BadObstaclesAreRefused) {
 }
 
 TEST(WorldChanges, RemovedObstacleIsGoneAndTheOthersMoveUp) {
-  World world(scene({wanderer({0.0, 0.0})}, {pillar({2.0, 0.0}, 0.5), mover({4.0, 0.0}, {0.0, 1.0}, 0.25)}));
+  World world(scene({wanderer({0.0, 0.0})}, {pillar({2.0, 0.0}, 0.5), moving_obstacle({4.0, 0.0}, {0.0, 1.0}, 0.25)}));
   world.removeObstacle(0);
   ASSERT_EQ(world.obstacles().size(), 1U);
   const Perceptions seen = lookAround(world);
-  ASSERT_EQ(seen.bodies.size(), 1U);
-  expectVector(seen.bodies[0].position, 4.0, 0.0);
-  expectVector(seen.bodies[0].velocity, 0.0, 1.0);
-  EXPECT_EQ(seen.bodies[0].radius, 0.25);
+  ASSERT_EQ(seen.neighbours.size(), 1U);
+  expectVector(seen.neighbours[0].position, 4.0, 0.0);
+  expectVector(seen.neighbours[0].velocity, 0.0, 1.0);
+  EXPECT_EQ(seen.neighbours[0].radius, 0.25);
   expectRefused(world, "obstacle 1", [&] { world.removeObstacle(1); });
 }
 

@@ -16,7 +16,7 @@ namespace crowd {
 namespace {
 
 using scenes::agent;
-using scenes::mover;
+using scenes::moving_obstacle;
 using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
@@ -110,11 +110,11 @@ TEST(WorldStep, IgnoresActionsOfUnknownAndArrivedAgents) {
 TEST(WorldStep, IllegalActionsThrowAndNothingHasMoved) {
   const std::vector<RelativeAction> illegal = {{NOT_A_NUMBER, 1.0}, {INFINITE, 1.0}, {0.0, NOT_A_NUMBER},
                                                {0.0, INFINITE},     {0.0, -0.001},   {0.0, 1.0000001}};
-  World world(scene({wanderer({0.0, 0.0}), wanderer({0.0, 5.0})}, {mover({9.0, 9.0}, {1.0, 0.0}, 0.5)}));
+  World world(scene({wanderer({0.0, 0.0}), wanderer({0.0, 5.0})}, {moving_obstacle({9.0, 9.0}, {1.0, 0.0}, 0.5)}));
   world.step({ahead(0)});
   const std::vector<double> before = stateOf(world);
   for (const RelativeAction& action : illegal) {
-    SCOPED_TRACE(testing::Message() << action.rotation << ", " << action.speed_share);
+    SCOPED_TRACE(testing::Message() << action.rotation << ", " << action.speed_fraction);
     EXPECT_THROW(world.step({ahead(0), {1, action}}), InputError);
     EXPECT_EQ(stateOf(world), before);
   }
@@ -188,7 +188,7 @@ TEST(WorldArrival, ArrivedAgentsAreNeitherPerceivedNorTouched) {
   ASSERT_TRUE(world.agents()[0].hasArrived());
   const Perceptions after = lookAround(world);
   ASSERT_EQ(after.agents.size(), 2U);
-  EXPECT_EQ(after.agents[1].body_count, 0U);
+  EXPECT_EQ(after.agents[1].neighbour_count, 0U);
   for (int i = 0; i < 4; ++i) {
     world.step({ahead(1)});  // through (1, 0), where the other one stopped
     EXPECT_FALSE(world.agents()[0].in_contact);
@@ -259,7 +259,7 @@ TEST(WorldContact, LargeObstacleReachesFar) {
 
 TEST(WorldContact, MovingObstacleRunsIntoAnAgentAndOn) {
   // Centres are 1 - 0.1 k m apart after tick k, radii sum up to 0.5 m: contact from tick 6 to 14.
-  World world(scene({wanderer({1.0, 0.0}, 1.0, 0.2)}, {mover({0.0, 0.0}, {1.0, 0.0}, 0.3)}));
+  World world(scene({wanderer({1.0, 0.0}, 1.0, 0.2)}, {moving_obstacle({0.0, 0.0}, {1.0, 0.0}, 0.3)}));
   for (int tick = 1; tick <= 20; ++tick) {
     world.step({});
     EXPECT_EQ(world.agents()[0].in_contact, tick >= 6 && tick <= 14) << "tick " << tick;

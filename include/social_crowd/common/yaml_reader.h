@@ -29,7 +29,7 @@ struct YamlPlace {
 [[noreturn]] void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::string& expected);
 
 /// @brief What a number may be.
-enum class NumberRule { ANY, NOT_NEGATIVE, POSITIVE, SHARE };  // SHARE: 0 to 1
+enum class NumberRule { ANY, NOT_NEGATIVE, POSITIVE, FRACTION };  // FRACTION: 0 to 1
 
 /// @brief Reads a finite number that follows the rule, or throws InputError. What stands in quotes is no
 /// number.

@@ -8,7 +8,7 @@
 
 #include "social_crowd/common/yaml_reader.h"
 #include "social_crowd/learning/candidate_move.h"
-#include "social_crowd/learning/chooser.h"
+#include "social_crowd/learning/decision_context.h"
 #include "social_crowd/world/relative_action.h"
 
 namespace crowd {
@@ -33,10 +33,10 @@ class ActionSet {
   /// @param relative all of it is written
   virtual void findAction(const Perception& perception, Action action, RelativeAction& relative) const = 0;
   /// @brief Writes the moves that all size() actions mean to an agent, blocksOf(size()) blocks.
-  virtual void findMoves(const Chooser& chooser) const;
+  virtual void findMoves(const DecisionContext& context) const;
   /// @brief The same for several agents.
-  virtual void findMovesOfAll(const Choosers& choosers) const {
-    for (const Chooser& chooser : choosers) findMoves(chooser);
+  virtual void findMovesOfAll(const DecisionBatch& contexts) const {
+    for (const DecisionContext& context : contexts) findMoves(context);
   }
   /// @brief The action that means the same with left and right exchanged.
   virtual Action mirrored(Action action) const = 0;

@@ -11,12 +11,12 @@ namespace crowd {
 /// @brief A move that an agent could make in the next tick.
 struct CandidateMove {
   Vector2 direction = Vector2::UnitX();  ///< unit vector in the agent's frame
-  double wanted = 0.0;                   ///< share of the top speed that the action asks for, 0 to 1
-  double share = 0.0;                    ///< share that is admissible, 0 to `wanted`
+  double wanted = 0.0;                   ///< fraction of the maximum speed that the action asks for, 0 to 1
+  double fraction = 0.0;                 ///< fraction that is admissible, 0 to `wanted`
 };
 
 /// @brief What an agent does that makes the move, as far as it is admissible.
-inline RelativeAction toAction(const CandidateMove& move) { return {bearingOf(move.direction), move.share}; }
+inline RelativeAction toAction(const CandidateMove& move) { return {bearingOf(move.direction), move.fraction}; }
 
 /// @brief Some candidate moves side by side, so that vector instructions work on all of them. Lanes that hold no move
 /// of their own repeat one.
@@ -27,15 +27,15 @@ struct MoveBlock {
   alignas(64) Lanes x;  ///< of the directions
   alignas(64) Lanes y;
   alignas(64) Lanes wanted;  ///< as in CandidateMove
-  alignas(64) Lanes share;
+  alignas(64) Lanes fraction;
 
   /// @brief The move in a lane.
-  CandidateMove move(std::size_t lane) const { return {{x[lane], y[lane]}, wanted[lane], share[lane]}; }
+  CandidateMove move(std::size_t lane) const { return {{x[lane], y[lane]}, wanted[lane], fraction[lane]}; }
   void set(std::size_t lane, const CandidateMove& move) {
     x[lane] = move.direction.x();
     y[lane] = move.direction.y();
     wanted[lane] = move.wanted;
-    share[lane] = move.share;
+    fraction[lane] = move.fraction;
   }
 };
 

@@ -25,7 +25,9 @@ class CondensedOccupancyStates : public StateSet {
   explicit CondensedOccupancyStates(const Parameters& parameters);
 
   Row rowCount() const override { return terminal() + 1; }
-  void findRows(const Chooser& chooser) const override { *chooser.rows = rowOf(occupancy_.describe(chooser.seen)); }
+  void findRows(const DecisionContext& context) const override {
+    *context.rows = rowOf(occupancy_.describe(context.seen));
+  }
   Row mirrored(Row row) const override;
   /// @brief 1 if anything is within the collision radius, then 2 for each occupied sector.
   std::vector<int> distanceClasses(Row row) const override;

@@ -7,10 +7,10 @@
 #include <set>
 #include <vector>
 
-#include "social_crowd/common/fixed_list.h"
 #include "social_crowd/common/random.h"
+#include "social_crowd/common/static_vector.h"
 #include "social_crowd/learning/agent_places.h"
-#include "social_crowd/learning/chooser.h"
+#include "social_crowd/learning/decision_context.h"
 #include "social_crowd/learning/learning_parameters.h"
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/q_learner.h"
@@ -67,17 +67,18 @@ class Learner {
   void decide(const Perceptions& perceptions, RelativeActions& actions);
 
   /// @brief Working space of one thread that decides.
-  struct Space {
+  struct DecisionWorkspace {
     std::vector<Row> rows;
     std::vector<MoveBlock> moves;
-    FixedList<Chooser, MAX_CHOOSERS> group;           // those that choose side by side
-    std::array<std::size_t, MAX_CHOOSERS> answers{};  // places of their decisions
+    StaticVector<DecisionContext, MAX_BATCH> group;  // those that choose side by side
+    std::array<std::size_t, MAX_BATCH> answers{};    // places of their decisions
   };
   /// @brief Decides greedily for everybody served that is on its way, with the tables as they are: what decide() does
   /// in demo mode, but nothing is kept of whom it did not know before. Any number of threads may do that, each with
   /// working space of its own.
   /// @param actions decisions are added behind those that are there; after an exception they mean nothing
-  void decideGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const;
+  void decideGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,
+                      std::vector<AgentAction>& actions) const;
 
   /// @brief A decision, and the row of the Q-table that its action was looked up in.
   struct Choice {
@@ -85,7 +86,7 @@ class Learner {
     Action action = 0;
   };
   /// @brief What the agent at that index decides in demo mode; decideGreedily() decides the same.
-  Choice greedyChoice(const Perceptions& perceptions, std::size_t index, Space& space) const;
+  Choice greedyChoice(const Perceptions& perceptions, std::size_t index, DecisionWorkspace& workspace) const;
 
   const Model& model() const { return model_; }
   bool serves(AgentId agent) const { return options_.agents.empty() || options_.agents.count(agent) > 0; }
@@ -148,10 +149,10 @@ class Learner {
   };
 
   /// What is to be done about an agent of the present tick.
-  struct Guest {
-    std::uint32_t place;   // of its memory; NOBODY: it is not served
-    std::uint32_t answer;  // place among the answers; NOBODY: it has arrived
-    std::uint32_t bodies;  // so many of its bodies are within sight
+  struct ServedAgent {
+    std::uint32_t place;       // of its memory; NOBODY: it is not served
+    std::uint32_t answer;      // place among the answers; NOBODY: it has arrived
+    std::uint32_t neighbours;  // so many of its neighbours are within sight
   };
   static constexpr std::uint32_t NOBODY = UINT32_MAX;
   /// Of its memory; a new one if the agent was not met before.
@@ -173,26 +174,26 @@ class Learner {
   void nameSource(AgentId agent, SourceId name);
   static Taken give(TablePointer& place, const QTable& table, TakeMethod method);
   void beginEpisode(std::uint64_t episode);
-  void listGuests(const Perceptions& perceptions, RelativeActions& actions);
+  void listServedAgents(const Perceptions& perceptions, RelativeActions& actions);
   /// How many of the bodies that an agent was told of are within the model's vision.
-  std::uint32_t bodiesInSight(const Perceptions& perceptions, const AgentPerception& self) const;
+  std::uint32_t neighboursInSight(const Perceptions& perceptions, const AgentPerception& self) const;
   /// What an agent perceives, of that no more than the model's vision: others may have been told more.
-  static Perception perceptionOf(const Perceptions& perceptions, std::size_t index, std::uint32_t bodies) {
+  static Perception perceptionOf(const Perceptions& perceptions, std::size_t index, std::uint32_t neighbours) {
     Perception seen(perceptions, index);
-    seen.bodies = seen.bodies.front(bodies);
+    seen.neighbours = seen.neighbours.front(neighbours);
     return seen;
   }
   Perception perceptionOf(const Perceptions& perceptions, std::size_t index) const {
-    return perceptionOf(perceptions, index, guests_[index].bodies);
+    return perceptionOf(perceptions, index, served_agents_[index].neighbours);
   }
-  void makeRoom(std::size_t choices, Space& space) const;
-  Chooser chooserAt(std::size_t place, const Perception& seen, Space& space) const;
-  void findRows(const Chooser& chooser) const;
-  void findRowsOfGroup(const Space& space) const;
-  Rows rowsOf(const Chooser& chooser) const { return {chooser.rows, stride_ == 1 ? 0U : 1U}; }
+  void makeRoom(std::size_t choices, DecisionWorkspace& workspace) const;
+  DecisionContext contextAt(std::size_t place, const Perception& seen, DecisionWorkspace& workspace) const;
+  void findRows(const DecisionContext& context) const;
+  void findRowsOfGroup(const DecisionWorkspace& workspace) const;
+  Rows rowsOf(const DecisionContext& context) const { return {context.rows, stride_ == 1 ? 0U : 1U}; }
   /// Calls work(index) for all agents that are to answer.
   template <typename Work>
-  void forEachGuest(const Perceptions& perceptions, const Work& work) const;
+  void forEachServedAgent(const Perceptions& perceptions, const Work& work) const;
   void learn(const Perceptions& perceptions);
   void findAllRows(const Perceptions& perceptions);
   void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory);
@@ -202,17 +203,18 @@ class Learner {
   void learnAndChoose(const Perceptions& perceptions, RelativeActions& actions);
   /// Adds an agent to the group, which decides as soon as it is full.
   /// @param answer place of its decision among the actions
-  void joinGreedily(const Perceptions& perceptions, const Perception& seen, std::size_t answer, Space& space,
-                    std::vector<AgentAction>& actions) const;
+  void joinGreedily(const Perceptions& perceptions, const Perception& seen, std::size_t answer,
+                    DecisionWorkspace& workspace, std::vector<AgentAction>& actions) const;
   /// Decides for the group, which is empty then.
-  void answerGreedily(const Perceptions& perceptions, Space& space, std::vector<AgentAction>& actions) const;
+  void answerGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,
+                      std::vector<AgentAction>& actions) const;
   /// What decides between equal values: the first, or a draw of the agent's own.
   double tieOf(const Perceptions& perceptions, AgentId agent) const;
   /// @param chance that of the tick
   Action chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
                          const Rows& rows, Memory& memory) const;
   /// Writes to `given` what the action means to the agent.
-  void answer(const Chooser& chooser, Action action, AgentAction& given) const;
+  void answer(const DecisionContext& context, Action action, AgentAction& given) const;
 
   Model model_;
   Vision sight_;              // all that the state set looks at
@@ -220,7 +222,7 @@ class Learner {
   std::size_t moves_stride_;  // blocks of moves that the state set looks at
   Options options_;
   LearningParameters parameters_;
-  StepSizes step_sizes_;
+  LearningRateSchedule learning_rates_;
   Mirror mirror_;
   EpsilonSchedule epsilon_;
   std::uint64_t episode_ = 0;
@@ -231,8 +233,8 @@ class Learner {
   TablePointer base_;             // of everybody (shared), or what newcomers begin with (own)
   AgentPlaces places_;            // of memories
   std::vector<Memory> memories_;
-  std::vector<Guest> guests_;  // scratch, of all agents of a tick
-  Space space_;                // scratch, of all agents of a tick while learning
+  std::vector<ServedAgent> served_agents_;  // scratch, of all agents of a tick
+  DecisionWorkspace workspace_;             // scratch, of all agents of a tick while learning
 };
 
 }  // namespace crowd

@@ -19,7 +19,7 @@ std::string toText(Ties ties);
 
 /// @brief Parameters of Q-learning (3.1). The defaults are the thesis's.
 struct LearningParameters {
-  double alpha = 0.1;    ///< step size, above 0 to 1
+  double alpha = 0.1;    ///< learning rate, above 0 to 1
   double gamma = 0.1;    ///< discount of what comes later, 0 to below 1
   double lambda = 0.0;   ///< how long traces last, 0 (none) to 1
   double epsilon = 0.1;  ///< share of decisions taken at random while learning, 0 to 1
@@ -29,7 +29,7 @@ struct LearningParameters {
   Ties ties = Ties::FIRST;  ///< how greedy decisions choose between equal values
 
   /// @brief Share of the way to the target that a value goes when its row and action are visited for the n-th time.
-  double stepSize(std::uint32_t visits) const {
+  double learningRate(std::uint32_t visits) const {
     if (alpha_decay <= 0.0) return alpha;
     return std::max(alpha, std::pow(static_cast<double>(visits), -alpha_decay));
   }

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "social_crowd/learning/learning_rate_schedule.h"
 #include "social_crowd/learning/q_table.h"
-#include "social_crowd/learning/step_sizes.h"
 
 namespace crowd {
 
@@ -15,7 +15,7 @@ namespace crowd {
 /// visits since. Visits since add up. A value that one copy alone has visited is taken over as it is, and what a value
 /// becomes depends on that value alone, not on the others or on how the rows are shared out. Not for copies that were
 /// learned with traces: these change values without visits.
-void mergeCopies(const std::vector<const QTable*>& copies, const StepSizes& step_sizes, Row begin, Row end,
-                 QTable& table);
+void mergeCopies(const std::vector<const QTable*>& copies, const LearningRateSchedule& learning_rates, Row begin,
+                 Row end, QTable& table);
 
 }  // namespace crowd

@@ -15,7 +15,7 @@ struct Model {
   std::shared_ptr<const StateSet> state_set;
   std::shared_ptr<const ActionSet> action_set;
   std::shared_ptr<const Reward> reward;
-  bool occlusion = false;  ///< what nearer bodies and walls hide is not perceived
+  bool occlusion = false;  ///< what nearer neighbours and walls hide is not perceived
 
   /// @brief How an agent perceives, and how far it must so that the state set sees all it looks at.
   Vision vision() const;

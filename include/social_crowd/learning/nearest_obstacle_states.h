@@ -32,7 +32,7 @@ class NearestObstacleStates : public StateSet {
   explicit NearestObstacleStates(const Parameters& parameters);
 
   Row rowCount() const override { return terminal() + 1; }
-  void findRows(const Chooser& chooser) const override { *chooser.rows = rowOf(describe(chooser.seen)); }
+  void findRows(const DecisionContext& context) const override { *context.rows = rowOf(describe(context.seen)); }
   Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;

@@ -16,8 +16,8 @@ namespace crowd {
 ///    from the agent's centre to the body's rim;
 /// 2. the limiting vectors of the sectors, with the lengths of the distance classes, are intersected with the body: the
 ///    sectors on both sides of a vector that is cut take the class of the shortest length that is cut.
-/// The smallest class of all bodies counts. Walls, which the thesis does not have, are treated the same way, with their
-/// nearest point in place of the centre.
+/// The smallest class of all neighbours counts. Walls, which the thesis does not have, are treated the same way, with
+/// their nearest point in place of the centre.
 ///
 /// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
 /// 3^8 * G + code, terminal 3^8 * 8.
@@ -41,7 +41,7 @@ class OccupancyStates : public StateSet {
   explicit OccupancyStates(const Parameters& parameters);
 
   Row rowCount() const override { return terminal() + 1; }
-  void findRows(const Chooser& chooser) const override { *chooser.rows = rowOf(chooser.seen); }
+  void findRows(const DecisionContext& context) const override { *context.rows = rowOf(context.seen); }
   Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
@@ -76,7 +76,7 @@ class OccupancyStates : public StateSet {
   static void occupy(Occupied& occupied, SectorSet sectors, int distance_class) {
     occupied[static_cast<std::size_t>(distance_class) - 1] |= sectors;
   }
-  void addBody(const Vector2& centre, double radius, Occupied& occupied) const;
+  void addNeighbour(const Vector2& centre, double radius, Occupied& occupied) const;
   void addWall(const Segment& wall, Occupied& occupied) const;
 
   Parameters parameters_;

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "social_crowd/learning/learning_parameters.h"
+#include "social_crowd/learning/learning_rate_schedule.h"
 #include "social_crowd/learning/mirror.h"
 #include "social_crowd/learning/q_table.h"
-#include "social_crowd/learning/step_sizes.h"
 
 namespace crowd {
 
@@ -38,7 +38,7 @@ class QLearner {
   }
 
   /// @brief Notes that an action was taken; the next learn() is about it. Cuts the traces if the action is not greedy.
-  void noteDecision(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters) {
+  void recordDecision(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters) {
     if (parameters.lambda > 0.0) {
       fadeTraces(table, rows, action, parameters);
     } else {
@@ -51,14 +51,14 @@ class QLearner {
 
   /// @brief Learns from the noted decision: it brought `reward` and led to a state with these rows.
   void learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters,
-             const StepSizes& step_sizes, const Mirror& mirror = Mirror()) {
-    update(table, reward + parameters.gamma * table.greedyValue(next), parameters, step_sizes, mirror);
+             const LearningRateSchedule& learning_rates, const Mirror& mirror = Mirror()) {
+    update(table, reward + parameters.gamma * table.greedyValue(next), parameters, learning_rates, mirror);
   }
 
   /// @brief Learns from the noted decision: it brought `reward` and ended the episode; nothing is expected beyond.
-  void learnTerminal(QTable& table, double reward, const LearningParameters& parameters, const StepSizes& step_sizes,
-                     const Mirror& mirror = Mirror()) {
-    update(table, reward, parameters, step_sizes, mirror);
+  void learnTerminal(QTable& table, double reward, const LearningParameters& parameters,
+                     const LearningRateSchedule& learning_rates, const Mirror& mirror = Mirror()) {
+    update(table, reward, parameters, learning_rates, mirror);
     resetTraces();
   }
 
@@ -78,8 +78,8 @@ class QLearner {
   };
   static constexpr double NEGLIGIBLE_TRACE = 1e-6;
 
-  void update(QTable& table, double target, const LearningParameters& parameters, const StepSizes& step_sizes,
-              const Mirror& mirror);
+  void update(QTable& table, double target, const LearningParameters& parameters,
+              const LearningRateSchedule& learning_rates, const Mirror& mirror);
   void fadeTraces(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters);
   void addToTraces(QTable& table, double step, double mirrored_step, const Mirror& mirror);
   void remember(const Trace& trace);

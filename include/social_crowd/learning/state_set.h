@@ -9,7 +9,7 @@
 
 #include "social_crowd/common/yaml_reader.h"
 #include "social_crowd/learning/action_set.h"
-#include "social_crowd/learning/chooser.h"
+#include "social_crowd/learning/decision_context.h"
 
 namespace crowd {
 
@@ -43,10 +43,10 @@ class StateSet {
   virtual bool needsMoves() const { return false; }
   /// @brief Writes rowsPerPerception() rows for what an agent on its way perceives; its moves are of no meaning unless
   /// needsMoves().
-  virtual void findRows(const Chooser& chooser) const = 0;
+  virtual void findRows(const DecisionContext& context) const = 0;
   /// @brief The same for several agents.
-  virtual void findRowsOfAll(const Choosers& choosers) const {
-    for (const Chooser& chooser : choosers) findRows(chooser);
+  virtual void findRowsOfAll(const DecisionBatch& contexts) const {
+    for (const DecisionContext& context : contexts) findRows(context);
   }
   /// @brief The row that a perception maps to if left and right are exchanged in it; of several rows, that of the
   /// mirrored action. A perception exactly on a limit of a sector may map to the neighbour of that row.
@@ -58,8 +58,8 @@ class StateSet {
   virtual std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const = 0;
   /// @brief Outer limits of the distance classes 1, 2, ... to the other's rim [m]; the last is how far it looks.
   virtual std::vector<double> distanceLimits() const = 0;
-  /// @brief The nearest so many bodies are all it looks at; 0: no limit.
-  virtual std::uint32_t maxBodies() const { return 0; }
+  /// @brief The nearest so many neighbours are all it looks at; 0: no limit.
+  virtual std::uint32_t maxNeighbours() const { return 0; }
   /// @brief Name and parameters as one canonical line of YAML; two sets are the same if these are.
   virtual std::string spec() const = 0;
 };

@@ -6,7 +6,7 @@
 
 namespace crowd {
 
-/// @brief The thesis's reward: a prize on arrival, else a goal part and an obstacle part (3.6-3.9), less a price for
+/// @brief The thesis's reward: a prize on arrival, else a goal part and an obstacle part (3.6-3.9), less a penalty for
 /// staying.
 class ThesisReward : public Reward {
  public:

@@ -25,7 +25,7 @@ Vector2 fromVector3(const geometry_msgs::Vector3& vector);
 /// @brief Agents and obstacles as they are now, tick and time; not header and episode.
 void toMessage(const World& world, social_crowd::AgentStates& message);
 
-/// @brief Figures of the episode and of each agent; not header, episode, instance and the counts of answers.
+/// @brief Metrics of the episode and of each agent; not header, episode, instance and the counts of answers.
 void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message);
 
 /// @brief What an episode begins with; not header, episode and instance.

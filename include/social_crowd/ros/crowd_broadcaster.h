@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/common/recycler.h"
+#include "social_crowd/common/object_pool.h"
 #include "social_crowd/ros/controller_parameters.h"
 #include "social_crowd/simulation/episode.h"
 
@@ -47,7 +47,7 @@ class CrowdBroadcaster {
   ros::SteadyTime agents_told_at_;
   std::optional<std::pair<std::uint64_t, std::uint64_t>> agents_told_;  // episode and tick
   ros::Publisher agents_;
-  Recycler<social_crowd::AgentStatesPtr> states_;
+  ObjectPool<social_crowd::AgentStatesPtr> states_;
   ros::Publisher scenario_;
   ros::Publisher results_;
   ros::Publisher clock_publisher_;

@@ -86,7 +86,7 @@ class CrowdController {
   bool tick_ended_ = true;        // no turn of the tick is under way
   std::vector<double> headings_;  // of the agents at the end of the last episode [rad]
   bool cut_off_ = false;          // the episode was replaced while a tick was under way
-  Figures figures_;
+  Metrics metrics_;
 
   Clock next_tick_;
   bool paused_;

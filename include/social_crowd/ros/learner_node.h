@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/recycler.h"
+#include "social_crowd/common/object_pool.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/ros/latched_publisher.h"
 #include "social_crowd/ros/learner_parameters.h"
@@ -69,7 +69,7 @@ class LearnerNode {
   std::uint64_t save_every_;
   Learner learner_;
 
-  Recycler<ActionsMessage::Ptr> replies_;
+  ObjectPool<ActionsMessage::Ptr> replies_;
   std::uint64_t run_ = 0;            // of the controller heard last
   std::uint64_t episode_ = 0;        // of the last perceptions
   std::uint64_t tick_ = 0;           // of the last perceptions

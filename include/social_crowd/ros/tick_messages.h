@@ -31,7 +31,7 @@ struct PerceptionsMessage {
   const Perceptions& content() const { return shared != nullptr ? *shared : received; }
 };
 
-/// @brief A learner's answer; on the wire social_crowd/RelativeActions. Whether the actions are sound is judged by who
+/// @brief A learner's answer; on the wire social_crowd/RelativeActions. Whether the actions are valid is judged by who
 /// takes them.
 struct ActionsMessage {
   using Wire = social_crowd::RelativeActions;
@@ -49,7 +49,7 @@ constexpr AgentId AGENT_LIMIT = 10'000'000;
 
 /// @brief To be asked before what came in a message is used.
 /// @throws InputError if it contradicts itself: parts beyond the lists, numbers that are not finite.
-void requireSound(const Perceptions& perceptions);
+void requireValid(const Perceptions& perceptions);
 
 }  // namespace crowd
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "social_crowd/common/recycler.h"
+#include "social_crowd/common/object_pool.h"
 
 namespace crowd {
 
@@ -17,7 +17,7 @@ namespace crowd {
 template <typename Message>
 ros::Subscriber subscribeToTicks(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue,
                                  const std::function<void(const ros::MessageEvent<const Message>&)>& take) {
-  const auto messages = std::make_shared<Recycler<typename Message::Ptr>>();
+  const auto messages = std::make_shared<ObjectPool<typename Message::Ptr>>();
   ros::SubscribeOptions options;
   options.initByFullCallbackType<const ros::MessageEvent<const Message>&>(topic, queue, take,
                                                                           [messages] { return messages->next(); });

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "social_crowd/common/recycler.h"
+#include "social_crowd/common/object_pool.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/simulation/greedy_crowd.h"
@@ -21,8 +21,9 @@ namespace crowd {
 class Episode {
  public:
   /// @param number goes into the perceptions; learners draw their exploration from it.
-  /// @param workers share out the agents as long as the episode lives; what comes of it does not depend on their number
-  Episode(Scene scene, std::uint64_t number, const Vision& vision, Workers& workers = Workers::alone());
+  /// @param thread_pool its threads share out the agents as long as the episode lives; what comes of it does not depend
+  /// on their number
+  Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool = ThreadPool::callerOnly());
 
   /// @brief What the agents perceive whose turn it is; once the episode is over that is all of them, with `last`.
   const Perceptions& perceptions();
@@ -64,10 +65,10 @@ class Episode {
   Scene scene_;
   World world_;
   Vision vision_;
-  Workers* workers_;
+  ThreadPool* thread_pool_;
   EpisodeMonitor monitor_;
   std::uint64_t number_;
-  Recycler<std::shared_ptr<Perceptions>> buffers_;
+  ObjectPool<std::shared_ptr<Perceptions>> buffers_;
   std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // those of the last time that somebody asked
   bool may_be_held_ = false;                                    // by others: they were shared
   bool are_current_ = false;

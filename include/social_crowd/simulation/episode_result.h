@@ -13,7 +13,7 @@ namespace crowd {
 /// @brief How one agent fared in an episode.
 struct AgentResult {
   bool arrived = false;
-  bool removed = false;             ///< was taken off the floor on the way; counts in no figure
+  bool removed = false;             ///< was taken off the floor on the way; counts in no metric
   bool touched = false;             ///< in contact in any tick before it arrived
   bool collided = false;            ///< in collision in any tick before it arrived (thesis, 4.1), see World
   std::uint64_t blocked_moves = 0;  ///< moves that were cut short where it touched something; solid worlds only
@@ -22,9 +22,9 @@ struct AgentResult {
   double path_length = 0.0;         ///< [m]
   double straight_length = 0.0;     ///< start to goal (to goal ...) less the goal tolerance [m]
   double path_ratio = 0.0;          ///< path_length / straight_length
-  double time_ratio = 0.0;          ///< time * top speed / straight_length
+  double time_ratio = 0.0;          ///< time * maximum speed / straight_length
   double turn_per_metre = 0.0;      ///< summed change of direction of motion per metre walked [rad/m]
-  double max_speed_ratio = 0.0;     ///< fastest tick / top speed
+  double max_speed_ratio = 0.0;     ///< fastest tick / maximum speed
   double distance_gained = 0.0;     ///< by how much it came nearer to its goal, all goals it walked to summed up [m]
   double gain_per_tick = 0.0;       ///< the thesis's distance gained per step: distance_gained / ticks [m]
   double path_per_gain = 0.0;       ///< path_length / distance_gained; not a number if nothing was gained
@@ -57,10 +57,10 @@ class EpisodeMonitor {
   /// @brief Takes in the agent that was put into the world last.
   void watch(const AgentStart& start, const World& world);
   /// @brief Takes note that an agent has another goal [m]; its straight way goes on to that from where it is.
-  void noteGoal(const Agent& agent, const Vector2& goal);
+  void recordGoal(const Agent& agent, const Vector2& goal);
 
-  /// @brief To be called after every step. @param workers share out the agents
-  void observe(const World& world, Workers& workers = Workers::alone());
+  /// @brief To be called after every step. @param thread_pool its threads share out the agents
+  void observe(const World& world, ThreadPool& thread_pool = ThreadPool::callerOnly());
   EpisodeResult result() const;
 
  private:
@@ -77,7 +77,7 @@ class EpisodeMonitor {
     double longest_step = 0.0;  // [m]
     double distance = 0.0;      // from the goal
     double turn = 0.0;
-    double speed = 0.0;
+    double max_speed = 0.0;
     AgentResult result;
   };
   /// @param along_heading whether it moved the way it looks
@@ -90,8 +90,8 @@ class EpisodeMonitor {
   std::vector<Track> tracks_;
 };
 
-/// @brief Figures over many episodes, as the steering benchmark's scorer prints them.
-class Figures {
+/// @brief Metrics over many episodes, as the steering benchmark's scorer prints them.
+class Metrics {
  public:
   void add(const EpisodeResult& result);
 

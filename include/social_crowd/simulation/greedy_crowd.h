@@ -14,20 +14,20 @@ namespace crowd {
 class GreedyCrowd {
  public:
   /// @param episode its number; with the tick it is what chance decides by between equal values
-  /// @param workers share out the agents; what is decided does not depend on their number
+  /// @param thread_pool its threads share out the agents; what is decided does not depend on their number
   /// @param actions is overwritten; neighbours stand one after the other
   void decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
-              std::vector<AgentAction>& actions, Workers& workers = Workers::alone());
+              std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
 
  private:
   /// What a worker needs.
-  struct Desk {
-    World::Looker looker;
+  struct ThreadWorkspace {
+    World::PerceptionWorkspace perception_workspace;
     Perceptions perceptions;
-    Learner::Space space;
+    Learner::DecisionWorkspace decision_workspace;
   };
 
-  std::vector<Desk> desks_;
+  std::vector<ThreadWorkspace> workspaces_;
   std::vector<std::vector<AgentAction>> decided_;  // by block, where several workers decide
 };
 

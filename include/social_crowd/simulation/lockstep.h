@@ -16,7 +16,7 @@ using LearnerId = std::uint32_t;
 enum class Refusal {
   NOT_ASKED,      ///< the agent was never asked, or not in the tick that the answer names
   BAD_ROTATION,   ///< not a finite number
-  BAD_SPEED,      ///< speed_share is not within 0 to 1
+  BAD_SPEED,      ///< speed_fraction is not within 0 to 1
   TOO_LATE,       ///< for a tick or an episode that is over
   TOO_EARLY,      ///< for a tick or an episode that has not begun
   SECOND_ANSWER,  ///< the learner has answered for this agent already, with another action

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "social_crowd/world/geometry.h"
-#include "social_crowd/world/view.h"
+#include "social_crowd/world/span.h"
 
 namespace crowd {
 
@@ -70,7 +70,7 @@ class NeighbourGrid {
   using Runs = std::vector<Run>;
   /// @brief Some runs, and how many discs they hold.
   struct RunsNear {
-    View<Run> runs;
+    Span<Run> runs;
     std::size_t discs;
   };
 

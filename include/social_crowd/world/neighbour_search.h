@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "social_crowd/world/neighbour_grid.h"
-#include "social_crowd/world/view.h"
+#include "social_crowd/world/span.h"
 
 namespace crowd {
 
@@ -22,14 +22,14 @@ class NeighbourSearch {
   /// @brief The discs whose rim is within `distance` [m] of the point, nearest rim first, equal ones by their body's
   /// number; not more than `most` of them (0: all). Valid until the next search.
   /// @param except a body that is left out
-  View<NearDisc> findNearest(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
+  Span<NearDisc> findNearest(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
                              std::uint32_t except);
 
  private:
   /// One disc after the other.
-  View<NearDisc> findInShortList(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
+  Span<NearDisc> findInShortList(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
                                  std::uint32_t except);
-  View<NearDisc> findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
+  Span<NearDisc> findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance, std::size_t most,
                             std::uint32_t except);
   /// Writes down the discs whose rim is within the distance; makes `count_` of them.
   void collect(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except);

@@ -22,10 +22,11 @@ namespace crowd {
 /// perceived.
 class Occlusion {
  public:
-  /// @param bodies from number `first_body` on, and walls from `first_wall` on, are those of one agent, in its frame;
-  /// what lies before stays as it is. Bodies come and leave nearest rim first; equal ones stay in their order.
+  /// @param neighbours from number `first_neighbour` on, and walls from `first_wall` on, are those of one agent, in its
+  /// frame; what lies before stays as it is. Neighbours come and leave nearest rim first; equal ones stay in their
+  /// order.
   /// @param radius of vision; parts of bodies and walls that lie beyond are left out, too [m]
-  void apply(std::vector<PerceivedBody>& bodies, std::size_t first_body, std::vector<Segment>& walls,
+  void apply(std::vector<Neighbour>& neighbours, std::size_t first_neighbour, std::vector<Segment>& walls,
              std::size_t first_wall, double radius);
 
  private:
@@ -58,18 +59,18 @@ class Occlusion {
     bool isAll() const { return from <= 0.0 && to >= 1.0; }
   };
 
-  static Screen screenOf(const PerceivedBody& body);
+  static Screen screenOf(const Neighbour& neighbour);
   static Screen screenOf(const Segment& wall);
   /// The disc that a part of a body's chord spans.
-  static PerceivedBody spanned(const PerceivedBody& body, const Screen& chord, const Part& part);
+  static Neighbour spanned(const Neighbour& neighbour, const Screen& chord, const Part& part);
   void addHiddenPart(const Screen& seen, const Screen& other);
   /// Finds the parts of a thing that the screens leave to be seen; its own number among them, or a number beyond them.
   const std::vector<Part>& visibleParts(const Screen& seen, std::size_t own);
   /// Adds the screens of the bodies. Near ones come first and hide most of the others, which then need not be looked
   /// at as screens and are left out: what they hide is hidden by those in front of them as well.
-  void screenBodies(std::vector<PerceivedBody>& bodies, std::size_t first);
+  void screenNeighbours(std::vector<Neighbour>& neighbours, std::size_t first);
   /// Leaves what is seen of them: also one with its rim a bit further away may stand before one that is larger.
-  void cutBodies(std::vector<PerceivedBody>& bodies, std::size_t first, std::size_t first_screen, double radius);
+  void cutNeighbours(std::vector<Neighbour>& neighbours, std::size_t first, std::size_t first_screen, double radius);
   void cutWalls(std::vector<Segment>& walls, std::size_t first, double radius);
 
   std::vector<Screen> screens_;  // of the walls, then of the bodies

@@ -9,8 +9,8 @@ namespace crowd {
 
 /// @brief What an agent does in a tick, in its own frame: first turn, then walk straight ahead.
 struct RelativeAction {
-  double rotation = 0.0;     ///< of the heading, counterclockwise [rad]
-  double speed_share = 0.0;  ///< of the top speed, 0 (stay) to 1
+  double rotation = 0.0;        ///< of the heading, counterclockwise [rad]
+  double speed_fraction = 0.0;  ///< of the maximum speed, 0 (stay) to 1
 };
 
 /// @brief One agent's answer.

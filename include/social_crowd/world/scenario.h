@@ -40,7 +40,7 @@ struct AgentGroup {
   Region position;
   std::vector<Region> goals;        ///< one after the other; empty: the goal is the start mirrored at `opposite`
   std::optional<Vector2> opposite;  ///< [m]
-  Range speed;                      ///< [m/s]
+  Range max_speed;                  ///< [m/s]
   Range radius;                     ///< [m]
   std::optional<Range> heading;     ///< [rad]; absent: towards the first goal
   bool keeps_heading = false;       ///< see AgentStart

@@ -10,7 +10,8 @@ std::string shippedScenarios();
 /// @brief The file that somebody means who names a scenario.
 ///
 /// That is a file, if there is one of that path; else, of a bare name with or without `.yaml`, the scenario of that
-/// name in a folder. So a file wins over a name, everywhere: command lines, recipes, parameters and services.
+/// name in a folder. So a file wins over a name, everywhere: command lines, training configurations, parameters and
+/// services.
 /// @param base relative paths of files begin there; empty: in the working directory
 /// @param folder of the scenarios that have names
 /// @throws InputError telling where it was looked for and, the nearest first, which scenarios are there.

@@ -28,7 +28,7 @@ struct AgentStart {
   Vector2 position = Vector2::Zero();  ///< [m], `map`
   double heading = 0.0;                ///< [rad], `map`
   std::vector<Vector2> goals;          ///< [m], `map`; reached one after the other, at least one
-  double speed = 0.0;                  ///< top speed [m/s]
+  double max_speed = 0.0;              ///< maximum speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
   bool keeps_heading = false;  ///< begins with the heading it had when the last episode ended, see keepHeadings()
 };

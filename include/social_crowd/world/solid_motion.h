@@ -69,9 +69,9 @@ class SolidMotion {
 
   void begin(const std::vector<Disc>& discs);
   void findNeighbours();
-  void foresee(Index agent, Index other, double now);
-  void foreseeWalls(Index agent, double now);
-  void foreseeAll(Index agent, double now);
+  void predictImpact(Index agent, Index other, double now);
+  void predictWallImpacts(Index agent, double now);
+  void predictImpacts(Index agent, double now);
   void add(const Impact& impact);
   bool isStale(const Impact& impact) const;
   /// Takes the impacts of the next instant off the heap; their time, or NEVER.

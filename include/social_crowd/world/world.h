@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "social_crowd/common/workers.h"
+#include "social_crowd/common/thread_pool.h"
 #include "social_crowd/world/neighbour_grid.h"
 #include "social_crowd/world/neighbour_search.h"
 #include "social_crowd/world/occlusion.h"
@@ -27,7 +27,7 @@ struct Agent {
   Pose pose;                           ///< in `map`
   Vector2 ahead = Vector2::UnitX();    ///< unit vector of the heading
   Vector2 velocity = Vector2::Zero();  ///< of the last tick, `map` [m/s]
-  double speed = 0.0;                  ///< top speed [m/s]
+  double max_speed = 0.0;              ///< maximum speed [m/s]
   double radius = 0.0;                 ///< [m]
   std::vector<Vector2> goals;          ///< [m], `map`
   std::size_t next_goal = 0;
@@ -93,11 +93,11 @@ class World {
   bool isPerceiving(AgentId id) const { return id < agents_.size() && isPerceiving(agents_[id]); }
 
   /// @brief Working space of one thread that perceives.
-  struct Looker {
+  struct PerceptionWorkspace {
     NeighbourSearch search;
     Occlusion occlusion;
-    PerceivedBodies near;               ///< all near one agent, some perhaps hidden
-    std::vector<PerceivedBody> bodies;  ///< those that are not
+    NeighbourList near;                 ///< all near one agent, some perhaps hidden
+    std::vector<Neighbour> neighbours;  ///< those that are not
     std::vector<Segment> walls;         ///< of all agents it looked for
   };
 
@@ -106,18 +106,19 @@ class World {
   /// @brief The same as perceive(), for those agents alone that are among the bodies first .. last-1, in the order of
   /// these. Who has just arrived is not. Neighbours stand one after the other. Any number of threads may do that, each
   /// with working space and perceptions of its own.
-  void perceiveSome(const Vision& vision, std::size_t first, std::size_t last, Looker& looker,
+  void perceiveSome(const Vision& vision, std::size_t first, std::size_t last, PerceptionWorkspace& workspace,
                     Perceptions& perceptions) const;
 
   /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
-  /// @param workers share out the agents; what becomes of them does not depend on their number
-  /// @throws InputError if any action is not finite or its share of the speed is not in 0..1; nothing has moved then.
-  void step(const std::vector<AgentAction>& actions, Workers& workers = Workers::alone());
+  /// @param thread_pool its threads share out the agents; what becomes of them does not depend on their number
+  /// @throws InputError if any action is not finite or its fraction of the maximum speed is not in 0..1; nothing has
+  /// moved then.
+  void step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
   /// @brief Moves one agent now, by the action of that agent among the given ones; without one it stays.
   /// @throws InputError as step() does; nothing has moved then.
   void moveAgent(AgentId id, const std::vector<AgentAction>& actions);
   /// @brief Ends a tick in which agents moved one after the other. Agents that had no turn in it stayed.
-  void endTick(Workers& workers = Workers::alone());
+  void endTick(ThreadPool& thread_pool = ThreadPool::callerOnly());
 
   /// @brief Puts one more agent on the floor. Returns its number. @throws InputError if its place is taken, it has no
   /// goal, or a number is out of its range.
@@ -127,7 +128,7 @@ class World {
   /// @brief Gives an agent one goal in place of all it had [m]. @throws InputError unless it is on its way.
   void setGoal(AgentId id, const Vector2& goal);
   /// @brief Puts one more obstacle on the floor; its path begins now. Returns its number. @throws InputError if it is
-  /// not sound or overlaps an agent.
+  /// not valid or overlaps an agent.
   std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
   /// @brief Takes an obstacle off the floor; the numbers of those behind it go down by one. @throws InputError
   void removeObstacle(std::size_t number);
@@ -138,7 +139,7 @@ class World {
   /// Moves the solid bodies that `moves` tells of (agents by number, then obstacles); the others stand still.
   template <typename Moves>
   void moveSolids(const Moves& moves);
-  void finishTick(Workers& workers);
+  void finishTick(ThreadPool& thread_pool);
   /// Puts an agent that has moved into its new place in the grid.
   void updateGridOf(const Agent& agent);
   void endMove(Agent& agent, std::size_t& arrivals) const;
@@ -156,15 +157,16 @@ class World {
   bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
   bool isPerceiving(const Agent& agent) const { return agent.isWalking() || hasJustArrived(agent); }
   /// For so many agents, with the space that they need.
-  void begin(const Vision& vision, std::size_t agents, Looker& looker, Perceptions& perceptions) const;
+  void begin(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace, Perceptions& perceptions) const;
   /// Writes what the agent perceives that comes after `before` others.
-  void look(const Vision& vision, const Agent& agent, std::size_t before, Looker& looker, AgentPerception& self,
-            Perceptions& perceptions) const;
+  void look(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
+            AgentPerception& self, Perceptions& perceptions) const;
   void lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
   /// Writes the bodies that the search has found.
-  void findBodies(const View<NearDisc>& found, const Agent& agent, std::size_t first, PerceivedBodies& bodies) const;
-  void findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, Looker& looker) const;
-  void hide(const Vision& vision, AgentPerception& self, Looker& looker) const;
+  void writeNeighbours(const Span<NearDisc>& found, const Agent& agent, std::size_t first,
+                       NeighbourList& neighbours) const;
+  void findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, PerceptionWorkspace& workspace) const;
+  void hide(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const;
   Agent& findWalking(AgentId id);
   void requireFreePlace(const Vector2& centre, double radius, bool agents_only);
   void refresh();
@@ -189,7 +191,7 @@ class World {
   SolidMotion solid_motion_;
   std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
   std::vector<bool> had_turn_;                 // of each agent, since the last tick ended
-  Looker looker_;                              // of perceive()
+  PerceptionWorkspace workspace_;              // of perceive()
   std::vector<std::uint32_t> places_;          // place in Perceptions::agents of each agent
 };
 

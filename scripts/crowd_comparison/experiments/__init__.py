@@ -1,4 +1,4 @@
 """The parts of the comparison. Each module has NAME, TITLE, plan(setting) and report(setting)."""
-from . import ablations, benchmark, crowds, lanes, movers
+from . import ablations, benchmark, crowds, lanes, moving_obstacles
 
-ALL = (benchmark, crowds, movers, lanes, ablations)
+ALL = (benchmark, crowds, moving_obstacles, lanes, ablations)

@@ -3,9 +3,9 @@ from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run
-from crowd_experiments.variations import vary_recipe
+from crowd_experiments.variations import vary_config
 
-from ..figures_csv import greatest, judged, least, not_slower, read_figures, time_against
+from ..metrics_csv import greatest, judged, least, not_slower, read_metrics, time_against
 from ..models import COLOURS, ORCA, OURS
 from .benchmark import spread_text
 
@@ -14,26 +14,26 @@ TITLE = 'Ablations'
 SEEDS = 3
 QUICK_EPISODES = 5
 WHOLE = 'everything'
-# What is put in place of the recipe's keys.
+# What is put in place of the training configuration's keys.
 ABLATIONS = {
     WHOLE: {},
     'no reciprocal time': {'state_set.reciprocal_times': []},
-    'no selfish time': {'state_set.selfish_times': []},
-    'no time to fixed things': {'state_set.fixed_times': []},
-    'no share left': {'state_set.shares': []},
+    'no constant-velocity time': {'state_set.constant_velocity_times': []},
+    'no time to static bodies': {'state_set.static_times': []},
+    'no admissible fraction': {'state_set.admissible_fractions': []},
     'no turn in the state': {'state_set.turns': []},
     'no oncoming': {'state_set.oncoming': []},
     'gap shared half and half': {'action_set.gap_sharing': 'half'},
-    'no contact rule': {'action_set.gap_sharing': 'none'},
-    'no way out of movers': {'action_set.lookout': 0},
+    'no separation rule': {'action_set.gap_sharing': 'none'},
+    'no escape from moving obstacles': {'action_set.lookout': 0},
     'no stay': {'action_set.stay': False},
     'no slow moves': {'action_set.slow_headings': []},
-    'no conflict price': {'reward.conflict_price': 0},
-    'no turn price': {'reward.turn_price': 0},
-    'no rest price': {'reward.rest_price': 0},
+    'no conflict penalty': {'reward.conflict_penalty': 0},
+    'no turn penalty': {'reward.turn_penalty': 0},
+    'no rest penalty': {'reward.rest_penalty': 0},
     'gamma 0.95': {'learning.gamma': 0.95},
     'gamma 0.1, as the thesis': {'learning.gamma': 0.1},
-    'fixed step size': {'learning.alpha': 0.1, 'learning.alpha_decay': 0},
+    'constant learning rate': {'learning.alpha': 0.1, 'learning.alpha_decay': 0},
 }
 QUICK_ABLATIONS = (WHOLE, 'no stay')
 
@@ -55,26 +55,26 @@ def plan(setting):
 
 def make_run(setting, ablation, seed):
     return Run(setting.run_folder(NAME, run_name(ablation, seed)), [
-        [setting.tool('train'), write_recipe(setting, ablation), '--output', 'q_table.txt', '--seed', seed]
+        [setting.tool('train'), write_config(setting, ablation), '--output', 'q_table.txt', '--seed', seed]
         + (['--episodes', QUICK_EPISODES] if setting.quick else []),
-        [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'figures.csv',
+        [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'metrics.csv',
          *setting.benchmark_scenarios()],
     ], cost=14.0)
 
 
-def write_recipe(setting, ablation):
-    """The shipped recipe with what is switched off."""
-    return vary_recipe(setting, setting.learning(OURS), ABLATIONS[ablation], run_name(ablation, 0)[:-3])
+def write_config(setting, ablation):
+    """The shipped training configuration with what is switched off."""
+    return vary_config(setting, setting.learning(OURS), ABLATIONS[ablation], run_name(ablation, 0)[:-3])
 
 
 def report(setting):
     """The chapter, from the runs' figures."""
-    orca = read_figures(setting.benchmark / 'reference.csv', ORCA)
-    found = {ablation: [read_figures(setting.run_folder(NAME, run_name(ablation, seed)) / 'figures.csv')
+    orca = read_metrics(setting.benchmark / 'reference.csv', ORCA)
+    found = {ablation: [read_metrics(setting.run_folder(NAME, run_name(ablation, seed)) / 'metrics.csv')
                         for seed in setting.seeds(SEEDS, 1)] for ablation in ablations_of(setting)}
     chapter = Chapter(NAME, TITLE)
     chapter.tell(
-        'One idea switched off at a time, all else as in the recipe, trained anew with '
+        'One idea switched off at a time, all else as in the training configuration, trained anew with '
         f'{len(setting.seeds(SEEDS, 1))} seeds each and walked through the benchmark. Contact, path and turning: the '
         'worst scenario; clean: the worst scenario without door12, and the mean. Mean (lowest-highest) over the seeds.')
     scenarios = judged(orca)
@@ -85,7 +85,7 @@ def report(setting):
         'clean %, worst': (lambda f: least(f, 'clean_pct', scenarios), 0),
         'clean %, mean': (lambda f: Spread(f[name]['clean_pct'] for name in scenarios).mean, 1),
         'path': (lambda f: greatest(f, 'path_ratio'), 3), 'turn rad/m': (lambda f: greatest(f, 'turn_rad_per_m'), 2)}
-    rows = [[ablation, *(spread_text([measure(figures) for figures in seeds], decimals)
+    rows = [[ablation, *(spread_text([measure(metrics) for metrics in seeds], decimals)
                          for measure, decimals in columns.values())] for ablation, seeds in found.items()]
     chapter.add_table('What each idea is worth', ['', *columns], rows, 'ablations')
     add_figure(chapter, setting, found, orca)
@@ -101,10 +101,10 @@ def add_figure(chapter, setting, found, orca):
     names = list(found)[::-1]
     for panel, measure, label in zip(axes[0], measures, labels):
         for place, ablation in enumerate(names):
-            values = [measure(figures) for figures in found[ablation]]
+            values = [measure(metrics) for metrics in found[ablation]]
             colour = COLOURS[OURS] if ablation == WHOLE else '0.35'
             panel.plot(values, [place] * len(values), 'o', color=colour, markersize=5)
-        panel.axvline(Spread(measure(figures) for figures in found[WHOLE]).mean, color=COLOURS[OURS], linewidth=1)
+        panel.axvline(Spread(measure(metrics) for metrics in found[WHOLE]).mean, color=COLOURS[OURS], linewidth=1)
         panel.set_xlabel(label)
         panel.set_yticks(range(len(names)), names)
     chapter.add_figure(style.save(figure, setting.figure_file('ablations')),

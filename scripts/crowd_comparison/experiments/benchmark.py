@@ -7,7 +7,7 @@ from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run, processor_seconds
 
 from .. import bars
-from ..figures_csv import greatest, judged, largest_difference, least, not_slower, read_figures, time_against
+from ..metrics_csv import greatest, judged, largest_difference, least, not_slower, read_metrics, time_against
 from ..models import COLOURS, LEARNED, NAMES, ORCA, OURS, REFERENCES
 
 NAME = 'benchmark'
@@ -40,7 +40,7 @@ def make_run(setting, model, seed):
     return Run(run_folder(setting, model, seed), [
         [setting.tool('train'), setting.learning(model), '--output', 'q_table.txt', '--seed', seed]
         + (['--episodes', QUICK_EPISODES[model]] if setting.quick else []),
-        [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'figures.csv',
+        [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'metrics.csv',
          *setting.benchmark_scenarios()],
     ], cost=COSTS[model])
 
@@ -48,7 +48,7 @@ def make_run(setting, model, seed):
 def make_scored_run(setting):
     """The shipped table, by evaluate and by the benchmark's scorer."""
     return Run(scored_folder(setting), [
-        [setting.tool('evaluate'), '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'figures.csv',
+        [setting.tool('evaluate'), '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
          '--trajectories', 'trajectories', *setting.benchmark_scenarios()],
         [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
          'scored.csv'],
@@ -57,16 +57,17 @@ def make_scored_run(setting):
 
 def report(setting):
     """The chapter, from the runs' figures."""
-    learned = {model: [read_figures(run_folder(setting, model, seed) / 'figures.csv')
+    learned = {model: [read_metrics(run_folder(setting, model, seed) / 'metrics.csv')
                        for seed in setting.seeds(SEEDS)] for model in LEARNED}
-    references = {model: read_figures(setting.benchmark / 'reference.csv', model) for model in REFERENCES}
+    references = {model: read_metrics(setting.benchmark / 'reference.csv', model) for model in REFERENCES}
     seconds = [processor_seconds(run_folder(setting, OURS, seed))[0] for seed in setting.seeds(SEEDS)]
     chapter = Chapter(NAME, TITLE)
     chapter.tell(
         f'Fixed scenes, the same for every model; {len(setting.seeds(SEEDS))} training seeds of each learned one. '
         'Contact: agents whose body overlapped another one or a wall by more than 1 mm at the end of any tick; clean: '
-        'instances in which everybody arrived and nobody was in contact; time: time x top speed / straight way; path: '
-        'way walked / straight way; both of who arrived. Means over scenarios leave out door12, which needs a way to '
+        'instances in which everybody arrived and nobody was in contact; time: time x maximum speed / straight way; '
+        'path: way walked / straight way; both of who arrived. '
+        'Means over scenarios leave out door12, which needs a way to '
         'be found around walls. Spreads are mean (lowest-highest) over the training seeds.')
     chapter.add_table(f'What is asked for, of {NAMES[OURS]}', bars.HEADER,
                       bars.rows(learned[OURS], references[ORCA], seconds), 'bars')
@@ -87,19 +88,19 @@ def spread_text(values, decimals):
 
 def all_models(learned, references):
     """Lists of figures by model: one for each seed, a single one for the references."""
-    return {**learned, **{model: [figures] for model, figures in references.items()}}
+    return {**learned, **{model: [metrics] for model, metrics in references.items()}}
 
 
 def add_overview(chapter, learned, references):
     orca = references[ORCA]
     columns = {
-        'time / ORCA': lambda figures: time_against(figures, orca), 'not slower in': lambda f: not_slower(f, orca),
+        'time / ORCA': lambda metrics: time_against(metrics, orca), 'not slower in': lambda f: not_slower(f, orca),
         'greatest contact %': lambda f: greatest(f, 'contact_pct'),
         'least clean %': lambda f: least(f, 'clean_pct', judged(f)),
         'longest path': lambda f: greatest(f, 'path_ratio'),
         'most turning rad/m': lambda f: greatest(f, 'turn_rad_per_m')}
     decimals = (3, 0, 2, 0, 3, 2)
-    rows = [[NAMES[model], *(spread_text([measure(figures) for figures in seeds], places)
+    rows = [[NAMES[model], *(spread_text([measure(metrics) for metrics in seeds], places)
                              for measure, places in zip(columns.values(), decimals))]
             for model, seeds in all_models(learned, references).items()]
     chapter.add_table(f'At a glance: geometric mean of time / that of ORCA with its parameters picked for each '
@@ -109,7 +110,7 @@ def add_overview(chapter, learned, references):
 
 def add_measure(chapter, learned, references, key, label, decimals):
     models = all_models(learned, references)
-    rows = [[scenario, *(spread_text([figures[scenario][key] for figures in seeds], decimals)
+    rows = [[scenario, *(spread_text([metrics[scenario][key] for metrics in seeds], decimals)
                          for seeds in models.values())] for scenario in references[ORCA]]
     chapter.add_table(f'Scenario by scenario: {label}', ['scenario', *(NAMES[model] for model in models)], rows, key)
 
@@ -145,12 +146,12 @@ def add_times(chapter, setting, learned, references):
 
 def add_score(chapter, setting):
     if not (setting.benchmark / SCORER).is_file():
-        chapter.tell(f'The benchmark has no {SCORER}: evaluate\'s figures are not checked against it.')
+        chapter.tell(f'The benchmark has no {SCORER}: evaluate\'s metrics are not checked against it.')
         return
     folder = scored_folder(setting)
-    scored = read_figures(folder / 'scored.csv')
-    difference = largest_difference(read_figures(folder / 'figures.csv'), scored)
+    scored = read_metrics(folder / 'scored.csv')
+    difference = largest_difference(read_metrics(folder / 'metrics.csv'), scored)
     chapter.add_table(
-        "evaluate's figures of the shipped table beside those of the benchmark's scorer, which reads its trajectories",
-        ['scenarios', 'figures compared', 'greatest difference'],
+        "evaluate's metrics of the shipped table beside those of the benchmark's scorer, which reads its trajectories",
+        ['scenarios', 'metrics compared', 'greatest difference'],
         [[str(len(scored)), str(sum(len(row) for row in scored.values())), f'{difference:.1g}']], 'scorer')

@@ -3,7 +3,7 @@ from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_table_header
 from crowd_experiments.runs import Run
-from crowd_experiments.variations import vary_recipe
+from crowd_experiments.variations import vary_config
 
 from .. import agent_runs, agent_training, scenario_runs as runs
 from ..decisions import read_decisions
@@ -19,7 +19,7 @@ WATCHED = 2  # of them, decision by decision
 STAY = {'action_set.stay': True}
 OCCLUSION = {'vision.occlusion': True}
 CONDENSED = {'state_set.type': 'condensed_occupancy'}
-# What is put in place of the recipe's keys, by the name of the run and what the tables call it.
+# What is put in place of the training configuration's keys, by the name of the run and what the tables call it.
 UNCHANGED = 'thesis'
 VARIATIONS = {
     UNCHANGED: ("the thesis's agent", {}),
@@ -48,7 +48,7 @@ def plan(setting):
 def make_run(setting, variation, seed):
     """The training of one agent, as for the scenarios, then twelve on a circle by its table."""
     changes = VARIATIONS[variation][1]
-    single, field = (vary_recipe(setting, f'agent_{part}_occupancy_thesis', changes, f'{NAME}_{part}_{variation}')
+    single, field = (vary_config(setting, f'agent_{part}_occupancy_thesis', changes, f'{NAME}_{part}_{variation}')
                      for part in ('single', 'field'))
     walk = agent_training.walk(setting, agent_training.TABLE, seed)
     return Run(folder_of(setting, variation, seed), [

@@ -34,7 +34,8 @@ def report(setting):
 
 
 class Curve:
-    """Of one recipe, for each checkpoint and seed: rows visited, and by scenario success, contact and collision [%]."""
+    """Of one training configuration, for each checkpoint and seed: rows visited, and by scenario success,
+    contact and collision [%]."""
 
     def __init__(self, setting, states, parameters):
         folders = [agent_training.folder_of(setting, states, parameters, seed) for seed in setting.seeds(SEEDS)]

@@ -34,9 +34,9 @@ def report(setting):
         f'obstacle; {seeds} seeds. Collision: the obstacle\'s rim came within 0.5 m of the agent\'s centre, as the '
         'thesis defines it; contact: the bodies overlapped.')
     chapter.tell(
-        "The thesis's parameters: step size 0.1, gamma 0.1, lambda 0, not tuned; what it leaves open is varied in the "
-        'chapter sensitivity. Better parameters: gamma 0.9, step size 0.02, exploration that falls from 100 % to 2 % '
-        'within 1,500 episodes; their training rates hold the episodes spent on exploring.')
+        "The thesis's parameters: learning rate 0.1, gamma 0.1, lambda 0, not tuned; what it leaves open is varied in "
+        'the chapter sensitivity. Better parameters: gamma 0.9, learning rate 0.02, exploration that falls from 100 % '
+        'to 2 % within 1,500 episodes; their training rates hold the episodes spent on exploring.')
     chapter.tell(difference_text(setting))
     add_figures(chapter, setting)
     add_main_table(chapter, setting)

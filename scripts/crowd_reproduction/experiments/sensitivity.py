@@ -41,7 +41,7 @@ def folder_of(setting, variation, reward, seed):
 
 def make_run(setting, variation, reward, seed):
     return Run(folder_of(setting, variation, reward, seed), [
-        [setting.tool('train'), variation.recipe(setting, reward), '--output', 'q_table.txt', '--seed', seed,
+        [setting.tool('train'), variation.config(setting, reward), '--output', 'q_table.txt', '--seed', seed,
          '--episodes', setting.count(EPISODES, 40), '--record', 'training.csv'],
         [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--seed', DEMO_SEED + seed, '--episodes',
          setting.count(DEMO_EPISODES, 10), '--record', 'demo.csv', variation.scenario(setting)],

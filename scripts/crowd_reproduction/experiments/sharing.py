@@ -39,18 +39,18 @@ def plan(setting):
 
 def make_run(setting, states, seed):
     """Trains a pioneer for so many episodes, lets a crowd walk by its table, then lets the crowd learn on."""
-    commands = [agent_training.learn_single(setting, setting.recipe(f'agent_single_{states}_thesis'), seed)]
+    commands = [agent_training.learn_single(setting, setting.config_file(f'agent_single_{states}_thesis'), seed)]
     for episodes in episodes_of(setting):
         table = agent_training.SINGLE_TABLE
         if episodes:
             table = f'pioneer_{episodes:05d}.txt'
-            commands.append([setting.tool('train'), setting.recipe(f'agent_field_{states}_thesis'), '--q-table',
+            commands.append([setting.tool('train'), setting.config_file(f'agent_field_{states}_thesis'), '--q-table',
                              agent_training.SINGLE_TABLE, '--output', table, '--seed', seed, '--episodes', episodes])
         commands.append(agent_training.walk(setting, table, seed) + [
             '--episodes', setting.count(DEMO_EPISODES, 1), '--record', f'fixed_{episodes:05d}.csv',
             setting.scenario(CROWD)])
         for use in ('own', 'shared'):
-            commands.append([setting.tool('train'), setting.recipe(f'sharing_crowd_{states}'), '--q-table', table,
+            commands.append([setting.tool('train'), setting.config_file(f'sharing_crowd_{states}'), '--q-table', table,
                              '--tables', use, '--output', f'{use}.txt', '--seed', seed, '--episodes',
                              setting.count(FURTHER_EPISODES, 2), '--record', f'{use}_{episodes:05d}.csv'])
     return Run(setting.run_folder(NAME, run_name(states, seed)), commands, cost=6.0)

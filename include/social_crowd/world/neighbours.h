@@ -1,0 +1,158 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <vector>
+
+#include "social_crowd/world/geometry.h"
+
+namespace crowd {
+
+/// @brief What kind of body is perceived.
+enum class NeighbourKind : std::uint8_t { AGENT = 0, OBSTACLE = 1 };
+
+/// @brief Another body, or what is seen of it, in the frame of the agent that perceives it (x ahead, y left).
+struct Neighbour {
+  Vector2 position = Vector2::Zero();  ///< of the centre [m]
+  Vector2 velocity = Vector2::Zero();  ///< over ground, of the last tick [m/s]
+  double radius = 0.0;                 ///< [m]
+  NeighbourKind kind = NeighbourKind::AGENT;
+};
+
+/// @brief How far its rim is away; negative from a point within it [m].
+inline double rimDistance(const Neighbour& neighbour) { return neighbour.position.norm() - neighbour.radius; }
+
+/// @brief A list of neighbours that is kept as a list of each of their numbers, so that loops over many neighbours can
+/// be done with vector instructions.
+class NeighbourList {
+ public:
+  /// @brief So many numbers behind the last may be read, whatever they are: loops need not end with the neighbours.
+  static constexpr std::size_t MARGIN = 16;
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
+  /// @brief Changes the length; what is new is to be set.
+  void resize(std::size_t size) {
+    size_ = size;
+    if (kinds_.size() < size + MARGIN) grow(size);
+  }
+  /// @brief Adds a body behind the last.
+  void push_back(const Neighbour& neighbour) {  // NOLINT(readability-identifier-naming): as all lists have it
+    resize(size_ + 1);
+    set(size_ - 1, neighbour);
+  }
+  /// @brief Body number `i`, as a copy; set() writes it.
+  Neighbour operator[](std::size_t i) const { return {{xs_[i], ys_[i]}, {vxs_[i], vys_[i]}, radii_[i], kinds_[i]}; }
+  void set(std::size_t i, const Neighbour& neighbour) {
+    xs_[i] = neighbour.position.x();
+    ys_[i] = neighbour.position.y();
+    vxs_[i] = neighbour.velocity.x();
+    vys_[i] = neighbour.velocity.y();
+    radii_[i] = neighbour.radius;
+    kinds_[i] = neighbour.kind;
+  }
+
+  /// @brief Their numbers one by one, see Neighbour; margins included.
+  const double* xs() const { return xs_.data(); }
+  const double* ys() const { return ys_.data(); }
+  const double* vxs() const { return vxs_.data(); }
+  const double* vys() const { return vys_.data(); }
+  const double* radii() const { return radii_.data(); }
+  const NeighbourKind* kinds() const { return kinds_.data(); }
+  /// @brief The same, for those who write several at once: size() of them.
+  double* xs() { return xs_.data(); }
+  double* ys() { return ys_.data(); }
+  double* vxs() { return vxs_.data(); }
+  double* vys() { return vys_.data(); }
+  double* radii() { return radii_.data(); }
+  NeighbourKind* kinds() { return kinds_.data(); }
+
+ private:
+  void grow(std::size_t size);
+
+  std::size_t size_ = 0;
+  std::vector<double> xs_;
+  std::vector<double> ys_;
+  std::vector<double> vxs_;
+  std::vector<double> vys_;
+  std::vector<double> radii_;
+  std::vector<NeighbourKind> kinds_;
+};
+
+/// @brief Some of the bodies of a list, one after the other; valid as long as that list is unchanged.
+class NeighbourSpan {
+ public:
+  NeighbourSpan(const NeighbourList& neighbours, std::size_t first, std::size_t count)
+      : neighbours_(&neighbours), first_(first), count_(count) {}
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  Neighbour operator[](std::size_t i) const { return (*neighbours_)[first_ + i]; }
+  /// @brief Whether not all of them are agents.
+  bool hasObstacles() const {
+    std::size_t i = 0;
+    for (; i + EIGHT <= count_; i += EIGHT) {
+      if (kindsFrom(i) != 0) return true;
+    }
+    // What stands behind the last one is shifted out.
+    return i < count_ && kindsFrom(i) << (8 * (EIGHT - (count_ - i))) != 0;
+  }
+  /// @brief The first so many of them.
+  NeighbourSpan front(std::size_t count) const { return {*neighbours_, first_, count}; }
+
+  /// @brief Their numbers one by one, as NeighbourList has them.
+  const double* xs() const { return neighbours_->xs() + first_; }
+  const double* ys() const { return neighbours_->ys() + first_; }
+  const double* vxs() const { return neighbours_->vxs() + first_; }
+  const double* vys() const { return neighbours_->vys() + first_; }
+  const double* radii() const { return neighbours_->radii() + first_; }
+  const NeighbourKind* kinds() const { return neighbours_->kinds() + first_; }
+
+  /// @brief Goes from body to body.
+  class Iterator {
+   public:
+    // NOLINTBEGIN(readability-identifier-naming): the names that the standard library asks for
+    using iterator_category = std::input_iterator_tag;
+    using value_type = Neighbour;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Neighbour*;
+    using reference = Neighbour;
+    // NOLINTEND(readability-identifier-naming)
+
+    Iterator(const NeighbourList& neighbours, std::size_t i) : neighbours_(&neighbours), i_(i) {}
+    Neighbour operator*() const { return (*neighbours_)[i_]; }
+    Iterator& operator++() {
+      ++i_;
+      return *this;
+    }
+    bool operator==(const Iterator& other) const { return i_ == other.i_; }
+    bool operator!=(const Iterator& other) const { return i_ != other.i_; }
+
+   private:
+    const NeighbourList* neighbours_;
+    std::size_t i_;
+  };
+  Iterator begin() const { return {*neighbours_, first_}; }
+  Iterator end() const { return {*neighbours_, first_ + count_}; }
+
+ private:
+  static constexpr std::size_t EIGHT = sizeof(std::uint64_t);
+  static_assert(static_cast<int>(NeighbourKind::AGENT) == 0 && sizeof(NeighbourKind) == 1, "eight agents are a 0");
+#if defined(__BYTE_ORDER__)
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the first kind is in the lowest byte");
+#endif
+  /// Eight kinds at once, the first one in the lowest byte; 0 if all are agents.
+  std::uint64_t kindsFrom(std::size_t i) const {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, kinds() + i, EIGHT);
+    return eight;
+  }
+
+  const NeighbourList* neighbours_;
+  std::size_t first_;
+  std::size_t count_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,13 @@
+#include "social_crowd/world/neighbours.h"
+
+#include <algorithm>
+
+namespace crowd {
+
+void NeighbourList::grow(std::size_t size) {
+  const std::size_t room = std::max(size + MARGIN, 2 * kinds_.size());
+  for (std::vector<double>* numbers : {&xs_, &ys_, &vxs_, &vys_, &radii_}) numbers->resize(room);
+  kinds_.resize(room);
+}
+
+}  // namespace crowd

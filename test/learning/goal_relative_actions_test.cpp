@@ -1,0 +1,79 @@
+#include "social_crowd/learning/goal_relative_actions.h"
+
+#include <gtest/gtest.h>
+
+#include "support/error_of.h"
+#include "support/moves.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+GoalRelativeActions smallActionSet() {
+  GoalRelativeActions::Parameters parameters;
+  parameters.headings = {0, 30, 180};
+  parameters.slow_headings = {0};
+  parameters.slow_fraction = 0.5;
+  return GoalRelativeActions(parameters);
+}
+
+TEST(GoalRelativeActions, MeasuresItsHeadingsFromTheGoalsBearing) {
+  const GoalRelativeActions goal_relative = smallActionSet();
+  const auto scene = PerceptionsBuilder().agent(0, polar(40.0, 5.0));
+  ASSERT_EQ(goal_relative.size(), 6U);
+  const double expected[] = {40.0, 70.0, 10.0, -140.0, 40.0};
+  for (Action action = 0; action < 5; ++action) {
+    EXPECT_NEAR(toDegrees(goal_relative.relativeAction(scene.perception(), action).rotation), expected[action], 1e-9);
+    EXPECT_EQ(goal_relative.relativeAction(scene.perception(), action).speed_fraction, action == 4 ? 0.5 : 1.0);
+  }
+}
+
+TEST(GoalRelativeActions, ToStayComesLastAndKeepsTheHeading) {
+  const auto scene = PerceptionsBuilder().agent(0, polar(40.0, 5.0));
+  EXPECT_EQ(smallActionSet().relativeAction(scene.perception(), 5).rotation, 0.0);
+  EXPECT_EQ(smallActionSet().relativeAction(scene.perception(), 5).speed_fraction, 0.0);
+}
+
+TEST(GoalRelativeActions, LooksAheadAtTheGoalItself) {
+  const auto scene = PerceptionsBuilder().agent(0, {0.0, 0.0});
+  EXPECT_EQ(smallActionSet().relativeAction(scene.perception(), 0).rotation, 0.0);
+}
+
+TEST(GoalRelativeActions, TellsOfAllMovesWhatItTellsOfEach) {
+  const GoalRelativeActions goal_relative;
+  const auto scene =
+      PerceptionsBuilder().agent(0, polar(25.0, 5.0)).neighbour({0.51, 0.02}, 0.25).wall({-1, 0.26}, {1, 0.26});
+  const std::vector<MoveBlock> moves = movesOf(goal_relative, scene.perception());
+  bool cut = false;
+  for (Action action = 0; action < goal_relative.size(); ++action) {
+    const RelativeAction alone = goal_relative.relativeAction(scene.perception(), action);
+    const CandidateMove move = moveAt(moves.data(), action);
+    EXPECT_EQ(alone.speed_fraction, move.fraction);
+    EXPECT_EQ(alone.rotation, bearingOf(move.direction));
+    cut = cut || move.fraction < move.wanted;
+  }
+  EXPECT_TRUE(cut);
+}
+
+std::string specOf(const std::string& yaml) {
+  return makeActionSet(YAML::Load(yaml), {"file.yaml", 0, "action_set"})->spec();
+}
+
+TEST(GoalRelativeActions, IsWhatItsSpecSays) {
+  const std::string spec =
+      "{type: goal_relative, headings: [0, 45], slow_headings: [], slow_fraction: 0.25, stay: false, gap_sharing: "
+      "half, "
+      "lookout: 1.5}";
+  EXPECT_EQ(specOf(spec), spec);
+  EXPECT_EQ(specOf("{type: goal_relative}"), GoalRelativeActions().spec());
+  const auto error = [](const std::string& yaml) { return errorOf<InputError>([&] { specOf(yaml); }); };
+  EXPECT_TRUE(
+      contains(error("{type: goal_relative, headings: [10, 0]}"), "headings[1]: expected a list of rising numbers"));
+  EXPECT_TRUE(contains(error("{type: goal_relative, headings: [200]}"), "from 0 to 180, got '200'"));
+  EXPECT_TRUE(contains(error("{type: goal_relative, headings: []}"), "headings: expected at least one"));
+  EXPECT_TRUE(
+      contains(error("{type: goal_relative, gap_sharing: third}"), "expected none, half or moving, got 'third'"));
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,108 @@
+#include "social_crowd/learning/move_features.h"
+
+#include <gtest/gtest.h>
+
+#include "social_crowd/common/random.h"
+#include "social_crowd/learning/time_to_collision.h"
+#include "support/moves.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+constexpr double MIN_FRACTION = 0.05;
+
+Vector2 anyVector(KeyedRandom& random, double longest) {
+  return random.uniform(0.0, longest) * unitVector(random.uniform(-PI, PI));
+}
+
+/// Agents and obstacles at rest and in motion, some of which overlap the agent, and walls.
+PerceptionsBuilder anyScene(KeyedRandom& random) {
+  PerceptionsBuilder scene;
+  scene.agent(0, anyVector(random, 6.0));
+  const Vector2 own = random.below(5) == 0 ? Vector2(Vector2::Zero()) : anyVector(random, 0.3);
+  for (std::uint32_t left = random.below(50); left > 0; --left) {
+    scene.neighbour(anyVector(random, 3.0), random.uniform(0.05, 0.5));
+    scene.velocity(own, random.below(4) == 0 ? Vector2(Vector2::Zero()) : anyVector(random, 0.5));
+    scene.kind(random.below(3) == 0 ? NeighbourKind::OBSTACLE : NeighbourKind::AGENT);
+  }
+  for (std::uint32_t left = random.below(4); left > 0; --left) {
+    const Vector2 from = anyVector(random, 3.0);
+    scene.wall(from, anyVector(random, 3.0));
+  }
+  return scene;
+}
+
+CandidateMove anyMove(KeyedRandom& random) {
+  const double wanted = 0.5 * random.below(3);
+  return {unitVector(random.uniform(-PI, PI)), wanted, random.below(2) == 0 ? wanted : random.uniform(0.0, wanted)};
+}
+
+/// The times that one move after the other, in double precision, comes to.
+struct Expected {
+  double reciprocal = NEVER;
+  double constant_velocity = NEVER;
+  double static_bodies = NEVER;
+};
+
+Expected expect(const Perception& seen, const CandidateMove& move) {
+  const AgentPerception& self = seen.self;
+  const bool blocked = move.wanted > 0.0 && move.fraction / move.wanted < MIN_FRACTION;
+  const Vector2 u = (blocked ? 0.0 : move.wanted * self.max_speed) * move.direction;
+  Expected times;
+  for (const Neighbour& neighbour : seen.neighbours) {
+    const double reach = self.radius + neighbour.radius;
+    const double constant_velocity = timeToCollision(neighbour.position, u - neighbour.velocity, reach);
+    double& place = neighbour.kind == NeighbourKind::AGENT ? times.constant_velocity : times.static_bodies;
+    place = std::min(place, constant_velocity);
+    if (neighbour.kind != NeighbourKind::AGENT) continue;
+    const Vector2 shared = 2.0 * u - self.velocity - neighbour.velocity;
+    times.reciprocal = std::min(times.reciprocal, timeToCollision(neighbour.position, shared, reach));
+  }
+  for (const Segment& wall : seen.walls)
+    times.static_bodies = std::min(times.static_bodies, timeToCollision(wall, u, self.radius));
+  for (double* time : {&times.reciprocal, &times.constant_velocity, &times.static_bodies}) {
+    if (*time > self.goal.norm() / self.max_speed) *time = NEVER;
+  }
+  return times;
+}
+
+/// Whether two times are the same but for rounding. What only just grazes may be missed.
+bool agree(double a, double b) { return std::abs(a - b) <= 1e-3 * (1.0 + std::min(a, b)); }
+
+TEST(MoveFeatures, TellWhatEachMoveAloneComesTo) {
+  std::size_t compared = 0;
+  std::size_t apart = 0;
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    const PerceptionsBuilder scene = anyScene(random);
+    std::vector<CandidateMove> moves(1 + random.below(MoveFeatures::LANES));
+    for (CandidateMove& move : moves) move = anyMove(random);
+    const MoveFeatures features = featuresAlone(scene.perception(), toBlocks(moves)[0], moves.size(), MIN_FRACTION);
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      const Expected expected = expect(scene.perception(), moves[i]);
+      compared += 3;
+      apart += agree(features.reciprocal_times[i], expected.reciprocal) ? 0 : 1;
+      apart += agree(features.constant_velocity_times[i], expected.constant_velocity) ? 0 : 1;
+      apart += agree(features.static_times[i], expected.static_bodies) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(compared, 50000U);
+  EXPECT_LE(apart, compared / 10000);
+}
+
+TEST(MoveFeatures, TellOfTheFastestApproachOnTheWayToTheGoal) {
+  // To the goal with 0.3 m/s; one comes with 0.15 m/s, one overtakes from behind with 0.9 m/s, an obstacle comes
+  // faster.
+  auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({2.0, 0.0}, 0.25).velocity({0.3, 0.0}, {-0.15, 0.0});
+  const MoveBlock moves = toBlocks({CandidateMove()})[0];
+  const auto oncoming = [&] { return featuresAlone(scene.perception(), moves, 1, 0.0).oncoming; };
+  EXPECT_NEAR(oncoming(), 1.5, 1e-6);
+  scene.neighbour({-2.0, 0.0}, 0.25).velocity({0.3, 0.0}, {0.9, 0.0});
+  EXPECT_NEAR(oncoming(), 2.0, 1e-6);
+  scene.neighbour({1.0, 0.0}, 0.25).velocity({0.3, 0.0}, {-0.9, 0.0}).kind(NeighbourKind::OBSTACLE);
+  EXPECT_NEAR(oncoming(), 2.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace crowd

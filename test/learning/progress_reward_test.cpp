@@ -1,0 +1,127 @@
+#include "social_crowd/learning/progress_reward.h"
+
+#include <gtest/gtest.h>
+
+#include "social_crowd/common/random.h"
+#include "support/error_of.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+constexpr double SPEED = 0.3;  // of the builder's agents [m/s]; 0.03 m a tick
+
+ProgressReward::Parameters free() {
+  ProgressReward::Parameters parameters;
+  parameters.turn_penalty = 0.0;
+  parameters.conflict_penalty = 0.0;
+  parameters.rest_penalty = 0.0;
+  parameters.contact_penalty = 0.0;
+  return parameters;
+}
+
+AgentPerception before(const Vector2& goal) {
+  AgentPerception self;
+  self.goal = goal;
+  self.max_speed = SPEED;
+  return self;
+}
+
+PerceptionsBuilder after(const Vector2& goal) { return PerceptionsBuilder().agent(0, goal); }
+
+TEST(ProgressReward, CountsTheTicksThatAreLost) {
+  const ProgressReward reward(free());
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({4.97, 0.0}).perception(), 0), 0.0, 1e-9);
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.0, 1e-9);
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({5.03, 0.0}).perception(), 0), -2.0, 1e-9);
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({4.985, 0.0}).arrived().perception(), 0), -0.5, 1e-9);
+}
+
+TEST(ProgressReward, PricesTurnsEitherWay) {
+  ProgressReward::Parameters parameters = free();
+  parameters.turn_penalty = 2.0;
+  AgentPerception self = before({5.0, 0.0});
+  self.pose.heading = 0.25;  // the builder's agents look along x
+  EXPECT_NEAR(ProgressReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
+  self.pose.heading = -0.25;
+  EXPECT_NEAR(ProgressReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
+}
+
+TEST(ProgressReward, PricesStandingAbout) {
+  ProgressReward::Parameters parameters = free();
+  parameters.rest_penalty = 0.5;
+  EXPECT_NEAR(ProgressReward(parameters)(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.5, 1e-9);
+}
+
+TEST(ProgressReward, PricesACollisionCourseTheNearerTheMore) {
+  ProgressReward::Parameters parameters = free();
+  parameters.conflict_penalty = 3.0;
+  parameters.conflict_time = 4.0;
+  const auto penalty = [&](double gap, const Vector2& goal) {
+    auto scene = after(goal).neighbour({0.5 + gap, 0.0}, 0.25).velocity({SPEED, 0.0}, {-0.7, 0.0});
+    return 1.0 +
+           ProgressReward(parameters)(before(goal), scene.perception(), 0);  // no progress: a tick is lost as well
+  };
+  EXPECT_NEAR(penalty(1.0, {5.0, 0.0}), -2.25, 1e-9);  // 1 s ahead at 1 m/s: three quarters
+  EXPECT_NEAR(penalty(3.0, {5.0, 0.0}), -0.75, 1e-9);
+  EXPECT_NEAR(penalty(4.5, {5.0, 0.0}), 0.0, 1e-9);
+  EXPECT_NEAR(penalty(1.0, {0.2, 0.0}), 0.0, 1e-9);  // it is at its goal before that
+}
+
+TEST(ProgressReward, PricesContact) {
+  ProgressReward::Parameters parameters = free();
+  parameters.contact_penalty = 20.0;
+  auto apart = after({5.0, 0.0}).neighbour({0.51, 0.0}, 0.25);
+  EXPECT_NEAR(ProgressReward(parameters)(before({5.0, 0.0}), apart.perception(), 0), -1.0, 1e-9);
+  auto overlapping = after({5.0, 0.0}).neighbour({0.49, 0.0}, 0.25);
+  EXPECT_NEAR(ProgressReward(parameters)(before({5.0, 0.0}), overlapping.perception(), 0), -21.0, 1e-9);
+}
+
+constexpr std::size_t MIDDLE = 1;  // of three agents
+
+/// So many bodies about an agent that stands, one of which touches it if its number is among them; those of the agents
+/// before and behind it all do.
+PerceptionsBuilder sceneOf(std::size_t neighbours, std::size_t touching, const Vector2& goal, KeyedRandom& random) {
+  PerceptionsBuilder scene;
+  addTouchedAgent(0, scene);
+  scene.agent(MIDDLE, goal);
+  for (std::size_t i = 0; i < neighbours; ++i) {
+    const double radius = random.uniform(0.1, 0.4);
+    const double gap = i == touching ? random.uniform(-0.1, -0.001) : random.uniform(0.001, 5.0);
+    scene.neighbour(polar(random.uniform(-180, 180), 0.25 + radius + gap), radius);
+  }
+  addTouchedAgent(2, scene);
+  return scene;
+}
+
+TEST(ProgressReward, PricesContactWithWhomeverOfMany) {
+  ProgressReward::Parameters parameters = free();
+  parameters.contact_penalty = 20.0;
+  const ProgressReward reward(parameters);
+  const Vector2 goal(5.0, 0.0);
+  constexpr std::uint64_t SEED = 1;
+  KeyedRandom random(SEED, KeyedRandom::PLACEMENT, {});
+  for (std::size_t count = 0; count <= 40; ++count) {
+    for (std::size_t touching = 0; touching <= count; ++touching) {
+      const PerceptionsBuilder scene = sceneOf(count, touching, goal, random);
+      EXPECT_EQ(reward(before(goal), scene.perception(MIDDLE), 0), touching < count ? -21.0 : -1.0)
+          << "seed " << SEED << ", " << count << " bodies, touched by number " << touching;
+    }
+  }
+}
+
+TEST(ProgressReward, IsWhatItsSpecSays) {
+  const std::string spec =
+      "{type: progress, turn_penalty: 1.5, conflict_penalty: 2, conflict_time: 3, rest_penalty: 0.25, contact_penalty: "
+      "7}";
+  const YamlPlace place{"file.yaml", 0, "reward"};
+  YamlMap map(
+      YAML::Load("{turn_penalty: 1.5, conflict_penalty: 2, conflict_time: 3, rest_penalty: 0.25, contact_penalty: 7}"),
+      place);
+  EXPECT_EQ(readProgressReward(map)->spec(), spec);
+  YamlMap wrong(YAML::Load("{conflict_time: 0}"), place);
+  EXPECT_TRUE(contains(errorOf<InputError>([&] { readProgressReward(wrong); }), "conflict_time: expected"));
+}
+
+}  // namespace
+}  // namespace crowd
