@@ -28,9 +28,9 @@ class ObjectPool {
     std::unique_ptr<Object> take() {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (objects_.empty()) return std::make_unique<Object>();
-      std::unique_ptr<Object> last = std::move(objects_.back());
-      objects_.pop_back();
-      return last;
+      std::unique_ptr<Object> longest_free = std::move(objects_.front());
+      objects_.erase(objects_.begin());
+      return longest_free;
     }
     void put(std::unique_ptr<Object> object) {
       const std::lock_guard<std::mutex> lock(mutex_);
