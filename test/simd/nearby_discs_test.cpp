@@ -56,9 +56,9 @@ TEST(CollectNearby, WritesPlacesAndRimsInOrder) {
   discs.xs = {4.0, 1.0, 0.0, 10.0};
   discs.ys = {3.0, 0.0, 0.0, 0.0};
   discs.radii = {0.5, 0.25, 1.0, 0.5};
-  discs.neighbours = {7, 8, 9, 10};
+  discs.bodies = {7, 8, 9, 10};
   for (auto* list : {&discs.xs, &discs.ys, &discs.radii}) list->resize(4 + DiscArrays::PADDING);
-  discs.neighbours.resize(4 + DiscArrays::PADDING, 11);
+  discs.bodies.resize(4 + DiscArrays::PADDING, 11);
   for (const Kernels& kernels : availableKernels()) {
     SCOPED_TRACE(kernels.target);
     EXPECT_TRUE(collect(kernels, discs, {{0, 4}}, {0.0, 0.0, 4.5, 8}) == (Collected{{0, 2}, {4.5, -1.0}}));
@@ -76,7 +76,7 @@ Discs anyDiscs(KeyedRandom& random, const Circle& circle) {
     discs.xs[i] = random.uniform(-6.0, 6.0);
     discs.ys[i] = random.below(4) == 0 ? circle.y : random.uniform(-6.0, 6.0);
     if (random.below(4) == 0) discs.xs[i] = circle.x + circle.radius + discs.radii[i];
-    discs.neighbours[i] = random.below(20);
+    discs.bodies[i] = random.below(20);
     if (i < discs.size()) continue;
     for (auto* list : {&discs.xs, &discs.ys, &discs.radii}) (*list)[i] = random.below(2) == 0 ? NOT_A_NUMBER : circle.x;
   }

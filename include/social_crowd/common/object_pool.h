@@ -10,7 +10,7 @@ namespace crowd {
 
 /// @brief Hands out objects to fill, preferably those that were handed out before and that nobody holds any more, so
 /// that large buffers are not allocated again and again. What is in them from before stays.
-/// @tparam Pointer a shared pointer; any thread may hold copies, also when the recycler is gone
+/// @tparam Pointer a shared pointer; any thread may hold copies, also when the pool is gone
 template <typename Pointer>
 class ObjectPool {
  public:
