@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint32_t QUEUE = 1000;           // messages; many learners may answer at once
 const ros::WallDuration IDLE(0.1);              // between two checks whether ROS still runs
 const ros::WallDuration WARNING_PERIOD(5.0);    // of the warning that nobody answers
+constexpr double USUAL_START = 3.0;             // [s] that learners may take to start without a warning
 const ros::WallDuration FIRST_ASK_AGAIN(0.05);  // doubled each time
 
 std::vector<AgentId> agentsToAsk(const Perceptions& perceptions) {
@@ -67,12 +68,13 @@ PerceptionsMessage::ConstPtr AnswerCollector::toMessage(Episode& episode, const 
 
 void AnswerCollector::ask(Episode& episode, const std_msgs::Header& header) {
   cancelled_ = false;
-  lockstep_.open(episode.number(), episode.perceptions().tick, agentsToAsk(episode.perceptions()));
+  const std::vector<AgentId> asked = agentsToAsk(episode.perceptions());
+  lockstep_.open(episode.number(), episode.perceptions().tick, asked);
   perceptions_.publish(toMessage(episode, header), true);
   asked_at_ = Clock::now();
+  noteSilence(asked);
   ask_again_after_ = FIRST_ASK_AGAIN;
   ask_again_at_ = asked_at_ + ask_again_after_;
-  if (!silent_since_) silent_since_ = asked_at_;
 }
 
 bool AnswerCollector::wait(const Episode& episode) {
@@ -83,9 +85,9 @@ bool AnswerCollector::wait(const Episode& episode) {
     awaitNewcomers(episode);
   }
   if (isInterrupted()) return false;
-  lockstep_.close();
+  warnOfAbsence(lockstep_.close());
   perceptions_.endWait();
-  if (!lockstep_.answers().empty()) silent_since_.reset();
+  noteAnswers();
   return true;
 }
 
@@ -118,9 +120,15 @@ void AnswerCollector::awaitNewcomers(const Episode& episode) {
   while (!isInterrupted() && lockstep_.awaitsNewcomer()) {
     warnOfSilence();
     askAgain();
-    if (Clock::now() >= deadline) return lockstep_.giveUpOnNewcomers(walkingAgents(episode.world()));
+    if (Clock::now() >= deadline) return giveUpOnNewcomers(episode);
     serveUntil(deadline);
   }
+}
+
+void AnswerCollector::giveUpOnNewcomers(const Episode& episode) {
+  const std::vector<AgentId> agents = lockstep_.giveUpOnNewcomers(walkingAgents(episode.world()));
+  noteSilence(agents);  // in a sequential scenario some were not asked yet
+  warnOfAbsence(agents);
 }
 
 void AnswerCollector::awaitAnybody(const Episode& episode) {
@@ -140,14 +148,44 @@ void AnswerCollector::askAgain() {
   ask_again_at_ = Clock::now() + ask_again_after_;
 }
 
+void AnswerCollector::noteSilence(const std::vector<AgentId>& asked) {
+  for (const AgentId agent : asked) {
+    if (agent >= silent_since_.size()) silent_since_.resize(agent + 1);
+    if (silent_since_[agent].isZero()) silent_since_[agent] = asked_at_;
+  }
+}
+
+void AnswerCollector::noteAnswers() {
+  for (const AgentAction& answer : lockstep_.answers()) silent_since_[answer.agent] = Clock();
+}
+
+double AnswerCollector::silence(const std::vector<AgentId>& agents) const {
+  Clock since = Clock::now();
+  const Clock now = since;
+  for (const AgentId agent : agents) since = std::min(since, silent_since_[agent]);
+  return (now - since).toSec();
+}
+
+std::string AnswerCollector::reasonForSilence() const {
+  const std::string topic = actions_.getTopic();
+  return learners_.reasonForSilence(publishersOf(topic), topic);
+}
+
 void AnswerCollector::warnOfSilence() {
   const Clock now = Clock::now();
   if (now - last_warning_ < WARNING_PERIOD) return;
+  const std::vector<AgentId> missing = lockstep_.missing();
+  if (silence(missing) < USUAL_START) return;
   last_warning_ = now;
-  const std::string topic = actions_.getTopic();
-  ROS_WARN("no answer for %s for %.1f s: %s. Without an answer they stay where they are",
-           namedAgents(lockstep_.missing()).c_str(), (now - *silent_since_).toSec(),
-           learners_.reasonForSilence(publishersOf(topic), topic).c_str());
+  ROS_WARN("no answer for %s for %.1f s: %s. Without an answer they stay where they are", namedAgents(missing).c_str(),
+           silence(missing), reasonForSilence().c_str());
+}
+
+void AnswerCollector::warnOfAbsence(const std::vector<AgentId>& agents) {
+  if (agents.empty()) return;
+  last_warning_ = Clock::now();
+  ROS_WARN("no answer for %s for %.1f s: %s. From now on they are not waited for until they are answered for",
+           namedAgents(agents).c_str(), silence(agents), reasonForSilence().c_str());
 }
 
 }  // namespace crowd

@@ -97,25 +97,32 @@ bool Lockstep::awaitsNewcomer() const {
   });
 }
 
-void Lockstep::close() {
+std::vector<AgentId> Lockstep::close() {
   open_ = false;
+  std::vector<AgentId> absent;
   for (const AgentId agent : asked_) {
     AgentRecord& record = records_[agent];
     if (record.answered) continue;
     ++missed_;
-    if (++record.misses >= misses_until_absent_) record.absent = true;
+    if (++record.misses < misses_until_absent_ || record.absent) continue;
+    record.absent = true;
+    absent.push_back(agent);
   }
+  return absent;
 }
 
-void Lockstep::giveUpOnNewcomers(const std::vector<AgentId>& agents) {
+std::vector<AgentId> Lockstep::giveUpOnNewcomers(const std::vector<AgentId>& agents) {
+  std::vector<AgentId> given_up;
   for (const AgentId agent : agents) {
     AgentRecord& newcomer = record(agent);
     if (newcomer.absent || newcomer.heard) continue;
     newcomer.absent = true;
+    given_up.push_back(agent);
     if (!newcomer.asked) continue;
     --awaited_;
     --present_;
   }
+  return given_up;
 }
 
 bool Lockstep::areAbsent(const std::vector<AgentId>& agents) const {

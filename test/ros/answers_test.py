@@ -169,7 +169,7 @@ class SentOnceTest(AbsenceTestCase):
         self.start_quiet(seconds=3, answer_deadline=2.0, start_deadline=300.0, paused=True)
         heard.wait_connected()
         later = self.call_later('crowd_controller/step', ticks=30)
-        support.wait_for(lambda: 'no answer for' in self.controller.output(), 'the warning, 2 s after the perceptions')
+        support.wait_for(lambda: 'no answer for' in self.controller.output(), 'the warning, 3 s after the perceptions')
         self.assertEqual(len(heard.messages), 1)
         self.start_learner()
         later.result()

@@ -152,6 +152,22 @@ TEST(LockstepPresence, AbsentAfterSomeMissesInARow) {
   EXPECT_EQ(lockstep.missedCount(), 4U);  // but counted
 }
 
+TEST(LockstepPresence, NamesAgentsOnceWhenTheyBecomeAbsent) {
+  Lockstep lockstep(2);
+  const auto agents_absent_after = [&](std::uint64_t tick, const Ids& answering) {
+    lockstep.open(EPISODE, tick, {0, 1, 2});
+    lockstep.take(answersOf(tick, answering), LEARNER);
+    return lockstep.close();
+  };
+  EXPECT_EQ(agents_absent_after(0, {0}), Ids{});
+  EXPECT_EQ(agents_absent_after(1, {0, 2}), Ids{1});
+  EXPECT_EQ(agents_absent_after(2, {0}), Ids{});
+  EXPECT_EQ(agents_absent_after(3, {0}), Ids{2});
+  lockstep.open(EPISODE, 4, {0, 5});
+  EXPECT_EQ(lockstep.giveUpOnNewcomers({0, 5, 6}), (Ids{5, 6}));
+  EXPECT_EQ(lockstep.giveUpOnNewcomers({0, 5, 6}), Ids{});
+}
+
 TEST(LockstepPresence, AnAnswerInBetweenStartsTheCountAnew) {
   Lockstep lockstep(2);
   for (std::uint64_t tick = 0; tick < 10; ++tick) {

@@ -3,7 +3,7 @@
 #include <ros/ros.h>
 
 #include <cstdint>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "social_crowd/ros/answering_learners.h"
@@ -47,9 +47,15 @@ class AnswerCollector {
   void serveUntil(const Clock& deadline);
   void awaitPresent();
   void awaitNewcomers(const Episode& episode);
+  void giveUpOnNewcomers(const Episode& episode);
   void awaitAnybody(const Episode& episode);
   void askAgain();
+  void noteSilence(const std::vector<AgentId>& asked);
+  void noteAnswers();
   void warnOfSilence();
+  void warnOfAbsence(const std::vector<AgentId>& agents);
+  std::string reasonForSilence() const;
+  double silence(const std::vector<AgentId>& agents) const;
 
   const double start_deadline_;   // [s]
   const double answer_deadline_;  // [s]
@@ -64,7 +70,7 @@ class AnswerCollector {
   Clock asked_at_;
   Clock ask_again_at_;
   ros::WallDuration ask_again_after_;
-  std::optional<Clock> silent_since_;  // no answer was taken since then
+  std::vector<Clock> silent_since_;  // by agent: first tick without an answer since the last one; zero: none
   Clock last_warning_;
 };
 

@@ -50,7 +50,8 @@ class Lockstep {
   /// @brief Counts answers that are meant for another controller as dropped.
   void drop(const RelativeActions& answers) { dropped_ += answers.agents.size(); }
   /// @brief Closes the tick and counts the missing answers. The answers are in answers().
-  void close();
+  /// @return agents that are absent from now on
+  std::vector<AgentId> close();
 
   /// @brief Whether no agent is waited for any more.
   bool isComplete() const { return awaited_ == 0; }
@@ -59,7 +60,8 @@ class Lockstep {
   /// @brief Whether an agent is waited for that was never answered for.
   bool awaitsNewcomer() const;
   /// @brief Marks those of the agents as absent that were never answered for, whether they are asked now or not.
-  void giveUpOnNewcomers(const std::vector<AgentId>& agents);
+  /// @return those agents
+  std::vector<AgentId> giveUpOnNewcomers(const std::vector<AgentId>& agents);
   /// @brief Whether all of these agents are absent.
   bool areAbsent(const std::vector<AgentId>& agents) const;
 
