@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "social_crowd/common/errors.h"
-#include "social_crowd/learning/merge_copies.h"
+#include "social_crowd/learning/rl/merge_copies.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/world/scenario_reader.h"
 

@@ -1,8 +1,8 @@
-#include "social_crowd/learning/condensed_occupancy_states.h"
+#include "social_crowd/learning/states/condensed_occupancy_states.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/learning/thesis_reward.h"
+#include "social_crowd/learning/rewards/thesis_reward.h"
 #include "support/error_of.h"
 #include "support/perceptions.h"
 

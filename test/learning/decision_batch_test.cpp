@@ -1,6 +1,6 @@
 // Agents that choose side by side: what each chooses by does not depend on who else does.
 
-#include "social_crowd/learning/decision_context.h"
+#include "social_crowd/avoidance/decision_context.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <cstring>
 #include <vector>
 
+#include "social_crowd/avoidance/separation_rule.h"
 #include "social_crowd/common/random.h"
-#include "social_crowd/learning/anticipation_states.h"
-#include "social_crowd/learning/goal_relative_actions.h"
-#include "social_crowd/learning/separation_rule.h"
+#include "social_crowd/learning/actions/goal_relative_actions.h"
+#include "social_crowd/learning/states/anticipation_states.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 

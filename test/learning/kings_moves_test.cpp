@@ -1,4 +1,4 @@
-#include "social_crowd/learning/kings_moves.h"
+#include "social_crowd/learning/actions/kings_moves.h"
 
 #include <gtest/gtest.h>
 

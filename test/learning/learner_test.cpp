@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "social_crowd/learning/thesis_reward.h"
+#include "social_crowd/learning/rewards/thesis_reward.h"
 #include "support/error_of.h"
 #include "support/learners.h"
 

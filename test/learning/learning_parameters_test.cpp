@@ -1,4 +1,4 @@
-#include "social_crowd/learning/learning_parameters.h"
+#include "social_crowd/learning/rl/learning_parameters.h"
 
 #include <gtest/gtest.h>
 

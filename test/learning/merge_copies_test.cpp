@@ -1,4 +1,4 @@
-#include "social_crowd/learning/merge_copies.h"
+#include "social_crowd/learning/rl/merge_copies.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "social_crowd/common/random.h"
-#include "social_crowd/learning/q_learner.h"
+#include "social_crowd/learning/rl/q_learner.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/mirror.h"
+#include "social_crowd/learning/rl/mirror.h"
 
 #include <gtest/gtest.h>
 

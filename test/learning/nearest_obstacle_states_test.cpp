@@ -1,4 +1,4 @@
-#include "social_crowd/learning/nearest_obstacle_states.h"
+#include "social_crowd/learning/states/nearest_obstacle_states.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "social_crowd/common/random.h"
-#include "social_crowd/learning/occupancy_states.h"
+#include "social_crowd/learning/states/occupancy_states.h"
 #include "support/perceptions.h"
 
 namespace crowd {

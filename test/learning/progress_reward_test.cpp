@@ -1,4 +1,4 @@
-#include "social_crowd/learning/progress_reward.h"
+#include "social_crowd/learning/rewards/progress_reward.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/q_learner.h"
+#include "social_crowd/learning/rl/q_learner.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/q_table.h"
+#include "social_crowd/learning/rl/q_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/sectors.h"
+#include "social_crowd/learning/states/sectors.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/learning/merge_copies.h"
+#include "social_crowd/learning/rl/merge_copies.h"
 #include "social_crowd/simulation/training.h"
 #include "social_crowd/world/scenario_reader.h"
 #include "support/error_of.h"

@@ -7,14 +7,14 @@
 #include <set>
 #include <vector>
 
+#include "social_crowd/avoidance/decision_context.h"
 #include "social_crowd/common/random.h"
 #include "social_crowd/common/static_vector.h"
 #include "social_crowd/learning/agent_places.h"
-#include "social_crowd/learning/decision_context.h"
-#include "social_crowd/learning/learning_parameters.h"
 #include "social_crowd/learning/model.h"
-#include "social_crowd/learning/q_learner.h"
-#include "social_crowd/learning/q_table.h"
+#include "social_crowd/learning/rl/learning_parameters.h"
+#include "social_crowd/learning/rl/q_learner.h"
+#include "social_crowd/learning/rl/q_table.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "social_crowd/learning/action_set.h"
-#include "social_crowd/learning/reward.h"
-#include "social_crowd/learning/state_set.h"
+#include "social_crowd/learning/actions/action_set.h"
+#include "social_crowd/learning/rewards/reward.h"
+#include "social_crowd/learning/states/state_set.h"
 
 namespace crowd {
 

@@ -4,9 +4,9 @@
 #include <iosfwd>
 #include <string>
 
-#include "social_crowd/learning/learning_parameters.h"
 #include "social_crowd/learning/model.h"
-#include "social_crowd/learning/q_table.h"
+#include "social_crowd/learning/rl/learning_parameters.h"
+#include "social_crowd/learning/rl/q_table.h"
 
 namespace crowd {
 

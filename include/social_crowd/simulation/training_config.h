@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "social_crowd/learning/learner.h"
-#include "social_crowd/learning/learning_parameters.h"
 #include "social_crowd/learning/model.h"
+#include "social_crowd/learning/rl/learning_parameters.h"
 
 namespace crowd {
 

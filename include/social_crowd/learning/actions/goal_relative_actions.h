@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/avoidance/separation_rule.h"
+#include "social_crowd/learning/actions/action_set.h"
+
+namespace crowd {
+
+/// @brief A fan of headings measured from the goal's bearing, at full speed and slower, and staying; cut short where
+/// the separation rule says so.
+class GoalRelativeActions : public ActionSet {
+ public:
+  static constexpr const char* TYPE = "goal_relative";
+
+  struct Parameters {
+    std::vector<double> headings = {0, 10, 20, 35, 55, 80, 120, 180};  ///< to either side, rising [degrees]
+    std::vector<double> slow_headings = {0, 35};                       ///< of the slower moves [degrees]
+    double slow_fraction = 0.5;                                        ///< of the maximum speed
+    bool stay = true;                                                  ///< whether to stay is an action
+    GapSharing gap_sharing = GapSharing::MOVING;
+    double lookout = 1.5;  ///< how far ahead a way clear of moving obstacles is kept [s]; 0: none
+  };
+
+  GoalRelativeActions() : GoalRelativeActions(Parameters()) {}
+  explicit GoalRelativeActions(const Parameters& parameters);
+
+  Action size() const override { return static_cast<Action>(mirrored_.size()); }
+  void findAction(const Perception& perception, Action action, RelativeAction& relative) const override;
+  void findMoves(const DecisionContext& context) const override;
+  void findMovesOfAll(const DecisionBatch& contexts) const override;
+  Action mirrored(Action action) const override { return mirrored_[action]; }
+  std::string spec() const override;
+
+ private:
+  void addBothSides(const std::vector<double>& headings, double fraction);
+  void add(const Vector2& direction, double fraction, Action mirrored);
+
+  Parameters parameters_;
+  SeparationRule rule_;
+  std::vector<MoveBlock> base_moves_;  // around the heading
+  std::size_t turned_ = 0;             // so many of its moves are measured from the goal's bearing instead
+  std::vector<Action> mirrored_;
+};
+
+}  // namespace crowd

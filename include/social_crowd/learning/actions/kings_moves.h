@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/learning/actions/action_set.h"
+
+namespace crowd {
+
+/// @brief The thesis's actions: turn the heading by an even fraction of the circle and walk at full speed. With the
+/// thesis's 8 rotations these are a chess king's moves: 0, 45, ... 315 degrees. The last action may
+/// be to stay put (thesis 5.2): neither turn nor move.
+class KingsMoves : public ActionSet {
+ public:
+  static constexpr const char* TYPE = "kings_moves";
+  static constexpr int DEFAULT_ROTATIONS = 8;
+
+  explicit KingsMoves(int rotations = DEFAULT_ROTATIONS, bool stay = false);
+
+  Action size() const override { return static_cast<Action>(moves_.size()); }
+  void findAction(const Perception& /*perception*/, Action action, RelativeAction& relative) const override {
+    relative = moves_[action];
+  }
+  Action mirrored(Action action) const override {
+    return action < rotations_ ? (rotations_ - action) % rotations_ : action;
+  }
+  std::string spec() const override;
+
+ private:
+  Action rotations_;
+  std::vector<RelativeAction> moves_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/learning/rl/rows.h"
+
+namespace crowd {
+
+/// @brief Left and right exchanged: which rows and actions of a Q-table are each other's mirror image.
+class Mirror {
+ public:
+  /// @brief Everything is its own mirror image: nothing is mirrored.
+  Mirror() = default;
+  /// @brief The images that a state set and an action set tell.
+  template <typename StateSet, typename ActionSet>
+  Mirror(const StateSet& state_set, const ActionSet& action_set)
+      : rows_(state_set.rowCount()), actions_(action_set.size()) {
+    for (Row row = 0; row < rows_.size(); ++row) rows_[row] = state_set.mirrored(row);
+    for (Action action = 0; action < actions_.size(); ++action) actions_[action] = action_set.mirrored(action);
+  }
+
+  Row row(Row row) const { return rows_.empty() ? row : rows_[row]; }
+  Action action(Action action) const { return actions_.empty() ? action : actions_[action]; }
+  /// @brief Whether the mirror image of a row and action is another one.
+  bool hasImage(Row row, Action action) const {
+    return !rows_.empty() && (rows_[row] != row || actions_[action] != action);
+  }
+
+ private:
+  std::vector<Row> rows_;
+  std::vector<Action> actions_;
+};
+
+}  // namespace crowd

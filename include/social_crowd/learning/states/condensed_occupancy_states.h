@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "social_crowd/learning/states/occupancy_states.h"
+#include "social_crowd/learning/states/sectors.h"
+#include "social_crowd/learning/states/state_set.h"
+
+namespace crowd {
+
+/// @brief The thesis's state set 2, condensed as its future work suggests (5.2: the nearest distance "as a whole circle
+/// and not slices"): sector of the goal, whether anything is within the collision radius anywhere around, and for every
+/// sector whether anything lies in it or reaches into it within the radius of vision.
+///
+/// With n sectors the state is G * 2 * 2^n + near * 2^n + code, where the code's binary digits are the sectors, sector
+/// 0 first as in (3.5); terminal n * 2 * 2^n.
+class CondensedOccupancyStates : public StateSet {
+ public:
+  static constexpr const char* TYPE = "condensed_occupancy";
+
+  using Parameters = OccupancyStates::Parameters;
+
+  CondensedOccupancyStates() : CondensedOccupancyStates(Parameters()) {}
+  explicit CondensedOccupancyStates(const Parameters& parameters);
+
+  Row rowCount() const override { return terminal() + 1; }
+  void findRows(const DecisionContext& context) const override {
+    *context.rows = rowOf(occupancy_.describe(context.seen));
+  }
+  Row mirrored(Row row) const override;
+  /// @brief 1 if anything is within the collision radius, then 2 for each occupied sector.
+  std::vector<int> distanceClasses(Row row) const override;
+  /// @brief With the class of each sector, of which the row tells less.
+  std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override {
+    return occupancy_.occupiedSectors(perception);
+  }
+  std::vector<double> distanceLimits() const override { return occupancy_.distanceLimits(); }
+  std::string spec() const override;
+
+  /// @brief The row of what state set 2 tells.
+  Row rowOf(const OccupancyStates::Situation& situation) const;
+  /// @brief The row of an agent that has arrived.
+  Row terminal() const { return 2 * codes_ * static_cast<Row>(sectors_.count()); }
+
+ private:
+  /// The digit of a sector in a row's code.
+  Row digitOf(int sector) const { return Row{1} << static_cast<unsigned>(sectors_.count() - 1 - sector); }
+
+  OccupancyStates occupancy_;
+  Parameters parameters_;
+  EvenSectors sectors_;
+  Row codes_;  // 2^sectors
+};
+
+}  // namespace crowd

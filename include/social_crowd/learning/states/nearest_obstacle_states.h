@@ -1,0 +1,55 @@
+#pragma once
+
+#include "social_crowd/learning/states/distance_classes.h"
+#include "social_crowd/learning/states/sectors.h"
+#include "social_crowd/learning/states/state_set.h"
+
+namespace crowd {
+
+/// @brief The thesis's state set 1 (3.2-3.4): sector of the goal, and sector and distance class of the nearest
+/// obstacle.
+///
+/// With G the goal sector (nG of them), A the obstacle sector (nO), D the distance class (1 .. nD):
+/// nothing perceived: G; else (nG - 1) + G * (nO * nD) + A * nD + D; terminal: nG * nO * nD + nG.
+class NearestObstacleStates : public StateSet {
+ public:
+  static constexpr const char* TYPE = "nearest_obstacle";
+
+  struct Parameters {
+    int goal_sectors = 8;
+    std::vector<double> obstacle_sectors = {15, 45, 90, 180};  ///< outer limits to either side [degrees] (fig. 3.6)
+    DistanceClasses distances;
+  };
+
+  /// @brief What a state says.
+  struct Situation {
+    int goal_sector = 0;
+    int obstacle_sector = 0;
+    int distance_class = 0;  ///< 0: nothing perceived
+  };
+
+  NearestObstacleStates() : NearestObstacleStates(Parameters()) {}
+  explicit NearestObstacleStates(const Parameters& parameters);
+
+  Row rowCount() const override { return terminal() + 1; }
+  void findRows(const DecisionContext& context) const override { *context.rows = rowOf(describe(context.seen)); }
+  Row mirrored(Row row) const override;
+  std::vector<int> distanceClasses(Row row) const override;
+  std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
+  std::vector<double> distanceLimits() const override;
+  std::string spec() const override;
+
+  Situation describe(const Perception& perception) const;
+  Row rowOf(const Situation& situation) const;
+  /// @brief What a row says; it must not be the terminal one.
+  Situation situationOf(Row row) const;
+  /// @brief The row of an agent that has arrived (3.4).
+  Row terminal() const;
+
+ private:
+  Parameters parameters_;
+  EvenSectors goal_sectors_;
+  MirroredSectors obstacle_sectors_;
+};
+
+}  // namespace crowd

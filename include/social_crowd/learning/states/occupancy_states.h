@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/learning/states/distance_classes.h"
+#include "social_crowd/learning/states/sectors.h"
+#include "social_crowd/learning/states/state_set.h"
+
+namespace crowd {
+
+/// @brief The thesis's state set 2 (3.2.2.1, (3.5)): sector of the goal, and for every sector a distance class, found
+/// in two steps for each body:
+/// 1. the segment that joins the agent and the body's centre gives one sector, which takes the class of the distance
+///    from the agent's centre to the body's rim;
+/// 2. the limiting vectors of the sectors, with the lengths of the distance classes, are intersected with the body: the
+///    sectors on both sides of a vector that is cut take the class of the shortest length that is cut.
+/// The smallest class of all neighbours counts. Walls, which the thesis does not have, are treated the same way, with
+/// their nearest point in place of the centre.
+///
+/// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
+/// 3^8 * G + code, terminal 3^8 * 8.
+class OccupancyStates : public StateSet {
+ public:
+  static constexpr const char* TYPE = "occupancy";
+  static constexpr int MAX_SECTORS = 12;  // 3^12 * 12 rows are the most that make sense as a table
+
+  struct Parameters {
+    int sectors = 8;  ///< of the goal and of the obstacles
+    DistanceClasses distances;
+  };
+
+  /// @brief What a state says; classes of sectors beyond the set's number are 0.
+  struct Situation {
+    int goal_sector = 0;
+    std::array<int, MAX_SECTORS> distance_classes{};
+  };
+
+  OccupancyStates() : OccupancyStates(Parameters()) {}
+  explicit OccupancyStates(const Parameters& parameters);
+
+  Row rowCount() const override { return terminal() + 1; }
+  void findRows(const DecisionContext& context) const override { *context.rows = rowOf(context.seen); }
+  Row mirrored(Row row) const override;
+  std::vector<int> distanceClasses(Row row) const override;
+  std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
+  std::vector<double> distanceLimits() const override;
+  std::string spec() const override;
+
+  Situation describe(const Perception& perception) const;
+  Row rowOf(const Situation& situation) const;
+  Row rowOf(const Perception& perception) const;
+  /// @brief What a row says; it must not be the terminal one.
+  Situation situationOf(Row row) const;
+  /// @brief The row of an agent that has arrived.
+  Row terminal() const { return codes_ * static_cast<Row>(sectors_.count()); }
+
+ private:
+  static constexpr int BASE = DistanceClasses::COUNT + 1;
+
+  /// A set of sectors, or of their right limits: bit 0 is sector 0.
+  using SectorSet = std::uint32_t;
+  /// By distance class, from 1, the sectors that hold something of that class.
+  using Occupied = std::array<SectorSet, DistanceClasses::COUNT>;
+
+  SectorSet allSectors() const { return (1U << static_cast<unsigned>(sectors_.count())) - 1U; }
+  /// The sectors on both sides of limits.
+  SectorSet sectorsBeside(SectorSet limits) const;
+  SectorSet sectorOf(const Vector2& point) const {
+    return 1U << static_cast<unsigned>(sectors_.indexOf(bearingOf(point)));
+  }
+  /// The limiting vectors of that length that a body cuts.
+  SectorSet limitsCut(const Vector2& centre, double radius, double length) const;
+  SectorSet limitsCut(const Segment& wall, double length) const;
+  static void occupy(Occupied& occupied, SectorSet sectors, int distance_class) {
+    occupied[static_cast<std::size_t>(distance_class) - 1] |= sectors;
+  }
+  void addNeighbour(const Vector2& centre, double radius, Occupied& occupied) const;
+  void addWall(const Segment& wall, Occupied& occupied) const;
+
+  Parameters parameters_;
+  EvenSectors sectors_;
+  std::array<double, MAX_SECTORS> limit_xs_{};  // unit vectors of the right limit of each sector
+  std::array<double, MAX_SECTORS> limit_ys_{};
+  Row codes_;                   // 3^sectors
+  std::vector<Row> set_codes_;  // of each set of sectors, if class 1 is in all of it and no other is occupied
+};
+
+}  // namespace crowd

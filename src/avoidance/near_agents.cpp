@@ -1,0 +1,43 @@
+#include "social_crowd/avoidance/near_agents.h"
+
+#include "simd/kernels.h"
+
+namespace crowd {
+namespace {
+
+/// More than the rounding of a distance [m].
+constexpr double ROUNDING = 1e-6;
+
+/// What an agent is near by: the gap less what the plane between both may come towards it is shorter than this and the
+/// other's radius are together [m].
+inline double roomOf(const Perception& seen) {
+  const double reach = seen.self.max_speed * seen.tick_duration;
+  return seen.self.radius + 2.0 * (reach + GAP_MARGIN) + ROUNDING;
+}
+
+}  // namespace
+
+NeighbourSet findNear(const Perception& seen, std::size_t first) {
+  // A limit lies beyond the longest displacement if half of the gap does, less what the plane between both may come
+  // towards this one.
+  static_assert(NEIGHBOURS_AT_ONCE == simd::MAX_LOOKED_AT, "as many as the kernel looks at");
+  const NeighbourSpan& neighbours = seen.neighbours;
+  const Vector2& velocity = seen.self.velocity;
+  return simd::kernels().find_near({neighbours.xs() + first, neighbours.ys() + first, neighbours.vxs() + first,
+                                    neighbours.vys() + first, neighbours.radii() + first, neighbours.size() - first},
+                                   {velocity.x(), velocity.y(), seen.tick_duration, roomOf(seen)});
+}
+
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count_` of the list mean anything
+NearAgents::NearAgents(const DecisionBatch& contexts) {
+  for (std::uint32_t k = 0; k < contexts.size(); ++k) {
+    const Perception& seen = contexts[k].seen;
+    if (!isFor(seen)) continue;
+    for (NeighbourSet left = findNear(seen, 0); left != 0; left &= left - 1) {
+      list_[count_++] = {k * static_cast<std::uint32_t>(NEIGHBOURS_AT_ONCE) +
+                         static_cast<std::uint32_t>(__builtin_ctz(left))};
+    }
+  }
+}
+
+}  // namespace crowd

@@ -1,0 +1,167 @@
+#include "social_crowd/avoidance/separation_rule.h"
+
+#include <algorithm>
+
+#include "social_crowd/avoidance/escape_planner.h"
+#include "social_crowd/avoidance/near_agents.h"
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/static_vector.h"
+
+namespace crowd {
+namespace {
+
+/// No displacement may reach further than `room` along `normal`.
+struct Limit {
+  Vector2 normal = Vector2::Zero();
+  double room = 0.0;  // [m]
+};
+
+inline Limit limitOf(const Vector2& towards, double distance, double room) {
+  // Bodies on one and the same point: no direction is better than another, and each is as far in the other as can be.
+  if (distance <= 0.0) return {Vector2::Zero(), 0.0};
+  return {towards / distance, room - GAP_MARGIN};
+}
+
+inline Limit limitOfAgent(const AgentPerception& self, const Neighbour& other, double tick_duration,
+                          GapSharing sharing) {
+  const double distance = other.position.norm();
+  const double gap = std::max(0.0, distance - self.radius - other.radius);
+  Limit limit = limitOf(other.position, distance, 0.5 * gap);
+  if (sharing == GapSharing::MOVING) {
+    // The plane between both goes along with the mean of their last velocities, but not out of the gap.
+    const double shift = 0.5 * tick_duration * limit.normal.dot(self.velocity + other.velocity);
+    limit.room += std::clamp(shift, -0.5 * gap, 0.5 * gap);
+  }
+  limit.room = std::max(0.0, limit.room);
+  return limit;
+}
+
+Limit limitOfObstacle(const AgentPerception& self, const Neighbour& other) {
+  const double distance = other.position.norm();
+  Limit limit = limitOf(other.position, distance, distance - self.radius - other.radius);
+  limit.room = std::max(0.0, limit.room);
+  return limit;
+}
+
+Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
+  const Vector2 nearest = nearestPoint(wall, Vector2::Zero());
+  const double distance = nearest.norm();
+  Limit limit = limitOf(nearest, distance, distance - self.radius);
+  limit.room = std::max(0.0, limit.room);
+  return limit;
+}
+
+/// All that is wanted is admissible as long as nothing is in the way. By whole registers: a copy in smaller pieces
+/// could not be read by such before it is in the cache.
+void admitAll(MoveBlock* moves, std::size_t count) {
+  for (std::size_t block = 0; block < blocksOf(count); ++block) {
+    for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) moves[block].fraction[i] = moves[block].wanted[i];
+  }
+}
+
+/// @param reach the longest displacement of a tick [m]
+void apply(const Limit& limit, double reach, MoveBlock& moves) {
+  const double nx = limit.normal.x();
+  const double ny = limit.normal.y();
+  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
+    const double advance = reach * (nx * moves.x[i] + ny * moves.y[i]);
+    const bool too_far = (advance > 0.0) & (moves.fraction[i] * advance > limit.room);
+    const double left = limit.room / advance;
+    moves.fraction[i] = too_far ? left : moves.fraction[i];
+  }
+}
+
+void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t count) {
+  if (limit.room >= reach) return;
+  for (std::size_t block = 0; block < blocksOf(count); ++block) apply(limit, reach, moves[block]);
+}
+
+/// A limit that some of an agent's moves may have to be cut to.
+struct Cut {
+  Limit limit;
+  double reach = 0.0;  // the longest displacement of a tick [m]
+  MoveBlock* moves = nullptr;
+};
+
+/// Those among NEIGHBOURS_AT_ONCE neighbours that may limit a move: agents that are near, and obstacles that do not
+/// move.
+NeighbourSet findLimiting(const Perception& seen, std::size_t first) {
+  NeighbourSet limiting = findNear(seen, first);
+  if (!seen.neighbours.hasObstacles()) return limiting;
+  const std::size_t count = std::min(NEIGHBOURS_AT_ONCE, seen.neighbours.size() - first);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Neighbour neighbour = seen.neighbours[first + i];
+    if (neighbour.kind == NeighbourKind::AGENT) continue;
+    limiting = isMovingObstacle(neighbour) ? limiting & ~(NeighbourSet{1} << i) : limiting | NeighbourSet{1} << i;
+  }
+  return limiting;
+}
+
+}  // namespace
+
+GapSharing parseGapSharing(const std::string& text) {
+  if (text == "none") return GapSharing::NONE;
+  if (text == "half") return GapSharing::HALF;
+  if (text == "moving") return GapSharing::MOVING;
+  throw InputError("gap_sharing: expected none, half or moving, got '" + text + "'");
+}
+
+std::string toText(GapSharing sharing) {
+  if (sharing == GapSharing::NONE) return "none";
+  return sharing == GapSharing::HALF ? "half" : "moving";
+}
+
+void SeparationRule::cut(const DecisionBatch& contexts, std::size_t count) const {
+  for (const DecisionContext& context : contexts) {
+    if (NearAgents::isFor(context.seen)) {
+      admitAll(context.moves, count);
+    } else {
+      cut(context.seen, context.moves, count);
+    }
+  }
+  if (sharing_ != GapSharing::NONE) cutAmongAgents(contexts, count);
+}
+
+/// All limits of all agents as one list, first those that may be limits, then those that are: how many an agent has,
+/// nobody can guess.
+void SeparationRule::cutAmongAgents(const DecisionBatch& contexts, std::size_t count) const {
+  StaticVector<Cut, NearAgents::MOST> cuts;
+  for (const NearAgent near : NearAgents(contexts)) {
+    const DecisionContext& context = contexts[near.context()];
+    const AgentPerception& self = context.seen.self;
+    const double tick_duration = context.seen.tick_duration;
+    const double reach = self.max_speed * tick_duration;
+    const Limit limit = limitOfAgent(self, context.seen.neighbours[near.neighbour()], tick_duration, sharing_);
+    cuts.add(limit, reach, context.moves);
+    cuts.keepLastIf(limit.room < reach);
+  }
+  for (const Cut& each : cuts) cutToGap(each.limit, each.reach, each.moves, count);
+}
+
+void SeparationRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {
+  cutToGaps(perception, moves, count);
+  if (!perception.neighbours.hasObstacles() || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
+  EscapePlanner escape_planner(perception, lookout_);
+  if (!escape_planner.isNeeded()) return;
+  cutToGaps(perception, escape_planner.straightMoves(), escape_planner.straightMoveCount());
+  escape_planner.replaceUnsafe(moves, count);
+}
+
+void SeparationRule::cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const {
+  admitAll(moves, count);
+  if (sharing_ == GapSharing::NONE) return;
+  const AgentPerception& self = perception.self;
+  const double reach = self.max_speed * perception.tick_duration;
+  for (std::size_t first = 0; first < perception.neighbours.size(); first += NEIGHBOURS_AT_ONCE) {
+    for (NeighbourSet left = findLimiting(perception, first); left != 0; left &= left - 1) {
+      const Neighbour neighbour = perception.neighbours[first + static_cast<std::size_t>(__builtin_ctz(left))];
+      const bool agent = neighbour.kind == NeighbourKind::AGENT;
+      cutToGap(
+          agent ? limitOfAgent(self, neighbour, perception.tick_duration, sharing_) : limitOfObstacle(self, neighbour),
+          reach, moves, count);
+    }
+  }
+  for (const Segment& wall : perception.walls) cutToGap(limitOfWall(self, wall), reach, moves, count);
+}
+
+}  // namespace crowd

@@ -1,0 +1,163 @@
+#include "social_crowd/avoidance/time_to_collision.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simd/kernels.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::size_t LANES = CandidateVelocities::LANES;
+static_assert(LANES == simd::CandidateArrays::MAX, "as kernels take them");
+static_assert(NeighbourList::MARGIN >= simd::NeighbourArrays::PADDING, "kernels read so far");
+
+void accumulateAgents(const simd::NeighbourArrays& agents, const AgentPerception& self, const Vector2& preferred,
+                      CandidateVelocities& candidates) {
+  const simd::Observer observer{self.radius, static_cast<float>(self.velocity.x()),
+                                static_cast<float>(self.velocity.y()), static_cast<float>(preferred.x()),
+                                static_cast<float>(preferred.y())};
+  const float fastest =
+      simd::kernels().accumulate_time_to_collision(agents, observer,
+                                                   {candidates.count, candidates.xs.data(), candidates.ys.data(),
+                                                    candidates.constant_velocity.data(), candidates.reciprocal.data()});
+  candidates.fastest = std::max(candidates.fastest, fastest);
+}
+
+void accumulateFixed(const simd::NeighbourArrays& discs, const AgentPerception& self, CandidateVelocities& candidates) {
+  candidates.beginFixed();
+  simd::kernels().accumulate_time_to_collision(
+      discs, {self.radius, 0.0F, 0.0F, 0.0F, 0.0F},
+      {candidates.count, candidates.xs.data(), candidates.ys.data(), candidates.static_bodies.data(), nullptr});
+}
+
+/// The wall's long side is reached where the line along it, moved by the radius, is crossed beside it.
+void accumulateSide(const Segment& wall, double radius, CandidateVelocities& candidates) {
+  const double length = (wall.to - wall.from).norm();
+  if (length <= 0.0) return;
+  const Vector2 along = (wall.to - wall.from) / length;
+  const double side = cross(along, wall.from);  // how far to the left of the agent
+  const auto nx = static_cast<float>(side < 0.0 ? along.y() : -along.y());
+  const auto ny = static_cast<float>(side < 0.0 ? -along.x() : along.x());
+  const auto gap = static_cast<float>(std::max(0.0, std::abs(side) - radius));
+  const auto ax = static_cast<float>(along.x());
+  const auto ay = static_cast<float>(along.y());
+  const auto from = static_cast<float>(wall.from.dot(along));
+  const auto to = static_cast<float>(wall.to.dot(along));
+  const float per_closing = gap > 0.0F ? 1.0F / gap : simd::AT_ONCE;
+  candidates.beginFixed();
+  for (std::size_t i = 0; i < LANES; ++i) {
+    const float closing = nx * candidates.xs[i] + ny * candidates.ys[i];
+    const float walked =
+        gap * (ax * candidates.xs[i] + ay * candidates.ys[i]);  // along the wall till then, times closing
+    const bool beside = walked >= from * closing && walked <= to * closing;
+    const float soon = beside ? closing * per_closing : 0.0F;
+    candidates.static_bodies[i] = soon > candidates.static_bodies[i] ? soon : candidates.static_bodies[i];
+  }
+}
+
+/// Takes discs one by one and hands them on several at a time.
+template <typename HandOn>
+class Collector {
+ public:
+  explicit Collector(const HandOn& hand_on) : hand_on_(hand_on) {}
+  Collector(const Collector&) = delete;
+  Collector& operator=(const Collector&) = delete;
+  Collector(Collector&&) = delete;
+  Collector& operator=(Collector&&) = delete;
+  ~Collector() { flush(); }
+
+  void add(const Vector2& place, const Vector2& velocity, double radius) {
+    xs_[count_] = place.x();
+    ys_[count_] = place.y();
+    vxs_[count_] = velocity.x();
+    vys_[count_] = velocity.y();
+    radii_[count_] = radius;
+    if (++count_ == SIZE) flush();
+  }
+
+ private:
+  static constexpr std::size_t SIZE = simd::NeighbourArrays::PADDING;
+  using Numbers = std::array<double, 2 * SIZE>;
+
+  void flush() {
+    if (count_ > 0) hand_on_({xs_.data(), ys_.data(), vxs_.data(), vys_.data(), radii_.data(), count_});
+    count_ = 0;
+  }
+
+  const HandOn& hand_on_;
+  std::size_t count_ = 0;
+  Numbers xs_{};
+  Numbers ys_{};
+  Numbers vxs_{};
+  Numbers vys_{};
+  Numbers radii_{};
+};
+
+}  // namespace
+
+double timeToCollision(const Segment& wall, const Vector2& velocity, double radius) {
+  const double ends =
+      std::min(timeToCollision(wall.from, velocity, radius), timeToCollision(wall.to, velocity, radius));
+  const Vector2 along = (wall.to - wall.from).normalized();
+  Vector2 normal(-along.y(), along.x());
+  if (normal.dot(wall.from) < 0.0) normal = -normal;
+  const double closing = normal.dot(velocity);
+  if (closing <= 0.0) return ends;
+  const double reached = std::max(0.0, (normal.dot(wall.from) - radius) / closing);
+  const double foot = (reached * velocity - wall.from).dot(along);  // of the disc's centre then, along the wall
+  const bool beside = foot >= 0.0 && foot <= (wall.to - wall.from).norm();
+  return beside ? std::min(ends, reached) : ends;
+}
+
+double timeToCollision(const Perception& perception, const Vector2& velocity) {
+  const double radius = perception.self.radius;
+  const NeighbourSpan& neighbours = perception.neighbours;
+  const double vx = velocity.x();
+  const double vy = velocity.y();
+  constexpr std::size_t BLOCK = 16;
+  std::array<double, BLOCK> times;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  double time = NEVER;
+  for (std::size_t first = 0; first < neighbours.size(); first += BLOCK) {
+    const std::size_t count = std::min(BLOCK, neighbours.size() - first);
+    const double* const xs = neighbours.xs() + first;
+    const double* const ys = neighbours.ys() + first;
+    const double* const vxs = neighbours.vxs() + first;
+    const double* const vys = neighbours.vys() + first;
+    const double* const radii = neighbours.radii() + first;
+    for (std::size_t i = 0; i < count; ++i) {
+      times[i] = timeToCollision(xs[i], ys[i], vx - vxs[i], vy - vys[i], radius + radii[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) time = std::min(time, times[i]);
+  }
+  for (const Segment& wall : perception.walls) time = std::min(time, timeToCollision(wall, velocity, radius));
+  return time;
+}
+
+void accumulateTimeToCollision(const Perception& seen, const Vector2& preferred, CandidateVelocities& candidates) {
+  const AgentPerception& self = seen.self;
+  const NeighbourSpan& neighbours = seen.neighbours;
+  const auto take_agents = [&](const simd::NeighbourArrays& agents) {
+    accumulateAgents(agents, self, preferred, candidates);
+  };
+  if (seen.isOfAgentsAlone()) {
+    return take_agents(
+        {neighbours.xs(), neighbours.ys(), neighbours.vxs(), neighbours.vys(), neighbours.radii(), neighbours.size()});
+  }
+  const auto take_static = [&](const simd::NeighbourArrays& discs) { accumulateFixed(discs, self, candidates); };
+  Collector agents(take_agents);
+  Collector static_bodies(take_static);
+  for (const Neighbour& neighbour : neighbours) {
+    if (neighbour.kind == NeighbourKind::AGENT) {
+      agents.add(neighbour.position, neighbour.velocity, neighbour.radius);
+    } else {
+      static_bodies.add(neighbour.position, neighbour.velocity, neighbour.radius);
+    }
+  }
+  for (const Segment& wall : seen.walls) {
+    for (const Vector2* end : {&wall.from, &wall.to}) static_bodies.add(*end, Vector2::Zero(), 0.0);
+    accumulateSide(wall, self.radius, candidates);
+  }
+}
+
+}  // namespace crowd

@@ -1,0 +1,153 @@
+#include "social_crowd/learning/rl/learning_parameters.h"
+
+#include <cmath>
+
+#include <array>
+#include <utility>
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+
+Ties parseTies(const std::string& text) {
+  if (text == "first") return Ties::FIRST;
+  if (text == "random") return Ties::RANDOM;
+  throw InputError("ties: expected first or random, got '" + text + "'");
+}
+
+std::string toText(Ties ties) { return ties == Ties::FIRST ? "first" : "random"; }
+
+std::string LearningParameters::problems() const {
+  std::string problems;
+  const auto require = [&](bool fine, const char* name, const char* expected, double got) {
+    if (fine) return;
+    if (!problems.empty()) problems += "; ";
+    problems += std::string(name) + ": expected " + expected + ", got " + toText(got);
+  };
+  require(alpha > 0.0 && alpha <= 1.0, "alpha", "a number above 0, at most 1", alpha);
+  require(gamma >= 0.0 && gamma < 1.0, "gamma", "a number from 0 to below 1", gamma);
+  require(lambda >= 0.0 && lambda <= 1.0, "lambda", "a number from 0 to 1", lambda);
+  require(alpha_decay >= 0.0 && alpha_decay <= 1.0, "alpha_decay", "a number from 0 to 1", alpha_decay);
+  require(epsilon >= 0.0 && epsilon <= 1.0, "epsilon", "a number from 0 to 1", epsilon);
+  return problems;
+}
+
+double EpsilonSchedule::at(std::uint64_t episode) const {
+  if (episode >= episodes) return last;
+  const double fraction = static_cast<double>(episode) / static_cast<double>(episodes);
+  if (shape == Shape::EXPONENTIAL) return first * std::pow(last / first, fraction);
+  return first + fraction * (last - first);
+}
+
+namespace {
+
+EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsMap()) return EpsilonSchedule::constant(readNumber(node, place, NumberRule::FRACTION));
+  const YamlMap map(node, place, {"from", "to", "episodes", "shape"});
+  EpsilonSchedule schedule;
+  schedule.first = map.number("from", NumberRule::FRACTION);
+  schedule.last = map.number("to", NumberRule::FRACTION);
+  schedule.episodes = static_cast<std::uint64_t>(map.whole("episodes", 1, INT64_MAX));
+  const std::string shape = map.text("shape", "linear");
+  if (shape == "exponential") {
+    schedule.shape = EpsilonSchedule::Shape::EXPONENTIAL;
+    if (schedule.first <= 0.0 || schedule.last <= 0.0) {
+      throwExpected(place, node, "from and to above 0 for an exponential schedule");
+    }
+  } else if (shape != "linear") {
+    throwExpected(map.placeOf("shape"), map.need("shape"), "linear or exponential");
+  }
+  return schedule;
+}
+
+}  // namespace
+
+void readParameter(const YamlMap& map, const std::string& key, double LearningParameters::*member,
+                   LearningParameters& parameters) {
+  const YAML::Node node = map.find(key);
+  if (!node) return;
+  LearningParameters alone;
+  alone.*member = readNumber(node, map.placeOf(key));
+  // The place names the key already.
+  if (!alone.problems().empty()) throwProblem(map.placeOf(key), node, alone.problems().substr(key.size() + 2));
+  parameters.*member = alone.*member;
+}
+
+Ties readTies(const YamlMap& map, Ties otherwise) {
+  try {
+    return parseTies(map.text("ties", toText(otherwise)));
+  } catch (const InputError&) {
+    throwExpected(map.placeOf("ties"), map.need("ties"), "first or random");
+  }
+}
+
+LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, const LearningPlan& otherwise) {
+  const YamlMap map(node, place, {"alpha", "alpha_decay", "gamma", "lambda", "mirrored", "ties", "epsilon"});
+  LearningPlan plan = otherwise;
+  readParameter(map, "alpha", &LearningParameters::alpha, plan.parameters);
+  readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, plan.parameters);
+  readParameter(map, "gamma", &LearningParameters::gamma, plan.parameters);
+  readParameter(map, "lambda", &LearningParameters::lambda, plan.parameters);
+  plan.parameters.mirrored = map.flag("mirrored", plan.parameters.mirrored);
+  plan.parameters.ties = readTies(map, plan.parameters.ties);
+  if (const YAML::Node epsilon = map.find("epsilon")) {
+    plan.epsilon = readEpsilon(epsilon, map.placeOf("epsilon"));
+    plan.parameters.epsilon = plan.epsilon.at(0);
+  }
+  return plan;
+}
+
+LearningPlan changedPlan(const LearningPlan& plan, const std::string& text, const std::string& name) {
+  const std::vector<YAML::Node> documents = parseYamlStream(text, name);
+  if (documents.size() != 1 || !documents.front().IsMap()) {
+    throw InputError(name + ": expected a map such as {alpha: 0.05, epsilon: 0}, got '" + text + "'");
+  }
+  return readLearningPlan(documents.front(), {name, 0, ""}, plan);
+}
+
+std::string toText(const EpsilonSchedule& schedule) {
+  if (schedule.episodes == 0 || schedule.first == schedule.last) return toText(schedule.last);
+  const bool exponential = schedule.shape == EpsilonSchedule::Shape::EXPONENTIAL;
+  return "{from: " + toText(schedule.first) + ", to: " + toText(schedule.last) +
+         ", episodes: " + std::to_string(schedule.episodes) + ", shape: " + (exponential ? "exponential" : "linear") +
+         "}";
+}
+
+namespace {
+
+constexpr std::size_t KEYS = 7;
+
+/// Every key of a plan and what it says.
+std::array<std::pair<const char*, std::string>, KEYS> entriesOf(const LearningPlan& plan) {
+  const LearningParameters& parameters = plan.parameters;
+  return {{{"alpha", toText(parameters.alpha)},
+           {"alpha_decay", toText(parameters.alpha_decay)},
+           {"gamma", toText(parameters.gamma)},
+           {"lambda", toText(parameters.lambda)},
+           {"mirrored", parameters.mirrored ? "true" : "false"},
+           {"ties", toText(parameters.ties)},
+           {"epsilon", toText(plan.epsilon)}}};
+}
+
+}  // namespace
+
+std::string toText(const LearningPlan& plan) {
+  std::string text;
+  for (const auto& [key, value] : entriesOf(plan))
+    text += (text.empty() ? "{" : ", ") + std::string(key) + ": " + value;
+  return text + "}";
+}
+
+std::string differences(const LearningPlan& before, const LearningPlan& after) {
+  const auto old_entries = entriesOf(before);
+  const auto new_entries = entriesOf(after);
+  std::string text;
+  for (std::size_t i = 0; i < KEYS; ++i) {
+    if (old_entries[i] == new_entries[i]) continue;
+    text += (text.empty() ? "" : ", ") + std::string(new_entries[i].first) + " from " + old_entries[i].second + " to " +
+            new_entries[i].second;
+  }
+  return text;
+}
+
+}  // namespace crowd

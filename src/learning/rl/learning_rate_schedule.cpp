@@ -1,0 +1,32 @@
+#include "social_crowd/learning/rl/learning_rate_schedule.h"
+
+#include <cmath>
+
+namespace crowd {
+namespace {
+
+constexpr std::uint32_t MOST = 1U << 14U;  // so many stay in the cache
+
+}  // namespace
+
+LearningRateSchedule::LearningRateSchedule(const LearningParameters& parameters) : parameters_(parameters) {
+  if (parameters.alpha_decay <= 0.0) return;
+  sizes_.push_back(1.0);
+  while (sizes_.size() < MOST && sizes_.back() > parameters.alpha) {
+    sizes_.push_back(parameters.learningRate(static_cast<std::uint32_t>(sizes_.size())));
+  }
+  steady_ = sizes_.back() <= parameters.alpha;
+}
+
+double LearningRateSchedule::retainedWeight(std::uint32_t first, std::uint32_t last) const {
+  double kept = 1.0;
+  for (std::uint32_t done = first; done < last; ++done) {
+    const double step = at(done + 1);
+    // From here on all steps are alpha.
+    if (step <= parameters_.alpha) return kept * std::pow(1.0 - parameters_.alpha, last - done);
+    kept *= 1.0 - step;
+  }
+  return kept;
+}
+
+}  // namespace crowd

@@ -1,0 +1,95 @@
+#include "social_crowd/learning/states/anticipation_states.h"
+
+#include <algorithm>
+#include <array>
+
+#include "simd/kernels.h"
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+constexpr double LONGEST_TIME = 60.0;      // [s]
+constexpr double FASTEST_APPROACH = 10.0;  // [maximum speeds]
+
+/// A digit of row numbers: the classes of a quantity, which are as many limits as it reaches.
+/// @param sign what is compared with the limits is sign * value
+simd::ClassDigit digitOf(const MoveFeatures::Lanes& values, const std::vector<float>& limits, float sign = 1.0F) {
+  static_assert(MoveFeatures::LANES % simd::VALUES_PADDED == 0, "kernels read so many");
+  return {values.data(), sign, limits.data(), limits.size()};
+}
+
+}  // namespace
+
+AnticipationStates::AnticipationStates(const Parameters& parameters, Action actions)
+    : parameters_(parameters), actions_(actions) {
+  std::vector<double> turns;
+  for (const double turn : parameters.turns) turns.push_back(-std::cos(toRadians(turn)));
+  addLimits(parameters.reciprocal_times, reciprocal_times_);
+  addLimits(parameters.constant_velocity_times, constant_velocity_times_);
+  addLimits(parameters.static_times, static_times_);
+  addLimits(parameters.admissible_fractions, admissible_fractions_);
+  addLimits(turns, turn_cosines_);
+  addLimits(parameters.oncoming, oncoming_);
+  if (!parameters.admissible_fractions.empty()) min_fraction_ = parameters.admissible_fractions.front();
+}
+
+void AnticipationStates::addLimits(const std::vector<double>& limits, Limits& single) {
+  single.assign(limits.begin(), limits.end());
+  row_count_ *= static_cast<Row>(limits.size() + 1);
+}
+
+void AnticipationStates::findRows(const MoveFeatures& features, std::size_t count, Row* rows) const {
+  const auto digits = {digitOf(features.reciprocal_times, reciprocal_times_),
+                       digitOf(features.constant_velocity_times, constant_velocity_times_),
+                       digitOf(features.static_times, static_times_),
+                       digitOf(features.admissible_fractions, admissible_fractions_),
+                       digitOf(features.turn_cosines, turn_cosines_, -1.0F)};
+  // The last digit is the same for all moves.
+  const auto reached = [&](float limit) { return features.oncoming >= limit; };
+  const auto last = static_cast<std::uint32_t>(std::count_if(oncoming_.begin(), oncoming_.end(), reached));
+  const auto classes = static_cast<std::uint32_t>(oncoming_.size() + 1);
+  simd::kernels().find_row_numbers(digits.begin(), digits.size(), {classes, last}, count, rows);
+}
+
+void AnticipationStates::findRows(const DecisionContext& context) const { findRowsOfAll({&context, 1}); }
+
+void AnticipationStates::findRowsOfAll(const DecisionBatch& contexts) const {
+  std::array<MoveFeatures, MAX_BATCH> features;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  for (Action first = 0; first < actions_; first += MoveFeatures::LANES) {
+    const std::size_t count = std::min<std::size_t>(actions_ - first, MoveFeatures::LANES);
+    computeMoveFeatures(contexts, first / MoveFeatures::LANES, count, min_fraction_, features.data());
+    for (std::size_t k = 0; k < contexts.size(); ++k) findRows(features[k], count, contexts[k].rows + first);
+  }
+}
+
+std::string AnticipationStates::spec() const {
+  return std::string("{type: ") + TYPE + ", vision_radius: " + toText(parameters_.vision_radius) +
+         ", max_neighbours: " + std::to_string(parameters_.max_neighbours) +
+         ", reciprocal_times: " + toText(parameters_.reciprocal_times) +
+         ", constant_velocity_times: " + toText(parameters_.constant_velocity_times) +
+         ", static_times: " + toText(parameters_.static_times) +
+         ", admissible_fractions: " + toText(parameters_.admissible_fractions) +
+         ", turns: " + toText(parameters_.turns) + ", oncoming: " + toText(parameters_.oncoming) + "}";
+}
+
+std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action actions) {
+  map.allow({"type", "vision_radius", "max_neighbours", "reciprocal_times", "constant_velocity_times", "static_times",
+             "admissible_fractions", "turns", "oncoming"});
+  AnticipationStates::Parameters parameters;
+  parameters.vision_radius = map.number("vision_radius", NumberRule::POSITIVE, parameters.vision_radius);
+  parameters.max_neighbours =
+      static_cast<std::uint32_t>(map.whole("max_neighbours", 0, INT32_MAX, parameters.max_neighbours));
+  const auto read = [&](const char* key, double highest, std::vector<double>& limits) {
+    limits = map.risingNumbers(key, 0.0, highest, limits);
+  };
+  read("reciprocal_times", LONGEST_TIME, parameters.reciprocal_times);
+  read("constant_velocity_times", LONGEST_TIME, parameters.constant_velocity_times);
+  read("static_times", LONGEST_TIME, parameters.static_times);
+  read("admissible_fractions", 1.0, parameters.admissible_fractions);
+  read("turns", 180.0, parameters.turns);
+  read("oncoming", FASTEST_APPROACH, parameters.oncoming);
+  return std::make_shared<AnticipationStates>(parameters, actions);
+}
+
+}  // namespace crowd

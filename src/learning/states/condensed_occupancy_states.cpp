@@ -1,0 +1,51 @@
+#include "social_crowd/learning/states/condensed_occupancy_states.h"
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+
+CondensedOccupancyStates::CondensedOccupancyStates(const Parameters& parameters)
+    : occupancy_(parameters),
+      parameters_(parameters),
+      sectors_(parameters.sectors),
+      codes_(Row{1} << static_cast<unsigned>(parameters.sectors)) {}
+
+Row CondensedOccupancyStates::rowOf(const OccupancyStates::Situation& situation) const {
+  Row near = 0;
+  Row code = 0;
+  for (int sector = 0; sector < sectors_.count(); ++sector) {
+    const int distance_class = situation.distance_classes[static_cast<std::size_t>(sector)];
+    if (distance_class == 1) near = 1;
+    if (distance_class > 0) code += digitOf(sector);
+  }
+  return (2 * static_cast<Row>(situation.goal_sector) + near) * codes_ + code;
+}
+
+Row CondensedOccupancyStates::mirrored(Row row) const {
+  if (row >= terminal()) return row;
+  const auto goal_sector = static_cast<int>(row / (2 * codes_));
+  const Row near = row / codes_ % 2;
+  Row code = 0;
+  for (int sector = 0; sector < sectors_.count(); ++sector) {
+    if ((row & digitOf(sector)) != 0) code += digitOf(sectors_.mirrored(sector));
+  }
+  return (2 * static_cast<Row>(sectors_.mirrored(goal_sector)) + near) * codes_ + code;
+}
+
+std::vector<int> CondensedOccupancyStates::distanceClasses(Row row) const {
+  std::vector<int> classes;
+  if (row >= terminal()) return classes;
+  if (row / codes_ % 2 == 1) classes.push_back(1);
+  for (int sector = 0; sector < sectors_.count(); ++sector) {
+    if ((row & digitOf(sector)) != 0) classes.push_back(2);
+  }
+  return classes;
+}
+
+std::string CondensedOccupancyStates::spec() const {
+  return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(parameters_.sectors) +
+         ", collision_radius: " + toText(parameters_.distances.collision_radius) +
+         ", vision_radius: " + toText(parameters_.distances.vision_radius) + "}";
+}
+
+}  // namespace crowd

@@ -1,0 +1,91 @@
+#include "social_crowd/learning/states/move_features.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "social_crowd/avoidance/time_to_collision.h"
+
+namespace crowd {
+namespace {
+
+using Lanes = MoveFeatures::Lanes;
+constexpr std::size_t LANES = MoveFeatures::LANES;
+
+/// What is known of an agent while its features are worked out.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): begin() writes it, and zeroing takes time
+struct Course {
+  CandidateVelocities candidates;
+  Vector2 preferred;   // its velocity if nobody were there [m/s]
+  float max_speed;     // no candidate is faster [m/s]
+  float time_to_goal;  // at full speed; what lies behind the goal does not count [s]
+};
+
+/// Of a move of which the rule leaves too little the velocity is that of staying.
+/// @param walking whether the agent walked in the last tick: else no move is a turn
+void findCandidates(const MoveBlock& moves, float min_fraction, float max_speed, bool walking,
+                    MoveFeatures& __restrict features, CandidateVelocities& __restrict candidates) {
+  for (std::size_t i = 0; i < LANES; ++i) {
+    const auto x = static_cast<float>(moves.x[i]);
+    const auto y = static_cast<float>(moves.y[i]);
+    const auto wanted = static_cast<float>(moves.wanted[i]);
+    const float fraction = static_cast<float>(moves.fraction[i]) / wanted;
+    const float left = wanted > 0.0F ? fraction : 1.0F;
+    const float walking_speed = left < min_fraction ? 0.0F : wanted * max_speed;
+    features.admissible_fractions[i] = left;
+    features.turn_cosines[i] = walking ? x : 1.0F;
+    candidates.xs[i] = walking_speed * x;
+    candidates.ys[i] = walking_speed * y;
+  }
+}
+
+void begin(const DecisionContext& context, std::size_t block, std::size_t count, double min_fraction,
+           MoveFeatures& features, Course& candidate) {
+  const AgentPerception& self = context.seen.self;
+  const MoveBlock& moves = context.moves[block];
+  const double distance = self.goal.norm();
+  const double speed_per_metre = distance > 0.0 ? self.max_speed / distance : 0.0;
+  candidate.preferred = speed_per_metre * self.goal;
+  candidate.max_speed = static_cast<float>(self.max_speed);
+  candidate.time_to_goal = static_cast<float>(distance / self.max_speed);
+  candidate.candidates.count = count;
+  candidate.candidates.clear();
+  findCandidates(moves, static_cast<float>(min_fraction), candidate.max_speed, self.velocity != Vector2::Zero(),
+                 features, candidate.candidates);
+}
+
+/// What lies behind the goal does not count.
+/// @param unit of the times that the inverses stand for [s]
+void toTimes(const Lanes& soonest, float unit, float time_to_goal, Lanes& times) {
+  for (std::size_t i = 0; i < LANES; ++i) {
+    const float time = unit / soonest[i];
+    times[i] = time > time_to_goal ? static_cast<float>(NEVER) : time;
+  }
+}
+
+void finish(const Course& candidate, MoveFeatures& features) {
+  const CandidateVelocities& candidates = candidate.candidates;
+  features.oncoming = std::sqrt(candidates.fastest) / candidate.max_speed;
+  toTimes(candidates.reciprocal, 0.5F, candidate.time_to_goal, features.reciprocal_times);
+  toTimes(candidates.constant_velocity, 1.0F, candidate.time_to_goal, features.constant_velocity_times);
+  if (candidates.any_static) {
+    toTimes(candidates.static_bodies, 1.0F, candidate.time_to_goal, features.static_times);
+  } else {
+    features.static_times.fill(static_cast<float>(NEVER));
+  }
+}
+
+}  // namespace
+
+void computeMoveFeatures(const DecisionBatch& contexts, std::size_t block, std::size_t count, double min_fraction,
+                         MoveFeatures* features) {
+  std::array<Course, MAX_BATCH> candidates;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  const std::size_t size = contexts.size();
+  for (std::size_t k = 0; k < size; ++k) begin(contexts[k], block, count, min_fraction, features[k], candidates[k]);
+  for (std::size_t k = 0; k < size; ++k) {
+    accumulateTimeToCollision(contexts[k].seen, candidates[k].preferred, candidates[k].candidates);
+  }
+  for (std::size_t k = 0; k < size; ++k) finish(candidates[k], features[k]);
+}
+
+}  // namespace crowd

@@ -1,0 +1,24 @@
+#include "social_crowd/learning/states/sectors.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace crowd {
+
+int MirroredSectors::indexOf(double angle) const {
+  const auto beyond = std::upper_bound(limits_.begin(), limits_.end() - 1, std::abs(angle));
+  const auto side_index = static_cast<int>(beyond - limits_.begin());
+  return angle < 0.0 ? side_index + static_cast<int>(limits_.size()) : side_index;
+}
+
+double MirroredSectors::rightLimit(int index) const {
+  const auto side = static_cast<int>(limits_.size());
+  return index < side ? inner(index) : -outer(index - side);
+}
+
+double MirroredSectors::leftLimit(int index) const {
+  const auto side = static_cast<int>(limits_.size());
+  return index < side ? outer(index) : -inner(index - side);
+}
+
+}  // namespace crowd

@@ -1,0 +1,122 @@
+#include "social_crowd/avoidance/escape_planner.h"
+
+#include <gtest/gtest.h>
+
+#include "social_crowd/avoidance/separation_rule.h"
+#include "social_crowd/common/random.h"
+#include "social_crowd/world/scenario_reader.h"
+#include "social_crowd/world/world.h"
+#include "support/moves.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+constexpr double LOOKOUT = 1.5;  // [s]
+
+/// What becomes of a move straight ahead, and of staying, of an agent of radius 0.25 that walks at 0.3 m/s.
+struct Moves {
+  CandidateMove ahead{Vector2::UnitX(), 1.0, 1.0};
+  CandidateMove stay{Vector2::UnitX(), 0.0, 0.0};
+};
+
+Moves movesIn(const PerceptionsBuilder& scene) {
+  const auto moves =
+      cut(SeparationRule(GapSharing::MOVING, LOOKOUT), scene.perception(), {Moves().ahead, Moves().stay});
+  return {moves[0], moves[1]};
+}
+
+PerceptionsBuilder moving_obstacle(const Vector2& position, const Vector2& velocity) {
+  return PerceptionsBuilder()
+      .agent(0, {5.0, 0.0})
+      .neighbour(position, 0.25)
+      .kind(NeighbourKind::OBSTACLE)
+      .velocity({0, 0}, velocity);
+}
+
+TEST(EscapePlanner, LeavesMovesAsTheyAreWhereNoMovingObstacleCanCome) {
+  // 0.3 and 0.5 m/s close 1.2 m within the lookout; 1.3 m from rim to rim.
+  const Moves moves = movesIn(moving_obstacle({1.83, 0.0}, {-0.5, 0.0}));
+  EXPECT_EQ(moves.ahead.fraction, 1.0);
+  EXPECT_EQ(moves.stay.fraction, 0.0);
+}
+
+TEST(EscapePlanner, LeavesAnObstacleAtRestToTheSeparationRule) {
+  const Moves moves = movesIn(moving_obstacle({0.515, 0.0}, {0.0, 0.0}));
+  EXPECT_NEAR(moves.ahead.fraction, 0.5, 1e-6);  // 0.015 of the 0.03 of a tick
+  EXPECT_EQ(moves.ahead.direction, Vector2::UnitX());
+}
+
+TEST(EscapePlanner, WhoStandsInAMovingObstaclesWayStaysUntilItMustGo) {
+  // 0.45 m beside the middle of its lane, of which they need 0.52 m: straight out of it they are 0.534 m apart when
+  // they are nearest, but one tick later would be 0.506 m.
+  const Moves late = movesIn(moving_obstacle({0.36, 0.45}, {-1.0, 0.0}));
+  for (const CandidateMove& move : {late.ahead, late.stay}) {
+    EXPECT_EQ(move.fraction, 1.0);
+    EXPECT_LT(move.direction.y(), -0.3);
+  }
+  const Moves early = movesIn(moving_obstacle({0.56, 0.45}, {-1.0, 0.0}));
+  EXPECT_EQ(early.stay.fraction, 0.0);
+}
+
+TEST(EscapePlanner, WhoIsTooLateMakesTheMostOfItsTime) {
+  // In the middle of the lane, 1.73 s from its rim, of a moving obstacle that is there in 0.5 s: nothing helps for
+  // long, but to walk away from it does for longer than to stay.
+  const Moves moves = movesIn(moving_obstacle({1.0, 0.0}, {-1.0, 0.0}));
+  EXPECT_LT(moves.ahead.direction.x(), 0.0);
+  EXPECT_LT(moves.stay.direction.x(), 0.0);
+  EXPECT_EQ(moves.stay.fraction, 1.0);
+}
+
+TEST(EscapePlanner, ReckonsWithAMovingObstacleThatTurnsRound) {
+  // Right behind a moving obstacle that leaves: 0.05 m are 0.07 s if it turned round, and nobody gets out of its lane
+  // by then.
+  const Moves moves = movesIn(moving_obstacle({0.55, 0.0}, {0.6, 0.0}));
+  EXPECT_LT((moves.ahead.fraction * moves.ahead.direction).x(), 0.0);
+}
+
+/// One agent among moving obstacles, with actions picked at random: how many ticks it overlaps one at the end of.
+int ticksInContact(double lookout, std::uint64_t seed) {
+  const std::string text =
+      "{name: moving_obstacles, duration: 60, goal_tolerance: 0.1, agents: [{position: [0, 0], goal: [50, 0], speed: "
+      "1.3, "
+      "radius: "
+      "0.25}], obstacles: [{count: 6, position: {ring: {centre: [0, 0], radius: [2, 6]}}, to_and_fro: {box: [[-6, -6], "
+      "[6, "
+      "6]]}, speed: [0.3, 1.2], radius: [0.2, 0.5]}]}";
+  World world(parseScenarios(text, "moving obstacles").scene(seed, 0));
+  Perceptions perceptions;
+  int ticks = 0;
+  for (std::uint64_t tick = 0; tick < 300; ++tick) {
+    world.perceive({6.0, 0}, perceptions);
+    const AgentPerception& self = perceptions.agents.front();
+    // Where the moving obstacles are: whoever is out of their sight walks back.
+    const bool is_out = self.pose.position.norm() > 3.0;
+    const double back = wrapAngle(bearingOf(-self.pose.position) - self.pose.heading);
+    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {tick, 0});
+    const Perception perception(perceptions, 0);
+    CandidateMove move{unitVector(is_out ? back : 2.0 * PI * random.uniform()), 1.0, 1.0};
+    if (tick % 10 < 5) move = {Vector2::UnitX(), random.uniform(), 1.0};
+    move = cut(SeparationRule(GapSharing::MOVING, lookout), perception, {move})[0];
+    world.step({{self.agent, toAction(move)}});
+    const Agent& agent = world.agents().front();
+    for (const Obstacle& o : world.obstacles()) {
+      const double away = (agent.pose.position - o.path.position(world.time())).norm();
+      if (away < agent.radius + o.radius - 1e-3) ++ticks;
+    }
+  }
+  return ticks;
+}
+
+TEST(EscapePlanner, AnAgentAloneIsNeverTouched) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) EXPECT_EQ(ticksInContact(LOOKOUT, seed), 0) << "seed " << seed;
+}
+
+TEST(EscapePlanner, WithoutItTheSameAgentIsRunOver) {
+  int ticks = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) ticks += ticksInContact(0.0, seed);
+  EXPECT_GT(ticks, 100);
+}
+
+}  // namespace
+}  // namespace crowd
