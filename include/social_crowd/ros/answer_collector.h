@@ -17,7 +17,7 @@
 namespace crowd {
 
 /// @brief Publishes perceptions and waits for the learners' answers, with deadlines. Owned by CrowdController, which
-/// calls ask() and then wait() once a turn; all in the main loop, which wait() serves. docs/architecture.md describes
+/// calls ask() and then wait() once a turn; all in the main loop, which wait() serves. docs/protocol.md describes
 /// the protocol.
 class AnswerCollector {
  public:

@@ -20,7 +20,7 @@
 namespace crowd {
 
 /// @brief The node that owns world, clock and episodes: it tells everybody what it perceives, waits for the answers
-/// (lockstep with a deadline), moves everybody, and goes on to the next tick or episode. docs/architecture.md has the
+/// (lockstep with a deadline), moves everybody, and goes on to the next tick or episode. docs/protocol.md has the
 /// protocol.
 class CrowdController {
  public:
