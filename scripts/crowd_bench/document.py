@@ -1,4 +1,4 @@
-"""Fills the tables of docs/performance.md with what was measured; rows that were not measured again stay."""
+"""Fills the tables of docs/performance.md and docs/performance_log.md; rows that were not measured again stay."""
 import datetime
 import os
 import pathlib

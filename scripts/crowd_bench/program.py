@@ -33,8 +33,10 @@ def parse_arguments(words):
     parser.add_argument('names', nargs='*', metavar='NAME', choices=[*ALL, 'all', []], help='see below')
     parser.add_argument('--json', type=pathlib.Path, metavar='FILE',
                         help='write {name, value, unit, yardstick, ratio} of each benchmark as a list')
-    parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md',
-                        help="fill this document's tables with what is measured, and the pictures it shows in images/")
+    parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md', action='append', default=[],
+                        dest='documents',
+                        help="fill this document's tables with what is measured, and the pictures it shows in images/; "
+                             'may be given several times')
     parser.add_argument('--plots', type=pathlib.Path, metavar='FOLDER', default=pathlib.Path('results/bench'),
                         help='where sweeps are drawn (default: %(default)s)')
     parser.add_argument('--repetitions', type=positive, default=5, metavar='N',
@@ -135,10 +137,10 @@ def main(words=None):
     try:
         measuring = Measuring(arguments, arguments.tools.resolve() if arguments.tools else build())
         status = measure_all(measuring, chosen(arguments.names))
-        if arguments.document:
-            lacking = document.fill(arguments.document, measuring.results, measuring.sweeps, measuring.profiles,
+        for file in arguments.documents:
+            lacking = document.fill(file, measuring.results, measuring.sweeps, measuring.profiles,
                                     arguments.repetitions)
-            print('\n'.join(lacking if 'all' in arguments.names else [f'{arguments.document}: filled']))
+            print('\n'.join(lacking if 'all' in arguments.names else [f'{file}: filled']))
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
     except (RunError, OSError) as error:

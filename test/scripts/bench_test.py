@@ -75,14 +75,14 @@ class BenchTest:
         }
         assert len(running.output().splitlines()) == 5, 'a heading and a line each'
 
-    def test_sweeps_fill_the_document_with_pictures(self, runner):
+    def test_sweeps_fill_documents_with_tables_and_pictures(self, runner):
         os.mkdir(runner.path('images'))
-        page = runner.write('page.md', '<!-- table performance/crowd_step_agents -->\n<!-- end -->\n'
-                                       '![](images/crowd_step_agents.png)\n')
-        running = self.bench(runner, 'crowd_step_agents', '--document', page)
+        pictures = runner.write('pictures.md', '![](images/crowd_step_agents.png)\n')
+        tables = runner.write('tables.md', '<!-- table performance/crowd_step_agents -->\n<!-- end -->\n')
+        running = self.bench(runner, 'crowd_step_agents', '--document', pictures, '--document', tables)
         assert running.wait() == 0, running.output()
         rows = '| 1,000 | 1.000 | 1.00 | 1.00 |\n| 20,000 | 0.500 | 2.00 | 2.00 |'
-        assert rows in read_text(page)
+        assert rows in read_text(tables)
         assert read_bytes(runner.path('images/crowd_step_agents.png')).startswith(b'\x89PNG')
 
     def test_an_interrupt_keeps_what_is_measured(self, runner):
