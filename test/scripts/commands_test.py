@@ -19,7 +19,8 @@ def run_here(runner, *command):
 class RosrunTest:
     """rosrun social_crowd PROGRAM."""
 
-    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce'])
+    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce', 'show_crowd',
+                                      'learner_crew'])
     def test_it_finds_one_of_each(self, runner, name):
         status, output = run_here(runner, 'rosrun', 'social_crowd', name, '--help')
         assert status == 0, output
