@@ -31,12 +31,25 @@ class LibraryPageTest:
         assert status == 0, f'{command}:\n{output}'
         return output
 
+    def install(self, runner, build, prefix):
+        """As the page says; afterwards the build folder has its own prefix again."""
+        with open(os.path.join(build, 'CMakeCache.txt'), encoding='utf-8') as cache:
+            before = re.search('^CMAKE_INSTALL_PREFIX:PATH=(.*)$', cache.read(), re.MULTILINE).group(1)
+        try:
+            subprocess.run(['cmake', build, f'-DCMAKE_INSTALL_PREFIX={prefix}'], stdout=subprocess.DEVNULL, check=True)
+            self.run_to_its_end(runner, 'cmake', '--install', build)
+        finally:
+            subprocess.run(['cmake', build, f'-DCMAKE_INSTALL_PREFIX={before}'], stdout=subprocess.DEVNULL, check=True)
+        found = self.run_to_its_end(runner, 'env', '-i', 'PATH=/usr/bin:/bin', 'bash', '-c',
+                                    f'source {prefix}/setup.bash && rospack find social_crowd')
+        assert found.strip() == os.path.join(prefix, 'share', 'social_crowd')
+
     def test_the_example_walks_and_learns(self, runner, request):
         build = request.config.getoption('--build')
         if build is None:
             pytest.skip('needs --build, the folder from which the package is installed')
         prefix = runner.path('installed')
-        self.run_to_its_end(runner, 'cmake', '--install', build, '--prefix', prefix)
+        self.install(runner, build, prefix)
         files = page_examples('library.md')
         assert sorted(files) == ['CMakeLists.txt', 'learn.cpp', 'walk.cpp']
         for name, text in files.items():
@@ -52,6 +65,9 @@ class LibraryPageTest:
         table = os.path.join(config, 'q_tables', 'anticipation.txt')
         walked = self.run_to_its_end(runner, 'build/walk', table, 'circle6')
         assert re.search(r'^6 of 6 arrived, 0 were in contact, \d+ ticks\n$', walked)
+        status, output = self.run_here(runner, 'build/walk', 'missing.txt', 'circle6')
+        assert status == 1, output
+        assert_says(output, 'missing.txt: cannot be read')
         config = runner.write('config.yaml', config_text('circle6', 2, seed=4))
         learned = self.run_to_its_end(runner, 'build/learn', config, 'table.txt')
         assert re.search(r'^2 episodes, \d+ decisions\n$', learned)
