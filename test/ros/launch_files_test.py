@@ -126,6 +126,39 @@ class DemoTest(LaunchTestCase):
         self.assert_ends_with(self.demo(q_table=missing, learners='per_agent'), f'~q_table: {missing}')
 
 
+class LeftoverTest(LaunchTestCase):
+    """Parameters that an earlier launch has left on the parameter server do not count."""
+
+    def leave(self, node, **parameters):
+        """Sets parameters of a node that is not there."""
+        for name, value in parameters.items():
+            rospy.set_param(f'{self.namespace}/{node}/{name}', value)
+
+    def check(self, **arguments):
+        """A demo sees nothing of them."""
+        missing = self.path('missing.yaml')
+        self.leave('crowd_controller', config=missing, no_such=1)
+        self.leave('crowd_markers', rate=-1.0)
+        self.leave('learner', config=missing, alpha=-1)
+        self.leave('learner_crew/learner', config=missing, alpha=-1)
+        self.leave('learner_0', config=missing, alpha=-1)
+        self.assert_ends_well(self.demo(episodes=1, **arguments))
+
+    def test_one_learner(self):
+        self.check()
+
+    def test_a_learner_for_each_agent(self):
+        self.check(learners='per_agent')
+
+    def test_nodelets(self):
+        self.check(nodelets='true')
+
+    def test_training(self):
+        self.leave('crowd_controller', paused=True)
+        self.leave('learner', alpha=-1)
+        self.assert_ends_well(self.launch('train.launch', output=self.path('table.txt'), episodes=1))
+
+
 class TrainTest(LaunchTestCase):
     """train.launch."""
 
@@ -200,6 +233,7 @@ class ReplayTest(LaunchTestCase):
     def test_a_recording_becomes_markers(self):
         """Without RViz it ends with the recording."""
         markers = self.listen('markers', MarkerArray)
+        rospy.set_param(f'{self.namespace}/crowd_markers/rate', -1.0)  # an earlier launch's; does not count
         launched = self.launch('replay.launch', bag=self.record())
 
         def tip_of_a_path(array):
@@ -210,7 +244,20 @@ class ReplayTest(LaunchTestCase):
 
     def test_the_bag_must_be_there(self):
         launched = self.launch('replay.launch', bag=self.path('missing.bag'))
-        self.assert_ends_with(launched, 'missing.bag')
+        self.assert_ends_with(launched, f"there is no file {self.path('missing.bag')}")
+
+    def test_a_relative_path_is_told_in_full(self):
+        launched = self.launch('replay.launch', bag='walk.bag')
+        self.assert_ends_with(launched, 'there is no file /', '/walk.bag; give an absolute path')
+
+    def test_it_must_be_a_bag(self):
+        launched = self.launch('replay.launch', bag=self.write('no.bag', 'no bag'))
+        self.assert_ends_with(launched, f"{self.path('no.bag')} is not a bag")
+
+    def test_a_bag_must_be_given(self):
+        launched = self.launch('replay.launch')
+        self.assertNotEqual(launched.wait(), 0)
+        self.assert_says(launched.output(), "requires the 'bag' arg to be set")
 
 
 if __name__ == '__main__':
