@@ -68,10 +68,10 @@ class LibraryPageTest:
         status, output = self.run_here(runner, 'build/walk', 'missing.txt', 'circle6')
         assert status == 1, output
         assert_says(output, 'missing.txt: cannot be read')
-        config = runner.write('config.yaml', config_text('circle6', 2, seed=4))
-        learned = self.run_to_its_end(runner, 'build/learn', config, 'table.txt')
+        training = runner.write('config.yaml', config_text('circle6', 2, seed=4))
+        learned = self.run_to_its_end(runner, 'build/learn', training, 'table.txt')
         assert re.search(r'^2 episodes, \d+ decisions\n$', learned)
-        runner.tool('train', config, '--output', runner.path('expected.txt'))
+        runner.tool('train', training, '--output', runner.path('expected.txt'))
         assert read_text(runner.path('table.txt')) == read_text(runner.path('expected.txt'))
         _, output = self.run_here(runner, 'build/walk', table, 'circel6')
         assert_says(output, f'{os.path.realpath(config)}/scenarios none of that name')
