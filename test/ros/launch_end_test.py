@@ -15,6 +15,7 @@ from social_crowd.msg import AgentStates, EpisodeResult
 
 # A program in place of RViz; it is closed by making a file.
 RVIZ = """#!/bin/bash
+trap exit INT TERM  # else bash goes on when the sleep just ended by itself
 touch "$0.open"
 until [[ -e $0.close ]]; do sleep 0.05; done
 """
