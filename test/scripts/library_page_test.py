@@ -1,5 +1,6 @@
 """docs/library.md: the project that it prints is built with an installed copy, and run."""
 import os
+import pathlib
 import re
 import subprocess
 
@@ -32,7 +33,9 @@ class LibraryPageTest:
         return output
 
     def install(self, runner, build, prefix):
-        """As the page says; afterwards the build folder has its own prefix again."""
+        """As the page says; afterwards the build folder is as it was."""
+        environment = pathlib.Path(build, 'catkin_generated', 'setup_cached.sh')  # of tests: not to be that of this one
+        kept = environment.read_bytes()
         with open(os.path.join(build, 'CMakeCache.txt'), encoding='utf-8') as cache:
             before = re.search('^CMAKE_INSTALL_PREFIX:PATH=(.*)$', cache.read(), re.MULTILINE).group(1)
         try:
@@ -40,6 +43,7 @@ class LibraryPageTest:
             self.run_to_its_end(runner, 'cmake', '--install', build)
         finally:
             subprocess.run(['cmake', build, f'-DCMAKE_INSTALL_PREFIX={before}'], stdout=subprocess.DEVNULL, check=True)
+            environment.write_bytes(kept)
         found = self.run_to_its_end(runner, 'env', '-i', 'PATH=/usr/bin:/bin', 'bash', '-c',
                                     f'source {prefix}/setup.bash && rospack find social_crowd')
         assert found.strip() == os.path.join(prefix, 'share', 'social_crowd')
