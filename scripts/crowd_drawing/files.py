@@ -28,12 +28,13 @@ def find_scenario(name_or_file):
     near = difflib.get_close_matches(path.stem, scenarios)
     names = near + [name for name in scenarios if name not in near]
     raise InputError(f"no scenario '{name_or_file}'" + (f", did you mean '{near[0]}'? There" if near else ': there') +
-                     f" is no file {path.absolute()}; there are {', '.join(names)}")
+                     f" is no file {path.absolute()}; in config/scenarios there are {', '.join(names)}")
 
 
 def read_walks(file, instance):
     """Returns the walks of an instance, by agent: lists of (tick, x, y) [m]. Without an instance: of the first."""
     walks = {}
+    instances = set()
     with open(file, newline='', encoding='utf-8', errors='replace') as stream:
         rows = csv.reader(stream)
         if next(rows, None) != HEADER:
@@ -47,12 +48,17 @@ def read_walks(file, instance):
                                  f"got '{','.join(row)}'") from None
             if min(row_instance, tick, agent) < 0 or not (math.isfinite(x) and math.isfinite(y)):
                 raise InputError(f"{file}:{rows.line_num}: negative or not finite: '{','.join(row)}'")
+            instances.add(row_instance)
             if instance is None:
                 instance = row_instance
             if row_instance == instance:
                 walks.setdefault(agent, []).append((tick, x, y))
+    if not instances:
+        raise InputError(f'{file}: holds no walk')
     if not walks:
-        raise InputError(f'{file}: holds no instance {instance}' if instance is not None else f'{file}: holds no walk')
+        least, most = min(instances), max(instances)
+        expected = least if least == most else f'{least} to {most}'
+        raise InputError(f'{file}: holds no instance {instance}, expected {expected}')
     for walk in walks.values():
         walk.sort()
     return instance, walks

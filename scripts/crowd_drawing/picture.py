@@ -34,6 +34,7 @@ class Picture:
         self.figure, self.axes = (axes.figure, axes) if axes is not None else pyplot.subplots()
         self.low = [math.inf, math.inf]
         self.high = [-math.inf, -math.inf]
+        self.has_goals = self.has_obstacles = False
 
     def show(self, point, radius=0.0):
         """Makes sure that a disc is within the picture."""
@@ -53,6 +54,7 @@ class Picture:
         start, radius = obstacle['position'], obstacle['radius']
         if start is None:
             return
+        self.has_obstacles = True
         self.show(start, radius)
         self.disc(start, radius, facecolor=OBSTACLE_COLOUR, edgecolor='0.35', linewidth=0.8, zorder=1)
         velocity = obstacle['velocity']
@@ -79,6 +81,7 @@ class Picture:
         """A cross at each goal, a little smaller than the body."""
         arm = 0.55 * radius
         for x, y in goals:
+            self.has_goals = True
             self.show((x, y), radius)
             for slope in (-1, 1):
                 self.axes.plot([x - arm, x + arm], [y - slope * arm, y + slope * arm], color=colour, linewidth=2,
@@ -97,14 +100,17 @@ class Picture:
         self.disc(places[-1], radius, fill=False, edgecolor=colour, linewidth=1.4, zorder=7)
 
     def add_legend(self, scene):
+        """Explains what has been drawn."""
         grey = '0.25'
         entries = [
             Line2D([], [], linestyle='', marker='o', color=grey, alpha=START_ALPHA, markersize=10, label='start'),
             Line2D([], [], marker='o', color=grey, markersize=3.2, linewidth=1.6, label='path, a dot each second'),
             Line2D([], [], linestyle='', marker='o', color=grey, fillstyle='none', markersize=10, label='end'),
-            Line2D([], [], linestyle='', marker='x', color=grey, markersize=8, markeredgewidth=2, label='goal'),
         ]
-        if scene.obstacles:
+        if self.has_goals:
+            entries.append(Line2D([], [], linestyle='', marker='x', color=grey, markersize=8, markeredgewidth=2,
+                                  label='goal'))
+        if self.has_obstacles:
             entries.append(Line2D([], [], linestyle='', marker='o', color=OBSTACLE_COLOUR, markeredgecolor='0.35',
                                   markersize=10, label='obstacle'))
         if scene.walls:

@@ -8,14 +8,18 @@ class Program:
 
     def __init__(self, command):
         self.is_stopped = False  # told to end
-        self.process = subprocess.Popen(command)
+        self.process = None
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self.stop)
+        self.process = subprocess.Popen(command)
+        if self.is_stopped:  # before there was a process to tell
+            self.process.terminate()
 
     def stop(self, number, _):
         """Hands a signal on."""
         self.is_stopped = True
-        self.process.send_signal(number)
+        if self.process:
+            self.process.send_signal(number)
 
     def wait(self):
         """Waits for its end; the exit status, as a shell tells it."""

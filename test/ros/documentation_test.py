@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """The example of docs/own_learner.md: what the page prints is run as it stands there."""
+import os
+
 import support
 from social_crowd.msg import EpisodeResult
 
@@ -20,7 +22,8 @@ class OwnLearnerPageTest(support.CrowdTestCase):
         """Starts the page's learner."""
         file = self.write('my_learner.py', support.page_examples('own_learner.md')['my_learner.py'])
         words = [f'_{name}:={value}' for name, value in parameters.items()]
-        return self.start('my_learner', ['/usr/bin/python3', file, *words])
+        os.chmod(file, 0o755)
+        return self.start('my_learner', [file, *words])
 
     def arrivals(self, episodes):
         """Which agents arrive in which episode; nobody's answer may be missing."""

@@ -15,6 +15,7 @@ from social_crowd.msg import AgentStates, EpisodeResult
 
 # A program in place of RViz; it is closed by making a file.
 RVIZ = """#!/bin/bash
+trap exit INT TERM  # else bash goes on when the sleep just ended by itself
 touch "$0.open"
 until [[ -e $0.close ]]; do sleep 0.05; done
 """
@@ -60,7 +61,8 @@ class RvizTest(LaunchTestCase):
         """Starts a launch file and waits until RViz is there."""
         self.rviz = self.write('rviz', RVIZ)
         os.chmod(self.rviz, 0o755)
-        launched = self.launch(file, {'PATH': f'{self.folder}:{os.environ["PATH"]}'}, rviz='true', **arguments)
+        environment = {'PATH': f'{self.folder}:{os.environ["PATH"]}', 'DISPLAY': ':0'}
+        launched = self.launch(file, environment, rviz='true', **arguments)
         support.wait_for(lambda: os.path.exists(f'{self.rviz}.open'), 'RViz')
         return launched
 
@@ -77,6 +79,10 @@ class RvizTest(LaunchTestCase):
         launched = self.launch_with_rviz('demo.launch', real_time_factor='fast', episodes=1, paused='true')
         self.call('crowd_controller/pause', data=False)
         self.assert_ends_well(launched)
+
+    def test_no_display(self):
+        launched = self.launch('demo.launch', {'DISPLAY': ''}, rviz='true')
+        self.assert_ends_with(launched, 'there is no display', 'rviz:=false')
 
     def test_closing_it_does_not_end_a_training(self):
         """Also if it ended another launch before."""

@@ -200,6 +200,7 @@ class ReplayTest(LaunchTestCase):
     def test_a_recording_becomes_markers(self):
         """Without RViz it ends with the recording."""
         markers = self.listen('markers', MarkerArray)
+        rospy.set_param(f'{self.namespace}/crowd_markers/rate', -1.0)  # an earlier launch's; does not count
         launched = self.launch('replay.launch', bag=self.record())
 
         def tip_of_a_path(array):
@@ -210,7 +211,20 @@ class ReplayTest(LaunchTestCase):
 
     def test_the_bag_must_be_there(self):
         launched = self.launch('replay.launch', bag=self.path('missing.bag'))
-        self.assert_ends_with(launched, 'missing.bag')
+        self.assert_ends_with(launched, f"there is no file {self.path('missing.bag')}")
+
+    def test_a_relative_path_is_told_in_full(self):
+        launched = self.launch('replay.launch', bag='walk.bag')
+        self.assert_ends_with(launched, 'there is no file /', '/walk.bag; give an absolute path')
+
+    def test_it_must_be_a_bag(self):
+        launched = self.launch('replay.launch', bag=self.write('no.bag', 'no bag'))
+        self.assert_ends_with(launched, f"{self.path('no.bag')} is not a bag")
+
+    def test_a_bag_must_be_given(self):
+        launched = self.launch('replay.launch')
+        self.assertNotEqual(launched.wait(), 0)
+        self.assert_says(launched.output(), "requires the 'bag' arg to be set")
 
 
 if __name__ == '__main__':

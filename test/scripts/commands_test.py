@@ -5,8 +5,16 @@ import shutil
 import subprocess
 
 import pytest
-from programs import NEAREST_TABLE, PATIENCE, assert_says, in_package
+from programs import NEAREST_TABLE, PATIENCE, assert_says, in_package, read_text
 from roslib.packages import find_node
+
+WALK = 'instance,tick,agent,x,y\n0,0,0,0,0\n0,1,0,1,0\n'
+SCENE = '''name: scene
+duration: 10
+goal_tolerance: 0.3
+agents:
+  - {position: [0, 0], goal: %s, speed: 1, radius: 0.25}
+'''
 
 
 def run_here(runner, *command):
@@ -19,7 +27,8 @@ def run_here(runner, *command):
 class RosrunTest:
     """rosrun social_crowd PROGRAM."""
 
-    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce'])
+    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce', 'show_crowd',
+                                      'learner_crew'])
     def test_it_finds_one_of_each(self, runner, name):
         status, output = run_here(runner, 'rosrun', 'social_crowd', name, '--help')
         assert status == 0, output
@@ -65,8 +74,27 @@ class ToolTest:
         status, output = run_here(runner, find_node('social_crowd', 'plot_paths')[0], *drawing, 'circle6')
         assert status == 0, output
         assert os.path.exists(runner.path('paths.png'))
-        words = ["no scenario 'circel6', did you mean 'circle6'? There is no file", 'there are circle6, ']
+        words = ["no scenario 'circel6', did you mean 'circle6'? There is no file",
+                 'in config/scenarios there are circle6, ']
         self.refuse(runner, 1, words, 'plot_paths', *drawing, 'circel6')
+
+    def test_an_instance_that_is_not_there(self, runner):
+        recording = runner.write('walk.csv', WALK + '1,0,0,0,0\n')
+        drawing = ['--trajectories', recording, '--output', 'paths.png', '--scenario', 'circle6', '--instance']
+        self.refuse(runner, 1, ['walk.csv: holds no instance 9, expected 0 to 1\n'], 'plot_paths', *drawing, 9)
+        recording = runner.write('walk.csv', WALK)
+        self.refuse(runner, 1, ['walk.csv: holds no instance 1, expected 0\n'], 'plot_paths', *drawing, 1)
+
+    def test_goals_drawn_at_random(self, runner):
+        """The picture is of those that are known, and how to get the others is told."""
+        recording = runner.write('walk.csv', WALK)
+        for goal, known in (('[3, 0]', True), ('{box: [[0, 0], [9, 9]]}', False)):
+            scenario = runner.write('scene.yaml', SCENE % goal)
+            status, output = run_here(runner, find_node('social_crowd', 'plot_paths')[0], '--trajectories', recording,
+                                      '--output', 'paths.svg', '--scenario', scenario)
+            assert status == 0, output
+            assert ('evaluate --scenes DIR' in output) != known, output
+            assert ('<!-- goal -->' in read_text(runner.path('paths.svg'))) == known  # in the legend
 
 
 class BuildTest:
@@ -101,6 +129,17 @@ class BuildTest:
         cache = self.copy(runner, runner.path('clone'), runner.path('clone/.build'))
         assert self.build(runner) == (7, 'looked at the build folder\n')
         assert cache.exists()
+
+    def test_a_folder_with_a_space(self, runner):
+        self.copy(runner, runner.path('clone'), runner.path('clone/.build'))
+        status, output = self.build(runner, SOCIAL_CROWD_BUILD=runner.path('my build'))
+        assert status == 1, output
+        assert_says(output, 'space in its name', "my build'")
+        os.rename(runner.path('clone'), runner.path('a clone'))
+        status, output = run_here(runner, runner.path('a clone/scripts/build'))
+        assert status == 1, output
+        assert_says(output, 'space in its name', "a clone'")
+        assert 'looked at' not in output
 
     def test_one_elsewhere_may_be_in_use(self, runner):
         cache = self.copy(runner, '/somewhere/else', runner.path('theirs'))

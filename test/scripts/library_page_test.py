@@ -1,5 +1,6 @@
 """docs/library.md: the project that it prints is built with an installed copy, and run."""
 import os
+import pathlib
 import re
 import subprocess
 
@@ -31,12 +32,28 @@ class LibraryPageTest:
         assert status == 0, f'{command}:\n{output}'
         return output
 
+    def install(self, runner, build, prefix):
+        """As the page says; afterwards the build folder is as it was."""
+        environment = pathlib.Path(build, 'catkin_generated', 'setup_cached.sh')  # of tests: not to be that of this one
+        kept = environment.read_bytes()
+        with open(os.path.join(build, 'CMakeCache.txt'), encoding='utf-8') as cache:
+            before = re.search('^CMAKE_INSTALL_PREFIX:PATH=(.*)$', cache.read(), re.MULTILINE).group(1)
+        try:
+            subprocess.run(['cmake', build, f'-DCMAKE_INSTALL_PREFIX={prefix}'], stdout=subprocess.DEVNULL, check=True)
+            self.run_to_its_end(runner, 'cmake', '--install', build)
+        finally:
+            subprocess.run(['cmake', build, f'-DCMAKE_INSTALL_PREFIX={before}'], stdout=subprocess.DEVNULL, check=True)
+            environment.write_bytes(kept)
+        found = self.run_to_its_end(runner, 'env', '-i', 'PATH=/usr/bin:/bin', 'bash', '-c',
+                                    f'source {prefix}/setup.bash && rospack find social_crowd')
+        assert found.strip() == os.path.join(prefix, 'share', 'social_crowd')
+
     def test_the_example_walks_and_learns(self, runner, request):
         build = request.config.getoption('--build')
         if build is None:
             pytest.skip('needs --build, the folder from which the package is installed')
         prefix = runner.path('installed')
-        self.run_to_its_end(runner, 'cmake', '--install', build, '--prefix', prefix)
+        self.install(runner, build, prefix)
         files = page_examples('library.md')
         assert sorted(files) == ['CMakeLists.txt', 'learn.cpp', 'walk.cpp']
         for name, text in files.items():
@@ -52,10 +69,13 @@ class LibraryPageTest:
         table = os.path.join(config, 'q_tables', 'anticipation.txt')
         walked = self.run_to_its_end(runner, 'build/walk', table, 'circle6')
         assert re.search(r'^6 of 6 arrived, 0 were in contact, \d+ ticks\n$', walked)
-        config = runner.write('config.yaml', config_text('circle6', 2, seed=4))
-        learned = self.run_to_its_end(runner, 'build/learn', config, 'table.txt')
+        status, output = self.run_here(runner, 'build/walk', 'missing.txt', 'circle6')
+        assert status == 1, output
+        assert_says(output, 'missing.txt: cannot be read')
+        training = runner.write('config.yaml', config_text('circle6', 2, seed=4))
+        learned = self.run_to_its_end(runner, 'build/learn', training, 'table.txt')
         assert re.search(r'^2 episodes, \d+ decisions\n$', learned)
-        runner.tool('train', config, '--output', runner.path('expected.txt'))
+        runner.tool('train', training, '--output', runner.path('expected.txt'))
         assert read_text(runner.path('table.txt')) == read_text(runner.path('expected.txt'))
         _, output = self.run_here(runner, 'build/walk', table, 'circel6')
         assert_says(output, f'{os.path.realpath(config)}/scenarios none of that name')

@@ -1,0 +1,36 @@
+"""Plays a bag, and then ends the launch."""
+import os
+import sys
+
+import roslib.packages
+
+from .launch_end import end_launch
+from .program import Program
+
+STAY = '--stay'
+FIRST_BYTES = b'#ROSBAG'
+
+
+def problem_of(file):
+    """Why a file cannot be played, if that is easy to tell; else nothing."""
+    path = os.path.abspath(file)
+    if not os.path.isfile(path):
+        return 'there is no file %s' % path + ('' if os.path.isabs(file) else '; give an absolute path')
+    with open(path, 'rb') as stream:
+        return '' if stream.read(len(FIRST_BYTES)) == FIRST_BYTES else '%s is not a bag' % path
+
+
+def main():
+    """Plays what the command line names; the exit status."""
+    arguments = [word for word in sys.argv[1:] if word != STAY]
+    player = Program([roslib.packages.find_node('rosbag', 'play')[0], *arguments])
+    status = player.wait()
+    if player.is_stopped:
+        return status
+    if status == 0 and STAY not in sys.argv:
+        end_launch()
+    files = [word for word in arguments if not word.startswith('-') and ':=' not in word]
+    problem = problem_of(files[-1]) if status != 0 and files else ''
+    if problem:
+        print('play_bag: %s' % problem, file=sys.stderr)
+    return status

@@ -1,0 +1,73 @@
+"""What roslaunch starts beside the nodes in C++: scripts/show_crowd, learner_crew and play_bag."""
+import os
+import signal
+
+import pytest
+from crowd_launching.learner_crew import ending_of
+from crowd_launching.view import MOST, scale_for, sides_of
+from geometry_msgs.msg import Point, Pose2D
+from programs import assert_says, wait_for
+from roslib.packages import find_node
+from social_crowd.msg import AgentState, ObstacleState, Scenario, Wall
+
+# In place of rospy: something that takes as long to import as the test wants.
+SLOW_IMPORT = """
+import time
+open({!r}, 'w').close()
+while True:
+    time.sleep(0.1)
+"""
+
+
+def program(name):
+    """The path of a program."""
+    return find_node('social_crowd', name)[0]
+
+
+class ViewTest:
+    """How RViz has all of a scenario in view."""
+
+    def test_agents_goals_obstacles_and_walls(self):
+        scenario = Scenario(agents=[AgentState(pose=Pose2D(1.0, 2.0, 0.0), goal=Point(3.0, 5.0, 0.0))])
+        assert sides_of(scenario) == [2.0, 3.0]
+        scenario.obstacles = [ObstacleState(position=Point(4.0, 2.0, 0.0))]
+        assert sides_of(scenario) == [3.0, 3.0]
+        scenario.walls = [Wall(Point(-6.0, 3.0, 0.0), Point(2.0, 12.0, 0.0))]
+        assert sides_of(scenario) == [10.0, 10.0]
+        assert scale_for(scenario) == pytest.approx(700.0 / 12.0)
+
+    def test_walls_alone_and_nothing(self):
+        assert sides_of(Scenario(walls=[Wall(Point(0.0, 0.0, 0.0), Point(98.0, 0.0, 0.0))])) == [98.0, 0.0]
+        assert scale_for(Scenario()) == MOST
+
+
+class StartTest:
+    """What they do before they know a ROS master."""
+
+    @pytest.mark.parametrize('name', ['show_crowd', 'learner_crew'])
+    def test_stopped_while_it_starts(self, runner, name):
+        mark = runner.path('importing')
+        runner.write('rospy.py', SLOW_IMPORT.format(mark))
+        path = f"{runner.folder}:{os.environ['PYTHONPATH']}"
+        process = runner.start(name, [program(name)], {'PYTHONPATH': path, 'DISPLAY': ':0'})
+        wait_for(lambda: os.path.exists(mark), 'the import')
+        process.signal(signal.SIGINT)
+        process.wait()
+        assert process.output() == ''
+
+    @pytest.mark.parametrize('display', [{}, {'DISPLAY': ''}])
+    def test_no_display(self, runner, display, monkeypatch):
+        monkeypatch.delenv('DISPLAY', raising=False)
+        process = runner.start('show_crowd', [program('show_crowd')], display)
+        assert process.wait() == 1
+        assert_says(process.output(), 'there is no display', 'DISPLAY', 'rviz:=false')
+        assert 'Traceback' not in process.output()
+
+
+class CrewTest:
+    """What learner_crew says of learners that end."""
+
+    def test_endings(self):
+        assert ending_of(2) == 'ended with exit status 2'
+        assert ending_of(-signal.SIGKILL) == 'was killed by signal 9 (SIGKILL)'
+        assert ending_of(-40) == 'was killed by signal 40'
