@@ -12,13 +12,16 @@ namespace {
 
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 
+/// What is wrong with a value, "NAME: expected ...", without the name that the library has for it.
+std::string withoutName(const std::string& problem) { return problem.substr(problem.find(": ") + 2); }
+
 /// A parameter that is one of a few names.
 template <typename Named>
 Named readNamed(Parameters& parameters, const std::string& name, Named otherwise, Named (*parse)(const std::string&)) {
   try {
     return parse(parameters.text(name, toText(otherwise)));
   } catch (const InputError& error) {
-    parameters.complain(name, error.what());
+    parameters.complain(name, withoutName(error.what()));
     return otherwise;
   }
 }
@@ -38,17 +41,18 @@ std::optional<Content> readFileOf(Parameters& parameters, const std::string& nam
 }
 
 void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
-  LearningParameters& read = plan.parameters;
-  const auto override_with = [&](const char* name, double& value) {
-    value = parameters.number(name, value, -HUGE_VAL, HUGE_VAL);
+  const auto override_with = [&](const char* name, double LearningParameters::*member) {
+    LearningParameters alone;
+    alone.*member = parameters.number(name, plan.parameters.*member, -HUGE_VAL, HUGE_VAL);
+    const std::string problem = alone.problems();
+    if (!problem.empty()) parameters.complain(name, withoutName(problem));
+    plan.parameters.*member = alone.*member;
   };
-  override_with("alpha", read.alpha);
-  override_with("gamma", read.gamma);
-  override_with("lambda", read.lambda);
-  override_with("epsilon", read.epsilon);
-  if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(read.epsilon);
-  const std::string problems = read.problems();
-  if (!problems.empty()) parameters.complain("alpha, ~gamma, ~lambda, ~epsilon", problems);
+  override_with("alpha", &LearningParameters::alpha);
+  override_with("gamma", &LearningParameters::gamma);
+  override_with("lambda", &LearningParameters::lambda);
+  override_with("epsilon", &LearningParameters::epsilon);
+  if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
 }
 
 /// Told at the start and not after the training.
