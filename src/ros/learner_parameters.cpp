@@ -1,10 +1,9 @@
 #include "social_crowd/ros/learner_parameters.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/simulation/training_config.h"
 
 namespace crowd {
@@ -55,11 +54,17 @@ void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
   if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
 }
 
-/// Told at the start and not after the training.
-void checkWritable(Parameters& parameters, const std::string& file) {
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  if (::access(folder.c_str(), W_OK | X_OK) == 0 && !std::filesystem::is_directory(file)) return;
-  parameters.complain("save_to", file + ": cannot be written");
+/// The file to save to as an absolute path; what is wrong with it is told at the start and not after the training.
+std::string readSaveTo(Parameters& parameters) {
+  const std::string given = parameters.text("save_to", "");
+  if (given.empty()) return given;
+  std::string file = std::filesystem::absolute(given).lexically_normal().string();
+  try {
+    requireReplaceable(file);
+  } catch (const FileError& error) {
+    parameters.complain("save_to", error.what());
+  }
+  return file;
 }
 
 void readAgents(Parameters& parameters, std::set<AgentId>& agents) {
@@ -123,13 +128,12 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   readLearningParameters(parameters, options.plan);
   const auto seed = static_cast<std::int64_t>(training.seed);
   options.seed = static_cast<std::uint64_t>(parameters.whole("seed", seed, 0, MAX_WHOLE));
-  const std::string save_to = parameters.text("save_to", "");
+  const std::string save_to = readSaveTo(parameters);
   const auto planned = static_cast<std::int64_t>(training.save_every);
   const auto save_every = static_cast<std::uint64_t>(parameters.whole("save_every", planned, 0, MAX_WHOLE));
   if (save_every > 0 && save_to.empty() && parameters.isSet("save_every")) {
     parameters.complain("save_every", "needs ~save_to, the file to write");
   }
-  if (!save_to.empty()) checkWritable(parameters, save_to);
   parameters.finish();
 
   const Model model = config ? config->model : table->model;
