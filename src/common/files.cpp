@@ -30,13 +30,29 @@ std::string inFull(const std::string& file) {
   throw FileError(file + ": " + what + ": " + reason + inFull(file));
 }
 
+/// The folder of a file where there is none; else nothing.
+std::string missingFolderOf(const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::absolute(file, ignored).lexically_normal().parent_path();
+  return std::filesystem::exists(folder, ignored) ? "" : folder.string();
+}
+
+[[noreturn]] void throwUnwritable(const std::string& file) {
+  const int reason = errno;
+  const std::string folder = reason == ENOENT ? missingFolderOf(file) : "";
+  errno = reason;
+  if (folder.empty()) throwSystem(file, "cannot be written");
+  throw FileError(file + ": cannot be written: " + std::strerror(ENOENT) + ": there is no folder " + folder);
+}
+
 /// Some special files claim to be larger than any memory.
 constexpr std::uintmax_t MOST_RESERVED = 1U << 26U;  // [bytes]
 
-/// Writes all and flushes it to the disk.
-void writeDurably(const std::string& file, const std::string& content) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT(*-vararg)
-  if (descriptor < 0) throwSystem(file, "cannot be written");
+/// Writes all to a temporary file and flushes it to the disk. What goes wrong is told of the file that it stands for.
+void writeDurably(const std::string& temporary, const std::string& content, const std::string& file) {
+  const int flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
+  const int descriptor = ::open(temporary.c_str(), flags, 0666);  // NOLINT(*-vararg)
+  if (descriptor < 0) throwUnwritable(file);
   std::size_t written = 0;
   bool fine = true;
   while (fine && written < content.size()) {
@@ -49,7 +65,7 @@ void writeDurably(const std::string& file, const std::string& content) {
   fine = ::close(descriptor) == 0 && fine;
   if (fine) return;
   errno = reason;
-  throwSystem(file, "cannot be written");
+  throwUnwritable(file);
 }
 
 }  // namespace
@@ -79,12 +95,21 @@ void replaceFile(const std::string& file, const std::string& content) {
   const std::string target = resolved.empty() ? file : resolved.string();
   const std::string temporary = target + ".tmp" + std::to_string(::getpid());
   try {
-    writeDurably(temporary, content);
+    writeDurably(temporary, content, file);
     if (std::rename(temporary.c_str(), target.c_str()) != 0) throwSystem(file, "cannot be replaced");
   } catch (...) {
     std::remove(temporary.c_str());
     throw;
   }
+}
+
+void requireReplaceable(const std::string& file) {
+  if (std::error_code ignored; std::filesystem::is_directory(file, ignored)) {
+    throw FileError(file + ": cannot be written: " + std::strerror(EISDIR) + inFull(file));
+  }
+  std::string folder = std::filesystem::path(file).parent_path().string();
+  if (folder.empty()) folder = ".";
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) throwUnwritable(file);
 }
 
 GrowingFile::GrowingFile(std::string file, const std::string& first_line)
@@ -94,7 +119,7 @@ GrowingFile::GrowingFile(std::string file, const std::string& first_line)
 
 void GrowingFile::append(const std::string& text) {
   stream_ << text << std::flush;
-  if (!stream_) throwSystem(file_, "cannot be written");
+  if (!stream_) throwUnwritable(file_);
 }
 
 void makeFolder(const std::string& folder) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "social_crowd/ros/agent_list.h"
+#include "social_crowd/ros/console.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
 
@@ -154,7 +155,9 @@ AgentId LearnerNode::firstAgent() const {
 
 void LearnerNode::saveAll(bool goes_on) {
   const auto save = [&](const std::string& file, AgentId agent) {
-    saveQTable(file, trained(goes_on ? learner_.tableToSave(agent) : learner_.tableOf(agent)));
+    const TrainedTable table = trained(goes_on ? learner_.tableToSave(agent) : learner_.tableOf(agent));
+    saveQTable(file, table);
+    logInfo("saved " + visitedRowsOf(table.table) + " to " + file);
   };
   if (learner_.tableUse() == TableUse::SHARED) return save(save_to_, firstAgent());
   const std::filesystem::path path(save_to_);
@@ -186,7 +189,8 @@ void LearnerNode::advertiseServices() {
     const auto table = loop_.ask<TrainedTable>([&] {
       const bool shared = learner_.tableUse() == TableUse::SHARED;
       const AgentId agent = shared ? firstAgent() : meant(request.agent);
-      if (!shared) whose = "the table of agent " + std::to_string(agent);
+      const bool for_one = !learner_.servesAll() && learner_.servedAgents().size() == 1;
+      if (!shared || for_one) whose = "the table of agent " + std::to_string(agent);
       return trained(learner_.tableToSave(agent));
     });
     saveQTable(file, table);  // while the learner goes on

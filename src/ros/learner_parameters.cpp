@@ -1,10 +1,9 @@
 #include "social_crowd/ros/learner_parameters.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/simulation/training_config.h"
 
 namespace crowd {
@@ -12,13 +11,16 @@ namespace {
 
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 
+/// What is wrong with a value, "NAME: expected ...", without the name that the library has for it.
+std::string withoutName(const std::string& problem) { return problem.substr(problem.find(": ") + 2); }
+
 /// A parameter that is one of a few names.
 template <typename Named>
 Named readNamed(Parameters& parameters, const std::string& name, Named otherwise, Named (*parse)(const std::string&)) {
   try {
     return parse(parameters.text(name, toText(otherwise)));
   } catch (const InputError& error) {
-    parameters.complain(name, error.what());
+    parameters.complain(name, withoutName(error.what()));
     return otherwise;
   }
 }
@@ -38,24 +40,31 @@ std::optional<Content> readFileOf(Parameters& parameters, const std::string& nam
 }
 
 void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
-  LearningParameters& read = plan.parameters;
-  const auto override_with = [&](const char* name, double& value) {
-    value = parameters.number(name, value, -HUGE_VAL, HUGE_VAL);
+  const auto override_with = [&](const char* name, double LearningParameters::*member) {
+    LearningParameters alone;
+    alone.*member = parameters.number(name, plan.parameters.*member, -HUGE_VAL, HUGE_VAL);
+    const std::string problem = alone.problems();
+    if (!problem.empty()) parameters.complain(name, withoutName(problem));
+    plan.parameters.*member = alone.*member;
   };
-  override_with("alpha", read.alpha);
-  override_with("gamma", read.gamma);
-  override_with("lambda", read.lambda);
-  override_with("epsilon", read.epsilon);
-  if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(read.epsilon);
-  const std::string problems = read.problems();
-  if (!problems.empty()) parameters.complain("alpha, ~gamma, ~lambda, ~epsilon", problems);
+  override_with("alpha", &LearningParameters::alpha);
+  override_with("gamma", &LearningParameters::gamma);
+  override_with("lambda", &LearningParameters::lambda);
+  override_with("epsilon", &LearningParameters::epsilon);
+  if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
 }
 
-/// Told at the start and not after the training.
-void checkWritable(Parameters& parameters, const std::string& file) {
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  if (::access(folder.c_str(), W_OK | X_OK) == 0 && !std::filesystem::is_directory(file)) return;
-  parameters.complain("save_to", file + ": cannot be written");
+/// The file to save to as an absolute path; what is wrong with it is told at the start and not after the training.
+std::string readSaveTo(Parameters& parameters) {
+  const std::string given = parameters.text("save_to", "");
+  if (given.empty()) return given;
+  std::string file = std::filesystem::absolute(given).lexically_normal().string();
+  try {
+    requireReplaceable(file);
+  } catch (const FileError& error) {
+    parameters.complain("save_to", error.what());
+  }
+  return file;
 }
 
 void readAgents(Parameters& parameters, std::set<AgentId>& agents) {
@@ -119,13 +128,12 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   readLearningParameters(parameters, options.plan);
   const auto seed = static_cast<std::int64_t>(training.seed);
   options.seed = static_cast<std::uint64_t>(parameters.whole("seed", seed, 0, MAX_WHOLE));
-  const std::string save_to = parameters.text("save_to", "");
+  const std::string save_to = readSaveTo(parameters);
   const auto planned = static_cast<std::int64_t>(training.save_every);
   const auto save_every = static_cast<std::uint64_t>(parameters.whole("save_every", planned, 0, MAX_WHOLE));
   if (save_every > 0 && save_to.empty() && parameters.isSet("save_every")) {
     parameters.complain("save_every", "needs ~save_to, the file to write");
   }
-  if (!save_to.empty()) checkWritable(parameters, save_to);
   parameters.finish();
 
   const Model model = config ? config->model : table->model;

@@ -29,6 +29,17 @@ social_crowd::TakeQTable::Response askToTake(const std::string& learner,
   return call.response;
 }
 
+using Learners = std::map<std::string, social_crowd::LearnerStatus>;  // by node name
+
+/// Why an agent did not get a table that another one of this learner shares with it.
+std::string whyNotTaken(AgentId agent, AgentId from, const Learners& others) {
+  const std::string name = "agent " + std::to_string(agent);
+  if (agent == from) return name + " is the one who shares it";
+  const bool is_served = std::any_of(others.begin(), others.end(),
+                                     [&](const auto& other) { return contains(other.second.agents, agent); });
+  return name + " did not get it" + (is_served ? "" : ": no learner serves agent " + std::to_string(agent));
+}
+
 }  // namespace
 
 TakeReport LearnerNode::giveTo(const std::vector<AgentId>& agents, QTable table, TakeMethod method) {
@@ -69,7 +80,7 @@ void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
   AgentId from = request.from_agent;
   social_crowd::TakeQTable::Request offer;
   offer.method = request.method;
-  std::map<std::string, social_crowd::LearnerStatus> others;
+  Learners others;
   loop_.ask<void>([&] {
     from = meant(request.from_agent);
     const TrainedTable table = trained(learner_.tableToShare(from));
@@ -91,7 +102,7 @@ void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
     }
   }
   for (const AgentId agent : request.to_agents) {
-    if (!report.isTakenBy(agent)) report.noteProblem("agent " + std::to_string(agent) + " did not get it");
+    if (!report.isTakenBy(agent)) report.noteProblem(whyNotTaken(agent, from, others));
   }
   response.success = report.isFine();
   response.taken_by = report.takenBy();

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <sstream>
 
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/common/suggestions.h"
+#include "social_crowd/common/yaml_reader.h"
 
 namespace crowd {
 namespace {
@@ -13,14 +16,57 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 std::string rangeText(double low, double high) {
-  if (std::isinf(high)) return "of at least " + toText(low);
-  return "from " + toText(low) + " to " + toText(high);
+  if (std::isinf(low) && std::isinf(high)) return "";
+  if (std::isinf(high)) return " of at least " + toText(low);
+  return " from " + toText(low) + " to " + toText(high);
 }
 
-std::string textOf(const XmlRpcValue& value) {
+/// A value as YAML has it.
+std::string textOf(XmlRpcValue& value) {
+  if (value.getType() == XmlRpcValue::TypeString) return "'" + static_cast<std::string&>(value) + "'";
+  if (value.getType() == XmlRpcValue::TypeBoolean) return static_cast<bool&>(value) ? "true" : "false";
+  if (value.getType() == XmlRpcValue::TypeDouble) return toText(static_cast<double&>(value));
+  std::string text;
+  if (value.getType() == XmlRpcValue::TypeArray) {
+    for (int i = 0; i < value.size(); ++i) text += (i > 0 ? ", " : "") + textOf(value[i]);
+    return "[" + text + "]";
+  }
+  if (value.getType() == XmlRpcValue::TypeStruct) {
+    for (auto& [key, entry] : value) text += (text.empty() ? "" : ", ") + key + ": " + textOf(entry);
+    return "{" + text + "}";
+  }
   std::ostringstream stream;
   value.write(stream);
   return stream.str();
+}
+
+using Wholes = std::vector<std::int64_t>;
+
+/// The elements of a list of whole numbers of at least 0; nothing where it is none.
+std::optional<Wholes> readWholes(XmlRpcValue& list) {
+  if (list.getType() != XmlRpcValue::TypeArray) return std::nullopt;
+  Wholes numbers;
+  for (int i = 0; i < list.size(); ++i) {
+    const bool fine = list[i].getType() == XmlRpcValue::TypeInt && static_cast<int&>(list[i]) >= 0;
+    if (!fine) return std::nullopt;
+    numbers.push_back(static_cast<int&>(list[i]));
+  }
+  return numbers;
+}
+
+/// The same of a text: roscpp sets a list of the command line (`_agents:="[1, 2]"`) as a text.
+std::optional<Wholes> parseWholes(const std::string& name, const std::string& text) {
+  try {
+    const std::vector<YAML::Node> documents = parseYamlStream(text, name);
+    if (documents.size() != 1 || !documents.front().IsSequence()) return std::nullopt;
+    Wholes numbers;
+    for (const YAML::Node& element : documents.front()) {
+      numbers.push_back(readWhole(element, {name, 0, ""}, 0, std::numeric_limits<int>::max()));
+    }
+    return numbers;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 /// What a launch file sets for an argument that was left empty.
@@ -73,7 +119,7 @@ double Parameters::number(const std::string& name, double otherwise, double low,
   if (value->getType() == XmlRpcValue::TypeDouble) number = static_cast<double>(*value);
   if (value->getType() == XmlRpcValue::TypeInt) number = static_cast<int>(*value);
   if (std::isfinite(number) && number >= low && number <= high) return number;
-  expect(name, "a number " + rangeText(low, high), *value);
+  expect(name, "a number" + rangeText(low, high), *value);
   return otherwise;
 }
 
@@ -90,16 +136,11 @@ std::int64_t Parameters::whole(const std::string& name, std::int64_t otherwise, 
 
 std::vector<std::int64_t> Parameters::wholes(const std::string& name) {
   XmlRpcValue* const value = find(name);
-  std::vector<std::int64_t> numbers;
-  if (value == nullptr) return numbers;
-  bool fine = value->getType() == XmlRpcValue::TypeArray;
-  for (int i = 0; fine && i < value->size(); ++i) {
-    XmlRpcValue& element = (*value)[i];
-    fine = element.getType() == XmlRpcValue::TypeInt && static_cast<int>(element) >= 0;
-    if (fine) numbers.push_back(static_cast<int>(element));
-  }
-  if (!fine) expect(name, "a list of whole numbers of at least 0, such as [0, 1, 2]", *value);
-  return fine ? numbers : std::vector<std::int64_t>();
+  if (value == nullptr) return {};
+  const bool is_text = value->getType() == XmlRpcValue::TypeString;
+  const auto numbers = is_text ? parseWholes(name, static_cast<std::string&>(*value)) : readWholes(*value);
+  if (!numbers) expect(name, "a list of whole numbers of at least 0, such as [0, 1, 2]", *value);
+  return numbers.value_or(Wholes());
 }
 
 std::set<std::string> Parameters::findUnknown() const {
@@ -120,7 +161,8 @@ void Parameters::noteUnknown() {
   for (const std::string& name : findUnknown()) {
     const std::string hint = didYouMean(name, known, "~");
     complain(name, "there is no such parameter" + (hint.empty() ? "; there are " : hint + " There are ") +
-                       joinNames(known, "~"));
+                       joinNames(known, "~") + ". It may be left from an earlier start: rosparam delete " +
+                       node_.getNamespace() + "/" + name);
     missing_.erase(nearestName(name, known));
   }
 }

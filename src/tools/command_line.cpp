@@ -1,10 +1,12 @@
 #include "command_line.h"
 
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <iostream>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/suggestions.h"
 
 namespace crowd {
 namespace {
@@ -14,6 +16,34 @@ volatile std::sig_atomic_t interrupted = 0;
 void noteInterrupt(int signal) {
   interrupted = 1;
   std::signal(signal, SIG_DFL);
+}
+
+/// The long options of a tool, as they are typed.
+std::vector<std::string> optionsOf(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+/// What is said of arguments that the tool does not have.
+std::string unknownArguments(const CLI::App& app) {
+  const std::vector<std::string> unknown = app.remaining();
+  const auto is_option = [](const std::string& word) { return word.rfind("--", 0) == 0; };
+  const auto found = std::find_if(unknown.begin(), unknown.end(), is_option);
+  if (found == unknown.end()) return "unexpected argument: " + joinNames(unknown);
+  const std::string name = found->substr(0, found->find('='));
+  return "there is no option '" + name + "'" + didYouMean(name, optionsOf(app));
+}
+
+/// Prints help, or what is wrong with the command line.
+int explainUsage(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  std::cerr << app.get_name() << ": " << (is_extra ? unknownArguments(app) : error.what())
+            << "\nRun with --help for more information." << std::endl;
+  return EXIT_BAD_USAGE;
 }
 
 }  // namespace
@@ -39,7 +69,7 @@ int runTool(CLI::App& app, int argc, char** argv, const std::function<int()>& ru
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? EXIT_FINE : EXIT_BAD_USAGE;
+    return explainUsage(app, error);
   }
   try {
     return run();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <thread>
 
@@ -75,6 +76,23 @@ std::string recordRows(const EvaluatedEpisode& walked) {
   return rows;
 }
 
+/// Each scenario file has an output file of its own stem in the folder; two of one stem would write to the same one.
+void requireOwnOutputs(const std::string& option, const std::vector<std::string>& scenarios) {
+  std::map<std::string, std::string> file_of;
+  for (const std::string& file : scenarios) {
+    const auto [other, is_new] = file_of.emplace(stemOf(file), file);
+    if (is_new) continue;
+    throw InputError(option + ": " + other->second + " and " + file + " would both be written to files called '" +
+                     other->first + "': rename one, or evaluate them one at a time into different folders");
+  }
+}
+
+void requireOwnOutputs(const Arguments& arguments) {
+  if (arguments.plan.record) requireOwnOutputs("--trajectories", arguments.scenarios);
+  if (arguments.plan.scenes) requireOwnOutputs("--scenes", arguments.scenarios);
+  if (arguments.plan.states) requireOwnOutputs("--states", arguments.scenarios);
+}
+
 /// What is written of each episode as soon as it has been walked.
 class Writing {
  public:
@@ -134,6 +152,7 @@ int evaluateAll(Arguments& arguments) {
     file = findScenario(file);
     scenarios.push_back(readScenarios(file));
   }
+  requireOwnOutputs(arguments);
   std::optional<GrowingFile> record;
   if (!arguments.record.empty()) record.emplace(arguments.record, RECORD_HEADER);
   catchInterrupts();

@@ -73,7 +73,9 @@ TrainingConfig readConfigFor(const Arguments& arguments) {
 Training beginTraining(const Arguments& arguments) {
   TrainingConfig config = readConfigFor(arguments);
   if (arguments.q_table.empty()) return Training(std::move(config), arguments.threads);
-  return Training(std::move(config), loadQTable(arguments.q_table), arguments.threads);
+  TrainedTable begin = loadQTable(arguments.q_table);
+  requireFit(config.model, begin.model, arguments.q_table);
+  return Training(std::move(config), std::move(begin), arguments.threads);
 }
 
 std::string recordRows(std::uint64_t episode, const EpisodeResult& result) {

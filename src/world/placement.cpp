@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/numbers.h"
 
 namespace crowd {
 namespace {
@@ -75,6 +76,7 @@ class Placement {
   void completeAgents();
   void completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, bool& separate_goals);
   bool drawGoals(const AgentGroup& group, AgentStart& agent, bool separate);
+  void requireWay(const AgentGroup& group, const Label& label) const;
 
   std::optional<Blocker> findBlocker(const Vector2& centre, double radius, double gap) const;
   bool coversGoal(const Vector2& centre, double radius) const;
@@ -232,7 +234,20 @@ void Placement::completeAgents() {
   }
 }
 
+/// An agent that has arrived before it walks counts as a success. What is drawn is drawn so that this does not happen.
+void Placement::requireWay(const AgentGroup& group, const Label& label) const {
+  const bool goal_is_fixed = group.opposite || group.goals.front().isFixed();
+  if (!group.position.isFixed() || !goal_is_fixed) return;
+  const Vector2& start = group.position.first;
+  const Vector2 goal = group.opposite ? Vector2(2.0 * *group.opposite - start) : group.goals.front().first;
+  const double distance = (goal - start).norm();
+  if (distance > scenario_.goal_tolerance) return;
+  fail(label, label.text() + ": its goal is " + toText(distance) + " m from its start, within goal_tolerance (" +
+                  toText(scenario_.goal_tolerance) + " m)");
+}
+
 void Placement::completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, bool& separate_goals) {
+  requireWay(group, label);
   const bool placed = group.position.isFixed();
   for (int tries = 0; tries < MAX_TRIES; ++tries) {
     separate_goals = separate_goals && tries < TRIES_FOR_SEPARATE_GOALS;

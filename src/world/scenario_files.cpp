@@ -52,10 +52,17 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
+/// How a scenario of that name can be given: as a bare name is, or as a file in the same folder as another path.
+std::string asGiven(const std::string& name, const fs::path& path, bool is_bare) {
+  return is_bare ? name : (path.parent_path() / (name + EXTENSION)).string();
+}
+
 [[noreturn]] void throwNoScenario(const fs::path& path, const fs::path& file, const fs::path& folder, bool is_bare) {
   const fs::path searched = is_bare ? folder : fs::absolute(file).lexically_normal().parent_path();
-  const std::vector<std::string> names = sortedByNearness(path.stem().string(), namesIn(searched));
-  const std::string hint = didYouMean(path.stem().string(), names);
+  std::vector<std::string> names = sortedByNearness(path.stem().string(), namesIn(searched));
+  const std::string nearest = nearestName(path.stem().string(), names);
+  const std::string hint = nearest.empty() ? "" : ", did you mean '" + asGiven(nearest, path, is_bare) + "'?";
+  for (std::string& name : names) name = asGiven(name, path, is_bare);
   std::string text = "no scenario '" + path.string() + "'" + (hint.empty() ? ": there" : hint + " There");
   text += " is no file " + fs::absolute(file).lexically_normal().string();
   if (is_bare) text += ", and in " + folder.string() + " none of that name";

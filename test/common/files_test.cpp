@@ -98,14 +98,36 @@ TEST(ReplaceFile, WritesLargeFiles) {
 TEST(ReplaceFile, NamesTheFolderThatIsMissing) {
   const TemporaryFolder folder;
   const std::string file = folder.file("none/file");
-  expectFileError(errorOf<FileError>([&] { replaceFile(file, "new"); }), file, ENOENT);
+  const std::string message =
+      file + ": cannot be written: " + std::strerror(ENOENT) + ": there is no folder " + folder.file("none");
+  EXPECT_EQ(errorOf<FileError>([&] { replaceFile(file, "new"); }), message);
+  EXPECT_EQ(errorOf<FileError>([&] { requireReplaceable(file); }), message);
+  EXPECT_EQ(errorOf<FileError>([&] { GrowingFile(file, "new"); }), message);
   EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(RequireReplaceable, WritesNothing) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "old");
+  requireReplaceable(folder.file("new"));
+  requireReplaceable(file);
+  requireReplaceable("in_the_working_directory");
+  EXPECT_EQ(readFile(file), "old");
+  EXPECT_EQ(folder.names(), Names{"file"});
+}
+
+TEST(RequireReplaceable, RefusesAFolderAndAPathThroughAFile) {
+  const TemporaryFolder folder;
+  expectFileError(errorOf<FileError>([&] { requireReplaceable(folder.path()); }), folder.path(), EISDIR);
+  const std::string below = folder.write("file", "old") + "/below/file";
+  expectFileError(errorOf<FileError>([&] { requireReplaceable(below); }), below, ENOTDIR);
 }
 
 TEST(ReplaceFile, RefusesAPathThroughAFile) {
   const TemporaryFolder folder;
   const std::string file = folder.write("file", "old") + "/below";
-  expectFileError(errorOf<FileError>([&] { replaceFile(file, "new"); }), file, ENOTDIR);
+  const std::string message = errorOf<FileError>([&] { replaceFile(file, "new"); });
+  EXPECT_EQ(message, file + ": cannot be written: " + std::strerror(ENOTDIR));  // nothing of the temporary file
   EXPECT_EQ(readFile(folder.file("file")), "old");
   EXPECT_EQ(folder.names(), Names{"file"});
 }

@@ -79,6 +79,12 @@ class ControllerParametersTest(RefusalTestCase):
         for line in message.splitlines():
             self.assertNotIn('~real_time_facter', line.partition('There are')[2])
 
+    def test_left_from_an_earlier_start(self):
+        """The message says how to remove it, for it stays on the parameter server."""
+        name = f'{self.namespace}/crowd_controller/paces'
+        message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, paces=1), 'paces')
+        self.assert_says(message, f'It may be left from an earlier start: rosparam delete {name}\n')
+
     def test_a_required_one_is_misspelt(self):
         """It is told as the misspelling and not as missing, too."""
         message = self.assert_all_named(self.start_plain(scenaro=support.CIRCLE6), 'scenaro')
@@ -170,6 +176,27 @@ class LearnerParametersTest(RefusalTestCase):
         bad = {'agents': [0, -1], 'seed': -1, 'save_every': -1}
         self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
 
+    def test_each_is_named_once(self):
+        bad = {'mode': 'demos', 'tables': 'both', 'on_share': 'mix', 'alpha': 2, 'gamma': 1.0, 'epsilon': 'lots'}
+        message = self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
+        self.assert_says(message, "~mode: expected training or demo, got 'demos'", "~tables: expected shared or own, ",
+                         '~on_share: expected replace or merge, ', '~alpha: expected a number above 0, at most 1, got 2',
+                         '~gamma: expected a number from 0 to below 1, got 1', "~epsilon: expected a number, got 'lots'")
+
+    def test_a_list_of_the_command_line(self):
+        """roscpp sets it as a text."""
+        status = self.listen('learner_status', LearnerStatus)
+        self.start_learner(arguments=['_agents:=[1, 2, 3]'])
+        self.assertEqual(list(status.wait().agents), [1, 2, 3])
+
+    def test_lists_that_are_none(self):
+        """They are told as they were given."""
+        expected = '~agents: expected a list of whole numbers of at least 0, such as [0, 1, 2], got '
+        for given in ('[1,x]', '[1, -2]', '[1, 2', '1 2', '{1: 2}', '[1.5]', '["1"]'):
+            node = self.start_learner(arguments=[f'_agents:={given}'])
+            self.assert_says(self.message_of(node), f"{expected}'{given}'\n")
+        self.assert_says(self.message_of(self.start_learner(agents=[1, 'x'])), f"{expected}[1, 'x']\n")
+
     def test_not_finite(self):
         bad = {'alpha': NAN, 'gamma': INFINITE, 'lambda': -INFINITE, 'epsilon': NAN}
         self.assert_says(self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, **bad)), *bad)
@@ -214,7 +241,12 @@ class LearnerParametersTest(RefusalTestCase):
         """It is told at the start, not after the training."""
         file = self.path('no_such_folder/table.txt')
         message = self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, mode='training', save_to=file))
-        self.assert_says(message, 'save_to', file)
+        self.assert_says(message, f'~save_to: {file}: cannot be written', f'there is no folder {self.path("no_such_folder")}')
+
+    def test_a_relative_file_that_cannot_be_written(self):
+        file = self.path('no_such_folder/table.txt')
+        message = self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, save_to=os.path.relpath(file)))
+        self.assert_says(message, f'~save_to: {file}: cannot be written')
 
     def test_all_at_once(self):
         bad = {'mode': 'demos', 'tables': 'both', 'agents': [0.5], 'no_such_name': 1}

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Q-tables are saved, loaded and shared; what does not fit is refused, and the table stays."""
 import os
+import re
 import threading
 
 import support
@@ -111,6 +112,11 @@ class SaveAndLoadTest(TableTestCase):
         self.assertEqual(QTableFile(self.path('saved.txt')).rows, full(TABLE_A))
         self.assert_says(self.succeed('learner/share_q_table').message, 'the Q-table of agent 4')
 
+    def test_the_table_of_a_learner_of_one_agent_is_that_agents(self):
+        self.start_learner(agents=[4])
+        response = self.succeed('learner/save_q_table', file=self.path('saved.txt'))
+        self.assert_says(response.message, 'of the table of agent 4 to ')
+
     def test_one_of_many_must_be_named(self):
         self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4, 5])
         for service in ('save_q_table', 'share_q_table'):
@@ -212,9 +218,13 @@ class ShareTest(TableTestCase):
         self.start_both()
         response = self.share('learner_a', 0, [2, 77])
         self.assertFalse(response.success)
-        self.assert_says(response.message, 'agent 77')
+        self.assert_says(response.message, 'agent 77 did not get it: no learner serves agent 77')
         self.assertEqual(tuple(response.taken_by), (2,))
         self.check_rows(TABLE_A, TABLE_A, TABLE_A, TABLE_B)
+
+    def test_the_one_who_shares_need_not_be_given_it(self):
+        self.start_both()
+        self.refuse('learner_a/share_q_table', 'agent 0 is the one who shares it', from_agent=0, to_agents=[0])
 
     def test_bad_requests_change_nothing(self):
         self.start_both()
@@ -365,11 +375,29 @@ class SaveToTest(support.CrowdTestCase):
         self.assertEqual(controller.wait(), 0)
         support.wait_for(lambda: os.path.exists(file), 'the table after two episodes')
         on_the_way = QTableFile(file)
+        told = rf'\[ INFO\] \[[\d.]+\]: saved \d+ visited rows of {on_the_way.header["rows"]} to {re.escape(file)}\n'
+        support.wait_for(lambda: re.search(told, learner.output()), 'the message that it was saved')
         self.assertEqual(learner.stop(), 0)
+        self.assertEqual(len(re.findall(told, learner.output())), 2, learner.output())
         at_the_end = QTableFile(file)
         before = QTableFile(support.NEAREST_TABLE)
         self.assertGreater(on_the_way.header['decisions'], before.header['decisions'])
         self.assertGreater(at_the_end.header['decisions'], on_the_way.header['decisions'])
+
+    def test_the_message_names_the_absolute_path(self):
+        learner = self.start_learner(save_to=os.path.relpath(self.path('table.txt')))
+        self.listen('learner_status', LearnerStatus).wait()
+        self.assertEqual(learner.stop(), 0)
+        self.assert_says(learner.output(), f' to {self.path("table.txt")}\n')
+
+    def test_that_it_cannot_be_saved_is_told_after_ctrl_c(self):
+        os.mkdir(self.path('folder'))
+        learner = self.start_learner(save_to=self.path('folder/table.txt'))
+        self.listen('learner_status', LearnerStatus).wait()
+        os.rmdir(self.path('folder'))
+        self.assertEqual(learner.stop(), 1)
+        self.assert_says(learner.output(), '[FATAL]', f'{self.path("folder/table.txt")}: cannot be written',
+                         f'there is no folder {self.path("folder")}\n')
 
 
 if __name__ == '__main__':

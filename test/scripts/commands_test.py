@@ -5,7 +5,7 @@ import shutil
 import subprocess
 
 import pytest
-from programs import NEAREST_TABLE, PATIENCE, assert_says, in_package, read_text
+from programs import CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE, assert_says, in_package, read_text
 from roslib.packages import find_node
 
 WALK = 'instance,tick,agent,x,y\n0,0,0,0,0\n0,1,0,1,0\n'
@@ -66,6 +66,33 @@ class ToolTest:
         words = ["no scenario 'circel6', did you mean 'circle6'? There is no file",
                  os.path.join(runner.folder, 'circel6'), in_package('config', 'scenarios'), 'there are circle6, ']
         self.refuse(runner, 1, words, 'evaluate', '--q-table', NEAREST_TABLE, 'circel6')
+
+    @pytest.mark.parametrize('option', ['--trajectories', '--scenes', '--states'])
+    def test_two_scenarios_would_be_written_to_one_file(self, runner, option):
+        shutil.copy(CIRCLE6, runner.path('hall.yaml'))
+        os.mkdir(runner.path('other'))
+        shutil.copy(CIRCLE6, runner.path('other/hall.yaml'))
+        words = [f'evaluate: {option}: hall.yaml and other/hall.yaml', "'hall'"]
+        self.refuse(runner, 1, words, 'evaluate', '--q-table', NEAREST_TABLE, '--episodes', 1, option, 'out',
+                    '--record', 'record.csv', 'hall.yaml', 'other/hall.yaml')
+        assert not os.path.exists(runner.path('out'))
+        assert not os.path.exists(runner.path('record.csv'))
+
+    def test_a_misspelt_option(self, runner):
+        config = in_package('config', 'learning', 'thesis_nearest.yaml')
+        words = ["train: there is no option '--epsodes', did you mean '--episodes'?", '--help']
+        self.refuse(runner, 2, words, 'train', config, '--output', 'table.txt', '--epsodes', 3)
+        self.refuse(runner, 2, words, 'train', config, '--output', 'table.txt', '--epsodes=3')
+        self.refuse(runner, 2, ["train: there is no option '--colour'\n"], 'train', config, '--output', 'table.txt',
+                    '--colour', 'red')
+        self.refuse(runner, 2, ['train: unexpected argument: more'], 'train', config, 'more', '--output', 'table.txt')
+        self.refuse(runner, 2, ['train: ', '--output'], 'train', config)
+
+    def test_a_table_of_another_model(self, runner):
+        config = in_package('config', 'learning', 'thesis_nearest.yaml')
+        words = [f'train: {OCCUPANCY_TABLE}: was learned for another']
+        self.refuse(runner, 1, words, 'train', config, '--output', 'table.txt', '--q-table', OCCUPANCY_TABLE)
+        assert not os.path.exists(runner.path('table.txt'))
 
     def test_scenarios_have_names(self, runner):
         recording = runner.path('circle6.csv')

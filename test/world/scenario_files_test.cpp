@@ -57,8 +57,15 @@ TEST(ScenarioFiles, WhatIsNotThereIsToldWithThePlacesAndTheAlternatives) {
   folder.write("b.yaml", "");
   folder.write("corner.yaml", "");
   EXPECT_EQ(errorOf<InputError>([&] { findScenario(folder.file("corer.yaml")); }),
-            "no scenario '" + folder.file("corer.yaml") + "', did you mean 'corner'? There is no file " +
-                folder.file("corer.yaml") + "; there are corner, b");
+            "no scenario '" + folder.file("corer.yaml") + "', did you mean '" + folder.file("corner.yaml") +
+                "'? There is no file " + folder.file("corer.yaml") + "; there are " + folder.file("corner.yaml") +
+                ", " + folder.file("b.yaml"));
+  const std::string base = std::filesystem::path(folder.path()).parent_path().string();
+  const std::string below = std::filesystem::path(folder.path()).filename().string();
+  const std::string relative = errorOf<InputError>([&] { findScenario(below + "/corner", base); });
+  EXPECT_EQ(relative, "no scenario '" + below + "/corner', did you mean '" + below +
+                          "/corner.yaml'? There is no file " + folder.file("corner") + "; there are " + below +
+                          "/corner.yaml, " + below + "/b.yaml");
   const std::string elsewhere = errorOf<InputError>([&] { findScenario("no/such.yaml", "/base"); });
   EXPECT_EQ(elsewhere, "no scenario 'no/such.yaml': there is no file /base/no/such.yaml");
 }

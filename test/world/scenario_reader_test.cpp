@@ -295,6 +295,19 @@ TEST(ScenarioReader, RefusesBodiesThatOverlapAtTheStart) {
             "s.yaml: document 1, line 5: agents[0] and walls[0] overlap by 0.05 m");
 }
 
+TEST(ScenarioReader, RefusesAgentsThatStartAtTheirGoal) {
+  const auto problem = [](const std::string& places) { return agentError(places + ", speed: 1, radius: 0.25"); };
+  const std::string expected =
+      "s.yaml: document 1, line 5: agents[0]: its goal is 0.25 m from its start, within "
+      "goal_tolerance (0.3 m)";
+  EXPECT_EQ(problem("position: [1, 0], goal: [1.25, 0]"), expected);
+  EXPECT_EQ(problem("position: [1, 0], goals: [[1.25, 0], [4, 0]]"), expected);
+  EXPECT_EQ(problem("position: [1, 0], goal: {opposite: [1.125, 0]}"), expected);
+  const std::string drawn = problem("position: {box: [[0, 0], [0.125, 0]]}, goal: [0.25, 0]");
+  EXPECT_NE(drawn.find("no free place for it and its goal found"), std::string::npos) << drawn;
+  EXPECT_EQ(problem("position: [1, 0], goals: [[4, 0], [4, 0.25]]"), "no InputError");
+}
+
 TEST(ScenarioReader, LetsBodiesTouchAndFixturesOverlap) {
   const std::string agents = std::string(HEAD) + "agents:\n  - " + AGENT + "\n";
   EXPECT_NO_THROW(parseScenarios(agents + "obstacles:\n  - {position: [0.3, 0.4], radius: 0.25}\n", "s.yaml"));

@@ -12,6 +12,10 @@ std::string readFile(const std::string& file);
 /// was there before stays whole whatever happens. @throws FileError
 void replaceFile(const std::string& file, const std::string& content);
 
+/// @brief Checks, without writing anything, that a file can be made or replaced.
+/// @throws FileError telling why not; where its folder is missing, which one that is.
+void requireReplaceable(const std::string& file);
+
 /// @brief A text file that grows while a run goes on.
 class GrowingFile {
  public:

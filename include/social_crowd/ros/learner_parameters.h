@@ -15,7 +15,7 @@ struct LearnerParameters {
   Learner::Options options;                   ///< ~mode, ~tables, ~agents, ~seed, ~alpha, ~gamma, ~lambda, ~epsilon
   TrainedTable table;                         ///< of ~q_table; an empty one for the model of ~config without it
   TakeMethod on_share = TakeMethod::REPLACE;  ///< ~on_share: replace or merge, where who shares leaves it open
-  std::string save_to;                        ///< ~save_to: Q-table file to write at the end
+  std::string save_to;                        ///< ~save_to: Q-table file to write at the end, absolute
   std::uint64_t save_every = 0;               ///< ~save_every: and every so many episodes; 0: at the end only
   std::vector<std::string> warnings;          ///< what its user may not expect, to be told at the start
 };

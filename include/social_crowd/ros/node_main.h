@@ -5,6 +5,8 @@
 #include <exception>
 #include <iostream>
 
+#include "social_crowd/ros/console.h"
+
 namespace crowd {
 
 /// @brief main() of a node: makes a `Node` from the two node handles and runs it until it ends or ROS shuts down. What
@@ -24,7 +26,7 @@ int runNode(int argc, char** argv, const char* name) {
     node.run();
     return 0;
   } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
+    logFatal(error.what());
     return 1;
   }
 }

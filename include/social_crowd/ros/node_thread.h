@@ -10,6 +10,8 @@
 #include <thread>
 #include <utility>
 
+#include "social_crowd/ros/console.h"
+
 namespace crowd {
 
 /// @brief A node that runs in a thread of its own, so that it can live beside others in one process.
@@ -36,7 +38,7 @@ class NodeThread {
     try {
       node_.run();
     } catch (const std::exception& error) {
-      ROS_FATAL("%s: %s", name.c_str(), error.what());
+      logFatal(name + ": " + error.what());
     }
     if (!stopped_ && ros::ok()) at_end();
   }

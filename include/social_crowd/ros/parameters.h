@@ -21,10 +21,10 @@ class Parameters {
   /// sets for an argument that was left empty, counts as not set.
   std::string text(const std::string& name, const std::string& otherwise);
   bool flag(const std::string& name, bool otherwise);
-  /// @brief From `low` to `high`, both included.
+  /// @brief From `low` to `high`, both included; infinite ones are no limits.
   double number(const std::string& name, double otherwise, double low, double high);
   std::int64_t whole(const std::string& name, std::int64_t otherwise, std::int64_t low, std::int64_t high);
-  /// @brief A list of whole numbers of at least 0.
+  /// @brief A list of whole numbers of at least 0, or a text that is such a list in YAML.
   std::vector<std::int64_t> wholes(const std::string& name);
   /// @brief Whether it is set, and to more than an empty text.
   bool isSet(const std::string& name);
