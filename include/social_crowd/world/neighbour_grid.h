@@ -11,8 +11,8 @@ namespace crowd {
 
 /// @brief Finds discs near a point with a uniform grid over the centres of the discs, rebuilt each tick in O(n).
 ///
-/// The owner calls clear(), add() for each disc, then build(). The const functions are valid until the next clear() or
-/// move(); any number of threads may call them at the same time.
+/// The owner calls clear(), add() for each disc, then build(). Afterwards any number of threads may call the const
+/// functions at the same time.
 class NeighbourGrid {
  public:
   /// @brief A disc in the grid; `body` is an identifier chosen by the caller.
