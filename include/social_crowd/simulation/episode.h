@@ -39,8 +39,8 @@ class Episode {
   /// @throws InputError as World::step() does; the world is unchanged then.
   /// @return whether that was the last turn of the tick
   bool step(const std::vector<AgentAction>& actions);
-  /// @brief Whether all agents have arrived or the maximum number of ticks is reached; changes at the end of a tick
-  /// only.
+  /// @brief Whether no agent is on its way or the maximum number of ticks is reached. A step() changes this only at the
+  /// end of a tick.
   bool isOver() const;
 
   /// @brief Number of turns in the present tick: one, or one for each agent on its way.

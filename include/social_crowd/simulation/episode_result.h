@@ -58,7 +58,8 @@ class EpisodeMonitor {
 
   /// @brief Registers the agent that was added to the world last.
   void watch(const AgentStart& start, const World& world);
-  /// @brief Records a new goal of an agent [m]; its straight length then leads from its present position to that goal.
+  /// @brief Records a new goal of an agent [m]; its straight length is then that from its start via its present
+  /// position to that goal.
   void recordGoal(const Agent& agent, const Vector2& goal);
 
   /// @brief Measures one tick; call it after each tick. @param thread_pool its threads share the agents
