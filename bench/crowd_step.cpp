@@ -1,4 +1,4 @@
-// The crowd step: what a tick of a walking crowd costs, without ROS.
+// Benchmarks of the crowd step: one tick of a walking crowd, without ROS.
 
 #include <benchmark/benchmark.h>
 
@@ -15,21 +15,21 @@
 namespace crowd {
 namespace {
 
-constexpr int TICKS = 40;    // that are measured
-constexpr int TURNS = 2;     // of so many ticks, where there is a yardstick
-constexpr int WARM_UP = 20;  // ticks before: vectors have grown, and the crowd has left its lattice
+constexpr int TICKS = 40;    // measured ticks
+constexpr int TURNS = 2;     // repetitions of TICKS in comparisons with a yardstick
+constexpr int WARM_UP = 20;  // unmeasured ticks, in which vectors grow and the crowd leaves its lattice
 
-/// A crowd that has begun to walk.
+/// A crowd after the warm-up.
 std::unique_ptr<CrowdWalk> warmUp(const CrowdPlan& plan) {
   auto crowd = std::make_unique<CrowdWalk>(plan);
   for (int tick = 0; tick < WARM_UP; ++tick) crowd->step();
   return crowd;
 }
 
-/// The yardstick of the crowd step: finds everybody's nearest neighbours and does nothing else.
+/// The yardstick of the crowd step: only finds the nearest neighbours of all agents.
 class NeighbourLoop {
  public:
-  /// @return how many agents there are
+  /// @return number of agents
   std::size_t find(const World& world, const Vision& vision) {
     grid_.clear();
     for (const Agent& agent : world.agents()) grid_.add(agent.pose.position, agent.radius, agent.id);
@@ -47,8 +47,8 @@ class NeighbourLoop {
   NeighbourSearch search_;
 };
 
-/// Does what takes a tick many times: a thread that was not needed for a while is slow at first.
-/// @return how much it has done
+/// Repeats the work of a tick, because a thread is slow at first after an idle time.
+/// @return total work done
 template <typename Work>
 std::size_t repeat(const Work& work) {
   std::size_t done = 0;
@@ -87,7 +87,7 @@ void walk(benchmark::State& state, const CrowdPlan& plan) {
   setRate(state, steps);
 }
 
-/// What the plan of a sweep is at one of its points.
+/// The plan of a sweep over the number of agents.
 CrowdPlan planOf(std::size_t agents) {
   CrowdPlan plan;
   plan.agents = agents;
@@ -96,7 +96,7 @@ CrowdPlan planOf(std::size_t agents) {
 
 void walkWithThreads(benchmark::State& state) { walk(state, planOfThreads(state.range(0))); }
 
-/// As many crowds as threads, each on its own: what so many threads of this machine are worth at best.
+/// One independent crowd per thread: upper bound of the speed-up by threads on this machine.
 void walkSideBySide(benchmark::State& state) {
   ThreadPool thread_pool(static_cast<unsigned>(state.range(0)));
   std::vector<std::unique_ptr<CrowdWalk>> crowds;
@@ -133,7 +133,7 @@ BENCHMARK(walkTwoThreads)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 
-// Sweeps: agents at equal density, hundredths of an agent per m2, metres of sight, threads.
+// Sweeps: number of agents at constant density, density [0.01 agents per m2], vision radius [m], threads.
 BENCHMARK(walkAgents)
     ->Name("crowd_step_agents")
     ->ArgsProduct({{1'000, 2'000, 5'000, 10'000, 20'000, 50'000, 100'000}})

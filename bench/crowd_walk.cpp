@@ -13,14 +13,14 @@ namespace {
 
 constexpr Range SPEEDS{0.9, 1.6};  // [m/s]
 constexpr Range RADII{0.2, 0.3};   // [m]
-constexpr int GOALS = 3;           // each, one after the other: nobody arrives while it is looked at
+constexpr int GOALS = 3;           // of each agent, in sequence: no agent arrives during a measurement
 
 Vector2 drawPoint(KeyedRandom& random, double side) {
   const double x = random.uniform(0.0, side);
   return {x, random.uniform(0.0, side)};
 }
 
-/// Points of a square lattice, each moved a little, in no order.
+/// Points of a square lattice with random displacements, in random order.
 std::vector<Vector2> drawPlaces(const CrowdPlan& plan, KeyedRandom& random) {
   const double spacing = 1.0 / std::sqrt(plan.density);
   const double play = std::max(0.0, spacing / 2.0 - RADII.high);

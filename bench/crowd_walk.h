@@ -10,23 +10,23 @@
 
 namespace crowd {
 
-/// @brief A crowd to be walked: everybody on the way from anywhere to anywhere on a square floor without obstacles.
+/// @brief Parameters of a crowd with random starts and goals on a square floor without obstacles.
 struct CrowdPlan {
   std::size_t agents = 10'000;
   double density = 0.5;        ///< [agents per m2]
-  double vision_radius = 6.0;  ///< [m]; of what is perceived the 16 nearest neighbours
+  double vision_radius = 6.0;  ///< [m]; at most the 16 nearest neighbours are perceived
   unsigned threads = 1;
 };
 
-/// @brief The crowd's scene: mixed speeds and sizes, numbers in no order of places; the same every time.
+/// @brief Scene of the crowd: mixed speeds and sizes, ids independent of positions; deterministic.
 Scene makeCrowd(const CrowdPlan& plan);
 
-/// @brief A crowd that walks in demo mode with the shipped table `anticipation`.
+/// @brief A crowd in demo mode with the shipped table `anticipation`.
 class CrowdWalk {
  public:
   explicit CrowdWalk(const CrowdPlan& plan);
 
-  /// @brief One crowd step: everybody perceives, decides and moves. @return how many did
+  /// @brief One crowd step: all agents perceive, decide and move. @return number of agents
   std::size_t step();
   const World& world() const { return world_; }
   const Vision& vision() const { return vision_; }

@@ -6,17 +6,17 @@
 
 namespace crowd {
 
-/// @brief Which time counts: of work by one thread that of its processor, else that of the clock on the wall.
+/// @brief Clock of a measurement: CPU time of the thread for single-threaded work, otherwise wall time.
 enum class Clock : clockid_t { OF_THREAD = CLOCK_THREAD_CPUTIME_ID, ON_WALL = CLOCK_MONOTONIC };
 
-/// @brief What the clock shows [s].
+/// @brief Present time of the clock [s].
 inline double now(Clock clock) {
   timespec time{};
   clock_gettime(static_cast<clockid_t>(clock), &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// @brief What some work takes [s].
+/// @brief Duration of some work [s].
 template <typename Work>
 double timeOf(Clock clock, const Work& work) {
   const double begin = now(clock);
@@ -24,16 +24,16 @@ double timeOf(Clock clock, const Work& work) {
   return now(clock) - begin;
 }
 
-/// @brief Sets the counter `rate`: how much is done in a second.
+/// @brief Sets the counter `rate`: work per second.
 inline void setRate(benchmark::State& state, std::size_t done) {
   state.counters["rate"] = benchmark::Counter(static_cast<double>(done), benchmark::Counter::kIsRate);
 }
 
-/// @brief Does work and its yardstick in turns, so that whatever else the machine does slows down both alike: where a
-/// processor is now faster and now slower, what was measured one after the other cannot be compared.
+/// @brief Runs work and its yardstick alternately, so that changes of the processor speed and other load affect both
+/// equally. Measurements taken one after the other would not be comparable on such a machine.
 ///
-/// For a benchmark with UseManualTime(), whose time is then that of the work. Both return how much they have done. Sets
-/// the counters `rate` and `yardstick_rate`, how much of that they do in a second.
+/// For benchmarks with UseManualTime(); the reported time is that of the work. Both callables return the amount of work
+/// done. Sets the counters `rate` and `yardstick_rate`, work per second.
 template <typename Work, typename Yardstick>
 void takeTurns(benchmark::State& state, Clock clock, const Work& work, const Yardstick& yardstick) {
   std::size_t done = 0;

@@ -1,4 +1,4 @@
-// Memory of a large crowd. Means something only where nothing else was run in the same process.
+// Memory of a large crowd. The result is valid only if nothing else has run in the same process.
 
 #include <benchmark/benchmark.h>
 
@@ -10,7 +10,7 @@
 namespace crowd {
 namespace {
 
-/// The most memory that the process has had at a time, resident [MB of 10^6 bytes].
+/// Peak resident memory of the process [MB of 10^6 bytes].
 double peakResidentMegabytes() {
   std::ifstream status("/proc/self/status");
   std::string key;

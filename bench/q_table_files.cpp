@@ -1,4 +1,4 @@
-// Q-table files: loading and saving the largest table of the thesis, every row of it visited.
+// Q-table files: loading and saving the largest table of the thesis with all rows visited.
 
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
@@ -17,11 +17,11 @@
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t MOST_VISITS = 5000;
-constexpr const char* TABLE_FILE = "q_table.txt";  // both in the folder that the benchmarks are started in
+constexpr std::uint32_t MAX_VISITS = 5000;
+constexpr const char* TABLE_FILE = "q_table.txt";  // both in the working directory
 constexpr const char* BYTES_FILE = "bytes.txt";
 
-/// The table of thesis set 2 with values of all sizes.
+/// The table of thesis set 2 with random values.
 TrainedTable makeFullTable() {
   const TrainingConfig config = readTrainingConfig(SOURCE_DIR "/config/learning/thesis_occupancy.yaml");
   QTable table(config.model.state_set->rowCount(), config.model.action_set->size());
@@ -29,7 +29,7 @@ TrainedTable makeFullTable() {
   for (Row row = 0; row < table.rows(); ++row) {
     for (Action action = 0; action < table.actions(); ++action) {
       const double value = random.uniform(-100.0, 100.0);
-      table.set(row, action, value, 1 + random.below(MOST_VISITS));
+      table.set(row, action, value, 1 + random.below(MAX_VISITS));
     }
   }
   return {config.model, config.learning.parameters, 0, 1, std::move(table)};
@@ -39,7 +39,7 @@ void require(bool fine, const char* what) {
   if (!fine) throw std::runtime_error(std::string(what) + " failed");
 }
 
-/// A file as large as that of a table, read and written and nothing else.
+/// The yardstick: plain reading and writing of a file of the same size.
 class Bytes {
  public:
   explicit Bytes(const TrainedTable& trained) : bytes_(toText(trained)) { replaceFile(BYTES_FILE, bytes_); }
@@ -55,7 +55,7 @@ class Bytes {
     benchmark::DoNotOptimize(bytes_.data());
   }
 
-  /// Brings them to the disk as saving does: beside the old file, which they then replace.
+  /// Writes to the disk as saving does: to a temporary file, which then replaces the old one.
   void write() const {
     const std::string beside = std::string(BYTES_FILE) + ".new";
     const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);  // NOLINT(*-vararg)

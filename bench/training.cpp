@@ -1,4 +1,4 @@
-// Training: decisions that are learned from in a second.
+// Training: learned decisions per second.
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* ONE_OBSTACLE = SOURCE_DIR "/config/scenarios/training_single.yaml";
 
-/// A shipped training configuration with another scenario, episodes and learners side by side.
+/// A shipped training configuration with the given scenario, number of episodes and of learners side by side.
 TrainingConfig configFor(const std::string& name, const std::string& scenario, std::uint64_t episodes,
                          std::uint32_t side_by_side = 1) {
   TrainingConfig config = readTrainingConfig(SOURCE_DIR "/config/learning/" + name + ".yaml");
@@ -32,14 +32,14 @@ void finish(Training& training) {
   while (!training.isDone()) benchmark::DoNotOptimize(training.runNextTurn());
 }
 
-/// Trains from nothing. @return decisions
+/// Trains from an empty table. @return number of decisions
 std::uint64_t train(const TrainingConfig& config, unsigned threads = 1) {
   Training training(config, threads);
   finish(training);
   return training.decisions();
 }
 
-/// The same loop without learning: the training's episodes, walked with what came of them.
+/// The yardstick: the same episodes without learning, with the trained table.
 class WalkedEpisodes {
  public:
   explicit WalkedEpisodes(const TrainingConfig& config)
@@ -47,7 +47,7 @@ class WalkedEpisodes {
         scenarios_(readScenarios(config.training.scenarios.front())),
         learner_(config.model, Learner::Options(), trainedTable(config)) {}
 
-  /// @return decisions
+  /// @return number of decisions
   std::uint64_t walk() {
     std::uint64_t decisions = 0;
     for (std::uint64_t episode = 0; episode < config_.training.episodes; ++episode) {
@@ -75,7 +75,7 @@ void trainOccupancy(benchmark::State& state) {
       state, Clock::OF_THREAD, [&] { return train(config); }, [&] { return episodes.walk(); });
 }
 
-/// Trains again and again.
+/// Trains repeatedly.
 void train(benchmark::State& state, const TrainingConfig& config, unsigned threads = 1) {
   std::uint64_t decisions = 0;
   for (auto _ : state) decisions += train(config, threads);
@@ -95,7 +95,7 @@ void trainSideBySide(benchmark::State& state) {
 BENCHMARK(trainOccupancy)->Name("train_occupancy")->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(trainAnticipation)->Name("train_anticipation")->Unit(benchmark::kMillisecond);
 
-// Sweep: threads that 16 learners side by side share.
+// Sweep: number of threads shared by 16 learners side by side.
 BENCHMARK(trainSideBySide)->Name("train_threads")->Apply(useThreads)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace crowd

@@ -7,14 +7,14 @@
 
 namespace crowd::bench {
 
-/// @brief A message of any type, of which only the size is known [bytes].
+/// @brief A message of any type; only its size is read [bytes].
 struct AnyMessage {
   std::size_t size = 0;
 };
 
 }  // namespace crowd::bench
 
-// How roscpp is told of a message type.
+// Message traits for roscpp.
 namespace ros {
 
 namespace message_traits {

@@ -15,7 +15,7 @@ void walkHeadless(const std::string& scenario, const std::string& q_table, unsig
   Learner::Options options;
   options.plan.parameters = trained.parameters;
   Learner learner(trained.model, options, std::move(trained.table));
-  Vision vision;  // the radius of the controller's default
+  Vision vision;  // with the default radius of the controller
   vision.max_neighbours = max_neighbours;
   Episode episode(readScenarios(scenario).scene(1, 0), 0, vision);
   RelativeActions actions;

@@ -24,7 +24,7 @@ void reset() {
   call("crowd_controller/reset", reset);
 }
 
-/// Walks so many ticks; the time it takes [s].
+/// Executes a number of ticks; returns the time that they take [s].
 double walk(unsigned ticks) {
   social_crowd::Step step;
   step.request.ticks = ticks;
@@ -33,7 +33,7 @@ double walk(unsigned ticks) {
   return (ros::WallTime::now() - begin).toSec();
 }
 
-/// Size of the messages of a topic while the crowd walks.
+/// Measures the size of the messages of a topic.
 class Scales {
  public:
   Scales(ros::NodeHandle& node, const std::string& topic) {
@@ -61,7 +61,7 @@ void timeLockstep(unsigned warm_up, unsigned ticks) {
   reset();
   walk(warm_up);
   const double seconds = walk(ticks);
-  // Only afterwards, as one more subscriber costs time.
+  // After the measurement, because further subscribers take time.
   const Scales perceptions(node, "perceptions");
   const Scales actions(node, "actions");
   walk(1);

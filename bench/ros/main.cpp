@@ -1,4 +1,4 @@
-// What the benchmarks of the nodes are measured with and against.
+// Measurements of nodes, and the references they are compared with.
 
 #include <ros/ros.h>
 
@@ -11,7 +11,7 @@ namespace crowd::bench {
 namespace {
 
 int runMain(int argc, char** argv) {
-  ros::init(argc, argv, "ros_bench", ros::init_options::AnonymousName);  // takes its own arguments away
+  ros::init(argc, argv, "ros_bench", ros::init_options::AnonymousName);  // removes ROS arguments
   CLI::App app("Measures nodes, and what they are compared with.", "ros_bench");
   app.require_subcommand(1);
   std::string scenario;

@@ -14,7 +14,7 @@ using Message = std_msgs::UInt8MultiArray;
 constexpr const char* THERE = "there";
 constexpr const char* BACK = "back";
 constexpr std::uint32_t QUEUE = 10;  // messages
-const ros::WallDuration IDLE(0.1);   // between two looks whether ROS still runs
+const ros::WallDuration IDLE(0.1);   // maximum interval between checks of ros::ok()
 
 Message messageOf(std::size_t bytes) {
   Message message;

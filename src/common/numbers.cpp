@@ -34,7 +34,7 @@ std::string toText(double value) {
 }
 
 std::optional<double> toNumber(std::string_view text) {
-  // from_chars knows no plus sign.
+  // from_chars does not accept a plus sign.
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -10,7 +10,7 @@ double KeyedRandom::uniform(double low, double high) {
 }
 
 std::uint32_t KeyedRandom::below(std::uint32_t count) {
-  // Lemire's multiply-shift; its bias of count / 2^32 does not show in what is drawn here.
+  // Lemire's multiply-shift; its bias of count / 2^32 is negligible for the counts used here.
   return static_cast<std::uint32_t>(((next() >> 32U) * count) >> 32U);
 }
 

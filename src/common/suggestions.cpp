@@ -5,11 +5,11 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t MOST_EDITS = 2;
+constexpr std::size_t MAX_EDITS = 2;
 
 bool isNear(std::string_view given, std::string_view known) {
-  const std::size_t most = std::min(MOST_EDITS, std::max(given.size(), known.size()) / 2);
-  return editDistance(given, known) <= most;
+  const std::size_t limit = std::min(MAX_EDITS, std::max(given.size(), known.size()) / 2);
+  return editDistance(given, known) <= limit;
 }
 
 }  // namespace

@@ -6,12 +6,12 @@
 namespace crowd {
 namespace {
 
-// About as long as one thread works alone between two pieces of a large crowd's tick; 20 and 400 were no better.
-constexpr std::chrono::microseconds MOMENT{100};
+// About the serial time between two parallel loops in a tick of a large crowd; 20 and 400 were no better.
+constexpr std::chrono::microseconds SPIN_TIME{100};
 
 }  // namespace
 
-ThreadPool::ThreadPool(unsigned count) : watches_(count <= std::thread::hardware_concurrency()) {
+ThreadPool::ThreadPool(unsigned count) : spins_(count <= std::thread::hardware_concurrency()) {
   if (count > 1) problems_.resize(count);
   for (unsigned worker = 1; worker < count; ++worker) threads_.emplace_back([this, worker] { wait(worker); });
 }
@@ -30,11 +30,11 @@ ThreadPool& ThreadPool::callerOnly() {
   return alone;
 }
 
-template <typename Happened>
-void ThreadPool::watch(const Happened& happened) const {
-  if (!watches_) return;
-  const auto end = std::chrono::steady_clock::now() + MOMENT;
-  while (!happened() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+template <typename IsDone>
+void ThreadPool::spin(const IsDone& is_done) const {
+  if (!spins_) return;
+  const auto end = std::chrono::steady_clock::now() + SPIN_TIME;
+  while (!is_done() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
 }
 
 void ThreadPool::share(const Task& task, std::size_t size) {
@@ -50,7 +50,7 @@ void ThreadPool::share(const Task& task, std::size_t size) {
   }
   begun_.notify_all();
   doParts(0);
-  watch([this] { return helpers_ == 0; });
+  spin([this] { return helpers_ == 0; });
   std::unique_lock<std::mutex> lock(mutex_);
   open_ = false;
   done_.wait(lock, [this] { return helpers_ == 0; });
@@ -64,7 +64,7 @@ void ThreadPool::share(const Task& task, std::size_t size) {
 void ThreadPool::wait(unsigned worker) {
   std::size_t done = 0;
   for (;;) {
-    watch([&] { return round_ != done; });
+    spin([&] { return round_ != done; });
     std::unique_lock<std::mutex> lock(mutex_);
     begun_.wait(lock, [&] { return stop_ || (open_ && round_ != done); });
     if (stop_) return;

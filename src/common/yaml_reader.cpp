@@ -16,13 +16,13 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t LONGEST_QUOTE = 40;
+constexpr std::size_t MAX_QUOTE = 40;  // [characters]
 
 std::string lineOf(const YAML::Mark& mark) {
   return mark.line < 0 ? std::string() : "line " + std::to_string(mark.line + 1);  // yaml-cpp counts from 0
 }
 
-/// "FILE: document D, line L: PATH: " as far as these are known.
+/// "FILE: document D, line L: PATH: " without the parts that are unknown.
 std::string prefixOf(const YamlPlace& place, const YAML::Mark& mark) {
   const std::string document = place.document > 0 ? "document " + std::to_string(place.document) : "";
   const std::string line = lineOf(mark);
@@ -37,7 +37,7 @@ std::string prefixOf(const YamlPlace& place, const YAML::Mark& mark) {
   return place.path.empty() ? prefix : prefix + place.path + ": ";
 }
 
-/// A plain scalar; in quotes it would be a text, whatever it looks like.
+/// Whether the node is an unquoted scalar; a quoted one is always a text.
 bool isPlain(const YAML::Node& node) { return node.IsDefined() && node.IsScalar() && node.Tag() != "!"; }
 
 YAML::Mark markOf(const YAML::Node& node) { return node.IsDefined() ? node.Mark() : YAML::Mark::null_mark(); }
@@ -53,7 +53,7 @@ std::string describe(const YAML::Node& node) {
     return "a list of " + std::to_string(node.size());
   }
   const std::string& text = node.Scalar();
-  const std::string quote = text.size() > LONGEST_QUOTE ? text.substr(0, LONGEST_QUOTE) + "..." : text;
+  const std::string quote = text.size() > MAX_QUOTE ? text.substr(0, MAX_QUOTE) + "..." : text;
   return (isPlain(node) ? "'" : "the text '") + quote + "'";
 }
 
@@ -71,7 +71,7 @@ const char* wordsFor(NumberRule rule) {
   return "a number";
 }
 
-bool follows(double value, NumberRule rule) {
+bool satisfies(double value, NumberRule rule) {
   switch (rule) {
     case NumberRule::NOT_NEGATIVE:
       return value >= 0.0;
@@ -85,14 +85,14 @@ bool follows(double value, NumberRule rule) {
   return true;
 }
 
-/// Notices a document that begins where the one before it began.
+/// Detects a document that begins at the same position as the previous one.
 class ProgressWatch : public YAML::EventHandler {
  public:
-  bool stands() const { return stands_; }
+  bool isStuck() const { return is_stuck_; }
   const YAML::Mark& mark() const { return mark_; }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    stands_ = mark.pos == mark_.pos;
+    is_stuck_ = mark.pos == mark_.pos;
     mark_ = mark;
   }
   void OnDocumentEnd() override {}
@@ -108,11 +108,11 @@ class ProgressWatch : public YAML::EventHandler {
   void OnMapEnd() override {}
 
  private:
-  bool stands_ = false;
+  bool is_stuck_ = false;
   YAML::Mark mark_ = YAML::Mark::null_mark();
 };
 
-/// Whether every line begins as block maps and lists do: with a word, "- ", a comment or "---" alone.
+/// Whether every line begins like a line of a block map or list: with a word, "- ", a comment or "---" alone.
 bool beginsPlainly(const std::string& text) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -128,8 +128,8 @@ bool beginsPlainly(const std::string& text) {
   return true;
 }
 
-/// yaml-cpp takes a document that begins with a comma for an empty one and never gets past the comma: LoadAll would
-/// fill the memory. Looking costs as much as reading, so a text in which no document can begin so is not looked at.
+/// Refuses documents that begin with a comma: yaml-cpp treats them as empty and never advances, so that LoadAll would
+/// exhaust the memory. This check takes as long as reading, and is skipped if no document can begin with a comma.
 void refuseEndlessText(const std::string& text, const std::string& name) {
   if (beginsPlainly(text)) {
     return;
@@ -138,7 +138,7 @@ void refuseEndlessText(const std::string& text, const std::string& name) {
   YAML::Parser parser(stream);
   ProgressWatch watch;
   while (parser.HandleNextDocument(watch)) {
-    if (watch.stands()) {
+    if (watch.isStuck()) {
       throw InputError(prefixOf({name, 0, ""}, watch.mark()) + "this is not YAML: a comma out of place");
     }
   }
@@ -165,7 +165,7 @@ void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::st
 double readNumber(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
   if (isPlain(node)) {
     const std::optional<double> value = toNumber(node.Scalar());
-    if (value && std::isfinite(*value) && follows(*value, rule)) {
+    if (value && std::isfinite(*value) && satisfies(*value, rule)) {
       return *value;
     }
   }
@@ -207,7 +207,7 @@ Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsDefined() || !node.IsSequence() || node.size() != 2) {
     throwExpected(place, node, "[x, y]");
   }
-  // The places of the elements are wanted in messages only; most of a scenario file is vectors.
+  // Places of elements are built only for messages, because most of a scenario file consists of vectors.
   const auto read = [&](std::size_t index) {
     const YAML::Node element = node[index];
     const std::optional<double> value = isPlain(element) ? toNumber(element.Scalar()) : std::nullopt;
@@ -272,7 +272,7 @@ const YamlMap::Entry* YamlMap::look(const std::string& key) const {
 YAML::Node YamlMap::need(const std::string& key) const {
   const Entry* const entry = look(key);
   if (entry != nullptr) return entry->value;
-  for (const Entry& other : entries_) {  // with declared keys allow() has told of it
+  for (const Entry& other : entries_) {  // for declared keys, allow() has reported misspellings
     const std::string hint = didYouMean(other.key.Scalar(), {key});
     if (known_.empty() && !hint.empty())
       throwProblem(place_, other.key, "unknown key '" + other.key.Scalar() + "'" + hint);

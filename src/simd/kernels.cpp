@@ -8,7 +8,7 @@
 namespace crowd::simd {
 
 #ifdef CROWD_HIGHWAY
-/// Those for vector instructions that this processor has, the fastest first.
+/// Kernels for the vector instruction sets of this processor, fastest first.
 std::vector<Kernels> highwayKernels();
 #else
 static std::vector<Kernels> highwayKernels() { return {}; }

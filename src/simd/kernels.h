@@ -10,7 +10,7 @@
 
 namespace crowd::simd {
 
-/// @brief One implementation of all kernels. All implementations give the same bits.
+/// @brief One implementation of all kernels. All implementations give bit-identical results.
 struct Kernels {
   const char* target;  ///< "reference", or Highway's name of the instruction set
   CollectNearby* collect_nearby;
@@ -20,17 +20,17 @@ struct Kernels {
   FindRowNumbers* find_row_numbers;
 };
 
-/// @brief The scalar implementation, which defines the results.
+/// @brief Scalar implementation, which defines the results.
 extern const Kernels REFERENCE;
 
-/// @brief All implementations that this processor can run, the fastest first, the reference last.
+/// @brief All implementations that this processor can run, fastest first, the reference last.
 std::vector<Kernels> availableKernels();
 
-/// @brief The fastest of these, or those for the target that the environment variable SOCIAL_CROWD_SIMD names.
-/// @throws InputError if there are none for it
+/// @brief The fastest of availableKernels(), or those for the target in the environment variable SOCIAL_CROWD_SIMD.
+/// @throws InputError if that target is not available
 Kernels chooseKernels();
 
-/// @brief Those that were chosen at the first call.
+/// @brief The kernels in use; chosen by chooseKernels() at the first call. Thread-safe. @throws InputError as above
 const Kernels& kernels();
 
 }  // namespace crowd::simd

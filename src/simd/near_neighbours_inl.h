@@ -18,7 +18,7 @@ namespace crowd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 inline std::uint32_t findNear(const NeighbourArrays& neighbours, const Nearness& nearness) {
-  const hn::CappedTag<double, 8> d;  // the mask of a register is a byte
+  const hn::CappedTag<double, 8> d;  // so that the mask of a register fits a byte
   const auto zero = hn::Zero(d);
   const auto own_x = hn::Set(d, nearness.velocity_x);
   const auto own_y = hn::Set(d, nearness.velocity_y);
@@ -37,7 +37,7 @@ inline std::uint32_t findNear(const NeighbourArrays& neighbours, const Nearness&
     const auto rest = hn::Add(square, hn::Mul(duration, coming));
     const auto apart = hn::Add(room, hn::LoadU(d, neighbours.radii + i));
     const auto far = hn::And(hn::Gt(rest, zero), hn::Gt(hn::Mul(rest, rest), hn::Mul(hn::Mul(apart, apart), square)));
-    std::uint8_t bits[8] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays): as many as may be written
+    std::uint8_t bits[8] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays): maximum that is written
     hn::StoreMaskBits(d, hn::AndNot(far, hn::FirstN(d, count - i)), bits);
     near |= std::uint32_t{bits[0]} << i;
   }

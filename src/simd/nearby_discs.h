@@ -5,39 +5,38 @@
 
 namespace crowd::simd {
 
-/// @brief Discs as one array for each of their numbers. Up to PADDING numbers behind the last disc are read, whatever
-/// they are.
+/// @brief Discs as a structure of arrays. Kernels read up to PADDING unspecified elements behind the last disc.
 struct DiscArrays {
   static constexpr std::size_t PADDING = 16;
 
   const double* xs;  ///< of the centres [m]
   const double* ys;
   const double* radii;              ///< [m]
-  const std::uint32_t* neighbours;  ///< numbers of the bodies
+  const std::uint32_t* neighbours;  ///< identifiers of the bodies
 };
 
-/// @brief The discs begin .. end-1.
+/// @brief The discs begin .. end - 1.
 struct DiscRange {
   std::uint32_t begin;
   std::uint32_t end;
 };
 
-/// @brief A circle in which discs are looked for.
+/// @brief Query circle.
 struct Circle {
   double x;  ///< of the centre [m]
   double y;
   double radius;         ///< [m]
-  std::uint32_t except;  ///< the body that is left out
+  std::uint32_t except;  ///< body that is ignored
 };
 
-/// @brief Where collected discs are written. There must be room for all discs of the range, and PADDING more.
+/// @brief Output of CollectNearby. Capacity: all discs of the range and PADDING more.
 struct CollectedDiscs {
-  std::uint64_t* discs;  ///< their places in the arrays
-  double* rims;          ///< distances of their rims from the circle's centre [m]; negative from within
+  std::uint64_t* discs;  ///< their indices in the arrays
+  double* rims;          ///< distances from the centre of the circle to their rims [m]; negative if inside the disc
 };
 
-/// @brief Writes down the discs of a range whose rim is in the circle, in their order, behind the first `count`.
-/// @return how many there are now
+/// @brief Appends the discs of a range whose rim is within the circle, in their order, behind the first `count`.
+/// @return the new count
 using CollectNearby = std::size_t(const DiscArrays& arrays, DiscRange range, const Circle& circle, std::size_t count,
                                   const CollectedDiscs& collected);
 

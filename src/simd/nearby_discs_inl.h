@@ -23,7 +23,7 @@ constexpr bool HAS_COMPRESS = false;
 constexpr std::size_t MAX_DISC_LANES = 4;
 #endif
 
-/// Of lanes of two words each, the words of those that are marked, in order; then anything.
+/// For each mask of lanes, the indices of the two words of each marked lane, in order; the rest is unspecified.
 struct CompressTable {
   static constexpr std::size_t WORDS = 2 * MAX_DISC_LANES;
   std::uint32_t words[HAS_COMPRESS ? 1 : 1U << MAX_DISC_LANES][WORDS] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays)
@@ -41,8 +41,8 @@ struct CompressTable {
 };
 constexpr CompressTable COMPRESS_TABLE;
 
-/// Stores all lanes, those that are marked first.
-/// @details Highway's own Compress() is slow for AVX2 with GCC 12, which copies its table at each call.
+/// Stores all lanes, the marked ones first.
+/// @details With GCC 12, Highway's Compress() is slow for AVX2, because it copies its table at each call.
 template <typename D>
 HWY_INLINE void storeCompressed(D d, hn::Vec<D> lanes, hn::Mask<D> mask, std::uint8_t marks, hn::TFromD<D>* to) {
   if constexpr (HAS_COMPRESS) {
@@ -54,7 +54,7 @@ HWY_INLINE void storeCompressed(D d, hn::Vec<D> lanes, hn::Mask<D> mask, std::ui
   }
 }
 
-/// Compares a few discs with a circle.
+/// Compares one register of discs with a circle.
 class NearbyDiscs {
  public:
   using Tag = hn::CappedTag<double, MAX_DISC_LANES>;
@@ -64,8 +64,8 @@ class NearbyDiscs {
   HWY_INLINE NearbyDiscs(const DiscArrays& arrays, DiscRange range, const Circle& circle)
       : arrays_(arrays), end_(range.end), except_(circle.except), x_(circle.x), y_(circle.y), radius_(circle.radius) {}
 
-  /// Looks at the discs from number `i` on. @return which are in the circle
-  HWY_INLINE Mask look(std::size_t i, Numbers& squares, Numbers& radii) const {
+  /// Compares the discs from number `i` on. @return mask of those within the circle
+  HWY_INLINE Mask compare(std::size_t i, Numbers& squares, Numbers& radii) const {
     const Tag d;
     const hn::RebindToUnsigned<Tag> du;
     const auto dx = hn::Sub(hn::LoadU(d, arrays_.xs + i), hn::Set(d, x_));
@@ -88,8 +88,8 @@ class NearbyDiscs {
   double radius_;
 };
 
-/// Those that are in the circle move together in a register, which is stored as a whole; what comes next is written
-/// over the others.
+/// Discs within the circle are moved to the front of the register, which is stored as a whole; the next store
+/// overwrites the others.
 inline std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, const Circle& circle, std::size_t count,
                                  const CollectedDiscs& collected) {
   const NearbyDiscs::Tag d;
@@ -100,9 +100,9 @@ inline std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, cons
   for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(d), places = hn::Add(places, step)) {
     NearbyDiscs::Numbers squares;
     NearbyDiscs::Numbers radii;
-    const auto near = discs.look(i, squares, radii);
+    const auto near = discs.compare(i, squares, radii);
     const auto rims = hn::Sub(hn::Sqrt(squares), radii);
-    std::uint8_t marks[8] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays): as many as may be written
+    std::uint8_t marks[8] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays): maximum that is written
     hn::StoreMaskBits(d, near, marks);
     storeCompressed(du, places, hn::RebindMask(du, near), marks[0], collected.discs + count);
     storeCompressed(d, rims, near, marks[0], collected.rims + count);

@@ -4,8 +4,8 @@
 
 namespace crowd::simd {
 
-/// @brief Neighbours in an agent's frame as one array for each of their numbers. Up to PADDING numbers behind the last
-/// neighbour are read, whatever they are.
+/// @brief Neighbours in an agent's frame as a structure of arrays. Kernels read up to PADDING unspecified elements
+/// behind the last neighbour.
 struct NeighbourArrays {
   static constexpr std::size_t PADDING = 16;
 

@@ -5,13 +5,13 @@
 
 namespace crowd::simd {
 
-/// @brief Up to so many numbers are ranked.
+/// @brief Maximum number of values that can be ranked.
 constexpr std::size_t MAX_RANKED = 48;
 
-/// @brief Writes for each number how many of all are smaller in single precision.
-/// @param numbers up to MAX_RANKED of them are read, whatever stands behind the first `count`
-/// @param ranks room for MAX_RANKED; what is behind the first `count` is overwritten, too
-/// @return the sum of the ranks; 0 + 1 + ... + (count - 1) if no two numbers are equal in single precision
+/// @brief Writes the rank of each number: how many of the numbers are smaller in single precision.
+/// @param numbers MAX_RANKED must be readable; those behind the first `count` are ignored
+/// @param ranks capacity MAX_RANKED; elements behind the first `count` may be overwritten
+/// @return the sum of the ranks; it is 0 + 1 + ... + (count - 1) if no two numbers are equal in single precision
 using RankAscending = std::uint32_t(const double* numbers, std::size_t count, std::uint32_t* ranks);
 
 }  // namespace crowd::simd

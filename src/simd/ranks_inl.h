@@ -18,13 +18,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 using RankKeys = hn::CappedTag<float, 16>;
 using RankCounts = hn::RebindToUnsigned<RankKeys>;
 
-/// One more in lanes in which a key is smaller than the own.
+/// Increments the counts of the lanes in which `key` is smaller than `own`.
 HWY_INLINE hn::Vec<RankCounts> countSmaller(hn::Vec<RankCounts> counts, hn::Vec<RankKeys> key, hn::Vec<RankKeys> own) {
   const auto is_smaller = hn::BitCast(RankCounts(), hn::VecFromMask(RankKeys(), hn::Lt(key, own)));
   return hn::Sub(counts, is_smaller);  // true is -1
 }
 
-/// Writes the ranks of two registers of keys, and adds those of the first `count` of them to `sum`.
+/// Writes a register of ranks to to[first...], and adds those with an index below `count` to `sum`.
 HWY_INLINE hn::Vec<RankCounts> writeRanks(hn::Vec<RankCounts> ranks, std::size_t first, std::size_t count,
                                           std::uint32_t* to, hn::Vec<RankCounts> sum) {
   const RankCounts d;
@@ -33,8 +33,8 @@ HWY_INLINE hn::Vec<RankCounts> writeRanks(hn::Vec<RankCounts> ranks, std::size_t
   return hn::Add(sum, hn::IfThenElseZero(counted, ranks));
 }
 
-/// A register of numbers in single precision.
-/// @details Stored by halves it could not be loaded as a whole before it is in the cache.
+/// Loads a register of numbers in single precision.
+/// @details The halves are combined in a register: storing them separately would prevent store-to-load forwarding.
 HWY_INLINE hn::Vec<RankKeys> loadKeys(const double* numbers) {
   const RankKeys d;
 #if HWY_TARGET == HWY_SCALAR
@@ -55,7 +55,7 @@ inline std::uint32_t rankAscending(const double* numbers, std::size_t count, std
   for (std::size_t i = 0; i < count; i += lanes) hn::Store(loadKeys(numbers + i), d, keys + i);
   auto sum = hn::Zero(du);
   std::size_t i = 0;
-  // As many registers side by side as are needed, so that each key is read once.
+  // Four registers at a time, so that each key is read only once for them.
   for (; i + 2 * lanes < count && i + 4 * lanes <= MAX_RANKED; i += 4 * lanes) {
     const auto a = hn::LoadU(d, keys + i);
     const auto b = hn::LoadU(d, keys + i + lanes);

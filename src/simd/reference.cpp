@@ -1,4 +1,4 @@
-// The scalar kernels: what they calculate, one number after the other.
+// Scalar kernels, which define the results.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, const Circl
     const double dy = arrays.ys[i] - circle.y;
     const double square = dx * dx + dy * dy;
     const double limit = circle.radius + arrays.radii[i];
-    // Written in any case, and kept by counting on: a branch would be mispredicted half of the time.
+    // Always written, and kept by incrementing the count: a branch would be mispredicted half of the time.
     collected.discs[count] = i;
     collected.rims[count] = std::sqrt(square) - arrays.radii[i];
     count += static_cast<std::size_t>(square <= limit * limit) &
@@ -35,7 +35,7 @@ std::uint32_t rankAscending(const double* numbers, std::size_t count, std::uint3
   return sum;
 }
 
-/// All is multiplied by the distance, so that no root is taken.
+/// All terms are multiplied by the distance, which avoids a square root.
 std::uint32_t findNear(const NeighbourArrays& neighbours, const Nearness& nearness) {
   std::uint32_t near = 0;
   for (std::size_t i = 0; i < std::min(neighbours.count, MAX_LOOKED_AT); ++i) {
@@ -57,19 +57,19 @@ struct Disc {
   float x;
   float y;
   float gap;       // square of the distance less that of the sum of both radii, 0 if they overlap [m2]
-  float per_root;  // what makes the inverse time of a root
+  float per_root;  // factor in inverseTime(): 1 / gap [1/m2], or AT_ONCE
 };
 
-/// The inverse of the time in which the disc is reached with a relative velocity; not a number if it is not reached.
-/// @details Of the roots of |p - t v| = r, t = gap / (p.v + sqrt(inside)) is the smaller one. It is negative if the
-/// disc recedes.
+/// Inverse of the time to collision with a disc at a relative velocity [1/s]; NaN if the disc is not reached.
+/// @details The smaller root of |p - t v| = r is t = gap / (p.v + sqrt((p.v)^2 - v^2 gap)). It is negative if the disc
+/// recedes.
 float inverseTime(const Disc& disc, float vx, float vy) {
   const float closing = disc.x * vx + disc.y * vy;
   const float square = vx * vx + vy * vy;
   return (closing + std::sqrt(closing * closing - square * disc.gap)) * disc.per_root;
 }
 
-void raise(float value, float& highest) { highest = value > highest ? value : highest; }  // also if it is not a number
+void raise(float value, float& highest) { highest = value > highest ? value : highest; }  // ignores NaN
 
 float accumulateTimeToCollision(const NeighbourArrays& neighbours, const Observer& self,
                                 const CandidateArrays& candidates) {
@@ -84,7 +84,7 @@ float accumulateTimeToCollision(const NeighbourArrays& neighbours, const Observe
     const auto vy = static_cast<float>(neighbours.vys[i]);
     const float approach = disc.x * (self.preferred_x - vx) + disc.y * (self.preferred_y - vy);
     if (approach > 0.0F) raise(approach * approach / (disc.x * disc.x + disc.y * disc.y), fastest);
-    // With 2u - w - v the time is half of what it is with u - (w + v) / 2.
+    // Relative to the mean velocity; the caller halves the time, as reciprocal avoidance has 2u - w - v instead.
     const float mean_vx = 0.5F * (self.velocity_x + vx);
     const float mean_vy = 0.5F * (self.velocity_y + vy);
     for (std::size_t k = 0; k < candidates.count; ++k) {

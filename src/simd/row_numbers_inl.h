@@ -17,7 +17,7 @@ namespace crowd::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::size_t MAX_CLASS_LANES = 8;  // three registers are no more than VALUES_PADDED
+constexpr std::size_t MAX_CLASS_LANES = 8;  // three registers fit VALUES_PADDED
 using ClassValues = hn::CappedTag<float, MAX_CLASS_LANES>;
 using RowNumbers = hn::RebindToUnsigned<ClassValues>;
 
@@ -27,7 +27,7 @@ HWY_INLINE hn::Vec<RowNumbers> countReached(hn::Vec<RowNumbers> rows, hn::Vec<Cl
   return hn::Sub(rows, reached);  // true is -1
 }
 
-/// Writes as many row numbers of a register as are wanted.
+/// Writes a register of row numbers to rows[first...], without those at index `count` or above.
 HWY_INLINE void writeRows(hn::Vec<RowNumbers> numbers, std::size_t first, std::size_t count, std::uint32_t* rows) {
   const RowNumbers d;
   const std::size_t lanes = hn::Lanes(d);
@@ -37,7 +37,7 @@ HWY_INLINE void writeRows(hn::Vec<RowNumbers> numbers, std::size_t first, std::s
   for (std::size_t i = first; i < count; ++i) rows[i] = last[i - first];
 }
 
-/// Three registers side by side, so that each limit is read once.
+/// Processes three registers at a time, so that each limit is read only once for them.
 inline void findRowNumbers(const ClassDigit* digits, std::size_t digit_count, LastDigit last, std::size_t count,
                            std::uint32_t* rows) {
   const ClassValues d;

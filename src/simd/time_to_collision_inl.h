@@ -22,10 +22,10 @@ using SingleVector = hn::Vec<Singles>;
 using HalfSingles = hn::Half<Singles>;
 using Doubles = hn::Rebind<double, HalfSingles>;
 
-/// Some neighbours in single precision.
+/// A block of neighbours in single precision.
 struct NeighbourBlock {
   static constexpr std::size_t SIZE = 16;
-  static_assert(SIZE <= NeighbourArrays::PADDING, "may be read behind the last");
+  static_assert(SIZE <= NeighbourArrays::PADDING, "reads beyond the last neighbour");
 
   alignas(64) float x[SIZE];  // NOLINT(cppcoreguidelines-avoid-c-arrays): of any alignment
   alignas(64) float y[SIZE];
@@ -33,17 +33,18 @@ struct NeighbourBlock {
   alignas(64) float vy[SIZE];
   alignas(64) float mean_vx[SIZE];  // of its velocity and the agent's
   alignas(64) float mean_vy[SIZE];
-  alignas(64) float gap[SIZE];  // square of the distance less that of the sum of both radii, 0 if they overlap
-  alignas(64) float per_root[SIZE];
+  alignas(64) float gap[SIZE];       // square of the distance less that of the sum of both radii, 0 if they overlap
+  alignas(64) float per_root[SIZE];  // 1 / gap, or AT_ONCE
 };
 
-/// The greater one; the second if the first is not a number.
+/// The greater value; `other` if `value` is NaN.
 template <typename D>
 HWY_INLINE hn::Vec<D> greater(D /*tag*/, hn::Vec<D> value, hn::Vec<D> other) {
   return hn::IfThenElse(hn::Gt(value, other), value, other);
 }
 
-/// Writes `count` neighbours from number `first` on. @return fastest approaches, see AccumulateTimeToCollision
+/// Writes `count` neighbours from number `first` on to the block.
+/// @return squares of the highest approach speeds, see AccumulateTimeToCollision
 HWY_INLINE hn::Vec<HalfSingles> writeBlock(const NeighbourArrays& from, std::size_t first, std::size_t count,
                                            const Observer& self, NeighbourBlock& block) {
   const Doubles dd;
@@ -77,7 +78,7 @@ HWY_INLINE hn::Vec<HalfSingles> writeBlock(const NeighbourArrays& from, std::siz
   return fastest;
 }
 
-/// As the reference's inverseTime().
+/// See inverseTime() in the reference.
 HWY_INLINE SingleVector inverseTimes(SingleVector x, SingleVector y, SingleVector vx, SingleVector vy, SingleVector gap,
                                      SingleVector per_root) {
   const auto closing = hn::Add(hn::Mul(x, vx), hn::Mul(y, vy));
@@ -86,10 +87,10 @@ HWY_INLINE SingleVector inverseTimes(SingleVector x, SingleVector y, SingleVecto
   return hn::Mul(hn::Add(closing, root), per_root);
 }
 
-/// One neighbour after the other, for a register of candidates.
+/// Vectorized over candidates: iterates over the neighbours for a register of candidates.
 template <bool RECIPROCAL>
-HWY_INLINE void lookAtCandidates(const NeighbourBlock& block, std::size_t count, std::size_t candidate,
-                                 const CandidateArrays& candidates) {
+HWY_INLINE void accumulateOverNeighbours(const NeighbourBlock& block, std::size_t count, std::size_t candidate,
+                                         const CandidateArrays& candidates) {
   const Singles d;
   const auto ux = hn::LoadU(d, candidates.xs + candidate);
   const auto uy = hn::LoadU(d, candidates.ys + candidate);
@@ -112,9 +113,9 @@ HWY_INLINE void lookAtCandidates(const NeighbourBlock& block, std::size_t count,
   if (RECIPROCAL) hn::StoreU(reciprocal, d, candidates.reciprocal + candidate);
 }
 
-/// All neighbours side by side, for one candidate.
-HWY_INLINE void lookAtNeighbours(const NeighbourBlock& block, std::size_t count, const float* vxs, const float* vys,
-                                 float ux, float uy, float& soonest) {
+/// Vectorized over neighbours: for one candidate.
+HWY_INLINE void accumulateForCandidate(const NeighbourBlock& block, std::size_t count, const float* vxs,
+                                       const float* vys, float ux, float uy, float& soonest) {
   const Singles d;
   auto highest = hn::Zero(d);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
@@ -137,18 +138,18 @@ HWY_INLINE float accumulate(const NeighbourArrays& neighbours, const Observer& s
     const std::size_t count = std::min(NeighbourBlock::SIZE, neighbours.count - first);
     fastest = greater(HalfSingles(), writeBlock(neighbours, first, count, self, block), fastest);
     std::size_t k = 0;
-    // The last candidates one by one, unless they fill enough of a register.
+    // The remaining candidates are processed one by one, unless they fill enough of a register.
     const std::size_t registers = (count + lanes - 1) / lanes;
     for (; k < candidates.count && (candidates.count - k >= lanes || (candidates.count - k) * registers >= count);
          k += lanes) {
-      lookAtCandidates<RECIPROCAL>(block, count, k, candidates);
+      accumulateOverNeighbours<RECIPROCAL>(block, count, k, candidates);
     }
     for (; k < candidates.count; ++k) {
-      lookAtNeighbours(block, count, block.vx, block.vy, candidates.xs[k], candidates.ys[k],
-                       candidates.constant_velocity[k]);
+      accumulateForCandidate(block, count, block.vx, block.vy, candidates.xs[k], candidates.ys[k],
+                             candidates.constant_velocity[k]);
       if (!RECIPROCAL) continue;
-      lookAtNeighbours(block, count, block.mean_vx, block.mean_vy, candidates.xs[k], candidates.ys[k],
-                       candidates.reciprocal[k]);
+      accumulateForCandidate(block, count, block.mean_vx, block.mean_vy, candidates.xs[k], candidates.ys[k],
+                             candidates.reciprocal[k]);
     }
   }
   return hn::GetLane(hn::MaxOfLanes(HalfSingles(), fastest));

@@ -66,7 +66,7 @@ std::shared_ptr<const Perceptions> Episode::sharedPerceptions() {
 }
 
 void Episode::perceiveTurn() {
-  // No agent is left where the last ones were taken off the floor after the turn before.
+  // There is no agent if the remaining ones were removed after the previous turn.
   const bool found = findTurn();
   world_.perceiveAgent(vision_, found ? std::optional<AgentId>(turn_) : std::nullopt, *perceptions_);
   perceptions_->turn = turn_;

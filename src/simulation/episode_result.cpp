@@ -7,8 +7,8 @@
 namespace crowd {
 namespace {
 
-/// Ratios to shorter ways than this would say nothing [m].
-constexpr double SHORTEST_LENGTH = 0.1;
+/// Minimum denominator of ratios to lengths; ratios to shorter lengths are meaningless [m].
+constexpr double MIN_LENGTH = 0.1;
 
 double straightLength(const AgentStart& start, double goal_tolerance) {
   double length = -goal_tolerance;
@@ -17,7 +17,7 @@ double straightLength(const AgentStart& start, double goal_tolerance) {
     length += (goal - from).norm();
     from = goal;
   }
-  return std::max(SHORTEST_LENGTH, length);
+  return std::max(MIN_LENGTH, length);
 }
 
 }  // namespace
@@ -76,14 +76,14 @@ void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
 void EpisodeMonitor::recordGoal(const Agent& agent, const Vector2& goal) {
   Track& track = tracks_[agent.id];
   const double length = (agent.pose.position - track.start).norm() + (goal - agent.pose.position).norm();
-  track.result.straight_length = std::max(SHORTEST_LENGTH, length - goal_tolerance_);
+  track.result.straight_length = std::max(MIN_LENGTH, length - goal_tolerance_);
   track.goal = goal;
   track.distance = (goal - track.position).norm();
 }
 
 void EpisodeMonitor::observe(const World& world, ThreadPool& thread_pool) {
   ticks_ = world.tick();
-  // Bodies that are not in each other's way go where they look.
+  // In a ghost world agents always move in the direction of their heading.
   const bool along_heading = world.contact() == Contact::GHOST;
   const auto observe_some = [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -129,7 +129,7 @@ EpisodeResult EpisodeMonitor::result() const {
     agent.path_ratio = agent.path_length / agent.straight_length;
     agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.max_speed / agent.straight_length;
     agent.max_speed_ratio = track.longest_step / (tick_duration_ * track.max_speed);
-    agent.turn_per_metre = track.turn / std::max(SHORTEST_LENGTH, agent.path_length);
+    agent.turn_per_metre = track.turn / std::max(MIN_LENGTH, agent.path_length);
     agent.gain_per_tick = agent.ticks > 0 ? agent.distance_gained / static_cast<double>(agent.ticks) : 0.0;
     agent.path_per_gain = agent.distance_gained > 0.0 ? agent.path_length / agent.distance_gained
                                                       : std::numeric_limits<double>::quiet_NaN();

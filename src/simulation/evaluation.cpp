@@ -43,13 +43,13 @@ EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const Evaluati
   return walked;
 }
 
-/// Hands out instances to threads and delivers what they bring in order.
+/// Distributes instances to threads and delivers their results in order.
 class OrderedRun {
  public:
   OrderedRun(std::uint64_t episodes, const std::function<bool(EvaluatedEpisode&)>& deliver)
       : episodes_(episodes), deliver_(deliver) {}
 
-  /// The next instance to walk; false if there is none left.
+  /// Returns the next instance to run in `instance`; false if none is left.
   bool next(std::uint64_t& instance) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (stopped_ || handed_out_ >= episodes_) return false;
@@ -94,15 +94,15 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
               const std::function<bool(EvaluatedEpisode&)>& deliver) {
   const std::uint64_t episodes = plan.episodes > 0 ? plan.episodes : scenarios.size();
   OrderedRun run(episodes, deliver);
-  // Threads that are left when every episode has one share out the agents within.
-  // Where agents keep their heading each episode has to wait for the one before it.
+  // If agents keep their heading, each episode depends on the previous one. Threads that are not needed for parallel
+  // episodes share the agents within the episodes.
   const std::uint64_t at_a_time = scenarios.keepHeadings() ? 1 : episodes;
   const auto side_by_side = static_cast<unsigned>(std::clamp<std::uint64_t>(at_a_time, 1, std::max(1U, plan.threads)));
   const auto work = [&] {
     try {
       ThreadPool thread_pool(plan.threads / side_by_side);
       Learner learner = makeDemoLearner(trained, plan.seed);
-      std::vector<double> headings;  // of the agents at the end of the episode before
+      std::vector<double> headings;  // of the agents at the end of the previous episode
       std::uint64_t instance = 0;
       while (run.next(instance)) {
         Scene scene = scenarios.scene(plan.seed, instance);

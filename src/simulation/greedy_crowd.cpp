@@ -5,7 +5,7 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t BLOCK = 64;  // bodies; what 64 agents perceive is some 60 kB
+constexpr std::size_t BLOCK = 64;  // [bodies]; the perceptions of 64 agents take about 60 kB
 constexpr std::size_t FEW_BLOCKS = FEW_AGENTS / BLOCK;
 
 }  // namespace
@@ -15,7 +15,7 @@ void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision
   const std::size_t bodies = world.bodyCount();
   const std::size_t blocks = (bodies + BLOCK - 1) / BLOCK;
   if (workspaces_.size() < thread_pool.count()) workspaces_.resize(thread_pool.count());
-  // Who decides alone writes decisions where they stay.
+  // A single worker writes its decisions directly to `actions`.
   const std::size_t lists = thread_pool.runsInCaller(blocks, FEW_BLOCKS) ? 0 : blocks;
   if (decided_.size() < lists) decided_.resize(lists);
   for (std::size_t block = 0; block < lists; ++block) decided_[block].clear();

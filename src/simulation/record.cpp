@@ -5,7 +5,7 @@
 namespace crowd {
 namespace {
 
-/// A text as a CSV file takes it: in double quotes where it has a comma or such in it.
+/// A text as a CSV field: in double quotes if it contains a comma, quote or line break.
 std::string fieldOf(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string field = "\"";

@@ -7,7 +7,7 @@
 namespace crowd {
 namespace {
 
-/// An angle in degrees, without the last digits that the conversion leaves.
+/// An angle in degrees, rounded to remove the error of the conversion.
 std::string degreesText(double angle) { return toText(std::round(toDegrees(angle) * 1e9) / 1e9); }
 
 std::string textOf(const std::vector<OccupiedSector>& occupied) {

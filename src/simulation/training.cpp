@@ -105,8 +105,7 @@ std::uint64_t Training::allDecisions() const {
 
 TrainedTable Training::trained() const {
   LearningParameters parameters = learner().parameters();
-  if (episode_ > 0)
-    parameters.epsilon = config_.learning.epsilon.at(episode_ - 1);  // the last one's, whoever learned it
+  if (episode_ > 0) parameters.epsilon = config_.learning.epsilon.at(episode_ - 1);  // that of the last episode
   return {config_.model, parameters, allDecisions(), config_.training.seed, learner().tableOf(0)};
 }
 

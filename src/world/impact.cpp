@@ -8,21 +8,21 @@
 namespace crowd {
 namespace {
 
-/// Ways that go no deeper than this graze [m]: rounding must not stop who walks along a wall.
+/// Maximum penetration of a path that only grazes [m]: rounding must not stop an agent that walks along a wall.
 constexpr double GRAZE = 0.1 * TOUCH_TOLERANCE;
-/// Of bodies that overlap already, those that come nearer by no more than this keep their distance [m].
+/// Maximum approach of overlapping bodies that counts as constant distance [m].
 constexpr double ROUNDING = 1e-12;
 
-/// Whether a way from one distance to a smaller one goes deeper in than it may.
+/// Whether a path from `distance` to the smaller distance `nearest` penetrates by more than the tolerances.
 bool goesDeeper(double distance, double nearest, double reach) {
   return nearest < std::min(reach - GRAZE, distance - ROUNDING);
 }
 
-/// When the long side of a wall is touched; its ends are not looked at.
+/// Time of the first impact on the long side of a wall, without its ends.
 double firstTouchOfSide(const Segment& wall, const Vector2& way, double reach, double rest) {
   const double length = (wall.to - wall.from).norm();
   const Vector2 along = (wall.to - wall.from) / length;
-  const double side = cross(along, -wall.from);  // how far to the left of the wall
+  const double side = cross(along, -wall.from);  // signed distance to the left of the wall [m]
   const double distance = std::abs(side);
   const double closing = side > 0.0 ? -cross(along, way) : cross(along, way);  // [m] in a tick
   if (closing <= 0.0 || !goesDeeper(distance, distance - rest * closing, reach)) return NEVER;
@@ -41,7 +41,7 @@ double firstTouch(const Vector2& offset, const Vector2& way, double reach, doubl
   const double nearest = (offset - std::min(rest, approach / way_squared) * way).norm();
   if (!goesDeeper(distance, nearest, reach)) return NEVER;
   if (distance <= reach) return 0.0;
-  // The smaller root of |offset - time * way| = reach, in the form that loses no digits to cancellation.
+  // The smaller root of |offset - time * way| = reach, in the form that avoids cancellation.
   const double excess = (distance - reach) * (distance + reach);
   const double root = std::sqrt(std::max(0.0, approach * approach - way_squared * excess));
   return std::min(rest, excess / (approach + root));

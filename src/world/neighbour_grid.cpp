@@ -7,9 +7,9 @@
 namespace crowd {
 namespace {
 
-static_assert(NeighbourGrid::PADDING >= simd::DiscArrays::PADDING, "kernels read so far");
+static_assert(NeighbourGrid::PADDING >= simd::DiscArrays::PADDING, "kernels read beyond the last disc");
 
-/// Whether a run has a disc whose rim is within `distance` [m] of the point, those of one body not counted.
+/// Whether a run contains a disc of a body other than `except` whose rim is within `distance` [m] of the point.
 bool isAnyInRun(const NeighbourGrid& grid, const NeighbourGrid::Run& run, const Vector2& point, double distance,
                 std::uint32_t except) {
   bool any = false;
@@ -43,7 +43,7 @@ void NeighbourGrid::build(double cell_size) {
   }
   layOut(cell_size);
   countCells();
-  // first_[c + 1] is the start of cell c, and moves on to its end while the cell is filled in the order of add().
+  // first_[c + 1] is the start of cell c, and advances to its end while the cell is filled in the order of add().
   for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], first_[cells_[i] + 1]++);
 }
 
@@ -57,7 +57,7 @@ void NeighbourGrid::layOut(double cell_size) {
   origin_ = low;
   cells_per_metre_ = 1.0 / cell_size;
   const Vector2 size = high - low;
-  // A few far-away bodies must not cost memory: cells grow until they are few enough.
+  // Distant bodies must not increase memory use: the cell size is doubled until MAX_CELLS suffice.
   while ((size.x() * cells_per_metre_ + 1.0) * (size.y() * cells_per_metre_ + 1.0) > static_cast<double>(MAX_CELLS)) {
     cells_per_metre_ /= 2.0;
   }
@@ -101,25 +101,25 @@ NeighbourGrid::RunsNear NeighbourGrid::findRunsNear(const Vector2& point, double
 }
 
 void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const {
-  const auto look = [&](const Run& run) {
+  const auto search = [&](const Run& run) {
     for (std::uint32_t i = run.begin; i < run.end; ++i) {
       const double limit = distance + radii_[i];
       if (limit >= 0.0 && (centre(i) - point).squaredNorm() <= limit * limit) found.push_back(bodies_[i]);
     }
   };
-  if (isList()) return look(all());
+  if (isList()) return search(all());
   const Cells cells = cellsNear(point, distance);
-  for (std::int64_t r = cells.bottom; r <= cells.top; ++r) look(runOf(cells, r));
+  for (std::int64_t r = cells.bottom; r <= cells.top; ++r) search(runOf(cells, r));
 }
 
 bool NeighbourGrid::isAnyInRuns(const Vector2& point, double distance, std::uint32_t except) const {
   if (isList()) return isAnyInRun(*this, all(), point, distance, except);
   const Cells cells = cellsNear(point, distance);
-  const auto look = [&](std::int64_t row) { return isAnyInRun(*this, runOf(cells, row), point, distance, except); };
-  // Nearly always one or two rows. Both are looked at in any case: a branch would be guessed wrong half of the time.
-  const bool at_bottom = look(cells.bottom);
-  bool any = look(cells.top) || at_bottom;
-  for (std::int64_t r = cells.bottom + 1; r < cells.top && !any; ++r) any = look(r);
+  const auto search = [&](std::int64_t row) { return isAnyInRun(*this, runOf(cells, row), point, distance, except); };
+  // Nearly always one or two rows. Both are always searched, because a branch would be mispredicted half of the time.
+  const bool at_bottom = search(cells.bottom);
+  bool any = search(cells.top) || at_bottom;
+  for (std::int64_t r = cells.bottom + 1; r < cells.top && !any; ++r) any = search(r);
   return any;
 }
 

@@ -17,31 +17,31 @@ bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
 }  // namespace
 
 Span<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vector2& point, double distance,
-                                            std::size_t most, std::uint32_t except) {
-  return grid.isShort() ? findInShortList(grid, point, distance, most, except)
-                        : findInRuns(grid, point, distance, most, except);
+                                            std::size_t max_count, std::uint32_t except) {
+  return grid.isShort() ? findInShortList(grid, point, distance, max_count, except)
+                        : findInRuns(grid, point, distance, max_count, except);
 }
 
 Span<NearDisc> NeighbourSearch::findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance,
-                                           std::size_t most, std::uint32_t except) {
-  const bool all = most == 0;
-  // A quarter more than last time: with neighbours spread evenly that is enough more often than not.
+                                           std::size_t max_count, std::uint32_t except) {
+  const bool all = max_count == 0;
+  // 1.25 times the last radius suffices in most cases if neighbours are distributed evenly.
   double reach = all ? distance : std::min(distance, 1.25 * last_reach_);
   collect(grid, point, reach, except);
-  while (!all && count_ < most && reach < distance) {
+  while (!all && count_ < max_count && reach < distance) {
     reach = std::min(distance, 1.25 * reach + 0.25);
     collect(grid, point, reach, except);
   }
   const std::size_t count = count_;
   found_.resize(std::max(found_.size(), count));
-  const std::size_t wanted = all ? count : std::min(count, most);
+  const std::size_t wanted = all ? count : std::min(count, max_count);
   if (count > simd::MAX_RANKED || !sortByRank()) sortBySelection(grid, wanted);
-  if (!all) last_reach_ = count < most ? distance : std::max(0.0, found_[wanted - 1].rim_distance);
+  if (!all) last_reach_ = count < max_count ? distance : std::max(0.0, found_[wanted - 1].rim_distance);
   return {found_.data(), wanted};
 }
 
 Span<NearDisc> NeighbourSearch::findInShortList(const NeighbourGrid& grid, const Vector2& point, double distance,
-                                                std::size_t most, std::uint32_t except) {
+                                                std::size_t max_count, std::uint32_t except) {
   found_.resize(std::max(found_.size(), grid.size()));
   std::size_t count = 0;
   for (std::uint32_t disc = 0; disc < grid.size(); ++disc) {
@@ -53,15 +53,15 @@ Span<NearDisc> NeighbourSearch::findInShortList(const NeighbourGrid& grid, const
     for (; place > 0 && isNearer(grid, found, found_[place - 1]); --place) found_[place] = found_[place - 1];
     found_[place] = found;
   }
-  return {found_.data(), most == 0 ? count : std::min(count, most)};
+  return {found_.data(), max_count == 0 ? count : std::min(count, max_count)};
 }
 
 void NeighbourSearch::collect(const NeighbourGrid& grid, const Vector2& point, double distance, std::uint32_t except) {
   const NeighbourGrid::RunsNear near = grid.findRunsNear(point, distance, runs_);
-  const std::size_t room = near.discs + std::max(simd::DiscArrays::PADDING, simd::MAX_RANKED);
-  if (discs_.size() < room) {
-    discs_.resize(2 * room);
-    rims_.resize(2 * room);
+  const std::size_t capacity = near.discs + std::max(simd::DiscArrays::PADDING, simd::MAX_RANKED);
+  if (discs_.size() < capacity) {
+    discs_.resize(2 * capacity);
+    rims_.resize(2 * capacity);
   }
   const simd::DiscArrays arrays{grid.xs(), grid.ys(), grid.radii(), grid.bodies()};
   const simd::Circle circle{point.x(), point.y(), distance, except};
@@ -73,22 +73,22 @@ void NeighbourSearch::collect(const NeighbourGrid& grid, const Vector2& point, d
 }
 
 bool NeighbourSearch::sortByRank() {
-  // Up to so many, comparing all with all beats sorting: no branch depends on them.
+  // Up to MAX_RANKED discs, comparing all pairs is faster than sorting, because no branch depends on the data.
   alignas(64) std::array<std::uint32_t, simd::MAX_RANKED> ranks;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   const std::size_t count = count_;
   const std::uint32_t sum = simd::kernels().rank_ascending(rims_.data(), count, ranks.data());
-  // Equal keys share a rank, so that the ranks add up to less than 0 + 1 + ... + (count - 1).
+  // Equal keys share a rank, so that the sum of ranks is less than 0 + 1 + ... + (count - 1).
   if (2 * std::size_t{sum} != count * (count - 1)) return false;
   for (std::size_t i = 0; i < count; ++i) found_[ranks[i]] = {rims_[i], static_cast<std::uint32_t>(discs_[i])};
   return true;
 }
 
-void NeighbourSearch::sortBySelection(const NeighbourGrid& grid, std::size_t most) {
+void NeighbourSearch::sortBySelection(const NeighbourGrid& grid, std::size_t max_count) {
   const std::size_t count = count_;
   for (std::size_t i = 0; i < count; ++i) found_[i] = {rims_[i], static_cast<std::uint32_t>(discs_[i])};
   const auto nearer = [&grid](const NearDisc& a, const NearDisc& b) { return isNearer(grid, a, b); };
   const auto end = found_.begin() + static_cast<std::ptrdiff_t>(count);
-  const auto wanted = found_.begin() + static_cast<std::ptrdiff_t>(most);
+  const auto wanted = found_.begin() + static_cast<std::ptrdiff_t>(max_count);
   if (wanted != end) std::nth_element(found_.begin(), wanted, end, nearer);
   std::sort(found_.begin(), wanted, nearer);
 }

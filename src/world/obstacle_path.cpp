@@ -27,7 +27,7 @@ ObstaclePath::ObstaclePath(Kind kind, std::vector<Vector2> points, const Vector2
   if (kind_ == Kind::AT_REST || kind_ == Kind::STRAIGHT) {
     return;
   }
-  // The way back is a part of the round, so that both kinds are rounds that end where they begin.
+  // The way back is appended, so that both kinds are closed loops.
   std::vector<Vector2> round = points_;
   if (kind_ == Kind::TO_AND_FRO && points_.size() > 2) {
     round.insert(round.end(), points_.rbegin() + 1, points_.rend() - 1);

@@ -6,7 +6,7 @@
 namespace crowd {
 namespace {
 
-/// Shares of a chord, and of distances, that are too small to be anything but rounding.
+/// Fractions of a chord or distance up to this value are attributed to rounding.
 constexpr double HAIR = 1e-9;
 
 }  // namespace
@@ -37,7 +37,7 @@ Neighbour Occlusion::spanned(const Neighbour& neighbour, const Screen& chord, co
 
 void Occlusion::addHiddenPart(const Screen& seen, const Screen& other) {
   if (!other.hides) return;
-  // The directions that both cover. Both chords span less than half a turn, so there is one such range at most.
+  // Find the directions that both cover. Both chords span less than half a turn, so there is at most one such range.
   Part part;
   if (seen.covers(other.right)) {
     part.from = seen.shareAt(other.right);
@@ -46,7 +46,7 @@ void Occlusion::addHiddenPart(const Screen& seen, const Screen& other) {
   }
   if (seen.covers(other.left)) part.to = seen.shareAt(other.left);
   if (part.to - part.from <= HAIR) return;
-  // Within them the other may be in front all the way, or, where they cross, at one end.
+  // Within that range the other is in front everywhere or, if the chords cross, at one end.
   const double front_right = other.inFrontOf(seen.at(part.from));
   const double front_left = other.inFrontOf(seen.at(part.to));
   if (front_right <= HAIR && front_left <= HAIR) return;
@@ -96,8 +96,8 @@ void Occlusion::screenNeighbours(std::vector<Neighbour>& neighbours, std::size_t
 
 void Occlusion::cutNeighbours(std::vector<Neighbour>& neighbours, std::size_t first, std::size_t first_screen,
                               double radius) {
-  // From the back: what is seen of a body is never nearer than the whole of it, so that it can only move towards those
-  // that are in their places already.
+  // From the back: the visible part of a body is never nearer than the body, so that it is only inserted among bodies
+  // that are already sorted.
   std::size_t kept = neighbours.size();
   for (std::size_t i = neighbours.size(); i-- > first;) {
     const std::size_t own = first_screen + i - first;

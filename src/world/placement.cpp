@@ -10,12 +10,12 @@
 namespace crowd {
 namespace {
 
-/// Draws of a body before its scenario is given up.
+/// Maximum number of draws of a body before the scenario is rejected.
 constexpr int MAX_TRIES = 1000;
-/// Draws of a body that insist on goals clear of each other; where goals crowd, that is not to be had.
+/// Number of draws that require non-overlapping goals; later draws permit overlaps, since crowded goals may not fit.
 constexpr int TRIES_FOR_SEPARATE_GOALS = 200;
 
-/// How messages call a body: its entry in the file, and which of the bodies of that entry it is.
+/// Name of a body in messages: its entry in the file, and its number among the bodies of that entry.
 struct Label {
   const char* list;
   std::size_t entry;
@@ -29,29 +29,28 @@ struct Label {
   }
 };
 
-/// A disc that has its place.
+/// A disc whose position is determined.
 struct PlacedBody {
   Label label;
   Vector2 centre;
   double radius;
-  bool at_rest;  ///< for the whole episode
+  bool at_rest;  ///< static during the whole episode
 };
 
-/// A goal that has its place, and the radius of who walks there.
+/// A goal whose position is determined, and the radius of its agent.
 struct PlacedGoal {
   Vector2 point;
   double radius;
 };
 
-/// What stands in the way of a body, and how far they overlap [m].
+/// A body or wall that overlaps a requested position, and the depth of the overlap [m].
 struct Blocker {
   std::string name;
   double depth;
 };
 
-/// Builds the scene of one episode. What is fixed is placed before what is drawn, so that the drawn bodies
-/// keep clear of all of it, whatever the order in the file; obstacles come before agents, since goals keep
-/// clear of them.
+/// Builds the scene of one episode. Fixed bodies are placed before drawn ones, so that drawn bodies avoid all of them
+/// independently of the order in the file. Obstacles are placed before agents, because drawn goals avoid them.
 class Placement {
  public:
   Placement(const Scenario& scenario, std::uint64_t run_seed, std::uint64_t episode)
@@ -62,7 +61,7 @@ class Placement {
  private:
   [[noreturn]] void fail(const Label& label, const std::string& problem) const;
 
-  /// What the place of an obstacle depends on.
+  /// How the position of an obstacle is determined.
   enum class Position { FIXED, DRAWN, BETWEEN };
   static Position positionOf(const ObstacleGroup& group);
 

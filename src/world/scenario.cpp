@@ -14,7 +14,7 @@ Vector2 Region::draw(KeyedRandom& random) const {
   }
   if (kind == Kind::RING) {
     const double bearing = random.uniform(-PI, PI);
-    // Evenly over the area: the square of the distance is what is uniform.
+    // For a uniform density over the area, the square of the distance is uniform.
     const double squared = random.uniform(radius.low * radius.low, radius.high * radius.high);
     return first + (radius.isFixed() ? radius.low : std::sqrt(squared)) * unitVector(bearing);
   }

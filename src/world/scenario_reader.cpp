@@ -15,7 +15,7 @@ constexpr std::int64_t MAX_COUNT = 10000;
 constexpr std::int64_t MAX_AGENT = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t MAX_SEED = std::numeric_limits<std::int64_t>::max();
 
-/// Turns what a document says into SI: per tick or per second, ticks or seconds.
+/// Conversion from the units of a document (thesis: per tick, ticks) to SI.
 struct Units {
   bool thesis = false;
   double tick_duration = DEFAULT_TICK_DURATION;
@@ -67,7 +67,7 @@ Region readRing(const YAML::Node& node, const YamlPlace& place) {
   return region;
 }
 
-/// A map of one key that says where something is, and the key is none of those that `expected` names as {KEY: ...}.
+/// Throws for a map of one key that is none of the keys that `expected` lists as {KEY: ...}.
 [[noreturn]] void throwUnknownPlace(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
   std::vector<std::string> known;
   for (const char* key : {"box", "ring", "opposite", "between"}) {
@@ -77,7 +77,7 @@ Region readRing(const YAML::Node& node, const YamlPlace& place) {
   throwProblem(place, node, "expected " + expected + ", got '" + key + "'" + didYouMean(key, known));
 }
 
-/// Reads [x, y], {box: ...} or {ring: ...}; an `opposite`, where it is allowed, has been dealt with before.
+/// Reads [x, y], {box: ...} or {ring: ...}; callers that permit other forms handle these before.
 Region readRegion(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
   if (node.IsSequence()) {
     Region region;
@@ -142,7 +142,7 @@ int readCount(const YamlMap& map, bool is_fixed) {
   return count;
 }
 
-/// Reads goal, random, kept, or degrees.
+/// Reads `goal`, `random`, `kept`, or degrees.
 void readHeading(const YamlMap& map, AgentGroup& group) {
   const YAML::Node node = map.find("heading");
   const std::string word = node && node.IsScalar() ? node.Scalar() : "";
@@ -171,7 +171,7 @@ AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Unit
   return group;
 }
 
-/// A single point or region, or a list of them: [x, y] is one point, [[x, y], ...] are several.
+/// Reads a point or region, or a list of them: [x, y] is one point, [[x, y], ...] is a list.
 std::vector<Region> readWaypoints(const YAML::Node& node, const YamlPlace& place) {
   const bool single = node.IsMap() || (node.IsSequence() && node.size() > 0 && node[0].IsScalar());
   return single ? std::vector<Region>{readRegion(node, place)} : readRegions(node, place);
@@ -250,7 +250,7 @@ Segment readWall(const YAML::Node& node, const YamlPlace& place) {
   return wall;
 }
 
-/// Applies `read` to every element of a list; a list that is absent or has nothing in it is empty.
+/// Applies `read` to each element of a list; an absent or null list is empty.
 template <typename T, typename Read>
 std::vector<T> readList(const YAML::Node& node, const YamlPlace& place, Read read) {
   std::vector<T> list;
@@ -277,7 +277,7 @@ Units readUnits(const YamlMap& map) {
 
 std::uint64_t readDuration(const YamlMap& map, const Units& units) {
   const double duration = map.number("duration", NumberRule::POSITIVE);
-  // A duration of so many whole ticks must not lose one to rounding.
+  // A whole number of ticks must not lose one tick to rounding.
   const double ticks = std::floor((units.thesis ? duration : duration / units.tick_duration) + 1e-6);
   if (ticks < 1.0 || ticks > MAX_TICKS) {
     throwExpected(map.placeOf("duration"), map.need("duration"), "a duration of 1 to 1e9 ticks");
@@ -338,7 +338,7 @@ ScenarioList readStream(const std::vector<YAML::Node>& documents, const std::str
   scenarios.reserve(documents.size());
   for (const YAML::Node& document : documents) {
     scenarios.push_back(readScenario(document, {name, static_cast<int>(scenarios.size()) + 1, ""}));
-    scenarios.back().instantiate(0, 0);  // bodies that overlap or find no room are found now, not in mid-run
+    scenarios.back().instantiate(0, 0);  // reports overlaps and lack of space now instead of during a run
   }
   return ScenarioList(std::move(scenarios));
 }

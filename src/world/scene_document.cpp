@@ -13,7 +13,7 @@ std::string listText(std::vector<Vector2>::const_iterator begin, std::vector<Vec
   return "[" + text + "]";
 }
 
-/// A text in single quotes, whatever stands in it.
+/// A text as a single-quoted YAML scalar.
 std::string quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char letter : text) quoted += letter == '\'' ? "''" : std::string(1, letter);

@@ -8,7 +8,7 @@
 namespace crowd {
 namespace {
 
-constexpr double CELL_SIZE = 1.0;  // [m]; about what two walkers and their steps take up
+constexpr double CELL_SIZE = 1.0;  // [m]; about the space of two agents and their steps
 constexpr std::uint32_t WALL = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
@@ -54,7 +54,7 @@ void SolidMotion::findNeighbours() {
   for (const Body& body : bodies_) {
     if (!body.is_agent) fastest_obstacle = std::max(fastest_obstacle, body.way.norm());
   }
-  // Nobody gets further away from its place than this: on its own way, or pushed by an obstacle.
+  // Upper bound of the distance that any part of a body reaches: by its own motion, or pushed by an obstacle.
   const auto reach = [&](const Body& body) { return body.radius + std::max(body.way.norm(), fastest_obstacle); };
   grid_.clear();
   for (Index i = 0; i < bodies_.size(); ++i) grid_.add(bodies_[i].position, reach(bodies_[i]), i);
@@ -76,7 +76,7 @@ void SolidMotion::predictImpact(Index agent, Index other, double now) {
   if (agent == other) return;
   const Body& body = bodies_[agent];
   const Body& second = bodies_[other];
-  // Who was pushed against something is not pushed any further: the obstacle passes over it.
+  // An agent that was pushed against something is not pushed further: the obstacle passes over it.
   if (!second.is_agent && body.pushed && body.way.isZero(0.0)) return;
   const double after = firstTouch(Vector2(second.at(now) - body.at(now)), Vector2(body.way - second.way),
                                   body.radius + second.radius, 1.0 - now);

@@ -12,7 +12,7 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t ORDERS_AHEAD = 16;  // to begin a move takes less time than to decide on it
+constexpr std::size_t ACTIONS_AHEAD = 16;  // prefetch distance; larger than PREFETCH_AHEAD, as beginMove() is short
 
 Agent makeAgent(AgentId id, const AgentStart& start) {
   Agent agent;
@@ -68,7 +68,7 @@ World::World(const Scene& scene)
 }
 
 void World::refresh() {
-  orders_.resize(agents_.size(), nullptr);
+  assigned_actions_.resize(agents_.size(), nullptr);
   had_turn_.resize(agents_.size(), false);
   places_.resize(agents_.size());
   placeObstacles();
@@ -127,13 +127,14 @@ void World::rebuildGrid() {
 }
 
 void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
-  takeOrders(actions);
+  assignActions(actions);
   thread_pool.run(
-      orders_.size(),
+      assigned_actions_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          if (i + ORDERS_AHEAD < end) prefetchAt(orders_[i + ORDERS_AHEAD]);  // beyond it another worker writes
-          beginMove(agents_[i], std::exchange(orders_[i], nullptr));
+          if (i + ACTIONS_AHEAD < end)
+            prefetchAt(assigned_actions_[i + ACTIONS_AHEAD]);  // beyond `end` another worker writes
+          beginMove(agents_[i], std::exchange(assigned_actions_[i], nullptr));
         }
       },
       FEW_AGENTS);
@@ -152,7 +153,7 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   Agent& agent = agents_[id];
   beginMove(agent, action);
   if (agent.acted && contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
-  updateGridOf(agent);  // also of one that stays: its velocity is another
+  updateGridOf(agent);  // also for an agent that stays, because its velocity changes
 }
 
 void World::endTick(ThreadPool& thread_pool) {
@@ -168,7 +169,7 @@ void World::finishTick(ThreadPool& thread_pool) {
   ++tick_;
   moveObstacles();
   updateGrid();
-  // Who arrives in this tick still stands on the floor at its end: the grid is that of everybody.
+  // Agents that arrive in this tick are still present at its end: the grid contains them during the measurements.
   std::atomic<std::size_t> arrived{0};
   thread_pool.run(
       agents_.size(),
@@ -184,13 +185,14 @@ void World::finishTick(ThreadPool& thread_pool) {
   rebuildGrid();
 }
 
-inline void World::takeOrders(const std::vector<AgentAction>& actions) {
+inline void World::assignActions(const std::vector<AgentAction>& actions) {
   for (const AgentAction& given : actions) {
     if (!isValid(given.action)) {
-      std::fill(orders_.begin(), orders_.end(), nullptr);
+      std::fill(assigned_actions_.begin(), assigned_actions_.end(), nullptr);
       throwInvalid(given);
     }
-    if (given.agent < orders_.size() && orders_[given.agent] == nullptr) orders_[given.agent] = &given.action;
+    if (given.agent < assigned_actions_.size() && assigned_actions_[given.agent] == nullptr)
+      assigned_actions_[given.agent] = &given.action;
   }
 }
 
@@ -215,7 +217,7 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
   }
   agent.in_collision = isAnythingWithin(collision_radius_, agent);
   const double contact_distance = agent.radius - CONTACT_OVERLAP;
-  // What is not even within the collision radius need not be looked for nearer by.
+  // Without anything within the collision radius, a search within a smaller distance is unnecessary.
   const bool may_touch = agent.in_collision || contact_distance > collision_radius_;
   agent.in_contact = agent.bumped || (may_touch && isAnythingWithin(contact_distance, agent));
   agent.bumped = false;
@@ -327,7 +329,7 @@ std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocit
   requirePoint("position [m]", position);
   requirePoint("velocity [m/s]", velocity);
   requireFreePlace(position, radius, true);
-  // Paths are functions of the time since the episode's start: begin where it would have been then.
+  // Paths are functions of the time since the start of the episode: extrapolate the position back to that time.
   const bool rests = velocity == Vector2::Zero();
   obstacles_.push_back(
       {rests ? ObstaclePath::atRest(position) : ObstaclePath::straight(position - time() * velocity, velocity),

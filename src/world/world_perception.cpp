@@ -9,11 +9,11 @@ void World::perceive(const Vision& vision, Perceptions& perceptions) {
   const std::size_t count = active_count_ + just_arrived_count_;
   perceptions.agents.resize(count);
   perceptions.order.clear();
-  begin(vision, count, workspace_, perceptions);
+  beginPerceptions(vision, count, workspace_, perceptions);
   if (grid_.isList()) {
-    lookOneByOne(vision, perceptions);
+    perceiveInIdOrder(vision, perceptions);
   } else {
-    lookInOrder(vision, perceptions);
+    perceiveInSpatialOrder(vision, perceptions);
   }
   std::swap(perceptions.walls, workspace_.walls);
 }
@@ -21,26 +21,26 @@ void World::perceive(const Vision& vision, Perceptions& perceptions) {
 void World::perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perceptions& perceptions) {
   perceptions.agents.resize(id ? 1 : 0);
   perceptions.order.clear();
-  begin(vision, perceptions.agents.size(), workspace_, perceptions);
+  beginPerceptions(vision, perceptions.agents.size(), workspace_, perceptions);
   for (AgentPerception& self : perceptions.agents) {
     self.agent = *id;
-    look(vision, agents_[*id], 0, workspace_, self, perceptions);
+    perceiveOne(vision, agents_[*id], 0, workspace_, self, perceptions);
   }
   std::swap(perceptions.walls, workspace_.walls);
 }
 
-inline void World::lookOneByOne(const Vision& vision, Perceptions& perceptions) {
+inline void World::perceiveInIdOrder(const Vision& vision, Perceptions& perceptions) {
   AgentPerception* const perceived = perceptions.agents.data();
   std::size_t count = 0;
   for (const Agent& agent : agents_) {
     if (!isPerceiving(agent)) continue;
     perceived[count].agent = agent.id;
-    look(vision, agent, count, workspace_, perceived[count], perceptions);
+    perceiveOne(vision, agent, count, workspace_, perceived[count], perceptions);
     ++count;
   }
 }
 
-void World::lookInOrder(const Vision& vision, Perceptions& perceptions) {
+void World::perceiveInSpatialOrder(const Vision& vision, Perceptions& perceptions) {
   std::uint32_t listed = 0;
   for (const Agent& agent : agents_) {
     if (isPerceiving(agent)) perceptions.agents[listed++].agent = agent.id;
@@ -54,7 +54,7 @@ void World::lookInOrder(const Vision& vision, Perceptions& perceptions) {
       prefetch(agents_[next.agent]);
     }
     AgentPerception& self = perceptions.agents[perceptions.order[i]];
-    look(vision, agents_[self.agent], i, workspace_, self, perceptions);
+    perceiveOne(vision, agents_[self.agent], i, workspace_, self, perceptions);
   }
 }
 
@@ -73,8 +73,8 @@ void World::orderAgents(Perceptions& perceptions) {
   }
 }
 
-inline void World::begin(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
-                         Perceptions& perceptions) const {
+inline void World::beginPerceptions(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
+                                    Perceptions& perceptions) const {
   perceptions.tick = tick_;
   perceptions.tick_duration = tick_duration_;
   perceptions.neighbours.resize(vision.max_neighbours * agents);
@@ -84,7 +84,7 @@ inline void World::begin(const Vision& vision, std::size_t agents, PerceptionWor
 void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t last, PerceptionWorkspace& workspace,
                          Perceptions& perceptions) const {
   perceptions.order.clear();
-  begin(vision, last - first, workspace, perceptions);
+  beginPerceptions(vision, last - first, workspace, perceptions);
   std::size_t count = 0;
   for (std::size_t disc = first; disc < last; ++disc) {
     if (disc + PREFETCH_AHEAD < grid_.size()) {
@@ -93,33 +93,33 @@ void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t la
     }
     const std::uint32_t body = grid_.body(disc);
     if (body >= agents_.size()) continue;
-    // Made when needed: obstacles are among the bodies, and agents made for these would be made again at every tick.
+    // Grown on demand: sizing by the number of bodies, which include obstacles, would construct elements in each tick.
     if (count == perceptions.agents.size()) perceptions.agents.emplace_back();
     AgentPerception& self = perceptions.agents[count];
     self.agent = body;
-    look(vision, agents_[body], count++, workspace, self, perceptions);
+    perceiveOne(vision, agents_[body], count++, workspace, self, perceptions);
   }
   perceptions.agents.resize(count);
   std::swap(perceptions.walls, workspace.walls);
 }
 
-inline void World::look(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
-                        AgentPerception& self, Perceptions& perceptions) const {
-  // With no limit the bodies of all stand one behind the other, however many.
+inline void World::perceiveOne(const Vision& vision, const Agent& agent, std::size_t before,
+                               PerceptionWorkspace& workspace, AgentPerception& self, Perceptions& perceptions) const {
+  // Without a limit the neighbours of all agents are contiguous.
   const std::size_t first = vision.max_neighbours > 0 ? vision.max_neighbours * before : perceptions.neighbours.size();
-  // Where bodies hide each other, all of them are needed to tell whom one sees.
-  const std::size_t most = vision.occlusion ? 0 : vision.max_neighbours;
+  // Occlusion needs all bodies in range to determine the visible ones.
+  const std::size_t max_count = vision.occlusion ? 0 : vision.max_neighbours;
   const Rotation frame(agent.ahead);
-  const auto found = workspace.search.findNearest(grid_, agent.pose.position, vision.radius, most, agent.id);
+  const auto found = workspace.search.findNearest(grid_, agent.pose.position, vision.radius, max_count, agent.id);
   self.first_neighbour = static_cast<std::uint32_t>(first);
   self.neighbour_count = static_cast<std::uint32_t>(found.size());
   self.first_wall = static_cast<std::uint32_t>(workspace.walls.size());
-  lookAtSelf(agent, frame, self);
+  perceiveSelf(agent, frame, self);
   if (!walls_.empty()) findWalls(vision, agent, frame, workspace);
   if (vision.occlusion) {
     workspace.near.resize(found.size());
     writeNeighbours(found, agent, 0, workspace.near);
-    hide(vision, self, workspace);
+    applyOcclusion(vision, self, workspace);
   }
   self.wall_count = static_cast<std::uint32_t>(workspace.walls.size()) - self.first_wall;
   if (vision.max_neighbours == 0) perceptions.neighbours.resize(first + self.neighbour_count);
@@ -128,7 +128,7 @@ inline void World::look(const Vision& vision, const Agent& agent, std::size_t be
     perceptions.neighbours.set(first + i, workspace.neighbours[i]);
 }
 
-inline void World::lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {
+inline void World::perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {
   self.pose = agent.pose;
   self.velocity = frame.intoFrame(agent.velocity);
   self.max_speed = agent.max_speed;
@@ -166,8 +166,7 @@ inline void World::findWalls(const Vision& vision, const Agent& agent, const Rot
   }
 }
 
-/// Leaves what is seen of the agent's bodies and walls.
-inline void World::hide(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const {
+inline void World::applyOcclusion(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const {
   const NeighbourSpan near(workspace.near, 0, workspace.near.size());
   workspace.neighbours.assign(near.begin(), near.end());
   workspace.occlusion.apply(workspace.neighbours, 0, workspace.walls, self.first_wall, vision.radius);

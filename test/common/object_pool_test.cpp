@@ -51,6 +51,7 @@ TEST(ObjectPool, TakesBackWhatAnotherThreadHasRead) {
     Pointer again = pool.next();
     while (again.get() != place) {
       again.reset();
+      std::this_thread::yield();
       again = pool.next();
     }
     again->assign(1000, -1);  // too early if the thread still reads

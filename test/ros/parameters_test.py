@@ -241,7 +241,8 @@ class LearnerParametersTest(RefusalTestCase):
         """It is told at the start, not after the training."""
         file = self.path('no_such_folder/table.txt')
         message = self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, mode='training', save_to=file))
-        self.assert_says(message, f'~save_to: {file}: cannot be written', f'there is no folder {self.path("no_such_folder")}')
+        self.assert_says(message, f'~save_to: {file}: cannot be written',
+                         f'there is no folder {self.path("no_such_folder")}')
 
     def test_a_relative_file_that_cannot_be_written(self):
         file = self.path('no_such_folder/table.txt')

@@ -6,10 +6,10 @@
 
 namespace crowd {
 
-/// @brief Checksum of a text that is added piece by piece: FNV-1a, 64 bits (Fowler, Noll and Vo).
+/// @brief Incremental 64-bit FNV-1a checksum of a text (Fowler, Noll and Vo).
 ///
-/// Each byte waits for the one before it. Who adds pieces while doing other work has it nearly for nothing, as the
-/// processor does both at once.
+/// The bytes form one dependency chain. Interleaved with other work, add() costs almost no additional time, because the
+/// processor executes both in parallel.
 class Checksum {
  public:
   void add(std::string_view text) {
@@ -18,7 +18,7 @@ class Checksum {
     hash_ = hash;
   }
 
-  /// @brief As 16 hexadecimal digits.
+  /// @brief The checksum as 16 hexadecimal digits.
   std::string text() const {
     std::string digits(16, '0');
     std::uint64_t left = hash_;

@@ -5,26 +5,26 @@
 
 namespace crowd {
 
-/// @brief Base of all errors this package throws; what() is a sentence for a person.
+/// @brief Base class of all errors that this package throws; what() is a human-readable message.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// @brief Something given to the package is wrong: a file's content, a parameter, a name. what() says where and what
-/// was expected.
+/// @brief Invalid input: the content of a file, a parameter or a name. what() states where the error is and what was
+/// expected.
 class InputError : public Error {
  public:
   using Error::Error;
 };
 
-/// @brief A file cannot be read or written. what() names the file and the system's reason.
+/// @brief A file cannot be read or written. what() names the file and the system error.
 class FileError : public Error {
  public:
   using Error::Error;
 };
 
-/// @brief A Q-table does not fit where it was to go: other shape, other state set or other action set.
+/// @brief A Q-table does not match its target: different shape, state set or action set.
 class ShapeError : public Error {
  public:
   using Error::Error;

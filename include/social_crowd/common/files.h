@@ -5,23 +5,23 @@
 
 namespace crowd {
 
-/// @brief The whole content of a file. @throws FileError
+/// @brief Returns the content of a file. @throws FileError
 std::string readFile(const std::string& file);
 
-/// @brief Replaces a file's content: writes a temporary file beside it, flushes it to the disk, then renames it; what
-/// was there before stays whole whatever happens. @throws FileError
+/// @brief Replaces the content of a file atomically: writes a temporary file in the same folder, flushes it to the disk
+/// and renames it. On failure the previous content remains. @throws FileError
 void replaceFile(const std::string& file, const std::string& content);
 
 /// @brief Checks, without writing anything, that a file can be made or replaced.
-/// @throws FileError telling why not; where its folder is missing, which one that is.
+/// @throws FileError with the reason, such as a missing folder
 void requireReplaceable(const std::string& file);
 
-/// @brief A text file that grows while a run goes on.
+/// @brief A text file to which a run appends.
 class GrowingFile {
  public:
-  /// @brief Begins the file anew. @throws FileError
+  /// @brief Creates or truncates the file and writes the first line. @throws FileError
   GrowingFile(std::string file, const std::string& first_line);
-  /// @brief Appends a text and hands it to the system. @throws FileError
+  /// @brief Appends a text and flushes it to the operating system. @throws FileError
   void append(const std::string& text);
 
  private:
@@ -29,10 +29,10 @@ class GrowingFile {
   std::ofstream stream_;
 };
 
-/// @brief Makes a folder and those above it. @throws FileError
+/// @brief Creates a folder and its parent folders. @throws FileError
 void makeFolder(const std::string& folder);
 
-/// @brief A path's last part without its ending: "a/b/circle6.yaml" -> "circle6".
+/// @brief File name of a path without its extension: "a/b/circle6.yaml" -> "circle6".
 std::string stemOf(const std::string& path);
 
 }  // namespace crowd

@@ -8,20 +8,20 @@
 
 namespace crowd {
 
-/// @brief Hands out objects to fill, preferably those that were handed out before and that nobody holds any more, so
-/// that large buffers are not allocated again and again. What is in them from before stays.
-/// @tparam Pointer a shared pointer; any thread may hold copies, also when the pool is gone
+/// @brief Pool of reusable objects, so that large buffers are not allocated repeatedly. A reused object keeps its
+/// previous content.
+/// @tparam Pointer a shared pointer; any thread may hold copies, also after the pool is destroyed
 template <typename Pointer>
 class ObjectPool {
  public:
-  /// @brief An object that nobody else holds, a new one if there is none. Any thread may call this.
+  /// @brief Returns an object without other owners: the one that has been free for longest, or a new one. Thread-safe.
   Pointer next() { return Pointer(free_->take().release(), GiveBack{free_}); }
 
  private:
   using Object = typename Pointer::element_type;
-  static constexpr std::size_t MAX_FREE = 8;  // that are kept for later
+  static constexpr std::size_t MAX_FREE = 8;  // free objects that are kept
 
-  /// Objects that nobody holds.
+  /// Objects without an owner.
   class FreeList {
    public:
     FreeList() { objects_.reserve(MAX_FREE); }
@@ -42,7 +42,7 @@ class ObjectPool {
     std::vector<std::unique_ptr<Object>> objects_;
   };
 
-  /// What a pointer does with its object when nobody holds it any more.
+  /// Deleter of the pointers: returns the object to the free list.
   struct GiveBack {
     std::shared_ptr<FreeList> free;
     void operator()(Object* object) const { free->put(std::unique_ptr<Object>(object)); }

@@ -4,7 +4,7 @@
 
 namespace crowd {
 
-/// @brief Asks for an object that is needed soon, so that nobody waits for the memory then. Changes nothing.
+/// @brief Prefetches all cache lines of an object that is read soon. Has no other effect.
 template <typename Object>
 inline void prefetch(const Object& object) {
 #if defined(__GNUC__)
@@ -16,7 +16,7 @@ inline void prefetch(const Object& object) {
 #endif
 }
 
-/// @brief The same for what lies in one cache line, or nowhere (nullptr).
+/// @brief Prefetches one cache line; `place` may be nullptr.
 inline void prefetchAt(const void* place) {
 #if defined(__GNUC__)
   __builtin_prefetch(place);
@@ -25,7 +25,7 @@ inline void prefetchAt(const void* place) {
 #endif
 }
 
-/// @brief So many agents ahead objects are asked for in loops over agents in any order.
+/// @brief Prefetch distance [agents] of loops that visit agents in arbitrary order.
 constexpr std::size_t PREFETCH_AHEAD = 4;
 
 }  // namespace crowd

@@ -5,14 +5,14 @@
 
 namespace crowd {
 
-/// @brief Random numbers that depend on their key alone.
+/// @brief Random number generator whose sequence depends only on its key.
 ///
-/// Every place that needs chance makes a generator of its own from what it is about: the run's seed, a stream (which
-/// kind of choice), then episode, tick, agent. So a run is the same whatever the order of agents, the number of threads
-/// or the way agents are split over learners. The mixing function is splitmix64 (Steele et al. 2014).
+/// Each random choice constructs its own generator from the seed of the run, a stream (the kind of choice), and then
+/// episode, tick and agent. A run is therefore independent of the order of agents, of the number of threads and of the
+/// distribution of agents over learners. The mixing function is splitmix64 (Steele et al. 2014).
 class KeyedRandom {
  public:
-  /// @brief What is being drawn; keeps the choices of different parts independent of each other.
+  /// @brief Kind of random choice; choices of different streams are independent.
   enum Stream : std::uint64_t { PLACEMENT = 1, EXPLORATION = 2, SCENARIO_CHOICE = 3, TIES = 4, CONTENT = 5 };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)
@@ -20,8 +20,8 @@ class KeyedRandom {
     for (const std::uint64_t part : key) state_ = mix(state_ + GOLDEN_GAMMA + part);
   }
 
-  /// @brief The generator whose key is this one's and one part more; to be called before anything is drawn. Saves the
-  /// work for the parts that many keys have in common.
+  /// @brief Returns a generator with one more part in its key; call it before the first draw. Avoids repeated mixing of
+  /// parts that many keys share.
   KeyedRandom with(std::uint64_t part) const { return KeyedRandom(mix(state_ + GOLDEN_GAMMA + part)); }
 
   /// @brief 64 random bits.
@@ -31,9 +31,9 @@ class KeyedRandom {
   }
   /// @brief Uniform in [0, 1).
   double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
-  /// @brief Uniform in [low, high); exactly `low` if both are equal.
+  /// @brief Uniform in [low, high); `low` if both are equal.
   double uniform(double low, double high);
-  /// @brief Uniform in 0 .. count-1; `count` must be above 0.
+  /// @brief Uniform in 0 .. count - 1; `count` must be above 0.
   std::uint32_t below(std::uint32_t count);
 
  private:

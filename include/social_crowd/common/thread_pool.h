@@ -10,11 +10,11 @@
 
 namespace crowd {
 
-/// @brief A few threads that share out a piece of work, and wait in between. Who waits watches a moment for what may
-/// come at once before it sleeps, unless there are more of them than the machine runs at a time.
+/// @brief Fixed set of threads that execute parallel loops. Idle workers spin briefly, then block; they block at once
+/// if there are more workers than hardware threads.
 class ThreadPool {
  public:
-  /// @param count how many work side by side, the caller of run() among them; 0 counts as 1
+  /// @param count number of workers including the thread that calls run(); 0 counts as 1
   explicit ThreadPool(unsigned count);
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -22,20 +22,22 @@ class ThreadPool {
   ThreadPool& operator=(ThreadPool&&) = delete;
   ~ThreadPool();
 
-  /// @brief Nobody beside the caller of run(). Keeps nothing, so that any number of threads may work with it.
+  /// @brief A pool without threads of its own: run() works in the calling thread. Stateless; any number of threads may
+  /// use it at the same time.
   static ThreadPool& callerOnly();
 
+  /// @brief Number of workers, the caller of run() included.
   unsigned count() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
-  /// @brief Whether run() would leave all to its caller.
+  /// @brief Whether run() would execute everything in the calling thread; parameters as for run().
   bool runsInCaller(std::size_t size, std::size_t few = 0) const { return size <= few || threads_.empty(); }
 
-  /// @brief Cuts 0 .. size-1 into parts that differ by one at most, more than there are workers, and returns when all
-  /// are done. Whoever has time takes the next part, so that nobody waits for one who is held up. Rethrows what a part
-  /// has thrown, of several the first one; who has thrown takes no other. To be called by one thread at a time;
-  /// allocates nothing.
-  /// @param work called as work(worker, begin, end) for each part [begin, end), with the number of who takes it
-  /// @param few up to so many are done by the caller alone, in one part, sooner than the others wake up
+  /// @brief Splits 0 .. size - 1 into parts whose sizes differ by at most one, executes them on all workers, and
+  /// returns when all are done. Scheduling is dynamic, with several parts per worker, so that a delayed worker does not
+  /// delay the others. Rethrows the exception of the lowest part that threw; a worker that threw takes no further
+  /// parts. One thread may call it at a time. Allocates no memory.
+  /// @param work called as work(worker, begin, end) for each part [begin, end), with the number of the worker
+  /// @param few up to this size the caller executes everything in one part, because waking threads would take longer
   template <typename Work>
   void run(std::size_t size, const Work& work, std::size_t few = 0) {
     if (runsInCaller(size, few)) {
@@ -50,40 +52,40 @@ class ThreadPool {
   }
 
  private:
-  /// Some callable, like std::function, but never on the heap.
+  /// Reference to a callable; unlike std::function it never allocates.
   struct Task {
     void (*call)(const void*, unsigned, std::size_t, std::size_t) = nullptr;
     const void* what = nullptr;
   };
   static constexpr std::size_t PARTS_EACH = 64;
 
-  /// What a part has thrown.
+  /// An exception that a part has thrown.
   struct Problem {
     std::size_t part = 0;
     std::exception_ptr thrown;
   };
   void share(const Task& task, std::size_t size);
-  /// Waits a moment for what `happened` tells, gladly letting others run.
-  template <typename Happened>
-  void watch(const Happened& happened) const;
+  /// Spins for a short time, yielding the processor, until `is_done` returns true.
+  template <typename IsDone>
+  void spin(const IsDone& is_done) const;
   void wait(unsigned worker);
   void doParts(unsigned worker);
 
-  bool watches_;
+  bool spins_;
   std::vector<std::thread> threads_;
   std::mutex mutex_;
   std::condition_variable begun_;
   std::condition_variable done_;
-  // Written under the mutex while nobody works.
+  // Written under the mutex while no worker is active.
   Task task_;
   std::size_t size_ = 0;
   std::size_t parts_ = 0;
   std::atomic<std::size_t> next_part_{0};
-  std::vector<Problem> problems_;  // of each worker
+  std::vector<Problem> problems_;  // by worker
   // All written under the mutex.
   std::atomic<std::size_t> round_{0};
-  bool open_ = false;                    // whether who wakes up is still to help
-  std::atomic<std::size_t> helpers_{0};  // who woke up in time and is not yet done
+  bool open_ = false;                    // workers that wake up may still join the round
+  std::atomic<std::size_t> helpers_{0};  // workers that joined the round and are not done
   bool stop_ = false;
 };
 

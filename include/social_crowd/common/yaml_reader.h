@@ -12,27 +12,25 @@
 
 namespace crowd {
 
-/// @brief Where in which file a value stands, for messages: file, document of the stream (from 1), path of
-/// keys.
+/// @brief Location of a value, for error messages: file, number of the document in the stream, path of keys.
 struct YamlPlace {
   std::string file;
-  int document = 0;  ///< from 1; 0: the file is not a stream, documents are not named
-  std::string path;  ///< such as agents[3].goal
+  int document = 0;  ///< from 1; 0: the file is not a stream, and messages omit the document
+  std::string path;  ///< for example agents[3].goal
 
   YamlPlace child(const std::string& key) const;
   YamlPlace element(std::size_t index) const;
 };
 
-/// @brief Throws the InputError "FILE: document D, line L: PATH: PROBLEM"; the line is the node's.
+/// @brief Throws the InputError "FILE: document D, line L: PATH: PROBLEM" with the line of the node.
 [[noreturn]] void throwProblem(const YamlPlace& place, const YAML::Node& node, const std::string& problem);
 /// @brief Throws the InputError "FILE: document D, line L: PATH: expected ..., got ...".
 [[noreturn]] void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::string& expected);
 
-/// @brief What a number may be.
+/// @brief Permitted range of a number.
 enum class NumberRule { ANY, NOT_NEGATIVE, POSITIVE, FRACTION };  // FRACTION: 0 to 1
 
-/// @brief Reads a finite number that follows the rule, or throws InputError. What stands in quotes is no
-/// number.
+/// @brief Reads a finite number that satisfies the rule, or throws InputError. A quoted scalar is not a number.
 double readNumber(const YAML::Node& node, const YamlPlace& place, NumberRule rule = NumberRule::ANY);
 /// @brief Reads a whole number from `low` to `high`, or throws InputError.
 std::int64_t readWhole(const YAML::Node& node, const YamlPlace& place, std::int64_t low, std::int64_t high);
@@ -48,27 +46,28 @@ bool readFlag(const YAML::Node& node, const YamlPlace& place);
 /// @brief The keys that a map may have.
 using YamlKeys = std::initializer_list<const char*>;
 
-/// @brief A map of a YAML document that is read key by key.
+/// @brief Reader of a map of a YAML document.
 ///
-/// What keys it may have is declared before the first is read, so that a message about an unknown one lists them all
-/// and a key that is missing because it is misspelt is told as the misspelling.
-/// All readers throw InputError with file, document, line and what was expected.
+/// The caller declares the permitted keys before it reads the first value, so that the message about an unknown key
+/// lists them all, and a misspelt key is reported as misspelt and not as missing.
+/// All readers throw InputError with file, document, line and the expected value. Overloads with `otherwise` return
+/// that value if the key is absent; the others require the key.
 class YamlMap {
  public:
-  /// @brief A map whose keys are declared later, by allow(); until then any may be read.
-  /// @throws InputError unless `node` is a map in which no key stands twice.
+  /// @brief A map whose keys are declared later with allow(); until then any key may be read.
+  /// @throws InputError unless `node` is a map without duplicate keys.
   YamlMap(const YAML::Node& node, YamlPlace place);
-  /// @brief A map that may have these keys. @throws InputError as above and as allow() does.
+  /// @brief A map with these permitted keys. @throws InputError as above and as allow() does.
   YamlMap(const YAML::Node& node, YamlPlace place, YamlKeys keys);
 
-  /// @brief Declares all keys that the map may have.
-  /// @throws InputError naming a key that is none of them, the nearest one, and all of them.
+  /// @brief Declares all permitted keys.
+  /// @throws InputError if the map has another key; the message names it, the nearest permitted key and all of them.
   void allow(YamlKeys keys);
 
   bool has(const std::string& key) const;
-  /// @brief The value of a key that must be there.
+  /// @brief The value of a required key.
   YAML::Node need(const std::string& key) const;
-  /// @brief The value of a key, or an undefined node (false) where it is absent.
+  /// @brief The value of a key, or an undefined node (false) if it is absent.
   YAML::Node find(const std::string& key) const;
 
   double number(const std::string& key, NumberRule rule) const;
@@ -80,7 +79,7 @@ class YamlMap {
   std::string text(const std::string& key) const;
   std::string text(const std::string& key, const std::string& otherwise) const;
   bool flag(const std::string& key, bool otherwise) const;
-  /// @brief A list, possibly empty, of rising numbers from `low` to `high`.
+  /// @brief A list, possibly empty, of strictly increasing numbers from `low` to `high`.
   std::vector<double> risingNumbers(const std::string& key, double low, double high,
                                     const std::vector<double>& otherwise) const;
 
@@ -93,7 +92,7 @@ class YamlMap {
     YAML::Node key;
     YAML::Node value;
   };
-  /// The entry of the key; null if it is absent. @throws std::logic_error for a key that was not declared.
+  /// The entry of the key; nullptr if it is absent. @throws std::logic_error for a key that was not declared.
   const Entry* look(const std::string& key) const;
 
   YAML::Node node_;
@@ -103,11 +102,11 @@ class YamlMap {
 };
 
 /// @brief All documents of a YAML file.
-/// @throws FileError if it cannot be read, InputError if it is not YAML (with the line).
+/// @throws FileError if the file cannot be read; InputError, with the line, if it is not valid YAML.
 std::vector<YAML::Node> loadYamlStream(const std::string& file);
 
-/// @brief All documents of a text; `name` stands for the file in messages.
-/// @throws InputError if it is not YAML (with the line).
+/// @brief All documents of a text; `name` replaces the file name in messages.
+/// @throws InputError, with the line, if it is not valid YAML.
 std::vector<YAML::Node> parseYamlStream(const std::string& text, const std::string& name);
 
 }  // namespace crowd

@@ -13,34 +13,37 @@
 
 namespace crowd {
 
-/// @brief One episode: a world that is walked until all agents have arrived or time is up. The same steps serve the
-/// headless runs and the ROS node; whoever drives it brings the actions.
+/// @brief One episode: runs a world until all agents have arrived or the maximum number of ticks is reached. Headless
+/// runs and the ROS node use the same class; the caller supplies the actions.
 ///
-/// A tick is one turn of all agents together (Order::SIMULTANEOUS), or a turn for each agent (Order::SEQUENTIAL).
-/// The caller repeats: perceptions() of the agents whose turn it is, their actions, step(); until isOver().
+/// A tick is one turn of all agents together (Order::SIMULTANEOUS), or one turn for each agent (Order::SEQUENTIAL). The
+/// caller repeats perceptions(), which are those of the agents whose turn it is, and step() with their actions, until
+/// isOver(). Not thread-safe.
 class Episode {
  public:
-  /// @param number goes into the perceptions; learners draw their exploration from it.
-  /// @param thread_pool its threads share out the agents as long as the episode lives; what comes of it does not depend
-  /// on their number
+  /// @param number of the episode; it is part of the perceptions, and learners seed their exploration with it
+  /// @param thread_pool its threads share the agents; it must outlive the episode. Results do not depend on their
+  /// number.
   Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool = ThreadPool::callerOnly());
 
-  /// @brief What the agents perceive whose turn it is; once the episode is over that is all of them, with `last`.
+  /// @brief Perceptions of the agents whose turn it is; once the episode is over, of all agents, with `last` set. Valid
+  /// until the next change of the world.
   const Perceptions& perceptions();
-  /// @brief The same to be kept: it stays as it is while somebody holds it.
+  /// @brief The same as a shared object that does not change while the caller holds it.
   std::shared_ptr<const Perceptions> sharedPerceptions();
-  /// @brief What the learner decides on perceptions(): the same as Learner::decide(). Where all agents have their turn
-  /// in demo mode it is faster (see GreedyCrowd), in another order of agents, and the learner does not come to know
+  /// @brief Writes the learner's actions for perceptions(), the same as of Learner::decide(). For simultaneous turns in
+  /// demo mode it uses the faster GreedyCrowd: the order of the agents then differs, and the learner does not register
   /// them.
   void decide(Learner& learner, RelativeActions& actions);
-  /// @brief Moves the agents whose turn it is; those without an action stay. @throws InputError, nothing has moved
-  /// then.
+  /// @brief Moves the agents whose turn it is; agents without an action stay.
+  /// @throws InputError as World::step() does; the world is unchanged then.
   /// @return whether that was the last turn of the tick
   bool step(const std::vector<AgentAction>& actions);
-  /// @brief Whether all agents have arrived or time is up, which a step() notes at the end of a tick only.
+  /// @brief Whether no agent is on its way or the maximum number of ticks is reached. A step() changes this only at the
+  /// end of a tick.
   bool isOver() const;
 
-  /// @brief Turns that a tick has now: one, or one for each agent on its way.
+  /// @brief Number of turns in the present tick: one, or one for each agent on its way.
   std::size_t turnsOfTick() const { return isSequential() ? std::max<std::size_t>(1, world_.activeCount()) : 1; }
 
   std::uint64_t number() const { return number_; }
@@ -48,7 +51,8 @@ class Episode {
   const World& world() const { return world_; }
   EpisodeResult result() const { return monitor_.result(); }
 
-  /// @brief Changes the world between two ticks; perceptions() follow. @throws InputError, nothing has changed then.
+  /// @brief Changes of the world between two ticks, see World; perceptions() reflect them.
+  /// @throws InputError as World does; the world is unchanged then.
   AgentId spawnAgent(const AgentStart& start);
   void removeAgent(AgentId id);
   void setGoal(AgentId id, const Vector2& goal);
@@ -58,7 +62,7 @@ class Episode {
  private:
   bool isSequential() const { return scene_.order == Order::SEQUENTIAL; }
   void perceiveTurn();
-  /// Goes on to the next agent that is to have a turn in this tick, beginning with `turn_`; whether there is one.
+  /// Advances `turn_` to the next agent that has a turn in this tick, starting with `turn_` itself; false if none.
   bool findTurn();
   bool endTick();
 
@@ -69,11 +73,10 @@ class Episode {
   EpisodeMonitor monitor_;
   std::uint64_t number_;
   ObjectPool<std::shared_ptr<Perceptions>> buffers_;
-  std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // those of the last time that somebody asked
-  bool may_be_held_ = false;                                    // by others: they were shared
+  std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // latest
+  bool may_be_held_ = false;                                    // `perceptions_` were shared with a caller
   bool are_current_ = false;
-  AgentId turn_ =
-      0;  // the agent whose turn it is, sequential only; the number of agents if no turn is left in the tick
+  AgentId turn_ = 0;  // agent whose turn it is (sequential only), or the number of agents if no turn is left
   GreedyCrowd crowd_;
 };
 

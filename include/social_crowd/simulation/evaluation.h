@@ -10,27 +10,29 @@
 
 namespace crowd {
 
-/// @brief How to evaluate.
+/// @brief Settings of an evaluation.
 struct EvaluationPlan {
-  std::uint64_t episodes = 0;  ///< 0: every document of the scenario file once
-  std::uint64_t seed = 1;      ///< for placements at random, and for ties that are broken at random
+  std::uint64_t episodes = 0;  ///< 0: each document of the scenario file once
+  std::uint64_t seed = 1;      ///< for random placements and random tie-breaking
   unsigned threads = 1;        ///< results do not depend on it
-  bool record = false;         ///< whether trajectories are wanted
-  bool scenes = false;         ///< whether scenes are wanted
-  bool states = false;         ///< whether records of states are wanted
+  bool record = false;         ///< whether to write trajectories
+  bool scenes = false;         ///< whether to write scenes
+  bool states = false;         ///< whether to write records of states
 };
 
-/// @brief What an episode of an evaluation brought.
+/// @brief Output of one episode of an evaluation.
 struct EvaluatedEpisode {
   std::uint64_t instance = 0;
   EpisodeResult result;
-  std::string trajectory;  ///< rows for TrajectoryFile, if wanted
-  std::string states;      ///< rows below STATE_RECORD_HEADER, if wanted
-  std::string scene;       ///< what it began with, as a document of a scenario file, if wanted
+  std::string trajectory;  ///< rows for TrajectoryFile, if requested
+  std::string states;      ///< rows below STATE_RECORD_HEADER, if requested
+  std::string scene;       ///< initial scene as a document of a scenario file, if requested
 };
 
-/// @brief Walks scenarios with a Q-table in demo mode. `deliver` is called once an episode, in order of the instances,
-/// one call at a time; it returns whether to go on.
+/// @brief Runs scenarios with a Q-table in demo mode.
+/// @param deliver called once per episode, in the order of the instances, never concurrently but on any of the threads;
+/// returns whether to continue
+/// @throws whatever an episode or `deliver` throws
 void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
               const std::function<bool(EvaluatedEpisode&)>& deliver);
 

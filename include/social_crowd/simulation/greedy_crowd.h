@@ -8,19 +8,19 @@
 
 namespace crowd {
 
-/// @brief Decides greedily for everybody in a world, a few neighbours at a time, whose perceptions stay in the cache
-/// until they have decided and are then forgotten. The same decisions as of World::perceive() and Learner::decide() in
-/// demo mode, sooner and with less memory.
+/// @brief Greedy decisions for all agents of a world. It processes blocks of spatially adjacent agents, whose
+/// perceptions stay in the cache until they have decided and are then discarded. The decisions equal those of
+/// World::perceive() and Learner::decide() in demo mode, with less time and memory.
 class GreedyCrowd {
  public:
-  /// @param episode its number; with the tick it is what chance decides by between equal values
-  /// @param thread_pool its threads share out the agents; what is decided does not depend on their number
-  /// @param actions is overwritten; neighbours stand one after the other
+  /// @param episode its number; with the tick it seeds random tie-breaking
+  /// @param actions is overwritten; in the order of the world's bodies
+  /// @param thread_pool its threads share the agents; the decisions do not depend on their number
   void decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
               std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
 
  private:
-  /// What a worker needs.
+  /// Workspace of one worker.
   struct ThreadWorkspace {
     World::PerceptionWorkspace perception_workspace;
     Perceptions perceptions;
@@ -28,7 +28,7 @@ class GreedyCrowd {
   };
 
   std::vector<ThreadWorkspace> workspaces_;
-  std::vector<std::vector<AgentAction>> decided_;  // by block, where several workers decide
+  std::vector<std::vector<AgentAction>> decided_;  // by block, if several workers decide
 };
 
 }  // namespace crowd

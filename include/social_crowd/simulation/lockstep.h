@@ -9,68 +9,69 @@
 
 namespace crowd {
 
-/// @brief A learner that answers, as a number that the owner of a Lockstep hands out.
+/// @brief Identifier of a learner, assigned by the owner of the Lockstep.
 using LearnerId = std::uint32_t;
 
-/// @brief Why an answer is not carried out.
+/// @brief Reason why an answer is not executed.
 enum class Refusal {
-  NOT_ASKED,      ///< the agent was never asked, or not in the tick that the answer names
+  NOT_ASKED,      ///< no answer was requested for the agent, ever or in the tick that the answer names
   BAD_ROTATION,   ///< not a finite number
   BAD_SPEED,      ///< speed_fraction is not within 0 to 1
-  TOO_LATE,       ///< for a tick or an episode that is over
-  TOO_EARLY,      ///< for a tick or an episode that has not begun
+  TOO_LATE,       ///< the tick or episode is over
+  TOO_EARLY,      ///< the tick or episode has not begun
   SECOND_ANSWER,  ///< the learner has answered for this agent already, with another action
   OTHER_LEARNER,  ///< another learner has answered for this agent already
 };
 
-/// @brief An answer for one agent that is not carried out.
+/// @brief An answer for one agent that is not executed.
 struct RefusedAnswer {
   Refusal cause = Refusal::NOT_ASKED;
   AgentAction answer;
   std::uint64_t episode = 0;  ///< that the answer names
   std::uint64_t tick = 0;     ///< that the answer names
-  LearnerId learner = 0;      ///< that gave it
+  LearnerId learner = 0;      ///< sender of the answer
   LearnerId other = 0;        ///< OTHER_LEARNER: the one whose answer counts
 };
 
-/// @brief Collects the answers to one tick's perceptions (in a sequential scenario to one turn's) and records which
+/// @brief Collects the answers to the perceptions of one tick (in a sequential scenario: of one turn) and records which
 /// agents are answered for. It has no clock: its owner decides when to stop waiting. Not thread-safe.
 ///
-/// An agent that misses several answers in a row is absent: it is not waited for until it is answered for again. A
-/// refused answer with valid numbers still shows that the agent's learner is there. An answer that repeats the
-/// learner's last one for the agent, or that is meant for a tick that was abandoned, is ignored and counts nowhere.
+/// The owner calls open(), then take() for each message of answers, then close(). An agent that misses several answers
+/// in a row becomes absent; it is awaited again only after a further answer for it. A refused answer with valid numbers
+/// still shows that the agent's learner is running. An answer that repeats the learner's last one for the agent, or
+/// that belongs to an abandoned tick, is ignored and not counted.
 class Lockstep {
  public:
   explicit Lockstep(int misses_until_absent) : misses_until_absent_(misses_until_absent) {}
 
-  /// @brief Asks these agents. A tick that is still open is abandoned.
+  /// @brief Requests answers for these agents. A tick that is still open is abandoned.
   void open(std::uint64_t episode, std::uint64_t tick, const std::vector<AgentId>& agents);
-  /// @brief Takes a learner's answers. Returns those it refuses; valid until the next call.
+  /// @brief Accepts the answers of a learner. Returns those that are refused; valid until the next call.
   const std::vector<RefusedAnswer>& take(const RelativeActions& answers, LearnerId learner);
-  /// @brief Counts answers that are meant for another controller as dropped.
+  /// @brief Counts answers addressed to another controller as dropped.
   void drop(const RelativeActions& answers) { dropped_ += answers.agents.size(); }
   /// @brief Closes the tick and counts the missing answers. The answers are in answers().
-  /// @return agents that are absent from now on
+  /// @return the agents that become absent
   std::vector<AgentId> close();
 
-  /// @brief Whether no agent is waited for any more.
+  /// @brief Whether no answer is awaited any more.
   bool isComplete() const { return awaited_ == 0; }
-  /// @brief Whether all agents that were asked are absent.
+  /// @brief Whether all agents of the tick are absent.
   bool isDeserted() const { return present_ == 0 && !asked_.empty(); }
-  /// @brief Whether an agent is waited for that was never answered for.
+  /// @brief Whether an awaited agent has never been answered for.
   bool awaitsNewcomer() const;
-  /// @brief Marks those of the agents as absent that were never answered for, whether they are asked now or not.
-  /// @return those agents
+  /// @brief Marks those of the agents as absent that have never been answered for, also outside the present tick.
+  /// @return the agents that become absent
   std::vector<AgentId> giveUpOnNewcomers(const std::vector<AgentId>& agents);
   /// @brief Whether all of these agents are absent.
   bool areAbsent(const std::vector<AgentId>& agents) const;
 
   const std::vector<AgentAction>& answers() const { return answers_; }
-  /// @brief Agents of the open tick without an answer, absent ones included.
+  /// @brief Agents of the present tick without an answer, absent ones included.
   std::vector<AgentId> missing() const;
-  /// @brief Missing answers since the last reset of the counts.
+  /// @brief Number of missing answers since the last resetCounts().
   std::uint64_t missedCount() const { return missed_; }
-  /// @brief Refused answers since the last reset of the counts.
+  /// @brief Number of refused answers since the last resetCounts().
   std::uint64_t droppedCount() const { return dropped_; }
   void resetCounts();
 
@@ -83,10 +84,10 @@ class Lockstep {
     RelativeAction action;
   };
   struct AgentRecord {
-    std::optional<Moment> asked_at;   // last
-    std::optional<TakenAnswer> last;  // answer that was taken
-    bool heard = false;               // was ever answered for
-    int misses = 0;                   // in a row
+    std::optional<Moment> asked_at;   // last request
+    std::optional<TakenAnswer> last;  // last accepted answer
+    bool heard = false;               // answered for at least once
+    int misses = 0;                   // consecutive
     bool absent = false;
     bool asked = false;     // in the open tick
     bool answered = false;  // in the open tick
@@ -107,8 +108,8 @@ class Lockstep {
   std::vector<AgentId> asked_;
   std::vector<AgentAction> answers_;
   std::vector<RefusedAnswer> refused_;
-  std::size_t awaited_ = 0;  // asked, present, not yet answered
-  std::size_t present_ = 0;  // asked and not absent
+  std::size_t awaited_ = 0;  // agents of the tick that are present and not yet answered for
+  std::size_t present_ = 0;  // agents of the tick that are not absent
   std::uint64_t missed_ = 0;
   std::uint64_t dropped_ = 0;
 };

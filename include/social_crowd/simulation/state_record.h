@@ -8,12 +8,13 @@
 
 namespace crowd {
 
-/// @brief First line of a record of states. A row tells what one decision rested on: where the agent was [m, `map`],
-/// its heading [degrees], the row of the Q-table and the action that were chosen, and the occupied sectors,
-/// counterclockwise from straight ahead, as FROM:TO:CLASS [degrees, agent frame] with blanks between them.
+/// @brief Header of a record of states. Each row describes one decision: position of the agent [m, `map`], heading
+/// [degrees], row of the Q-table, chosen action, and the occupied sectors, counterclockwise from straight ahead, as
+/// FROM:TO:CLASS [degrees, agent frame], separated by blanks.
 constexpr const char* STATE_RECORD_HEADER = "instance,tick,agent,x,y,heading,row,action,occupied\n";
 
-/// @brief Appends a row for each agent that decides on these perceptions in demo mode.
+/// @brief Appends a row for the greedy decision of each agent of these perceptions that has not arrived; no row if
+/// `last` is set.
 void appendStateRows(std::uint64_t instance, const Perceptions& perceptions, const Learner& learner, std::string& rows);
 
 }  // namespace crowd

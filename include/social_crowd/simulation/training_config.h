@@ -10,16 +10,16 @@
 
 namespace crowd {
 
-/// @brief What and how to train, beside the learning itself.
+/// @brief Scenarios and schedule of a training.
 struct TrainingPlan {
-  std::vector<std::string>
-      scenarios;  ///< files that are there; an episode takes the next document of all of them, round and round
+  /// Paths of existing files; episodes cycle through the documents of all files.
+  std::vector<std::string> scenarios;
   std::uint64_t episodes = 0;
   std::uint64_t seed = 1;
   TableUse tables = TableUse::SHARED;
-  std::uint64_t save_every = 0;    ///< episodes; 0: at the end only
-  std::uint32_t side_by_side = 1;  ///< learners that learn at the same time, each in a copy of the table
-  std::uint32_t turn = 10;         ///< episodes of each of them until what they learned is merged
+  std::uint64_t save_every = 0;    ///< interval between saves [episodes]; 0: at the end only
+  std::uint32_t side_by_side = 1;  ///< number of learners, each with its own copy of the table
+  std::uint32_t turn = 10;         ///< episodes of each learner between two merges of the copies
 };
 
 /// @brief A training configuration file (config/learning/*.yaml): model, learning parameters and training plan.
@@ -29,9 +29,9 @@ struct TrainingConfig {
   TrainingPlan training;
 };
 
-/// @brief Reads a configuration file. Scenarios are files, whose paths are relative to it, or names of those that come
-/// with the package (findScenario()).
-/// @throws FileError; InputError with file, line and what was expected.
+/// @brief Reads a configuration file. Its scenarios are paths relative to the file, or names of shipped scenarios
+/// (findScenario()).
+/// @throws FileError; InputError with file, line and the expected value.
 TrainingConfig readTrainingConfig(const std::string& file);
 
 }  // namespace crowd

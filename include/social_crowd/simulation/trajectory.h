@@ -8,19 +8,19 @@
 
 namespace crowd {
 
-/// @brief First line of a trajectory file. A row says where an agent's centre [m, `map`] was at the end of a tick, tick
-/// 0 being the start; its last row is the tick at which it arrived.
+/// @brief Header of a trajectory file. Each row holds the position of an agent's centre [m, `map`] at the end of a
+/// tick; tick 0 is the start. The last row of an agent is the tick of its arrival.
 constexpr const char* TRAJECTORY_HEADER = "instance,tick,agent,x,y\n";
 
-/// @brief Appends the rows of the world's present tick: one for each agent that is on its way or has just arrived.
+/// @brief Appends the rows of the present tick: one for each agent that is on its way or has just arrived.
 void appendTrajectoryRows(std::uint64_t instance, const World& world, std::string& rows);
 
-/// @brief A trajectory file that grows episode by episode.
+/// @brief Trajectory file to which episodes are appended.
 class TrajectoryFile {
  public:
-  /// @brief Begins FOLDER/NAME.csv anew; makes the folder. @throws FileError
+  /// @brief Creates or truncates FOLDER/NAME.csv, and creates the folder. @throws FileError
   TrajectoryFile(const std::string& folder, const std::string& name);
-  /// @brief Appends the rows of an episode and hands them to the system. @throws FileError
+  /// @brief Appends the rows of an episode and flushes them to the operating system. @throws FileError
   void append(const std::string& rows) { file_.append(rows); }
 
  private:

@@ -10,13 +10,13 @@ using Vector2 = Eigen::Vector2d;
 
 constexpr double PI = 3.14159265358979323846;
 
-/// @brief Where a body stands and looks: position [m] and heading [rad] (counterclockwise, 0 along x).
+/// @brief Position [m] and heading [rad] (counterclockwise, 0 along x) of a body.
 struct Pose {
   Vector2 position = Vector2::Zero();
   double heading = 0.0;
 };
 
-/// @brief A straight piece of wall between two points [m].
+/// @brief A straight wall segment between two points [m].
 struct Segment {
   Vector2 from = Vector2::Zero();
   Vector2 to = Vector2::Zero();
@@ -25,9 +25,9 @@ struct Segment {
 constexpr double toRadians(double degrees) { return degrees * (PI / 180.0); }
 constexpr double toDegrees(double radians) { return radians * (180.0 / PI); }
 
-/// @brief The same angle in [-pi, pi).
+/// @brief Normalizes an angle [rad] to [-pi, pi).
 inline double wrapAngle(double angle) {
-  // Within a quarter of a circle beyond one turn these differences are exact. No branch depends on the direction.
+  // Up to 2.5 pi these differences are exact. No branch depends on the sign of the angle.
   if (std::abs(angle) < 2.5 * PI) return angle - (angle >= PI ? 2.0 * PI : 0.0) - (angle < -PI ? -2.0 * PI : 0.0);
   const double wrapped = std::remainder(angle, 2.0 * PI);
   return wrapped >= -PI && wrapped < PI ? wrapped : -PI;
@@ -36,34 +36,34 @@ inline double wrapAngle(double angle) {
 /// @brief Direction of a vector [rad], in [-pi, pi]; 0 for the zero vector.
 inline double bearingOf(const Vector2& v) { return std::atan2(v.y(), v.x()); }
 
-/// @brief Unit vector of a heading.
+/// @brief Unit vector in the direction of a heading [rad].
 inline Vector2 unitVector(double heading) { return {std::cos(heading), std::sin(heading)}; }
 
 /// @brief z component of the cross product: positive if b lies to the left of a.
 inline double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// @brief A turn of the coordinate frame with its sine and cosine at hand.
+/// @brief Rotation between `map` and a frame turned by a heading; stores sine and cosine.
 class Rotation {
  public:
   explicit Rotation(double heading) : Rotation(unitVector(heading)) {}
   /// @param ahead unit vector of the heading
   explicit Rotation(const Vector2& ahead) : ahead_(ahead), left_(-ahead.y(), ahead.x()) {}
-  /// @brief From the frame `map` into the frame that is turned by the heading.
+  /// @brief Transforms a vector from `map` into the turned frame.
   Vector2 intoFrame(const Vector2& v) const {
     return v.x() * Vector2(ahead_.x(), left_.x()) + v.y() * Vector2(ahead_.y(), left_.y());
   }
-  /// @brief From the turned frame back into `map`.
+  /// @brief Transforms a vector from the turned frame into `map`.
   Vector2 outOfFrame(const Vector2& v) const { return v.x() * ahead_ + v.y() * left_; }
 
  private:
-  Vector2 ahead_;  // unit vectors of the turned frame
+  Vector2 ahead_;  // axes of the turned frame in `map`
   Vector2 left_;
 };
 
-/// @brief The point of a segment that is nearest to p.
+/// @brief The point of a segment nearest to p [m].
 Vector2 nearestPoint(const Segment& segment, const Vector2& p);
 
-/// @brief Distance of p from the segment [m].
+/// @brief Distance from p to the segment [m].
 inline double distanceTo(const Segment& segment, const Vector2& p) { return (nearestPoint(segment, p) - p).norm(); }
 
 }  // namespace crowd

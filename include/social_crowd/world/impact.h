@@ -6,21 +6,21 @@
 
 namespace crowd {
 
-/// @brief The answer where nothing is touched.
+/// @brief Result of firstTouch() if there is no impact.
 constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-/// @brief When a point on a straight way first comes within `reach` of another point.
+/// @brief Time at which a point in uniform straight motion first comes within `reach` of another point.
 ///
-/// A way that goes no deeper than a tenth of TOUCH_TOLERANCE only grazes, and touches nothing. Who is within reach
-/// already touches at once if the way leads deeper in, and never if it leads out.
-/// @param offset from the moving point to the other [m]
-/// @param way of the moving point, relative to the other, in a whole tick [m]
+/// A path that penetrates by at most a tenth of TOUCH_TOLERANCE grazes and does not touch. A point that is already
+/// within reach touches at once if its path leads deeper, and never if it leads out.
+/// @param offset vector from the moving point to the other [m]
+/// @param way displacement of the moving point relative to the other in a whole tick [m]
 /// @param reach [m]; for two discs the sum of their radii
-/// @param rest how much of the tick is left, 0 to 1
-/// @return the share of a tick from now, 0 to `rest`, or NEVER
+/// @param rest remaining fraction of the tick, 0 to 1
+/// @return time from now as a fraction of a tick, 0 to `rest`, or NEVER
 double firstTouch(const Vector2& offset, const Vector2& way, double reach, double rest);
 
-/// @brief The same for a wall. @param wall with the moving point as origin [m]; its ends must differ
+/// @brief The same for a wall. @param wall relative to the moving point [m]; its ends must differ
 double firstTouch(const Segment& wall, const Vector2& way, double reach, double rest);
 
 }  // namespace crowd

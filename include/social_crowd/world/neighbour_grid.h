@@ -9,41 +9,44 @@
 
 namespace crowd {
 
-/// @brief Finds discs near a point: a uniform grid over the discs' centres, rebuilt each tick in O(n).
+/// @brief Finds discs near a point with a uniform grid over the centres of the discs, rebuilt each tick in O(n).
+///
+/// The owner calls clear(), add() for each disc, then build(). Afterwards any number of threads may call the const
+/// functions at the same time.
 class NeighbourGrid {
  public:
-  /// @brief A disc in the grid; `body` is whatever number the caller knows it by.
+  /// @brief A disc in the grid; `body` is an identifier chosen by the caller.
   struct Disc {
     Vector2 centre = Vector2::Zero();  ///< [m]
     double radius = 0.0;               ///< [m]
     std::uint32_t body = 0;
-    Vector2 velocity = Vector2::Zero();  ///< [m/s]; means nothing to the grid
+    Vector2 velocity = Vector2::Zero();  ///< [m/s]; not used by the grid
   };
 
-  /// @brief Takes everything out.
+  /// @brief Removes all discs.
   void clear();
-  /// @brief Adds a disc (see Disc), which is found once build() was called.
+  /// @brief Adds a disc (see Disc); searches find it after the next build().
   void add(const Vector2& centre, double radius, std::uint32_t body, const Vector2& velocity = Vector2::Zero());
-  /// @brief Sorts what was added into cells of about this size [m]; to be called after the last add().
+  /// @brief Sorts the added discs into cells of about this size [m]; call it after the last add().
   void build(double cell_size);
 
-  /// @brief Whether there are so few discs that they are kept in order of add(), and may move().
+  /// @brief Whether there are few enough discs to store them in the order of add(); only then move() is permitted.
   bool isList() const { return size() <= LIST; }
-  /// @brief Whether they are even so few that it is best to look at them one by one.
+  /// @brief Whether there are few enough discs that a simple linear search is fastest.
   bool isShort() const { return size() <= SHORT; }
-  /// @brief Puts a disc of a list in another place [m], with another velocity [m/s].
+  /// @brief Sets position [m] and velocity [m/s] of a disc; requires isList().
   void move(std::size_t disc, const Vector2& centre, const Vector2& velocity) {
     xs_[disc] = centre.x();
     ys_[disc] = centre.y();
     motions_[disc] = {centre.x(), centre.y(), velocity.x(), velocity.y()};
   }
 
-  /// @brief Number of discs, in order of the cells.
+  /// @brief Number of discs. Disc indices follow the order of the cells.
   std::size_t size() const { return motions_.size(); }
   Vector2 centre(std::size_t disc) const { return {xs_[disc], ys_[disc]}; }
-  /// @brief Behind the last disc so many more of these numbers may be read, whatever they are.
+  /// @brief Number of unspecified but readable elements behind the last disc in each array.
   static constexpr std::size_t PADDING = 16;
-  /// @brief The numbers of all discs, for loops over runs of discs.
+  /// @brief Arrays over all discs, for loops over runs of discs.
   const double* xs() const { return xs_.data(); }
   const double* ys() const { return ys_.data(); }
   const double* radii() const { return radii_.data(); }
@@ -52,37 +55,37 @@ class NeighbourGrid {
   std::uint32_t body(std::size_t disc) const { return bodies_[disc]; }
   Vector2 velocity(std::size_t disc) const { return {motions_[disc].vx, motions_[disc].vy}; }
 
-  /// @brief Place and velocity of a disc once more, so that one read takes both.
+  /// @brief Interleaved copy of position and velocity of a disc.
   struct Motion {
     double x;  ///< [m]
     double y;
     double vx;  ///< [m/s]
     double vy;
   };
-  /// @brief Of all discs, in order of the cells.
+  /// @brief Motions of all discs, in the order of the cells.
   const Motion* motions() const { return motions_.data(); }
 
-  /// @brief Discs begin .. end-1, in order of the cells.
+  /// @brief The discs begin .. end - 1.
   struct Run {
     std::uint32_t begin;
     std::uint32_t end;
   };
   using Runs = std::vector<Run>;
-  /// @brief Some runs, and how many discs they hold.
+  /// @brief Runs, and the total number of their discs.
   struct RunsNear {
     Span<Run> runs;
     std::size_t discs;
   };
 
-  /// @brief Runs of discs, some of them empty, that hold all whose rim is within `distance` [m] of the point, and
-  /// others. @param space where they are written; it only grows
+  /// @brief Returns runs, some of them empty, that contain at least all discs whose rim is within `distance` [m] of the
+  /// point. @param space storage of the runs; it only grows
   RunsNear findRunsNear(const Vector2& point, double distance, Runs& space) const;
 
-  /// @brief Appends to `found` the discs whose rim is within `distance` [m] of the point, in an order that depends on
-  /// the discs alone.
+  /// @brief Appends to `found` the bodies whose rim is within `distance` [m] of the point, in an order that depends
+  /// only on the discs.
   void findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const;
 
-  /// @brief Whether there is a disc whose rim is within `distance` [m] of the point. @param except a body not counted
+  /// @brief Whether the rim of any disc is within `distance` [m] of the point. @param except body that is ignored
   bool isAnyNear(const Vector2& point, double distance, std::uint32_t except) const {
     return isShort() ? isAnyInShortList(point, distance, except) : isAnyInRuns(point, distance, except);
   }
@@ -90,16 +93,16 @@ class NeighbourGrid {
  private:
   static constexpr std::size_t MAX_CELLS = 1U << 20U;
   static constexpr std::size_t SHORT = 8;
-  static constexpr std::size_t LIST = 32;  // so few discs are one run
+  static constexpr std::size_t LIST = 32;  // up to this number, all discs form one run
 
-  /// A rectangle of cells; a row of cells is one run of discs.
+  /// A rectangle of cells; the discs of each of its rows form one run.
   struct Cells {
     std::int64_t left;
     std::int64_t right;
     std::int64_t bottom;
     std::int64_t top;
   };
-  /// Where discs are whose rim may be within the distance.
+  /// The cells of all discs whose rim may be within the distance.
   Cells cellsNear(const Vector2& point, double distance) const {
     const double reach = std::max(0.0, distance + max_radius_);
     return {column(point.x() - reach), column(point.x() + reach), row(point.y() - reach), row(point.y() + reach)};
@@ -111,7 +114,7 @@ class NeighbourGrid {
   }
   Run all() const { return {0, static_cast<std::uint32_t>(size())}; }
   bool isAnyInShortList(const Vector2& point, double distance, std::uint32_t except) const {
-    // One is often the body that asks, and the others are soon told from each other: branches are guessed well here.
+    // One disc is often the excluded body and most others are far: branches are predicted well.
     for (std::size_t i = 0; i < size(); ++i) {
       const double limit = distance + radii_[i];
       if (limit < 0.0 || bodies_[i] == except) continue;
@@ -126,14 +129,14 @@ class NeighbourGrid {
   std::int64_t column(double x) const { return cellOf(x - origin_.x(), columns_); }
   std::int64_t row(double y) const { return cellOf(y - origin_.y(), rows_); }
   std::int64_t cellOf(double offset, std::int64_t cells) const {
-    // Cutting off the fraction rounds towards 0, where what lies before the first cell goes in any case.
+    // Truncation rounds towards 0; offsets before the first cell are clamped to it anyway.
     return static_cast<std::int64_t>(std::clamp(offset * cells_per_metre_, 0.0, static_cast<double>(cells - 1)));
   }
 
   std::vector<Disc> added_;           // in order of add()
-  std::vector<std::uint32_t> cells_;  // cell of each of them
+  std::vector<std::uint32_t> cells_;  // cell of each added disc
   std::vector<std::uint32_t> first_;  // first_[c]: first disc of cell c
-  // Discs cell by cell.
+  // In the order of the cells.
   std::vector<double> xs_;
   std::vector<double> ys_;
   std::vector<double> radii_;

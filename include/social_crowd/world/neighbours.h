@@ -10,41 +10,40 @@
 
 namespace crowd {
 
-/// @brief What kind of body is perceived.
+/// @brief Kind of a perceived body.
 enum class NeighbourKind : std::uint8_t { AGENT = 0, OBSTACLE = 1 };
 
-/// @brief Another body, or what is seen of it, in the frame of the agent that perceives it (x ahead, y left).
+/// @brief Another body, or its visible part, in the frame of the agent that perceives it (x ahead, y left).
 struct Neighbour {
-  Vector2 position = Vector2::Zero();  ///< of the centre [m]
-  Vector2 velocity = Vector2::Zero();  ///< over ground, of the last tick [m/s]
+  Vector2 position = Vector2::Zero();  ///< centre [m]
+  Vector2 velocity = Vector2::Zero();  ///< over ground, in the last tick [m/s]
   double radius = 0.0;                 ///< [m]
   NeighbourKind kind = NeighbourKind::AGENT;
 };
 
-/// @brief How far its rim is away; negative from a point within it [m].
+/// @brief Distance from the agent's centre to the rim [m]; negative if the centre is inside.
 inline double rimDistance(const Neighbour& neighbour) { return neighbour.position.norm() - neighbour.radius; }
 
-/// @brief A list of neighbours that is kept as a list of each of their numbers, so that loops over many neighbours can
-/// be done with vector instructions.
+/// @brief List of neighbours as a structure of arrays, so that loops over many neighbours can use vector instructions.
 class NeighbourList {
  public:
-  /// @brief So many numbers behind the last may be read, whatever they are: loops need not end with the neighbours.
+  /// @brief Number of unspecified but readable elements behind the last in each array, so that loops may overrun.
   static constexpr std::size_t MARGIN = 16;
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   void clear() { size_ = 0; }
-  /// @brief Changes the length; what is new is to be set.
+  /// @brief Changes the length; new elements are unspecified until set().
   void resize(std::size_t size) {
     size_ = size;
     if (kinds_.size() < size + MARGIN) grow(size);
   }
-  /// @brief Adds a body behind the last.
-  void push_back(const Neighbour& neighbour) {  // NOLINT(readability-identifier-naming): as all lists have it
+  /// @brief Appends a neighbour.
+  void push_back(const Neighbour& neighbour) {  // NOLINT(readability-identifier-naming): as in the standard library
     resize(size_ + 1);
     set(size_ - 1, neighbour);
   }
-  /// @brief Body number `i`, as a copy; set() writes it.
+  /// @brief Neighbour `i`, as a copy; set() writes it.
   Neighbour operator[](std::size_t i) const { return {{xs_[i], ys_[i]}, {vxs_[i], vys_[i]}, radii_[i], kinds_[i]}; }
   void set(std::size_t i, const Neighbour& neighbour) {
     xs_[i] = neighbour.position.x();
@@ -55,14 +54,14 @@ class NeighbourList {
     kinds_[i] = neighbour.kind;
   }
 
-  /// @brief Their numbers one by one, see Neighbour; margins included.
+  /// @brief Arrays of the fields of Neighbour, each with MARGIN additional elements.
   const double* xs() const { return xs_.data(); }
   const double* ys() const { return ys_.data(); }
   const double* vxs() const { return vxs_.data(); }
   const double* vys() const { return vys_.data(); }
   const double* radii() const { return radii_.data(); }
   const NeighbourKind* kinds() const { return kinds_.data(); }
-  /// @brief The same, for those who write several at once: size() of them.
+  /// @brief The same arrays for writing; size() elements each.
   double* xs() { return xs_.data(); }
   double* ys() { return ys_.data(); }
   double* vxs() { return vxs_.data(); }
@@ -82,7 +81,7 @@ class NeighbourList {
   std::vector<NeighbourKind> kinds_;
 };
 
-/// @brief Some of the bodies of a list, one after the other; valid as long as that list is unchanged.
+/// @brief View of consecutive neighbours of a list; valid as long as the list is unchanged.
 class NeighbourSpan {
  public:
   NeighbourSpan(const NeighbourList& neighbours, std::size_t first, std::size_t count)
@@ -90,19 +89,19 @@ class NeighbourSpan {
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
   Neighbour operator[](std::size_t i) const { return (*neighbours_)[first_ + i]; }
-  /// @brief Whether not all of them are agents.
+  /// @brief Whether any of them is an obstacle.
   bool hasObstacles() const {
     std::size_t i = 0;
     for (; i + EIGHT <= count_; i += EIGHT) {
       if (kindsFrom(i) != 0) return true;
     }
-    // What stands behind the last one is shifted out.
+    // The shift discards the bytes behind the last neighbour.
     return i < count_ && kindsFrom(i) << (8 * (EIGHT - (count_ - i))) != 0;
   }
-  /// @brief The first so many of them.
+  /// @brief View of the first `count` of them.
   NeighbourSpan front(std::size_t count) const { return {*neighbours_, first_, count}; }
 
-  /// @brief Their numbers one by one, as NeighbourList has them.
+  /// @brief Arrays of the fields, as in NeighbourList.
   const double* xs() const { return neighbours_->xs() + first_; }
   const double* ys() const { return neighbours_->ys() + first_; }
   const double* vxs() const { return neighbours_->vxs() + first_; }
@@ -110,10 +109,10 @@ class NeighbourSpan {
   const double* radii() const { return neighbours_->radii() + first_; }
   const NeighbourKind* kinds() const { return neighbours_->kinds() + first_; }
 
-  /// @brief Goes from body to body.
+  /// @brief Input iterator that returns copies.
   class Iterator {
    public:
-    // NOLINTBEGIN(readability-identifier-naming): the names that the standard library asks for
+    // NOLINTBEGIN(readability-identifier-naming): names required by the standard library
     using iterator_category = std::input_iterator_tag;
     using value_type = Neighbour;
     using difference_type = std::ptrdiff_t;
@@ -143,7 +142,7 @@ class NeighbourSpan {
 #if defined(__BYTE_ORDER__)
   static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the first kind is in the lowest byte");
 #endif
-  /// Eight kinds at once, the first one in the lowest byte; 0 if all are agents.
+  /// Eight kinds in one word, the first in the lowest byte; 0 if all are agents.
   std::uint64_t kindsFrom(std::size_t i) const {
     std::uint64_t eight = 0;
     std::memcpy(&eight, kinds() + i, EIGHT);

@@ -6,34 +6,34 @@
 
 namespace crowd {
 
-/// @brief Where an obstacle is at any time: at rest, on a straight line, or along waypoints. A closed
-/// function of time, so that it does not depend on the tick.
+/// @brief Position of an obstacle as a function of time: at rest, on a straight line, or along waypoints. Evaluated in
+/// closed form, so that it does not depend on the tick duration.
 class ObstaclePath {
  public:
   enum class Kind { AT_REST, STRAIGHT, TO_AND_FRO, LOOP };
 
   static ObstaclePath atRest(const Vector2& position);
-  /// @brief From `start` with a constant velocity [m/s], for ever.
+  /// @brief From `start` [m] with a constant velocity [m/s], without end.
   static ObstaclePath straight(const Vector2& start, const Vector2& velocity);
-  /// @brief Along the points and back, for ever, with a speed [m/s].
+  /// @brief Along the points [m] and back, repeatedly, at constant speed [m/s].
   /// @throws InputError unless two points differ and the speed is above 0.
   static ObstaclePath toAndFro(std::vector<Vector2> points, double speed);
-  /// @brief Along the points and from the last to the first, for ever, with a speed [m/s].
+  /// @brief Along the points [m] and from the last to the first, repeatedly, at constant speed [m/s].
   /// @throws InputError unless two points differ and the speed is above 0.
   static ObstaclePath loop(std::vector<Vector2> points, double speed);
 
-  /// @brief Position in `map` [m], t seconds after the episode's start.
+  /// @brief Position in `map` [m], t seconds after the start of the episode.
   Vector2 position(double t) const;
-  /// @brief Velocity in `map` [m/s], t seconds after the episode's start.
+  /// @brief Velocity in `map` [m/s], t seconds after the start of the episode.
   Vector2 velocity(double t) const;
   Kind kind() const { return kind_; }
   bool moves() const { return kind_ != Kind::AT_REST; }
-  /// @brief The points of the path; the first is the start [m].
+  /// @brief The points of the path in `map` [m]; the first is the start.
   const std::vector<Vector2>& points() const { return points_; }
 
  private:
   ObstaclePath(Kind kind, std::vector<Vector2> points, const Vector2& velocity, double speed);
-  /// A leg of the path: from where, which way, and how far along the path it begins and ends [m].
+  /// A leg of the path: start [m], direction, and the path lengths at its start and end [m].
   struct Leg {
     Vector2 from;
     Vector2 unit;

@@ -7,30 +7,33 @@
 
 namespace crowd {
 
-/// @brief Leaves out of a perception what nearer bodies and walls hide from the agent's centre.
+/// @brief Removes from a perception what nearer bodies and walls hide from the agent's centre.
 ///
-/// A body of which nothing is seen is left out. Of one that is partly hidden that disc is perceived which the part from
-/// the first to the last that is seen of it spans: shares a to b of its chord, from the right, make a disc of radius
-/// (b - a) R, shifted by (a + b - 1) R to the left along the chord. It lies within the body, is the body itself where
-/// neither flank is hidden, and shrinks to nothing with the last of it that is seen; when a glimpse beside another part
-/// is lost, it jumps to that other part. Bodies hide as they are, however little is seen of them. Walls are cut to the
-/// parts that are seen.
+/// A completely hidden body is removed. A partly hidden body is replaced by the disc that its visible part spans, from
+/// the first to the last visible point: the fractions a to b of its chord, counted from the right, give a disc of
+/// radius (b - a) R, shifted by (a + b - 1) R to the left along the chord. The disc lies within the body, equals the
+/// body if neither flank is hidden, and shrinks to zero with the visible part. If a small separate visible part at one
+/// flank disappears, the disc jumps to the remaining part. A partly hidden body still hides others with its whole size.
+/// Walls are cut to their visible parts.
 ///
-/// A disc is looked at as its chord between the two points where the lines of sight touch it, a wall as what it is:
-/// things that do not overlap stand before each other as these chords do. So all is done with cross products, and
-/// angles never wrap. A body in which the agent's centre lies hides nothing, nor does a wall seen edge-on; both are
+/// Each disc is represented by the chord between the tangent points of the lines of sight, each wall by itself. For
+/// objects that do not overlap, these chords have the same depth order as the objects. All tests use cross products, so
+/// that no angle wraps. A body that contains the agent's centre and a wall seen edge-on hide nothing, and are
 /// perceived.
+///
+/// Use one object per thread; it keeps its workspace.
 class Occlusion {
  public:
-  /// @param neighbours from number `first_neighbour` on, and walls from `first_wall` on, are those of one agent, in its
-  /// frame; what lies before stays as it is. Neighbours come and leave nearest rim first; equal ones stay in their
-  /// order.
-  /// @param radius of vision; parts of bodies and walls that lie beyond are left out, too [m]
+  /// @brief Applies occlusion to the neighbours from `first_neighbour` on and the walls from `first_wall` on.
+  /// @param neighbours of one agent, in its frame, sorted by the distance of their rims on input and output; the sort
+  /// is stable
+  /// @param walls of the same agent, in its frame
+  /// @param radius vision radius [m]; visible parts beyond it are removed, too
   void apply(std::vector<Neighbour>& neighbours, std::size_t first_neighbour, std::vector<Segment>& walls,
              std::size_t first_wall, double radius);
 
  private:
-  /// A chord, with its ends as they are seen from the origin.
+  /// A chord; `right` and `left` are its ends as seen from the origin.
   struct Screen {
     Vector2 right = Vector2::Zero();
     Vector2 left = Vector2::Zero();
@@ -39,7 +42,7 @@ class Occlusion {
     bool covers(const Vector2& direction) const {
       return cross(right, direction) >= 0.0 && cross(direction, left) >= 0.0;
     }
-    /// Where a line of sight meets the chord; for directions that it covers.
+    /// Fraction of the chord, from the right, where a line of sight meets it; requires covers(direction).
     double shareAt(const Vector2& direction) const {
       const double from_right = cross(right, direction);
       return from_right / (from_right + cross(direction, left));
@@ -48,10 +51,10 @@ class Occlusion {
       if (share <= 0.0) return right;
       return share >= 1.0 ? left : Vector2(right + share * (left - right));
     }
-    /// How far the chord's line lies in front of a point, in distances of that line from the origin.
+    /// Distance by which the line of the chord is in front of a point, relative to its distance from the origin.
     double inFrontOf(const Vector2& point) const { return cross(point - right, left - right) / cross(right, left); }
   };
-  /// Part of a chord: shares of it, from its right end.
+  /// Part of a chord, as fractions of its length from its right end.
   struct Part {
     double from = 0.0;
     double to = 1.0;
@@ -61,15 +64,16 @@ class Occlusion {
 
   static Screen screenOf(const Neighbour& neighbour);
   static Screen screenOf(const Segment& wall);
-  /// The disc that a part of a body's chord spans.
+  /// The disc that a part of the chord of a body spans.
   static Neighbour spanned(const Neighbour& neighbour, const Screen& chord, const Part& part);
   void addHiddenPart(const Screen& seen, const Screen& other);
-  /// Finds the parts of a thing that the screens leave to be seen; its own number among them, or a number beyond them.
+  /// Returns the visible parts of a chord; `own` is its index in `screens_`, or any index beyond the end.
   const std::vector<Part>& visibleParts(const Screen& seen, std::size_t own);
-  /// Adds the screens of the bodies. Near ones come first and hide most of the others, which then need not be looked
-  /// at as screens and are left out: what they hide is hidden by those in front of them as well.
+  /// Adds the screens of the bodies, nearest first, and removes bodies that are completely hidden by those before them.
+  /// Removed bodies need no screen: what they hide is also hidden by the bodies in front of them.
   void screenNeighbours(std::vector<Neighbour>& neighbours, std::size_t first);
-  /// Leaves what is seen of them: also one with its rim a bit further away may stand before one that is larger.
+  /// Reduces bodies to their visible parts. All screens count: a small body may occlude a larger one whose rim is
+  /// nearer.
   void cutNeighbours(std::vector<Neighbour>& neighbours, std::size_t first, std::size_t first_screen, double radius);
   void cutWalls(std::vector<Segment>& walls, std::size_t first, double radius);
 

@@ -7,13 +7,13 @@
 
 namespace crowd {
 
-/// @brief What an agent does in a tick, in its own frame: first turn, then walk straight ahead.
+/// @brief Action of an agent for one tick, in its own frame: it turns first, then walks straight ahead.
 struct RelativeAction {
   double rotation = 0.0;        ///< of the heading, counterclockwise [rad]
   double speed_fraction = 0.0;  ///< of the maximum speed, 0 (stay) to 1
 };
 
-/// @brief One agent's answer.
+/// @brief The answer for one agent.
 struct AgentAction {
   AgentId agent = 0;
   RelativeAction action;

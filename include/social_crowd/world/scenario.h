@@ -10,10 +10,10 @@
 
 namespace crowd {
 
-/// @brief A body placed at random keeps at least this far from all others and from walls [m].
+/// @brief Minimum gap between a randomly placed body and all other bodies and walls [m].
 constexpr double DRAWN_GAP = 0.05;
 
-/// @brief A number, or a range from which one is drawn for every body of every episode.
+/// @brief A number, or a range from which one is drawn for each body in each episode.
 struct Range {
   double low = 0.0;
   double high = 0.0;
@@ -21,7 +21,7 @@ struct Range {
   bool isFixed() const { return low == high; }
 };
 
-/// @brief A point, or a region in which one is drawn anew each episode [m].
+/// @brief A point, or a region in which one is drawn for each episode [m].
 struct Region {
   enum class Kind { POINT, BOX, RING };
   Kind kind = Kind::POINT;
@@ -33,9 +33,9 @@ struct Region {
   bool isFixed() const { return kind == Kind::POINT; }
 };
 
-/// @brief One entry under `agents`: so many agents of a kind.
+/// @brief One entry under `agents`: `count` agents with the same description.
 struct AgentGroup {
-  int line = 0;  ///< where it stands in the file, for messages
+  int line = 0;  ///< in the file, for messages
   int count = 1;
   Region position;
   std::vector<Region> goals;        ///< one after the other; empty: the goal is the start mirrored at `opposite`
@@ -46,22 +46,22 @@ struct AgentGroup {
   bool keeps_heading = false;       ///< see AgentStart
 };
 
-/// @brief A place on the straight line from an agent's start to its first goal.
+/// @brief A position relative to the straight line from an agent's start to its first goal.
 struct Between {
   std::size_t agent = 0;
-  Range share;  ///< of the line, 0 at the start and 1 at the goal
-  Range aside;  ///< to the left of the line [m]
+  Range share;  ///< position along the line, 0 at the start and 1 at the goal
+  Range aside;  ///< offset to the left of the line [m]
 
   Vector2 draw(const AgentStart& start, KeyedRandom& random) const;
   bool isFixed() const { return share.isFixed() && aside.isFixed(); }
 };
 
-/// @brief One entry under `obstacles`: so many obstacles of a kind.
+/// @brief One entry under `obstacles`: `count` obstacles with the same description.
 struct ObstacleGroup {
-  int line = 0;  ///< where it stands in the file, for messages
+  int line = 0;  ///< in the file, for messages
   int count = 1;
   Region position;
-  std::optional<Between> between;  ///< in place of `position`
+  std::optional<Between> between;  ///< replaces `position`
   Range radius;                    ///< [m]
   ObstaclePath::Kind motion = ObstaclePath::Kind::AT_REST;
   Vector2 velocity = Vector2::Zero();  ///< [m/s], for STRAIGHT
@@ -69,8 +69,7 @@ struct ObstacleGroup {
   Range speed;                         ///< [m/s], for TO_AND_FRO and LOOP
 };
 
-/// @brief A scenario as its document describes it: fixed numbers, and regions from which every episode draws
-/// anew.
+/// @brief A scenario as its document describes it: fixed numbers, and ranges from which each episode draws.
 struct Scenario {
   std::string name;
   std::string source;  ///< file and document, for messages
@@ -80,26 +79,26 @@ struct Scenario {
   double collision_radius = DEFAULT_COLLISION_RADIUS;  ///< [m], see Scene
   Contact contact = Contact::GHOST;
   Order order = Order::SIMULTANEOUS;
-  std::uint64_t seed = 0;  ///< mixed with the run's seed
+  std::uint64_t seed = 0;  ///< combined with the seed of the run
   std::vector<AgentGroup> agents;
   std::vector<ObstacleGroup> obstacles;
   std::vector<Segment> walls;
 
-  /// @brief The scene of one episode; depends on scenario, seed and episode alone.
+  /// @brief Creates the scene of one episode; depends only on scenario, seed and episode.
   ///
-  /// Drawn bodies keep DRAWN_GAP from everything. A drawn goal is a place where its agent can stand, and not
-  /// reached at the start; it keeps clear of the others' goals where there is room.
-  /// @throws InputError if bodies that are not drawn overlap, or a free place for a drawn one is not found.
+  /// Drawn bodies keep DRAWN_GAP from all bodies and walls. At a drawn goal its agent fits, and the goal is not reached
+  /// at the start; it does not overlap the goals of other agents if there is enough space.
+  /// @throws InputError if fixed bodies overlap, or if no free position is found for a drawn one.
   Scene instantiate(std::uint64_t run_seed, std::uint64_t episode) const;
 };
 
-/// @brief Scenarios that are played one after the other, round and round.
+/// @brief Scenarios that are played in turn, cyclically.
 class ScenarioList {
  public:
   ScenarioList() = default;
   explicit ScenarioList(std::vector<Scenario> scenarios) : scenarios_(std::move(scenarios)) {}
 
-  /// @brief The scene of an episode: scenario number `episode` modulo their number, drawn for that episode.
+  /// @brief The scene of an episode, drawn from scenario number `episode` modulo size().
   /// @throws InputError as Scenario::instantiate does, or if the list is empty.
   Scene scene(std::uint64_t run_seed, std::uint64_t episode) const;
   /// @brief Whether any agent keeps its heading, so that an episode depends on the one before it.

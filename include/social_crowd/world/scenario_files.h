@@ -4,17 +4,16 @@
 
 namespace crowd {
 
-/// @brief The folder of the scenarios that come with the package, installed or in its source tree.
+/// @brief Folder of the shipped scenarios: the installed one, or else the one in the source tree.
 std::string shippedScenarios();
 
-/// @brief The file that somebody means who names a scenario.
+/// @brief Resolves a scenario file or scenario name to a file.
 ///
-/// That is a file, if there is one of that path; else, of a bare name with or without `.yaml`, the scenario of that
-/// name in a folder. So a file wins over a name, everywhere: command lines, training configurations, parameters and
-/// services.
-/// @param base relative paths of files begin there; empty: in the working directory
-/// @param folder of the scenarios that have names
-/// @throws InputError telling where it was looked for and, the nearest first, which scenarios are there.
+/// An existing file takes precedence. Otherwise a bare name, with or without `.yaml`, is looked up in `folder`. Command
+/// lines, training configurations, parameters and services all use this rule.
+/// @param base folder of relative paths; empty: the working directory
+/// @param folder of the named scenarios
+/// @throws InputError with the searched locations and the available scenarios, most similar name first.
 std::string findScenario(const std::string& name_or_file, const std::string& base = "",
                          const std::string& folder = shippedScenarios());
 

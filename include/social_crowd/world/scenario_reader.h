@@ -7,15 +7,14 @@
 
 namespace crowd {
 
-/// @brief Reads a scenario file: a stream of YAML documents, each a scenario (docs/scenarios.md has the
-/// schema).
-/// @throws FileError if it cannot be read; InputError with file, document, line and what was expected.
+/// @brief Reads a scenario file: a stream of YAML documents, one scenario each (schema: docs/scenarios.md).
+/// @throws FileError if it cannot be read; InputError with file, document, line and the expected value.
 ScenarioList readScenarios(const std::string& file);
 
-/// @brief The scenarios of several files, one after the other. @throws as above.
+/// @brief Reads the scenarios of several files, in the order of the files. @throws as above.
 ScenarioList readScenarios(const std::vector<std::string>& files);
 
-/// @brief The same from a text; `name` stands for the file in messages.
+/// @brief Reads scenarios from a text; `name` replaces the file name in messages. @throws InputError as above.
 ScenarioList parseScenarios(const std::string& text, const std::string& name);
 
 }  // namespace crowd

@@ -6,8 +6,8 @@
 
 namespace crowd {
 
-/// @brief A scene as a document of a scenario file (docs/scenarios.md): what was drawn at random stands there in
-/// numbers, so that one and the same scene can be drawn on paper, or walked again.
+/// @brief A scene as a document of a scenario file (docs/scenarios.md) with fixed numbers for all drawn values, so that
+/// the same scene can be plotted or replayed.
 std::string toDocument(const Scene& scene);
 
 }  // namespace crowd

@@ -7,55 +7,55 @@
 
 namespace crowd {
 
-/// @brief Moves solid bodies for one tick: who walks into something stops where it touches.
+/// @brief Moves solid bodies for one tick: an agent that walks into something stops at the point of contact.
 ///
-/// Everybody walks a straight way at a steady speed. Impacts are found exactly and settled in the order in which they
-/// happen, all those of the same instant together, so that the order of the bodies does not matter:
+/// Each body moves on a straight line at constant speed. Impacts are computed exactly and resolved in the order of
+/// time, simultaneous impacts together, so that the result does not depend on the order of the bodies:
 /// - an agent that walks into an agent, a wall or an obstacle stops there for the rest of the tick; an agent that is
-///   walked into, but does not walk into the other, goes on;
-/// - an obstacle yields to nobody: an agent that it runs into is pushed, with the part of the obstacle's velocity that
-///   points at the agent. A pushed agent stops at the next thing it touches, and the obstacle then passes over it.
+///   hit, but does not itself move towards the other, continues;
+/// - an obstacle never yields: it pushes an agent that it hits, with the component of its velocity towards the agent. A
+///   pushed agent stops at the next thing it touches; the obstacle then passes over it.
 ///
-/// So agents that do not overlap each other, walls or obstacles at rest never will (beyond TOUCH_TOLERANCE).
+/// Hence agents that do not overlap other agents, walls or static obstacles never will (beyond TOUCH_TOLERANCE).
 class SolidMotion {
  public:
-  /// @brief A body, and where it would go if nothing were in the way.
+  /// @brief A body, and its displacement if nothing is in the way.
   struct Disc {
     Vector2 position = Vector2::Zero();  ///< [m]
     Vector2 way = Vector2::Zero();       ///< in this tick [m]
     double radius = 0.0;                 ///< [m]
     bool is_agent = true;                ///< else an obstacle
   };
-  /// @brief What became of it.
+  /// @brief The resulting state of a body.
   struct Outcome {
     Vector2 position = Vector2::Zero();  ///< at the end of the tick [m]
-    bool touched = false;                ///< somebody walked or ran into the other
-    bool diverted = false;               ///< it did not go its way
+    bool touched = false;                ///< it took part in an impact
+    bool diverted = false;               ///< its motion was changed by an impact
   };
 
-  /// @brief What becomes of each disc; valid until the next call.
+  /// @brief Returns the outcome for each disc, in their order; valid until the next call.
   const std::vector<Outcome>& move(const std::vector<Disc>& discs, const std::vector<Segment>& walls);
 
  private:
   using Index = std::uint32_t;
 
-  /// A disc on its way. Times are shares of the tick.
+  /// A moving disc. Times are fractions of the tick.
   struct Body {
     Vector2 position = Vector2::Zero();  // at the time `since`
-    Vector2 way = Vector2::Zero();       // in a whole tick
+    Vector2 way = Vector2::Zero();       // displacement in a whole tick
     double radius = 0.0;
     bool is_agent = true;
     double since = 0.0;
-    std::uint32_t changes = 0;  // of the way, so far
+    std::uint32_t changes = 0;  // number of changes of `way`
     bool touched = false;
     bool pushed = false;
-    bool judged = false;  // impacts of this instant change its way:
-    int pushes = 0;       // by so many obstacles,
+    bool judged = false;  // impacts of this instant change its way
+    int pushes = 0;       // number of obstacles that push it at this instant
     Vector2 push = Vector2::Zero();
 
     Vector2 at(double time) const { return position + (time - since) * way; }
   };
-  /// Two bodies, or a body and a wall, that will touch unless one of them changes its way before.
+  /// Predicted impact of two bodies, or of a body and a wall; stale once one of them has changed its way.
   struct Impact {
     double time = 0.0;
     Index agent = 0;
@@ -74,7 +74,7 @@ class SolidMotion {
   void predictImpacts(Index agent, double now);
   void add(const Impact& impact);
   bool isStale(const Impact& impact) const;
-  /// Takes the impacts of the next instant off the heap; their time, or NEVER.
+  /// Moves the impacts of the next instant from the heap to `simultaneous_`; returns their time, or NEVER.
   double takeNext();
   void judge(const Impact& impact);
   void stop(Index agent);
@@ -83,11 +83,11 @@ class SolidMotion {
   const std::vector<Segment>* walls_ = nullptr;  // during move() only
   std::vector<Body> bodies_;
   NeighbourGrid grid_;
-  std::vector<Index> neighbours_;     // whom each agent may meet in this tick, agent by agent
-  std::vector<std::size_t> first_;    // where the neighbours of each body begin
-  std::vector<Impact> impacts_;       // a heap, the next one in front
-  std::vector<Impact> simultaneous_;  // of one instant
-  std::vector<Index> judged_;         // by those
+  std::vector<Index> neighbours_;     // bodies that each agent may meet in this tick, agent by agent
+  std::vector<std::size_t> first_;    // index of the first neighbour of each body
+  std::vector<Impact> impacts_;       // heap, the earliest in front
+  std::vector<Impact> simultaneous_;  // impacts of one instant
+  std::vector<Index> judged_;         // bodies whose way these change
   std::vector<Outcome> outcomes_;
 };
 

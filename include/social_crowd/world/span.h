@@ -4,7 +4,7 @@
 
 namespace crowd {
 
-/// @brief A part of an array.
+/// @brief Read-only view of a part of an array; valid as long as the array is.
 template <typename T>
 class Span {
  public:

@@ -18,7 +18,7 @@ namespace crowd {
 /// @brief Bodies that overlap by more than this are in contact [m].
 constexpr double CONTACT_OVERLAP = 1e-3;
 
-/// @brief Whether an agent is on its way, or why it is not on the floor any more.
+/// @brief WALKING: on its way. ARRIVED, REMOVED: not in the world any more.
 enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
 
 /// @brief An agent in the world.
@@ -31,116 +31,117 @@ struct Agent {
   double radius = 0.0;                 ///< [m]
   std::vector<Vector2> goals;          ///< [m], `map`
   std::size_t next_goal = 0;
-  Vector2 present_goal = Vector2::Zero();  ///< that it walks to, or has arrived at [m]
-  std::uint32_t goal_number = 0;           ///< counts the goals it has had
+  Vector2 present_goal = Vector2::Zero();  ///< present goal, or the last one after arrival [m], `map`
+  std::uint32_t goal_number = 0;           ///< number of changes of the goal
   AgentStatus status = AgentStatus::WALKING;
-  std::uint64_t arrival_tick = 0;   ///< the tick at whose start it was there, if arrived
-  bool acted = false;               ///< an action of its own was carried out in the last tick
-  bool blocked = false;             ///< and its move was cut short where it touched something; solid worlds only
-  std::uint64_t blocked_moves = 0;  ///< how often that was so
+  std::uint64_t arrival_tick = 0;   ///< the tick at whose start it had arrived, if arrived
+  bool acted = false;               ///< an action was executed in the last tick
+  bool blocked = false;             ///< its last move was cut short by an impact; solid worlds only
+  std::uint64_t blocked_moves = 0;  ///< number of blocked moves
   bool in_contact = false;          ///< in the last tick
-  bool bumped = false;              ///< walked into something since the last tick ended, or was walked into
+  bool bumped = false;              ///< took part in an impact since the end of the last tick
   bool touched = false;             ///< in contact in any tick so far
-  bool in_collision = false;        ///< at the end of the last tick something was within the collision radius
+  bool in_collision = false;        ///< a rim or wall was within the collision radius at the end of the last tick
   bool collided = false;            ///< in collision in any tick so far
 
   bool isWalking() const { return status == AgentStatus::WALKING; }
   bool hasArrived() const { return status == AgentStatus::ARRIVED; }
-  /// @brief The goal that it walks to; of one that has arrived the last.
+  /// @brief The present goal, or the last one after arrival [m], `map`.
   const Vector2& goal() const { return present_goal; }
 };
 
-/// @brief The floor with everybody on it: moves agents and obstacles tick by tick and tells what each agent perceives.
+/// @brief State of agents, obstacles and walls: moves agents and obstacles tick by tick and computes the perceptions.
 ///
-/// A tick is either one step(), in which all agents move at the same time, so that their order does not matter, or a
-/// moveAgent() for each agent and an endTick(): each agent then perceives where the agents before it have gone
+/// A tick is either one step(), in which all agents move simultaneously, so that their order does not matter, or one
+/// moveAgent() for each agent followed by endTick(): then each agent perceives the moves of the agents before it
 /// (Order::SEQUENTIAL). Obstacles move at the end of the tick in both cases.
 ///
-/// Contacts and collisions are measured at the end of a tick. In a ghost world bodies walk through each other; an agent
+/// Contacts and collisions are measured at the end of a tick. In a ghost world bodies pass through each other; an agent
 /// is in contact if it overlaps something by more than CONTACT_OVERLAP. In a solid world bodies stop where they touch
-/// (SolidMotion); an agent that walked into something in the tick, or was walked into, was in contact, too. An agent is
-/// in collision if the rim of another body, or a wall, is within the scene's collision radius of its centre
-/// (thesis, 4.1).
+/// (SolidMotion); then an agent is also in contact if it took part in an impact during the tick. An agent is in
+/// collision if the rim of another body, or a wall, is within the scene's collision radius of its centre (thesis, 4.1).
+///
+/// Not thread-safe, except that any number of threads may call perceiveSome() while no thread changes the world.
 class World {
  public:
-  /// @brief Of the grid of bodies [m]; about the reach of a look around at walking distances.
+  /// @brief Cell size of the grid of bodies [m]; about the search radius at usual walking distances.
   static constexpr double CELL_SIZE = 2.0;
 
   explicit World(const Scene& scene);
 
   std::uint64_t tick() const { return tick_; }
-  /// @brief Time since the episode's start [s].
+  /// @brief Time since the start of the episode [s].
   double time() const { return static_cast<double>(tick_) * tick_duration_; }
   double tickDuration() const { return tick_duration_; }
   Contact contact() const { return contact_; }
 
-  /// @brief All agents ever there, arrived ones too, in order of their ids.
+  /// @brief All agents, in the order of their ids, including those that have arrived or were removed.
   const std::vector<Agent>& agents() const { return agents_; }
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }
   const std::vector<Segment>& walls() const { return walls_; }
-  /// @brief Agents that are still on their way.
+  /// @brief Number of agents on their way.
   std::size_t activeCount() const { return active_count_; }
-  /// @brief Whether the agent is there and still on its way.
+  /// @brief Whether the agent exists and is on its way.
   bool isActive(AgentId id) const;
 
-  /// @brief What every agent perceives that is on its way, or arrived in the last tick. Sets everything but `episode`
-  /// and `last`.
+  /// @brief Writes the perceptions of all agents that are on their way or arrived in the last tick. Sets all fields but
+  /// `episode`, `turn` and `last`.
   void perceive(const Vision& vision, Perceptions& perceptions);
 
-  /// @brief The same for one agent, which isPerceiving(), or for none.
+  /// @brief The same for one agent, for which isPerceiving() must hold, or for none.
   void perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perceptions& perceptions);
-  /// @brief Whether perceive() tells of the agent: it is on its way, or arrived in the last tick.
+  /// @brief Whether perceive() includes the agent: it is on its way, or arrived in the last tick.
   bool isPerceiving(AgentId id) const { return id < agents_.size() && isPerceiving(agents_[id]); }
 
-  /// @brief Working space of one thread that perceives.
+  /// @brief Workspace of one thread for perceiveSome().
   struct PerceptionWorkspace {
     NeighbourSearch search;
     Occlusion occlusion;
-    NeighbourList near;                 ///< all near one agent, some perhaps hidden
-    std::vector<Neighbour> neighbours;  ///< those that are not
-    std::vector<Segment> walls;         ///< of all agents it looked for
+    NeighbourList near;                 ///< all neighbours of one agent, hidden ones included
+    std::vector<Neighbour> neighbours;  ///< the visible ones
+    std::vector<Segment> walls;         ///< of all agents so far
   };
 
-  /// @brief Bodies on the floor: agents on their way and obstacles.
+  /// @brief Number of bodies in the grid: agents on their way and obstacles.
   std::size_t bodyCount() const { return grid_.size(); }
-  /// @brief The same as perceive(), for those agents alone that are among the bodies first .. last-1, in the order of
-  /// these. Who has just arrived is not. Neighbours stand one after the other. Any number of threads may do that, each
-  /// with working space and perceptions of its own.
+  /// @brief The same as perceive(), only for the agents among the bodies first .. last - 1, in the order of the bodies,
+  /// which is spatial for large crowds. Agents that have just arrived are not among the bodies. Any number of threads
+  /// may call it at the same time, each with its own workspace and perceptions.
   void perceiveSome(const Vision& vision, std::size_t first, std::size_t last, PerceptionWorkspace& workspace,
                     Perceptions& perceptions) const;
 
-  /// @brief Moves everybody for one tick; who has no action stays. Actions of unknown or arrived agents are ignored.
-  /// @param thread_pool its threads share out the agents; what becomes of them does not depend on their number
-  /// @throws InputError if any action is not finite or its fraction of the maximum speed is not in 0..1; nothing has
-  /// moved then.
+  /// @brief Executes one tick. Agents without an action stay; actions of unknown or arrived agents are ignored.
+  /// @param thread_pool its threads share the agents; the result does not depend on their number
+  /// @throws InputError if an action is not finite or its speed fraction is not within 0 to 1; the world is unchanged
+  /// then.
   void step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
-  /// @brief Moves one agent now, by the action of that agent among the given ones; without one it stays.
-  /// @throws InputError as step() does; nothing has moved then.
+  /// @brief Moves one agent now, by its action among the given ones; without one it stays.
+  /// @throws InputError as step() does; the world is unchanged then.
   void moveAgent(AgentId id, const std::vector<AgentAction>& actions);
-  /// @brief Ends a tick in which agents moved one after the other. Agents that had no turn in it stayed.
+  /// @brief Ends a tick of moveAgent() calls. Agents that had no turn in it stay.
   void endTick(ThreadPool& thread_pool = ThreadPool::callerOnly());
 
-  /// @brief Puts one more agent on the floor. Returns its number. @throws InputError if its place is taken, it has no
-  /// goal, or a number is out of its range.
+  /// @brief Adds an agent and returns its id. @throws InputError if its position is occupied, it has no goal, or a
+  /// number is out of range.
   AgentId spawnAgent(const AgentStart& start);
-  /// @brief Takes an agent off the floor. @throws InputError unless it is on its way.
+  /// @brief Removes an agent. @throws InputError unless it is on its way.
   void removeAgent(AgentId id);
-  /// @brief Gives an agent one goal in place of all it had [m]. @throws InputError unless it is on its way.
+  /// @brief Replaces all goals of an agent by one [m], `map`. @throws InputError unless the agent is on its way.
   void setGoal(AgentId id, const Vector2& goal);
-  /// @brief Puts one more obstacle on the floor; its path begins now. Returns its number. @throws InputError if it is
-  /// not valid or overlaps an agent.
+  /// @brief Adds an obstacle, whose path begins now, and returns its index. @param position [m], `map`
+  /// @param velocity [m/s], `map` @param radius [m] @throws InputError if a number is invalid or it overlaps an agent.
   std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
-  /// @brief Takes an obstacle off the floor; the numbers of those behind it go down by one. @throws InputError
+  /// @brief Removes an obstacle; the indices of later obstacles decrease by one. @throws InputError if there is none.
   void removeObstacle(std::size_t number);
 
  private:
-  void takeOrders(const std::vector<AgentAction>& actions);
+  void assignActions(const std::vector<AgentAction>& actions);
   void beginMove(Agent& agent, const RelativeAction* action) const;
-  /// Moves the solid bodies that `moves` tells of (agents by number, then obstacles); the others stand still.
+  /// Moves the solid bodies for which moves(body) holds (agents by id, then obstacles); the others stand still.
   template <typename Moves>
   void moveSolids(const Moves& moves);
   void finishTick(ThreadPool& thread_pool);
-  /// Puts an agent that has moved into its new place in the grid.
+  /// Updates the grid after the move of one agent.
   void updateGridOf(const Agent& agent);
   void endMove(Agent& agent, std::size_t& arrivals) const;
   /// Whether the rim of another body, or a wall, is within the distance of the agent's centre.
@@ -148,25 +149,26 @@ class World {
   void placeObstacles();
   void moveObstacles();
   void rebuildGrid();
-  /// Everybody who was on the floor when the grid was built has moved.
+  /// Updates the grid after all bodies have moved; it must contain the same bodies.
   void updateGrid();
-  void lookOneByOne(const Vision& vision, Perceptions& perceptions);
-  /// Neighbours one after the other.
-  void lookInOrder(const Vision& vision, Perceptions& perceptions);
+  void perceiveInIdOrder(const Vision& vision, Perceptions& perceptions);
+  void perceiveInSpatialOrder(const Vision& vision, Perceptions& perceptions);
   void orderAgents(Perceptions& perceptions);
   bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
   bool isPerceiving(const Agent& agent) const { return agent.isWalking() || hasJustArrived(agent); }
-  /// For so many agents, with the space that they need.
-  void begin(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace, Perceptions& perceptions) const;
-  /// Writes what the agent perceives that comes after `before` others.
-  void look(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
-            AgentPerception& self, Perceptions& perceptions) const;
-  void lookAtSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
-  /// Writes the bodies that the search has found.
+  /// Prepares perceptions for a number of agents.
+  void beginPerceptions(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
+                        Perceptions& perceptions) const;
+  /// Writes the perception of an agent; `before` agents have been written before it.
+  void perceiveOne(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
+                   AgentPerception& self, Perceptions& perceptions) const;
+  void perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
+  /// Writes the bodies found by the search in the agent's frame.
   void writeNeighbours(const Span<NearDisc>& found, const Agent& agent, std::size_t first,
                        NeighbourList& neighbours) const;
   void findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, PerceptionWorkspace& workspace) const;
-  void hide(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const;
+  /// Reduces neighbours and walls in the workspace to their visible parts.
+  void applyOcclusion(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const;
   Agent& findWalking(AgentId id);
   void requireFreePlace(const Vector2& centre, double radius, bool agents_only);
   void refresh();
@@ -182,17 +184,17 @@ class World {
   std::size_t active_count_ = 0;
   std::size_t just_arrived_count_ = 0;  // in the last tick
 
-  std::vector<Vector2> obstacle_positions_;   // now
-  std::vector<Vector2> obstacle_velocities_;  // now
+  std::vector<Vector2> obstacle_positions_;   // at the present time
+  std::vector<Vector2> obstacle_velocities_;  // at the present time
   std::vector<std::size_t> moving_obstacles_;
   NeighbourGrid grid_;                    // of the agents on their way and the obstacles
   std::vector<std::uint32_t> found_;      // scratch
   std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;
-  std::vector<const RelativeAction*> orders_;  // of each agent, during step() only
-  std::vector<bool> had_turn_;                 // of each agent, since the last tick ended
-  PerceptionWorkspace workspace_;              // of perceive()
-  std::vector<std::uint32_t> places_;          // place in Perceptions::agents of each agent
+  std::vector<const RelativeAction*> assigned_actions_;  // by agent; during step() only
+  std::vector<bool> had_turn_;                           // by agent; since the end of the last tick
+  PerceptionWorkspace workspace_;                        // of perceive()
+  std::vector<std::uint32_t> places_;                    // by agent: its index in Perceptions::agents
 };
 
 }  // namespace crowd
