@@ -180,8 +180,10 @@ class LearnerParametersTest(RefusalTestCase):
         bad = {'mode': 'demos', 'tables': 'both', 'on_share': 'mix', 'alpha': 2, 'gamma': 1.0, 'epsilon': 'lots'}
         message = self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
         self.assert_says(message, "~mode: expected training or demo, got 'demos'", "~tables: expected shared or own, ",
-                         '~on_share: expected replace or merge, ', '~alpha: expected a number above 0, at most 1, got 2',
-                         '~gamma: expected a number from 0 to below 1, got 1', "~epsilon: expected a number, got 'lots'")
+                         '~on_share: expected replace or merge, ',
+                         '~alpha: expected a number above 0, at most 1, got 2',
+                         '~gamma: expected a number from 0 to below 1, got 1',
+                         "~epsilon: expected a number, got 'lots'")
 
     def test_a_list_of_the_command_line(self):
         """roscpp sets it as a text."""
