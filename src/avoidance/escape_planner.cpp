@@ -8,18 +8,20 @@
 namespace crowd {
 namespace {
 
-/// By how much a moving obstacle is to be cleared, and by how much where there is room, so that one more agent finds
-/// place [m].
+/// Clearance to a moving obstacle [m].
 constexpr double CLEARANCE = 0.02;
-constexpr double ROOM = 0.4;
 
-/// Other agents count as so much wider: they will not be exactly where they seem to go [m].
-constexpr double DOUBT = 0.2;
+/// Clearance where there is space, so that one more agent fits between [m].
+constexpr double WIDE_CLEARANCE = 0.4;
 
-/// As the moving obstacles go, with one that turns round, and with room to spare.
+/// Added to the radii of other agents, whose future positions are uncertain [m].
+constexpr double AGENT_MARGIN = 0.2;
+
+/// Number of cases that a safe move passes, see safety().
 constexpr double CASES = 3.0;
 
-/// When an agent and a moving obstacle can touch if both make for each other [s].
+/// Earliest time at which an agent and a moving obstacle can be within the clearance, if they approach each other head
+/// on [s].
 double soonestContact(const AgentPerception& self, const Neighbour& moving_obstacle) {
   const double gap = moving_obstacle.position.norm() - self.radius - moving_obstacle.radius - CLEARANCE;
   return gap / (self.max_speed + moving_obstacle.velocity.norm());
@@ -27,14 +29,14 @@ double soonestContact(const AgentPerception& self, const Neighbour& moving_obsta
 
 }  // namespace
 
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the straight moves that are counted mean anything
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first straight_move_count_ straight moves are read
 EscapePlanner::EscapePlanner(const Perception& perception, double lookout)
     : perception_(perception), lookout_(lookout) {
   findMovingObstacles();
   if (!isNeeded()) return;
   addStraightMoves();
   as_they_go_.clearance = CLEARANCE;
-  with_room_.clearance = ROOM;
+  with_space_.clearance = WIDE_CLEARANCE;
   for (std::size_t m = 0; m < moving_obstacle_count_; ++m) if_turned_[m] = {moving_obstacles_[m], CLEARANCE, 0};
 }
 
@@ -63,7 +65,8 @@ void EscapePlanner::addStraightMoves() {
   add(Vector2::UnitX(), 1.0);
   add(Vector2::UnitX(), 0.0);
   for (std::size_t m = 0; m < moving_obstacle_count_; ++m) {
-    // Measured from a moving obstacle's way they stay the same from tick to tick, as long as it goes straight on.
+    // Headings relative to the obstacle's velocity are the same at every tick as long as the obstacle goes straight on,
+    // so an escape that was found at one tick still exists at the next.
     const Vector2 ahead = perception_.neighbours[moving_obstacles_[m]].velocity.normalized();
     const Vector2 left(-ahead.y(), ahead.x());
     add(ahead, 1.0);
@@ -77,15 +80,15 @@ void EscapePlanner::addStraightMoves() {
   repeatLast(straight_moves_.data(), straight_move_count_);
 }
 
-/// When whoever walks straight on from `start`, where it is in a tick, stands before an obstacle, a wall, or an agent
-/// that goes on as it does or stops [s].
+/// Time until an agent that walks straight on from `start`, its position after one tick, is blocked by a static
+/// obstacle, a wall, or another agent, which keeps its velocity or stops [s].
 double EscapePlanner::blockedAfter(const Vector2& start, const Vector2& velocity) const {
   const double radius = perception_.self.radius;
   double time = NEVER;
   for (const Neighbour& neighbour : perception_.neighbours) {
     if (isMovingObstacle(neighbour)) continue;
     const Vector2 place = neighbour.position + perception_.tick_duration * neighbour.velocity - start;
-    const double reach = radius + neighbour.radius + (neighbour.kind == NeighbourKind::AGENT ? DOUBT : 0.0);
+    const double reach = radius + neighbour.radius + (neighbour.kind == NeighbourKind::AGENT ? AGENT_MARGIN : 0.0);
     time = std::min(time, timeToCollision(place, velocity - neighbour.velocity, reach));
     time = std::min(time, timeToCollision(place, velocity, reach));
   }
@@ -95,7 +98,7 @@ double EscapePlanner::blockedAfter(const Vector2& start, const Vector2& velocity
   return time;
 }
 
-/// When a moving obstacle is touched by who makes a move [s].
+/// Time until the agent comes within the clearance of a moving obstacle if it makes a move [s].
 double EscapePlanner::timeToTouch(const CandidateMove& move, const Case& a_case) const {
   double time = NEVER;
   for (std::size_t i = 0; i < perception_.neighbours.size(); ++i) {
@@ -108,8 +111,8 @@ double EscapePlanner::timeToTouch(const CandidateMove& move, const Case& a_case)
   return time;
 }
 
-/// How long it is clear of moving obstacles who walks straight on from `start`, where it is in a tick, and stops where
-/// it must [s].
+/// Time for which an agent stays clear of moving obstacles if it walks straight on from `start`, its position after one
+/// tick, and stops where it is blocked [s].
 double EscapePlanner::clearTimeFrom(const Vector2& start, const Vector2& velocity, const Case& a_case) const {
   const double blocked = velocity == Vector2::Zero() ? NEVER : blockedAfter(start, velocity);
   double clear = NEVER;
@@ -126,7 +129,7 @@ double EscapePlanner::clearTimeFrom(const Vector2& start, const Vector2& velocit
   return clear;
 }
 
-/// How long there is a straight path on that is clear of moving obstacles, at most `lookout`.
+/// Longest time for which a straight path after the move is clear of moving obstacles, at most `lookout` [s].
 double EscapePlanner::clearTime(const CandidateMove& move, Case& a_case) const {
   const double tick = perception_.tick_duration;
   const double touched = timeToTouch(move, a_case);
@@ -135,7 +138,7 @@ double EscapePlanner::clearTime(const CandidateMove& move, Case& a_case) const {
   const Vector2 end = tick * velocity;
   double longest = tick + clearTimeFrom(end, velocity, a_case);
   for (std::size_t i = 0; i < straight_move_count_ && longest < lookout_; ++i) {
-    // What was the escape from a neighbouring place is likely to be one from here.
+    // The last escape is likely to be one for this move, too: the positions differ little.
     const std::size_t next = (a_case.last_path + i) % straight_move_count_;
     const CandidateMove straight = straightMove(next);
     const Vector2 onwards = straight.wanted * perception_.self.max_speed * straight.direction;
@@ -145,9 +148,9 @@ double EscapePlanner::clearTime(const CandidateMove& move, Case& a_case) const {
   return std::min(longest, lookout_);
 }
 
-/// The sum of the clear times of the cases, one after another until one is not met: a move that lacks room is better
-/// than one that is in the way of a moving obstacle that turns round, and that better than one in the way of a moving
-/// obstacle as it goes.
+/// Sum of the clear times of the cases, up to the first case in which the move is not clear [s]; CASES * lookout for a
+/// safe move. So a violation of the wide clearance ranks above a collision with an obstacle that reverses, and this one
+/// above a collision with an obstacle that keeps its velocity.
 double EscapePlanner::safety(const CandidateMove& move) {
   const double as_they_go = clearTime(move, as_they_go_);
   if (as_they_go < lookout_) return as_they_go;
@@ -156,7 +159,7 @@ double EscapePlanner::safety(const CandidateMove& move) {
     if_one_turns = std::min(if_one_turns, clearTime(move, if_turned_[m]));
   }
   if (if_one_turns < lookout_) return lookout_ + if_one_turns;
-  return 2.0 * lookout_ + clearTime(move, with_room_);
+  return 2.0 * lookout_ + clearTime(move, with_space_);
 }
 
 CandidateMove EscapePlanner::bestStraightMove(const Vector2& preferred_velocity) const {

@@ -5,12 +5,12 @@
 namespace crowd {
 namespace {
 
-/// More than the rounding of a distance [m].
+/// Upper bound of the rounding error of a distance [m].
 constexpr double ROUNDING = 1e-6;
 
-/// What an agent is near by: the gap less what the plane between both may come towards it is shorter than this and the
-/// other's radius are together [m].
-inline double roomOf(const Perception& seen) {
+/// Distance below which the separation rule may limit a move [m]. It is compared with the distance between the centres,
+/// less the other's radius and the approach of the line between both.
+inline double nearDistanceOf(const Perception& seen) {
   const double reach = seen.self.max_speed * seen.tick_duration;
   return seen.self.radius + 2.0 * (reach + GAP_MARGIN) + ROUNDING;
 }
@@ -18,17 +18,17 @@ inline double roomOf(const Perception& seen) {
 }  // namespace
 
 NeighbourSet findNear(const Perception& seen, std::size_t first) {
-  // A limit lies beyond the longest displacement if half of the gap does, less what the plane between both may come
-  // towards this one.
-  static_assert(NEIGHBOURS_AT_ONCE == simd::MAX_LOOKED_AT, "as many as the kernel looks at");
+  // A limit has no effect if half of the gap, less the approach of the line between both agents, is longer than the
+  // longest displacement.
+  static_assert(NEIGHBOURS_AT_ONCE == simd::MAX_LOOKED_AT, "as many as the kernel examines");
   const NeighbourSpan& neighbours = seen.neighbours;
   const Vector2& velocity = seen.self.velocity;
   return simd::kernels().find_near({neighbours.xs() + first, neighbours.ys() + first, neighbours.vxs() + first,
                                     neighbours.vys() + first, neighbours.radii() + first, neighbours.size() - first},
-                                   {velocity.x(), velocity.y(), seen.tick_duration, roomOf(seen)});
+                                   {velocity.x(), velocity.y(), seen.tick_duration, nearDistanceOf(seen)});
 }
 
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first `count_` of the list mean anything
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first count_ entries are read
 NearAgents::NearAgents(const DecisionBatch& contexts) {
   for (std::uint32_t k = 0; k < contexts.size(); ++k) {
     const Perception& seen = contexts[k].seen;

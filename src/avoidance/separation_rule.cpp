@@ -10,16 +10,16 @@
 namespace crowd {
 namespace {
 
-/// No displacement may reach further than `room` along `normal`.
+/// Upper bound of the displacement in one direction, agent frame.
 struct Limit {
   Vector2 normal = Vector2::Zero();
-  double room = 0.0;  // [m]
+  double max_advance = 0.0;  // along `normal` [m]
 };
 
-inline Limit limitOf(const Vector2& towards, double distance, double room) {
-  // Bodies on one and the same point: no direction is better than another, and each is as far in the other as can be.
+inline Limit limitOf(const Vector2& towards, double distance, double max_advance) {
+  // The centres coincide: no direction increases the overlap, so no move is limited.
   if (distance <= 0.0) return {Vector2::Zero(), 0.0};
-  return {towards / distance, room - GAP_MARGIN};
+  return {towards / distance, max_advance - GAP_MARGIN};
 }
 
 inline Limit limitOfAgent(const AgentPerception& self, const Neighbour& other, double tick_duration,
@@ -28,18 +28,18 @@ inline Limit limitOfAgent(const AgentPerception& self, const Neighbour& other, d
   const double gap = std::max(0.0, distance - self.radius - other.radius);
   Limit limit = limitOf(other.position, distance, 0.5 * gap);
   if (sharing == GapSharing::MOVING) {
-    // The plane between both goes along with the mean of their last velocities, but not out of the gap.
+    // The line between both moves with the mean of their last velocities, but stays within the gap.
     const double shift = 0.5 * tick_duration * limit.normal.dot(self.velocity + other.velocity);
-    limit.room += std::clamp(shift, -0.5 * gap, 0.5 * gap);
+    limit.max_advance += std::clamp(shift, -0.5 * gap, 0.5 * gap);
   }
-  limit.room = std::max(0.0, limit.room);
+  limit.max_advance = std::max(0.0, limit.max_advance);
   return limit;
 }
 
 Limit limitOfObstacle(const AgentPerception& self, const Neighbour& other) {
   const double distance = other.position.norm();
   Limit limit = limitOf(other.position, distance, distance - self.radius - other.radius);
-  limit.room = std::max(0.0, limit.room);
+  limit.max_advance = std::max(0.0, limit.max_advance);
   return limit;
 }
 
@@ -47,12 +47,12 @@ Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
   const Vector2 nearest = nearestPoint(wall, Vector2::Zero());
   const double distance = nearest.norm();
   Limit limit = limitOf(nearest, distance, distance - self.radius);
-  limit.room = std::max(0.0, limit.room);
+  limit.max_advance = std::max(0.0, limit.max_advance);
   return limit;
 }
 
-/// All that is wanted is admissible as long as nothing is in the way. By whole registers: a copy in smaller pieces
-/// could not be read by such before it is in the cache.
+/// Makes all wanted fractions admissible. Copies whole vector registers: narrower stores could not be forwarded to the
+/// wide loads that follow.
 void admitAll(MoveBlock* moves, std::size_t count) {
   for (std::size_t block = 0; block < blocksOf(count); ++block) {
     for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) moves[block].fraction[i] = moves[block].wanted[i];
@@ -65,26 +65,25 @@ void apply(const Limit& limit, double reach, MoveBlock& moves) {
   const double ny = limit.normal.y();
   for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
     const double advance = reach * (nx * moves.x[i] + ny * moves.y[i]);
-    const bool too_far = (advance > 0.0) & (moves.fraction[i] * advance > limit.room);
-    const double left = limit.room / advance;
+    const bool too_far = (advance > 0.0) & (moves.fraction[i] * advance > limit.max_advance);
+    const double left = limit.max_advance / advance;
     moves.fraction[i] = too_far ? left : moves.fraction[i];
   }
 }
 
 void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t count) {
-  if (limit.room >= reach) return;
+  if (limit.max_advance >= reach) return;
   for (std::size_t block = 0; block < blocksOf(count); ++block) apply(limit, reach, moves[block]);
 }
 
-/// A limit that some of an agent's moves may have to be cut to.
+/// A limit and the moves that it applies to.
 struct Cut {
   Limit limit;
   double reach = 0.0;  // the longest displacement of a tick [m]
   MoveBlock* moves = nullptr;
 };
 
-/// Those among NEIGHBOURS_AT_ONCE neighbours that may limit a move: agents that are near, and obstacles that do not
-/// move.
+/// The neighbours first .. first + NEIGHBOURS_AT_ONCE - 1 that may limit a move: near agents, and all static obstacles.
 NeighbourSet findLimiting(const Perception& seen, std::size_t first) {
   NeighbourSet limiting = findNear(seen, first);
   if (!seen.neighbours.hasObstacles()) return limiting;
@@ -122,10 +121,10 @@ void SeparationRule::cut(const DecisionBatch& contexts, std::size_t count) const
   if (sharing_ != GapSharing::NONE) cutAmongAgents(contexts, count);
 }
 
-/// All limits of all agents as one list, first those that may be limits, then those that are: how many an agent has,
-/// nobody can guess.
+/// Collects the limits of all agents in one list before it applies them: loops over the limits of each agent would be
+/// short and of unpredictable length, so that branches would be mispredicted.
 void SeparationRule::cutAmongAgents(const DecisionBatch& contexts, std::size_t count) const {
-  StaticVector<Cut, NearAgents::MOST> cuts;
+  StaticVector<Cut, NearAgents::MAX_COUNT> cuts;
   for (const NearAgent near : NearAgents(contexts)) {
     const DecisionContext& context = contexts[near.context()];
     const AgentPerception& self = context.seen.self;
@@ -133,7 +132,7 @@ void SeparationRule::cutAmongAgents(const DecisionBatch& contexts, std::size_t c
     const double reach = self.max_speed * tick_duration;
     const Limit limit = limitOfAgent(self, context.seen.neighbours[near.neighbour()], tick_duration, sharing_);
     cuts.add(limit, reach, context.moves);
-    cuts.keepLastIf(limit.room < reach);
+    cuts.keepLastIf(limit.max_advance < reach);
   }
   for (const Cut& each : cuts) cutToGap(each.limit, each.reach, each.moves, count);
 }

@@ -9,8 +9,8 @@ namespace crowd {
 namespace {
 
 constexpr std::size_t LANES = CandidateVelocities::LANES;
-static_assert(LANES == simd::CandidateArrays::MAX, "as kernels take them");
-static_assert(NeighbourList::MARGIN >= simd::NeighbourArrays::PADDING, "kernels read so far");
+static_assert(LANES == simd::CandidateArrays::MAX, "size that kernels expect");
+static_assert(NeighbourList::MARGIN >= simd::NeighbourArrays::PADDING, "kernels read this far beyond the end");
 
 void accumulateAgents(const simd::NeighbourArrays& agents, const AgentPerception& self, const Vector2& preferred,
                       CandidateVelocities& candidates) {
@@ -31,12 +31,13 @@ void accumulateFixed(const simd::NeighbourArrays& discs, const AgentPerception& 
       {candidates.count, candidates.xs.data(), candidates.ys.data(), candidates.static_bodies.data(), nullptr});
 }
 
-/// The wall's long side is reached where the line along it, moved by the radius, is crossed beside it.
+/// Updates the times to collision with the long side of a wall: the agent's centre reaches the line at the distance of
+/// its radius from the wall, between the ends of the wall.
 void accumulateSide(const Segment& wall, double radius, CandidateVelocities& candidates) {
   const double length = (wall.to - wall.from).norm();
   if (length <= 0.0) return;
   const Vector2 along = (wall.to - wall.from) / length;
-  const double side = cross(along, wall.from);  // how far to the left of the agent
+  const double side = cross(along, wall.from);  // signed distance of the wall's line, positive on the left [m]
   const auto nx = static_cast<float>(side < 0.0 ? along.y() : -along.y());
   const auto ny = static_cast<float>(side < 0.0 ? -along.x() : along.x());
   const auto gap = static_cast<float>(std::max(0.0, std::abs(side) - radius));
@@ -49,14 +50,14 @@ void accumulateSide(const Segment& wall, double radius, CandidateVelocities& can
   for (std::size_t i = 0; i < LANES; ++i) {
     const float closing = nx * candidates.xs[i] + ny * candidates.ys[i];
     const float walked =
-        gap * (ax * candidates.xs[i] + ay * candidates.ys[i]);  // along the wall till then, times closing
+        gap * (ax * candidates.xs[i] + ay * candidates.ys[i]);  // path along the wall until contact, times closing
     const bool beside = walked >= from * closing && walked <= to * closing;
     const float soon = beside ? closing * per_closing : 0.0F;
     candidates.static_bodies[i] = soon > candidates.static_bodies[i] ? soon : candidates.static_bodies[i];
   }
 }
 
-/// Takes discs one by one and hands them on several at a time.
+/// Collects discs and passes them on in groups of SIZE, the rest in the destructor.
 template <typename HandOn>
 class Collector {
  public:
@@ -105,7 +106,8 @@ double timeToCollision(const Segment& wall, const Vector2& velocity, double radi
   const double closing = normal.dot(velocity);
   if (closing <= 0.0) return ends;
   const double reached = std::max(0.0, (normal.dot(wall.from) - radius) / closing);
-  const double foot = (reached * velocity - wall.from).dot(along);  // of the disc's centre then, along the wall
+  const double foot =
+      (reached * velocity - wall.from).dot(along);  // position of the disc's centre along the wall at contact [m]
   const bool beside = foot >= 0.0 && foot <= (wall.to - wall.from).norm();
   return beside ? std::min(ends, reached) : ends;
 }

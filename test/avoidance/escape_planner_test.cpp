@@ -14,7 +14,7 @@ namespace {
 
 constexpr double LOOKOUT = 1.5;  // [s]
 
-/// What becomes of a move straight ahead, and of staying, of an agent of radius 0.25 that walks at 0.3 m/s.
+/// The replacements of a move straight ahead and of staying, for an agent of radius 0.25 m that walks at 0.3 m/s.
 struct Moves {
   CandidateMove ahead{Vector2::UnitX(), 1.0, 1.0};
   CandidateMove stay{Vector2::UnitX(), 0.0, 0.0};
@@ -35,7 +35,7 @@ PerceptionsBuilder moving_obstacle(const Vector2& position, const Vector2& veloc
 }
 
 TEST(EscapePlanner, LeavesMovesAsTheyAreWhereNoMovingObstacleCanCome) {
-  // 0.3 and 0.5 m/s close 1.2 m within the lookout; 1.3 m from rim to rim.
+  // At 0.3 and 0.5 m/s the gap shrinks by 1.2 m within the lookout; it is 1.3 m.
   const Moves moves = movesIn(moving_obstacle({1.83, 0.0}, {-0.5, 0.0}));
   EXPECT_EQ(moves.ahead.fraction, 1.0);
   EXPECT_EQ(moves.stay.fraction, 0.0);
@@ -48,8 +48,8 @@ TEST(EscapePlanner, LeavesAnObstacleAtRestToTheSeparationRule) {
 }
 
 TEST(EscapePlanner, WhoStandsInAMovingObstaclesWayStaysUntilItMustGo) {
-  // 0.45 m beside the middle of its lane, of which they need 0.52 m: straight out of it they are 0.534 m apart when
-  // they are nearest, but one tick later would be 0.506 m.
+  // The agent is 0.45 m beside the axis of the obstacle's lane; they need 0.52 m. If the agent leaves the lane at once,
+  // their least distance is 0.534 m; one tick later it would be 0.506 m.
   const Moves late = movesIn(moving_obstacle({0.36, 0.45}, {-1.0, 0.0}));
   for (const CandidateMove& move : {late.ahead, late.stay}) {
     EXPECT_EQ(move.fraction, 1.0);
@@ -60,8 +60,8 @@ TEST(EscapePlanner, WhoStandsInAMovingObstaclesWayStaysUntilItMustGo) {
 }
 
 TEST(EscapePlanner, WhoIsTooLateMakesTheMostOfItsTime) {
-  // In the middle of the lane, 1.73 s from its rim, of a moving obstacle that is there in 0.5 s: nothing helps for
-  // long, but to walk away from it does for longer than to stay.
+  // In the middle of the lane of a moving obstacle that arrives in 0.5 s; the agent needs 1.73 s to leave the lane. No
+  // path stays clear, but walking away from the obstacle stays clear for longer than staying.
   const Moves moves = movesIn(moving_obstacle({1.0, 0.0}, {-1.0, 0.0}));
   EXPECT_LT(moves.ahead.direction.x(), 0.0);
   EXPECT_LT(moves.stay.direction.x(), 0.0);
@@ -69,13 +69,13 @@ TEST(EscapePlanner, WhoIsTooLateMakesTheMostOfItsTime) {
 }
 
 TEST(EscapePlanner, ReckonsWithAMovingObstacleThatTurnsRound) {
-  // Right behind a moving obstacle that leaves: 0.05 m are 0.07 s if it turned round, and nobody gets out of its lane
-  // by then.
+  // 0.05 m behind a moving obstacle that leaves: if it reversed, contact would follow after 0.07 s, too soon to leave
+  // its lane.
   const Moves moves = movesIn(moving_obstacle({0.55, 0.0}, {0.6, 0.0}));
   EXPECT_LT((moves.ahead.fraction * moves.ahead.direction).x(), 0.0);
 }
 
-/// One agent among moving obstacles, with actions picked at random: how many ticks it overlaps one at the end of.
+/// Runs one agent with random actions among moving obstacles and returns the number of ticks that end in an overlap.
 int ticksInContact(double lookout, std::uint64_t seed) {
   const std::string text =
       "{name: moving_obstacles, duration: 60, goal_tolerance: 0.1, agents: [{position: [0, 0], goal: [50, 0], speed: "
@@ -90,7 +90,7 @@ int ticksInContact(double lookout, std::uint64_t seed) {
   for (std::uint64_t tick = 0; tick < 300; ++tick) {
     world.perceive({6.0, 0}, perceptions);
     const AgentPerception& self = perceptions.agents.front();
-    // Where the moving obstacles are: whoever is out of their sight walks back.
+    // Keeps the agent near the moving obstacles: out of their range it walks back.
     const bool is_out = self.pose.position.norm() > 3.0;
     const double back = wrapAngle(bearingOf(-self.pose.position) - self.pose.heading);
     KeyedRandom random(seed, KeyedRandom::EXPLORATION, {tick, 0});

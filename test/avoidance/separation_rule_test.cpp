@@ -15,12 +15,12 @@ namespace {
 
 constexpr double LOOKOUT = 1.5;  // [s]
 
-/// What is left of a move straight ahead at full speed.
+/// The admissible fraction of a move straight ahead at full speed.
 double shareAhead(GapSharing sharing, const PerceptionsBuilder& scene) {
   return cut(SeparationRule(sharing, LOOKOUT), scene.perception(), {{Vector2::UnitX(), 1.0, 1.0}})[0].fraction;
 }
 
-/// An agent of radius 0.25 that walks at 0.3 m/s: 0.03 m a tick; the other one ahead, so far from rim to rim.
+/// An agent of radius 0.25 m that walks at 0.3 m/s, 0.03 m per tick, and another one ahead, with a gap in between [m].
 PerceptionsBuilder facing(double gap, NeighbourKind kind = NeighbourKind::AGENT) {
   return PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({0.5 + gap, 0.0}, 0.25).kind(kind);
 }
@@ -47,12 +47,13 @@ TEST(SeparationRule, GivesTheWholeGapToAThingAtRest) {
 TEST(SeparationRule, CutsByTheComponentTowardsTheOther) {
   const auto moves = cut(SeparationRule(GapSharing::HALF, LOOKOUT), facing(0.006).perception(),
                          {{unitVector(toRadians(60.0)), 1.0, 1.0}, {unitVector(toRadians(90.0)), 1.0, 1.0}});
-  EXPECT_NEAR(moves[0].fraction, 0.2, 1e-6);  // 0.015 of its 0.03 lead towards the other, 0.003 may
+  EXPECT_NEAR(moves[0].fraction, 0.2,
+              1e-6);  // 0.015 m of its 0.03 m are towards the other agent, 0.003 m are admissible
   EXPECT_EQ(moves[1].fraction, 1.0);
 }
 
 TEST(SeparationRule, GivesWhoFollowsWhatTheOtherLeaves) {
-  // Both went ahead with 0.1 m/s: the line between them is 0.01 further on.
+  // Both walked ahead at 0.1 m/s: the line between them moves on by 0.01 m.
   auto following = facing(0.03).velocity({0.1, 0.0}, {0.1, 0.0});
   EXPECT_NEAR(shareAhead(GapSharing::MOVING, following), 0.025 / 0.03, 1e-6);
   EXPECT_NEAR(shareAhead(GapSharing::HALF, following), 0.5, 1e-6);
@@ -61,10 +62,10 @@ TEST(SeparationRule, GivesWhoFollowsWhatTheOtherLeaves) {
   auto meeting = facing(0.03).velocity({0.3, 0.0}, {-0.3, 0.0});
   EXPECT_NEAR(shareAhead(GapSharing::MOVING, meeting), 0.5, 1e-6);
   auto pushed = facing(0.03).velocity({-9.0, 0.0}, {-9.0, 0.0});
-  EXPECT_EQ(shareAhead(GapSharing::MOVING, pushed), 0.0);  // to stay is always admissible
+  EXPECT_EQ(shareAhead(GapSharing::MOVING, pushed), 0.0);  // staying is always admissible
 }
 
-/// A crowded box with walls, things at rest, and agents of many radii and speeds.
+/// A crowded box with walls, static obstacles, and agents of various radii and speeds.
 Scene denseScene(std::uint64_t seed) {
   const std::string text =
       "{name: dense, duration: 60, goal_tolerance: 0.1, agents: [{count: 40, position: {box: [[-3, -3], [3, 3]]}, "
@@ -91,7 +92,7 @@ double deepestOverlap(const World& world) {
   return deepest;
 }
 
-/// Walks a dense crowd with actions picked at random and returns the deepest overlap ever [m].
+/// Runs a dense crowd with random actions and returns the deepest overlap of all ticks [m].
 double worstOfRandomWalk(GapSharing sharing, std::uint64_t seed) {
   GoalRelativeActions::Parameters parameters;
   parameters.gap_sharing = sharing;
@@ -106,7 +107,7 @@ double worstOfRandomWalk(GapSharing sharing, std::uint64_t seed) {
       const AgentId agent = perceptions.agents[i].agent;
       if (perceptions.agents[i].arrived) continue;
       KeyedRandom random(seed, KeyedRandom::EXPLORATION, {tick, agent});
-      // Mostly straight at the goal, which is where the crowd is dense; now and then nobody answers.
+      // Mostly straight to the goal, where the crowd is dense; some answers are left out.
       const bool ahead = random.uniform() < 0.5;
       if (random.uniform() < 0.05) continue;
       const Action action = ahead ? 0 : random.below(goal_relative.size());

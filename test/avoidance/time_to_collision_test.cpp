@@ -14,12 +14,13 @@ namespace {
 
 TEST(TimeToCollision, OfTwoDiscs) {
   EXPECT_DOUBLE_EQ(timeToCollision(Vector2(5.0, 0.0), {2.0, 0.0}, 1.0), 2.0);  // 4 m at 2 m/s
-  EXPECT_DOUBLE_EQ(timeToCollision(Vector2(4.0, 0.6), {1.0, 0.0}, 1.0), 3.2);  // touches 0.8 before it is abreast
-  EXPECT_EQ(timeToCollision(Vector2(4.0, 1.01), {1.0, 0.0}, 1.0), NEVER);      // passes by
-  EXPECT_EQ(timeToCollision(Vector2(5.0, 0.0), {-2.0, 0.0}, 1.0), NEVER);      // leaves
+  EXPECT_DOUBLE_EQ(timeToCollision(Vector2(4.0, 0.6), {1.0, 0.0}, 1.0),
+                   3.2);                                                   // contact 0.8 m before the closest approach
+  EXPECT_EQ(timeToCollision(Vector2(4.0, 1.01), {1.0, 0.0}, 1.0), NEVER);  // passes without contact
+  EXPECT_EQ(timeToCollision(Vector2(5.0, 0.0), {-2.0, 0.0}, 1.0), NEVER);  // moves away
   EXPECT_EQ(timeToCollision(Vector2(5.0, 0.0), {0.0, 0.0}, 1.0), NEVER);
-  EXPECT_EQ(timeToCollision(Vector2(0.5, 0.0), {1.0, 0.0}, 1.0), 0.0);     // is in it and goes deeper
-  EXPECT_EQ(timeToCollision(Vector2(0.5, 0.0), {-1.0, 0.0}, 1.0), NEVER);  // is in it and parts
+  EXPECT_EQ(timeToCollision(Vector2(0.5, 0.0), {1.0, 0.0}, 1.0), 0.0);     // overlaps and approaches
+  EXPECT_EQ(timeToCollision(Vector2(0.5, 0.0), {-1.0, 0.0}, 1.0), NEVER);  // overlaps and moves away
 }
 
 TEST(TimeToCollision, OfADiscAndAWall) {
@@ -28,12 +29,13 @@ TEST(TimeToCollision, OfADiscAndAWall) {
   EXPECT_EQ(timeToCollision(wall, {-2.0, 0.0}, 1.0), NEVER);
   EXPECT_EQ(timeToCollision(wall, {0.0, 1.0}, 1.0), NEVER);  // along it
   const Segment beside{{3.0, 0.6}, {3.0, 5.0}};
-  EXPECT_DOUBLE_EQ(timeToCollision(beside, {1.0, 0.0}, 1.0), 2.2);  // its end, 0.6 aside: 0.8 before abreast
+  EXPECT_DOUBLE_EQ(timeToCollision(beside, {1.0, 0.0}, 1.0),
+                   2.2);  // its end, 0.6 m aside: contact 0.8 m before the closest approach
   const Segment further{{3.0, 1.5}, {3.0, 5.0}};
   EXPECT_EQ(timeToCollision(further, {1.0, 0.0}, 1.0), NEVER);
 }
 
-/// Walks until it touches, in small steps.
+/// Reference: moves in small steps until contact.
 double walked(const Segment& wall, const Vector2& velocity, double radius) {
   for (int i = 0; i < 10000; ++i) {
     if (distanceTo(wall, 0.001 * i * velocity) <= radius) return 0.001 * i;
@@ -69,7 +71,8 @@ TEST(TimeToCollision, OfAnAgentIsTheEarliestOfAll) {
 
 constexpr std::size_t MIDDLE = 1;  // of three agents
 
-/// So many bodies about an agent anywhere, a few upon it; those of the agents before and behind it all are.
+/// An agent with neighbours at random places, a few of which overlap it, between two agents whose neighbours all
+/// overlap them: data of the others in the list must not be used.
 PerceptionsBuilder sceneOf(std::size_t neighbours, KeyedRandom& random) {
   PerceptionsBuilder scene;
   addTouchedAgent(0, scene);
@@ -85,7 +88,7 @@ PerceptionsBuilder sceneOf(std::size_t neighbours, KeyedRandom& random) {
 TEST(TimeToCollision, OfManyBodiesIsTheEarliestOfEachAlone) {
   std::size_t never = 0;
   std::size_t at_once = 0;
-  std::array<std::size_t, 3> met_first{};  // how often it is one of the first 16 bodies, of the next 16, of the last
+  std::array<std::size_t, 3> met_first{};  // how often it is among the first 16 neighbours, the next 16, the rest
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     for (std::size_t count = 0; count <= 40; ++count) {

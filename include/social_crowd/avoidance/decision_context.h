@@ -9,18 +9,19 @@
 
 namespace crowd {
 
-/// @brief An agent that is to choose: what it perceives, and where that is kept which it chooses by.
+/// @brief Inputs and buffers of one agent's decision. The caller owns the buffers; they are valid during the call that
+/// receives the context.
 struct DecisionContext {
-  Perception seen;
-  MoveBlock* moves = nullptr;     ///< what the actions mean to it; nullptr if nobody looks at them
-  std::uint32_t* rows = nullptr;  ///< of the Q-table, that it looks its actions up in; nothing to avoidance
+  Perception seen;                ///< perception of the agent, limited to the vision of the model
+  MoveBlock* moves = nullptr;     ///< the move of each action; nullptr if the state set does not need the moves
+  std::uint32_t* rows = nullptr;  ///< rows of the Q-table that the state set writes; unused in avoidance
 };
 
-/// @brief So many agents choose side by side at most.
+/// @brief Maximum number of agents in a DecisionBatch.
 constexpr std::size_t MAX_BATCH = 16;
 
-/// @brief Agents that choose side by side: each step is done for all of them before the next one is begun. That is
-/// faster than one agent after the other, whose long chains of steps the processor would have to wait for.
+/// @brief Agents whose decisions are computed together: each step is done for all agents before the next step begins.
+/// The steps of one agent depend on each other; those of different agents overlap in the processor.
 using DecisionBatch = Span<DecisionContext>;
 
 }  // namespace crowd

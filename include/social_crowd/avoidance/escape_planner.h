@@ -7,42 +7,48 @@
 
 namespace crowd {
 
-/// @brief A moving obstacle: it yields to nobody.
+/// @brief Whether the neighbour is a moving obstacle, which yields to no agent.
 inline bool isMovingObstacle(const Neighbour& neighbour) {
   return neighbour.kind == NeighbourKind::OBSTACLE && neighbour.velocity != Vector2::Zero();
 }
 
-/// @brief Keeps an agent out of the way of moving obstacles (docs/separation_rule.md).
+/// @brief Replaces moves after which an agent could not avoid moving obstacles (docs/separation_rule.md, Moving
+/// obstacles).
 ///
-/// A move is safe if a straight path leads on from where it ends, straight on at full speed or to stay, that is clear
-/// of all moving obstacles for the next `lookout` seconds: as they go, if any one of them turns round now, and with
-/// room to spare. A move that is not safe becomes the straight move that is safe and nearest to it; if none is, the one
-/// that is clear for longest.
+/// A straight path is to walk straight on at full speed or to stay. A move is safe if, from its end, there is a
+/// straight path that is clear of all moving obstacles for `lookout` seconds in each of three cases: they keep their
+/// velocities; any one of the nearest of them reverses now; they keep their velocities and a larger clearance is kept.
+/// An unsafe move is replaced by the nearest safe straight move or, if there is none, by the one that is clear for
+/// longest.
+///
+/// Call contract: an object serves one decision of one agent on one thread. The fractions of straightMoves() are
+/// limited first, then replaceUnsafe() is called. The perception must outlive the object.
 class EscapePlanner {
  public:
-  /// @param lookout how far ahead the way must be clear [s]
+  /// @param lookout time for which a path must be clear [s], above 0
   EscapePlanner(const Perception& perception, double lookout);
 
-  /// @brief Whether a moving obstacle is near enough to matter.
+  /// @brief Whether a moving obstacle could reach the agent within the lookout. If not, replaceUnsafe() is not needed.
   bool isNeeded() const { return moving_obstacle_count_ > 0; }
-  /// @brief To stay, straight on, and headings measured from the ways of the nearest moving obstacles; in blocks.
+  /// @brief The straight moves: straight on, staying, and headings measured from the directions of motion of the
+  /// nearest moving obstacles; straightMoveCount() moves in blocks.
   MoveBlock* straightMoves() { return straight_moves_.data(); }
   std::size_t straightMoveCount() const { return straight_move_count_; }
-  /// @brief Replaces those of the first `count` moves that are not safe. The fractions of the straight moves are to be
-  /// cut before.
+  /// @brief Replaces the unsafe moves among the first `count` moves. The fractions of the straight moves must have been
+  /// limited before.
   void replaceUnsafe(MoveBlock* moves, std::size_t count);
 
  private:
-  static constexpr std::size_t MAX_MOVING_OBSTACLES = 4;  // the nearest, in time
-  static constexpr std::size_t NOBODY = SIZE_MAX;
+  static constexpr std::size_t MAX_MOVING_OBSTACLES = 4;  // those that could be met soonest
+  static constexpr std::size_t NONE = SIZE_MAX;
   static constexpr std::size_t HEADINGS = 16;
   static constexpr std::size_t MAX_STRAIGHT_MOVES = 2 + MAX_MOVING_OBSTACLES * HEADINGS;
 
-  /// What the way is to be clear of.
+  /// A case that paths are checked in.
   struct Case {
-    std::size_t turned = NOBODY;  // the number of the moving obstacle that turns round now
-    double clearance = 0.0;       // [m]
-    std::size_t last_path = 0;    // the straight move that was an escape when last asked
+    std::size_t turned = NONE;  // index of the neighbour that reverses now
+    double clearance = 0.0;     // to moving obstacles [m]
+    std::size_t last_path = 0;  // index of the straight move that was the last escape
 
     Vector2 velocityOf(std::size_t number, const Neighbour& moving_obstacle) const {
       return number == turned ? Vector2(-moving_obstacle.velocity) : moving_obstacle.velocity;
@@ -64,14 +70,14 @@ class EscapePlanner {
 
   const Perception& perception_;
   double lookout_;
-  std::array<std::size_t, MAX_MOVING_OBSTACLES> moving_obstacles_{};  // their numbers among the neighbours
+  std::array<std::size_t, MAX_MOVING_OBSTACLES> moving_obstacles_{};  // indices of neighbours
   std::size_t moving_obstacle_count_ = 0;
   std::array<MoveBlock, blocksOf(MAX_STRAIGHT_MOVES)> straight_moves_;
   std::array<double, MAX_STRAIGHT_MOVES> safeties_{};
   std::size_t straight_move_count_ = 0;
   Case as_they_go_;
   std::array<Case, MAX_MOVING_OBSTACLES> if_turned_;
-  Case with_room_;
+  Case with_space_;
 };
 
 }  // namespace crowd

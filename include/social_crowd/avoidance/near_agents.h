@@ -9,46 +9,49 @@
 
 namespace crowd {
 
-/// @brief Left free of every gap, so that what two agents work out in their own frames never adds up to more than it
-/// [m].
+/// @brief Part of each gap that no agent uses, so that rounding in the frames of two agents never makes their shares
+/// add up to more than the gap [m].
 constexpr double GAP_MARGIN = 1e-9;
 
-/// @brief Bodies are looked at so many at a time.
+/// @brief Number of neighbours that findNear() examines per call.
 constexpr std::size_t NEIGHBOURS_AT_ONCE = NeighbourList::MARGIN;
-/// @brief Some of so many neighbours: bit i stands for neighbour first + i.
+/// @brief Subset of NEIGHBOURS_AT_ONCE neighbours: bit i stands for neighbour first + i.
 using NeighbourSet = std::uint32_t;
 
-/// @brief Those of up to NEIGHBOURS_AT_ONCE neighbours which, as agents, are so near that the separation rule may leave
-/// less of a move than the longest displacement of a tick; perhaps one too many.
+/// @brief Returns the neighbours first .. first + NEIGHBOURS_AT_ONCE - 1 (as far as they exist) that, if they are
+/// agents, are near enough for the separation rule to limit a move of one tick at full speed. Obstacles are tested as
+/// if they were agents. Conservative: because of rounding, a neighbour that limits no move may be included.
 NeighbourSet findNear(const Perception& seen, std::size_t first);
 
-/// @brief An agent that is near another one that is to choose.
+/// @brief A pair of a deciding agent and a near neighbour.
 struct NearAgent {
-  std::uint32_t number;
+  std::uint32_t number;  ///< index of the context * NEIGHBOURS_AT_ONCE + index of the neighbour
+  /// @brief Index of the deciding agent in the batch.
   std::size_t context() const { return number / NEIGHBOURS_AT_ONCE; }
+  /// @brief Index of the neighbour in the perception of that agent.
   std::size_t neighbour() const { return number % NEIGHBOURS_AT_ONCE; }
 };
 
-/// @brief All that findNear() finds for agents that choose side by side.
+/// @brief List of all near neighbours, as findNear() defines them, of the agents of a batch.
 class NearAgents {
  public:
-  static constexpr std::size_t MOST = MAX_BATCH * NEIGHBOURS_AT_ONCE;
+  static constexpr std::size_t MAX_COUNT = MAX_BATCH * NEIGHBOURS_AT_ONCE;
 
-  /// @brief Looks at those that see agents alone, no more than NEIGHBOURS_AT_ONCE, see isFor(); leaves out the others.
-  /// @param contexts MAX_BATCH at most
+  /// @brief Considers only contexts that isFor() accepts.
+  /// @param contexts at most MAX_BATCH
   explicit NearAgents(const DecisionBatch& contexts);
 
-  /// @brief Whether there are neighbours to be looked at, and no others.
+  /// @brief Whether the perception holds 1 to NEIGHBOURS_AT_ONCE neighbours, all of them agents, and no walls.
   static bool isFor(const Perception& seen) {
     return !seen.neighbours.empty() && seen.neighbours.size() <= NEIGHBOURS_AT_ONCE && seen.isOfAgentsAlone();
   }
 
-  /// @brief By agent that is to choose, nearest first.
+  /// @brief Ordered by context, then by neighbour, nearest first.
   const NearAgent* begin() const { return list_.data(); }
   const NearAgent* end() const { return list_.data() + count_; }
 
  private:
-  std::array<NearAgent, MOST> list_;
+  std::array<NearAgent, MAX_COUNT> list_;
   std::size_t count_ = 0;
 };
 

@@ -8,35 +8,38 @@
 
 namespace crowd {
 
-/// @brief How two agents share out the gap between their bodies, before both move at once.
+/// @brief How two agents that move at the same time share the gap between their bodies.
 enum class GapSharing {
-  NONE,    ///< no rule: moves are not cut
-  HALF,    ///< half of it each
-  MOVING,  ///< the line between them moves along with both: who follows may use what the other leaves
+  NONE,    ///< no rule: moves are not limited
+  HALF,    ///< each agent may use half of the gap
+  MOVING,  ///< the line between them moves with their mean velocity: a follower may use the space that a leader leaves
 };
 
-/// @brief The names used in files. @throws InputError naming what was expected.
+/// @brief Parses none, half or moving, as used in files. @throws InputError that lists the valid names.
 GapSharing parseGapSharing(const std::string& text);
+/// @brief Returns the name that parseGapSharing() reads.
 std::string toText(GapSharing sharing);
 
-/// @brief Cuts moves short so that nobody who follows the rule ever touches another one who does, a wall, or a thing at
-/// rest (docs/separation_rule.md has the proof), and that moving obstacles are kept clear of (see EscapePlanner).
+/// @brief Limits moves so that agents that follow the rule never touch each other, walls, or static obstacles
+/// (docs/separation_rule.md has the proof and its conditions), and replaces moves that moving obstacles make unsafe
+/// (see EscapePlanner).
 ///
-/// Along the line between two agents each advances by no more than its share of the gap; both work out the same shares
-/// from what both know: their places, radii and last velocities. Of the gap to a wall or an obstacle at rest all may be
-/// used.
+/// Along the line between two agents, each agent advances by at most its share of the gap. Both compute the same shares
+/// without communication, from their positions, radii and last velocities. The whole gap to a wall or a static obstacle
+/// may be used. Immutable: any number of threads may call cut() with buffers of their own.
 class SeparationRule {
  public:
-  /// @param lookout how far ahead a way clear of moving obstacles is kept [s], see EscapePlanner; 0: they are not kept
-  /// clear of
+  /// @param lookout time for which a path clear of moving obstacles is kept [s], see EscapePlanner; 0: moving obstacles
+  /// are ignored
   SeparationRule(GapSharing sharing, double lookout) : sharing_(sharing), lookout_(lookout) {}
 
   GapSharing sharing() const { return sharing_; }
-  /// @brief Sets the admissible fraction of each of the first `count` moves, at most the wanted one. Where an escape
-  /// from moving obstacles asks for another move, that takes its place. To stay is always admissible.
+  /// @brief Sets the admissible fraction of each of the first `count` moves, at most the wanted fraction. A move that
+  /// is unsafe because of moving obstacles is replaced by another move. Staying is always admissible.
   /// @param moves blocksOf(count) blocks
   void cut(const Perception& perception, MoveBlock* moves, std::size_t count) const;
-  /// @brief The same for the moves of several agents.
+  /// @brief The same for the moves of several agents; gives the same results as one call per agent.
+  /// @param contexts at most MAX_BATCH, each with blocksOf(count) blocks of moves
   void cut(const DecisionBatch& contexts, std::size_t count) const;
 
  private:

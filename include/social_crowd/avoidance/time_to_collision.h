@@ -9,14 +9,14 @@
 
 namespace crowd {
 
-/// @brief Later than anything that counts [s].
+/// @brief Stands for no collision; later than any time that is considered [s].
 constexpr double NEVER = 1e9;
 
-/// @brief When a disc touches another one [s]; NEVER if it does not, 0 if it does already and does not part from it.
-/// No branch depends on the numbers.
-/// @param x, y place of the other, seen from the disc [m]
+/// @brief Returns the time until a disc touches another one [s]; NEVER if it does not, 0 if they overlap and approach.
+/// Compiles without branches, so that loops over it can be vectorised.
+/// @param x, y position of the other relative to the disc [m]
 /// @param vx, vy velocity of the disc relative to the other [m/s]
-/// @param reach sum of both radii [m]
+/// @param reach sum of the radii [m]
 inline double timeToCollision(double x, double y, double vx, double vy, double reach) {
   const double closing = x * vx + y * vy;
   const double apart = (x * x + y * y) - reach * reach;
@@ -27,49 +27,57 @@ inline double timeToCollision(double x, double y, double vx, double vy, double r
   const double closer = apart <= 0.0 ? 0.0 : ahead;
   return closing <= 0.0 ? NEVER : closer;
 }
+/// @brief The same with vectors.
 inline double timeToCollision(const Vector2& place, const Vector2& velocity, double reach) {
   return timeToCollision(place.x(), place.y(), velocity.x(), velocity.y(), reach);
 }
 
-/// @brief When a disc at the origin touches a wall [s].
+/// @brief Returns the time until a disc at the origin touches a wall [s]; NEVER if it does not.
+/// @param velocity velocity of the disc [m/s]
+/// @param radius radius of the disc [m]
 double timeToCollision(const Segment& wall, const Vector2& velocity, double radius);
 
-/// @brief When an agent would touch anything if it and everybody else went on as they do [s].
-/// @param velocity its own, agent frame [m/s]
+/// @brief Returns the time until an agent touches a neighbour or a wall if all velocities stay constant [s]; NEVER if
+/// it does not.
+/// @param velocity velocity of the agent, agent frame [m/s]
 double timeToCollision(const Perception& perception, const Vector2& velocity);
 
-/// @brief Velocities that an agent chooses among, and how soon it would collide with each. Times are kept as their
-/// inverses, 1 / time [1/s], and are those of the soonest collision that was found so far.
+/// @brief Velocities that an agent chooses among, and the time to collision of each. Times are stored as inverses,
+/// 1 / time [1/s], and belong to the soonest collision that was found so far.
+///
+/// Call contract: the caller writes `count`, `xs` and `ys` and calls clear(); each call of accumulateTimeToCollision()
+/// then updates the other members.
 struct CandidateVelocities {
   static constexpr std::size_t LANES = MoveBlock::SIZE;
   using Lanes = std::array<float, LANES>;
 
-  std::size_t count;     ///< lanes behind the first so many hold anything finite
-  alignas(64) Lanes xs;  ///< [m/s]
-  alignas(64) Lanes ys;
-  alignas(64) Lanes reciprocal;         ///< with agents that do half of what is needed, in half of the time
-  alignas(64) Lanes constant_velocity;  ///< with agents that keep their velocities
-  alignas(64) Lanes static_bodies;      ///< with obstacles and walls, once any_static
-  float fastest;    ///< square of the fastest approach of another agent if this one had its preferred velocity [m2/s2]
-  bool any_static;  ///< whether there is an obstacle or a wall
+  std::size_t count;                    ///< number of velocities; the lanes after them hold arbitrary finite values
+  alignas(64) Lanes xs;                 ///< x components, agent frame [m/s]
+  alignas(64) Lanes ys;                 ///< y components, agent frame [m/s]
+  alignas(64) Lanes reciprocal;         ///< reciprocal time with agents (van den Berg et al. 2008), as 1 / (2 time)
+  alignas(64) Lanes constant_velocity;  ///< with agents, if they keep their velocities
+  alignas(64) Lanes static_bodies;      ///< with obstacles and walls; valid if any_static
+  float fastest;    ///< square of the fastest approach of an agent, for the preferred velocity [m2/s2]
+  bool any_static;  ///< whether an obstacle or a wall was found
 
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): whoever makes them writes them, and zeroing takes time
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the caller writes them, and zeroing takes time
   CandidateVelocities() = default;
-  /// @brief Nothing was found so far.
+  /// @brief Resets the results to no collision.
   void clear() {
     fastest = 0.0F;
     any_static = false;
     for (Lanes* times : {&reciprocal, &constant_velocity}) times->fill(static_cast<float>(1.0 / NEVER));
   }
-  /// @brief There is an obstacle or a wall.
+  /// @brief Sets any_static; at the first call also initialises static_bodies.
   void beginFixed() {
     if (!any_static) static_bodies.fill(static_cast<float>(1.0 / NEVER));
     any_static = true;
   }
 };
 
-/// @brief Finds collisions with everything that an agent perceives, in single precision.
-/// @param preferred the velocity that it would have if nobody were there [m/s]
+/// @brief Updates the times to collision of the candidates with all neighbours and walls of a perception, in single
+/// precision.
+/// @param preferred the velocity straight to the goal at maximum speed, agent frame [m/s]
 void accumulateTimeToCollision(const Perception& seen, const Vector2& preferred, CandidateVelocities& candidates);
 
 }  // namespace crowd

@@ -7,15 +7,14 @@
 namespace crowd {
 namespace {
 
-/// Unit vector towards the goal, agent frame; straight ahead at the goal itself.
+/// Returns the unit vector towards the goal, agent frame; straight ahead if the agent is at the goal.
 Vector2 goalDirection(const Perception& perception) {
   const double distance = perception.self.goal.norm();
   if (distance <= 0.0) return Vector2::UnitX();
   return perception.self.goal / distance;
 }
 
-/// The moves around another bearing than the heading.
-/// @param turned so many moves are measured from there, the others from the heading
+/// Rotates the first `turned` moves to a bearing; copies the others.
 void turn(const MoveBlock& base_moves, const Vector2& bearing, std::size_t turned, MoveBlock& moves) {
   const double cosine = bearing.x();
   const double sine = bearing.y();
@@ -35,7 +34,7 @@ GoalRelativeActions::GoalRelativeActions(const Parameters& parameters)
   addBothSides(parameters.headings, 1.0);
   addBothSides(parameters.slow_headings, parameters.slow_fraction);
   turned_ = size();
-  if (parameters.stay) add(Vector2::UnitX(), 0.0, size());  // stay, and go on looking the same way
+  if (parameters.stay) add(Vector2::UnitX(), 0.0, size());  // keeps the heading
   repeatLast(base_moves_.data(), size());
 }
 

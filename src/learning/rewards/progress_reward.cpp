@@ -9,7 +9,7 @@
 namespace crowd {
 namespace {
 
-bool touchesAnybody(const NeighbourSpan& neighbours, double radius) {
+bool touchesAny(const NeighbourSpan& neighbours, double radius) {
   const double* const xs = neighbours.xs();
   const double* const ys = neighbours.ys();
   const double* const radii = neighbours.radii();
@@ -35,7 +35,7 @@ double ProgressReward::operator()(const AgentPerception& before, const Perceptio
   const double turn = std::abs(wrapAngle(self.pose.heading - before.pose.heading));
   const double rest = 1.0 - self.velocity.norm() / self.max_speed;
   double reward = progress - 1.0 - parameters_.turn_penalty * turn - parameters_.rest_penalty * rest;
-  if (touchesAnybody(after.neighbours, self.radius)) reward -= parameters_.contact_penalty;
+  if (touchesAny(after.neighbours, self.radius)) reward -= parameters_.contact_penalty;
   return self.arrived ? reward : reward + conflictPart(after);
 }
 

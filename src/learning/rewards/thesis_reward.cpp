@@ -13,23 +13,23 @@ constexpr const char* DISTANCE_GAINED_NAME = "distance_gained";
 constexpr const char* COSINE_CUBED_NAME = "cosine_cubed";
 constexpr double FALL_PER_CLASS = 100.0;  // 10^2, (3.8) and (3.9)
 
-/// What an obstacle of each distance class costs. An empty sector costs nothing: the printed (3.9), taken at D = 0,
-/// would cost 1000.
-std::array<double, DistanceClasses::COUNT + 1> costsByClass(double nearest) {
-  std::array<double, DistanceClasses::COUNT + 1> costs{};
-  for (std::size_t i = 1; i < costs.size(); ++i) costs[i] = nearest / std::pow(FALL_PER_CLASS, i - 1);
-  return costs;
+/// Penalty of each distance class. That of an empty sector is 0, although the printed (3.9), taken at D = 0, gives
+/// 1000.
+std::array<double, DistanceClasses::COUNT + 1> penaltiesByClass(double nearest) {
+  std::array<double, DistanceClasses::COUNT + 1> penalties{};
+  for (std::size_t i = 1; i < penalties.size(); ++i) penalties[i] = nearest / std::pow(FALL_PER_CLASS, i - 1);
+  return penalties;
 }
 
 }  // namespace
 
 ThesisReward::ThesisReward(const Parameters& parameters, const StateSet& state_set) : parameters_(parameters) {
-  const auto costs = costsByClass(parameters.obstacle_cost);
+  const auto penalties = penaltiesByClass(parameters.obstacle_cost);
   obstacle_parts_.reserve(state_set.rowCount());
   for (Row row = 0; row < state_set.rowCount(); ++row) {
     double sum = 0.0;
     for (const int distance_class : state_set.distanceClasses(row)) {
-      sum -= costs.at(static_cast<std::size_t>(distance_class));
+      sum -= penalties.at(static_cast<std::size_t>(distance_class));
     }
     obstacle_parts_.push_back(sum);
   }
@@ -38,13 +38,13 @@ ThesisReward::ThesisReward(const Parameters& parameters, const StateSet& state_s
 double ThesisReward::operator()(const AgentPerception& before, const Perception& after, Row row) const {
   const AgentPerception& self = after.self;
   if (self.arrived) return parameters_.arrival;
-  const double worth = goalPart(before, self) + obstaclePart(row);
-  return self.velocity.isZero(0.0) ? worth - parameters_.stay_cost : worth;
+  const double reward = goalPart(before, self) + obstaclePart(row);
+  return self.velocity.isZero(0.0) ? reward - parameters_.stay_cost : reward;
 }
 
 double ThesisReward::goalPart(const AgentPerception& before, const AgentPerception& after) const {
   if (parameters_.goal == GoalPart::DISTANCE_GAINED) return distanceGained(before, after);  // (3.6)
-  // The goal is given in the agent's frame, so the angle to the new heading is that to the x axis.
+  // The goal is in the agent's frame, so its angle to the new heading is that to the x axis.
   const double distance = after.goal.norm();
   const double cosine = distance > 0.0 ? after.goal.x() / distance : 1.0;
   return cosine * cosine * cosine;  // (3.7)

@@ -68,7 +68,7 @@ void readParameter(const YamlMap& map, const std::string& key, double LearningPa
   if (!node) return;
   LearningParameters alone;
   alone.*member = readNumber(node, map.placeOf(key));
-  // The place names the key already.
+  // The place contains the key, so it is removed from the message.
   if (!alone.problems().empty()) throwProblem(map.placeOf(key), node, alone.problems().substr(key.size() + 2));
   parameters.*member = alone.*member;
 }
@@ -117,7 +117,7 @@ namespace {
 
 constexpr std::size_t KEYS = 7;
 
-/// Every key of a plan and what it says.
+/// Returns the keys of a plan with their values.
 std::array<std::pair<const char*, std::string>, KEYS> entriesOf(const LearningPlan& plan) {
   const LearningParameters& parameters = plan.parameters;
   return {{{"alpha", toText(parameters.alpha)},

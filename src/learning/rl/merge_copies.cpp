@@ -22,7 +22,7 @@ void mergeEntry(const Copies& copies, const LearningRateSchedule& learning_rates
   if (only != nullptr) return table.set(row, action, only->value(row, action), only->visits(row, action));
   const auto after = static_cast<std::uint32_t>(std::min<std::uint64_t>(before + since, UINT32_MAX));
   const double past = table.value(row, action);
-  double news = 0.0;  // mean of what was learned, less the past
+  double news = 0.0;  // weighted mean of the new experience, relative to the past value
   for (const QTable* copy : copies) {
     const std::uint32_t visits = copy->visits(row, action);
     if (visits == before) continue;

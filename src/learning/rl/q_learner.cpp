@@ -3,7 +3,7 @@
 namespace crowd {
 namespace {
 
-/// Counts a visit; returns by how much it moves the value (3.1).
+/// Counts a visit and returns the change of the value (3.1).
 double visit(QTable& table, Row row, Action action, double target, const LearningRateSchedule& learning_rates) {
   return learning_rates.at(table.countVisit(row, action)) * (target - table.value(row, action));
 }
@@ -13,7 +13,7 @@ double visit(QTable& table, Row row, Action action, double target, const Learnin
 void QLearner::fadeTraces(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters) {
   const bool greedy = table.value(rows[action], action) >= table.greedyValue(rows);
   if (!greedy) {
-    traces_.clear();  // Watkins: what follows an exploring action says nothing of the greedy policy before it
+    traces_.clear();  // Watkins: rewards after an exploring action do not evaluate the greedy policy
   } else if (has_decision_) {
     decayTraces(parameters.gamma * parameters.lambda);
   }

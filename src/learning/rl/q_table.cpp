@@ -22,7 +22,7 @@ void QTable::set(Row row, Action action, double value, std::uint32_t visits) {
 
 Action QTable::greedyAction(const Rows& rows) const {
   if (!rows.isOne()) return greedyAmong(rows);
-  // To compare all with the highest costs less than to remember which it was.
+  // A second pass is faster than tracking the index of the maximum.
   const double* values = &values_[index(rows[0], 0)];
   const double highest = highestOf(rows[0]);
   Action action = 0;
@@ -34,11 +34,11 @@ Action QTable::greedyAction(const Rows& rows, double tie) const {
   const double highest = greedyValue(rows);
   Action equals = 0;
   for (Action action = 0; action < actions_; ++action) equals += value(action, rows) == highest ? 1 : 0;
-  auto left = static_cast<Action>(tie * equals);  // below `equals`: so is the product of a tie below 1
+  auto left = static_cast<Action>(tie * equals);  // below `equals`, because tie is below 1
   for (Action action = 0; action < actions_; ++action) {
     if (value(action, rows) == highest && left-- == 0) return action;
   }
-  return 0;  // values that are no numbers
+  return 0;  // only if values are NaN
 }
 
 Action QTable::greedyAmong(const Rows& rows) const {

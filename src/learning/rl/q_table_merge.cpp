@@ -1,4 +1,4 @@
-// Merging of Q-tables: what both have of a source counts once.
+// Merging of Q-tables: common visits of a source count once.
 
 #include <algorithm>
 #include <functional>
@@ -13,27 +13,27 @@ std::string shapeOf(const QTable& table) {
   return std::to_string(table.rows()) + " rows of " + std::to_string(table.actions()) + " actions";
 }
 
-/// Exactly the second value for a share of 1, and never outside the two.
-double meanOf(double first, double second, double share_of_second) {
-  const double mean = (1.0 - share_of_second) * first + share_of_second * second;
+/// Returns the weighted mean; exactly the second value for a weight of 1, and never outside the interval of both.
+double meanOf(double first, double second, double weight_of_second) {
+  const double mean = (1.0 - weight_of_second) * first + weight_of_second * second;
   return std::clamp(mean, std::min(first, second), std::max(first, second));
 }
 
-/// Visits of one row and action.
+/// Visits of one row and action, summed over all sources.
 struct Tally {
   std::uint64_t only_mine = 0;
   std::uint64_t only_theirs = 0;
   std::uint64_t all = 0;
 };
 
-/// What two tables have of one source.
+/// The visits that two tables hold of one source; "mine" is the table that is merged into.
 class SourcePair {
  public:
   using Visits = std::shared_ptr<const VisitCounts>;
 
-  /// @param mine, theirs null where a table has nothing of the source
-  /// @param is_mine it is my own source, of which nobody has more than I, even where my visits have reached their
-  /// largest number
+  /// @param mine, theirs null if the table has no visits of the source
+  /// @param is_mine whether it is the own source of my table: no other table has more visits of it, even if mine are
+  /// saturated
   SourcePair(SourceId source, Visits mine, Visits theirs, bool is_mine)
       : source_(source),
         is_mine_(is_mine),
@@ -44,16 +44,16 @@ class SourcePair {
 
   SourceId source() const { return source_; }
 
-  /// Whether they may have what I have not.
+  /// Whether theirs may hold visits that mine do not.
   bool mayBringNews() const { return !is_mine_ && theirs_ != nullptr && theirs_ != mine_; }
 
-  /// To be called for rising rows.
+  /// Selects a row; rows must be selected in ascending order.
   void goTo(Row row) {
     my_row_ = my_cursor_.at(row);
     their_row_ = their_cursor_.at(row);
   }
 
-  // Of the row that it has gone to.
+  // The following two functions refer to the selected row.
 
   bool bringsNews() {
     for (Action action = 0; their_row_ != nullptr && action < theirs_->actions(); ++action) {
@@ -71,8 +71,8 @@ class SourcePair {
     tally.all += std::max(mine, theirs);
   }
 
-  /// The larger of both, once all rows were looked at for news. One of them is the later one and holds the other,
-  /// unless somebody made up their numbers.
+  /// Returns the larger of both; valid after bringsNews() was called for all rows. One of them is later and includes
+  /// the other, unless a file was forged.
   Visits larger() const {
     if (!they_lead_) return mine_ != nullptr ? mine_ : theirs_;
     return holdsAll(*theirs_, mine_.get()) ? theirs_ : largerOfEach();
@@ -123,7 +123,7 @@ class SourcePair {
 
 using SourcePairs = std::vector<SourcePair>;
 
-/// All sources that either table has.
+/// Pairs the sources of both tables; a source that only one of them has is paired with null.
 SourcePairs pairUp(const QTable& mine, const QTable& theirs) {
   const SourceId own = mine.source();
   const Contributions mines = mine.contributions();
@@ -142,10 +142,10 @@ SourcePairs pairUp(const QTable& mine, const QTable& theirs) {
   return pairs;
 }
 
-/// Calls use(row, action, tally) for all rows and actions of which they have visits that I have not.
+/// Calls use(row, action, tally) for each row and action of which only their table has visits.
 template <typename Use>
 void forEachNews(const QTable& table, SourcePairs& pairs, const Use& use) {
-  // Pairs without news only tell how much the news weigh.
+  // Pairs without news only contribute to the weights.
   const auto rest = std::partition(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.mayBringNews(); });
   for (Row row = 0; rest != pairs.begin() && row < table.rows(); ++row) {
     bool any = false;
@@ -180,7 +180,7 @@ std::uint64_t QTable::newVisitsOf(const QTable& other) const {
 
 std::uint64_t QTable::merge(const QTable& other) {
   requireSameShape(*this, other);
-  nameSource(contentId());  // which is about to change
+  nameSource(contentId());  // an unnamed source is identified by the content, which is about to change
   SourcePairs pairs = pairUp(*this, other);
   std::uint64_t news = 0;
   forEachNews(*this, pairs, [&](Row row, Action action, const Tally& tally) {

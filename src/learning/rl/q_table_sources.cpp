@@ -1,4 +1,4 @@
-// Which sources the visits of a Q-table come from.
+// The sources of the visits of a Q-table.
 
 #include <algorithm>
 #include <cstring>
@@ -30,7 +30,7 @@ void QTable::forEachOwnRow(const Use& use) const {
     for (VisitCursor& other : others) {
       const std::uint32_t* const visits = other.at(row);
       if (visits == nullptr) continue;
-      // What others have may be more than the sum where that has reached its largest number.
+      // Foreign visits may exceed the sum if the sum is saturated.
       for (Action action = 0; action < actions_; ++action) own[action] -= std::min(own[action], visits[action]);
     }
     if (!use(row, own.data())) return;

@@ -12,10 +12,10 @@ namespace {
 constexpr double LONGEST_TIME = 60.0;      // [s]
 constexpr double FASTEST_APPROACH = 10.0;  // [maximum speeds]
 
-/// A digit of row numbers: the classes of a quantity, which are as many limits as it reaches.
-/// @param sign what is compared with the limits is sign * value
+/// A digit of the row numbers: the class of a quantity, the number of limits that it reaches.
+/// @param sign the limits are compared with sign * value
 simd::ClassDigit digitOf(const MoveFeatures::Lanes& values, const std::vector<float>& limits, float sign = 1.0F) {
-  static_assert(MoveFeatures::LANES % simd::VALUES_PADDED == 0, "kernels read so many");
+  static_assert(MoveFeatures::LANES % simd::VALUES_PADDED == 0, "kernels read whole registers");
   return {values.data(), sign, limits.data(), limits.size()};
 }
 

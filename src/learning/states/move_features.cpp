@@ -12,17 +12,17 @@ namespace {
 using Lanes = MoveFeatures::Lanes;
 constexpr std::size_t LANES = MoveFeatures::LANES;
 
-/// What is known of an agent while its features are worked out.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): begin() writes it, and zeroing takes time
+/// Intermediate results of one agent.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): begin() writes it; zeroing takes time
 struct Course {
   CandidateVelocities candidates;
-  Vector2 preferred;   // its velocity if nobody were there [m/s]
-  float max_speed;     // no candidate is faster [m/s]
-  float time_to_goal;  // at full speed; what lies behind the goal does not count [s]
+  Vector2 preferred;   // straight to the goal at maximum speed, agent frame [m/s]
+  float max_speed;     // upper bound of the speed of candidates [m/s]
+  float time_to_goal;  // at full speed; later collisions do not count [s]
 };
 
-/// Of a move of which the rule leaves too little the velocity is that of staying.
-/// @param walking whether the agent walked in the last tick: else no move is a turn
+/// Writes the velocities of the moves; zero for a move with an admissible fraction below min_fraction.
+/// @param walking whether the agent moved in the last tick; if not, no move is a turn
 void findCandidates(const MoveBlock& moves, float min_fraction, float max_speed, bool walking,
                     MoveFeatures& __restrict features, CandidateVelocities& __restrict candidates) {
   for (std::size_t i = 0; i < LANES; ++i) {
@@ -54,8 +54,8 @@ void begin(const DecisionContext& context, std::size_t block, std::size_t count,
                  features, candidate.candidates);
 }
 
-/// What lies behind the goal does not count.
-/// @param unit of the times that the inverses stand for [s]
+/// Converts inverse times to times; collisions after the arrival at the goal do not count.
+/// @param unit the inverses are unit / time
 void toTimes(const Lanes& soonest, float unit, float time_to_goal, Lanes& times) {
   for (std::size_t i = 0; i < LANES; ++i) {
     const float time = unit / soonest[i];

@@ -13,7 +13,7 @@ std::vector<double> inRadians(std::vector<double> degrees) {
   return degrees;
 }
 
-/// Distance to the nearest rim and a point in the direction it lies, both as seen by the agent.
+/// Returns the distance to the nearest rim [m] and a point in its direction, agent frame.
 std::pair<double, Vector2> findNearest(const Perception& perception) {
   std::pair<double, Vector2> nearest(std::numeric_limits<double>::infinity(), Vector2::Zero());
   for (const Neighbour& neighbour : perception.neighbours) {

@@ -8,7 +8,7 @@
 namespace crowd {
 namespace {
 
-/// Nearer than this a wall passes through the agent's centre, and directions to its parts mean nothing [m].
+/// A wall that is nearer than this passes through the agent's centre, so that the direction to it is undefined [m].
 constexpr double NO_DIRECTION = 1e-9;
 
 }  // namespace
@@ -32,7 +32,7 @@ OccupancyStates::OccupancyStates(const Parameters& parameters)
 
 Row OccupancyStates::rowOf(const Perception& perception) const {
   Occupied occupied{};
-  // A whole body, of which two numbers are needed, would be put together in memory first.
+  // Reads the arrays: a Neighbour would be assembled in memory first, with fields that are not needed.
   const NeighbourSpan& neighbours = perception.neighbours;
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     addNeighbour({neighbours.xs()[i], neighbours.ys()[i]}, neighbours.radii()[i], occupied);

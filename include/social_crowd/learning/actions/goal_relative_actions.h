@@ -7,19 +7,19 @@
 
 namespace crowd {
 
-/// @brief A fan of headings measured from the goal's bearing, at full speed and slower, and staying; cut short where
-/// the separation rule says so.
+/// @brief Headings relative to the goal's bearing, at full speed and at a slower speed, and staying. The separation
+/// rule limits the moves (see SeparationRule).
 class GoalRelativeActions : public ActionSet {
  public:
   static constexpr const char* TYPE = "goal_relative";
 
   struct Parameters {
-    std::vector<double> headings = {0, 10, 20, 35, 55, 80, 120, 180};  ///< to either side, rising [degrees]
+    std::vector<double> headings = {0, 10, 20, 35, 55, 80, 120, 180};  ///< to either side, ascending [degrees]
     std::vector<double> slow_headings = {0, 35};                       ///< of the slower moves [degrees]
     double slow_fraction = 0.5;                                        ///< of the maximum speed
-    bool stay = true;                                                  ///< whether to stay is an action
-    GapSharing gap_sharing = GapSharing::MOVING;
-    double lookout = 1.5;  ///< how far ahead a way clear of moving obstacles is kept [s]; 0: none
+    bool stay = true;                                                  ///< whether staying is an action, the last one
+    GapSharing gap_sharing = GapSharing::MOVING;                       ///< see SeparationRule
+    double lookout = 1.5;  ///< see SeparationRule [s]; 0: moving obstacles are ignored
   };
 
   GoalRelativeActions() : GoalRelativeActions(Parameters()) {}
@@ -38,8 +38,8 @@ class GoalRelativeActions : public ActionSet {
 
   Parameters parameters_;
   SeparationRule rule_;
-  std::vector<MoveBlock> base_moves_;  // around the heading
-  std::size_t turned_ = 0;             // so many of its moves are measured from the goal's bearing instead
+  std::vector<MoveBlock> base_moves_;  // relative to the heading
+  std::size_t turned_ = 0;             // number of moves, from the first, that are relative to the goal's bearing
   std::vector<Action> mirrored_;
 };
 

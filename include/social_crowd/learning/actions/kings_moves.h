@@ -6,9 +6,9 @@
 
 namespace crowd {
 
-/// @brief The thesis's actions: turn the heading by an even fraction of the circle and walk at full speed. With the
-/// thesis's 8 rotations these are a chess king's moves: 0, 45, ... 315 degrees. The last action may
-/// be to stay put (thesis 5.2): neither turn nor move.
+/// @brief The action set of the thesis (3.2.2.2): turn by a multiple of 360 degrees / rotations and walk at full speed.
+/// With the thesis's 8 rotations these are a chess king's moves: 0, 45, ... 315 degrees. Optionally, the last action is
+/// to stay (thesis 5.2): neither turn nor move.
 class KingsMoves : public ActionSet {
  public:
   static constexpr const char* TYPE = "kings_moves";

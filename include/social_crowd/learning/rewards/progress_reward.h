@@ -4,19 +4,20 @@
 
 namespace crowd {
 
-/// @brief What a tick cost, measured in ticks: progress made less the tick itself, less penalties on turning, on a
-/// collision course, on standing about and on contact. A tick straight to the goal at full speed, nobody in the way, is
-/// worth 0.
+/// @brief Progress towards the goal, less the time that has passed, less penalties on turning, collision courses,
+/// standing still and contact. Unit: ticks; progress is the decrease of the distance to the goal divided by the path of
+/// one tick at maximum speed. A tick straight to the goal at full speed without a collision course has the reward 0.
+/// Source: docs/learning.md.
 class ProgressReward : public Reward {
  public:
   static constexpr const char* TYPE = "progress";
 
   struct Parameters {
-    double turn_penalty = 0.6;      ///< of a turn of the heading [1/rad]
-    double conflict_penalty = 1.0;  ///< of a collision course; in full if that is at hand, less the later it comes
-    double conflict_time = 4.0;     ///< a contact that far ahead costs nothing [s]
-    double rest_penalty = 0.5;      ///< of standing still, less the faster the agent went
-    double contact_penalty = 20.0;  ///< of overlapping a body
+    double turn_penalty = 0.6;      ///< per angle that the heading turns [ticks/rad]
+    double conflict_penalty = 1.0;  ///< of a collision course, if contact is immediate; decreases linearly to 0 [ticks]
+    double conflict_time = 4.0;     ///< time to contact from which there is no penalty [s]
+    double rest_penalty = 0.5;      ///< of standing still; decreases linearly to 0 at maximum speed [ticks]
+    double contact_penalty = 20.0;  ///< of an overlap with a neighbour, whatever their number [ticks]
   };
 
   ProgressReward() : ProgressReward(Parameters()) {}

@@ -6,32 +6,34 @@
 
 namespace crowd {
 
-/// @brief The thesis's reward: a prize on arrival, else a goal part and an obstacle part (3.6-3.9), less a penalty for
-/// staying.
+/// @brief The reward of the thesis: a constant on arrival, else a goal part plus an obstacle part (3.6-3.9), less a
+/// penalty on staying. Without unit: as in the thesis, the parts are added as numbers, also with a goal part in metres.
+/// The keys and members `obstacle_cost` and `stay_cost` are penalties.
 class ThesisReward : public Reward {
  public:
   static constexpr const char* TYPE = "thesis";
 
   enum class GoalPart {
-    DISTANCE_GAINED,  ///< (3.6) by how much the distance to the goal has shrunk [m]
+    DISTANCE_GAINED,  ///< (3.6) decrease of the distance to the goal [m]
     COSINE_CUBED,     ///< (3.7) cos^3 of the angle between the new heading and the goal
   };
 
   struct Parameters {
     GoalPart goal = GoalPart::COSINE_CUBED;
-    double arrival = 100.0;
-    /// What an obstacle of distance class 1 costs; class D costs this / 10^(2 (D-1)). (3.8): 80, for the nearest one;
-    /// (3.9): 10, summed over the occupied sectors.
+    double arrival = 100.0;  ///< reward on arrival, in place of all other parts
+    /// Penalty on an obstacle of distance class 1; that on class D is this / 10^(2 (D-1)). (3.8): 80, for the nearest
+    /// obstacle; (3.9): 10, summed over the occupied sectors.
     double obstacle_cost = 80.0;
-    double stay_cost = 0.0;  ///< of a tick in which the agent did not move (thesis 5.2)
+    double stay_cost = 0.0;  ///< penalty on a tick in which the agent did not move (thesis 5.2)
   };
 
+  /// @brief Computes the obstacle part of every row of the state set, so that both fit together.
   ThesisReward(const Parameters& parameters, const StateSet& state_set);
 
   double operator()(const AgentPerception& before, const Perception& after, Row row) const override;
   std::string spec() const override;
 
-  /// @brief The obstacle part of a row, 0 or negative.
+  /// @brief Returns the obstacle part of a row, 0 or negative.
   double obstaclePart(Row row) const { return obstacle_parts_[row]; }
 
  private:

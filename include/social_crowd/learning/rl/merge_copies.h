@@ -7,14 +7,15 @@
 
 namespace crowd {
 
-/// @brief Merges what copies of a Q-table have learned, each on its own, into the table they were made from, in the
+/// @brief Merges copies of a Q-table that have learned independently into the table that they were copied from, in the
 /// rows begin .. end-1.
 ///
-/// Each value becomes what one learner would hold that had made all the visits: what it was before keeps the share that
-/// so many steps leave of it, once and not once a copy; the rest is what the copies learned since, weighted by their
-/// visits since. Visits since add up. A value that one copy alone has visited is taken over as it is, and what a value
-/// becomes depends on that value alone, not on the others or on how the rows are shared out. Not for copies that were
-/// learned with traces: these change values without visits.
+/// Each value becomes that of one learner with the visits of all copies: the old value keeps the weight that this
+/// number of visits leaves of it (LearningRateSchedule::retainedWeight()); the rest is the mean of what the copies have
+/// learned since, weighted by their visits since. The visits since are added. A value that only one copy has visited is
+/// taken over unchanged. Entries are independent of each other, so threads may merge disjoint ranges of rows
+/// concurrently. Not valid for copies that were learned with traces, which change values without visits.
+/// @param copies of the same shape as the table, with at least its visits
 void mergeCopies(const std::vector<const QTable*>& copies, const LearningRateSchedule& learning_rates, Row begin,
                  Row end, QTable& table);
 

@@ -6,12 +6,12 @@
 
 namespace crowd {
 
-/// @brief Left and right exchanged: which rows and actions of a Q-table are each other's mirror image.
+/// @brief Maps rows and actions of a Q-table to their mirror images, with left and right exchanged.
 class Mirror {
  public:
-  /// @brief Everything is its own mirror image: nothing is mirrored.
+  /// @brief The identity: every row and action is its own mirror image.
   Mirror() = default;
-  /// @brief The images that a state set and an action set tell.
+  /// @brief Collects the mirror images that a state set and an action set define.
   template <typename StateSet, typename ActionSet>
   Mirror(const StateSet& state_set, const ActionSet& action_set)
       : rows_(state_set.rowCount()), actions_(action_set.size()) {
@@ -21,7 +21,7 @@ class Mirror {
 
   Row row(Row row) const { return rows_.empty() ? row : rows_[row]; }
   Action action(Action action) const { return actions_.empty() ? action : actions_[action]; }
-  /// @brief Whether the mirror image of a row and action is another one.
+  /// @brief Whether the mirror image of a pair of row and action is a different pair.
   bool hasImage(Row row, Action action) const {
     return !rows_.empty() && (rows_[row] != row || actions_[action] != action);
   }

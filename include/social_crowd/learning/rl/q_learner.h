@@ -10,26 +10,29 @@
 
 namespace crowd {
 
-/// @brief Q-learning (3.1) of one agent on a Q-table that it may share with others: updates with Watkins's eligibility
-/// traces, and choice of actions. Knows nothing of perceptions.
+/// @brief Q-learning of one agent (thesis 3.1; Watkins 1989), with Watkins's eligibility traces, on a Q-table that it
+/// may share with other agents. Independent of perceptions.
 ///
-/// Use: choose an action for the rows of the present state, carry it out, then learn from the reward and the rows of
-/// the state it led to (or learnTerminal), choose again. With a mirror, the same targets also teach the mirror images
-/// of the decision and of those that traces lead back to, as if another agent had lived through all of it with left and
-/// right exchanged; what is its own mirror image is learned once. A table in which mirror images are equal stays so,
-/// bit for bit.
+/// Call contract: choose an action for the rows of the state, call recordDecision(), carry the action out, then call
+/// learn() with the reward and the rows of the next state, or learnTerminal(). Not thread-safe, also with respect to
+/// the table.
+///
+/// With a mirror, the same targets also update the mirror images of the decision and of its traces, as if another agent
+/// had made the same experience with left and right exchanged. A pair that is its own mirror image is updated once. A
+/// table in which mirror images have equal values keeps this property, bit for bit.
 class QLearner {
  public:
   static constexpr double FIRST_OF_TIES = 0.0;
 
-  /// @brief Greedy choice (pure control).
-  /// @param tie in [0, 1), decides between equal values; 0: the first
+  /// @brief Returns the greedy action.
+  /// @param tie in [0, 1), decides among equal values; 0: the first
   static Action chooseGreedy(const QTable& table, const Rows& rows, double tie = FIRST_OF_TIES) {
     return tie > FIRST_OF_TIES ? table.greedyAction(rows, tie) : table.greedyAction(rows);
   }
 
-  /// @brief Epsilon-greedy choice: with probability epsilon any action, else the greedy one.
-  /// @param draw uniform in [0, 1), decides whether to explore; @param any uniform in [0, 1), decides on which action.
+  /// @brief Returns the epsilon-greedy action: with probability epsilon any action, else the greedy one.
+  /// @param draw uniform in [0, 1), decides whether to explore
+  /// @param any uniform in [0, 1), decides which action is explored
   /// @param tie as in chooseGreedy()
   static Action chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any,
                                 double tie = FIRST_OF_TIES) {
@@ -37,7 +40,7 @@ class QLearner {
     return std::min(static_cast<Action>(any * table.actions()), table.actions() - 1);
   }
 
-  /// @brief Notes that an action was taken; the next learn() is about it. Cuts the traces if the action is not greedy.
+  /// @brief Records the action that was chosen, for the next learn(). Clears the traces if the action is not greedy.
   void recordDecision(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters) {
     if (parameters.lambda > 0.0) {
       fadeTraces(table, rows, action, parameters);
@@ -49,22 +52,24 @@ class QLearner {
     action_ = action;
   }
 
-  /// @brief Learns from the noted decision: it brought `reward` and led to a state with these rows.
+  /// @brief Updates the table for the recorded decision (3.1).
+  /// @param next rows of the next state
   void learn(QTable& table, double reward, const Rows& next, const LearningParameters& parameters,
              const LearningRateSchedule& learning_rates, const Mirror& mirror = Mirror()) {
     update(table, reward + parameters.gamma * table.greedyValue(next), parameters, learning_rates, mirror);
   }
 
-  /// @brief Learns from the noted decision: it brought `reward` and ended the episode; nothing is expected beyond.
+  /// @brief Updates the table for a recorded decision that ended the episode: the target is the reward alone.
   void learnTerminal(QTable& table, double reward, const LearningParameters& parameters,
                      const LearningRateSchedule& learning_rates, const Mirror& mirror = Mirror()) {
     update(table, reward, parameters, learning_rates, mirror);
     resetTraces();
   }
 
+  /// @brief Whether a decision is recorded.
   bool hasDecision() const { return has_decision_; }
 
-  /// @brief Forgets the noted decision and the traces; the table stays.
+  /// @brief Clears the recorded decision and the traces; does not change the table.
   void resetTraces() {
     has_decision_ = false;
     traces_.clear();

@@ -9,11 +9,13 @@
 
 namespace crowd {
 
-/// @brief Values and visits of every row and action; rows * actions of each, all zero at first.
+/// @brief Values and visits of every pair of row and action, rows() x actions(), initially zero. Values have the unit
+/// of the reward. Not thread-safe; indices are not checked.
 ///
-/// A table knows which sources its visits come from (docs/learning.md, Replacing and merging): one of its own, to which
-/// all that is learned in it belongs, and others that it was given. So what two tables have in common counts once when
-/// they are merged. The visits of the own source are those that are left; learning does nothing for it.
+/// A table records the sources of its visits (docs/learning.md, Replacing and merging), so that experience that two
+/// tables have in common counts once when they are merged: its own source, to which everything learned in it belongs,
+/// and foreign sources that it received. The visits of its own source are not stored; they are all visits less the
+/// foreign ones.
 class QTable {
  public:
   /// @throws ShapeError unless there is at least one row and one action.
@@ -22,63 +24,69 @@ class QTable {
   Row rows() const { return rows_; }
   Action actions() const { return actions_; }
 
+  /// @brief Returns the value of a row and action.
   double value(Row row, Action action) const { return values_[index(row, action)]; }
-  /// @brief How many decisions the value was learned from; saturates.
+  /// @brief Returns the number of decisions that the value was learned from; saturates.
   std::uint32_t visits(Row row, Action action) const { return visits_[index(row, action)]; }
+  /// @brief Sets the value and the visits of a row and action.
   void set(Row row, Action action, double value, std::uint32_t visits);
   /// @brief Adds to a value.
   void addTo(Row row, Action action, double change) { values_[index(row, action)] += change; }
-  /// @brief Counts a decision that the value is learned from. @return how many there are now
+  /// @brief Increments the visits of a row and action. @return the new number of visits
   std::uint32_t countVisit(Row row, Action action) {
     std::uint32_t& visits = visits_[index(row, action)];
     return visits += visits != UINT32_MAX ? 1 : 0;
   }
 
-  /// @brief The action of the highest value; of equal ones the first, so that ties break the same way every time.
+  /// @brief Returns the action of the highest value; of equal values the first, so that ties are deterministic.
   Action greedyAction(const Rows& rows) const;
-  /// @brief One of the actions of the highest value.
-  /// @param tie in [0, 1), decides between them: with n of them, number tie * n, rounded down, counted from 0
+  /// @brief Returns one of the actions of the highest value.
+  /// @param tie in [0, 1): of n such actions number floor(tie * n) is taken, counted from 0
   Action greedyAction(const Rows& rows, double tie) const;
-  /// @brief The highest value.
+  /// @brief Returns the highest value.
   double greedyValue(const Rows& rows) const { return rows.isOne() ? highestOf(rows[0]) : highestAmong(rows); }
 
-  /// @brief Whether any action of the row was ever decided on.
+  /// @brief Whether any action of the row has visits.
   bool isVisited(Row row) const;
+  /// @brief Number of rows with visits.
   Row visitedRows() const;
 
-  /// @brief Of all rows and actions.
+  /// @brief Sum of the visits of all rows and actions.
   std::uint64_t allVisits() const;
 
-  /// @brief Takes over what the other table knows and this one does not. Each value becomes the mean of both, weighted
-  /// by the visits that only the one and only the other has; where only one of them has any, its value is taken, where
-  /// none has, the value stays. Of each source the larger number of visits counts. @return the visits that were new to
-  /// this table @throws ShapeError if the shapes differ.
+  /// @brief Merges the experience of another table into this one. Each value becomes the mean of both, weighted by the
+  /// visits that only this table and only the other one has; if the other one has none of its own, the value stays. Of
+  /// each source, the larger number of visits counts.
+  /// @return number of visits that were new to this table
+  /// @throws ShapeError if the shapes differ
   std::uint64_t merge(const QTable& other);
-  /// @brief How many visits the other table has that this one has not. @throws ShapeError if the shapes differ.
+  /// @brief Returns the number of visits that only the other table has. @throws ShapeError if the shapes differ.
   std::uint64_t newVisitsOf(const QTable& other) const;
 
-  /// @brief The own source: its name, or where it has none, a checksum of what the table holds; NO_SOURCE if no visit
-  /// is its own. So two tables that were read from files of the same content have the same source.
+  /// @brief Returns the own source: its name or, without a name, contentId(); NO_SOURCE without own visits. So tables
+  /// that were read from files of the same content have the same source.
   SourceId source() const;
+  /// @brief Whether the own source has a name.
   bool isNamed() const { return source_ != NO_SOURCE; }
-  /// @brief Gives the own source a name, unless it has one or no visits. To be done before somebody else is given the
-  /// table while learning goes on in this one.
+  /// @brief Names the own source, unless it has a name or no visits. Must be called before a copy of the table is given
+  /// away while learning continues in this one.
   void nameSource(SourceId name);
-  /// @brief From now on learning belongs to a new source: all there is, is somebody's. To be done with a table that
-  /// others may have, too, before anything is learned in it.
+  /// @brief Makes all present visits foreign and begins a new own source. Must be called before learning in a table of
+  /// which other copies may exist.
   void beginSource();
-  /// @brief Whether there are visits of the own source.
+  /// @brief Whether the own source has visits.
   bool hasOwnVisits() const;
-  /// @brief What the table holds of other sources.
+  /// @brief The visits of foreign sources.
   const Contributions& foreign() const { return foreign_; }
-  /// @brief The same and what it holds of its own.
+  /// @brief Returns the visits of all sources, the own one included.
   Contributions contributions() const;
-  /// @brief For readers of files: the sources of what was set. @param own NO_SOURCE: without a name
+  /// @brief Sets the sources of the visits; used when a file is read. @param own name of the own source, NO_SOURCE:
+  /// none
   void setSources(SourceId own, Contributions foreign);
-  /// @brief Checksum of visits and values, never 0.
+  /// @brief Returns a checksum of visits and values, never 0.
   SourceId contentId() const;
 
-  /// @brief Same shape, same visits, same values bit for bit, whatever their sources.
+  /// @brief Whether shapes, visits and values are equal, values bit for bit. Sources are not compared.
   friend bool operator==(const QTable& a, const QTable& b);
   friend bool operator!=(const QTable& a, const QTable& b) { return !(a == b); }
 
@@ -96,11 +104,11 @@ class QTable {
   double highestOf(Row row) const {
     return highest([values = &values_[index(row, 0)]](Action action) { return values[action]; });
   }
-  /// The highest of the values that `value_of` tells of each action.
+  /// Returns the highest of value_of(action).
   template <typename ValueOf>
   double highest(const ValueOf& value_of) const {
-    // Two that do not wait for each other, but one by one: one of the values has often just been written, and two at
-    // once could not be read before that is in the cache.
+    // Two independent chains of maxima, but scalar loads: one of the values has often just been written, and a vector
+    // load that covers it would have to wait for the store.
     double even = value_of(actions_ - 1);
     double odd = even;
     for (Action action = 0; action + 1 < actions_; action += 2) {
@@ -114,7 +122,7 @@ class QTable {
   Action actions_;
   std::vector<double> values_;
   std::vector<std::uint32_t> visits_;
-  SourceId source_ = NO_SOURCE;  // name of the own one
+  SourceId source_ = NO_SOURCE;  // name of the own source
   Contributions foreign_;
 };
 

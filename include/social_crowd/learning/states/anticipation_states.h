@@ -8,28 +8,31 @@
 
 namespace crowd {
 
-/// @brief One row per action: what would come of that move? When it would touch another agent or a thing that yields to
-/// nobody, how much of it the separation rule leaves, how sharp a turn it is; and whether anybody comes the other way.
+/// @brief One row per action, computed from the features of its move (see MoveFeatures): times to collision with agents
+/// and with static bodies, the admissible fraction, the turn; and the fastest approach of another agent. There is no
+/// terminal row.
 ///
-/// A quantity is told by its class: how many of its limits it reaches. A quantity without limits is not told.
+/// Each quantity is encoded by its class, the number of its limits that it reaches. A quantity without limits is not
+/// encoded. The classes are the digits of the row number, each with a base of its own. Source: docs/learning.md.
 class AnticipationStates : public StateSet {
  public:
   static constexpr const char* TYPE = "anticipation";
 
   struct Parameters {
     double vision_radius = 6.0;         ///< [m]
-    std::uint32_t max_neighbours = 16;  ///< the nearest so many; 0: no limit
-    /// Time to collision with an agent that does half of what is needed: at 2 x mine - my last - its last velocity [s].
+    std::uint32_t max_neighbours = 16;  ///< the nearest ones; 0: no limit
+    /// Reciprocal time to collision (van den Berg et al. 2008), at the relative velocity 2 v - own last - other's last
+    /// [s].
     std::vector<double> reciprocal_times = {0.5, 1, 1.5, 2, 3, 4, 6};
-    /// Time to collision with an agent that goes on as it does [s].
+    /// Time to collision with an agent that keeps its velocity [s].
     std::vector<double> constant_velocity_times = {1, 2, 4};
     /// Time to collision with a wall or an obstacle [s].
     std::vector<double> static_times = {0.5, 1, 2, 3, 4.5};
-    /// What the separation rule leaves of the displacement.
+    /// Fraction of the wanted displacement that the separation rule admits.
     std::vector<double> admissible_fractions = {0.05, 0.5, 0.95};
-    /// To either side of the way the agent went last [degrees].
+    /// Angle to the direction of the last move, to either side [degrees].
     std::vector<double> turns = {4, 15, 45};
-    /// Fastest approach of another agent if this one walked to its goal at full speed [in units of that].
+    /// Fastest approach of another agent if this one had its preferred velocity [maximum speeds].
     std::vector<double> oncoming = {1.2};
   };
 
@@ -41,7 +44,7 @@ class AnticipationStates : public StateSet {
   bool needsMoves() const override { return true; }
   void findRows(const DecisionContext& context) const override;
   void findRowsOfAll(const DecisionBatch& contexts) const override;
-  /// @brief The same row: none of its quantities tells left from right.
+  /// @brief Returns the same row: no quantity depends on left and right.
   Row mirrored(Row row) const override { return row; }
   std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
   std::vector<OccupiedSector> occupiedSectors(const Perception& /*perception*/) const override { return {}; }
@@ -49,11 +52,11 @@ class AnticipationStates : public StateSet {
   std::uint32_t maxNeighbours() const override { return parameters_.max_neighbours; }
   std::string spec() const override;
 
-  /// @brief Writes a row for each of the first `count` moves.
+  /// @brief Writes the row of each of the first `count` moves.
   void findRows(const MoveFeatures& features, std::size_t count, Row* rows) const;
 
  private:
-  /// Limits of classes, in single precision as what is compared with them.
+  /// Limits of classes, in single precision like the features.
   using Limits = std::vector<float>;
   void addLimits(const std::vector<double>& limits, Limits& single);
 
@@ -63,13 +66,13 @@ class AnticipationStates : public StateSet {
   Limits constant_velocity_times_;
   Limits static_times_;
   Limits admissible_fractions_;
-  Limits turn_cosines_;  // minus the cosines, so that they rise
+  Limits turn_cosines_;  // negative cosines, which ascend with the angle
   Limits oncoming_;
   double min_fraction_ = 0.0;
   Row row_count_ = 1;
 };
 
-/// @brief Reads a map of the parameters, all optional. @throws InputError
+/// @brief Reads a map of the parameters, all optional. @param actions number of actions @throws InputError
 std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action actions);
 
 }  // namespace crowd

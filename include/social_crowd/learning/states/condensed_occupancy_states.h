@@ -10,8 +10,8 @@
 namespace crowd {
 
 /// @brief The thesis's state set 2, condensed as its future work suggests (5.2: the nearest distance "as a whole circle
-/// and not slices"): sector of the goal, whether anything is within the collision radius anywhere around, and for every
-/// sector whether anything lies in it or reaches into it within the radius of vision.
+/// and not slices"): sector of the goal, whether anything is within the collision radius in any sector, and for every
+/// sector whether it is occupied within the radius of vision.
 ///
 /// With n sectors the state is G * 2 * 2^n + near * 2^n + code, where the code's binary digits are the sectors, sector
 /// 0 first as in (3.5); terminal n * 2 * 2^n.
@@ -31,20 +31,20 @@ class CondensedOccupancyStates : public StateSet {
   Row mirrored(Row row) const override;
   /// @brief 1 if anything is within the collision radius, then 2 for each occupied sector.
   std::vector<int> distanceClasses(Row row) const override;
-  /// @brief With the class of each sector, of which the row tells less.
+  /// @brief With the distance class of each sector; the row holds less.
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override {
     return occupancy_.occupiedSectors(perception);
   }
   std::vector<double> distanceLimits() const override { return occupancy_.distanceLimits(); }
   std::string spec() const override;
 
-  /// @brief The row of what state set 2 tells.
+  /// @brief Returns the row of a situation of state set 2.
   Row rowOf(const OccupancyStates::Situation& situation) const;
   /// @brief The row of an agent that has arrived.
   Row terminal() const { return 2 * codes_ * static_cast<Row>(sectors_.count()); }
 
  private:
-  /// The digit of a sector in a row's code.
+  /// The value of a sector's digit in the code of a row.
   Row digitOf(int sector) const { return Row{1} << static_cast<unsigned>(sectors_.count() - 1 - sector); }
 
   OccupancyStates occupancy_;

@@ -12,7 +12,8 @@ struct DistanceClasses {
   double collision_radius = DEFAULT_COLLISION_RADIUS;  ///< [m], outer limit of class 1
   double vision_radius = DEFAULT_VISION_RADIUS;        ///< [m], outer limit of class 2
 
-  /// @brief 1 within the collision radius, 2 within the radius of vision, both limits included; 0 beyond.
+  /// @brief Returns 1 within the collision radius, 2 within the radius of vision (limits included), 0 beyond.
+  /// @param rim_distance distance from the agent's centre to the other's rim [m]
   int classOf(double rim_distance) const {
     if (rim_distance <= collision_radius) return 1;
     return rim_distance <= vision_radius ? 2 : 0;

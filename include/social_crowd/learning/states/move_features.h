@@ -7,29 +7,29 @@
 
 namespace crowd {
 
-/// @brief What would come of several moves, side by side and in single precision, so that the compiler makes vector
-/// instructions of every step.
+/// @brief Features of up to LANES candidate moves of one agent, one array per feature and in single precision, so that
+/// the compiler can vectorise each step. A collision later than the arrival at the goal counts as NEVER.
 struct MoveFeatures {
-  static constexpr std::size_t LANES = MoveBlock::SIZE;  ///< moves that are looked at together
+  static constexpr std::size_t LANES = MoveBlock::SIZE;  ///< number of moves per block
   using Lanes = std::array<float, LANES>;
 
-  alignas(64) Lanes reciprocal_times;  ///< to collision with an agent that does its half [s]; NEVER if there is none
-  alignas(64) Lanes constant_velocity_times;  ///< to collision with an agent that goes on as it does [s]
-  alignas(64) Lanes static_times;             ///< to collision with a wall or an obstacle [s]
-  alignas(64) Lanes admissible_fractions;     ///< of the wanted displacement
-  alignas(64) Lanes turn_cosines;
-  float oncoming;  ///< fastest approach of another agent if this one walked to its goal at full speed, in units of that
+  alignas(64) Lanes reciprocal_times;         ///< reciprocal time to collision with an agent [s], or NEVER
+  alignas(64) Lanes constant_velocity_times;  ///< time to collision with an agent that keeps its velocity [s], or NEVER
+  alignas(64) Lanes static_times;             ///< time to collision with a wall or an obstacle [s], or NEVER
+  alignas(64) Lanes admissible_fractions;     ///< admissible fraction of the wanted displacement
+  alignas(64) Lanes turn_cosines;             ///< of the angle to the heading; 1 if the agent stood still
+  float oncoming;  ///< fastest approach of another agent, for the preferred velocity [maximum speeds]
 
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): computeMoveFeatures() writes them all
   MoveFeatures() = default;
 };
 
-/// @brief What would come of moves of several agents.
-/// @param contexts MAX_BATCH at most
-/// @param block which block of their moves
-/// @param count the first so many moves of it, 1 to LANES; the other lanes hold anything
-/// @param min_fraction a move of which the separation rule leaves less is to stay, wherever it was to lead
-/// @param features one for each agent, to be written
+/// @brief Computes the features of one block of moves of each of several agents.
+/// @param contexts at most MAX_BATCH, with moves
+/// @param block index of the block of moves
+/// @param count number of moves of the block, 1 to LANES; the features of the other lanes are undefined
+/// @param min_fraction a move with a smaller admissible fraction has the times to collision of staying
+/// @param features output, one per context
 void computeMoveFeatures(const DecisionBatch& contexts, std::size_t block, std::size_t count, double min_fraction,
                          MoveFeatures* features);
 

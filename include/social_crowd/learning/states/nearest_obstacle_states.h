@@ -7,7 +7,7 @@
 namespace crowd {
 
 /// @brief The thesis's state set 1 (3.2-3.4): sector of the goal, and sector and distance class of the nearest
-/// obstacle.
+/// rim of an agent, obstacle or wall.
 ///
 /// With G the goal sector (nG of them), A the obstacle sector (nO), D the distance class (1 .. nD):
 /// nothing perceived: G; else (nG - 1) + G * (nO * nD) + A * nD + D; terminal: nG * nO * nD + nG.
@@ -21,7 +21,7 @@ class NearestObstacleStates : public StateSet {
     DistanceClasses distances;
   };
 
-  /// @brief What a state says.
+  /// @brief The contents of a state.
   struct Situation {
     int goal_sector = 0;
     int obstacle_sector = 0;
@@ -39,11 +39,13 @@ class NearestObstacleStates : public StateSet {
   std::vector<double> distanceLimits() const override;
   std::string spec() const override;
 
+  /// @brief Returns the contents of the state that a perception maps to.
   Situation describe(const Perception& perception) const;
+  /// @brief Returns the row of a situation, (3.2) and (3.3).
   Row rowOf(const Situation& situation) const;
-  /// @brief What a row says; it must not be the terminal one.
+  /// @brief Inverse of rowOf(). @param row not the terminal row
   Situation situationOf(Row row) const;
-  /// @brief The row of an agent that has arrived (3.4).
+  /// @brief The row of an agent that has arrived (3.4), the last one; see StateSet::rowCount().
   Row terminal() const;
 
  private:

@@ -10,28 +10,28 @@
 
 namespace crowd {
 
-/// @brief The thesis's state set 2 (3.2.2.1, (3.5)): sector of the goal, and for every sector a distance class, found
-/// in two steps for each body:
+/// @brief The thesis's state set 2 (3.2.2.1, (3.5)): sector of the goal, and a distance class for every sector,
+/// computed in two steps for each body:
 /// 1. the segment that joins the agent and the body's centre gives one sector, which takes the class of the distance
 ///    from the agent's centre to the body's rim;
 /// 2. the limiting vectors of the sectors, with the lengths of the distance classes, are intersected with the body: the
 ///    sectors on both sides of a vector that is cut take the class of the shortest length that is cut.
-/// The smallest class of all neighbours counts. Walls, which the thesis does not have, are treated the same way, with
-/// their nearest point in place of the centre.
+/// A sector has the smallest, that is the nearest, class of all bodies. Walls, which the thesis does not have, are
+/// treated the same way, with their nearest point in place of the centre.
 ///
 /// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
 /// 3^8 * G + code, terminal 3^8 * 8.
 class OccupancyStates : public StateSet {
  public:
   static constexpr const char* TYPE = "occupancy";
-  static constexpr int MAX_SECTORS = 12;  // 3^12 * 12 rows are the most that make sense as a table
+  static constexpr int MAX_SECTORS = 12;  // a table of 3^12 * 12 rows is the largest practical one
 
   struct Parameters {
     int sectors = 8;  ///< of the goal and of the obstacles
     DistanceClasses distances;
   };
 
-  /// @brief What a state says; classes of sectors beyond the set's number are 0.
+  /// @brief The contents of a state; the classes of unused sectors are 0.
   struct Situation {
     int goal_sector = 0;
     std::array<int, MAX_SECTORS> distance_classes{};
@@ -48,12 +48,14 @@ class OccupancyStates : public StateSet {
   std::vector<double> distanceLimits() const override;
   std::string spec() const override;
 
+  /// @brief Returns the contents of the state that a perception maps to.
   Situation describe(const Perception& perception) const;
+  /// @brief Returns the row of a situation or of a perception, (3.5).
   Row rowOf(const Situation& situation) const;
   Row rowOf(const Perception& perception) const;
-  /// @brief What a row says; it must not be the terminal one.
+  /// @brief Inverse of rowOf(). @param row not the terminal row
   Situation situationOf(Row row) const;
-  /// @brief The row of an agent that has arrived.
+  /// @brief The row of an agent that has arrived, the last one; see StateSet::rowCount().
   Row terminal() const { return codes_ * static_cast<Row>(sectors_.count()); }
 
  private:
@@ -61,16 +63,16 @@ class OccupancyStates : public StateSet {
 
   /// A set of sectors, or of their right limits: bit 0 is sector 0.
   using SectorSet = std::uint32_t;
-  /// By distance class, from 1, the sectors that hold something of that class.
+  /// The occupied sectors of each distance class; index 0 is class 1.
   using Occupied = std::array<SectorSet, DistanceClasses::COUNT>;
 
   SectorSet allSectors() const { return (1U << static_cast<unsigned>(sectors_.count())) - 1U; }
-  /// The sectors on both sides of limits.
+  /// Returns the sectors on both sides of the limits.
   SectorSet sectorsBeside(SectorSet limits) const;
   SectorSet sectorOf(const Vector2& point) const {
     return 1U << static_cast<unsigned>(sectors_.indexOf(bearingOf(point)));
   }
-  /// The limiting vectors of that length that a body cuts.
+  /// Returns the limiting vectors of a length [m] that a body intersects.
   SectorSet limitsCut(const Vector2& centre, double radius, double length) const;
   SectorSet limitsCut(const Segment& wall, double length) const;
   static void occupy(Occupied& occupied, SectorSet sectors, int distance_class) {
@@ -84,7 +86,7 @@ class OccupancyStates : public StateSet {
   std::array<double, MAX_SECTORS> limit_xs_{};  // unit vectors of the right limit of each sector
   std::array<double, MAX_SECTORS> limit_ys_{};
   Row codes_;                   // 3^sectors
-  std::vector<Row> set_codes_;  // of each set of sectors, if class 1 is in all of it and no other is occupied
+  std::vector<Row> set_codes_;  // code of each set of sectors, with class 1 in its sectors and 0 elsewhere
 };
 
 }  // namespace crowd

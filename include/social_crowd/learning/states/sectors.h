@@ -6,8 +6,8 @@
 
 namespace crowd {
 
-/// @brief Even sectors of the circle, number 0 centred straight ahead, counted counterclockwise. A sector holds its
-/// right limit and not its left one.
+/// @brief Sectors of equal width around an agent. Sector 0 is centred straight ahead; numbers ascend counterclockwise.
+/// A sector includes its right limit and excludes its left limit.
 class EvenSectors {
  public:
   explicit EvenSectors(int count) : count_(count), width_(2.0 * PI / count) {}
@@ -15,19 +15,20 @@ class EvenSectors {
   int count() const { return count_; }
   /// @brief Width of a sector [rad].
   double width() const { return width_; }
-  /// @brief The sector of an angle [rad], whatever its multiple of the full circle.
+  /// @brief Returns the sector of an angle [rad], of any range.
   int indexOf(double angle) const { return wrap(unwrappedIndexOf(angle)); }
-  /// @brief The same not yet taken modulo the number of sectors, for sweeping an interval of angles.
+  /// @brief The same without the modulo operation, for sweeps over an interval of angles.
   long unwrappedIndexOf(double angle) const { return static_cast<long>(std::floor(angle / width_ + 0.5)); }
+  /// @brief Reduces an unwrapped index to 0 .. count() - 1.
   int wrap(long index) const {
     if (index >= -count_ && index < count_) return static_cast<int>(index) + (index < 0 ? count_ : 0);
     const long rest = index % count_;
     return static_cast<int>(rest < 0 ? rest + count_ : rest);
   }
-  /// @brief The sector on the other side. What lies exactly on a limit has its mirror image in the next sector, as the
-  /// limit is the right one of both.
+  /// @brief Returns the mirror image of a sector. The mirror image of a point exactly on a limit lies in the adjacent
+  /// sector, because each sector includes its right limit.
   int mirrored(int index) const { return wrap(-static_cast<long>(index)); }
-  /// @brief The right limit of a sector [rad].
+  /// @brief Returns the right limit of a sector [rad].
   double rightLimit(long index) const { return (static_cast<double>(index) - 0.5) * width_; }
 
  private:
@@ -35,21 +36,22 @@ class EvenSectors {
   double width_;
 };
 
-/// @brief Sectors that mirror left and right and may be of uneven width: finer in front (thesis fig. 3.6).
+/// @brief Sectors that are symmetric about the heading and may differ in width, such as finer in front (thesis
+/// fig. 3.6).
 ///
 /// Sectors 0 .. n-1 lie on the left from front to back, n .. 2n-1 on the right. An angle exactly on a limit belongs to
-/// the sector behind it, straight ahead to the left.
+/// the rear one of both sectors; straight ahead belongs to the left.
 class MirroredSectors {
  public:
-  /// @param limits outer limits of the sectors of one side [rad], rising, the last one pi.
+  /// @param limits outer limits of the sectors of one side [rad], ascending, the last one pi
   explicit MirroredSectors(std::vector<double> limits) : limits_(std::move(limits)) {}
 
   int count() const { return 2 * static_cast<int>(limits_.size()); }
-  /// @brief The sector of an angle in [-pi, pi].
+  /// @brief Returns the sector of an angle in [-pi, pi] [rad].
   int indexOf(double angle) const;
-  /// @brief The sector on the other side.
+  /// @brief Returns the mirror image of a sector.
   int mirrored(int index) const { return (index + count() / 2) % count(); }
-  /// @brief Right and left limit of a sector [rad].
+  /// @brief Return the right and the left limit of a sector [rad].
   double rightLimit(int index) const;
   double leftLimit(int index) const;
 
