@@ -63,7 +63,7 @@ Learner::Learner(Model model, Options options, QTable table)
 
 void Learner::beginSources() {
   if (has_own_sources_) return;
-  base_->beginSource();  // which everybody still uses
+  base_->beginSource();  // no agent has a table of its own yet
   has_own_sources_ = true;
 }
 
@@ -84,7 +84,7 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
   }
   listServedAgents(perceptions, actions);
   if (options_.mode == Mode::TRAINING) {
-    // Everybody learns before anybody decides: the decisions of a tick rest on one and the same table.
+    // All agents learn before any agent decides, so that all decisions of a tick use the same table.
     learn(perceptions);
     if (!perceptions.last) exploreAll(perceptions, actions);
   } else if (!perceptions.last) {
@@ -172,10 +172,10 @@ void Learner::beginEpisode(std::uint64_t episode) {
 }
 
 inline std::uint32_t Learner::neighboursInSight(const Perceptions& perceptions, const AgentPerception& self) const {
-  // Without a limit the state set takes what it looks at from whatever there is.
+  // Without a limit the state set selects the neighbours itself.
   if (sight_.max_neighbours == 0) return self.neighbour_count;
   std::uint32_t count = std::min(sight_.max_neighbours, self.neighbour_count);
-  // The nearest comes first.
+  // Neighbours are sorted, nearest rim first.
   while (count > 0 && rimDistance(perceptions.neighbours[self.first_neighbour + count - 1]) > sight_.radius) --count;
   return count;
 }
@@ -214,7 +214,7 @@ inline void Learner::learn(const Perceptions& perceptions) {
   }
 }
 
-/// Of all served agents that are to answer: nothing of what is learned changes their rows.
+/// Finds the rows of all agents before they learn: learning does not change rows, and batches are faster.
 inline void Learner::findAllRows(const Perceptions& perceptions) {
   makeRoom(served_agents_.size(), workspace_);
   workspace_.group.clear();
@@ -233,7 +233,7 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
                               Memory& memory) {
   const AgentPerception& now = seen.self;
   if (!memory.learner.hasDecision()) return;
-  // What was not carried out, or lies more than a tick back, taught nothing.
+  // Nothing is learned from a decision that was not carried out or was made before the previous tick.
   if (!now.acted || memory.episode != perceptions.episode || memory.tick + 1 != perceptions.tick) {
     memory.learner.resetTraces();
     return;
@@ -312,7 +312,7 @@ inline Action Learner::chooseExploring(const KeyedRandom& chance, const Percepti
 
 inline void Learner::answer(const DecisionContext& context, Action action, AgentAction& given) const {
   given.agent = context.seen.self.agent;
-  // Written to where it stays: a copy of what has just been written would wait until that is in the cache.
+  // Writes to the destination directly: the loads of a copy would wait for the stores that were just made.
   if (context.moves == nullptr) {
     model_.action_set->findAction(context.seen, action, given.action);
   } else {
@@ -368,7 +368,7 @@ QTable Learner::tableToSave(AgentId agent) {
 }
 
 void Learner::nameSource(AgentId agent, SourceId name) {
-  // What nobody has learned in has no visits of its own, or those of a file, which are named by its content.
+  // Without learning, a table has no own visits, or only those of a file, which are identified by its content.
   if (!has_own_sources_) return;
   const std::uint32_t place = places_.find(agent);
   (place == AgentPlaces::NONE ? base_ : memories_[place].table)->nameSource(name);
@@ -398,7 +398,7 @@ Learner::TakenByAll Learner::takeTable(QTable table, TakeMethod method) {
   }
   taken.newcomers = give(base_, table, method);
   for (Memory& memory : memories_) {
-    if (!own || method == TakeMethod::REPLACE) memory.table = base_;  // one copy does for all
+    if (!own || method == TakeMethod::REPLACE) memory.table = base_;  // one copy for all agents
   }
   return taken;
 }

@@ -13,7 +13,7 @@ bool readOcclusion(const YamlMap& map) {
 
 Vision Model::vision() const {
   Vision vision;
-  // A hair more than the state set looks at, so that it judges by itself what lies exactly on its limit.
+  // Rounding in the perception must not drop bodies exactly at the limit of the state set.
   constexpr double MARGIN = 1e-6;  // [m]
   vision.radius = state_set->distanceLimits().back() + MARGIN;
   vision.occlusion = occlusion;

@@ -19,12 +19,13 @@ constexpr std::string_view HEADER_END = "---";
 constexpr std::string_view SOURCE_KEY = "source ";
 constexpr std::string_view CHECKSUM_KEY = "checksum: ";
 constexpr std::string_view HEX_DIGITS = "0123456789abcdef";
-constexpr std::int64_t MOST_SOURCES = 1'000'000;
+constexpr std::int64_t MAX_SOURCES = 1'000'000;
 constexpr const char* A_SOURCE = "16 hexadecimal digits, not all 0";
-constexpr std::size_t MOST_OF_ROW = 11;             // letters beside its entries
-constexpr std::size_t MOST_OF_ENTRY = 10 + 24 + 2;  // letters of visits and a value, with spaces
+constexpr std::size_t MAX_ROW_SIZE = 11;             // characters of the row number and the line end
+constexpr std::size_t MAX_ENTRY_SIZE = 10 + 24 + 2;  // characters of visits, a value and two spaces
 
-bool isWorthALine(const QTable& table, Row row) {
+/// Whether the row differs from a new one.
+bool isStored(const QTable& table, Row row) {
   for (Action action = 0; action < table.actions(); ++action) {
     const double value = table.value(row, action);
     if (table.visits(row, action) > 0 || value != 0.0 || std::signbit(value)) return true;
@@ -40,17 +41,17 @@ std::string textOf(SourceId source) {
   return digits;
 }
 
-/// What a file must tell of sources for its reader to know them all. Of what it does not tell, the source is what
-/// QTable::source() says of a table whose own one has no name.
+/// The sources that a file must list so that its reader can restore all of them. A single source that equals
+/// QTable::source() of a table without a named own source is not listed.
 struct Sources {
-  SourceId rest = NO_SOURCE;  // of all visits that are not told
-  Contributions told;
+  SourceId rest = NO_SOURCE;  // of all visits that are not listed
+  Contributions listed;
 
-  explicit Sources(const QTable& table) : told(table.foreign()) {
+  explicit Sources(const QTable& table) : listed(table.foreign()) {
     if (table.isNamed()) rest = table.source();
-    if (told.size() == 1 && !table.hasOwnVisits()) {
-      rest = told.front().source;
-      told.clear();
+    if (listed.size() == 1 && !table.hasOwnVisits()) {
+      rest = listed.front().source;
+      listed.clear();
     }
     if (rest != NO_SOURCE && rest == table.contentId()) rest = NO_SOURCE;
   }
@@ -71,7 +72,7 @@ std::string headerOf(const TrainedTable& trained, const Sources& sources, std::s
   add("decisions", std::to_string(trained.decisions));
   add("seed", std::to_string(trained.seed));
   if (sources.rest != NO_SOURCE) add("source", "'" + textOf(sources.rest) + "'");
-  if (!sources.told.empty()) add("other_sources", std::to_string(sources.told.size()));
+  if (!sources.listed.empty()) add("other_sources", std::to_string(sources.listed.size()));
   add("visited_rows", std::to_string(lines));
   return text + std::string(HEADER_END) + "\n";
 }
@@ -105,14 +106,14 @@ void appendSource(const Contribution& contribution, std::string& text) {
   }
 }
 
-/// Takes a text apart line by line and knows where it is.
+/// Reads a text line by line and counts the lines.
 class LineReader {
  public:
   LineReader(std::string_view text, std::string name) : rest_(text), unsummed_(text), name_(std::move(name)) {}
 
   bool atEnd() const { return rest_.empty(); }
 
-  /// The next line, which must be there and be ended.
+  /// Returns the next line without its line end; fails if there is none.
   std::string_view next(const std::string& expected) {
     ++line_;
     const std::size_t end = rest_.find('\n');
@@ -122,7 +123,7 @@ class LineReader {
     return line;
   }
 
-  /// Whether that is the next line; if so, it is read.
+  /// Reads the next line if it is the expected one; returns whether it is.
   bool nextIs(std::string_view expected) {
     const bool is_it = rest_.size() > expected.size() && rest_.substr(0, expected.size()) == expected &&
                        rest_[expected.size()] == '\n';
@@ -136,8 +137,8 @@ class LineReader {
 
   const std::string& name() const { return name_; }
 
-  /// Adds the text before `end` that is not in the checksum yet; the checksum of all before `end`. To be called often:
-  /// it then costs little.
+  /// Adds the text before `end` that is not in the checksum yet; returns the checksum of all text before `end`.
+  /// Frequent calls are fast, because the text is still in the cache.
   const Checksum& sumUpTo(const char* end) {
     const auto length = static_cast<std::size_t>(end - unsummed_.data());
     checksum_.add(unsummed_.substr(0, length));
@@ -154,11 +155,11 @@ class LineReader {
 };
 
 std::string quoted(std::string_view text) {
-  constexpr std::size_t MOST = 60;
-  return "'" + std::string(text.substr(0, MOST)) + (text.size() > MOST ? "...'" : "'");
+  constexpr std::size_t MAX_SIZE = 60;
+  return "'" + std::string(text.substr(0, MAX_SIZE)) + (text.size() > MAX_SIZE ? "...'" : "'");
 }
 
-/// Of what is no Q-table nothing is told: whoever asks might not be allowed to read it.
+/// The message does not quote a file that is not a Q-table: the caller may not be allowed to read it.
 void readMagic(LineReader& lines) {
   const std::string magic = std::string(MAGIC) + " " + std::to_string(VERSION);
   if (lines.nextIs(magic)) return;
@@ -166,7 +167,7 @@ void readMagic(LineReader& lines) {
                    "': this is no Q-table of this package, or one of another version");
 }
 
-/// What the header says of the table's shape and history.
+/// Contents of the header.
 struct Header {
   Model model;
   LearningParameters parameters;
@@ -179,7 +180,7 @@ struct Header {
   Row visited_rows = 0;
 };
 
-/// The number that textOf() wrote.
+/// Inverse of textOf().
 std::optional<SourceId> toSource(std::string_view text) {
   if (text.size() != 16) return std::nullopt;
   SourceId source = 0;
@@ -201,7 +202,7 @@ SourceId readSource(const YamlMap& map) {
 }
 
 std::string readHeaderText(LineReader& lines) {
-  std::string text = "\n";  // stands for the magic line, so that YAML counts lines as the file does
+  std::string text = "\n";  // in place of the magic line, so that YAML's line numbers are those of the file
   for (;;) {
     const std::string_view line = lines.next("the end of the header, '---'");
     if (line == HEADER_END) return text;
@@ -233,7 +234,7 @@ Header readHeader(LineReader& lines) {
   header.decisions = map.count("decisions");
   header.seed = map.count("seed");
   header.source = readSource(map);
-  header.other_sources = static_cast<std::size_t>(map.whole("other_sources", 1, MOST_SOURCES, 0));
+  header.other_sources = static_cast<std::size_t>(map.whole("other_sources", 1, MAX_SOURCES, 0));
   header.visited_rows = static_cast<Row>(map.whole("visited_rows", 0, rows));
   return header;
 }
@@ -256,7 +257,7 @@ std::optional<std::uint32_t> toCount(std::string_view word) {
   return static_cast<std::uint32_t>(count);
 }
 
-/// Takes the number of a row from the front of a line; it must be above that of the row before.
+/// Reads the row number at the start of a line; it must be above that of the previous row.
 Row readRowNumber(const LineReader& lines, std::string_view line, std::int64_t before, Row end,
                   std::string_view& rest) {
   rest = line;
@@ -270,7 +271,7 @@ void requireEndOfRow(const LineReader& lines, std::string_view line, std::string
   lines.fail("nothing after the last of " + std::to_string(actions) + " actions", quoted(rest));
 }
 
-/// Reads one row; it must be above the row before. Returns its number.
+/// Reads one row, whose number must be above that of the previous row. Returns its number.
 Row readRow(LineReader& lines, std::int64_t before, QTable& table) {
   const std::string_view line = lines.next("a row of the Q-table");
   std::string_view rest;
@@ -288,13 +289,13 @@ Row readRow(LineReader& lines, std::int64_t before, QTable& table) {
   return row;
 }
 
-/// Reads the visits that come from other sources.
+/// Reads the visits of foreign sources.
 class SourcesReader {
  public:
   SourcesReader(LineReader& lines, const QTable& table)
       : lines_(lines), table_(table), visits_(table.actions()), sums_(table.rows() * std::size_t{table.actions()}) {}
 
-  /// Reads those of one source, which must be above the one before.
+  /// Reads one source, whose id must be above that of the previous one.
   Contribution read(SourceId before, SourceId own) {
     const std::string expected = "'" + std::string(SOURCE_KEY) + "' and a source of its own above " + textOf(before) +
                                  ", then its number of rows";
@@ -321,7 +322,7 @@ class SourcesReader {
     bool any = false;
     for (Action action = 0; action < table_.actions(); ++action) {
       const std::optional<std::uint32_t> count = toCount(nextWord(rest));
-      if (!count || !isLeft(row, action, *count)) {
+      if (!count || !isAvailable(row, action, *count)) {
         lines_.fail("visits of each of " + std::to_string(table_.actions()) +
                         " actions, of all sources together no more than the table has",
                     quoted(line));
@@ -336,8 +337,8 @@ class SourcesReader {
     return row;
   }
 
-  /// Whether the table has so many more visits. Those that have reached their largest number may be any number.
-  bool isLeft(Row row, Action action, std::uint32_t count) {
+  /// Whether the table has this many visits beyond those of the sources read so far. Saturated visits allow any number.
+  bool isAvailable(Row row, Action action, std::uint32_t count) {
     const std::uint32_t all = table_.visits(row, action);
     std::uint64_t& sum = sums_[static_cast<std::size_t>(row) * table_.actions() + action];
     sum += count;
@@ -346,7 +347,7 @@ class SourcesReader {
 
   LineReader& lines_;
   const QTable& table_;
-  std::vector<std::uint32_t> visits_;  // of a row
+  std::vector<std::uint32_t> visits_;  // of one row
   std::vector<std::uint64_t> sums_;    // of all sources so far
 };
 
@@ -366,14 +367,14 @@ void readSources(LineReader& lines, const Header& header, QTable& table) {
 std::string toText(const TrainedTable& trained) {
   std::vector<Row> rows;
   for (Row row = 0; row < trained.table.rows(); ++row) {
-    if (isWorthALine(trained.table, row)) rows.push_back(row);
+    if (isStored(trained.table, row)) rows.push_back(row);
   }
   const Sources sources(trained.table);
   std::string text = headerOf(trained, sources, rows.size());
-  // A text that grows is copied again and again; room that is not written to costs nothing.
-  text.reserve(text.size() + rows.size() * (MOST_OF_ROW + trained.table.actions() * MOST_OF_ENTRY));
+  // Avoids reallocations; reserved pages that are not written to need no memory.
+  text.reserve(text.size() + rows.size() * (MAX_ROW_SIZE + trained.table.actions() * MAX_ENTRY_SIZE));
   for (const Row row : rows) appendRow(trained.table, row, text);
-  for (const Contribution& contribution : sources.told) appendSource(contribution, text);
+  for (const Contribution& contribution : sources.listed) appendSource(contribution, text);
   Checksum checksum;
   checksum.add(text);
   return text.append(CHECKSUM_KEY).append(checksum.text()).append("\n");

@@ -12,7 +12,7 @@
 namespace crowd {
 namespace {
 
-constexpr double ROUNDING = 1e-5;  // of times in single precision
+constexpr double ROUNDING = 1e-5;  // tolerance of times in single precision
 const CandidateMove ANY_MOVE;
 
 const AnticipationStates& states() {
@@ -20,7 +20,7 @@ const AnticipationStates& states() {
   return STATES;
 }
 
-/// What would come of a move.
+/// Returns the features of a move.
 struct Features {
   double reciprocal_time = NEVER;
   double constant_velocity_time = NEVER;
@@ -42,7 +42,7 @@ Features describe(const PerceptionsBuilder& scene, const CandidateMove& move) {
           all.turn_cosines[0],     all.oncoming};
 }
 
-/// What would come of full speed ahead, 0.3 m/s.
+/// Returns the features of full speed ahead, 0.3 m/s.
 Features ahead(const PerceptionsBuilder& scene) { return describe(scene, {Vector2::UnitX(), 1.0, 1.0}); }
 
 Row rowOf(const Features& move_features) {
@@ -75,8 +75,8 @@ TEST(AnticipationStates, NothingComesOfAFreeMove) {
 }
 
 TEST(AnticipationStates, AnAgentMeetsAsItGoesOnOrDoesItsHalf) {
-  // 1.2 m apart, it comes with 0.1 m/s, the agent went aside with 0.1 m/s: 0.4 m/s head on; and 0.7 m/s, a little
-  // aside.
+  // Gap 1.2 m; the other comes at 0.1 m/s, the agent moved sideways at 0.1 m/s: the relative speed is 0.4 m/s head on,
+  // and the reciprocal one 0.7 m/s, slightly sideways.
   const auto scene =
       PerceptionsBuilder().agent(0, {9.0, 0.0}).neighbour({1.7, 0.0}, 0.25).velocity({0.0, 0.1}, {-0.1, 0.0});
   const auto move_features = ahead(scene);
@@ -95,7 +95,7 @@ TEST(AnticipationStates, ObstaclesAndWallsYieldToNobody) {
 }
 
 TEST(AnticipationStates, ABlockedMoveMeetsWhatStayingMeets) {
-  // 1.2 m apart, it comes with 0.1 m/s, the agent stood: 12 s if the agent stays; the wall is never met.
+  // Gap 1.2 m; the other comes at 0.1 m/s: 12 s if the agent stays. The wall is never touched.
   const auto scene = PerceptionsBuilder()
                          .agent(0, {9.0, 0.0})
                          .neighbour({1.7, 0.0}, 0.25)
@@ -148,11 +148,11 @@ TEST(AnticipationStates, FindsARowForEachMove) {
       PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({1.0, 0.0}, 0.25).velocity({0.3, 0}, {-0.3, 0});
   const std::vector<Row> rows = rowsOf(states(), GoalRelativeActions(), scene);
   ASSERT_EQ(rows.size(), GoalRelativeActions().size());
-  const double approach = 2.0;  // 0.3 against 0.3 m/s
+  const double approach = 2.0;  // 0.3 m/s against 0.3 m/s
   auto move_features = ahead(scene);
   move_features.oncoming = approach;
   EXPECT_EQ(rows[0], rowOf(move_features));
-  EXPECT_NE(rows[0], rows[13]);  // straight back
+  EXPECT_NE(rows[0], rows[13]);  // backwards
 }
 
 TEST(AnticipationStates, ServesAnyActionSet) {
@@ -163,7 +163,7 @@ TEST(AnticipationStates, ServesAnyActionSet) {
     const std::vector<Row> rows = rowsOf(states, kings, scene);
     ASSERT_EQ(rows.size(), kings.size());
     EXPECT_EQ(rows[0], rowOf(Features()));
-    // Half-way round the circle somebody stands 0.5 m away: contact after 1.7 s, or half of that.
+    // Behind the agent, another one stands at a gap of 0.5 m: contact after 1.7 s, or half of that.
     const Action back = kings.size() / 2;
     if (count % 2 == 0) {
       EXPECT_EQ(rows[back], rowOf({0.5 / 0.6, 0.5 / 0.3, NEVER, 1.0, 1.0, 0.0})) << count;

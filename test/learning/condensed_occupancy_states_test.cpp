@@ -19,10 +19,10 @@ Row rowOf(const StateSet& states, const PerceptionsBuilder& scene) {
 
 Row rowOf(const PerceptionsBuilder& scene) { return rowOf(CondensedOccupancyStates(), scene); }
 
-/// An agent whose goal lies 5 m away at a bearing [degrees].
+/// An agent with a goal at a distance of 5 m and a bearing [degrees].
 PerceptionsBuilder goalAt(double degrees) { return PerceptionsBuilder().agent(0, polar(degrees, 5.0)); }
 
-/// A body of radius 0.1 m whose rim is so far away [m], at a bearing [degrees]. At 0.3 m and beyond it spans up to
+/// A body of radius 0.1 m with its rim at a distance [m], at a bearing [degrees]. At 0.3 m and beyond it spans up to
 /// asin(0.1 / 0.4) = 14.5 degrees to either side, less than half a sector's width.
 PerceptionsBuilder& addNeighbour(double degrees, double rim, PerceptionsBuilder& scene) {
   return scene.neighbour(polar(degrees, rim + 0.1), 0.1);
@@ -59,7 +59,7 @@ TEST(CondensedOccupancyStates, TellsWhichSectorsAreOccupied) {
 TEST(CondensedOccupancyStates, TellsWhetherAnythingIsNearAnywhere) {
   PerceptionsBuilder near = goalAt(0.0);
   EXPECT_EQ(rowOf(addNeighbour(180.0, 0.4, near)), 256U + 8U);
-  // Which of them is near is not told.
+  // The state does not contain which of them is near.
   for (const double near_one : {0.0, 90.0}) {
     PerceptionsBuilder scene = goalAt(45.0);
     addNeighbour(near_one, 0.4, scene);

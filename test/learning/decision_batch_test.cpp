@@ -1,4 +1,4 @@
-// Agents that choose side by side: what each chooses by does not depend on who else does.
+// Decisions in batches: the result of each agent does not depend on the other agents of the batch.
 
 #include "social_crowd/avoidance/decision_context.h"
 
@@ -28,7 +28,7 @@ Vector2 anyVector(KeyedRandom& random, double longest) {
 void addBodies(KeyedRandom& random, std::uint32_t count, bool agents_alone, PerceptionsBuilder& scene) {
   const Vector2 own = random.below(5) == 0 ? Vector2(Vector2::Zero()) : anyVector(random, 0.3);
   for (; count > 0; --count) {
-    // Some so near that moves are cut, or upon the agent, or in its very place.
+    // Some are near enough to limit moves, overlap the agent, or have its position.
     const double farthest = random.below(3) == 0 ? 0.6 : 3.0;
     const Vector2 place = random.below(50) == 0 ? Vector2(Vector2::Zero()) : anyVector(random, farthest);
     scene.neighbour(place, random.uniform(0.05, 0.3));
@@ -37,7 +37,7 @@ void addBodies(KeyedRandom& random, std::uint32_t count, bool agents_alone, Perc
   }
 }
 
-/// Up to MAX_BATCH agents: alone, among a few, among more than are looked at at once, among obstacles, by walls.
+/// Up to MAX_BATCH agents: alone, with few neighbours, with more than NEIGHBOURS_AT_ONCE, with obstacles, with walls.
 PerceptionsBuilder anyGroup(KeyedRandom& random) {
   PerceptionsBuilder group;
   const std::size_t size = 1 + random.below(MAX_BATCH);
@@ -52,7 +52,7 @@ PerceptionsBuilder anyGroup(KeyedRandom& random) {
   return group;
 }
 
-/// Agents that choose, and where what they choose by is kept.
+/// Deciding agents with their buffers.
 struct Choosing {
   std::vector<MoveBlock> moves;
   std::vector<Row> rows;
@@ -71,7 +71,7 @@ bool areSame(const std::vector<MoveBlock>& a, const std::vector<MoveBlock>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(MoveBlock)) == 0;
 }
 
-/// A fan whose moves fill less than a block, or more.
+/// Action sets whose moves fill less than one block, or more.
 GoalRelativeActions anyActionSet(GapSharing sharing, bool wide) {
   GoalRelativeActions::Parameters parameters;
   parameters.gap_sharing = sharing;
@@ -119,7 +119,7 @@ TEST(DecisionBatch, AreCutShortTogetherByEveryLimitThatOneAloneMeets) {
       }
       rule.cut(together.all(), count);
       for (const DecisionContext& context : alone.contexts) {
-        rule.cut(context.seen, context.moves, count);  // body by body, not as a list of all that are near
+        rule.cut(context.seen, context.moves, count);  // neighbour by neighbour, not as a list of near agents
         cut_short += context.moves->fraction[0] < context.moves->wanted[0] ? 1 : 0;
       }
       ASSERT_TRUE(areSame(together.moves, alone.moves)) << toText(sharing) << ", seed " << seed;

@@ -1,4 +1,4 @@
-// What chance and the split of agents over learners may change of a learner's decisions, and what not.
+// How random numbers and the distribution of agents over learners affect decisions.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ Learner::Options exploring(double epsilon, std::uint64_t seed = 1) {
   return made;
 }
 
-/// How often each action was chosen by many agents in one tick.
+/// Counts how often each action was chosen by many agents in one tick.
 std::array<int, 8> countActions(Learner& learner, std::uint64_t episode, std::uint64_t tick) {
   PerceptionsBuilder scene(episode, tick);
   for (AgentId agent = 0; agent < MANY; ++agent) scene.agent(agent, goalIn(agent % 4, 4.0));
@@ -84,14 +84,14 @@ TEST(Exploration, FollowsTheScheduleOverTheEpisodes) {
   Learner::Options falling = exploring(0.0);
   falling.plan.epsilon = {0.8, 0.0, 4, EpsilonSchedule::Shape::LINEAR};
   Learner learner(model(), falling, bestIsFive());
-  // A share of 7/8 of what is drawn is not the best.
+  // 7/8 of the random actions are not the best one.
   EXPECT_NEAR(countActions(learner, 0, 0).at(BEST), 2400, 210);  // 8000 * (1 - 0.8 * 7/8)
   EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.8);
   EXPECT_NEAR(countActions(learner, 3, 0).at(BEST), 6600, 210);  // 8000 * (1 - 0.2 * 7/8)
   EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.2);
   EXPECT_EQ(countActions(learner, 4, 0).at(BEST), static_cast<int>(MANY));
   EXPECT_EQ(learner.parameters().epsilon, 0.0);
-  countActions(learner, 1, 0);  // an earlier episode once more
+  countActions(learner, 1, 0);  // an earlier episode again
   EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.6);
 }
 
@@ -126,7 +126,7 @@ TEST(Exploration, GoesOnFallingWhereSomethingElseWasSet) {
   EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.4);
 }
 
-// --- what decisions depend on ---
+// --- dependencies of decisions ---
 
 constexpr AgentId AGENTS = 12;
 
@@ -197,7 +197,7 @@ TEST(Decisions, OfOneAgentAloneAreThoseOfOneOnAList) {
   for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
     const Learner::Options options = walking(Mode::TRAINING, tables);
     Learner::Options listed = options;
-    listed.agents = {0};  // whoever serves not everybody makes a list of whom it serves
+    listed.agents = {0};  // a learner that does not serve all agents lists those that it serves
     Learner alone(model(), options, randomTable(1));
     Learner on_list(model(), listed, randomTable(1));
     std::vector<Action> decisions;
@@ -248,7 +248,7 @@ TEST(Decisions, DoNotDependOnTheOrderInWhichAgentsAreLookedAt) {
 }
 
 TEST(Decisions, LearningChangesThem) {
-  // Without this the comparisons above would say little.
+  // Otherwise the comparisons above would prove little.
   EXPECT_NE(runOne(walking(Mode::TRAINING, TableUse::OWN)), runOne(walking(Mode::TRAINING, TableUse::SHARED)));
 }
 

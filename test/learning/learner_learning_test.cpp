@@ -1,4 +1,4 @@
-// What a learner learns in training mode, and what teaches it nothing.
+// Updates of a learner in training mode, and cases in which nothing is learned.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(Learning, LearnsThatArrivalIsWorthAHundred) {
   Learner learner(model(), options(Mode::TRAINING), table);
   decide(learner, tick(0, 2, 1.0));
   decide(learner, tick(1, 0, 0.0).arrived());
-  table.set(2, 3, 82.0, 2);  // 64 + 0.5 * (100 - 64): nothing is expected beyond
+  table.set(2, 3, 82.0, 2);  // 64 + 0.5 * (100 - 64): no value of a next state
   EXPECT_EQ(learner.tableOf(0), table);
   EXPECT_EQ(learner.decisions(), 1U);
 }
@@ -112,8 +112,8 @@ TEST(Learning, LearnsNothingFromAnAnswerThatWasMissed) {
 TEST(Learning, LearnsNothingAcrossAGap) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
-  decide(learner, tick(2, 1, 3.0));  // tick 1 did not come
-  decide(learner, tick(1, 2, 2.0));  // nor does time run backwards
+  decide(learner, tick(2, 1, 3.0));  // tick 1 is missing
+  decide(learner, tick(1, 2, 2.0));  // ticks do not descend
   decide(learner, PerceptionsBuilder(0, 2));
   decide(learner, tick(3, 3, 1.0));  // the agent was not there in tick 2
   EXPECT_EQ(learner.tableOf(0), emptyTable());
@@ -135,7 +135,7 @@ TEST(Learning, LearnsNothingAcrossAChangeOfMode) {
   learner.setMode(Mode::TRAINING);
   decide(learner, tick(1, 1, 3.0));
   EXPECT_EQ(learner.tableOf(0), emptyTable());
-  learner.setMode(Mode::TRAINING);  // no change: goes on
+  learner.setMode(Mode::TRAINING);  // no change of mode: learning continues
   decide(learner, tick(2, 2, 2.0));
   EXPECT_EQ(learner.tableOf(0).value(1, 0), 0.5);
   learner.forgetDecisions();

@@ -1,4 +1,4 @@
-// Whose table an agent learns in, and what becomes of it when another one is given.
+// The tables of a learner, and how they change when a table is given to it.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ QTable tableWith(double value, std::uint32_t visits) {
   return table;
 }
 
-/// Lets each of the agents 0, 1, ... decide once in row 0 and gain so many metres.
+/// Lets each of the agents 0, 1, ... decide once in row 0 and gain the given distances [m].
 void walk(Learner& learner, const std::vector<double>& gained, std::uint64_t episode = 0) {
   PerceptionsBuilder before(episode, 0);
   PerceptionsBuilder after(episode, 1);
@@ -56,7 +56,7 @@ TEST(OwnTables, LearnFromTheirAgentAlone) {
   walk(learner, {8.0, 4.0});
   EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 6));   // half of the way from 2 to 8
   EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 6));   // to 4
-  EXPECT_EQ(learner.tableOf(99), tableWith(2.0, 5));  // newcomers begin with what was given
+  EXPECT_EQ(learner.tableOf(99), tableWith(2.0, 5));  // new agents begin with the given table
   walk(learner, {8.0, 4.0, 0.0}, 1);
   EXPECT_EQ(learner.tableOf(0), tableWith(6.5, 7));
   EXPECT_EQ(learner.tableOf(1), tableWith(3.5, 7));
@@ -66,7 +66,7 @@ TEST(OwnTables, LearnFromTheirAgentAlone) {
 TEST(OwnTables, AreTheGivenOneWhileNobodyLearns) {
   Learner learner(model(), options(Mode::DEMO, TableUse::OWN), tableWith(2.0, 5));
   walk(learner, {8.0, 4.0});
-  EXPECT_EQ(&learner.tableOf(0), &learner.tableOf(1));  // no copies for nothing
+  EXPECT_EQ(&learner.tableOf(0), &learner.tableOf(1));  // no unnecessary copies
   EXPECT_EQ(learner.tableOf(0), tableWith(2.0, 5));
 }
 
@@ -76,7 +76,7 @@ TEST(TakeTable, ReplacesTheSharedTable) {
   const QTable given = randomTable(1);
   learner.takeTable(given, TakeMethod::REPLACE);
   for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), given);
-  walk(learner, {0.0}, 1);  // goes on in the new table, which is the learner's own
+  walk(learner, {0.0}, 1);  // continues in the new table, which belongs to the learner
   EXPECT_NE(learner.tableOf(0), given);
   EXPECT_EQ(learner.tableOf(1), learner.tableOf(0));
   EXPECT_EQ(given, randomTable(1));
@@ -103,7 +103,7 @@ TEST(TakeTable, ReplacesAllOwnTablesAndThatOfNewcomers) {
   walk(learner, {8.0, 4.0});
   learner.takeTable(tableWith(2.0, 1), TakeMethod::REPLACE);
   for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(2.0, 1));
-  walk(learner, {8.0, 4.0}, 1);  // and they part again
+  walk(learner, {8.0, 4.0}, 1);  // and they diverge again
   EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 2));
   EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 2));
   EXPECT_EQ(learner.tableOf(99), tableWith(2.0, 1));
@@ -115,14 +115,14 @@ TEST(TakeTable, MergesIntoEachOwnTable) {
   learner.takeTable(tableWith(8.0, 3), TakeMethod::MERGE);
   EXPECT_EQ(learner.tableOf(0), tableWith(7.0, 4));   // (4 + 3 * 8) / 4
   EXPECT_EQ(learner.tableOf(1), tableWith(6.5, 4));   // (2 + 3 * 8) / 4
-  EXPECT_EQ(learner.tableOf(99), tableWith(8.0, 3));  // newcomers knew nothing
+  EXPECT_EQ(learner.tableOf(99), tableWith(8.0, 3));  // new agents had no experience
 }
 
 TEST(TakeTable, ForOneAgentLeavesTheOthersTheirs) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 1));
   walk(learner, {2.0, 2.0});  // value 2 stays, two visits
   learner.takeTable(0, tableWith(5.0, 1), TakeMethod::REPLACE);
-  learner.takeTable(7, tableWith(4.0, 3), TakeMethod::MERGE);  // not met yet: merged with what it would begin with
+  learner.takeTable(7, tableWith(4.0, 3), TakeMethod::MERGE);  // unknown agent: merged with its initial table
   EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 1));
   EXPECT_EQ(learner.tableOf(1), tableWith(2.0, 2));
   EXPECT_EQ(learner.tableOf(7), tableWith(3.5, 4));  // (2 + 3 * 4) / 4
@@ -136,7 +136,7 @@ TEST(TakeTable, SharesWhatOneAgentLearnedWithAll) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
   walk(learner, {8.0, 4.0, 2.0});  // values 4, 2, 1
   learner.takeTable(learner.tableToShare(0), TakeMethod::MERGE);
-  EXPECT_EQ(learner.tableOf(0), tableWith(4.0, 1));  // which is what it knows already
+  EXPECT_EQ(learner.tableOf(0), tableWith(4.0, 1));  // which it knows already
   EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 2));
   EXPECT_EQ(learner.tableOf(2), tableWith(2.5, 2));
   EXPECT_EQ(learner.tableOf(99), tableWith(4.0, 1));
@@ -207,7 +207,7 @@ TEST(TakeTable, RefusesAnotherShapeAndLeavesAllAsItIs) {
   }
 }
 
-/// Ends the process: with status 0 if an agent of that number can be given a table like any other.
+/// Ends the process, with status 0 if a table can be given to an agent of that id.
 [[noreturn]] void giveTableTo(AgentId agent) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
   learner.takeTable(agent, tableWith(5.0, 1), TakeMethod::REPLACE);

@@ -78,7 +78,7 @@ TEST(Learner, DoesTheBestItKnowsInDemoMode) {
 
 TEST(Learner, LearnsNothingInDemoMode) {
   Learner::Options demo = options(Mode::DEMO);
-  demo.plan.epsilon = EpsilonSchedule::constant(1.0);  // does not matter
+  demo.plan.epsilon = EpsilonSchedule::constant(1.0);  // has no effect
   Learner learner(model(), demo, towardsGoal());
   for (std::uint64_t i = 0; i < 20; ++i) {
     EXPECT_EQ(decideOne(learner, tick(i, i % 4, 20.0 - static_cast<double>(i))), 2 * (i % 4));
@@ -210,7 +210,7 @@ TEST(Learner, LooksAtNoMoreThanItsModelsVision) {
     EXPECT_EQ(answer(far.neighbour(polar(0.0, 3.3), 0.25)), answer(nobody));
     differed += answer(seen) != answer(nobody) ? 1 : 0;
   }
-  EXPECT_GT(differed, 50);  // else there would be nothing to see
+  EXPECT_GT(differed, 50);  // otherwise the test would prove nothing
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(LearningRateSchedule, AreThoseOfTheParametersToTheLastBit) {
       SCOPED_TRACE(testing::Message() << "alpha " << alpha << ", alpha_decay " << alpha_decay);
       const LearningParameters parameters = decaying(alpha, alpha_decay);
       const LearningRateSchedule learning_rates(parameters);
-      // Further than any list of them goes.
+      // Beyond the size of the table.
       for (std::uint32_t visits = 1; visits < 40000; ++visits) {
         ASSERT_EQ(learning_rates.at(visits), parameters.learningRate(visits)) << visits << " visits";
       }

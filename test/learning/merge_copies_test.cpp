@@ -11,7 +11,7 @@
 namespace crowd {
 namespace {
 
-/// Lets the table learn that this is what the only entry is worth.
+/// Updates the only entry of the table with a target.
 void learnOne(QTable& table, double target, const LearningParameters& parameters) {
   const Row row = 0;
   QLearner learner;
@@ -45,7 +45,7 @@ TEST(RetainedWeight, IsTheProductOfWhatTheStepsLeave) {
   EXPECT_EQ(LearningRateSchedule(HALVES).retainedWeight(7, 7), 1.0);
   EXPECT_EQ(LearningRateSchedule(HALVES).retainedWeight(7, 10), 0.125);
   EXPECT_DOUBLE_EQ(LearningRateSchedule(MEANS).retainedWeight(2, 6), 2.0 / 6.0);  // 2/3 * 3/4 * 4/5 * 5/6
-  EXPECT_EQ(LearningRateSchedule(MEANS).retainedWeight(0, 3), 0.0);               // the first step goes all the way
+  EXPECT_EQ(LearningRateSchedule(MEANS).retainedWeight(0, 3), 0.0);               // the first learning rate is 1
   const LearningParameters quarter = {0.25, 0.5, 0.0, 0.0, 1.0};
   EXPECT_DOUBLE_EQ(LearningRateSchedule(quarter).retainedWeight(1, 6),
                    1.0 / 2 * 2 / 3 * 3 / 4 * 3 / 4 * 3 / 4);  // steps 1/2, 1/3, then 1/4
@@ -63,11 +63,12 @@ TEST(MergeCopies, MeansBecomeTheMeanOfEverythingWithThePastInItOnce) {
 
 TEST(MergeCopies, StepsOfOneSizeForgetThePastAsOneLearnerWould) {
   const QTable past = tableOf(8.0, 100);
-  // Both go half of the way to 0: one learner would be at 8 -> 4 -> 2.
+  // Both learned 0 with rate 1/2; one learner would get 8 -> 4 -> 2.
   const QTable same = merged(past, {learned(past, {0.0}, HALVES), learned(past, {0.0}, HALVES)}, HALVES);
   EXPECT_EQ(same.value(0, 0), 2.0);
   EXPECT_EQ(same.visits(0, 0), 102U);
-  // One learned 0 twice (8 -> 4 -> 2), the other 24 once (8 -> 16): the past keeps 1/8, the news is (0 + 0 + 24) / 3.
+  // One learned 0 twice (8 -> 4 -> 2), the other 24 once (8 -> 16): the old value keeps the weight 1/8; the mean of the
+  // targets is (0 + 0 + 24) / 3.
   const QTable different = merged(past, {learned(past, {0.0, 0.0}, HALVES), learned(past, {24.0}, HALVES)}, HALVES);
   EXPECT_DOUBLE_EQ(different.value(0, 0), 8.0);
   EXPECT_EQ(different.visits(0, 0), 103U);

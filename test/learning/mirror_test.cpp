@@ -37,7 +37,7 @@ Mirror mirrorOf(const Model& model) { return {*model.state_set, *model.action_se
 
 Vector2 flipped(const Vector2& vector) { return {vector.x(), -vector.y()}; }
 
-/// What an agent perceives if everything on its left is on its right.
+/// Returns the perception with left and right exchanged.
 PerceptionsBuilder mirrorImage(const Perception& seen) {
   PerceptionsBuilder image;
   image.agent(seen.self.agent, flipped(seen.self.goal));
@@ -54,7 +54,7 @@ Vector2 anyVector(KeyedRandom& random, double longest) {
   return polar(bearing, random.uniform(0.0, longest));
 }
 
-/// Agents, obstacles, some of them moving, and walls, near enough that all state sets tell of most of them.
+/// Agents, obstacles, some of them moving, and walls, near enough to affect the rows of all state sets.
 PerceptionsBuilder anyPerception(std::uint64_t seed) {
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
   PerceptionsBuilder scene;
@@ -81,7 +81,7 @@ std::vector<Row> rowsOf(const Model& model, const Perception& perception) {
   return rows;
 }
 
-// --- which is the mirror image of which ---
+// --- mirror images of rows and actions ---
 
 TEST(Mirror, OfTheMirrorImageIsTheThingItself) {
   for (const Model& model : models()) {
@@ -153,12 +153,12 @@ TEST(Mirror, ByHand) {
   const Mirror goal_relative = mirrorOf(models()[4]);
   EXPECT_EQ(goal_relative.action(0), 0U);
   EXPECT_EQ(goal_relative.action(1), 2U);    // 10 degrees to either side
-  EXPECT_EQ(goal_relative.action(13), 13U);  // the way back
+  EXPECT_EQ(goal_relative.action(13), 13U);  // backwards
   EXPECT_EQ(goal_relative.action(16), 15U);  // 35 degrees, slow
   EXPECT_EQ(goal_relative.action(17), 17U);  // stay
 }
 
-/// How many rows and actions are their own mirror image.
+/// Counts the pairs of row and action that are their own mirror image.
 std::size_t countSelfImages(const Model& model) {
   const Mirror mirror = mirrorOf(model);
   std::size_t count = 0;
@@ -175,7 +175,7 @@ TEST(Mirror, HasImageOfWhatIsNotSymmetric) {
   const Mirror thesis = mirrorOf(models()[0]);
   EXPECT_FALSE(thesis.hasImage(0, 0));  // goal ahead, straight on
   EXPECT_FALSE(thesis.hasImage(4, 0));  // goal behind
-  EXPECT_FALSE(thesis.hasImage(0, 4));  // turn round
+  EXPECT_FALSE(thesis.hasImage(0, 4));  // backwards
   EXPECT_TRUE(thesis.hasImage(0, 1));   // goal ahead, half left
   EXPECT_TRUE(thesis.hasImage(3, 0));   // goal on the left, straight on
   EXPECT_TRUE(thesis.hasImage(3, 1));
@@ -202,7 +202,7 @@ TEST(MirroredLearning, TeachesTheMirrorImageTheSameTarget) {
   const Mirror mirror = mirrorOf(learners::model());
   QTable table = learners::emptyTable();
   table.set(2, 5, 8.0, 1);
-  table.set(3, 6, 4.0, 1);  // the mirror image knows something else already
+  table.set(3, 6, 4.0, 1);  // the mirror image has another value already
   const Row here = 1;
   const Row there = 2;
   QLearner learner;
@@ -267,7 +267,7 @@ TEST(MirroredLearning, CarriesStepsBackToMirrorImagesOfEarlierDecisions) {
   EXPECT_EQ(table.value(3, 6), 5.25);
 }
 
-/// Whether mirror images are equal, bit for bit; how many entries that are not their own image were visited.
+/// Requires equal values of mirror images, bit for bit; counts the visited entries that are not their own image.
 bool isSymmetric(const QTable& table, const Mirror& mirror, std::size_t& visited) {
   for (Row row = 0; row < table.rows(); ++row) {
     for (Action action = 0; action < table.actions(); ++action) {
@@ -319,7 +319,7 @@ TEST(MirroredLearning, BeginsAndEndsWithTheParameters) {
   learner.setPlan({parameters, options.plan.epsilon});
   gain_in_row_one(10);
   EXPECT_EQ(learner.tableOf(0).visits(3, 0), 1U);
-  EXPECT_EQ(learner.decisions(), 2U);  // what is mirrored is no decision of its own
+  EXPECT_EQ(learner.decisions(), 2U);  // mirrored updates are not counted as decisions
   parameters.mirrored = false;
   learner.setPlan({parameters, options.plan.epsilon});
   gain_in_row_one(20);

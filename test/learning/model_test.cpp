@@ -17,7 +17,7 @@ const char* const OCCUPANCY =
     "action_set: {type: kings_moves, rotations: 5}\n"
     "reward: {goal: distance_gained, arrival: -1, obstacle_cost: 0.001}\n";
 
-/// A model of which one part is written differently.
+/// A model with one part replaced.
 Model modelWith(const std::string& part, const std::string& instead) {
   std::string spec = NEAREST;
   spec.replace(spec.find(part), part.size(), instead);
@@ -56,7 +56,7 @@ TEST(Model, FillsInTheThesisDefaults) {
 }
 
 TEST(Model, SeesAsFarAsItsStateSetLooks) {
-  // A hair further, so that the state set itself judges what lies exactly on its limit.
+  // Slightly larger, so that the state set itself decides about bodies exactly at its limit.
   EXPECT_GT(parseModel(NEAREST).vision().radius, 1.0);
   EXPECT_LT(parseModel(NEAREST).vision().radius, 1.001);
   EXPECT_GT(parseModel(OCCUPANCY).vision().radius, 2.5);

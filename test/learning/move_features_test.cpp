@@ -38,7 +38,7 @@ CandidateMove anyMove(KeyedRandom& random) {
   return {unitVector(random.uniform(-PI, PI)), wanted, random.below(2) == 0 ? wanted : random.uniform(0.0, wanted)};
 }
 
-/// The times that one move after the other, in double precision, comes to.
+/// Reference: the times, computed move by move in double precision.
 struct Expected {
   double reciprocal = NEVER;
   double constant_velocity = NEVER;
@@ -67,7 +67,7 @@ Expected expect(const Perception& seen, const CandidateMove& move) {
   return times;
 }
 
-/// Whether two times are the same but for rounding. What only just grazes may be missed.
+/// Whether two times are equal up to rounding. A grazing contact may be missed.
 bool agree(double a, double b) { return std::abs(a - b) <= 1e-3 * (1.0 + std::min(a, b)); }
 
 TEST(MoveFeatures, TellWhatEachMoveAloneComesTo) {

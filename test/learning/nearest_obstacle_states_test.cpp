@@ -77,7 +77,7 @@ TEST(NearestObstacleStates, HasTheUnevenObstacleSectors) {
                                             {-179.9, 7}}) {
     const Situation neighbour = describe(agentAlone().neighbour(polar(edge.degrees, 0.7), 0.1));
     EXPECT_EQ(neighbour.obstacle_sector, edge.sector) << edge.degrees << " degrees";
-    // A wall that turns its end towards the agent.
+    // A wall with one end towards the agent.
     const Situation wall = describe(agentAlone().wall(polar(edge.degrees, 3.0), polar(edge.degrees, 0.7)));
     EXPECT_EQ(wall.obstacle_sector, edge.sector) << edge.degrees << " degrees";
   }
@@ -106,7 +106,7 @@ TEST(NearestObstacleStates, PerceivesNothingBeyondItsRadius) {
   EXPECT_EQ(alone.distance_class, 0);
   EXPECT_EQ(classOfNeighbour({3.0, 0.0}, 0.5), 0);
   EXPECT_EQ(classOfWall({1.5, -1.0}, {1.5, 1.0}), 0);
-  // However far, what is seen nowhere changes no row.
+  // A body beyond the radius of vision does not change the row.
   const NearestObstacleStates states;
   for (double degrees = -175.0; degrees < 180.0; degrees += 10.0) {
     EXPECT_EQ(states.rowOf(describe(agentAlone().neighbour(polar(degrees, 2.0), 0.5))), 0U);

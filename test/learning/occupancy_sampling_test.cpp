@@ -13,9 +13,9 @@
 namespace crowd {
 namespace {
 
-constexpr int POINTS = 4000;          // of each body and wall
+constexpr int POINTS = 4000;          // samples per body and wall
 constexpr double CLEAR_ANGLE = 0.02;  // no wall's end or disc's centre is this near to a sector's limit [rad]
-constexpr double CLEAR = 2e-3;        // and nothing else is as close to a matter of opinion [m]
+constexpr double CLEAR = 2e-3;        // minimum distance from any other decision boundary [m]
 
 struct Disc {
   Vector2 centre;
@@ -31,7 +31,7 @@ Nearest nowhere() {
   return nearest;
 }
 
-/// How far an angle is from the nearest limit of a sector [rad].
+/// Returns the distance of an angle from the nearest limit of a sector [rad].
 double angleToLimit(double angle, int sectors) {
   const double width = 2.0 * PI / sectors;
   return std::abs(std::remainder(angle - width / 2.0, width));
@@ -101,7 +101,7 @@ void searchDisc(const Disc& disc, int sectors, std::array<int, OccupancyStates::
   }
 }
 
-/// The same for a wall, of which every part has a distance of its own. Whether the result is beyond doubt.
+/// The same for a wall, whose parts have different distances. Returns whether the result is unambiguous.
 bool searchWall(const Segment& wall, int sectors, std::array<int, OccupancyStates::MAX_SECTORS>& classes) {
   Nearest found = nowhere();
   for (int i = 0; i <= POINTS; ++i) {
@@ -117,7 +117,7 @@ bool searchWall(const Segment& wall, int sectors, std::array<int, OccupancyState
   return beyond_doubt;
 }
 
-/// Compares one random world; false if it has something in it that is a matter of opinion.
+/// Compares one random world; returns false if the expected result is ambiguous.
 bool compareWorld(std::uint64_t seed, std::uint32_t max_discs, std::uint32_t max_walls) {
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
   OccupancyStates::Parameters parameters;

@@ -18,7 +18,7 @@ const Classes ALL_NEAR = {1, 1, 1, 1, 1, 1, 1, 1};
 /// An agent whose goal lies 5 m straight ahead.
 PerceptionsBuilder agentAlone() { return PerceptionsBuilder().agent(0, {5.0, 0.0}); }
 
-/// The distance class of each of the 8 sectors, as the row tells them.
+/// Decodes the distance class of each of the 8 sectors from the row.
 Classes classesOf(const PerceptionsBuilder& scene) {
   const OccupancyStates states;
   return states.distanceClasses(states.rowOf(states.describe(scene.perception())));
@@ -28,7 +28,7 @@ Classes classesOfNeighbour(const Vector2& position, double radius) {
   return classesOf(agentAlone().neighbour(position, radius));
 }
 
-/// Those of a wall, which must not depend on which end comes first.
+/// The same for a wall; the result must not depend on the order of its ends.
 Classes classesOfWall(const Vector2& from, const Vector2& to) {
   Classes classes = classesOf(agentAlone().wall(from, to));
   EXPECT_EQ(classesOf(agentAlone().wall(to, from)), classes);

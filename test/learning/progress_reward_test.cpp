@@ -41,7 +41,7 @@ TEST(ProgressReward, PricesTurnsEitherWay) {
   ProgressReward::Parameters parameters = free();
   parameters.turn_penalty = 2.0;
   AgentPerception self = before({5.0, 0.0});
-  self.pose.heading = 0.25;  // the builder's agents look along x
+  self.pose.heading = 0.25;  // the heading of the builder's agents is 0
   EXPECT_NEAR(ProgressReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
   self.pose.heading = -0.25;
   EXPECT_NEAR(ProgressReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
@@ -59,13 +59,12 @@ TEST(ProgressReward, PricesACollisionCourseTheNearerTheMore) {
   parameters.conflict_time = 4.0;
   const auto penalty = [&](double gap, const Vector2& goal) {
     auto scene = after(goal).neighbour({0.5 + gap, 0.0}, 0.25).velocity({SPEED, 0.0}, {-0.7, 0.0});
-    return 1.0 +
-           ProgressReward(parameters)(before(goal), scene.perception(), 0);  // no progress: a tick is lost as well
+    return 1.0 + ProgressReward(parameters)(before(goal), scene.perception(), 0);  // no progress: minus one tick
   };
   EXPECT_NEAR(penalty(1.0, {5.0, 0.0}), -2.25, 1e-9);  // 1 s ahead at 1 m/s: three quarters
   EXPECT_NEAR(penalty(3.0, {5.0, 0.0}), -0.75, 1e-9);
   EXPECT_NEAR(penalty(4.5, {5.0, 0.0}), 0.0, 1e-9);
-  EXPECT_NEAR(penalty(1.0, {0.2, 0.0}), 0.0, 1e-9);  // it is at its goal before that
+  EXPECT_NEAR(penalty(1.0, {0.2, 0.0}), 0.0, 1e-9);  // it arrives before the contact
 }
 
 TEST(ProgressReward, PricesContact) {
@@ -79,8 +78,8 @@ TEST(ProgressReward, PricesContact) {
 
 constexpr std::size_t MIDDLE = 1;  // of three agents
 
-/// So many bodies about an agent that stands, one of which touches it if its number is among them; those of the agents
-/// before and behind it all do.
+/// An agent that stands, with neighbours, of which number `touching` overlaps it, between two agents whose neighbours
+/// all overlap them: data of the others in the list must not be used.
 PerceptionsBuilder sceneOf(std::size_t neighbours, std::size_t touching, const Vector2& goal, KeyedRandom& random) {
   PerceptionsBuilder scene;
   addTouchedAgent(0, scene);

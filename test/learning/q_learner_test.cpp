@@ -8,7 +8,7 @@
 namespace crowd {
 namespace {
 
-/// A learner on a table of a few rows and two actions, one row a state. All numbers are such that nothing is rounded.
+/// A learner on a table of a few rows and two actions, one row a state. All numbers are exact in binary.
 class LearnerAndTable {
  public:
   explicit LearnerAndTable(double lambda) : parameters{0.5, 0.5, lambda, 0.0} {}
@@ -156,7 +156,7 @@ TEST(WatkinsTraces, AreCutByAnExploringAction) {
   EXPECT_EQ(both.table.value(0, 1), 1.75);
   EXPECT_EQ(both.table.value(0, 0), 4.75);
   EXPECT_EQ(both.table.value(1, 0), 3.0);
-  // What the exploring action led to is learned about the exploring action itself.
+  // Later rewards are credited to the exploring action itself.
   both.decide(1, 0);
   both.learnTerminal(11.0);  // error 8; trace of (0, 1) 0.25, of (0, 0) none
   EXPECT_EQ(both.table.value(1, 0), 7.0);

@@ -1,4 +1,4 @@
-// Every kind of damage to a Q-table file is refused, with the file and the line where it shows.
+// Every kind of damage to a Q-table file is rejected with the file and the line at which it is detected.
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ using q_table_texts::text;
 using q_table_texts::textWithSources;
 using q_table_texts::withChecksum;
 
-/// Reads a text that must be refused; anything but an InputError fails the test.
+/// Parses a text that must be rejected; anything but an InputError fails the test.
 std::string errorIn(const std::string& damaged) {
   return errorOf<InputError>([&] { parseQTable(damaged, "table.txt"); });
 }
 
-/// The small file with some text in it replaced and the checksum made right again, as one who means it would do.
+/// The small file with a replaced text and a matching checksum, as in a deliberate change.
 std::string edited(const std::string& part, const std::string& instead) {
   std::string edited = body();
   const std::size_t where = edited.find(part);
@@ -65,7 +65,7 @@ TEST(QTableDamage, NothingIsToldOfWhatIsNoQTable) {
   EXPECT_EQ(errorIn("social_crowd Q-table 1"), expected);
 }
 
-/// The same for the file that tells its sources.
+/// The same for the file that lists its sources.
 std::string editedSources(const std::string& part, const std::string& instead) {
   std::string edited = q_table_texts::bodyOf(textWithSources());
   const std::size_t where = edited.find(part);
@@ -135,7 +135,7 @@ TEST(QTableDamage, InTheShape) {
   expectRefused(edited("rows: 11", "rows: 10"), 5, "rows");
   expectRefused(edited("actions: 2", "actions: 3"), 6, "actions: expected");
   expectRefused(edited("actions: 2", "actions: two"), 6, "actions: expected");
-  // Another state set or action set than the numbers are of.
+  // The state set or action set does not fit the numbers.
   expectRefused(edited("goal_sectors: 2", "goal_sectors: 3"), 5, "rows: expected a whole number from 16 to 16");
   expectRefused(edited("rotations: 2", "rotations: 4"), 6, "actions: expected a whole number from 4 to 4");
 }
@@ -169,14 +169,14 @@ TEST(QTableDamage, InTheKeysOfTheHeader) {
 
 TEST(QTableDamage, InTheYamlOfTheHeader) {
   expectRefused(edited("seed: 7", "seed: {7"), 12, "not YAML");
-  expectRefused(edited("seed: 7", "seed"), 13, "not YAML");  // noticed where the next line has its colon
+  expectRefused(edited("seed: 7", "seed"), 13, "not YAML");  // detected at the colon of the next line
   expectRefused(edited("rows: 11", "- rows"), 5, "not YAML");
   const std::string nothing = withChecksum("social_crowd Q-table 1\n---\n");
   EXPECT_EQ(errorIn(nothing).rfind("table.txt: line ", 0), 0U) << errorIn(nothing);
 }
 
 TEST(QTableDamage, InTheEndOfTheHeader) {
-  expectRefused(edited("---\n", ""), 18, "the end of the header");  // behind the checksum, in line 17
+  expectRefused(edited("---\n", ""), 18, "the end of the header");  // after the checksum, in line 17
   expectRefused(edited("---\n", "----\n"), 19, "the end of the header");
 }
 
@@ -225,7 +225,7 @@ TEST(QTableDamage, InTheChecksum) {
   expectRefused(body() + "checksum: \n", 18, "");
   expectRefused(body() + "Checksum: 76724e3a93345499\n", 18, "");
   expectRefused(body(), 18, "the end of the file");
-  // A change that makes sense in itself: only the checksum can tell.
+  // A consistent change, which only the checksum detects.
   std::string changed = text();
   changed.replace(changed.find("0 1 0.5 0 0"), 11, "0 1 0.6 0 0");
   expectRefused(changed, 18, "the file was changed or damaged");
@@ -246,7 +246,7 @@ void cutShortAnywhere(const std::string& whole) {
     const std::string cut = whole.substr(0, length);
     const auto line = 1 + std::count(cut.begin(), cut.end(), '\n');
     const std::string message = errorIn(cut);
-    // The first line that is not whole, or not there.
+    // The first line that is incomplete or missing.
     ASSERT_EQ(message.rfind("table.txt: line " + std::to_string(line) + ": ", 0), 0U)
         << length << " bytes: " << message;
   }

@@ -18,7 +18,7 @@ namespace {
 using Names = std::vector<std::string>;
 using Limits = std::numeric_limits<double>;
 
-/// Any double but for those that are not finite; every fourth below the normal numbers.
+/// A random finite double; every fourth is subnormal.
 double anyDouble(KeyedRandom& random) {
   for (;;) {
     const std::uint64_t mask = random.below(4) == 0 ? 0x800FFFFFFFFFFFFFULL : UINT64_MAX;
@@ -66,7 +66,7 @@ TEST(QTableText, TellsHowTiesAreBrokenWhereTheFirstIsNotTaken) {
   expectRoundTrip(trained);
 }
 
-/// What is told of sources, in a form that can be compared.
+/// The sources of a table in a form that can be compared.
 std::vector<std::pair<SourceId, std::vector<std::uint32_t>>> sourcesOf(const QTable& table) {
   std::vector<std::pair<SourceId, std::vector<std::uint32_t>>> sources;
   for (const Contribution& contribution : table.contributions()) {
@@ -96,7 +96,7 @@ TEST(QTableSources, AreNotToldWhereTheReaderKnowsThem) {
   TrainedTable trained = q_table_texts::trained();
   trained.table.nameSource(trained.table.contentId());
   EXPECT_EQ(toText(trained), q_table_texts::text());
-  trained.table.beginSource();  // all of it is now what somebody learned, and that is told by the content
+  trained.table.beginSource();  // all visits are now foreign, of a source that is identified by the content
   EXPECT_EQ(toText(trained), q_table_texts::text());
   EXPECT_EQ(sourcesOf(parseQTable(toText(trained), "table.txt").table), sourcesOf(trained.table));
 }

@@ -73,7 +73,7 @@ TEST(QTable, ARowIsVisitedIfAnyOfItsActionsIs) {
   table.countVisit(1, 2);
   table.countVisit(3, 0);
   table.countVisit(3, 1);
-  table.set(0, 0, 5.0, 0);  // a value alone is no visit
+  table.set(0, 0, 5.0, 0);  // a value without visits
   EXPECT_FALSE(table.isVisited(0));
   EXPECT_TRUE(table.isVisited(1));
   EXPECT_FALSE(table.isVisited(2));
@@ -100,7 +100,7 @@ TEST(QTable, TheGreedyActionHasTheHighestValueAndOfEqualOnesIsTheFirst) {
   EXPECT_EQ(greedyOf({-0.0, 0.0}), 0U);
 }
 
-/// The greedy action of a table of one row, equal values told apart by a number in [0, 1).
+/// The greedy action of a table of one row; a number in [0, 1) decides among equal values.
 Action greedyOf(const std::vector<double>& values, double tie) {
   QTable table(2, static_cast<Action>(values.size()));
   for (Action action = 0; action < values.size(); ++action) table.set(1, action, values[action], 1);
@@ -134,7 +134,7 @@ TEST(QTable, LooksUpEveryActionInARowOfItsOwn) {
   table.set(3, 0, 1.0, 1);
   table.set(0, 1, 2.0, 1);
   table.set(3, 2, 1.5, 1);
-  table.set(3, 1, 9.0, 1);  // action 1 in situation 3: not asked for
+  table.set(3, 1, 9.0, 1);  // action 1 in situation 3: not requested
   table.set(0, 0, 9.0, 1);
   EXPECT_EQ(table.greedyAction({rows.data(), 1}), 1U);
   EXPECT_EQ(table.greedyValue({rows.data(), 1}), 2.0);
@@ -193,7 +193,7 @@ TEST(QTableMerge, IsTheMeanWeightedByVisits) {
 TEST(QTableMerge, TakesWhatOnlyOneOfThemKnows) {
   expectMerged(cell(0.0, 0), cell(0.1, 5), 0.1, 5);
   expectMerged(cell(0.1, 5), cell(0.0, 0), 0.1, 5);
-  expectMerged(cell(7.0, 0), cell(0.1, 5), 0.1, 5);  // what nobody visited weighs nothing
+  expectMerged(cell(7.0, 0), cell(0.1, 5), 0.1, 5);  // a value without visits has no weight
   expectMerged(cell(0.1, 5), cell(7.0, 0), 0.1, 5);
   expectMerged(cell(7.0, 0), cell(8.0, 0), 7.0, 0);  // neither was visited: the value stays
 }
@@ -215,7 +215,7 @@ TEST(QTableMerge, LeavesEqualValuesAsTheyAre) {
     const double value = random.uniform(-100.0, 100.0);
     QTable table = cell(value, 1 + random.below(9));
     table.merge(cell(value, 1 + random.below(9)));
-    EXPECT_EQ(table.value(0, 0), value);  // bit for bit: sharing what all know already changes nothing
+    EXPECT_EQ(table.value(0, 0), value);  // bit for bit: merging known experience changes nothing
   }
 }
 
@@ -266,14 +266,14 @@ TEST(QTableMerge, TwoHalvesGiveTheMeanOfAllVisitsEitherWay) {
   }
 }
 
-/// A table of one row and action that others have, too: its visits belong to a source of that name.
+/// A table of one row and action whose visits belong to a named source.
 QTable sourced(SourceId source, double value, std::uint32_t visits) {
   QTable table = cell(value, visits);
   table.nameSource(source);
   return table;
 }
 
-/// The same after so much was learned in it that belongs to a source of another name.
+/// The same table after more visits of another named source.
 QTable wentOn(QTable table, SourceId source, double value, std::uint32_t visits) {
   table.beginSource();
   table.set(0, 0, value, table.visits(0, 0) + visits);
@@ -283,12 +283,12 @@ QTable wentOn(QTable table, SourceId source, double value, std::uint32_t visits)
 
 TEST(QTableMerge, CountsTheSharedPastOnce) {
   const QTable past = sourced(1, 2.0, 100);
-  // Two that went on from it: 3 and 1 visits that the other has not.
+  // Two tables learned on from it: 3 and 1 visits that the other does not have.
   const QTable a = wentOn(past, 2, 4.0, 3);
   const QTable b = wentOn(past, 3, 8.0, 1);
   expectMerged(a, b, 5.0, 104);  // (3 * 4 + 1 * 8) / 4
   expectMerged(b, a, 5.0, 104);
-  expectMerged(past, a, 4.0, 103);  // it has nothing that the other lacks
+  expectMerged(past, a, 4.0, 103);  // it has no visits that the other lacks
   expectMerged(a, past, 4.0, 103);
 }
 
@@ -326,9 +326,9 @@ TEST(QTableMerge, KnowsAFileOfTheSameContent) {
   b.beginSource();
   EXPECT_EQ(a.merge(b), 0U);
   EXPECT_EQ(a, file);
-  QTable other = cell(2.5, 100);  // of another content
+  QTable other = cell(2.5, 100);  // with different content
   EXPECT_EQ(a.newVisitsOf(other), 100U);
-  // The name is that of what was read, whatever became of it since.
+  // The name is that of the content that was read, also after changes.
   EXPECT_EQ(other.merge(file), 100U);
   EXPECT_EQ(other.merge(file), 0U);
   EXPECT_EQ(other.merge(cell(2.5, 100)), 0U);
@@ -353,7 +353,7 @@ TEST(QTableMerge, SharesWhatOthersContributed) {
   a.merge(c);
   ASSERT_EQ(a.foreign().size(), 2U);
   EXPECT_EQ(a.foreign()[0].source, 2U);
-  EXPECT_EQ(a.foreign()[0].visits, c.foreign()[0].visits);  // one and the same memory
+  EXPECT_EQ(a.foreign()[0].visits, c.foreign()[0].visits);  // shared memory
   const Contributions before = a.foreign();
   a.merge(b);
   EXPECT_EQ(a.foreign()[0].visits, before[0].visits);
@@ -368,7 +368,7 @@ TEST(QTableMerge, CountsAtTheirLargestNumberStayValid) {
   const QTable merged = a;
   a.merge(b);
   EXPECT_EQ(a, merged);
-  // Somebody who knows more of the own source than the sum leaves of it brings no news.
+  // A table with more visits of the own source than the saturated sum allows brings no news.
   QTable receiver = sourced(1, 1.0, UINT32_MAX - 5);
   receiver.beginSource();
   EXPECT_EQ(a.merge(receiver), 0U);
@@ -378,7 +378,7 @@ TEST(QTableMerge, CountsAtTheirLargestNumberStayValid) {
 }
 
 TEST(QTableMerge, OfNumbersThatContradictEachOtherTakesTheLargerOfEach) {
-  // Two tables that claim to have something of source 1, and neither is the later one.
+  // Two tables with visits of source 1, of which neither includes the other.
   const auto claiming = [](Row row, std::uint32_t visits) {
     QTable table(3, 1);
     table.set(row, 0, 1.0, visits);

@@ -38,7 +38,7 @@ class Crowd {
       learners_.emplace_back(model(), exploring);
     }
     known_.resize(learners_.size() * AGENTS);
-    for (std::size_t i = 0; i < learners_.size(); ++i) walk(i);  // everybody has been met then
+    for (std::size_t i = 0; i < learners_.size(); ++i) walk(i);  // so that all agents are known
   }
 
   void doAnything() {
@@ -107,7 +107,7 @@ class Crowd {
     }
   }
 
-  /// Gives a table to somebody, or to all agents of some learner.
+  /// Gives a table to a random agent, or to all agents of a random learner.
   void give(const QTable& table, const Experiences& given) {
     const std::size_t to = random_.below(learners_.size());
     const TakeMethod method = random_.below(3) == 0 ? TakeMethod::REPLACE : TakeMethod::MERGE;
@@ -128,7 +128,7 @@ class Crowd {
     }
   }
 
-  /// Values are means, weighted by what only the one and only the other knows.
+  /// Values are means, weighted by the visits that only one of both tables has.
   static void checkValues(const QTable& mine, const Experiences& my_known, const QTable& theirs,
                           const Experiences& their_known, const QTable& merged) {
     Experiences all = my_known;

@@ -154,7 +154,7 @@ TEST(ThesisReward, StayingHasItsPrice) {
     EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part - 0.25);
     const Row seen = states.rowOf({0, 0, 2});
     EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, seen), goal_part - 0.8 - 0.25);
-    after.velocity = {0.0, 1e-200};  // however slow
+    after.velocity = {0.0, 1e-200};  // however slowly
     EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part);
     after.velocity = {-0.3, 0.0};
     EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part);

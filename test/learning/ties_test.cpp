@@ -1,4 +1,4 @@
-// How greedy decisions choose between equal values.
+// Greedy decisions among equal values.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ constexpr std::uint64_t TICKS = 300;
 
 using Counts = std::array<int, 8>;
 
-/// In row 0 the actions 1, 4 and 6 are worth the same, and more than the others.
+/// In row 0 the actions 1, 4 and 6 have the same value, the highest one.
 QTable threeAlike() {
   QTable table = emptyTable();
   for (const Action action : {1U, 4U, 6U}) table.set(0, action, 2.0, 1);
@@ -37,7 +37,7 @@ Learner::Options breaking(Ties ties, Mode mode, std::uint64_t seed = 1) {
   return made;
 }
 
-/// All in row 0; nobody learns, as no answer is carried out.
+/// All agents in row 0; nothing is learned, because no answer is carried out.
 PerceptionsBuilder allAhead(std::uint64_t tick, std::uint64_t episode = 0) {
   PerceptionsBuilder scene(episode, tick);
   for (AgentId agent = 0; agent < AGENTS; ++agent) scene.agent(agent, goalIn(0, 4.0)).missed();
@@ -50,7 +50,7 @@ std::vector<Action> toActions(const std::vector<AgentAction>& answers) {
   return actions;
 }
 
-/// What is chosen tick by tick.
+/// The chosen actions by tick.
 std::vector<Action> chosen(const Learner::Options& options, std::uint64_t episode = 0) {
   Learner learner(model(), options, threeAlike());
   std::vector<Action> all;
@@ -61,7 +61,7 @@ std::vector<Action> chosen(const Learner::Options& options, std::uint64_t episod
   return all;
 }
 
-/// The same by decideGreedily(), which keeps nothing.
+/// The same with decideGreedily(), which keeps no state.
 std::vector<Action> chosenGreedily(const Learner::Options& options, std::uint64_t episode = 0) {
   const Learner learner(model(), options, threeAlike());
   Learner::DecisionWorkspace workspace;
@@ -131,7 +131,7 @@ TEST(Ties, AreBrokenBySeedEpisodeTickAndAgentAlone) {
   const std::vector<Action> next_tick(actions.begin() + AGENTS, actions.begin() + 2 * AGENTS);
   EXPECT_NE(first_tick, next_tick);
   EXPECT_NE(first_tick, std::vector<Action>(AGENTS, first_tick.front()));
-  // One agent alone, asked for one tick alone.
+  // One agent and one tick on their own.
   const Learner learner(model(), options, threeAlike());
   Learner::DecisionWorkspace workspace;
   std::vector<AgentAction> alone;
@@ -170,7 +170,7 @@ TEST(Ties, DoNotCutTraces) {
     Learner::Options tracing = breaking(Ties::RANDOM, Mode::TRAINING, seed);
     tracing.plan.parameters.lambda = 0.5;
     QTable table = threeAlike();
-    table.set(1, 3, 2.0, 1);  // the one best action of row 1
+    table.set(1, 3, 2.0, 1);  // the only best action of row 1
     Learner learner(model(), tracing, table);
     EXPECT_EQ(learners::decideOne(learner, learners::tick(0, 1, 4.0)), 3U);
     const Action tied = learners::decideOne(learner, learners::tick(1, 0, 4.0));

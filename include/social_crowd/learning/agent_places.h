@@ -8,23 +8,24 @@
 
 namespace crowd {
 
-/// @brief Gives agents places 0, 1, 2 ... in the order in which they are first met, whatever their numbers.
+/// @brief Maps agent ids to consecutive indices 0, 1, 2 ... (places), in the order in which agents are added.
 class AgentPlaces {
  public:
+  /// @brief Stands for no place.
   static constexpr std::uint32_t NONE = UINT32_MAX;
 
-  /// @brief The agent's place; NONE if it was not met before.
+  /// @brief Returns the place of an agent; NONE if it was not added.
   std::uint32_t find(AgentId agent) const {
     if (agent >= FEW) return findOther(agent);
     return agent < listed_.size() ? listed_[agent] : NONE;
   }
-  /// @brief Gives a place to an agent that has none; the place.
+  /// @brief Adds an agent that has no place yet. @return its place
   std::uint32_t add(AgentId agent);
-  /// @brief Who has which place.
+  /// @brief The agents by place.
   const std::vector<AgentId>& agents() const { return agents_; }
 
  private:
-  static constexpr AgentId FEW = 1U << 20U;  // numbers below this are looked up in a list, others in a hash table
+  static constexpr AgentId FEW = 1U << 20U;  // ids below this are looked up in an array, others in a hash table
 
   std::uint32_t findOther(AgentId agent) const;
 

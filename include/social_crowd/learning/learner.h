@@ -20,26 +20,31 @@
 
 namespace crowd {
 
-/// @brief training: learns and explores; demo: greedy, the table stays as it is.
+/// @brief training: learn and explore; demo: act greedily, tables do not change.
 enum class Mode { TRAINING, DEMO };
-/// @brief shared: all agents learn in one table; own: each goes on in a copy of its own.
+/// @brief shared: all agents learn in one table; own: each agent learns in a copy of its own.
 enum class TableUse { SHARED, OWN };
-/// @brief What becomes of the table an agent has when it is given another one.
+/// @brief How a table is combined with the table that an agent already has.
 enum class TakeMethod { REPLACE, MERGE };
 
-/// @brief The names used in files, parameters and messages. @throws InputError naming what was expected.
+/// @brief Parse the names used in files, parameters and messages. @throws InputError that lists the valid names.
 Mode parseMode(const std::string& text);
 TableUse parseTableUse(const std::string& text);
 TakeMethod parseTakeMethod(const std::string& text);
+/// @brief Return the names that the functions above parse.
 std::string toText(Mode mode);
 std::string toText(TableUse use);
 std::string toText(TakeMethod method);
 
-/// @brief Decides for one agent or many, and learns: perceptions in, relative actions out. The same code serves the
-/// headless runs and the ROS node.
+/// @brief Decides for one or more agents and learns: receives perceptions, returns relative actions. Headless runs and
+/// the ROS node use the same code.
 ///
-/// What an agent decides depends on its own perceptions, its table and (seed, episode, tick, agent) alone, not on which
-/// other agents the same learner serves.
+/// A decision depends only on the agent's own perceptions, its table and (seed, episode, tick, agent), not on the other
+/// agents that the learner serves.
+///
+/// Call contract: decide() is called once per tick, in sequential order once per turn. A gap in the ticks or a new
+/// episode is allowed; nothing is learned across it. Not thread-safe, except that decideGreedily() and greedyChoice()
+/// may run concurrently with each other (not with other functions), each thread with a workspace of its own.
 class Learner {
  public:
   struct Options {
@@ -47,99 +52,104 @@ class Learner {
     TableUse tables = TableUse::SHARED;
     std::uint64_t seed = 0;
     LearningPlan plan;
-    std::set<AgentId> agents;  ///< whom it serves; empty: everybody
+    std::set<AgentId> agents;  ///< the agents that it serves; empty: all agents
   };
 
-  /// @brief With an empty table. @throws InputError if the learning parameters are wrong.
+  /// @brief Begins with an empty table. @throws InputError if the learning parameters are invalid
   Learner(Model model, Options options);
-  /// @brief With a table. @throws ShapeError if it has not the model's shape.
+  /// @brief Begins with a table. @throws ShapeError if its shape differs from the model's; InputError as above
   Learner(Model model, Options options, QTable table);
 
-  // Copies would go on writing into one and the same table.
+  // Copies would write to the same table.
   Learner(const Learner&) = delete;
   Learner& operator=(const Learner&) = delete;
   Learner(Learner&&) = default;
   Learner& operator=(Learner&&) = default;
   ~Learner() = default;
 
-  /// @brief Learns from what the last decisions led to (training mode), then decides for every served agent that is on
-  /// its way, unless the episode is over. `actions` is overwritten.
+  /// @brief In training mode, learns from the outcome of the last decisions. Then decides for every served agent that
+  /// has not arrived, unless the episode is over (perceptions.last). `actions` is overwritten, and its capacity is
+  /// reused.
   void decide(const Perceptions& perceptions, RelativeActions& actions);
 
-  /// @brief Working space of one thread that decides.
+  /// @brief Buffers for decisions on one thread.
   struct DecisionWorkspace {
     std::vector<Row> rows;
     std::vector<MoveBlock> moves;
-    StaticVector<DecisionContext, MAX_BATCH> group;  // those that choose side by side
-    std::array<std::size_t, MAX_BATCH> answers{};    // places of their decisions
+    StaticVector<DecisionContext, MAX_BATCH> group;  // agents whose decisions are computed together
+    std::array<std::size_t, MAX_BATCH> answers{};    // indices of their answers
   };
-  /// @brief Decides greedily for everybody served that is on its way, with the tables as they are: what decide() does
-  /// in demo mode, but nothing is kept of whom it did not know before. Any number of threads may do that, each with
-  /// working space of its own.
-  /// @param actions decisions are added behind those that are there; after an exception they mean nothing
+  /// @brief Decides greedily for every served agent that has not arrived, with the present tables, as decide() does in
+  /// demo mode, but without recording new agents. May run on any number of threads, each with a workspace of its own.
+  /// @param actions the decisions are appended; undefined after an exception
   void decideGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,
                       std::vector<AgentAction>& actions) const;
 
-  /// @brief A decision, and the row of the Q-table that its action was looked up in.
+  /// @brief A decision and the row of the Q-table that it is based on.
   struct Choice {
     Row row = 0;
     Action action = 0;
   };
-  /// @brief What the agent at that index decides in demo mode; decideGreedily() decides the same.
+  /// @brief Returns the decision of one agent in demo mode, the same as that of decideGreedily().
+  /// @param index of an agent in perceptions.agents that has not arrived
   Choice greedyChoice(const Perceptions& perceptions, std::size_t index, DecisionWorkspace& workspace) const;
 
   const Model& model() const { return model_; }
   bool serves(AgentId agent) const { return options_.agents.empty() || options_.agents.count(agent) > 0; }
   bool servesAll() const { return options_.agents.empty(); }
-  /// @brief The agents it serves, in order; if it serves all, those met so far.
+  /// @brief Returns the served agents, sorted by id; if it serves all agents, those known so far.
   std::vector<AgentId> servedAgents() const;
 
   Mode mode() const { return options_.mode; }
+  /// @brief Changes the mode; a change discards the recorded decisions.
   void setMode(Mode mode);
   TableUse tableUse() const { return options_.tables; }
 
-  /// @brief What is in force now; epsilon as of the last episode seen.
+  /// @brief The present parameters; epsilon is that of the present episode.
   const LearningParameters& parameters() const { return parameters_; }
-  /// @brief The same with the schedule of epsilon.
+  /// @brief Returns the present parameters with the schedule of epsilon.
   LearningPlan plan() const { return {parameters_, epsilon_}; }
-  /// @brief Takes effect at once; epsilon is what the schedule says of the present episode. @throws InputError
+  /// @brief Changes the parameters immediately; epsilon becomes the schedule's value for the present episode.
+  /// @throws InputError if a parameter is invalid; nothing has changed then
   void setPlan(const LearningPlan& plan);
 
   std::uint64_t seed() const { return options_.seed; }
-  /// @brief Decisions that were learned from, those of the loaded table included.
+  /// @brief Number of decisions that were learned from, including those of setDecisions().
   std::uint64_t decisions() const { return decisions_; }
+  /// @brief Sets that number, such as to the number of a loaded table.
   void setDecisions(std::uint64_t decisions) { decisions_ = decisions; }
 
-  /// @brief The table an agent uses; that of agents not yet known where it is unknown.
+  /// @brief The table that an agent uses; for an unknown agent, the table that it would begin with.
   const QTable& tableOf(AgentId agent) const;
-  /// @brief A copy of it for other agents. What it holds is recognised later as what this agent had learned.
+  /// @brief Returns a copy of that table for other agents. Its experience is recognised when it is merged later.
   QTable tableToShare(AgentId agent);
-  /// @brief A copy of it for a file, which is recognised as well. Depends on nothing but the table, so that the same
-  /// training gives the same file.
+  /// @brief Returns a copy of that table for a file. Its experience is recognised, too. The copy depends only on the
+  /// table, so that the same training gives the same file.
   QTable tableToSave(AgentId agent);
 
-  /// @brief What became of a table that was given.
+  /// @brief Result of takeTable() for one table.
   struct Taken {
-    std::uint64_t new_visits = 0;  ///< that the agent's table did not have before
-    std::uint64_t visits = 0;      ///< that it has now
+    std::uint64_t new_visits = 0;  ///< visits that the agent's table did not have before
+    std::uint64_t visits = 0;      ///< visits that it has now
   };
+  /// @brief Result of takeTable() for all agents.
   struct TakenByAll {
-    Taken newcomers;                    ///< agents not met yet; with a shared table everybody
-    std::map<AgentId, Taken> by_agent;  ///< with own tables
+    Taken newcomers;                    ///< for unknown agents; with shared tables for all agents
+    std::map<AgentId, Taken> by_agent;  ///< for known agents, with own tables
   };
-  /// @brief Gives a table to everybody, now and later. @throws ShapeError, nothing has changed then.
+  /// @brief Gives a table to all present and future agents. @throws ShapeError; nothing has changed then
   TakenByAll takeTable(QTable table, TakeMethod method);
-  /// @brief Gives a table to one agent; with shared tables that is everybody. @throws ShapeError
+  /// @brief Gives a table to one agent; with shared tables, to all agents. @throws ShapeError; nothing has changed then
   Taken takeTable(AgentId agent, QTable table, TakeMethod method);
-  /// @brief Everybody goes on learning in this table as if all of it had been learned here. @throws ShapeError
+  /// @brief Replaces the tables of all agents, as if this learner had learned the whole table. @throws ShapeError
   void goOnIn(QTable table);
 
-  /// @brief Forgets what was decided last, so that nothing is learned across the gap.
+  /// @brief Discards the recorded decisions and traces, so that nothing is learned across an interruption.
   void forgetDecisions();
 
  private:
   using TablePointer = std::shared_ptr<QTable>;
-  /// What is kept of an agent from tick to tick.
+  /// State of an agent that is kept between ticks.
   struct Memory {
     TablePointer table;
     QLearner learner;
@@ -148,36 +158,36 @@ class Learner {
     AgentPerception before;
   };
 
-  /// What is to be done about an agent of the present tick.
+  /// Work to be done for an agent in the present tick.
   struct ServedAgent {
-    std::uint32_t place;       // of its memory; NOBODY: it is not served
-    std::uint32_t answer;      // place among the answers; NOBODY: it has arrived
-    std::uint32_t neighbours;  // so many of its neighbours are within sight
+    std::uint32_t place;       // index of its memory; NOBODY: it is not served
+    std::uint32_t answer;      // index of its answer; NOBODY: it gets none
+    std::uint32_t neighbours;  // number of its neighbours within the model's vision
   };
   static constexpr std::uint32_t NOBODY = UINT32_MAX;
-  /// Of its memory; a new one if the agent was not met before.
+  /// Returns the index of the agent's memory; creates it for a new agent.
   std::uint32_t placeOf(AgentId agent) {
     const std::uint32_t known = places_.find(agent);
     return known != AgentPlaces::NONE ? known : addMemory(agent);
   }
   std::uint32_t addMemory(AgentId agent);
-  /// The table to write into; a copy is made first where others still read it.
+  /// Returns the table to write to; copies it first if other agents use it, too (copy on write).
   QTable& writable(Memory& memory) {
     if (options_.tables == TableUse::OWN && memory.table.use_count() > 1) copyTable(memory);
     return *memory.table;
   }
   static void copyTable(Memory& memory);
   void checkShape(const QTable& table) const;
-  /// From now on what is learned is told from what the tables held before.
+  /// Separates what is learned from now on from the previous contents of the tables.
   void beginSources();
-  /// Names the own source of the agent's table.
+  /// Names the own source of an agent's table.
   void nameSource(AgentId agent, SourceId name);
   static Taken give(TablePointer& place, const QTable& table, TakeMethod method);
   void beginEpisode(std::uint64_t episode);
   void listServedAgents(const Perceptions& perceptions, RelativeActions& actions);
-  /// How many of the bodies that an agent was told of are within the model's vision.
+  /// Returns the number of neighbours in a perception that are within the model's vision.
   std::uint32_t neighboursInSight(const Perceptions& perceptions, const AgentPerception& self) const;
-  /// What an agent perceives, of that no more than the model's vision: others may have been told more.
+  /// Returns the perception of an agent, limited to the model's vision: messages may contain more neighbours.
   static Perception perceptionOf(const Perceptions& perceptions, std::size_t index, std::uint32_t neighbours) {
     Perception seen(perceptions, index);
     seen.neighbours = seen.neighbours.front(neighbours);
@@ -191,7 +201,7 @@ class Learner {
   void findRows(const DecisionContext& context) const;
   void findRowsOfGroup(const DecisionWorkspace& workspace) const;
   Rows rowsOf(const DecisionContext& context) const { return {context.rows, stride_ == 1 ? 0U : 1U}; }
-  /// Calls work(index) for all agents that are to answer.
+  /// Calls work(index) for all agents that get an answer.
   template <typename Work>
   void forEachServedAgent(const Perceptions& perceptions, const Work& work) const;
   void learn(const Perceptions& perceptions);
@@ -199,42 +209,42 @@ class Learner {
   void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, Memory& memory);
   void exploreAll(const Perceptions& perceptions, RelativeActions& actions);
   void chooseGreedily(const Perceptions& perceptions, RelativeActions& actions);
-  /// learn() and exploreAll() for one agent alone: nothing need be kept between the two.
+  /// learn() and exploreAll() for a single agent, without intermediate storage.
   void learnAndChoose(const Perceptions& perceptions, RelativeActions& actions);
-  /// Adds an agent to the group, which decides as soon as it is full.
-  /// @param answer place of its decision among the actions
+  /// Adds an agent to the group; computes the decisions of the group when it is full.
+  /// @param answer index of its decision in the actions
   void joinGreedily(const Perceptions& perceptions, const Perception& seen, std::size_t answer,
                     DecisionWorkspace& workspace, std::vector<AgentAction>& actions) const;
-  /// Decides for the group, which is empty then.
+  /// Computes the decisions of the group and empties it.
   void answerGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,
                       std::vector<AgentAction>& actions) const;
-  /// What decides between equal values: the first, or a draw of the agent's own.
+  /// Returns the number that decides among equal values: that of the first, or a random number of the agent.
   double tieOf(const Perceptions& perceptions, AgentId agent) const;
-  /// @param chance that of the tick
+  /// @param chance random numbers of the tick
   Action chooseExploring(const KeyedRandom& chance, const Perceptions& perceptions, const AgentPerception& self,
                          const Rows& rows, Memory& memory) const;
-  /// Writes to `given` what the action means to the agent.
+  /// Writes the relative action of an action to `given`.
   void answer(const DecisionContext& context, Action action, AgentAction& given) const;
 
   Model model_;
-  Vision sight_;              // all that the state set looks at
-  std::size_t stride_;        // rows of a perception
-  std::size_t moves_stride_;  // blocks of moves that the state set looks at
+  Vision sight_;              // limits of the perception, see StateSet::maxNeighbours()
+  std::size_t stride_;        // rows per perception
+  std::size_t moves_stride_;  // blocks of moves per agent; 0 if the state set does not need them
   Options options_;
   LearningParameters parameters_;
   LearningRateSchedule learning_rates_;
   Mirror mirror_;
   EpsilonSchedule epsilon_;
   std::uint64_t episode_ = 0;
-  KeyedRandom chance_;  // of the episode
+  KeyedRandom chance_;  // random numbers of the episode
   bool began_ = false;
   std::uint64_t decisions_ = 0;
-  bool has_own_sources_ = false;  // what was learned here is told from what was given
-  TablePointer base_;             // of everybody (shared), or what newcomers begin with (own)
-  AgentPlaces places_;            // of memories
+  bool has_own_sources_ = false;  // whether learning began a source of its own
+  TablePointer base_;             // table of all agents (shared), or of new agents (own)
+  AgentPlaces places_;            // indices of memories_
   std::vector<Memory> memories_;
-  std::vector<ServedAgent> served_agents_;  // scratch, of all agents of a tick
-  DecisionWorkspace workspace_;             // scratch, of all agents of a tick while learning
+  std::vector<ServedAgent> served_agents_;  // buffer, all agents of a tick
+  DecisionWorkspace workspace_;             // buffer, all agents of a tick while learning
 };
 
 }  // namespace crowd

@@ -9,32 +9,34 @@
 
 namespace crowd {
 
-/// @brief What the numbers of a Q-table mean: state set, action set, the reward they were learned for, and what was
-/// perceived then. Cheap to copy; the parts are immutable and shared.
+/// @brief Defines the meaning of a Q-table: state set, action set, the reward that it was learned for, and the kind of
+/// perception. Cheap to copy; the parts are immutable and shared.
 struct Model {
   std::shared_ptr<const StateSet> state_set;
   std::shared_ptr<const ActionSet> action_set;
   std::shared_ptr<const Reward> reward;
-  bool occlusion = false;  ///< what nearer neighbours and walls hide is not perceived
+  bool occlusion = false;  ///< whether bodies hidden by nearer neighbours and walls are not perceived
 
-  /// @brief How an agent perceives, and how far it must so that the state set sees all it looks at.
+  /// @brief Returns the vision that the model needs. The radius is slightly larger than that of the state set, so that
+  /// the state set itself decides about bodies exactly at its limit.
   Vision vision() const;
-  /// @brief Whether a table of the other model can be used with this one: same state set, same action set.
+  /// @brief Whether a table of the other model can be used with this one: the state sets and the action sets are equal.
   bool fits(const Model& other) const;
-  /// @brief The parts as YAML, each on a line of its own: `state_set: {...}` and so on; `vision` only where it is not
-  /// the default.
+  /// @brief Returns the parts as YAML, one per line: `state_set: {...}` and so on; `vision` only if it is not the
+  /// default.
   std::string spec() const;
 };
 
-/// @brief Refuses a table of another state set or action set. @param what stands for the table in the message.
-/// @throws ShapeError
+/// @brief Requires that both models fit.
+/// @param what name of the table in the message
+/// @throws ShapeError if they do not fit
 void requireFit(const Model& expected, const Model& got, const std::string& what);
 
-/// @brief Reads the keys state_set, action_set, reward and, where it is there, vision of a map.
-/// @throws InputError if one of the first three is missing, or any is wrong.
+/// @brief Reads the keys state_set, action_set, reward and, optionally, vision of a map.
+/// @throws InputError if a required key is missing or a value is invalid
 Model readModel(const YamlMap& map);
 
-/// @brief The model that Model::spec() describes. @throws InputError if the text is no such thing.
+/// @brief Inverse of Model::spec(). @throws InputError if the text is invalid
 Model parseModel(const std::string& spec);
 
 }  // namespace crowd

@@ -10,25 +10,27 @@
 
 namespace crowd {
 
-/// @brief A Q-table with what its numbers mean and how it was learned: what a Q-table file holds.
+/// @brief Contents of a Q-table file: a Q-table with its model and how it was learned.
 struct TrainedTable {
   Model model;
   LearningParameters parameters;
-  std::uint64_t decisions = 0;  ///< learned from
-  std::uint64_t seed = 0;
+  std::uint64_t decisions = 0;  ///< number of decisions that it was learned from
+  std::uint64_t seed = 0;       ///< seed of the training
   QTable table;
 };
 
-/// @brief The text of a Q-table file (docs/learning.md, "Q-table files"): a header of YAML lines, one line a visited
-/// row, where there are several sources the visits that come from each, a checksum.
+/// @brief Returns the text of a Q-table file (docs/learning.md, "Q-table files"): a header of YAML lines, one line per
+/// visited row, the visits of foreign sources if there are any, and a checksum.
+/// @throws InputError if a value is not finite
 std::string toText(const TrainedTable& trained);
 
-/// @brief Reads what toText() wrote, bit for bit; `name` stands for the file in messages.
-/// @throws InputError with the line, if anything is wrong, missing, repeated, out of range or left over.
+/// @brief Parses the text that toText() wrote; values are restored bit for bit.
+/// @param name name of the file in messages
+/// @throws InputError with the line if anything is invalid, missing, duplicate, out of range or left over
 TrainedTable parseQTable(const std::string& text, const std::string& name);
 
-/// @brief Writes a Q-table file: to a temporary file beside it, flushed to the disk, then renamed; what was there
-/// before stays whole whatever happens. @throws FileError
+/// @brief Writes a Q-table file atomically: to a temporary file in the same folder, flushed to disk, then renamed. A
+/// failure leaves an existing file unchanged. @throws FileError, InputError as toText() does
 void saveQTable(const std::string& file, const TrainedTable& trained);
 
 /// @brief Reads a Q-table file. @throws FileError, InputError
