@@ -47,7 +47,7 @@ AnswerCollector::AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const Co
 
 void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event) {
   const ActionsMessage& message = *event.getMessage();
-  const std::string node = event.getPublisherName();
+  const std::string& node = event.getPublisherName();
   const LearnerId learner = learners_.numberOf(message.node.empty() ? node : message.node, node);
   const RunCheck run = learners_.checkRun(message.run, learner);
   if (run == RunCheck::OTHER) lockstep_.drop(message.content);

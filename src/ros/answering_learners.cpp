@@ -34,7 +34,7 @@ std::string briefly(Refusal cause) {
 /// What was answered and what was expected.
 std::string explained(const RefusedAnswer& refused, const std::vector<AgentId>& agents) {
   const std::string when = "tick " + std::to_string(refused.tick) + " of episode " + std::to_string(refused.episode);
-  const std::string whose = namedAgents(agents);
+  std::string whose = namedAgents(agents);
   switch (refused.cause) {
     case Refusal::NOT_ASKED:
       return whose + " in " + when + ", expected agents of the perceptions that have not arrived";
@@ -53,6 +53,10 @@ std::string explained(const RefusedAnswer& refused, const std::vector<AgentId>& 
       break;
   }
   return whose;
+}
+
+std::string describedAsSilent(const std::string& node, const std::string& topic) {
+  return "'" + node + "' publishes on '" + topic + "', but has not answered yet";
 }
 
 /// Agents of refused answers of the same cause as the first one, which are taken out of the list.
@@ -129,7 +133,7 @@ std::string AnsweringLearners::reasonForSilence(const std::vector<std::string>& 
       has_answered = true;
       add(described(learner));
     }
-    if (!has_answered) add("'" + node + "' publishes on '" + topic + "', but has not answered yet");
+    if (!has_answered) add(describedAsSilent(node, topic));
   }
   return reason.empty() ? "no learner is there (no node publishes on '" + topic + "')" : reason;
 }

@@ -57,7 +57,7 @@ void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
 /// The file to save to as an absolute path; what is wrong with it is told at the start and not after the training.
 std::string readSaveTo(Parameters& parameters) {
   const std::string given = parameters.text("save_to", "");
-  if (given.empty()) return given;
+  if (given.empty()) return {};
   std::string file = std::filesystem::absolute(given).lexically_normal().string();
   try {
     requireReplaceable(file);

@@ -46,7 +46,8 @@ using Wholes = std::vector<std::int64_t>;
 std::optional<Wholes> readWholes(XmlRpcValue& list) {
   if (list.getType() != XmlRpcValue::TypeArray) return std::nullopt;
   Wholes numbers;
-  for (int i = 0; i < list.size(); ++i) {
+  // begin() of an XmlRpcValue is that of a struct.
+  for (int i = 0; i < list.size(); ++i) {  // NOLINT(modernize-loop-convert)
     const bool fine = list[i].getType() == XmlRpcValue::TypeInt && static_cast<int&>(list[i]) >= 0;
     if (!fine) return std::nullopt;
     numbers.push_back(static_cast<int&>(list[i]));
@@ -158,11 +159,14 @@ std::set<std::string> Parameters::findUnknown() const {
 
 void Parameters::noteUnknown() {
   const std::vector<std::string> known(asked_.begin(), asked_.end());
-  for (const std::string& name : findUnknown()) {
+  const auto problem = [&](const std::string& name) {
     const std::string hint = didYouMean(name, known, "~");
-    complain(name, "there is no such parameter" + (hint.empty() ? "; there are " : hint + " There are ") +
-                       joinNames(known, "~") + ". It may be left from an earlier start: rosparam delete " +
-                       node_.getNamespace() + "/" + name);
+    return "there is no such parameter" + (hint.empty() ? "; there are " : hint + " There are ") +
+           joinNames(known, "~") + ". It may be left from an earlier start: rosparam delete " + node_.getNamespace() +
+           "/" + name;
+  };
+  for (const std::string& name : findUnknown()) {
+    complain(name, problem(name));
     missing_.erase(nearestName(name, known));
   }
 }

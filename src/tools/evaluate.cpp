@@ -76,14 +76,17 @@ std::string recordRows(const EvaluatedEpisode& walked) {
   return rows;
 }
 
+[[noreturn]] void throwSameOutput(const std::string& option, const std::string& one, const std::string& other) {
+  throw InputError(option + ": " + one + " and " + other + " would both be written to files called '" + stemOf(one) +
+                   "': rename one, or evaluate them one at a time into different folders");
+}
+
 /// Each scenario file has an output file of its own stem in the folder; two of one stem would write to the same one.
 void requireOwnOutputs(const std::string& option, const std::vector<std::string>& scenarios) {
   std::map<std::string, std::string> file_of;
   for (const std::string& file : scenarios) {
     const auto [other, is_new] = file_of.emplace(stemOf(file), file);
-    if (is_new) continue;
-    throw InputError(option + ": " + other->second + " and " + file + " would both be written to files called '" +
-                     other->first + "': rename one, or evaluate them one at a time into different folders");
+    if (!is_new) throwSameOutput(option, other->second, file);
   }
 }
 
