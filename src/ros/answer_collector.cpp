@@ -10,11 +10,11 @@
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 1000;           // messages; many learners may answer at once
-const ros::WallDuration IDLE(0.1);              // between two checks whether ROS still runs
-const ros::WallDuration WARNING_PERIOD(5.0);    // of the warning that nobody answers
-constexpr double USUAL_START = 3.0;             // [s] that learners may take to start without a warning
-const ros::WallDuration FIRST_ASK_AGAIN(0.05);  // doubled each time
+constexpr std::uint32_t QUEUE = 1000;          // messages; many learners may answer at once
+const ros::WallDuration IDLE(0.1);             // between two checks whether ROS still runs
+const ros::WallDuration WARNING_PERIOD(5.0);   // of the warning that no answer comes
+constexpr double USUAL_START = 3.0;            // [s] that learners may take to start without a warning
+const ros::WallDuration FIRST_ASK_AGAIN(0.1);  // doubled each time
 
 std::vector<AgentId> agentsToAsk(const Perceptions& perceptions) {
   std::vector<AgentId> agents;
@@ -102,9 +102,7 @@ void AnswerCollector::publishLast(Episode& episode, const std_msgs::Header& head
 }
 
 void AnswerCollector::serveUntil(const Clock& deadline) {
-  ros::WallDuration most = std::min(IDLE, deadline - Clock::now());
-  if (lockstep_.awaitsNewcomer()) most = std::min(most, ask_again_at_ - Clock::now());
-  loop_.run(std::max(most, ros::WallDuration(0.0)));
+  loop_.run(std::max(ros::WallDuration(0.0), std::min(IDLE, deadline - Clock::now())));
 }
 
 void AnswerCollector::awaitPresent() {
@@ -142,7 +140,7 @@ void AnswerCollector::awaitAnybody(const Episode& episode) {
 }
 
 void AnswerCollector::askAgain() {
-  if (!lockstep_.awaitsNewcomer() || Clock::now() < ask_again_at_) return;
+  if (Clock::now() < ask_again_at_ || !lockstep_.awaitsNewcomer()) return;
   if (perceptions_.isAnyUnheard(publishersOf(actions_.getTopic()))) perceptions_.publishAgain();
   ask_again_after_ += ask_again_after_;
   ask_again_at_ = Clock::now() + ask_again_after_;

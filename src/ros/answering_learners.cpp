@@ -74,11 +74,9 @@ std::vector<AgentId> takeAgentsOfFirstCause(std::vector<RefusedAnswer>& refused)
 }  // namespace
 
 LearnerId AnsweringLearners::numberOf(const std::string& learner, const std::string& node) {
-  const auto found = std::find_if(learners_.begin(), learners_.end(),
-                                  [&](const Learner& one) { return one.name == learner && one.node == node; });
-  if (found != learners_.end()) return static_cast<LearnerId>(found - learners_.begin());
-  learners_.push_back({learner, node, 0, false, {}});
-  return static_cast<LearnerId>(learners_.size() - 1);
+  const auto [found, is_new] = numbers_.try_emplace({learner, node}, static_cast<LearnerId>(learners_.size()));
+  if (is_new) learners_.push_back({learner, node, 0, false, {}});
+  return found->second;
 }
 
 RunCheck AnsweringLearners::checkRun(std::uint64_t run, LearnerId learner) {

@@ -15,10 +15,7 @@ const ros::WallDuration TIME_TO_ANSWER(0.05);  // for a node that has just conne
 PerceptionsPublisher::PerceptionsPublisher(ros::NodeHandle& node)
     : publisher_(node.advertise<PerceptionsMessage>(
           names::PERCEPTIONS, QUEUE,
-          [this](const ros::SingleSubscriberPublisher& subscriber) { addSubscriber(subscriber); },
-          [this](const ros::SingleSubscriberPublisher& subscriber) {
-            subscribers_.erase(subscriber.getSubscriberName());
-          })) {}
+          [this](const ros::SingleSubscriberPublisher& subscriber) { addSubscriber(subscriber); })) {}
 
 void PerceptionsPublisher::addSubscriber(const ros::SingleSubscriberPublisher& subscriber) {
   subscribers_[subscriber.getSubscriberName()] = {ros::WallTime::now(), false};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -33,7 +34,7 @@ class AnsweringLearners {
   /// @brief Warns of causes that are new.
   void noteRefused(const std::vector<RefusedAnswer>& refused);
 
-  /// @brief Why nobody answers for some agents, as far as the nodes tell that publish answers.
+  /// @brief Returns why some agents have no answer, by what is known of the nodes that publish answers.
   /// @param nodes that publish on `topic`
   std::string reasonForSilence(const std::vector<std::string>& nodes, const std::string& topic) const;
 
@@ -52,7 +53,8 @@ class AnsweringLearners {
   void warnOfRivals(const RefusedAnswer& refused, const std::vector<AgentId>& agents);
 
   std::uint64_t run_;
-  std::vector<Learner> learners_;  // by number
+  std::vector<Learner> learners_;                                     // by number
+  std::map<std::pair<std::string, std::string>, LearnerId> numbers_;  // by name and node
   std::set<std::pair<LearnerId, LearnerId>> rivals_;
 };
 

@@ -16,7 +16,7 @@ struct ControllerParameters {
   std::string name;               ///< of recordings: that of the file that ~scenario or ~config names
   std::string scenario_folder;    ///< ~scenario_folder: where scenarios have names; empty: those of the package
   std::uint64_t seed = 1;         ///< ~seed: of placements at random; else that of ~config
-  std::uint64_t episodes = 0;     ///< ~episodes: end after so many; 0: go on until stopped; else those of ~config
+  std::uint64_t episodes = 0;     ///< ~episodes: number of episodes; 0: unlimited; else that of ~config
   double real_time_factor = 1.0;  ///< ~real_time_factor: factor of real time; 0 or `fast`: as fast as possible
   bool paused = false;            ///< ~paused: begin paused
   double start_deadline = 30.0;   ///< ~start_deadline: how long to wait for learners that never answered [s]

@@ -43,7 +43,7 @@ class PerceptionsPublisher {
   };
   void addSubscriber(const ros::SingleSubscriberPublisher& subscriber);
 
-  std::map<std::string, Subscriber> subscribers_;  // by name of the node
+  std::map<std::string, Subscriber> subscribers_;  // by name of the node; also former ones, which publish no answers
   PerceptionsMessage::ConstPtr awaited_;
   ros::Publisher publisher_;
 };
