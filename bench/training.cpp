@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "measuring.h"
+#include "social_crowd/simulation/episode_runner.h"
 #include "social_crowd/simulation/training.h"
 #include "social_crowd/world/scenario_reader.h"
 #include "thread_counts.h"
@@ -51,7 +52,8 @@ class WalkedEpisodes {
   std::uint64_t walk() {
     std::uint64_t decisions = 0;
     for (std::uint64_t episode = 0; episode < config_.training.episodes; ++episode) {
-      decisions += runEpisode(scenarios_.scene(config_.training.seed, episode), episode, learner_).ticks;
+      Episode walked(scenarios_.scene(config_.training.seed, episode), episode, learner_.model().vision());
+      decisions += runEpisode(walked, learner_).ticks;
     }
     return decisions;
   }

@@ -29,9 +29,9 @@ NeighbourSet findNear(const Perception& seen, std::size_t first) {
 }
 
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first count_ entries are read
-NearAgents::NearAgents(const DecisionBatch& contexts) {
-  for (std::uint32_t k = 0; k < contexts.size(); ++k) {
-    const Perception& seen = contexts[k].seen;
+NearAgents::NearAgents(const PerceptionBatch& batch) {
+  for (std::uint32_t k = 0; k < batch.size(); ++k) {
+    const Perception& seen = batch[k];
     if (!isFor(seen)) continue;
     for (NeighbourSet left = findNear(seen, 0); left != 0; left &= left - 1) {
       list_[count_++] = {k * static_cast<std::uint32_t>(NEIGHBOURS_AT_ONCE) +

@@ -110,28 +110,29 @@ std::string toText(GapSharing sharing) {
   return sharing == GapSharing::HALF ? "half" : "moving";
 }
 
-void SeparationRule::cut(const DecisionBatch& contexts, std::size_t count) const {
-  for (const DecisionContext& context : contexts) {
-    if (NearAgents::isFor(context.seen)) {
-      admitAll(context.moves, count);
+void SeparationRule::cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const {
+  for (std::size_t k = 0; k < batch.size(); ++k) {
+    MoveBlock* const own = moves + k * blocksOf(count);
+    if (NearAgents::isFor(batch[k])) {
+      admitAll(own, count);
     } else {
-      cut(context.seen, context.moves, count);
+      cut(batch[k], own, count);
     }
   }
-  if (sharing_ != GapSharing::NONE) cutAmongAgents(contexts, count);
+  if (sharing_ != GapSharing::NONE) cutAmongAgents(batch, moves, count);
 }
 
 /// Collects the limits of all agents in one list before it applies them: loops over the limits of each agent would be
 /// short and of unpredictable length, so that branches would be mispredicted.
-void SeparationRule::cutAmongAgents(const DecisionBatch& contexts, std::size_t count) const {
+void SeparationRule::cutAmongAgents(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const {
   StaticVector<Cut, NearAgents::MAX_COUNT> cuts;
-  for (const NearAgent near : NearAgents(contexts)) {
-    const DecisionContext& context = contexts[near.context()];
-    const AgentPerception& self = context.seen.self;
-    const double tick_duration = context.seen.tick_duration;
+  for (const NearAgent near : NearAgents(batch)) {
+    const Perception& seen = batch[near.agent()];
+    const AgentPerception& self = seen.self;
+    const double tick_duration = seen.tick_duration;
     const double reach = self.max_speed * tick_duration;
-    const Limit limit = limitOfAgent(self, context.seen.neighbours[near.neighbour()], tick_duration, sharing_);
-    cuts.add(limit, reach, context.moves);
+    const Limit limit = limitOfAgent(self, seen.neighbours[near.neighbour()], tick_duration, sharing_);
+    cuts.add(limit, reach, moves + near.agent() * blocksOf(count));
     cuts.keepLastIf(limit.max_advance < reach);
   }
   for (const Cut& each : cuts) cutToGap(each.limit, each.reach, each.moves, count);

@@ -15,7 +15,7 @@ Vision Model::vision() const {
   Vision vision;
   // Rounding in the perception must not drop bodies exactly at the limit of the state set.
   constexpr double MARGIN = 1e-6;  // [m]
-  vision.radius = state_set->distanceLimits().back() + MARGIN;
+  vision.radius = state_set->visionRadius() + MARGIN;
   vision.occlusion = occlusion;
   vision.max_neighbours = state_set->maxNeighbours();
   return vision;
@@ -39,7 +39,7 @@ void requireFit(const Model& expected, const Model& got, const std::string& what
 Model readModel(const YamlMap& map) {
   Model model;
   model.action_set = makeActionSet(map.need("action_set"), map.placeOf("action_set"));
-  model.state_set = makeStateSet(map.need("state_set"), map.placeOf("state_set"), model.action_set);
+  model.state_set = makeStateSet(map.need("state_set"), map.placeOf("state_set"), *model.action_set);
   model.reward = makeReward(map.need("reward"), map.placeOf("reward"), *model.state_set);
   model.occlusion = readOcclusion(map);
   return model;

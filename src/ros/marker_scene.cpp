@@ -134,20 +134,24 @@ Marker MarkerScene::drawRadii() const {
     const bool chosen = agent.agent == options_.agent;
     if (!all && !chosen) continue;
     const StateSet* const state_set = state_sets_.of(agent.agent);
-    if (state_set != nullptr) drawing.add(agent, state_set->distanceLimits(), !chosen);
+    if (state_set == nullptr) continue;
+    const auto* const picture = dynamic_cast<const SectorPicture*>(state_set);
+    drawing.add(agent, picture != nullptr ? picture->distanceLimits() : std::vector<double>{state_set->visionRadius()},
+                !chosen);
   }
   return drawing.finish();
 }
 
 Marker MarkerScene::drawOccupiedSectors() const {
   const AgentState* const chosen = findChosen();
-  const StateSet* const state_set = chosen == nullptr ? nullptr : state_sets_.of(chosen->agent);
-  if (state_set == nullptr || !isOnFloor(*chosen) || perceptions_.agents.empty() ||
+  const auto* const picture =
+      chosen == nullptr ? nullptr : dynamic_cast<const SectorPicture*>(state_sets_.of(chosen->agent));
+  if (picture == nullptr || !isOnFloor(*chosen) || perceptions_.agents.empty() ||
       perceptions_.episode != states_->episode) {
     return drawSectors({}, {}, {});
   }
   const Perception perception(perceptions_, 0);
-  return drawSectors(perception.self.pose, state_set->occupiedSectors(perception), state_set->distanceLimits());
+  return drawSectors(perception.self.pose, picture->occupiedSectors(perception), picture->distanceLimits());
 }
 
 visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "social_crowd/learning/learner.h"
-#include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/episode_runner.h"
 #include "social_crowd/simulation/state_record.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scene_document.h"
@@ -30,16 +30,16 @@ EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const Evaluati
   walked.instance = instance;
   if (plan.scenes) walked.scene = toDocument(scene);
   Episode episode(scene, instance, learner.model().vision(), thread_pool);
-  RelativeActions actions;
-  bool tick_ended = true;
-  for (;;) {
-    if (plan.record && tick_ended) appendTrajectoryRows(instance, episode.world(), walked.trajectory);
-    if (episode.isOver()) break;
-    if (plan.states) appendStateRows(instance, episode.perceptions(), learner, walked.states);
-    episode.decide(learner, actions);
-    tick_ended = episode.step(actions.agents);
+  EpisodeObserver observer;
+  if (plan.record) {
+    observer.on_tick = [&](const World& world) { appendTrajectoryRows(instance, world, walked.trajectory); };
   }
-  walked.result = episode.result();
+  if (plan.states) {
+    observer.on_turn = [&](const Perceptions& perceptions) {
+      appendStateRows(instance, perceptions, learner, walked.states);
+    };
+  }
+  walked.result = runEpisode(episode, learner, observer);
   return walked;
 }
 

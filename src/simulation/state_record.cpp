@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/learning/states/obstacle_classes.h"
 
 namespace crowd {
 namespace {
@@ -23,17 +24,22 @@ std::string textOf(const std::vector<OccupiedSector>& occupied) {
 
 void appendStateRows(std::uint64_t instance, const Perceptions& perceptions, const Learner& learner,
                      std::string& rows) {
-  Learner::DecisionWorkspace workspace;
-  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
+  const auto* const picture = dynamic_cast<const SectorPicture*>(learner.model().state_set.get());
+  DecisionWorkspace workspace;
+  std::vector<AgentAction> answers;
+  learner.decideGreedily(perceptions, workspace, answers);
+  auto choice = workspace.choices.begin();
+  for (std::size_t i = 0; choice != workspace.choices.end(); ++i) {
     const AgentPerception& self = perceptions.agents[i];
-    if (self.arrived || perceptions.last) continue;
-    const Learner::Choice choice = learner.greedyChoice(perceptions, i, workspace);
+    if (self.arrived) continue;
     rows += std::to_string(instance) + "," + std::to_string(perceptions.tick) + "," + std::to_string(self.agent);
     for (const double value : {self.pose.position.x(), self.pose.position.y(), toDegrees(self.pose.heading)}) {
       rows += "," + toText(value);
     }
-    rows += "," + std::to_string(choice.row) + "," + std::to_string(choice.action) + "," +
-            textOf(learner.model().state_set->occupiedSectors(Perception(perceptions, i))) + "\n";
+    rows += "," + std::to_string(choice->row) + "," + std::to_string(choice->action) + ",";
+    if (picture != nullptr) rows += textOf(picture->occupiedSectors(Perception(perceptions, i)));
+    rows += "\n";
+    ++choice;
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/learning/rl/merge_copies.h"
-#include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/episode_runner.h"
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
@@ -34,18 +34,6 @@ std::vector<Learner> makeLearners(const TrainingConfig& config) {
 }
 
 }  // namespace
-
-EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& learner) {
-  ThreadPool& thread_pool = ThreadPool::callerOnly();
-  Episode episode(scene, number, learner.model().vision(), thread_pool);
-  RelativeActions actions;
-  episode.decide(learner, actions);
-  while (!episode.isOver()) {
-    episode.step(actions.agents);
-    episode.decide(learner, actions);
-  }
-  return episode.result();
-}
 
 Training::Training(TrainingConfig config, unsigned threads)
     : config_(std::move(config)),
@@ -78,7 +66,9 @@ std::vector<EpisodeResult> Training::runEpisodes(std::uint64_t each) {
       for (std::uint64_t i = number * each; i < end; ++i) {
         Scene scene = scenarios_.scene(config_.training.seed, episode_ + i);
         keepHeadings(headings_[number], scene);
-        results[i] = runEpisode(scene, episode_ + i, learners_[number]);
+        Learner& learner = learners_[number];
+        Episode episode(std::move(scene), episode_ + i, learner.model().vision());
+        results[i] = runEpisode(episode, learner);
         headings_[number] = results[i].headings();
       }
     }
@@ -94,7 +84,7 @@ void Training::merge(QTable table) {
   thread_pool_.run(table.rows(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
     mergeCopies(copies, learning_rates, static_cast<Row>(begin), static_cast<Row>(end), table);
   });
-  for (Learner& learner : learners_) learner.goOnIn(table);
+  for (Learner& learner : learners_) learner.restart(table);
 }
 
 std::uint64_t Training::allDecisions() const {

@@ -111,7 +111,7 @@ double worstOfRandomWalk(GapSharing sharing, std::uint64_t seed) {
       const bool ahead = random.uniform() < 0.5;
       if (random.uniform() < 0.05) continue;
       const Action action = ahead ? 0 : random.below(goal_relative.size());
-      actions.push_back({agent, goal_relative.relativeAction({perceptions, i}, action)});
+      actions.push_back({agent, relativeAction(goal_relative, {perceptions, i}, action)});
     }
     world.step(actions);
     worst = std::max(worst, deepestOverlap(world));

@@ -8,6 +8,7 @@
 #include "support/error_of.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
+#include "support/rows.h"
 
 namespace crowd {
 namespace {
@@ -59,10 +60,8 @@ Row rowOf(const Features& move_features) {
 }
 
 std::vector<Row> rowsOf(const AnticipationStates& states, const ActionSet& actions, const PerceptionsBuilder& scene) {
-  std::vector<MoveBlock> moves = movesOf(actions, scene.perception());
-  std::vector<Row> rows(states.rowsPerPerception());
-  states.findRows({scene.perception(), moves.data(), rows.data()});
-  return rows;
+  const Perception seen = scene.perception();
+  return rowsOf(states, seen, movesOf(actions, seen));
 }
 
 TEST(AnticipationStates, NothingComesOfAFreeMove) {
@@ -176,14 +175,13 @@ TEST(AnticipationStates, IsWhatItsSpecSays) {
       "{type: anticipation, vision_radius: 5, max_neighbours: 9, reciprocal_times: [1, 2], constant_velocity_times: "
       "[], static_times: "
       "[3], admissible_fractions: [0.5], turns: [10], oncoming: []}";
-  const auto made =
-      makeStateSet(YAML::Load(spec), {"file.yaml", 0, "state_set"}, std::make_shared<GoalRelativeActions>());
+  const auto made = makeStateSet(YAML::Load(spec), {"file.yaml", 0, "state_set"}, GoalRelativeActions());
   EXPECT_EQ(made->spec(), spec);
   EXPECT_EQ(made->rowCount(), 24U);  // 3 * 2 * 2 * 2
   EXPECT_EQ(made->maxNeighbours(), 9U);
   const auto error = errorOf<InputError>([] {
     makeStateSet(YAML::Load("{type: anticipation, turns: [190]}"), {"file.yaml", 0, "state_set"},
-                 std::make_shared<GoalRelativeActions>());
+                 GoalRelativeActions());
   });
   EXPECT_TRUE(contains(error, "turns[0]: expected a list of rising numbers from 0 to 180, got '190'"));
 }

@@ -2,20 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include "social_crowd/learning/actions/kings_moves.h"
 #include "social_crowd/learning/rewards/thesis_reward.h"
 #include "support/error_of.h"
 #include "support/perceptions.h"
+#include "support/rows.h"
 
 namespace crowd {
 namespace {
 
 using Classes = std::vector<int>;
 
-Row rowOf(const StateSet& states, const PerceptionsBuilder& scene) {
-  Row row = 0;
-  states.findRows({scene.perception(), nullptr, &row});
-  return row;
-}
+Row rowOf(const StateSet& states, const PerceptionsBuilder& scene) { return rowsOf(states, scene.perception()).at(0); }
 
 Row rowOf(const PerceptionsBuilder& scene) { return rowOf(CondensedOccupancyStates(), scene); }
 
@@ -33,7 +31,6 @@ TEST(CondensedOccupancyStates, HasATwelfthOfTheRows) {
   EXPECT_EQ(states.rowCount(), 4097U);  // 8 * 2 * 2^8 + 1
   EXPECT_EQ(states.terminal(), 4096U);
   EXPECT_EQ(states.rowsPerPerception(), 1U);
-  EXPECT_FALSE(states.needsMoves());
 }
 
 TEST(CondensedOccupancyStates, TellsTheSectorOfTheGoal) {
@@ -87,7 +84,7 @@ TEST(CondensedOccupancyStates, TellsClassesForRewards) {
   EXPECT_EQ(states.distanceClasses(4095), (Classes{1, 2, 2, 2, 2, 2, 2, 2, 2}));
   ThesisReward::Parameters parameters;
   parameters.obstacle_cost = 10.0;
-  const ThesisReward reward(parameters, states);
+  const ThesisReward reward(parameters, states, states.rowCount());
   EXPECT_DOUBLE_EQ(reward.obstaclePart(states.rowOf({5, {2, 0, 1}})), -10.2);  // 10 and twice 10 / 10^2
   EXPECT_EQ(reward.obstaclePart(states.rowOf({5, {}})), 0.0);
 }
@@ -117,7 +114,7 @@ TEST(CondensedOccupancyStates, TellsItsSectorsForPictures) {
 }
 
 std::shared_ptr<const StateSet> make(const std::string& yaml) {
-  return makeStateSet(YAML::Load(yaml), {"file.yaml", 0, "state_set"}, nullptr);
+  return makeStateSet(YAML::Load(yaml), {"file.yaml", 0, "state_set"}, KingsMoves());
 }
 
 TEST(CondensedOccupancyStates, AreReadFromYamlAndWrittenAsSuch) {
@@ -126,7 +123,8 @@ TEST(CondensedOccupancyStates, AreReadFromYamlAndWrittenAsSuch) {
   const auto four = make("{type: condensed_occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
   EXPECT_EQ(four->spec(), "{type: condensed_occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
   EXPECT_EQ(four->rowCount(), 129U);  // 4 * 2 * 2^4 + 1
-  EXPECT_EQ(four->distanceLimits(), (std::vector<double>{0.25, 3.0}));
+  EXPECT_EQ(dynamic_cast<const SectorPicture&>(*four).distanceLimits(), (std::vector<double>{0.25, 3.0}));
+  EXPECT_EQ(four->visionRadius(), 3.0);
   // Goal behind, a body at the right whose rim is 2.9 m away: 2 * 32 + 1.
   EXPECT_EQ(rowOf(*four, PerceptionsBuilder().agent(0, {-1.0, 0.0}).neighbour({0.0, -3.0}, 0.1)), 65U);
   const std::string message = errorOf<InputError>([] { make("{type: condensed_occupancy, sectors: 13}"); });

@@ -1,6 +1,6 @@
 // Decisions in batches: the result of each agent does not depend on the other agents of the batch.
 
-#include "social_crowd/avoidance/decision_context.h"
+#include "social_crowd/avoidance/perception_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -52,20 +52,11 @@ PerceptionsBuilder anyGroup(KeyedRandom& random) {
   return group;
 }
 
-/// Deciding agents with their buffers.
-struct Choosing {
-  std::vector<MoveBlock> moves;
-  std::vector<Row> rows;
-  std::vector<DecisionContext> contexts;
-
-  Choosing(const PerceptionsBuilder& group, std::size_t actions)
-      : moves(group.all().agents.size() * blocksOf(actions)), rows(group.all().agents.size() * actions) {
-    for (std::size_t i = 0; i < group.all().agents.size(); ++i) {
-      contexts.push_back({group.perception(i), &moves[i * blocksOf(actions)], &rows[i * actions]});
-    }
-  }
-  DecisionBatch all() const { return {contexts.data(), contexts.size()}; }
-};
+std::vector<Perception> perceptionsOf(const PerceptionsBuilder& group) {
+  std::vector<Perception> seen;
+  for (std::size_t i = 0; i < group.all().agents.size(); ++i) seen.push_back(group.perception(i));
+  return seen;
+}
 
 bool areSame(const std::vector<MoveBlock>& a, const std::vector<MoveBlock>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(MoveBlock)) == 0;
@@ -88,16 +79,20 @@ TEST(DecisionBatch, FindTheSameMovesAndRowsTogetherAsAlone) {
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
       KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
       const PerceptionsBuilder group = anyGroup(random);
-      const Choosing together(group, actions.size());
-      actions.findMovesOfAll(together.all());
-      states.findRowsOfAll(together.all());
-      const Choosing alone(group, actions.size());
-      for (const DecisionContext& context : alone.contexts) {
-        actions.findMoves(context);
-        states.findRows(context);
+      const std::vector<Perception> seen = perceptionsOf(group);
+      const std::size_t blocks = blocksOf(actions.size());
+      std::vector<MoveBlock> moves(seen.size() * blocks);
+      std::vector<Row> rows(seen.size() * actions.size());
+      actions.findMoves({seen.data(), seen.size()}, moves.data());
+      states.findRows({seen.data(), seen.size()}, moves.data(), rows.data());
+      std::vector<MoveBlock> moves_alone(moves.size());
+      std::vector<Row> rows_alone(rows.size());
+      for (std::size_t k = 0; k < seen.size(); ++k) {
+        actions.findMoves({&seen[k], 1}, &moves_alone[k * blocks]);
+        states.findRows({&seen[k], 1}, &moves_alone[k * blocks], &rows_alone[k * actions.size()]);
       }
-      ASSERT_TRUE(areSame(together.moves, alone.moves)) << toText(sharing) << ", seed " << seed;
-      ASSERT_EQ(together.rows, alone.rows) << toText(sharing) << ", seed " << seed;
+      ASSERT_TRUE(areSame(moves, moves_alone)) << toText(sharing) << ", seed " << seed;
+      ASSERT_EQ(rows, rows_alone) << toText(sharing) << ", seed " << seed;
     }
   }
 }
@@ -112,17 +107,15 @@ TEST(DecisionBatch, AreCutShortTogetherByEveryLimitThatOneAloneMeets) {
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
       KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
       const PerceptionsBuilder group = anyGroup(random);
-      const Choosing together(group, count);
-      const Choosing alone(group, count);
-      for (const Choosing* choosing : {&together, &alone}) {
-        for (const DecisionContext& context : choosing->contexts) *context.moves = goal_relative[0];
+      const std::vector<Perception> seen = perceptionsOf(group);
+      std::vector<MoveBlock> together(seen.size(), goal_relative[0]);
+      std::vector<MoveBlock> alone = together;
+      rule.cut({seen.data(), seen.size()}, together.data(), count);
+      for (std::size_t k = 0; k < seen.size(); ++k) {
+        rule.cut(seen[k], &alone[k], count);  // neighbour by neighbour, not as a list of near agents
+        cut_short += alone[k].fraction[0] < alone[k].wanted[0] ? 1 : 0;
       }
-      rule.cut(together.all(), count);
-      for (const DecisionContext& context : alone.contexts) {
-        rule.cut(context.seen, context.moves, count);  // neighbour by neighbour, not as a list of near agents
-        cut_short += context.moves->fraction[0] < context.moves->wanted[0] ? 1 : 0;
-      }
-      ASSERT_TRUE(areSame(together.moves, alone.moves)) << toText(sharing) << ", seed " << seed;
+      ASSERT_TRUE(areSame(together, alone)) << toText(sharing) << ", seed " << seed;
     }
     EXPECT_EQ(cut_short > 200, sharing != GapSharing::NONE) << cut_short;
   }

@@ -23,33 +23,33 @@ TEST(GoalRelativeActions, MeasuresItsHeadingsFromTheGoalsBearing) {
   ASSERT_EQ(goal_relative.size(), 6U);
   const double expected[] = {40.0, 70.0, 10.0, -140.0, 40.0};
   for (Action action = 0; action < 5; ++action) {
-    EXPECT_NEAR(toDegrees(goal_relative.relativeAction(scene.perception(), action).rotation), expected[action], 1e-9);
-    EXPECT_EQ(goal_relative.relativeAction(scene.perception(), action).speed_fraction, action == 4 ? 0.5 : 1.0);
+    EXPECT_NEAR(toDegrees(relativeAction(goal_relative, scene.perception(), action).rotation), expected[action], 1e-9);
+    EXPECT_EQ(relativeAction(goal_relative, scene.perception(), action).speed_fraction, action == 4 ? 0.5 : 1.0);
   }
 }
 
 TEST(GoalRelativeActions, ToStayComesLastAndKeepsTheHeading) {
   const auto scene = PerceptionsBuilder().agent(0, polar(40.0, 5.0));
-  EXPECT_EQ(smallActionSet().relativeAction(scene.perception(), 5).rotation, 0.0);
-  EXPECT_EQ(smallActionSet().relativeAction(scene.perception(), 5).speed_fraction, 0.0);
+  EXPECT_EQ(relativeAction(smallActionSet(), scene.perception(), 5).rotation, 0.0);
+  EXPECT_EQ(relativeAction(smallActionSet(), scene.perception(), 5).speed_fraction, 0.0);
 }
 
 TEST(GoalRelativeActions, LooksAheadAtTheGoalItself) {
   const auto scene = PerceptionsBuilder().agent(0, {0.0, 0.0});
-  EXPECT_EQ(smallActionSet().relativeAction(scene.perception(), 0).rotation, 0.0);
+  EXPECT_EQ(relativeAction(smallActionSet(), scene.perception(), 0).rotation, 0.0);
 }
 
-TEST(GoalRelativeActions, TellsOfAllMovesWhatItTellsOfEach) {
+TEST(GoalRelativeActions, RelativeActionsCarryOutTheAdmissibleMoves) {
   const GoalRelativeActions goal_relative;
   const auto scene =
       PerceptionsBuilder().agent(0, polar(25.0, 5.0)).neighbour({0.51, 0.02}, 0.25).wall({-1, 0.26}, {1, 0.26});
   const std::vector<MoveBlock> moves = movesOf(goal_relative, scene.perception());
   bool cut = false;
   for (Action action = 0; action < goal_relative.size(); ++action) {
-    const RelativeAction alone = goal_relative.relativeAction(scene.perception(), action);
     const CandidateMove move = moveAt(moves.data(), action);
-    EXPECT_EQ(alone.speed_fraction, move.fraction);
-    EXPECT_EQ(alone.rotation, bearingOf(move.direction));
+    const RelativeAction carried_out = goal_relative.relativeAction(move, action);
+    EXPECT_EQ(carried_out.speed_fraction, move.fraction);
+    EXPECT_EQ(carried_out.rotation, bearingOf(move.direction));
     cut = cut || move.fraction < move.wanted;
   }
   EXPECT_TRUE(cut);

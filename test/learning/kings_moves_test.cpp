@@ -5,6 +5,7 @@
 #include <array>
 
 #include "support/error_of.h"
+#include "support/moves.h"
 #include "support/perceptions.h"
 
 namespace crowd {
@@ -20,7 +21,7 @@ std::string errorIn(const std::string& yaml) {
 
 double rotationInDegrees(const ActionSet& actions, Action action) {
   const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(90.0, 3.0));
-  return toDegrees(actions.relativeAction(scene.perception(), action).rotation);
+  return toDegrees(relativeAction(actions, scene.perception(), action).rotation);
 }
 
 TEST(KingsMoves, TurnByEighthsOfTheCircleAndWalkAtFullSpeed) {
@@ -30,7 +31,7 @@ TEST(KingsMoves, TurnByEighthsOfTheCircleAndWalkAtFullSpeed) {
   for (Action action = 0; action < 8; ++action) {
     EXPECT_NEAR(rotationInDegrees(moves, action), expected.at(action), 1e-9);
     const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {1.0, 0.0});
-    EXPECT_EQ(moves.relativeAction(scene.perception(), action).speed_fraction, 1.0);
+    EXPECT_EQ(relativeAction(moves, scene.perception(), action).speed_fraction, 1.0);
   }
 }
 
@@ -40,8 +41,8 @@ TEST(KingsMoves, MeanTheSameWhateverIsPerceived) {
   const PerceptionsBuilder blocked =
       PerceptionsBuilder().agent(1, {-2.0, 5.0}).neighbour({0.5, 0.0}, 0.3).wall({0.0, 1.0}, {1.0, 1.0});
   for (Action action = 0; action < moves.size(); ++action) {
-    const RelativeAction one = moves.relativeAction(free.perception(), action);
-    const RelativeAction other = moves.relativeAction(blocked.perception(), action);
+    const RelativeAction one = relativeAction(moves, free.perception(), action);
+    const RelativeAction other = relativeAction(moves, blocked.perception(), action);
     EXPECT_EQ(one.rotation, other.rotation);
     EXPECT_EQ(one.speed_fraction, other.speed_fraction);
   }
@@ -59,12 +60,12 @@ TEST(KingsMoves, MayEndWithStaying) {
   const KingsMoves moves(8, true);
   ASSERT_EQ(moves.size(), 9U);
   const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(90.0, 3.0));
-  EXPECT_EQ(moves.relativeAction(scene.perception(), 8).rotation, 0.0);
-  EXPECT_EQ(moves.relativeAction(scene.perception(), 8).speed_fraction, 0.0);
+  EXPECT_EQ(relativeAction(moves, scene.perception(), 8).rotation, 0.0);
+  EXPECT_EQ(relativeAction(moves, scene.perception(), 8).speed_fraction, 0.0);
   const KingsMoves without;
   for (Action action = 0; action < 8; ++action) {
-    const RelativeAction one = moves.relativeAction(scene.perception(), action);
-    const RelativeAction other = without.relativeAction(scene.perception(), action);
+    const RelativeAction one = relativeAction(moves, scene.perception(), action);
+    const RelativeAction other = relativeAction(without, scene.perception(), action);
     EXPECT_EQ(one.rotation, other.rotation);
     EXPECT_EQ(one.speed_fraction, other.speed_fraction);
   }

@@ -225,28 +225,6 @@ TEST(Decisions, DoNotDependOnTheOrderOfAgents) {
   EXPECT_EQ(runOne(walking(Mode::DEMO, TableUse::SHARED)), runOne(walking(Mode::DEMO, TableUse::SHARED), true));
 }
 
-TEST(Decisions, DoNotDependOnTheOrderInWhichAgentsAreLookedAt) {
-  for (const Mode mode : {Mode::TRAINING, Mode::DEMO}) {
-    Learner one_by_one(model(), walking(mode, TableUse::SHARED), randomTable(1));
-    Learner in_order(model(), walking(mode, TableUse::SHARED), randomTable(1));
-    for (std::uint64_t tick = 0; tick < 40; ++tick) {
-      Perceptions perceptions = randomTick(3, 0, tick, AGENTS).all();
-      RelativeActions expected;
-      one_by_one.decide(perceptions, expected);
-      for (AgentId agent = AGENTS; agent-- > 0;) perceptions.order.push_back(agent);
-      RelativeActions actions;
-      in_order.decide(perceptions, actions);
-      ASSERT_EQ(actions.agents.size(), expected.agents.size());
-      for (std::size_t i = 0; i < actions.agents.size(); ++i) {
-        EXPECT_EQ(actions.agents[i].agent, expected.agents[i].agent);
-        EXPECT_EQ(actionOf(actions.agents[i]), actionOf(expected.agents[i]));
-      }
-    }
-    EXPECT_EQ(in_order.tableOf(0), one_by_one.tableOf(0));
-    EXPECT_EQ(in_order.tableOf(0) != randomTable(1), mode == Mode::TRAINING);
-  }
-}
-
 TEST(Decisions, LearningChangesThem) {
   // Otherwise the comparisons above would prove little.
   EXPECT_NE(runOne(walking(Mode::TRAINING, TableUse::OWN)), runOne(walking(Mode::TRAINING, TableUse::SHARED)));

@@ -143,19 +143,20 @@ TEST(LearnerNames, SayWhatWasExpected) {
 }
 
 /// Two rows for every perception: action 0 is looked up in row 0 or 1, action 1 in row 2 or 3, by how far the goal is.
-class RowPerAction : public StateSet {
+class RowPerAction : public StateSet, public RowDistanceClasses {
  public:
   Row rowCount() const override { return 5; }
   std::size_t rowsPerPerception() const override { return 2; }
-  void findRows(const DecisionContext& context) const override {
-    const Row far = context.seen.self.goal.norm() > 2.0 ? 1 : 0;
-    context.rows[0] = far;
-    context.rows[1] = 2 + far;
+  void findRows(const PerceptionBatch& batch, const MoveBlock* /*moves*/, Row* rows) const override {
+    for (const Perception& seen : batch) {
+      const Row far = seen.self.goal.norm() > 2.0 ? 1 : 0;
+      *rows++ = far;
+      *rows++ = 2 + far;
+    }
   }
   Row mirrored(Row row) const override { return row; }
   std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
-  std::vector<OccupiedSector> occupiedSectors(const Perception& /*perception*/) const override { return {}; }
-  std::vector<double> distanceLimits() const override { return {1.0}; }
+  double visionRadius() const override { return 1.0; }
   std::string spec() const override { return "{type: row_per_action}"; }
 };
 
@@ -163,9 +164,11 @@ TEST(Learner, LooksUpEveryActionInARowOfItsOwn) {
   Model model = parseModel(
       "{state_set: {type: occupancy}, action_set: {type: kings_moves, rotations: 2}, "
       "reward: {goal: distance_gained, obstacle_cost: 10}}");
-  model.state_set = std::make_shared<RowPerAction>();
-  model.reward = std::make_shared<ThesisReward>(
-      ThesisReward::Parameters{ThesisReward::GoalPart::DISTANCE_GAINED, 100.0, 10.0}, *model.state_set);
+  const auto state_set = std::make_shared<RowPerAction>();
+  model.state_set = state_set;
+  model.reward =
+      std::make_shared<ThesisReward>(ThesisReward::Parameters{ThesisReward::GoalPart::DISTANCE_GAINED, 100.0, 10.0},
+                                     *state_set, state_set->rowCount());
   QTable table(5, 2);
   table.set(1, 0, 4.0, 1);  // far: action 0
   table.set(3, 1, 2.0, 1);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "social_crowd/common/random.h"
-#include "social_crowd/learning/rl/q_learner.h"
+#include "social_crowd/learning/rl/td_learner.h"
 
 namespace crowd {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 /// Updates the only entry of the table with a target.
 void learnOne(QTable& table, double target, const LearningParameters& parameters) {
   const Row row = 0;
-  QLearner learner;
+  TdLearner learner;
   learner.recordDecision(table, {&row, 0}, 0, parameters);
   learner.learnTerminal(table, target, parameters, LearningRateSchedule(parameters));
 }

@@ -6,6 +6,7 @@
 #include "support/error_of.h"
 #include "support/learners.h"
 #include "support/moves.h"
+#include "support/rows.h"
 
 namespace crowd {
 namespace {
@@ -75,10 +76,7 @@ PerceptionsBuilder anyPerception(std::uint64_t seed) {
 }
 
 std::vector<Row> rowsOf(const Model& model, const Perception& perception) {
-  std::vector<Row> rows(model.state_set->rowsPerPerception());
-  std::vector<MoveBlock> moves = movesOf(*model.action_set, perception);
-  model.state_set->findRows({perception, moves.data(), rows.data()});
-  return rows;
+  return rowsOf(*model.state_set, perception, movesOf(*model.action_set, perception));
 }
 
 // --- mirror images of rows and actions ---
@@ -124,8 +122,8 @@ TEST(Mirror, MoveOfTheMirroredActionIsTheMirroredMove) {
       const PerceptionsBuilder scene = anyPerception(seed);
       const PerceptionsBuilder image = mirrorImage(scene.perception());
       for (Action action = 0; action < model.action_set->size(); ++action) {
-        const RelativeAction move = model.action_set->relativeAction(scene.perception(), action);
-        const RelativeAction mirrored = model.action_set->relativeAction(image.perception(), mirror.action(action));
+        const RelativeAction move = relativeAction(*model.action_set, scene.perception(), action);
+        const RelativeAction mirrored = relativeAction(*model.action_set, image.perception(), mirror.action(action));
         ASSERT_NEAR((unitVector(mirrored.rotation) - flipped(unitVector(move.rotation))).norm(), 0.0, 1e-12)
             << "seed " << seed << ", action " << action;
         ASSERT_NEAR(mirrored.speed_fraction, move.speed_fraction, 1e-12) << "seed " << seed << ", action " << action;
@@ -205,7 +203,7 @@ TEST(MirroredLearning, TeachesTheMirrorImageTheSameTarget) {
   table.set(3, 6, 4.0, 1);  // the mirror image has another value already
   const Row here = 1;
   const Row there = 2;
-  QLearner learner;
+  TdLearner learner;
   learner.recordDecision(table, {&here, 0}, 2, HALVES);
   learner.learn(table, 2.0, {&there, 0}, HALVES, LearningRateSchedule(HALVES), mirror);  // target 2 + 0.5 * 8 = 6
   QTable expected = table;
@@ -222,7 +220,7 @@ TEST(MirroredLearning, TeachesTheMirrorImageTheSameTarget) {
 TEST(MirroredLearning, LearnsWhatIsItsOwnMirrorImageOnce) {
   QTable table = learners::emptyTable();
   const Row ahead = 0;
-  QLearner learner;
+  TdLearner learner;
   learner.recordDecision(table, {&ahead, 0}, 4, HALVES);
   learner.learnTerminal(table, 8.0, HALVES, LearningRateSchedule(HALVES), mirrorOf(learners::model()));
   QTable expected = learners::emptyTable();
@@ -235,7 +233,7 @@ TEST(MirroredLearning, StepsOfTheMirrorImageShrinkWithItsOwnVisits) {
   QTable table = learners::emptyTable();
   table.set(3, 7, 2.0, 3);
   const Row here = 1;
-  QLearner learner;
+  TdLearner learner;
   learner.recordDecision(table, {&here, 0}, 1, means);
   learner.learnTerminal(table, 10.0, means, LearningRateSchedule(means), mirrorOf(learners::model()));
   EXPECT_EQ(table.value(1, 1), 10.0);  // the first visit
@@ -248,7 +246,7 @@ TEST(MirroredLearning, CarriesStepsBackToMirrorImagesOfEarlierDecisions) {
   const Mirror mirror = mirrorOf(learners::model());
   QTable table = learners::emptyTable();
   table.set(2, 5, -8.0, 1);  // the mirror image of (2, 3)
-  QLearner learner;
+  TdLearner learner;
   const auto decide_and_learn = [&](Row row, Action action, double reward, Row next) {
     learner.recordDecision(table, {&row, 0}, action, traces);
     learner.learn(table, reward, {&next, 0}, traces, LearningRateSchedule(traces), mirror);

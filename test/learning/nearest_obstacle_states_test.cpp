@@ -7,6 +7,7 @@
 
 #include "social_crowd/common/random.h"
 #include "support/perceptions.h"
+#include "support/rows.h"
 
 namespace crowd {
 namespace {
@@ -205,15 +206,13 @@ TEST(NearestObstacleStates, EveryRowButTheTerminalOneCanBePerceived) {
   const NearestObstacleStates states;
   std::set<Row> rows;
   for (double goal = 0.0; goal < 360.0; goal += 45.0) {
-    Row row = 0;
-    states.findRows({PerceptionsBuilder().agent(0, polar(goal, 5.0)).perception(), nullptr, &row});
-    rows.insert(row);
+    const PerceptionsBuilder alone = PerceptionsBuilder().agent(0, polar(goal, 5.0));
+    rows.insert(rowsOf(states, alone.perception()).at(0));
     for (const double bearing : {7.5, 30.0, 67.5, 135.0, -7.5, -30.0, -67.5, -135.0}) {
       for (const double rim : {0.3, 0.8}) {
         const PerceptionsBuilder scene =
             PerceptionsBuilder().agent(0, polar(goal, 5.0)).neighbour(polar(bearing, rim + 0.1), 0.1);
-        states.findRows({scene.perception(), nullptr, &row});
-        rows.insert(row);
+        rows.insert(rowsOf(states, scene.perception()).at(0));
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/perceptions.h"
+#include "support/rows.h"
 
 namespace crowd {
 namespace {
@@ -224,8 +225,7 @@ TEST(OccupancyStates, NoTwoSituationsShareARowAndEachCanBePerceived) {
         const double rim = classes[sector] == 1 ? 0.3 : 0.8;
         if (classes[sector] > 0) scene.neighbour(polar(45.0 * static_cast<double>(sector), rim + 0.01), 0.01);
       }
-      Row row = 0;
-      states.findRows({scene.perception(), nullptr, &row});
+      const Row row = rowsOf(states, scene.perception()).at(0);
       ASSERT_LT(row, states.terminal());
       ASSERT_EQ(states.distanceClasses(row), classes) << "row " << row;
       ++found[row];

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "social_crowd/common/random.h"
+#include "social_crowd/learning/states/occupancy_states.h"
 #include "support/error_of.h"
 #include "support/perceptions.h"
 
@@ -117,9 +118,10 @@ TEST(ProgressReward, IsWhatItsSpecSays) {
   YamlMap map(
       YAML::Load("{turn_penalty: 1.5, conflict_penalty: 2, conflict_time: 3, rest_penalty: 0.25, contact_penalty: 7}"),
       place);
-  EXPECT_EQ(readProgressReward(map)->spec(), spec);
+  EXPECT_EQ(readProgressReward(map, OccupancyStates())->spec(), spec);
   YamlMap wrong(YAML::Load("{conflict_time: 0}"), place);
-  EXPECT_TRUE(contains(errorOf<InputError>([&] { readProgressReward(wrong); }), "conflict_time: expected"));
+  EXPECT_TRUE(
+      contains(errorOf<InputError>([&] { readProgressReward(wrong, OccupancyStates()); }), "conflict_time: expected"));
 }
 
 }  // namespace

@@ -17,14 +17,16 @@ ThesisReward nearestReward(ThesisReward::GoalPart goal) {
   ThesisReward::Parameters parameters;
   parameters.goal = goal;
   parameters.obstacle_cost = 80.0;
-  return {parameters, NearestObstacleStates()};
+  const NearestObstacleStates states;
+  return {parameters, states, states.rowCount()};
 }
 
 /// The same with that of state set 2 (3.9).
 ThesisReward occupancyReward() {
   ThesisReward::Parameters parameters;
   parameters.obstacle_cost = 10.0;
-  return {parameters, OccupancyStates()};
+  const OccupancyStates states;
+  return {parameters, states, states.rowCount()};
 }
 
 AgentPerception withGoalAt(const Vector2& goal) {
@@ -147,7 +149,7 @@ TEST(ThesisReward, StayingHasItsPrice) {
     ThesisReward::Parameters parameters;
     parameters.goal = goal;
     parameters.stay_cost = 0.25;
-    const ThesisReward reward(parameters, states);
+    const ThesisReward reward(parameters, states, states.rowCount());
     const double goal_part = goal == ThesisReward::GoalPart::COSINE_CUBED ? 1.0 : 0.0;
     AgentPerception after = withGoalAt({3.0, 0.0});
     after.velocity = Vector2::Zero();

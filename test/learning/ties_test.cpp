@@ -64,7 +64,7 @@ std::vector<Action> chosen(const Learner::Options& options, std::uint64_t episod
 /// The same with decideGreedily(), which keeps no state.
 std::vector<Action> chosenGreedily(const Learner::Options& options, std::uint64_t episode = 0) {
   const Learner learner(model(), options, threeAlike());
-  Learner::DecisionWorkspace workspace;
+  DecisionWorkspace workspace;
   std::vector<AgentAction> actions;
   for (std::uint64_t tick = 0; tick < TICKS; ++tick) {
     learner.decideGreedily(allAhead(tick, episode).all(), workspace, actions);
@@ -106,17 +106,18 @@ TEST(Ties, AreBrokenTheSameWayInTrainingInDemoAndByWhoKeepsNothing) {
   }
 }
 
-TEST(Ties, AreBrokenTheSameWayWhereOneChoiceIsAskedFor) {
+TEST(Ties, ChoicesAreThoseBehindTheAnswers) {
   const Learner::Options options = breaking(Ties::RANDOM, Mode::DEMO);
   const std::vector<Action> actions = chosen(options, 9);
   const Learner learner(model(), options, threeAlike());
-  Learner::DecisionWorkspace workspace;
+  DecisionWorkspace workspace;
   for (std::uint64_t tick = 0; tick < 20; ++tick) {
-    const PerceptionsBuilder scene = allAhead(tick, 9);
+    std::vector<AgentAction> answers;
+    learner.decideGreedily(allAhead(tick, 9).all(), workspace, answers);
+    ASSERT_EQ(workspace.choices.size(), AGENTS);
     for (AgentId agent = 0; agent < AGENTS; ++agent) {
-      const Learner::Choice choice = learner.greedyChoice(scene.all(), agent, workspace);
-      EXPECT_EQ(choice.row, 0U);
-      EXPECT_EQ(choice.action, actions[tick * AGENTS + agent]) << "tick " << tick << ", agent " << agent;
+      EXPECT_EQ(workspace.choices[agent].row, 0U);
+      EXPECT_EQ(workspace.choices[agent].action, actions[tick * AGENTS + agent]) << "tick " << tick;
     }
   }
 }
@@ -133,7 +134,7 @@ TEST(Ties, AreBrokenBySeedEpisodeTickAndAgentAlone) {
   EXPECT_NE(first_tick, std::vector<Action>(AGENTS, first_tick.front()));
   // One agent and one tick on their own.
   const Learner learner(model(), options, threeAlike());
-  Learner::DecisionWorkspace workspace;
+  DecisionWorkspace workspace;
   std::vector<AgentAction> alone;
   learner.decideGreedily(PerceptionsBuilder(0, 1).agent(17, goalIn(0, 4.0)).all(), workspace, alone);
   EXPECT_EQ(toActions(alone), std::vector<Action>{next_tick[17]});

@@ -6,6 +6,7 @@
 #include "social_crowd/simulation/training.h"
 #include "social_crowd/world/scenario_reader.h"
 #include "support/error_of.h"
+#include "support/run_scene.h"
 #include "support/temporary_folder.h"
 
 namespace crowd {
@@ -90,7 +91,7 @@ TEST_F(SideBySide, OneLearnerLearnsEpisodeByEpisodeInOneTable) {
   options.plan = plain.learning;
   Learner learner(plain.model, options);
   const ScenarioList list = parseScenarios(scenarios(), "s.yaml");
-  for (std::uint64_t episode = 0; episode < 12; ++episode) runEpisode(list.scene(5, episode), episode, learner);
+  for (std::uint64_t episode = 0; episode < 12; ++episode) runScene(list.scene(5, episode), episode, learner);
   EXPECT_EQ(training.trained().table, learner.tableOf(0));
   EXPECT_EQ(training.trained().decisions, learner.decisions());
   EXPECT_EQ(training.trained().parameters.epsilon, learner.parameters().epsilon);
@@ -111,7 +112,7 @@ TEST_F(SideBySide, ATurnMergesWhatEachLearnsFromItsOwnEpisodes) {
     std::vector<QTable> tables;
     for (const std::vector<std::uint64_t>& episodes : turn) {
       Learner learner(two.model, options, expected);
-      for (const std::uint64_t episode : episodes) runEpisode(list.scene(5, episode), episode, learner);
+      for (const std::uint64_t episode : episodes) runScene(list.scene(5, episode), episode, learner);
       tables.push_back(learner.tableOf(0));
       decisions += learner.decisions();
     }

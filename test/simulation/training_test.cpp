@@ -8,6 +8,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/simulation/evaluation.h"
 #include "social_crowd/world/scenario_reader.h"
+#include "support/run_scene.h"
 #include "support/temporary_folder.h"
 
 namespace crowd {
@@ -237,7 +238,7 @@ TEST(RunEpisode, PlaysToTheEndAndHandsTheNumberToTheLearner) {
     options.mode = Mode::TRAINING;
     options.plan.epsilon = EpsilonSchedule::constant(1.0);
     Learner learner(config.model, options);
-    const EpisodeResult result = runEpisode(scene, number, learner);
+    const EpisodeResult result = runScene(scene, number, learner);
     EXPECT_EQ(result.scenario, "pair");
     EXPECT_EQ(result.ticks, 20U);  // a random walk does not get there
     return result.agents[0].turn_per_metre;

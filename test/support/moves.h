@@ -19,16 +19,20 @@ inline std::vector<MoveBlock> toBlocks(const std::vector<CandidateMove>& moves) 
 /// @brief The moves of all actions, in blocks.
 inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception& perception) {
   std::vector<MoveBlock> blocks(blocksOf(actions.size()));
-  actions.findMoves({perception, blocks.data(), nullptr});
+  actions.findMoves({&perception, 1}, blocks.data());
   return blocks;
+}
+
+/// @brief The relative action of an action.
+inline RelativeAction relativeAction(const ActionSet& actions, const Perception& perception, Action action) {
+  return actions.relativeAction(moveAt(movesOf(actions, perception).data(), action), action);
 }
 
 /// @brief What would come of the first `count` moves of a block.
 inline MoveFeatures featuresAlone(const Perception& perception, MoveBlock moves, std::size_t count,
                                   double min_fraction) {
-  const DecisionContext alone = {perception, &moves, nullptr};
   MoveFeatures features;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  computeMoveFeatures({&alone, 1}, 0, count, min_fraction, &features);
+  computeMoveFeatures({&perception, 1}, &moves, 1, count, min_fraction, &features);
   return features;
 }
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "social_crowd/avoidance/decision_context.h"
+#include "social_crowd/avoidance/perception_batch.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {
@@ -25,9 +25,9 @@ NeighbourSet findNear(const Perception& seen, std::size_t first);
 
 /// @brief A pair of a deciding agent and a near neighbour.
 struct NearAgent {
-  std::uint32_t number;  ///< index of the context * NEIGHBOURS_AT_ONCE + index of the neighbour
+  std::uint32_t number;  ///< index of the agent * NEIGHBOURS_AT_ONCE + index of the neighbour
   /// @brief Index of the deciding agent in the batch.
-  std::size_t context() const { return number / NEIGHBOURS_AT_ONCE; }
+  std::size_t agent() const { return number / NEIGHBOURS_AT_ONCE; }
   /// @brief Index of the neighbour in the perception of that agent.
   std::size_t neighbour() const { return number % NEIGHBOURS_AT_ONCE; }
 };
@@ -37,16 +37,16 @@ class NearAgents {
  public:
   static constexpr std::size_t MAX_COUNT = MAX_BATCH * NEIGHBOURS_AT_ONCE;
 
-  /// @brief Considers only contexts that isFor() accepts.
-  /// @param contexts at most MAX_BATCH
-  explicit NearAgents(const DecisionBatch& contexts);
+  /// @brief Considers only agents whose perceptions isFor() accepts.
+  /// @param batch at most MAX_BATCH agents
+  explicit NearAgents(const PerceptionBatch& batch);
 
   /// @brief Whether the perception holds 1 to NEIGHBOURS_AT_ONCE neighbours, all of them agents, and no walls.
   static bool isFor(const Perception& seen) {
     return !seen.neighbours.empty() && seen.neighbours.size() <= NEIGHBOURS_AT_ONCE && seen.isOfAgentsAlone();
   }
 
-  /// @brief Ordered by context, then by neighbour, nearest first.
+  /// @brief Ordered by agent, then by neighbour, nearest first.
   const NearAgent* begin() const { return list_.data(); }
   const NearAgent* end() const { return list_.data() + count_; }
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "social_crowd/avoidance/candidate_move.h"
-#include "social_crowd/avoidance/decision_context.h"
+#include "social_crowd/avoidance/perception_batch.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {
@@ -39,11 +39,12 @@ class SeparationRule {
   /// @param moves blocksOf(count) blocks
   void cut(const Perception& perception, MoveBlock* moves, std::size_t count) const;
   /// @brief The same for the moves of several agents; gives the same results as one call per agent.
-  /// @param contexts at most MAX_BATCH, each with blocksOf(count) blocks of moves
-  void cut(const DecisionBatch& contexts, std::size_t count) const;
+  /// @param batch at most MAX_BATCH agents
+  /// @param moves blocksOf(count) blocks per agent
+  void cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;
 
  private:
-  void cutAmongAgents(const DecisionBatch& contexts, std::size_t count) const;
+  void cutAmongAgents(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;
   void cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const;
 
   GapSharing sharing_;

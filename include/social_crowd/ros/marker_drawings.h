@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "social_crowd/learning/states/state_set.h"
+#include "social_crowd/learning/states/obstacle_classes.h"
 #include "social_crowd/ros/marker_paths.h"
 #include "social_crowd/ros/marker_shapes.h"
 

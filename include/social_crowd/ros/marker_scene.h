@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "social_crowd/learning/states/obstacle_classes.h"
 #include "social_crowd/learning/states/state_set.h"
 #include "social_crowd/ros/marker_paths.h"
 #include "social_crowd/ros/tick_messages.h"

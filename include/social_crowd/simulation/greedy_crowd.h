@@ -24,7 +24,7 @@ class GreedyCrowd {
   struct ThreadWorkspace {
     World::PerceptionWorkspace perception_workspace;
     Perceptions perceptions;
-    Learner::DecisionWorkspace decision_workspace;
+    DecisionWorkspace decision_workspace;
   };
 
   std::vector<ThreadWorkspace> workspaces_;

@@ -12,9 +12,6 @@
 
 namespace crowd {
 
-/// @brief Runs an episode to its end with one learner, which decides for all agents.
-EpisodeResult runEpisode(const Scene& scene, std::uint64_t number, Learner& learner);
-
 /// @brief Training without ROS, turn by turn. The result depends only on training configuration and seed, not on the
 /// number of threads.
 ///

@@ -53,26 +53,16 @@ void GoalRelativeActions::add(const Vector2& direction, double fraction, Action 
   mirrored_.push_back(mirrored);
 }
 
-void GoalRelativeActions::findAction(const Perception& perception, Action action, RelativeAction& relative) const {
-  MoveBlock move;  // NOLINT(cppcoreguidelines-pro-type-member-init): turn() writes it
-  const std::size_t lane = action % MoveBlock::SIZE;
-  turn(base_moves_[action / MoveBlock::SIZE], goalDirection(perception), action < turned_ ? MoveBlock::SIZE : 0, move);
-  move.set(0, move.move(lane));
-  rule_.cut(perception, &move, 1);
-  relative = toAction(move.move(0));
-}
-
-void GoalRelativeActions::findMoves(const DecisionContext& context) const { findMovesOfAll({&context, 1}); }
-
-void GoalRelativeActions::findMovesOfAll(const DecisionBatch& contexts) const {
-  for (const DecisionContext& context : contexts) {
-    const Vector2 bearing = goalDirection(context.seen);
+void GoalRelativeActions::findMoves(const PerceptionBatch& batch, MoveBlock* moves) const {
+  MoveBlock* next = moves;
+  for (const Perception& seen : batch) {
+    const Vector2 bearing = goalDirection(seen);
     for (std::size_t block = 0; block < base_moves_.size(); ++block) {
       const std::size_t first = block * MoveBlock::SIZE;
-      turn(base_moves_[block], bearing, turned_ > first ? turned_ - first : 0, context.moves[block]);
+      turn(base_moves_[block], bearing, turned_ > first ? turned_ - first : 0, *next++);
     }
   }
-  rule_.cut(contexts, size());
+  rule_.cut(batch, moves, size());
 }
 
 std::string GoalRelativeActions::spec() const {
@@ -80,6 +70,24 @@ std::string GoalRelativeActions::spec() const {
          ", slow_headings: " + toText(parameters_.slow_headings) +
          ", slow_fraction: " + toText(parameters_.slow_fraction) + ", stay: " + (parameters_.stay ? "true" : "false") +
          ", gap_sharing: " + toText(parameters_.gap_sharing) + ", lookout: " + toText(parameters_.lookout) + "}";
+}
+
+std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
+  map.allow({"type", "headings", "slow_headings", "slow_fraction", "stay", "gap_sharing", "lookout"});
+  GoalRelativeActions::Parameters parameters;
+  parameters.headings = map.risingNumbers("headings", 0.0, 180.0, parameters.headings);
+  if (parameters.headings.empty()) throwExpected(map.placeOf("headings"), map.need("headings"), "at least one");
+  parameters.slow_headings = map.risingNumbers("slow_headings", 0.0, 180.0, parameters.slow_headings);
+  parameters.slow_fraction = map.number("slow_fraction", NumberRule::FRACTION, parameters.slow_fraction);
+  parameters.stay = map.flag("stay", parameters.stay);
+  const std::string sharing = map.text("gap_sharing", toText(parameters.gap_sharing));
+  try {
+    parameters.gap_sharing = parseGapSharing(sharing);
+  } catch (const InputError&) {
+    throwExpected(map.placeOf("gap_sharing"), map.need("gap_sharing"), "none, half or moving");
+  }
+  parameters.lookout = map.number("lookout", NumberRule::NOT_NEGATIVE, parameters.lookout);
+  return std::make_shared<GoalRelativeActions>(parameters);
 }
 
 }  // namespace crowd

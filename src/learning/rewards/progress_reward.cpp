@@ -47,7 +47,7 @@ std::string ProgressReward::spec() const {
          ", contact_penalty: " + toText(parameters_.contact_penalty) + "}";
 }
 
-std::shared_ptr<const Reward> readProgressReward(YamlMap& map) {
+std::shared_ptr<const Reward> readProgressReward(YamlMap& map, const StateSet& /*state_set*/) {
   map.allow({"type", "turn_penalty", "conflict_penalty", "conflict_time", "rest_penalty", "contact_penalty"});
   ProgressReward::Parameters parameters;
   const auto read_penalty = [&](const char* key, double& penalty) {

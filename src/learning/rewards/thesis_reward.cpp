@@ -23,10 +23,11 @@ std::array<double, DistanceClasses::COUNT + 1> penaltiesByClass(double nearest) 
 
 }  // namespace
 
-ThesisReward::ThesisReward(const Parameters& parameters, const StateSet& state_set) : parameters_(parameters) {
+ThesisReward::ThesisReward(const Parameters& parameters, const RowDistanceClasses& state_set, Row row_count)
+    : parameters_(parameters) {
   const auto penalties = penaltiesByClass(parameters.obstacle_cost);
-  obstacle_parts_.reserve(state_set.rowCount());
-  for (Row row = 0; row < state_set.rowCount(); ++row) {
+  obstacle_parts_.reserve(row_count);
+  for (Row row = 0; row < row_count; ++row) {
     double sum = 0.0;
     for (const int distance_class : state_set.distanceClasses(row)) {
       sum -= penalties.at(static_cast<std::size_t>(distance_class));
@@ -69,7 +70,12 @@ std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& sta
   parameters.arrival = map.number("arrival", NumberRule::ANY, parameters.arrival);
   parameters.obstacle_cost = map.number("obstacle_cost", NumberRule::NOT_NEGATIVE);
   parameters.stay_cost = map.number("stay_cost", NumberRule::NOT_NEGATIVE, parameters.stay_cost);
-  return std::make_shared<ThesisReward>(parameters, state_set);
+  const auto* const classes = dynamic_cast<const RowDistanceClasses*>(&state_set);
+  if (classes == nullptr) {
+    throwExpected(map.placeOf("type"), map.node(),
+                  "another reward, because the rows of this state set do not encode distance classes");
+  }
+  return std::make_shared<ThesisReward>(parameters, *classes, state_set.rowCount());
 }
 
 }  // namespace crowd

@@ -52,14 +52,13 @@ void AnticipationStates::findRows(const MoveFeatures& features, std::size_t coun
   simd::kernels().find_row_numbers(digits.begin(), digits.size(), {classes, last}, count, rows);
 }
 
-void AnticipationStates::findRows(const DecisionContext& context) const { findRowsOfAll({&context, 1}); }
-
-void AnticipationStates::findRowsOfAll(const DecisionBatch& contexts) const {
+void AnticipationStates::findRows(const PerceptionBatch& batch, const MoveBlock* moves, Row* rows) const {
   std::array<MoveFeatures, MAX_BATCH> features;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   for (Action first = 0; first < actions_; first += MoveFeatures::LANES) {
     const std::size_t count = std::min<std::size_t>(actions_ - first, MoveFeatures::LANES);
-    computeMoveFeatures(contexts, first / MoveFeatures::LANES, count, min_fraction_, features.data());
-    for (std::size_t k = 0; k < contexts.size(); ++k) findRows(features[k], count, contexts[k].rows + first);
+    computeMoveFeatures(batch, moves + first / MoveFeatures::LANES, blocksOf(actions_), count, min_fraction_,
+                        features.data());
+    for (std::size_t k = 0; k < batch.size(); ++k) findRows(features[k], count, rows + k * actions_ + first);
   }
 }
 
@@ -73,7 +72,7 @@ std::string AnticipationStates::spec() const {
          ", turns: " + toText(parameters_.turns) + ", oncoming: " + toText(parameters_.oncoming) + "}";
 }
 
-std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action actions) {
+std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const ActionSet& action_set) {
   map.allow({"type", "vision_radius", "max_neighbours", "reciprocal_times", "constant_velocity_times", "static_times",
              "admissible_fractions", "turns", "oncoming"});
   AnticipationStates::Parameters parameters;
@@ -89,7 +88,7 @@ std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action acti
   read("admissible_fractions", 1.0, parameters.admissible_fractions);
   read("turns", 180.0, parameters.turns);
   read("oncoming", FASTEST_APPROACH, parameters.oncoming);
-  return std::make_shared<AnticipationStates>(parameters, actions);
+  return std::make_shared<AnticipationStates>(parameters, action_set.size());
 }
 
 }  // namespace crowd

@@ -1,14 +1,16 @@
 #include "social_crowd/learning/states/condensed_occupancy_states.h"
 
-#include "social_crowd/common/numbers.h"
-
 namespace crowd {
 
 CondensedOccupancyStates::CondensedOccupancyStates(const Parameters& parameters)
-    : occupancy_(parameters),
-      parameters_(parameters),
+    : ThesisStates(parameters.distances),
+      occupancy_(parameters),
       sectors_(parameters.sectors),
       codes_(Row{1} << static_cast<unsigned>(parameters.sectors)) {}
+
+void CondensedOccupancyStates::findRows(const PerceptionBatch& batch, const MoveBlock* /*moves*/, Row* rows) const {
+  for (const Perception& seen : batch) *rows++ = rowOf(occupancy_.describe(seen));
+}
 
 Row CondensedOccupancyStates::rowOf(const OccupancyStates::Situation& situation) const {
   Row near = 0;
@@ -43,9 +45,11 @@ std::vector<int> CondensedOccupancyStates::distanceClasses(Row row) const {
 }
 
 std::string CondensedOccupancyStates::spec() const {
-  return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(parameters_.sectors) +
-         ", collision_radius: " + toText(parameters_.distances.collision_radius) +
-         ", vision_radius: " + toText(parameters_.distances.vision_radius) + "}";
+  return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(sectors_.count()) + distancesSpec() + "}";
+}
+
+std::shared_ptr<const StateSet> readCondensedOccupancyStates(YamlMap& map, const ActionSet& /*action_set*/) {
+  return std::make_shared<CondensedOccupancyStates>(readOccupancyParameters(map));
 }
 
 }  // namespace crowd

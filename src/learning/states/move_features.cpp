@@ -39,10 +39,8 @@ void findCandidates(const MoveBlock& moves, float min_fraction, float max_speed,
   }
 }
 
-void begin(const DecisionContext& context, std::size_t block, std::size_t count, double min_fraction,
+void begin(const AgentPerception& self, const MoveBlock& moves, std::size_t count, double min_fraction,
            MoveFeatures& features, Course& candidate) {
-  const AgentPerception& self = context.seen.self;
-  const MoveBlock& moves = context.moves[block];
   const double distance = self.goal.norm();
   const double speed_per_metre = distance > 0.0 ? self.max_speed / distance : 0.0;
   candidate.preferred = speed_per_metre * self.goal;
@@ -77,13 +75,15 @@ void finish(const Course& candidate, MoveFeatures& features) {
 
 }  // namespace
 
-void computeMoveFeatures(const DecisionBatch& contexts, std::size_t block, std::size_t count, double min_fraction,
-                         MoveFeatures* features) {
+void computeMoveFeatures(const PerceptionBatch& batch, const MoveBlock* moves, std::size_t stride, std::size_t count,
+                         double min_fraction, MoveFeatures* features) {
   std::array<Course, MAX_BATCH> candidates;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  const std::size_t size = contexts.size();
-  for (std::size_t k = 0; k < size; ++k) begin(contexts[k], block, count, min_fraction, features[k], candidates[k]);
+  const std::size_t size = batch.size();
   for (std::size_t k = 0; k < size; ++k) {
-    accumulateTimeToCollision(contexts[k].seen, candidates[k].preferred, candidates[k].candidates);
+    begin(batch[k].self, moves[k * stride], count, min_fraction, features[k], candidates[k]);
+  }
+  for (std::size_t k = 0; k < size; ++k) {
+    accumulateTimeToCollision(batch[k], candidates[k].preferred, candidates[k].candidates);
   }
   for (std::size_t k = 0; k < size; ++k) finish(candidates[k], features[k]);
 }

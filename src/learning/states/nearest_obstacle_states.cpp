@@ -8,9 +8,26 @@
 namespace crowd {
 namespace {
 
+constexpr int MAX_GOAL_SECTORS = 64;
+
 std::vector<double> inRadians(std::vector<double> degrees) {
   for (double& limit : degrees) limit = limit == 180.0 ? PI : toRadians(limit);
   return degrees;
+}
+
+std::vector<double> readSectorLimits(const YamlMap& map, const std::vector<double>& otherwise) {
+  const YAML::Node node = map.find("obstacle_sectors");
+  if (!node) return otherwise;
+  const YamlPlace place = map.placeOf("obstacle_sectors");
+  const char* const expected = "a list of rising limits [degrees], the last one 180, such as [15, 45, 90, 180]";
+  if (!node.IsSequence() || node.size() == 0) throwExpected(place, node, expected);
+  std::vector<double> limits;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    limits.push_back(readNumber(node[i], place.element(i), NumberRule::POSITIVE));
+    if (i > 0 && limits[i] <= limits[i - 1]) throwExpected(place.element(i), node[i], expected);
+  }
+  if (limits.back() != 180.0) throwExpected(place, node, expected);
+  return limits;
 }
 
 /// Returns the distance to the nearest rim [m] and a point in its direction, agent frame.
@@ -30,15 +47,20 @@ std::pair<double, Vector2> findNearest(const Perception& perception) {
 }  // namespace
 
 NearestObstacleStates::NearestObstacleStates(const Parameters& parameters)
-    : parameters_(parameters),
+    : ThesisStates(parameters.distances),
+      parameters_(parameters),
       goal_sectors_(parameters.goal_sectors),
       obstacle_sectors_(inRadians(parameters.obstacle_sectors)) {}
+
+void NearestObstacleStates::findRows(const PerceptionBatch& batch, const MoveBlock* /*moves*/, Row* rows) const {
+  for (const Perception& seen : batch) *rows++ = rowOf(describe(seen));
+}
 
 NearestObstacleStates::Situation NearestObstacleStates::describe(const Perception& perception) const {
   Situation situation;
   situation.goal_sector = goal_sectors_.indexOf(bearingOf(perception.self.goal));
   const auto [distance, where] = findNearest(perception);
-  situation.distance_class = parameters_.distances.classOf(distance);
+  situation.distance_class = distances().classOf(distance);
   if (situation.distance_class > 0) situation.obstacle_sector = obstacle_sectors_.indexOf(bearingOf(where));
   return situation;
 }
@@ -83,16 +105,20 @@ std::vector<OccupiedSector> NearestObstacleStates::occupiedSectors(const Percept
            obstacle_sectors_.leftLimit(situation.obstacle_sector), situation.distance_class}};
 }
 
-std::vector<double> NearestObstacleStates::distanceLimits() const {
-  return {parameters_.distances.collision_radius, parameters_.distances.vision_radius};
-}
-
 std::string NearestObstacleStates::spec() const {
   std::string limits;
   for (const double limit : parameters_.obstacle_sectors) limits += (limits.empty() ? "" : ", ") + toText(limit);
   return std::string("{type: ") + TYPE + ", goal_sectors: " + std::to_string(parameters_.goal_sectors) +
-         ", obstacle_sectors: [" + limits + "], collision_radius: " + toText(parameters_.distances.collision_radius) +
-         ", vision_radius: " + toText(parameters_.distances.vision_radius) + "}";
+         ", obstacle_sectors: [" + limits + "]" + distancesSpec() + "}";
+}
+
+std::shared_ptr<const StateSet> readNearestObstacleStates(YamlMap& map, const ActionSet& /*action_set*/) {
+  map.allow({"type", "goal_sectors", "obstacle_sectors", "collision_radius", "vision_radius"});
+  NearestObstacleStates::Parameters parameters;
+  parameters.goal_sectors = static_cast<int>(map.whole("goal_sectors", 1, MAX_GOAL_SECTORS, parameters.goal_sectors));
+  parameters.obstacle_sectors = readSectorLimits(map, parameters.obstacle_sectors);
+  parameters.distances = readDistanceClasses(map);
+  return std::make_shared<NearestObstacleStates>(parameters);
 }
 
 }  // namespace crowd

@@ -14,7 +14,7 @@ constexpr double NO_DIRECTION = 1e-9;
 }  // namespace
 
 OccupancyStates::OccupancyStates(const Parameters& parameters)
-    : parameters_(parameters), sectors_(parameters.sectors), codes_(1) {
+    : ThesisStates(parameters.distances), sectors_(parameters.sectors), codes_(1) {
   for (int i = 0; i < parameters.sectors; ++i) {
     codes_ *= BASE;
     const Vector2 limit = unitVector(sectors_.rightLimit(i));
@@ -28,6 +28,10 @@ OccupancyStates::OccupancyStates(const Parameters& parameters)
     }
     set_codes_.push_back(rowOf(situation));
   }
+}
+
+void OccupancyStates::findRows(const PerceptionBatch& batch, const MoveBlock* /*moves*/, Row* rows) const {
+  for (const Perception& seen : batch) *rows++ = rowOf(seen);
 }
 
 Row OccupancyStates::rowOf(const Perception& perception) const {
@@ -85,7 +89,7 @@ OccupancyStates::SectorSet OccupancyStates::limitsCut(const Segment& wall, doubl
 }
 
 inline void OccupancyStates::addNeighbour(const Vector2& centre, double radius, Occupied& occupied) const {
-  const DistanceClasses& distances = parameters_.distances;
+  const DistanceClasses& distances = this->distances();
   const int distance_class = distances.classOf(centre.norm() - radius);
   if (distance_class == 0) return;
   occupy(occupied, sectorOf(centre), distance_class);
@@ -94,7 +98,7 @@ inline void OccupancyStates::addNeighbour(const Vector2& centre, double radius, 
 }
 
 void OccupancyStates::addWall(const Segment& wall, Occupied& occupied) const {
-  const DistanceClasses& distances = parameters_.distances;
+  const DistanceClasses& distances = this->distances();
   const Vector2 nearest = nearestPoint(wall, Vector2::Zero());
   if (nearest.norm() <= NO_DIRECTION) return occupy(occupied, allSectors(), 1);
   const int distance_class = distances.classOf(nearest.norm());
@@ -151,14 +155,20 @@ std::vector<OccupiedSector> OccupancyStates::occupiedSectors(const Perception& p
   return occupied;
 }
 
-std::vector<double> OccupancyStates::distanceLimits() const {
-  return {parameters_.distances.collision_radius, parameters_.distances.vision_radius};
+std::string OccupancyStates::spec() const {
+  return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(sectors_.count()) + distancesSpec() + "}";
 }
 
-std::string OccupancyStates::spec() const {
-  return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(parameters_.sectors) +
-         ", collision_radius: " + toText(parameters_.distances.collision_radius) +
-         ", vision_radius: " + toText(parameters_.distances.vision_radius) + "}";
+OccupancyStates::Parameters readOccupancyParameters(YamlMap& map) {
+  map.allow({"type", "sectors", "collision_radius", "vision_radius"});
+  OccupancyStates::Parameters parameters;
+  parameters.sectors = static_cast<int>(map.whole("sectors", 2, OccupancyStates::MAX_SECTORS, parameters.sectors));
+  parameters.distances = readDistanceClasses(map);
+  return parameters;
+}
+
+std::shared_ptr<const StateSet> readOccupancyStates(YamlMap& map, const ActionSet& /*action_set*/) {
+  return std::make_shared<OccupancyStates>(readOccupancyParameters(map));
 }
 
 }  // namespace crowd

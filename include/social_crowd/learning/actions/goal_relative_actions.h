@@ -26,9 +26,7 @@ class GoalRelativeActions : public ActionSet {
   explicit GoalRelativeActions(const Parameters& parameters);
 
   Action size() const override { return static_cast<Action>(mirrored_.size()); }
-  void findAction(const Perception& perception, Action action, RelativeAction& relative) const override;
-  void findMoves(const DecisionContext& context) const override;
-  void findMovesOfAll(const DecisionBatch& contexts) const override;
+  void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
   Action mirrored(Action action) const override { return mirrored_[action]; }
   std::string spec() const override;
 
@@ -42,5 +40,8 @@ class GoalRelativeActions : public ActionSet {
   std::size_t turned_ = 0;             // number of moves, from the first, that are relative to the goal's bearing
   std::vector<Action> mirrored_;
 };
+
+/// @brief Reads a map of the parameters, all optional. @throws InputError
+std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map);
 
 }  // namespace crowd

@@ -16,9 +16,11 @@ class KingsMoves : public ActionSet {
 
   explicit KingsMoves(int rotations = DEFAULT_ROTATIONS, bool stay = false);
 
-  Action size() const override { return static_cast<Action>(moves_.size()); }
-  void findAction(const Perception& /*perception*/, Action action, RelativeAction& relative) const override {
-    relative = moves_[action];
+  Action size() const override { return static_cast<Action>(relative_actions_.size()); }
+  void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
+  /// @brief Returns the exact multiple of 360 degrees / rotations.
+  RelativeAction relativeAction(const CandidateMove& /*move*/, Action action) const override {
+    return relative_actions_[action];
   }
   Action mirrored(Action action) const override {
     return action < rotations_ ? (rotations_ - action) % rotations_ : action;
@@ -27,7 +29,11 @@ class KingsMoves : public ActionSet {
 
  private:
   Action rotations_;
-  std::vector<RelativeAction> moves_;
+  std::vector<RelativeAction> relative_actions_;
+  std::vector<MoveBlock> moves_;  // the same for all agents
 };
+
+/// @brief Reads a map of the parameters, all optional. @throws InputError
+std::shared_ptr<const ActionSet> readKingsMoves(YamlMap& map);
 
 }  // namespace crowd

@@ -33,6 +33,6 @@ class ProgressReward : public Reward {
 };
 
 /// @brief Reads a map of the parameters, all optional. @throws InputError
-std::shared_ptr<const Reward> readProgressReward(YamlMap& map);
+std::shared_ptr<const Reward> readProgressReward(YamlMap& map, const StateSet& state_set);
 
 }  // namespace crowd

@@ -4,8 +4,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "social_crowd/common/yaml_reader.h"
+#include "social_crowd/learning/part_types.h"
 #include "social_crowd/learning/states/state_set.h"
 #include "social_crowd/world/perception.h"
 
@@ -43,5 +44,9 @@ double distanceGained(const AgentPerception& before, const AgentPerception& afte
 /// @param state_set the state set whose rows the reward receives
 /// @throws InputError if the type is unknown or a parameter is invalid
 std::shared_ptr<const Reward> makeReward(const YAML::Node& node, const YamlPlace& place, const StateSet& state_set);
+
+using RewardType = PartType<Reward, StateSet>;
+/// @brief The registered rewards; a new one is added here.
+const std::vector<RewardType>& rewardTypes();
 
 }  // namespace crowd

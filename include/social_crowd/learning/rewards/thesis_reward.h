@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "social_crowd/learning/rewards/reward.h"
+#include "social_crowd/learning/states/obstacle_classes.h"
 
 namespace crowd {
 
@@ -27,8 +28,9 @@ class ThesisReward : public Reward {
     double stay_cost = 0.0;  ///< penalty on a tick in which the agent did not move (thesis 5.2)
   };
 
-  /// @brief Computes the obstacle part of every row of the state set, so that both fit together.
-  ThesisReward(const Parameters& parameters, const StateSet& state_set);
+  /// @brief Computes the obstacle part of every row of a state set.
+  /// @param row_count number of rows of the state set
+  ThesisReward(const Parameters& parameters, const RowDistanceClasses& state_set, Row row_count);
 
   double operator()(const AgentPerception& before, const Perception& after, Row row) const override;
   std::string spec() const override;
@@ -43,7 +45,8 @@ class ThesisReward : public Reward {
   std::vector<double> obstacle_parts_;  // of each row
 };
 
-/// @brief Reads a map {goal, arrival, obstacle_cost, stay_cost}. @throws InputError
+/// @brief Reads a map {goal, arrival, obstacle_cost, stay_cost}.
+/// @throws InputError, also if the rows of the state set do not encode distance classes
 std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& state_set);
 
 }  // namespace crowd

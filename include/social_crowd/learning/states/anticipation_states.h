@@ -41,14 +41,10 @@ class AnticipationStates : public StateSet {
 
   Row rowCount() const override { return row_count_; }
   std::size_t rowsPerPerception() const override { return actions_; }
-  bool needsMoves() const override { return true; }
-  void findRows(const DecisionContext& context) const override;
-  void findRowsOfAll(const DecisionBatch& contexts) const override;
+  void findRows(const PerceptionBatch& batch, const MoveBlock* moves, Row* rows) const override;
   /// @brief Returns the same row: no quantity depends on left and right.
   Row mirrored(Row row) const override { return row; }
-  std::vector<int> distanceClasses(Row /*row*/) const override { return {}; }
-  std::vector<OccupiedSector> occupiedSectors(const Perception& /*perception*/) const override { return {}; }
-  std::vector<double> distanceLimits() const override { return {parameters_.vision_radius}; }
+  double visionRadius() const override { return parameters_.vision_radius; }
   std::uint32_t maxNeighbours() const override { return parameters_.max_neighbours; }
   std::string spec() const override;
 
@@ -72,7 +68,7 @@ class AnticipationStates : public StateSet {
   Row row_count_ = 1;
 };
 
-/// @brief Reads a map of the parameters, all optional. @param actions number of actions @throws InputError
-std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, Action actions);
+/// @brief Reads a map of the parameters, all optional. @throws InputError
+std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const ActionSet& action_set);
 
 }  // namespace crowd

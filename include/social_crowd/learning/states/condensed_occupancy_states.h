@@ -5,7 +5,7 @@
 
 #include "social_crowd/learning/states/occupancy_states.h"
 #include "social_crowd/learning/states/sectors.h"
-#include "social_crowd/learning/states/state_set.h"
+#include "social_crowd/learning/states/thesis_states.h"
 
 namespace crowd {
 
@@ -15,7 +15,7 @@ namespace crowd {
 ///
 /// With n sectors the state is G * 2 * 2^n + near * 2^n + code, where the code's binary digits are the sectors, sector
 /// 0 first as in (3.5); terminal n * 2 * 2^n.
-class CondensedOccupancyStates : public StateSet {
+class CondensedOccupancyStates : public ThesisStates {
  public:
   static constexpr const char* TYPE = "condensed_occupancy";
 
@@ -24,10 +24,7 @@ class CondensedOccupancyStates : public StateSet {
   CondensedOccupancyStates() : CondensedOccupancyStates(Parameters()) {}
   explicit CondensedOccupancyStates(const Parameters& parameters);
 
-  Row rowCount() const override { return terminal() + 1; }
-  void findRows(const DecisionContext& context) const override {
-    *context.rows = rowOf(occupancy_.describe(context.seen));
-  }
+  void findRows(const PerceptionBatch& batch, const MoveBlock* moves, Row* rows) const override;
   Row mirrored(Row row) const override;
   /// @brief 1 if anything is within the collision radius, then 2 for each occupied sector.
   std::vector<int> distanceClasses(Row row) const override;
@@ -35,22 +32,22 @@ class CondensedOccupancyStates : public StateSet {
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override {
     return occupancy_.occupiedSectors(perception);
   }
-  std::vector<double> distanceLimits() const override { return occupancy_.distanceLimits(); }
   std::string spec() const override;
 
   /// @brief Returns the row of a situation of state set 2.
   Row rowOf(const OccupancyStates::Situation& situation) const;
-  /// @brief The row of an agent that has arrived.
-  Row terminal() const { return 2 * codes_ * static_cast<Row>(sectors_.count()); }
+  Row terminal() const override { return 2 * codes_ * static_cast<Row>(sectors_.count()); }
 
  private:
   /// The value of a sector's digit in the code of a row.
   Row digitOf(int sector) const { return Row{1} << static_cast<unsigned>(sectors_.count() - 1 - sector); }
 
   OccupancyStates occupancy_;
-  Parameters parameters_;
   EvenSectors sectors_;
   Row codes_;  // 2^sectors
 };
+
+/// @brief Reads a map of the keys of readOccupancyParameters(). @throws InputError
+std::shared_ptr<const StateSet> readCondensedOccupancyStates(YamlMap& map, const ActionSet& action_set);
 
 }  // namespace crowd

@@ -3,7 +3,8 @@
 #include <array>
 #include <cstddef>
 
-#include "social_crowd/avoidance/decision_context.h"
+#include "social_crowd/avoidance/candidate_move.h"
+#include "social_crowd/avoidance/perception_batch.h"
 
 namespace crowd {
 
@@ -25,12 +26,11 @@ struct MoveFeatures {
 };
 
 /// @brief Computes the features of one block of moves of each of several agents.
-/// @param contexts at most MAX_BATCH, with moves
-/// @param block index of the block of moves
+/// @param moves the block of the first agent; that of the next agent is `stride` blocks further
 /// @param count number of moves of the block, 1 to LANES; the features of the other lanes are undefined
 /// @param min_fraction a move with a smaller admissible fraction has the times to collision of staying
-/// @param features output, one per context
-void computeMoveFeatures(const DecisionBatch& contexts, std::size_t block, std::size_t count, double min_fraction,
-                         MoveFeatures* features);
+/// @param features output, one per agent
+void computeMoveFeatures(const PerceptionBatch& batch, const MoveBlock* moves, std::size_t stride, std::size_t count,
+                         double min_fraction, MoveFeatures* features);
 
 }  // namespace crowd

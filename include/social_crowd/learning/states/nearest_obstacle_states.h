@@ -1,8 +1,7 @@
 #pragma once
 
-#include "social_crowd/learning/states/distance_classes.h"
 #include "social_crowd/learning/states/sectors.h"
-#include "social_crowd/learning/states/state_set.h"
+#include "social_crowd/learning/states/thesis_states.h"
 
 namespace crowd {
 
@@ -11,7 +10,7 @@ namespace crowd {
 ///
 /// With G the goal sector (nG of them), A the obstacle sector (nO), D the distance class (1 .. nD):
 /// nothing perceived: G; else (nG - 1) + G * (nO * nD) + A * nD + D; terminal: nG * nO * nD + nG.
-class NearestObstacleStates : public StateSet {
+class NearestObstacleStates : public ThesisStates {
  public:
   static constexpr const char* TYPE = "nearest_obstacle";
 
@@ -31,12 +30,10 @@ class NearestObstacleStates : public StateSet {
   NearestObstacleStates() : NearestObstacleStates(Parameters()) {}
   explicit NearestObstacleStates(const Parameters& parameters);
 
-  Row rowCount() const override { return terminal() + 1; }
-  void findRows(const DecisionContext& context) const override { *context.rows = rowOf(describe(context.seen)); }
+  void findRows(const PerceptionBatch& batch, const MoveBlock* moves, Row* rows) const override;
   Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
-  std::vector<double> distanceLimits() const override;
   std::string spec() const override;
 
   /// @brief Returns the contents of the state that a perception maps to.
@@ -45,13 +42,16 @@ class NearestObstacleStates : public StateSet {
   Row rowOf(const Situation& situation) const;
   /// @brief Inverse of rowOf(). @param row not the terminal row
   Situation situationOf(Row row) const;
-  /// @brief The row of an agent that has arrived (3.4), the last one; see StateSet::rowCount().
-  Row terminal() const;
+  Row terminal() const override;  // (3.4)
 
  private:
   Parameters parameters_;
   EvenSectors goal_sectors_;
   MirroredSectors obstacle_sectors_;
 };
+
+/// @brief Reads a map {goal_sectors, obstacle_sectors, collision_radius, vision_radius}, all optional.
+/// @throws InputError
+std::shared_ptr<const StateSet> readNearestObstacleStates(YamlMap& map, const ActionSet& action_set);
 
 }  // namespace crowd

@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/learning/states/distance_classes.h"
 #include "social_crowd/learning/states/sectors.h"
-#include "social_crowd/learning/states/state_set.h"
+#include "social_crowd/learning/states/thesis_states.h"
 
 namespace crowd {
 
@@ -21,7 +20,7 @@ namespace crowd {
 ///
 /// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
 /// 3^8 * G + code, terminal 3^8 * 8.
-class OccupancyStates : public StateSet {
+class OccupancyStates : public ThesisStates {
  public:
   static constexpr const char* TYPE = "occupancy";
   static constexpr int MAX_SECTORS = 12;  // a table of 3^12 * 12 rows is the largest practical one
@@ -40,12 +39,10 @@ class OccupancyStates : public StateSet {
   OccupancyStates() : OccupancyStates(Parameters()) {}
   explicit OccupancyStates(const Parameters& parameters);
 
-  Row rowCount() const override { return terminal() + 1; }
-  void findRows(const DecisionContext& context) const override { *context.rows = rowOf(context.seen); }
+  void findRows(const PerceptionBatch& batch, const MoveBlock* moves, Row* rows) const override;
   Row mirrored(Row row) const override;
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
-  std::vector<double> distanceLimits() const override;
   std::string spec() const override;
 
   /// @brief Returns the contents of the state that a perception maps to.
@@ -55,8 +52,7 @@ class OccupancyStates : public StateSet {
   Row rowOf(const Perception& perception) const;
   /// @brief Inverse of rowOf(). @param row not the terminal row
   Situation situationOf(Row row) const;
-  /// @brief The row of an agent that has arrived, the last one; see StateSet::rowCount().
-  Row terminal() const { return codes_ * static_cast<Row>(sectors_.count()); }
+  Row terminal() const override { return codes_ * static_cast<Row>(sectors_.count()); }
 
  private:
   static constexpr int BASE = DistanceClasses::COUNT + 1;
@@ -81,12 +77,17 @@ class OccupancyStates : public StateSet {
   void addNeighbour(const Vector2& centre, double radius, Occupied& occupied) const;
   void addWall(const Segment& wall, Occupied& occupied) const;
 
-  Parameters parameters_;
   EvenSectors sectors_;
   std::array<double, MAX_SECTORS> limit_xs_{};  // unit vectors of the right limit of each sector
   std::array<double, MAX_SECTORS> limit_ys_{};
   Row codes_;                   // 3^sectors
   std::vector<Row> set_codes_;  // code of each set of sectors, with class 1 in its sectors and 0 elsewhere
 };
+
+/// @brief Reads the keys sectors, collision_radius and vision_radius, all optional. @throws InputError
+OccupancyStates::Parameters readOccupancyParameters(YamlMap& map);
+
+/// @brief Reads a map of these keys. @throws InputError
+std::shared_ptr<const StateSet> readOccupancyStates(YamlMap& map, const ActionSet& action_set);
 
 }  // namespace crowd

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/q_learner.h"
+#include "social_crowd/learning/rl/td_learner.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ class LearnerAndTable {
   }
 
   QTable table{4, 2};
-  QLearner learner;
+  TdLearner learner;
   LearningParameters parameters;
 };
 
@@ -48,7 +48,7 @@ TEST(QLearning, MovesAValueTowardsRewardAndBestValueOfTheNextState) {
 TEST(QLearning, LearnsAtTheThesisRate) {
   QTable table(2, 1);
   table.set(1, 0, 50.0, 1);
-  QLearner learner;
+  TdLearner learner;
   const Row here = 0;
   const Row there = 1;
   const LearningParameters parameters;  // alpha 0.1, gamma 0.1, lambda 0
@@ -221,7 +221,7 @@ TEST(WatkinsTraces, AreGoneWhenLambdaBecomesZero) {
 TEST(WatkinsTraces, GoBackThroughLongEpisodes) {
   // Lambda 1, gamma 0.5: a decision n steps back gets 0.5^n of the last step.
   QTable table(12, 1);
-  QLearner learner;
+  TdLearner learner;
   const LearningParameters parameters = {1.0, 0.5, 1.0, 0.0};
   for (Row row = 0; row < 11; ++row) {
     learner.recordDecision(table, {&row, 0}, 0, parameters);
@@ -241,7 +241,7 @@ TEST(QLearning, LearnsInTheRowOfTheActionTaken) {
   table.set(2, 0, 4.0, 1);
   table.set(0, 1, 6.0, 1);
   table.set(2, 1, 100.0, 1);  // not among the actions of the next state
-  QLearner learner;
+  TdLearner learner;
   const LearningParameters parameters = {0.5, 0.5, 0.5, 0.0};
   learner.recordDecision(table, {here.data(), 1}, 1, parameters);
   learner.learn(table, 1.0, {there.data(), 1}, parameters, LearningRateSchedule(parameters));  // error 1 + 0.5 * 6 = 4
@@ -253,42 +253,6 @@ TEST(QLearning, LearnsInTheRowOfTheActionTaken) {
   learner.learnTerminal(table, 0.0, parameters, LearningRateSchedule(parameters));
   EXPECT_EQ(table.value(2, 0), 2.0);
   EXPECT_EQ(table.value(1, 1), 2.0);
-}
-
-// --- choosing ---
-
-TEST(QLearner, ChoosesTheFirstOfEqualValues) {
-  const Row row = 0;
-  QTable table(1, 4);
-  EXPECT_EQ(QLearner::chooseGreedy(table, {&row, 0}), 0U);
-  table.set(0, 1, 2.0, 1);
-  table.set(0, 3, 2.0, 1);
-  EXPECT_EQ(QLearner::chooseGreedy(table, {&row, 0}), 1U);
-}
-
-TEST(QLearner, ExploresWhereTheDrawIsBelowEpsilon) {
-  const Row row = 0;
-  QTable table(1, 4);
-  table.set(0, 2, 1.0, 1);
-  const auto choose = [&](double epsilon, double draw, double any) {
-    return QLearner::chooseExploring(table, {&row, 0}, epsilon, draw, any);
-  };
-  EXPECT_EQ(choose(0.25, 0.25, 0.0), 2U);
-  EXPECT_EQ(choose(0.25, std::nextafter(0.25, 0.0), 0.0), 0U);
-  EXPECT_EQ(choose(0.0, 0.0, 0.0), 2U);
-  EXPECT_EQ(choose(1.0, std::nextafter(1.0, 0.0), 0.0), 0U);
-}
-
-TEST(QLearner, ExploresEvenly) {
-  const Row row = 0;
-  const QTable table(1, 4);
-  const auto explore = [&](double any) { return QLearner::chooseExploring(table, {&row, 0}, 1.0, 0.0, any); };
-  EXPECT_EQ(explore(0.0), 0U);
-  EXPECT_EQ(explore(std::nextafter(0.25, 0.0)), 0U);
-  EXPECT_EQ(explore(0.25), 1U);
-  EXPECT_EQ(explore(0.5), 2U);
-  EXPECT_EQ(explore(0.75), 3U);
-  EXPECT_EQ(explore(std::nextafter(1.0, 0.0)), 3U);
 }
 
 }  // namespace

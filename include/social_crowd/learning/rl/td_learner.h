@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "social_crowd/learning/rl/learning_parameters.h"
@@ -20,26 +19,8 @@ namespace crowd {
 /// With a mirror, the same targets also update the mirror images of the decision and of its traces, as if another agent
 /// had made the same experience with left and right exchanged. A pair that is its own mirror image is updated once. A
 /// table in which mirror images have equal values keeps this property, bit for bit.
-class QLearner {
+class TdLearner {
  public:
-  static constexpr double FIRST_OF_TIES = 0.0;
-
-  /// @brief Returns the greedy action.
-  /// @param tie in [0, 1), decides among equal values; 0: the first
-  static Action chooseGreedy(const QTable& table, const Rows& rows, double tie = FIRST_OF_TIES) {
-    return tie > FIRST_OF_TIES ? table.greedyAction(rows, tie) : table.greedyAction(rows);
-  }
-
-  /// @brief Returns the epsilon-greedy action: with probability epsilon any action, else the greedy one.
-  /// @param draw uniform in [0, 1), decides whether to explore
-  /// @param any uniform in [0, 1), decides which action is explored
-  /// @param tie as in chooseGreedy()
-  static Action chooseExploring(const QTable& table, const Rows& rows, double epsilon, double draw, double any,
-                                double tie = FIRST_OF_TIES) {
-    if (draw >= epsilon) return chooseGreedy(table, rows, tie);
-    return std::min(static_cast<Action>(any * table.actions()), table.actions() - 1);
-  }
-
   /// @brief Records the action that was chosen, for the next learn(). Clears the traces if the action is not greedy.
   void recordDecision(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters) {
     if (parameters.lambda > 0.0) {

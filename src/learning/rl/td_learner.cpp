@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/q_learner.h"
+#include "social_crowd/learning/rl/td_learner.h"
 
 namespace crowd {
 namespace {
@@ -10,7 +10,7 @@ double visit(QTable& table, Row row, Action action, double target, const Learnin
 
 }  // namespace
 
-void QLearner::fadeTraces(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters) {
+void TdLearner::fadeTraces(const QTable& table, const Rows& rows, Action action, const LearningParameters& parameters) {
   const bool greedy = table.value(rows[action], action) >= table.greedyValue(rows);
   if (!greedy) {
     traces_.clear();  // Watkins: rewards after an exploring action do not evaluate the greedy policy
@@ -19,8 +19,8 @@ void QLearner::fadeTraces(const QTable& table, const Rows& rows, Action action, 
   }
 }
 
-void QLearner::update(QTable& table, double target, const LearningParameters& parameters,
-                      const LearningRateSchedule& learning_rates, const Mirror& mirror) {
+void TdLearner::update(QTable& table, double target, const LearningParameters& parameters,
+                       const LearningRateSchedule& learning_rates, const Mirror& mirror) {
   const double step = visit(table, row_, action_, target, learning_rates);
   const bool has_image = mirror.hasImage(row_, action_);
   const double mirrored_step =
@@ -30,7 +30,7 @@ void QLearner::update(QTable& table, double target, const LearningParameters& pa
   if (has_image) table.addTo(mirror.row(row_), mirror.action(action_), mirrored_step);
 }
 
-void QLearner::addToTraces(QTable& table, double step, double mirrored_step, const Mirror& mirror) {
+void TdLearner::addToTraces(QTable& table, double step, double mirrored_step, const Mirror& mirror) {
   remember({row_, action_, 1.0});
   for (const auto& [row, action, eligibility] : traces_) {
     table.addTo(row, action, step * eligibility);
@@ -40,7 +40,7 @@ void QLearner::addToTraces(QTable& table, double step, double mirrored_step, con
   }
 }
 
-void QLearner::remember(const Trace& trace) {
+void TdLearner::remember(const Trace& trace) {
   const auto same = [&](const Trace& other) { return other.row == trace.row && other.action == trace.action; };
   const auto found = std::find_if(traces_.begin(), traces_.end(), same);
   if (found == traces_.end()) {
@@ -50,7 +50,7 @@ void QLearner::remember(const Trace& trace) {
   }
 }
 
-void QLearner::decayTraces(double factor) {
+void TdLearner::decayTraces(double factor) {
   for (Trace& trace : traces_) trace.eligibility *= factor;
   const auto negligible = [](const Trace& trace) { return trace.eligibility < NEGLIGIBLE_TRACE; };
   traces_.erase(std::remove_if(traces_.begin(), traces_.end(), negligible), traces_.end());

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+#include "social_crowd/learning/learner.h"
+#include "social_crowd/simulation/episode.h"
+
+namespace crowd {
+
+/// @brief Functions that runEpisode() calls; empty ones are skipped.
+struct EpisodeObserver {
+  std::function<void(const World&)> on_tick;        ///< at the start of each tick, and at the end of the episode
+  std::function<void(const Perceptions&)> on_turn;  ///< before the decisions of each turn
+};
+
+/// @brief Runs an episode to its end with one learner, which decides for all agents. In training mode the learner also
+/// learns from the last tick.
+EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer = {});
+
+}  // namespace crowd

@@ -1,0 +1,22 @@
+#include "social_crowd/learning/states/thesis_states.h"
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+
+std::string ThesisStates::distancesSpec() const {
+  return ", collision_radius: " + toText(distances_.collision_radius) +
+         ", vision_radius: " + toText(distances_.vision_radius);
+}
+
+DistanceClasses readDistanceClasses(const YamlMap& map) {
+  DistanceClasses distances;
+  distances.collision_radius = map.number("collision_radius", NumberRule::POSITIVE, distances.collision_radius);
+  distances.vision_radius = map.number("vision_radius", NumberRule::POSITIVE, distances.vision_radius);
+  if (distances.vision_radius <= distances.collision_radius) {
+    throwExpected(map.placeOf("vision_radius"), map.node(), "a radius of vision above the collision radius");
+  }
+  return distances;
+}
+
+}  // namespace crowd

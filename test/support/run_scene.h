@@ -1,0 +1,13 @@
+#pragma once
+
+#include "social_crowd/simulation/episode_runner.h"
+
+namespace crowd {
+
+/// @brief Runs an episode of a scene to its end.
+inline EpisodeResult runScene(const Scene& scene, std::uint64_t number, Learner& learner) {
+  Episode episode(scene, number, learner.model().vision());
+  return runEpisode(episode, learner);
+}
+
+}  // namespace crowd
