@@ -27,7 +27,7 @@ class Chapter:
     parts: list = dataclasses.field(default_factory=list)  # texts, Tables and Figures
     commands: list = dataclasses.field(default_factory=list)  # texts: those of one run, as an example
 
-    def tell(self, text):
+    def add_text(self, text):
         self.parts.append(text)
 
     def add_table(self, title, header, rows, name=''):

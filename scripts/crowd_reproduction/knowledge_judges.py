@@ -4,22 +4,22 @@ import numpy
 from crowd_experiments.records import Spread, rates
 
 from . import scenario_runs as runs, surroundings
-from .claim import COMES_OUT, IN_PART, NOT, Judgement, decide_all, decide_each, decide_greater, versus
+from .claim import CONFIRMED, PARTLY, NOT_CONFIRMED, Judgement, decide_all, decide_each, decide_greater, versus
 from .crowd_verdicts import GOOD, RARE, both, is_good, is_rare, rates_text, seeds
 from .experiments import future_work, learning_curves, sharing
 from .measures import share
 
 
 def experience_serves(setting):
-    verdicts, told = [], []
+    verdicts, texts = [], []
     for scenario in runs.SCENARIOS:
         success, contact, collision = zip(*runs.measured(setting, runs.MAIN, scenario))
         verdicts.append(both((success, contact), (is_good, is_rare)))
-        told.append(f'{scenario} {numpy.mean(success):.0f} / {numpy.mean(contact):.0f} / {numpy.mean(collision):.0f}')
-    fine = sum(verdict == COMES_OUT for verdict in verdicts)
-    verdict = COMES_OUT if fine == len(verdicts) else IN_PART if fine else NOT
+        texts.append(f'{scenario} {numpy.mean(success):.0f} / {numpy.mean(contact):.0f} / {numpy.mean(collision):.0f}')
+    fine = sum(verdict == CONFIRMED for verdict in verdicts)
+    verdict = CONFIRMED if fine == len(verdicts) else PARTLY if fine else NOT_CONFIRMED
     return Judgement(f'success / contact / collision % in scenarios never met in training (means of {seeds(setting)}): '
-                     f'{", ".join(told)}; at least {GOOD:g} and at most {RARE:g} in {fine} of {len(verdicts)}', verdict)
+                     f'{", ".join(texts)}; at least {GOOD:g} and at most {RARE:g} in {fine} of {len(verdicts)}', verdict)
 
 
 def shared(setting, use, episodes, measure):
@@ -47,16 +47,16 @@ def crowd_learns_on(setting):
 
 
 def incomplete_table(setting):
-    told, verdicts = [], []
+    texts, verdicts = [], []
     for scenario in runs.WATCHED:
         outcomes = surroundings.visits_measured(setting, runs.MAIN, scenario, surroundings.CROWDED)
         pairs = [(join(line[:2]), join(line[3:])) for line in outcomes]
         pairs = [pair for pair in pairs if numpy.isfinite(sum(pair))]
         rare, often = zip(*pairs)
-        told.append(f'{scenario}: ' + versus('rarely visited', rare, 'often', often, 1))
+        texts.append(f'{scenario}: ' + versus('rarely visited', rare, 'often', often, 1))
         verdicts.append(decide_greater(rare, often))
     return Judgement(f'{surroundings.CROWDED} or more sectors occupied, contact within {surroundings.SOON} decisions '
-                     f'%, rows visited fewer than 10 and at least 100 times in training. {"; ".join(told)}',
+                     f'%, rows visited fewer than 10 and at least 100 times in training. {"; ".join(texts)}',
                      decide_all(*verdicts))
 
 
@@ -67,14 +67,14 @@ def join(outcomes):
 
 def more_training(setting):
     curve = learning_curves.Curve(setting, 'occupancy', 'thesis')
-    told, verdicts = [], []
+    texts, verdicts = [], []
     for scenario in learning_curves.SCENARIOS:
         for measure, index in learning_curves.MEASURES.items():
             first, last = curve.rates[scenario][1, :, index], curve.rates[scenario][-1, :, index]
-            told.append(f'{scenario}, {measure} %: after {curve.episodes[1]:,} episodes {Spread(first).text(1)}, after '
+            texts.append(f'{scenario}, {measure} %: after {curve.episodes[1]:,} episodes {Spread(first).text(1)}, after '
                         f'{curve.episodes[-1]:,} {Spread(last).text(1)}')
             verdicts.append(decide_greater(last, first) if measure == 'success' else decide_greater(first, last))
-    return Judgement('; '.join(told), decide_all(*verdicts))
+    return Judgement('; '.join(texts), decide_all(*verdicts))
 
 
 def more_states(setting):
@@ -108,11 +108,11 @@ def staying_pays(setting):
 def staying_helps(setting):
     _, without = zip(*future(setting, 'thesis'))
     costs = {'no cost': 'stay', 'cost 0.2': 'stay_02', 'cost 1': 'stay_1', 'cost 5': 'stay_5'}
-    told, verdicts = [], []
+    texts, verdicts = [], []
     for name, variation in costs.items():
         success, contact = zip(*future(setting, variation))
-        told.append(f'{name} {Spread(contact).text(1)}')
+        texts.append(f'{name} {Spread(contact).text(1)}')
         if is_good(numpy.mean(success)):  # an agent that stays for good touches nothing
             verdicts.append(decide_greater(without, contact))
     return Judgement(f'contact of twelve at varied speeds %: {Spread(without).text(1)} without the action; '
-                     f'{", ".join(told)}; judged by the costs with which {GOOD:g} % arrive', decide_all(*verdicts))
+                     f'{", ".join(texts)}; judged by the costs with which {GOOD:g} % arrive', decide_all(*verdicts))

@@ -2,7 +2,7 @@
 import math
 
 from . import reward_runs as runs
-from .claim import IN_PART, NOT, Claim
+from .claim import PARTLY, NOT_CONFIRMED, Claim
 from .experiments import reward_evaluation
 from .reward_judges import (both, compare, curved, each, in_course, less_in_demo, longer, more_decisions, mostly_free,
                             number, of_both, scattered, separation, similar_success, softer, training_differs)
@@ -15,7 +15,7 @@ ALMOST_NONE = 1.0  # [%]
 SLOWEST = 5.0  # [-] of path per distance gained
 # With the thesis's gamma.
 SWING = 'success in demo swings from seed to seed (figure 4.8), which one run does not show'
-SWINGS = dict.fromkeys((NOT, IN_PART), SWING)
+SWINGS = dict.fromkeys((NOT_CONFIRMED, PARTLY), SWING)
 
 CLAIMS = [
     Claim('3.2.2.3, (3.6)', '"the best way to walk towards the goal is in a straight line" is taught by distance '
@@ -27,7 +27,7 @@ CLAIMS = [
           of_both(in_course, runs.collision, True)),
     Claim('4.1.1, figure 4.2', 'distance gained per step "is more scattered" with distance gained than with cos³ '
           '(breadth, m)', scattered(runs.gain_breadth, 'training', GAIN, 4), {
-              IN_PART: 'most episodes lie closer together with cos³; those in which the agent is caught for a while '
+              PARTLY: 'most episodes lie closer together with cos³; those in which the agent is caught for a while '
                        'lie far below them'}),
     Claim('4.1.1, figure 4.2', 'with cos³ it is "closer to the agent\'s real velocity" (median difference from it, m)',
           compare(runs.shortfall, 'training', GAIN, 4)),
@@ -64,10 +64,10 @@ CLAIMS = [
     Claim('4.1.2', 'success is lower in demo than in training (%)', of_both(less_in_demo)),
     Claim('4.1.2', '"both training processes needed more episodes" (success in demo after more training, %)',
           of_both(longer, runs.success, True), {
-              NOT: SWING, IN_PART: f'for one of both rewards at most; {SWING}'}),
+              NOT_CONFIRMED: SWING, PARTLY: f'for one of both rewards at most; {SWING}'}),
     Claim('4.1.2', '"or that the amount of decisions made for episode should be bigger" (success in demo, %)',
           of_both(more_decisions), dict.fromkeys(
-              (NOT, IN_PART), 'an agent that has not arrived after 2,000 greedy decisions hardly ever does: without '
+              (NOT_CONFIRMED, PARTLY), 'an agent that has not arrived after 2,000 greedy decisions hardly ever does: without '
                               'randomness it repeats itself')),
     Claim('4.1.2, figure 4.9', 'distance gained "was effective in teaching the agent to avoid collisions" (demo, at '
           'most 1 %)', each(GAIN, 'demo', runs.collision, lambda rate: rate <= ALMOST_NONE)),
@@ -85,23 +85,23 @@ CLAIMS = [
           'between legs of 0.6 m, summed up)', curved),
     Claim('4.1.2, figure 4.10', 'it is "softer", "without sharp changes of direction" (the sharpest change between '
           'legs of 0.6 m; turning)', softer, {
-              NOT: 'it walks in a zigzag of one step to the left and one to the right (45 degrees at every step are '
+              NOT_CONFIRMED: 'it walks in a zigzag of one step to the left and one to the right (45 degrees at every step are '
                    '26.2 rad/m), and its bends are the sharper ones'}),
     Claim('4.1.2, figure 4.11', 'without an obstacle the velocity with distance gained "is lower" (distance gained per '
           'step, m)', compare(runs.gain_per_step, 'free', COSINE, 4)),
     Claim('4.1.2, figure 4.11', 'cos³ "shows a more consistent velocity between episodes" (distance gained per step, '
           'breadth, m)', scattered(runs.gain_breadth, 'free', GAIN, 4), {
-              NOT: 'the straightest way with eight directions makes 0.0277 to 0.03 m a step, depending on where the '
+              NOT_CONFIRMED: 'the straightest way with eight directions makes 0.0277 to 0.03 m a step, depending on where the '
                    'goal lies'}),
     Claim('4.1.2, figure 4.12', 'without an obstacle distance gained "yields paths that are longer" (path per distance '
           'gained)', compare(runs.path_per_gain, 'free', GAIN)),
     Claim('4.1.2', '"the agent sampled more states without obstacles than states with obstacles" (training)',
           of_both(mostly_free), {
-              IN_PART: 'with cos³ the agent walks past the obstacle, and is caught before it, within its radius of '
+              PARTLY: 'with cos³ the agent walks past the obstacle, and is caught before it, within its radius of '
                        'vision'}),
     Claim('5.1', '"results during training do not necessarily depict the final results" (success in training and demo '
           'more than 5 points apart)', of_both(training_differs)),
     Claim('5.1', 'the visual results during training "should improve over time" (here: success in training, %)',
           of_both(in_course, runs.success, False), {
-              NOT: 'the first 500 episodes are as good as the last; the constant exploration then holds the rate'}),
+              NOT_CONFIRMED: 'the first 500 episodes are as good as the last; the constant exploration then holds the rate'}),
 ]

@@ -22,9 +22,9 @@ def measured(setting, table, scenario):
             for seed in setting.seeds(runs.SEEDS)]
 
 
-def row_of(told, found):
+def row_of(label, found):
     """A line of the table, from a Surrounded for each seed."""
-    return [told, *(Spread.of_numbers(values).text(decimals) for values, decimals in (
+    return [label, *(Spread.of_numbers(values).text(decimals) for values, decimals in (
         ([one.per_thousand() for one in found], 2),
         ([one.caught_share() for one in found], 1),
         ([one.inside.contact_share() for one in found], 1),
@@ -54,12 +54,12 @@ def visits_measured(setting, table, scenario, least_sectors):
 def add_visits_table(chapter, setting):
     rows = []
     for scenario in runs.WATCHED:
-        for least, told in ((0, 'all decisions'), (CROWDED, f'{CROWDED} or more sectors occupied')):
+        for least, label in ((0, 'all decisions'), (CROWDED, f'{CROWDED} or more sectors occupied')):
             seeds = visits_measured(setting, runs.MAIN, scenario, least)
             for i, visited in enumerate(VISIT_CLASSES.values()):
                 of_all = [share(outcomes[i].decisions, sum(outcome.decisions for outcome in outcomes))
                           for outcomes in seeds]
-                rows.append([f'{scenario}, {told}, row visited {visited}', Spread(of_all).text(2),
+                rows.append([f'{scenario}, {label}, row visited {visited}', Spread(of_all).text(2),
                              Spread.of_numbers(outcomes[i].contact_share() for outcomes in seeds).text(2),
                              Spread.of_numbers(outcomes[i].collision_share() for outcomes in seeds).text(2)])
     chapter.add_table('An incomplete table (5.1): decisions by how often their row was visited in training, and what '

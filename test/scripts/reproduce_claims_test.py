@@ -89,38 +89,38 @@ class ClaimTest:
 
     def test_the_mean_and_three_quarters_of_the_seeds(self):
         # 2.25 > 1, and the differences 2, 2, 2, -1 have the standard error 1.5 / 2; three of four.
-        assert claim.decide_greater([3, 3, 3, 0], [1, 1, 1, 1]) == claim.COMES_OUT
+        assert claim.decide_greater([3, 3, 3, 0], [1, 1, 1, 1]) == claim.CONFIRMED
         # The mean only: 4 > 1, the differences 8, 4, 0, 0 have the standard error sqrt(44 / 3) / 2 = 1.9.
-        assert claim.decide_greater([9, 5, 1, 1], [1, 1, 1, 1]) == claim.IN_PART
+        assert claim.decide_greater([9, 5, 1, 1], [1, 1, 1, 1]) == claim.PARTLY
         # The mean 1.75 > 1, but the standard error of the differences 5, 0, -1, -1 is 1.4.
-        assert claim.decide_greater([6, 1, 0, 0], [1, 1, 1, 1]) == claim.NOT
-        assert claim.decide_greater([2, 2, 2, 0], [1, 1, 1, 9]) == claim.IN_PART  # the seeds only
-        assert claim.decide_greater([1, 1], [1, 1]) == claim.NOT  # a tie
-        assert claim.decide_greater([math.inf, math.inf], [1, 2]) == claim.COMES_OUT
+        assert claim.decide_greater([6, 1, 0, 0], [1, 1, 1, 1]) == claim.NOT_CONFIRMED
+        assert claim.decide_greater([2, 2, 2, 0], [1, 1, 1, 9]) == claim.PARTLY  # the seeds only
+        assert claim.decide_greater([1, 1], [1, 1]) == claim.NOT_CONFIRMED  # a tie
+        assert claim.decide_greater([math.inf, math.inf], [1, 2]) == claim.CONFIRMED
 
     def test_conditions_and_numbers(self):
-        assert claim.decide_each([0.0, 0.5, 0.9, 1.5], lambda rate: rate <= 1.0) == claim.COMES_OUT
-        assert claim.decide_each([0.0, 0.0, 9.0], lambda rate: rate <= 1.0) == claim.NOT
-        assert claim.decide_near([70.0, 80.0], 73.8) == claim.COMES_OUT
-        assert claim.decide_near([76.0, 78.0], 73.8) == claim.IN_PART  # near, but not among them
-        assert claim.decide_near([0.0, 100.0], 73.8) == claim.IN_PART  # among them, but not near
-        assert claim.decide_near([90.0, 100.0], 73.8) == claim.NOT
+        assert claim.decide_each([0.0, 0.5, 0.9, 1.5], lambda rate: rate <= 1.0) == claim.CONFIRMED
+        assert claim.decide_each([0.0, 0.0, 9.0], lambda rate: rate <= 1.0) == claim.NOT_CONFIRMED
+        assert claim.decide_near([70.0, 80.0], 73.8) == claim.CONFIRMED
+        assert claim.decide_near([76.0, 78.0], 73.8) == claim.PARTLY  # near, but not among them
+        assert claim.decide_near([0.0, 100.0], 73.8) == claim.PARTLY  # among them, but not near
+        assert claim.decide_near([90.0, 100.0], 73.8) == claim.NOT_CONFIRMED
 
     def test_parts(self):
-        assert claim.decide_all(claim.NOT, claim.NOT) == claim.NOT
-        assert claim.decide_all(claim.NOT, claim.COMES_OUT) == claim.IN_PART
+        assert claim.decide_all(claim.NOT_CONFIRMED, claim.NOT_CONFIRMED) == claim.NOT_CONFIRMED
+        assert claim.decide_all(claim.NOT_CONFIRMED, claim.CONFIRMED) == claim.PARTLY
 
     def test_table(self):
         chapter = Chapter('claims', 'Claims')
-        verdicts = (claim.COMES_OUT, claim.NOT, claim.NOT)
+        verdicts = (claim.CONFIRMED, claim.NOT_CONFIRMED, claim.NOT_CONFIRMED)
         claims = [claim.Claim('4.1', 'it works', lambda _, verdict=verdict: claim.Judgement('5 of 8', verdict),
-                              {claim.NOT: 'another geometry'}) for verdict in verdicts]
+                              {claim.NOT_CONFIRMED: 'another geometry'}) for verdict in verdicts]
         claim.add_claims(chapter, 'Claims', claims, None, 'rewards')
         table, text = chapter.parts
         assert table.name == 'rewards'
-        assert table.rows == [['4.1', 'it works', '5 of 8', 'comes out', ''],
-                              *[['4.1', 'it works', '5 of 8', 'does not come out', 'another geometry']] * 2]
-        assert text == 'Of 3 claims 1 come out, 0 come out in part, 2 do not come out.'
+        assert table.rows == [['4.1', 'it works', '5 of 8', 'confirmed', ''],
+                              *[['4.1', 'it works', '5 of 8', 'not confirmed', 'another geometry']] * 2]
+        assert text == 'Of 3 claims: 1 confirmed, 0 partly confirmed, 2 not confirmed.'
 
     def test_versus(self):
         text = claim.versus('demo', [1, 4, 4], 'training', [2, 2, 2], 0)

@@ -75,7 +75,7 @@ class ReproduceTest:
         claim.add_claims(chapter, 'Rewards', reward_claims.CLAIMS, setting, 'rewards')
         rows = chapter.tables()[0].rows
         assert len(rows) == len(reward_claims.CLAIMS)
-        assert {row[3] for row in rows} <= {claim.COMES_OUT, claim.IN_PART, claim.NOT}
+        assert {row[3] for row in rows} <= {claim.CONFIRMED, claim.PARTLY, claim.NOT_CONFIRMED}
         arrivals = [self.success_in(runner, f'cosine_cubed_thesis_{seed:02d}/demo.csv') for seed in (1, 2)]
         assert f'cos³ {statistics.mean(arrivals):.2f} ' in next(
             row[2] for row in rows if row[1] == 'success in demo is "slightly better" with cos³ (%)')

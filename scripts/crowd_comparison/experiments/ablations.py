@@ -73,7 +73,7 @@ def report(setting):
     found = {ablation: [read_metrics(setting.run_folder(NAME, run_name(ablation, seed)) / 'metrics.csv')
                         for seed in setting.seeds(SEEDS, 1)] for ablation in ablations_of(setting)}
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         'One idea switched off at a time, all else as in the training configuration, trained anew with '
         f'{len(setting.seeds(SEEDS, 1))} seeds each and walked through the benchmark. Contact, path and turning: the '
         'worst scenario; clean: the worst scenario without door12, and the mean. Mean (lowest-highest) over the seeds.')

@@ -62,7 +62,7 @@ def report(setting):
     references = {model: read_metrics(setting.benchmark / 'reference.csv', model) for model in REFERENCES}
     seconds = [processor_seconds(run_folder(setting, OURS, seed))[0] for seed in setting.seeds(SEEDS)]
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         f'Fixed scenes, the same for every model; {len(setting.seeds(SEEDS))} training seeds of each learned one. '
         'Contact: agents whose body overlapped another one or a wall by more than 1 mm at the end of any tick; clean: '
         'instances in which everybody arrived and nobody was in contact; time: time x maximum speed / straight way; '
@@ -146,7 +146,7 @@ def add_times(chapter, setting, learned, references):
 
 def add_score(chapter, setting):
     if not (setting.benchmark / SCORER).is_file():
-        chapter.tell(f'The benchmark has no {SCORER}: evaluate\'s metrics are not checked against it.')
+        chapter.add_text(f'The benchmark has no {SCORER}: evaluate\'s metrics are not checked against it.')
         return
     folder = scored_folder(setting)
     scored = read_metrics(folder / 'scored.csv')

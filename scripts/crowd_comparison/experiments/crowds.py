@@ -46,7 +46,7 @@ def make_run(setting, scene, episodes, cost):
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         f'{NAMES[OURS].capitalize()}, the shipped table; radii from 0.18 to 0.35 m, speeds from 0.8 to 1.6 m/s, other '
         'placements each time. Random: everybody from anywhere to anywhere, 0.3 agents a square metre. Circle: a ring '
         'with 1.5 m of it for each, everybody to the opposite point. Who has not arrived when time is up counts as '

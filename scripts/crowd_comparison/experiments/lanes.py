@@ -40,7 +40,7 @@ def report(setting):
     """The chapter, from the recorded walks."""
     curves = {model: curves_of(folder(setting, model)) for model in LEARNED}
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         f'Two crowds of forty in a corridor 4 m wide walk through each other, {len(curves[LEARNED[0]])} placements. '
         'Order: mean over walkers of ((same way - opposite way) / (same + opposite))^2 among the others in a lane '
         f'{2 * HALF_WIDTH:g} m wide around them, within {STRETCH:g} m of the middle (Rex and Löwen 2007, Nowak and '

@@ -56,7 +56,7 @@ def judged_contacts(run_folder):
 def report(setting):
     """The chapter, from the recorded walks."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         'Forty agents from anywhere to anywhere among eight obstacles that walk to and fro at 0.3 to 1.2 m/s, '
         f'{setting.count(EPISODES, 2)} placements. A contact was avoidable if at any tick within {LOOK_BACK:g} s '
         f'before it a straight move (straight on at one of {HEADINGS} headings, at full or half speed, or standing) '
@@ -84,7 +84,7 @@ def add_panels(chapter, setting, judged):
     """Some contacts of ours, the unavoidable ones first."""
     shown = sorted(judged, key=lambda entry: -KINDS.index(entry[2]))[:DRAWN_PANELS]
     if not shown:
-        chapter.tell(f'{NAMES[OURS].capitalize()}: no contact to show.')
+        chapter.add_text(f'{NAMES[OURS].capitalize()}: no contact to show.')
         return
     columns = min(3, len(shown))
     rows = math.ceil(len(shown) / columns)

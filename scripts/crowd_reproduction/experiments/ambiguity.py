@@ -27,7 +27,7 @@ def plan(setting):
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         'An agent and two obstacles of radius 0.4 m side by side across its way: a: they overlap; b: they all but '
         'touch; c: the gap of 0.4 m is narrower than the agent (0.5 m); d: the gap of 1.1 m can be passed without '
         'coming within the collision radius. State set 1 sees the nearer of the two only and cannot tell a gap from a '
@@ -175,7 +175,7 @@ def add_failures(chapter, setting):
                        'one of the obstacles ever comes into sight: the first recorded walk that arrives without a '
                        'collision. (b) Two obstacles in sight: the first that does not arrive. (c) The first that '
                        'collides with an obstacle or goes through it. First: in the order of the seeds, of the tests '
-                       f'b, c, and of the instances. All seeds and instances: {told}.')
+                       f'b, c, and of the instances. All seeds and instances: {label}.')
 
 
 def add_twins(chapter, setting, parameters):
@@ -220,10 +220,10 @@ def decisions_needed(setting, agent, test):
 def add_tables(chapter, setting):
     for parameters in twins.PARAMETERS:
         rows = []
-        for training, told in twins.TRAININGS.items():
+        for training, label in twins.TRAININGS.items():
             for states in twins.SETS:
                 rows += test_rows(setting, (training, states, parameters),
-                                  f'{style.short_set_name(states)}, {told}')
+                                  f'{style.short_set_name(states)}, {label}')
         chapter.add_table(f'Twins tests, {names.PARAMETER_NAMES[parameters]}: mean ± standard deviation over the seeds '
                           '(lowest-highest); path ratio and decisions: the median of those that arrived, seed by seed, '
                           'of the seeds in which any did',
@@ -231,7 +231,7 @@ def add_tables(chapter, setting):
                            'decisions (arrivals only)', 'rows visited in training'], rows, name=f'twins_{parameters}')
 
 
-def test_rows(setting, agent, told):
+def test_rows(setting, agent, label):
     """A row of the table for each test."""
     rows = []
     records = twins.records_of(setting, agent)
@@ -242,7 +242,7 @@ def test_rows(setting, agent, told):
         ratios = Spread.of_numbers(median(record['path_ratio'][of_scenario(record, test) & (record['arrived'] > 0)])
                                    for record in records)
         needed = Spread.of_numbers(decisions_needed(setting, agent, test))
-        rows.append([f'{told}, {title}', success.text(1), collision.text(1), contact.text(1), ratios.text(2),
+        rows.append([f'{label}, {title}', success.text(1), collision.text(1), contact.text(1), ratios.text(2),
                      needed.text(0), visited.text(0)])
     return rows
 
@@ -250,9 +250,9 @@ def test_rows(setting, agent, told):
 def add_passage(chapter, setting):
     rows = []
     for parameters in twins.PARAMETERS:
-        for training, told in twins.TRAININGS.items():
+        for training, label in twins.TRAININGS.items():
             between, around = map(Spread, passages(setting, (training, 'occupancy', parameters)))
-            rows.append([f'{names.PARAMETER_NAMES[parameters]}, {told}', between.text(1), around.text(1)])
+            rows.append([f'{names.PARAMETER_NAMES[parameters]}, {label}', between.text(1), around.text(1)])
     chapter.add_table('The tight gap (d) with state set 2: ways taken, % of all walks; the rest never passes the '
                       'obstacles. Mean ± standard deviation over the seeds (lowest-highest)',
                       ['', 'between the obstacles %', 'around both %'], rows, name='passage')

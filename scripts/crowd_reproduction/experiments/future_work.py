@@ -60,7 +60,7 @@ def make_run(setting, variation, seed):
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         "State set 2, king's moves and the thesis's parameters; one agent learns alone as for the scenarios, and "
         f'twelve walk on a circle at varied speeds by its table ({SCENARIO}). What the thesis proposes is put in, one '
         'at a time: an action that means to stay put, without and with a cost of every tick in which the agent does '
@@ -76,7 +76,7 @@ def report(setting):
     chapter.add_table(f"Surrounded agents in {SCENARIO}; set 2 and thesis's parameters, with what is named. {TOLD}. "
                       'Sectors are those that the agent perceives as occupied. Mean ± standard deviation over the '
                       'seeds (lowest-highest), of the seeds in which there were any', HEADER,
-                      [row_of(told, found[variation]) for variation, (told, _) in VARIATIONS.items()],
+                      [row_of(label, found[variation]) for variation, (label, _) in VARIATIONS.items()],
                       name='surrounded')
     return chapter
 
@@ -112,7 +112,7 @@ def first_instances(decisions):
 
 def add_table(chapter, setting, records):
     rows = []
-    for variation, (told, _) in VARIATIONS.items():
+    for variation, (label, _) in VARIATIONS.items():
         success, contact, collision = map(Spread, zip(*map(rates, records[variation])))
         ratios = Spread.of_numbers(median(record['path_ratio'][record['arrived'] > 0]) for record in records[variation])
         times = Spread.of_numbers(median(record['time_ratio'][record['arrived'] > 0]) for record in records[variation])

@@ -22,8 +22,8 @@ plan = agent_runs.plan
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
-        f'{agent_training.TOLD} In the second part its table is saved every '
+    chapter.add_text(
+        f'{agent_training.DESCRIPTION} In the second part its table is saved every '
         f'{checkpoints.every(setting)} episodes, and each of these tables walks, in demo mode, fields '
         'of obstacles that it has not met (training_field), and six agents on a circle. '
         f'{len(setting.seeds(SEEDS))} seeds.')

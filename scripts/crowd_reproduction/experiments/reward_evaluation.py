@@ -27,24 +27,24 @@ def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
     seeds = len(setting.seeds(SEEDS))
-    chapter.tell(
+    chapter.add_text(
         'One agent near the centre, one obstacle (radius 0.4 m) between it and its goal, which lies in another '
         f'direction each episode; any heading at the start; state set 1. {EPISODES:,} training episodes of at most '
         '2,000 decisions, then 2,000 demo episodes with the table just learned, at other places, and 100 without the '
         f'obstacle; {seeds} seeds. Collision: the obstacle\'s rim came within 0.5 m of the agent\'s centre, as the '
         'thesis defines it; contact: the bodies overlapped.')
-    chapter.tell(
+    chapter.add_text(
         "The thesis's parameters: learning rate 0.1, gamma 0.1, lambda 0, not tuned; what it leaves open is varied in "
         'the chapter sensitivity. Better parameters: gamma 0.9, learning rate 0.02, exploration that falls from 100 % '
         'to 2 % within 1,500 episodes; their training rates hold the episodes spent on exploring.')
-    chapter.tell(difference_text(setting))
+    chapter.add_text(difference_text(setting))
     add_figures(chapter, setting)
     add_main_table(chapter, setting)
     add_free_table(chapter, setting)
     add_headings_table(chapter, setting)
-    chapter.tell(nearest_text(setting))
+    chapter.add_text(nearest_text(setting))
     add_longer_table(chapter, setting)
-    chapter.tell(verdict(setting))
+    chapter.add_text(verdict(setting))
     return chapter
 
 

@@ -17,9 +17,9 @@ def plan(setting):
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         "The thesis's agents: they always walk at full speed, and walk through what they fail to avoid. "
-        f'{agent_training.TOLD} Its table, which no longer changes, is what every agent of the scenarios walks by; '
+        f'{agent_training.DESCRIPTION} Its table, which no longer changes, is what every agent of the scenarios walks by; '
         'none of the scenarios was met in training. This is the protocol of 4.3; set 2 with the thesis\'s parameters '
         'is the main result. Beside it, labelled so: "the crowd learned together", all agents in one table, for '
         f'{setting.count(runs.MIX_EPISODES, 16):,} episodes of a mix of eight scenarios, most of them the very ones '
@@ -48,7 +48,7 @@ def rate_texts(setting, table, scenario, file=runs.DEMO):
     return [success.text(1), collision.text(1), contact.text(1)]
 
 
-def scenario_row(setting, scenario, states, parameters, told):
+def scenario_row(setting, scenario, states, parameters, label):
     """By one agent's table, then by that of a crowd."""
     table = ('agent', states, parameters)
     seeds = setting.seeds(runs.SEEDS)
@@ -58,7 +58,7 @@ def scenario_row(setting, scenario, states, parameters, told):
         ratios.append(median(record['path_ratio'][of_scenario(record, scenario) & (record['arrived'] > 0)]))
     clean = [Spread(runs.clean_share(setting, table, seed, scenario, incident) for seed in seeds).text(1)
              for incident in ('touched', 'collided')]
-    return [told, *rate_texts(setting, table, scenario), *clean, Spread.of_numbers(ratios).text(2),
+    return [label, *rate_texts(setting, table, scenario), *clean, Spread.of_numbers(ratios).text(2),
             *rate_texts(setting, ('crowd', states, parameters), scenario)]
 
 
@@ -80,13 +80,13 @@ def add_tables(chapter, setting):
 
 def add_synchronicity(chapter, setting):
     rows = []
-    for scenario, told in (('circle12_exact', 'all start exactly on the circle'),
+    for scenario, label in (('circle12_exact', 'all start exactly on the circle'),
                            ('circle12_exact_simultaneous', 'and all move at the same time'),
                            ('circle12', 'starts up to 5 cm off'), ('circle12_varied', 'varied speeds')):
         rates = runs.measured(setting, runs.MAIN, scenario)
         success, contact, collision = map(Spread, zip(*rates))
         clean = sum(arrived == 100 and touched == 0 for arrived, touched, _ in rates)
-        rows.append([f'{scenario}: {told}', success.text(1), collision.text(1), contact.text(1),
+        rows.append([f'{scenario}: {label}', success.text(1), collision.text(1), contact.text(1),
                      f'{clean} of {len(rates)}'])
     chapter.add_table("Synchronicity: set 2, thesis's parameters, one agent's table; mean ± standard deviation over "
                       'the seeds (lowest-highest)',
@@ -99,20 +99,20 @@ def add_first_part(chapter, setting):
              *rate_texts(setting, runs.MAIN, scenario)] for scenario in runs.SCENARIOS]
     chapter.add_table("What the more thorough training is good for: set 2, thesis's parameters, one agent's table "
                       'after each part of its training; mean ± standard deviation over the seeds (lowest-highest)',
-                      ['', *(f'{told}: {measure} %' for told in ('one obstacle only (4.1)', 'then several (4.3)')
+                      ['', *(f'{label}: {measure} %' for told in ('one obstacle only (4.1)', 'then several (4.3)')
                              for measure in ('success', 'collision', 'contact'))], rows, name='first_part')
 
 
 def add_rows(chapter, setting):
     rows = []
-    for learner, told in runs.LEARNERS.items():
+    for learner, label in runs.LEARNERS.items():
         for parameters in runs.PARAMETERS:
             for states in runs.SETS:
                 headers = [read_table_header(runs.folder_of(setting, (learner, states, parameters), seed)
                                              / agent_training.TABLE) for seed in setting.seeds(runs.SEEDS)]
                 visited = Spread(float(header['visited_rows']) for header in headers)
                 decisions = Spread(float(header['decisions']) / 1e6 for header in headers)
-                rows.append([f'{told}, {style.SET_NAMES[states]}, {names.PARAMETER_NAMES[parameters]}',
+                rows.append([f'{label}, {style.SET_NAMES[states]}, {names.PARAMETER_NAMES[parameters]}',
                              headers[0]['rows'], visited.text(0), decisions.text(1)])
     chapter.add_table('Rows of the table that were ever visited in training; mean ± standard deviation over the seeds '
                       '(lowest-highest)', ['', 'rows', 'visited', 'decisions learned from [million]'], rows,

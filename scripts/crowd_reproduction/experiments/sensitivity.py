@@ -66,7 +66,7 @@ def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
     chosen = '; '.join(f'{choice.name}: {choice.chosen(setting)}' for choice in CHOICES)
-    chapter.tell(
+    chapter.add_text(
         f'The thesis does not say how these were chosen. Thesis configuration: {chosen}. Each is varied, all else '
         f"being as it was; the thesis's parameters, both rewards, {len(setting.seeds(SEEDS))} seeds, "
         f'{setting.count(EPISODES, 40):,} training episodes, {setting.count(DEMO_EPISODES, 10)} in demo.')
@@ -129,8 +129,8 @@ def add_effects(chapter, setting):
         f'What moves a rate: the strongest change in points (the value that makes it); -: no value changes the mean '
         f'over the seeds by {LEAST_POINTS:g} point and by more than {LEAST_ERRORS:g} standard errors of the '
         'difference, seed by seed', ['', *map(column_name, CELLS)], rows, 'effects')
-    chapter.tell(effects_text(found))
-    chapter.tell(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward)) for reward in REWARDS}))
+    chapter.add_text(effects_text(found))
+    chapter.add_text(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward)) for reward in REWARDS}))
 
 
 def effects_text(found):

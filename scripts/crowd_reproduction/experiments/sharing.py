@@ -59,7 +59,7 @@ def make_run(setting, states, seed):
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         f'A pioneer learns alone, {agent_training.SINGLE_EPISODES:,} episodes with one obstacle (4.1), then for so '
         'many among several, resting and moving (4.3); then twelve agents on a circle walk to the opposite points by '
         'its table. Either the table stays as it is, or all go on learning, each in a table of its own or all in one, '
