@@ -31,7 +31,7 @@ def dummies(setting):
         table = 'agent', 'occupancy', parameters
         success, contact, collision = zip(*runs.measured(setting, table, scenario))
         texts.append(f'{scenario}, {names.PARAMETER_NAMES[parameters]}: success {Spread(success).text(1)} %, collision '
-                    f'{Spread(collision).text(1)} %, contact {Spread(contact).text(1)} %')
+                     f'{Spread(collision).text(1)} %, contact {Spread(contact).text(1)} %')
         if parameters == 'thesis':
             verdicts.append(graded(runs.clean_share(setting, table, seed, scenario)
                                    for seed in setting.seeds(runs.SEEDS)))
@@ -123,7 +123,8 @@ def breached(setting):
     texts, verdicts = [], []
     for name, measure in MEASURES.items():
         values = phases(setting, measure)[:, PASSED]
-        texts.append(f'distance to the {name} [m]: ' + versus('with the obstacle', values[:, 0], 'without', values[:, 1]))
+        compared = versus('with the obstacle', values[:, 0], 'without', values[:, 1])
+        texts.append(f'distance to the {name} [m]: {compared}')
         verdicts.append(decide_greater(values[:, 0], values[:, 1]))
     return Judgement(f'after the passage, {"; ".join(texts)}', decide_all(*verdicts))
 

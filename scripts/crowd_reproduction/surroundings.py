@@ -13,8 +13,8 @@ HEADER = ['', 'surrounded, per 1,000 decisions', 'agents ever surrounded %', f'c
           'longest [decisions]', 'surrounded agents that arrive %', f'with a contact within {SOON} decisions %']
 DEFINITIONS = (
     f'Surrounded: {LEAST_SECTORS} or 8 of 8 sectors occupied. Contact and collision: with another agent, at the '
-    f'end of any of the next {SOON} decisions. Other decisions: those with fewer sectors occupied. The last two columns '
-    'refer to the agents that were ever surrounded')
+    f'end of any of the next {SOON} decisions. Other decisions: those with fewer sectors occupied. The last two '
+    'columns refer to the agents that were ever surrounded')
 
 
 def measured(setting, table, scenario):

@@ -130,7 +130,8 @@ def add_effects(chapter, setting):
         f'over the seeds by at least {LEAST_POINTS:g} point and by more than {LEAST_ERRORS:g} standard errors of the '
         'paired difference', ['', *map(column_name, CELLS)], rows, 'effects')
     chapter.add_text(effects_text(found))
-    chapter.add_text(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward)) for reward in REWARDS}))
+    chapter.add_text(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward))
+                                 for reward in REWARDS}))
 
 
 def effects_text(found):
