@@ -68,8 +68,8 @@ def add_table(chapter, setting):
             for i, scenario in enumerate(('with the moving obstacle', 'without it, at the same ticks')):
                 rows.append([f'{names.PARAMETER_NAMES[parameters]}, distance to the {title}, {scenario}',
                              *(Spread.of_numbers(values[:, time, i]).text(2) for time in range(len(TIMES)))])
-    chapter.add_table("Grouping of six agents with one goal [m]; state set 2, one agent's table. " + DESCRIPTION +
-                      ' Mean over agents, ticks and instances; mean ± standard deviation over the seeds (lowest-highest)',
+    chapter.add_table(f"Grouping of six agents with one goal [m]; state set 2, one agent's table. {DESCRIPTION} Mean "
+                      'over agents, ticks and instances; mean ± standard deviation over the seeds (lowest-highest)',
                       ['', *TIMES], rows, name='groups')
     rows = []
     for parameters in runs.PARAMETERS:

@@ -83,7 +83,7 @@ def add_moments(chapter, setting, scene_name):
     ticks = [round(moment * last_tick_of(walks)) for moment in MOMENTS]
     figure, axes = style.new_figure(1, len(ticks), 4.3 * len(ticks), 4.6, sharex=True, sharey=True)
     for panel, tick in zip(axes[0], ticks):
-        draw_moment(panel, scene, walks, tick, with_ways=False).frame()
+        draw_moment(panel, scene, walks, tick, with_paths=False).frame()
         panel.set_title(f'{tick * scene.tick:.0f} s')
     reach = 1.02 * max(max(abs(x), abs(y)) for walk in walks.values() for _, x, y in walk) + 0.5
     axes[0][0].set_xlim(-reach, reach)

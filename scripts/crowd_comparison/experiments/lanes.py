@@ -97,7 +97,7 @@ def add_moments(chapter, setting):
         _, walks = read_walks(run_folder / f'{SCENARIO}.csv', 0)
         colours = [WAY_COLOURS[1 if walks[agent][0][1] < 0.0 else -1] for agent in range(len(scene.agents))]
         for panel, moment in zip(row, MOMENTS):
-            draw_moment(panel, scene, walks, round(moment / scene.tick), colours, with_ways=False).frame()
+            draw_moment(panel, scene, walks, round(moment / scene.tick), colours, with_paths=False).frame()
             panel.set_xlim(-11.0, 11.0)
             panel.set_ylim(-2.6, 2.6)
             panel.set_title(f'{NAMES[model]}, {moment:g} s')
