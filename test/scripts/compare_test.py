@@ -160,7 +160,7 @@ class BarsTest:
             [self.figures((0.9, 0.9)), self.figures((1.2, 1.2), contact=0.5)], orca, [5, 70])}
         assert rows['time / ORCA, geometric mean'][1:] == ['≤ 1.000', '0.900', '1.200', '1 of 2', '≤ 0.900', '1 of 2']
         assert rows['contact %, worst scenario'][4] == '1 of 2'
-        assert rows['clean %, worst scenario but door12'][4] == 'all seeds'
+        assert rows['clean %, worst scenario without door12'][4] == 'all seeds'
         assert rows['clean %, worst scenario'][6] == 'none'
         assert rows['training, processor time [s]'][3:5] == ['70.0', '1 of 2']
 
