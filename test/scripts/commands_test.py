@@ -18,7 +18,7 @@ agents:
 
 
 def run_here(runner, *command):
-    """Exit status and output of a command that is run in the test's folder, without anybody to answer questions."""
+    """Returns exit status and output of a command that is run in the test's folder, without standard input."""
     done = subprocess.run(list(map(str, command)), cwd=runner.folder, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
     return done.returncode, done.stdout.decode(errors='replace')
@@ -40,7 +40,7 @@ class ToolTest:
     """train, evaluate and plot_paths."""
 
     def refuse(self, runner, status, words, name, *arguments):
-        """Runs a program that is to refuse."""
+        """Runs a program that must fail with this exit status and these words."""
         got, output = run_here(runner, find_node('social_crowd', name)[0], *arguments)
         assert got == status, output
         assert_says(output, *words)
@@ -108,12 +108,12 @@ class ToolTest:
     def test_an_instance_that_is_not_there(self, runner):
         recording = runner.write('walk.csv', WALK + '1,0,0,0,0\n')
         drawing = ['--trajectories', recording, '--output', 'paths.png', '--scenario', 'circle6', '--instance']
-        self.refuse(runner, 1, ['walk.csv: holds no instance 9, expected 0 to 1\n'], 'plot_paths', *drawing, 9)
+        self.refuse(runner, 1, ['walk.csv: has no instance 9, expected 0 to 1\n'], 'plot_paths', *drawing, 9)
         recording = runner.write('walk.csv', WALK)
-        self.refuse(runner, 1, ['walk.csv: holds no instance 1, expected 0\n'], 'plot_paths', *drawing, 1)
+        self.refuse(runner, 1, ['walk.csv: has no instance 1, expected 0\n'], 'plot_paths', *drawing, 1)
 
     def test_goals_drawn_at_random(self, runner):
-        """The picture is of those that are known, and how to get the others is told."""
+        """The picture has the known goals; for the others, the program prints how to get them."""
         recording = runner.write('walk.csv', WALK)
         for goal, known in (('[3, 0]', True), ('{box: [[0, 0], [9, 9]]}', False)):
             scenario = runner.write('scene.yaml', SCENE % goal)
@@ -128,11 +128,11 @@ class BuildTest:
     """scripts/build in a copied clone."""
 
     def copy(self, runner, made_for, build):
-        """A clone with nothing but the script in it, and a build folder that was made for another one."""
+        """Makes a clone that contains only the script, and a build folder of another clone. Returns its cache file."""
         scripts = pathlib.Path(runner.path('clone/scripts'))
         scripts.mkdir(parents=True)
         shutil.copy(in_package('scripts', 'build'), scripts)
-        stop = scripts / 'install_dependencies'  # what comes next; the script ends there
+        stop = scripts / 'install_dependencies'  # the script's next step, which ends it
         stop.write_text('#!/bin/sh\necho looked at the build folder\nexit 7\n', encoding='utf-8')
         stop.chmod(0o755)
         pathlib.Path(build).mkdir(parents=True)
@@ -149,7 +149,7 @@ class BuildTest:
         cache = self.copy(runner, '/somewhere/else', runner.path('clone/.build'))
         status, output = self.build(runner)
         assert status == 7, output
-        assert_says(output, 'clone/.build was made for /somewhere/else and is made anew', 'looked at')
+        assert_says(output, 'clone/.build was made for /somewhere/else and is recreated', 'looked at')
         assert not cache.exists()
 
     def test_its_own_is_kept(self, runner):
