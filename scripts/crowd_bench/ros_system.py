@@ -60,7 +60,7 @@ class RosSystem:
         while not condition():
             self.check()
             if time.monotonic() > deadline:
-                raise RunError(f'waited {PATIENCE:g} s in vain for {what}')
+                raise RunError(f'timeout of {PATIENCE:g} s while waiting for {what}')
             time.sleep(0.05)
 
     def check(self):
