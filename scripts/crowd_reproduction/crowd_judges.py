@@ -164,14 +164,14 @@ def varied_speeds(setting):
                           for scenario in ('circle12', 'circle12_varied'))
         texts.append(f'{name}: ' + versus('varied speeds', varied, 'one speed', steady, 1))
         verdicts.append(decide_greater(varied, steady))
-    caught = [[one.per_thousand() for one in surroundings.measured(setting, runs.MAIN, scenario)]
+    shares = [[one.per_thousand() for one in surroundings.measured(setting, runs.MAIN, scenario)]
               for scenario in ('circle12_varied', 'circle12')]
-    texts.append('decisions while surrounded, per 1,000: ' + versus('varied speeds', caught[0], 'one speed', caught[1]))
+    texts.append('decisions while surrounded, per 1,000: ' + versus('varied speeds', shares[0], 'one speed', shares[1]))
     exact, together = (Spread(list(zip(*runs.measured(setting, runs.MAIN, scenario)))[1]).text(1)
                        for scenario in runs.EXACT)
     texts.append(f'contact of twelve agents that start exactly on the circle {exact} %, if they also move '
                  f'simultaneously {together} %')
-    return Judgement('; '.join(texts), decide_all(*verdicts, decide_greater(*caught)))
+    return Judgement('; '.join(texts), decide_all(*verdicts, decide_greater(*shares)))
 
 
 def surrounded_touch(setting):
@@ -180,7 +180,7 @@ def surrounded_touch(setting):
     if not pairs:
         return Judgement('no agent was ever surrounded', NOT_CONFIRMED)
     inside, outside = zip(*pairs)
-    agents = Spread.of_numbers(share(one.caught_touched, one.caught) for one in found)
+    agents = Spread.of_numbers(share(one.surrounded_touched, one.surrounded) for one in found)
     verdict = decide_all(decide_greater(inside, outside), decide_each(inside, is_good))
     compared = versus('surrounded', inside, 'not surrounded', outside, 1)
     return Judgement(f'contact within {surroundings.SOON} decisions %: {compared}; of the agents that were ever '

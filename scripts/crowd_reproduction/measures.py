@@ -108,18 +108,18 @@ class Surrounded:
     inside: Outcome
     outside: Outcome
     agents: int = 0
-    caught: int = 0  # agents that were ever surrounded
-    caught_arrived: int = 0
-    caught_touched: int = 0  # had a contact with an agent within the next ticks after being surrounded
+    surrounded: int = 0  # agents that were ever surrounded
+    surrounded_arrived: int = 0
+    surrounded_touched: int = 0  # had a contact with an agent within the next ticks after being surrounded
     longest: int = 0  # [ticks] without interruption
 
     def per_thousand(self):
         """Returns the number of decisions of surrounded agents per 1,000 decisions."""
         return 10.0 * share(self.inside.decisions, self.inside.decisions + self.outside.decisions)
 
-    def caught_share(self):
+    def surrounded_share(self):
         """[% of the agents]"""
-        return share(self.caught, self.agents)
+        return share(self.surrounded, self.agents)
 
 
 def share(part, whole):
@@ -138,15 +138,15 @@ def surrounded(decisions, arrived, least_sectors, ticks):
         distances = nearest_distances(places)
         contact = within_next(is_contact(distances), ticks)
         collision = within_next(is_collision(distances), ticks)
-        caught = sectors >= least_sectors
-        result.inside.add(caught, contact, collision)
-        result.outside.add((sectors >= 0) & ~caught, contact, collision)
-        result.agents += caught.shape[1]
-        result.longest = max(result.longest, longest_run(caught))
-        for agent in numpy.flatnonzero(caught.any(axis=0)):
-            result.caught += 1
-            result.caught_arrived += (int(instance), int(agent)) in arrived
-            result.caught_touched += bool((caught & contact)[:, agent].any())
+        is_surrounded = sectors >= least_sectors
+        result.inside.add(is_surrounded, contact, collision)
+        result.outside.add((sectors >= 0) & ~is_surrounded, contact, collision)
+        result.agents += is_surrounded.shape[1]
+        result.longest = max(result.longest, longest_run(is_surrounded))
+        for agent in numpy.flatnonzero(is_surrounded.any(axis=0)):
+            result.surrounded += 1
+            result.surrounded_arrived += (int(instance), int(agent)) in arrived
+            result.surrounded_touched += bool((is_surrounded & contact)[:, agent].any())
     return result
 
 

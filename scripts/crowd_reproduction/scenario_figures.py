@@ -165,11 +165,11 @@ def surrounded_agent(setting, table, scenario, episode):
     decisions; None if no agent was surrounded."""
     seed, instance = episode
     decisions = runs.decisions_of(setting, table, seed, scenario)
-    caught = (decisions['instance'] == instance) & (decisions['sectors'] >= surroundings.LEAST_SECTORS)
-    if not caught.any():
+    is_surrounded = (decisions['instance'] == instance) & (decisions['sectors'] >= surroundings.LEAST_SECTORS)
+    if not is_surrounded.any():
         return None
-    agent = int(numpy.argmax(numpy.bincount(decisions['agent'][caught])))
-    return agent, int(decisions['tick'][caught & (decisions['agent'] == agent)].min())
+    agent = int(numpy.argmax(numpy.bincount(decisions['agent'][is_surrounded])))
+    return agent, int(decisions['tick'][is_surrounded & (decisions['agent'] == agent)].min())
 
 
 def add_worst(chapter, setting):

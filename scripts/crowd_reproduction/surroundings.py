@@ -28,14 +28,14 @@ def row_of(label, found):
     """Returns a row of the table, from a Surrounded for each seed."""
     return [label, *(Spread.of_numbers(values).text(decimals) for values, decimals in (
         ([one.per_thousand() for one in found], 2),
-        ([one.caught_share() for one in found], 1),
+        ([one.surrounded_share() for one in found], 1),
         ([one.inside.contact_share() for one in found], 1),
         ([one.outside.contact_share() for one in found], 1),
         ([one.inside.collision_share() for one in found], 1),
         ([one.outside.collision_share() for one in found], 1),
         ([one.longest for one in found], 0),
-        ([share(one.caught_arrived, one.caught) for one in found], 1),
-        ([share(one.caught_touched, one.caught) for one in found], 1)))]
+        ([share(one.surrounded_arrived, one.surrounded) for one in found], 1),
+        ([share(one.surrounded_touched, one.surrounded) for one in found], 1)))]
 
 
 def add_table(chapter, setting):

@@ -61,15 +61,15 @@ class LaneOrderTest:
 
     def test_few_walkers_are_no_order(self):
         places = numpy.array([[x, 1.0 if x > 0 else -1.0] for x in (-4, -3, -2, -1, 1, 2, 3, 4)])
-        ways = [1] * 4 + [-1] * 4
-        assert order_over_time(places[None], ways)[0] == 1.0
+        directions = [1] * 4 + [-1] * 4
+        assert order_over_time(places[None], directions)[0] == 1.0
         assert math.isnan(order_over_time(places[None], [1] * 5 + [-1] * 3)[0])
 
     def test_random_directions_are_no_order(self):
         random = numpy.random.default_rng(1)
         track = numpy.stack([random.uniform(-5, 5, (400, 200)), random.uniform(-2, 2, (400, 200))], axis=2)
-        ways = random.choice([-1, 1], 200)
-        assert abs(numpy.mean(order_over_time(track, ways))) < 0.01
+        directions = random.choice([-1, 1], 200)
+        assert abs(numpy.mean(order_over_time(track, directions))) < 0.01
 
 
 class AvoidabilityTest:

@@ -112,7 +112,7 @@ class SurroundedTest:
         assert found.inside == measures.Outcome(decisions=2, contacts=1, collisions=2)
         assert found.outside == measures.Outcome(decisions=7, contacts=3, collisions=4)
         assert found.per_thousand() == pytest.approx(1000 * 2 / 9, abs=1e-7)
-        assert (found.agents, found.caught, found.caught_arrived, found.caught_touched) == (3, 1, 1, 1)
+        assert (found.agents, found.surrounded, found.surrounded_arrived, found.surrounded_touched) == (3, 1, 1, 1)
         assert found.longest == 2
 
     def test_by_visits(self, runner):

@@ -21,7 +21,7 @@ SHOWN_TIME = 25.0  # [s]
 JUDGED = (8.0, 18.0)  # [s] time in which the crowds overlap
 MOMENTS = (1.0, 14.0)  # [s]
 DRAWN = ('anticipation', 'thesis_nearest')
-WAY_COLOURS = {1: '#d55e00', -1: '#0072b2'}
+DIRECTION_COLOURS = {1: '#d55e00', -1: '#0072b2'}
 
 
 def plan(setting):
@@ -54,7 +54,7 @@ def report(setting):
 
 def curves_of(run_folder):
     """Returns an array (placement, tick) of the order, nan after the last agent has left."""
-    curves = [order_over_time(track, starting_ways(track)) for track in
+    curves = [order_over_time(track, starting_directions(track)) for track in
               read_tracks(run_folder / f'{SCENARIO}.csv').values()]
     ticks = round(SHOWN_TIME / TICK) + 1
     padded = numpy.full((len(curves), ticks), numpy.nan)
@@ -63,7 +63,7 @@ def curves_of(run_folder):
     return padded
 
 
-def starting_ways(track):
+def starting_directions(track):
     """Returns 1 for agents that start on the left and walk to the right, -1 for the others."""
     return numpy.where(track[0, :, 0] < 0.0, 1, -1)
 
@@ -96,7 +96,7 @@ def add_moments(chapter, setting):
         run_folder = folder(setting, model)
         scene = read_scene(run_folder / f'{SCENARIO}.yaml', 0)
         _, walks = read_walks(run_folder / f'{SCENARIO}.csv', 0)
-        colours = [WAY_COLOURS[1 if walks[agent][0][1] < 0.0 else -1] for agent in range(len(scene.agents))]
+        colours = [DIRECTION_COLOURS[1 if walks[agent][0][1] < 0.0 else -1] for agent in range(len(scene.agents))]
         for panel, moment in zip(row, MOMENTS):
             draw_moment(panel, scene, walks, round(moment / scene.tick), colours, with_paths=False).frame()
             panel.set_xlim(-11.0, 11.0)

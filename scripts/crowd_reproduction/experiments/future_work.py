@@ -133,7 +133,7 @@ def add_figure(chapter, setting, records, found):
               'collision [% of the agents]': lambda variation: [rates(record)[2] for record in records[variation]],
               'contact [% of the agents]': lambda variation: [rates(record)[1] for record in records[variation]],
               'contact after being surrounded [%]':
-                  lambda variation: [share(one.caught_touched, one.caught) for one in found[variation]]}
+                  lambda variation: [share(one.surrounded_touched, one.surrounded) for one in found[variation]]}
     for panel, (title, values_of) in zip(axes[0], panels.items()):
         for place, variation in enumerate(VARIATIONS):
             values = Spread.of_numbers(values_of(variation))
