@@ -94,11 +94,11 @@ class Outcome:
         self.collisions += int((chosen & collision).sum())
 
     def contact_share(self):
-        """[%]"""
+        """Returns the share of decisions followed by a contact [%]."""
         return share(self.contacts, self.decisions)
 
     def collision_share(self):
-        """[%]"""
+        """Returns the share of decisions followed by a collision [%]."""
         return share(self.collisions, self.decisions)
 
 
@@ -118,12 +118,12 @@ class Surrounded:
         return 10.0 * share(self.inside.decisions, self.inside.decisions + self.outside.decisions)
 
     def surrounded_share(self):
-        """[% of the agents]"""
+        """Returns the share of agents that were ever surrounded [%]."""
         return share(self.surrounded, self.agents)
 
 
 def share(part, whole):
-    """[%]"""
+    """Returns part / whole [%]; nan if whole is 0."""
     return 100.0 * part / whole if whole else float('nan')
 
 

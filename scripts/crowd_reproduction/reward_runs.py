@@ -137,17 +137,17 @@ def free_bends(setting, variant):
 
 
 def success(record):
-    """[%]"""
+    """Returns the rate of success [%]."""
     return rates(record)[0]
 
 
 def contact(record):
-    """[%]"""
+    """Returns the rate of contact [%]."""
     return rates(record)[1]
 
 
 def collision(record):
-    """[%]"""
+    """Returns the rate of collision [%]."""
     return rates(record)[2]
 
 
