@@ -7,7 +7,7 @@ from crowd_experiments.chapter import Chapter
 from .claim import RULE, add_claims
 
 NAME = 'claims'
-TITLE = 'The claims of the thesis, one by one'
+TITLE = 'Claims of the thesis'
 # Modules with CLAIMS, TITLE, and NEEDS: the experiments whose results the judges read.
 LISTS = {'reward_claims': 'rewards', 'crowd_claims': 'crowds'}
 

@@ -9,7 +9,7 @@ from crowd_experiments.runs import Run
 from .. import agent_training
 
 NAME = 'sharing'
-TITLE = 'One agent learns, many use it'
+TITLE = 'One agent learns, many use its table'
 SETS = agent_training.SETS
 CROWD = 'circle12'
 SEEDS = 10
