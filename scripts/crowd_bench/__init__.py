@@ -1,1 +1,1 @@
-"""Measures what crowds cost: runs the benchmarks, draws sweeps, counts instructions."""
+"""Measures performance: runs benchmarks, draws sweeps, counts instructions."""

@@ -3,7 +3,7 @@ import shutil
 
 from crowd_experiments.runs import RunError
 
-# Counts within the functions that --toggle-collect= names, and what they call.
+# Counts instructions within the functions of --toggle-collect= and the functions that they call.
 COLLECT = ['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet']
 
 

@@ -1,9 +1,9 @@
-"""The benchmarks: what each measures, in which unit, and the bar that it is to clear."""
+"""The benchmarks, with their units and required values (bars)."""
 import dataclasses
 
 DECISIONS, AGENT_STEPS, TICKS, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
     'decisions/s', 'agent steps/s', 'ticks/s', 'ms', 'MB', '% of a core')
-# What is better when it is less; all other units are rates.
+# Units of which lower values are better; all other units are rates.
 COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
 
 
@@ -11,8 +11,8 @@ COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
 class Benchmark:
     """One line of the table.
 
-    The ratio is how many times the yardstick's time the benchmark takes (rates: yardstick / value, times: value /
-    yardstick). Where `ratio_is_rate` it is the share of the yardstick's rate instead (value / yardstick)."""
+    The ratio is the benchmark's time divided by the yardstick's time (rates: yardstick / value, times: value /
+    yardstick). With `ratio_is_rate` it is the benchmark's rate divided by the yardstick's rate (value / yardstick)."""
     name: str
     what: str
     unit: str
@@ -21,20 +21,20 @@ class Benchmark:
     ratio_bar: float = None
     ratio_is_rate: bool = False
     ros: bool = False  # measured through ROS
-    repetitions: int = None  # else as many as are asked for
+    repetitions: int = None  # None: as requested on the command line
 
     def ratio(self, value, yardstick):
-        """The benchmark against its yardstick."""
+        """Returns the ratio of the benchmark and its yardstick."""
         return value / yardstick if self.ratio_is_rate or self.unit in COSTS else yardstick / value
 
     def result(self, value, yardstick=None, ratio=None, spread=None):
-        """What is told of it.
-        @param spread lowest and highest of the repetitions that the value is the median of"""
+        """Returns the result as a dictionary.
+        @param spread lowest and highest of the repetitions, of which the value is the median"""
         return {'name': self.name, 'value': value, 'unit': self.unit, 'spread': spread, 'yardstick': yardstick,
                 'ratio': ratio}
 
     def clears_bar(self, result):
-        """Whether value and ratio are as good as they are to be."""
+        """Returns whether value and ratio meet the bars."""
         value, ratio = result['value'], result['ratio']
         fine = self.bar is None or (value <= self.bar if self.unit in COSTS else value >= self.bar)
         if self.ratio_bar is None:

@@ -10,23 +10,24 @@ from crowd_experiments.runs import RunError
 from .catalogue import AGENT_STEPS, DECISIONS, MEGABYTES, MILLISECONDS
 
 PROGRAM = 'core_benchmarks'
-# What Google Benchmark appends to a name.
+# Suffixes that Google Benchmark appends to a name.
 SUFFIX = re.compile(r'(/(iterations:\d+|repeats:\d+|min_time:[\d.]+|real_time|manual_time))+$')
-# What a run tells its value by, and its yardstick's: how often in a second.
+# Counters with the value of a run, and with the rate of its yardstick.
 VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', MEGABYTES: 'resident_megabytes', MILLISECONDS: 'real_time'}
 YARDSTICK = 'yardstick_rate'
 
 
 class CoreBenchmarks:
-    """The program, and how often it is to repeat everything."""
+    """The program and the number of repetitions."""
 
     def __init__(self, folder, repetitions):
         self.program = folder / PROGRAM
         self.repetitions = repetitions
 
     def measure(self, benchmark):
-        """Runs a benchmark and its yardstick, taking turns; its result. The ratio is the median of the repetitions'
-        own: what else the machine does slows down both of a repetition alike, but one repetition more than another."""
+        """Runs a benchmark and its yardstick alternately. Returns the result. The ratio is the median of the ratios of
+        the repetitions: other load of the machine slows down both parts of a repetition equally, but varies between
+        repetitions."""
         runs = list(self.runs(benchmark.name, benchmark.repetitions))
         values = [run[VALUES[benchmark.unit]] for run in runs]
         yardsticks = [in_unit(run[YARDSTICK], benchmark.unit) for run in runs if YARDSTICK in run]
@@ -34,15 +35,15 @@ class CoreBenchmarks:
         return benchmark.result(*map(median, (values, yardsticks, ratios)), (min(values), max(values)))
 
     def sweep(self, name, unit):
-        """Runs a sweep; its points with their rates, in order. Of each point the fastest repetition: what else a
-        machine does slows some points down more than others, and medians would compare that."""
+        """Runs a sweep. Returns its points with their rates, in order. The rate of a point is that of the fastest
+        repetition, because other load of the machine affects the medians of some points more than others."""
         values = {}
         for run in self.runs(name + '/[0-9]+'):
             values.setdefault(SUFFIX.sub('', run['run_name']), []).append(run[VALUES[unit]])
         return sorted((int(point.rsplit('/', 1)[1]), max(numbers)) for point, numbers in values.items())
 
     def runs(self, pattern, repetitions=None):
-        """What is told of every repetition of the benchmarks that the pattern names."""
+        """Yields the results of all repetitions of the benchmarks that match a pattern."""
         runs = self.run(pattern, repetitions or self.repetitions)
         if not runs:
             raise RunError(f'{self.program}: has no benchmark {pattern}')
@@ -53,7 +54,7 @@ class CoreBenchmarks:
                 yield run
 
     def run(self, pattern, repetitions):
-        """What the program tells of its runs. The files that it makes lie in a folder on the disk of the program."""
+        """Returns the runs in the program's output. Temporary files are on the same disk as the program."""
         with tempfile.TemporaryDirectory(prefix='bench_', dir=self.program.parent) as folder:
             output = f'{folder}/runs.json'
             done = subprocess.run(
@@ -69,15 +70,15 @@ class CoreBenchmarks:
 
 
 def filter_of(pattern):
-    """The option that chooses the benchmarks that a pattern names, however they are measured."""
+    """Returns the option that selects the benchmarks that match a pattern, with any suffix."""
     return f'--benchmark_filter=^{pattern}(/iterations:[0-9]+)?(/real_time|/manual_time)?$'
 
 
 def in_unit(rate, unit):
-    """How often in a second as a rate, or as a time."""
+    """Converts a rate [1/s] to a unit, which may be a time."""
     return 1e3 / rate if unit == MILLISECONDS else rate
 
 
 def median(values):
-    """None where there are none."""
+    """Returns the median; None without values."""
     return statistics.median(values) if values else None

@@ -1,4 +1,4 @@
-"""Fills the tables of docs/performance.md and docs/performance_log.md; rows that were not measured again stay."""
+"""Updates the tables of docs/performance.md and docs/performance_log.md; rows without new results are kept."""
 import datetime
 import os
 import pathlib
@@ -15,7 +15,7 @@ ROW = re.compile(r'^\| (\w+) \|(.*)\|$', re.MULTILINE)
 
 
 def benchmark_rows(results, document):
-    """Rows of all benchmarks: from the results, else as they are in the document, else empty."""
+    """Returns the rows of all benchmarks: from the results, otherwise from the document, otherwise empty."""
     measured = {result['name']: result for result in results}
     before = {name: [cell.strip() for cell in [name, *cells.split('|')]] for name, cells in ROW.findall(document)}
     rows = []
@@ -28,7 +28,7 @@ def benchmark_rows(results, document):
 
 
 def machine_text(repetitions):
-    """What it was measured on."""
+    """Returns rows that describe the machine and the measurement."""
     models = re.findall(r'^model name\s*: (.*)$', pathlib.Path('/proc/cpuinfo').read_text(encoding='utf-8'),
                         re.MULTILINE)
     model = models[0] if models else os.uname().machine
@@ -39,7 +39,7 @@ def machine_text(repetitions):
 
 
 def fill(file, results, sweeps, profiles, repetitions):
-    """Puts tables and pictures into the document. Returns what it asks for in vain.
+    """Updates tables and pictures of the document. Returns a message for each one that was not measured.
     @param sweeps measured (Sweep, points, picture)
     @param profiles measured (Profile, rows)"""
     chapter = Chapter(NAME, 'Performance')

@@ -1,5 +1,5 @@
-"""Counts the instructions of small runs and compares them with those that are kept: a guard against slow code that does
-not depend on the machine's speed or load."""
+"""Counts the instructions of small runs and compares them with stored counts, to detect slower code independently of
+the machine's speed and load."""
 import argparse
 import dataclasses
 import pathlib
@@ -18,20 +18,20 @@ from .callgrind import COLLECT, require_valgrind
 KEPT = REPOSITORY / 'test' / 'data' / 'instruction_counts.yaml'
 CONFIG = REPOSITORY / 'config'
 BUILD_KIND = 'build_kind.txt'  # beside the tools: compiler, flags
-TOLERANCE = 2.0  # [%]; what is counted twice differs by less than a hundredth of that
-VECTORS = ('avx2', 'fma')  # of the processor, by which libraries choose what they run
+TOLERANCE = 2.0  # [%]; repeated counts differ by less than a hundredth of this
+VECTORS = ('avx2', 'fma')  # processor features by which libraries select their code
 TOTAL = re.compile(r'^(?:summary|totals): (\d+)', re.MULTILINE)
 
 
 @dataclasses.dataclass(frozen=True)
 class CountedRun:
-    """A run of a tool, and the function within which instructions count: not what it takes to start."""
+    """A run of a tool, and the function within which instructions are counted, without the start of the program."""
     name: str
     function: str
     command: tuple
 
     def count(self, tools):
-        """Instructions."""
+        """Returns the number of instructions."""
         with tempfile.TemporaryDirectory() as folder:
             output = pathlib.Path(folder) / 'callgrind.out'
             command = [*COLLECT, f'--toggle-collect={self.function}', f'--callgrind-out-file={output}',
@@ -57,7 +57,7 @@ RUNS = (
 
 
 def kind_of(tools):
-    """What counts depend on beside the code: compiler, flags, and what the processor can do."""
+    """Returns a text with the compiler, its flags, and the processor features, on which the counts depend."""
     try:
         build = (tools / BUILD_KIND).read_text(encoding='utf-8')
     except OSError:
@@ -67,7 +67,7 @@ def kind_of(tools):
 
 
 def read_kept(file=KEPT):
-    """{'kind': text, 'counts': {name: count}}"""
+    """Returns the stored {'kind': text, 'counts': {name: count}}."""
     return yaml.safe_load(pathlib.Path(file).read_text(encoding='utf-8'))
 
 
@@ -78,23 +78,24 @@ def write_kept(kind, counts, file=KEPT):
 
 
 def change(count, kept):
-    """By how much a count differs from the one that is kept [%]."""
+    """Returns the difference of a count from the stored one [%]."""
     return 100.0 * (count - kept) / kept
 
 
 def is_fine(count, kept):
-    """A count far below the one that is kept is not: it would hide that half of the gain is lost again."""
+    """Returns whether a count is within the tolerance. A much lower count is not: a later loss of half of the
+    gain would not be detected."""
     return abs(change(count, kept)) <= TOLERANCE
 
 
 def main(words=None):
-    """The command line of scripts/count_instructions; returns the exit status."""
+    """Runs scripts/count_instructions with command line words. Returns the exit status."""
     parser = argparse.ArgumentParser(
         prog='count_instructions',
         description=f'Counts the instructions of small runs and compares them with those in {KEPT.name}. Exit status: '
-                    f'0 all differ by less than {TOLERANCE:g} %%, 1 otherwise.')
-    parser.add_argument('--keep', action='store_true', help='keep these counts instead of comparing')
-    parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER', help='of train and evaluate')
+                    f'0 if all differ by less than {TOLERANCE:g} %%, 1 otherwise.')
+    parser.add_argument('--keep', action='store_true', help='store these counts instead of comparing them')
+    parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER', help='folder of train and evaluate')
     arguments = parser.parse_args(words)
     try:
         require_valgrind()
@@ -110,11 +111,12 @@ def main(words=None):
 
 
 def compare(kind, counts):
-    """Prints counts beside those that are kept; the exit status."""
+    """Prints the counts and the stored counts. Returns the exit status."""
     kept = read_kept()
     if kind != kept['kind']:
-        print(f"These are counts of '{kind}', those that are kept are of '{kept['kind']}'")
+        print(f"The counts are for '{kind}', the stored counts are for '{kept['kind']}'")
     for name, count in counts.items():
-        print(f"{name:10} {count:>15,}  kept {kept['counts'][name]:>15,}  {change(count, kept['counts'][name]):+.2f} %")
+        stored = kept['counts'][name]
+        print(f'{name:10} {count:>15,}  stored {stored:>15,}  {change(count, stored):+.2f} %')
     fine = kind == kept['kind'] and all(is_fine(count, kept['counts'][name]) for name, count in counts.items())
     return EXIT_FINE if fine else EXIT_FAILED

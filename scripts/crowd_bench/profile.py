@@ -1,4 +1,4 @@
-"""Where the time goes: instructions of each function, counted with callgrind."""
+"""Profiles: instructions of each function, counted with callgrind."""
 import dataclasses
 import re
 import subprocess
@@ -18,19 +18,19 @@ ARGUMENTS = re.compile(r'\(.*$')
 
 @dataclasses.dataclass(frozen=True)
 class Profile:
-    """A benchmark that is run once, and the function of it that is looked into."""
+    """A benchmark that is run once, and the function of it that is profiled."""
     name: str
     title: str
     benchmark: str
     function: str
-    by_class: bool = False  # tells of classes instead of functions, where these are many and small
+    by_class: bool = False  # sums by class, for many small functions
 
     @property
     def header(self):
         return ['class' if self.by_class else 'function', '% of all instructions']
 
     def measure(self, folder):
-        """Functions, or classes, with the share of all instructions that are their own [%], most first."""
+        """Returns functions or classes with their own share of all instructions [%], largest first."""
         require_valgrind()
         with tempfile.TemporaryDirectory() as scratch:
             output = f'{scratch}/callgrind.out'
@@ -42,7 +42,7 @@ class Profile:
 
 
 def run(command, folder):
-    """What a program prints."""
+    """Runs a program. Returns its output."""
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         raise RunError(f"{' '.join(map(str, command))} failed:\n{done.stderr}")
@@ -50,7 +50,7 @@ def run(command, folder):
 
 
 def read_annotation(text):
-    """[(function, share)] of what callgrind_annotate prints."""
+    """Returns [(function, share)] from the output of callgrind_annotate."""
     shares = {}
     for line in text.splitlines():
         match = LINE.match(line)
@@ -58,12 +58,12 @@ def read_annotation(text):
             name = ARGUMENTS.sub('', match[2].replace('(anonymous namespace)::', ''))
             shares[name] = shares.get(name, 0.0) + float(match[1])
     if not shares:
-        raise RunError('callgrind has counted nothing: what was to be looked into was not run')
+        raise RunError('callgrind has counted nothing: the profiled function was not called')
     return most_first(shares)
 
 
 def by_class(shares):
-    """The shares of functions summed up by class."""
+    """Returns the sums of the shares by class."""
     sums = {}
     for name, share in shares:
         part = name.rpartition('::')[0] if name.startswith('crowd::') else LIBRARIES
@@ -76,7 +76,7 @@ def most_first(shares):
 
 
 def rows(shares):
-    """Cells of the functions that count."""
+    """Returns table cells of the functions with the largest shares."""
     shown = [(name, share) for name, share in shares[:MOST_LINES] if share >= LEAST_SHARE]
     others = 100.0 - sum(share for _, share in shown)
     return [[text_of(name), f'{share:.1f}'] for name, share in shown] + [['all others', f'{max(0.0, others):.1f}']]

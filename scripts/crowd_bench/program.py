@@ -24,25 +24,27 @@ BUILD = REPOSITORY / '.build'
 def parse_arguments(words):
     parser = argparse.ArgumentParser(
         prog='bench', formatter_class=argparse.RawDescriptionHelpFormatter,
-        description='Measures what crowds cost, each benchmark beside its yardstick. Builds what it needs.',
-        epilog='benchmarks, those that are run when none is named:\n' + listed(BENCHMARKS, 'what')
+        description='Measures the performance of the package; each benchmark is compared with its yardstick. Builds '
+                    'the package.',
+        epilog='benchmarks (run by default):\n' + listed(BENCHMARKS, 'what')
                + '\nsweeps:\n' + listed(SWEEPS, 'title') + '\nprofiles, with callgrind:\n'
                + listed(profile.PROFILES, 'title')
-               + '\nall: all of them\n\nCtrl-C keeps what is measured. Exit status: 0 done, 1 something failed, '
-                 '2 wrong usage, 130 interrupted.')
+               + '\nall: all of them\n\nCtrl-C keeps the results so far. Exit status: 0 success, 1 a measurement '
+                 'failed, 2 wrong usage, 130 interrupted.')
     parser.add_argument('names', nargs='*', metavar='NAME', choices=[*ALL, 'all', []], help='see below')
     parser.add_argument('--json', type=pathlib.Path, metavar='FILE',
                         help='write {name, value, unit, yardstick, ratio} of each benchmark as a list')
     parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md', action='append', default=[],
                         dest='documents',
-                        help="fill this document's tables with what is measured, and the pictures it shows in images/; "
-                             'may be given several times')
+                        help='update the tables of this document, and its pictures in images/; may be given several '
+                             'times')
     parser.add_argument('--plots', type=pathlib.Path, metavar='FOLDER', default=pathlib.Path('results/bench'),
-                        help='where sweeps are drawn (default: %(default)s)')
+                        help='folder for the pictures of sweeps (default: %(default)s)')
     parser.add_argument('--repetitions', type=positive, default=5, metavar='N',
-                        help='the median of so many counts, of sweeps the fastest (default: %(default)s)')
+                        help='number of repetitions; the result is their median, for sweeps the fastest (default: '
+                             '%(default)s)')
     parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER',
-                        help=f'of {PROGRAM} (default: they are built)')
+                        help=f'folder of {PROGRAM} (default: the package is built)')
     return parser.parse_args(words)
 
 
@@ -51,8 +53,8 @@ def listed(entries, attribute):
 
 
 def build():
-    """Builds the package with its benchmarks; the folder of the programs."""
-    print('Building, which takes minutes the first time only', flush=True)
+    """Builds the package with its benchmarks. Returns the folder of the programs."""
+    print('Building (takes minutes the first time)', flush=True)
     built = subprocess.run([REPOSITORY / 'scripts' / 'build', '--bench'], stdout=subprocess.PIPE,
                            stderr=subprocess.STDOUT, text=True, check=False)
     if built.returncode != 0:
@@ -61,7 +63,7 @@ def build():
 
 
 class Measuring:
-    """Measures one thing after the other, tells each as soon as it is there, and keeps them all."""
+    """Measures benchmarks, sweeps and profiles one after the other, prints each result, and stores them all."""
 
     def __init__(self, arguments, folder):
         self.core = CoreBenchmarks(folder, arguments.repetitions)
@@ -83,40 +85,40 @@ class Measuring:
     def measure_benchmark(self, benchmark):
         result = measure_ros(benchmark.name) if benchmark.ros else self.core.measure(benchmark)
         if result is None:
-            return tell(f'{benchmark.name}: left out, there is no {ROS_MODULE}')
+            return report(f'{benchmark.name}: left out, there is no {ROS_MODULE}')
         self.results.append(result)
         if self.json:
             table.write_json(self.json, self.results)
-        tell(table.line(result, benchmark))
+        report(table.line(result, benchmark))
 
     def measure_sweep(self, sweep):
         points = self.core.sweep(sweep.name, sweep.unit)
         self.sweeps.append((sweep, points, sweep.draw(points, self.plots / f'{sweep.name}.png')))
         header, rows = sweep.table(points)
-        tell('\n'.join([f'{sweep.name}: {", ".join(header)}', *('  ' + '  '.join(row) for row in rows)]))
+        report('\n'.join([f'{sweep.name}: {", ".join(header)}', *('  ' + '  '.join(row) for row in rows)]))
 
     def measure_profile(self, wanted):
         rows = profile.rows(wanted.measure(self.folder))
         self.profiles.append((wanted, rows))
-        tell('\n'.join([f'{wanted.name}: % of all instructions', *(f'  {share:>5}  {name}' for name, share in rows)]))
+        report('\n'.join([f'{wanted.name}: % of all instructions', *(f'  {share:>5}  {name}' for name, share in rows)]))
 
 
 def measure_ros(name):
-    """A benchmark through ROS; None where these are not part of the package."""
+    """Runs a benchmark through ROS. Returns None if the package does not have these benchmarks."""
     if importlib.util.find_spec(ROS_MODULE) is None:
         return None
     return importlib.import_module(ROS_MODULE).run([name])[0]
 
 
 def progress(name):
-    """What is being measured, as long as it is, on a terminal."""
+    """Shows the name of the current measurement on a terminal."""
     if sys.stderr.isatty():
         sys.stderr.write(f'{name} ...')
         sys.stderr.flush()
 
 
-def tell(text):
-    """Prints in place of the progress."""
+def report(text):
+    """Replaces the progress by a text."""
     if sys.stderr.isatty():
         sys.stderr.write('\r\x1b[K')
         sys.stderr.flush()
@@ -124,14 +126,14 @@ def tell(text):
 
 
 def chosen(names):
-    """What is to be measured, in the order of the table."""
+    """Returns the selected entries, in the order of the table."""
     if not names:
         return list(BENCHMARKS)
     return [entry for name, entry in ALL.items() if name in names or 'all' in names]
 
 
 def main(words=None):
-    """Returns the exit status."""
+    """Runs the program with command line words. Returns the exit status."""
     arguments = parse_arguments(words)
     signal.signal(signal.SIGTERM, interrupt)
     try:
@@ -150,7 +152,7 @@ def main(words=None):
 
 
 def measure_all(measuring, entries):
-    """Measures until it is interrupted; what fails is told and left out. The exit status."""
+    """Measures all entries until interrupted; failures are reported. Returns the exit status."""
     status = EXIT_FINE
     try:
         print(table.heading(), flush=True)
@@ -158,9 +160,9 @@ def measure_all(measuring, entries):
             try:
                 measuring.measure(entry)
             except (RunError, RuntimeError, OSError) as error:  # RuntimeError: of benchmarks through ROS
-                tell(f'{entry.name}: failed: {error}')
+                report(f'{entry.name}: failed: {error}')
                 status = EXIT_FAILED
     except KeyboardInterrupt:
-        tell('Interrupted; what is measured stays.')
+        report('Interrupted; the results so far are kept.')
         return EXIT_INTERRUPTED
     return status

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Benchmarks of the nodes: lockstep through ROS and through nodelets, and the load of a crowd in real time.
 
-Each starts a master and nodes of its own. `value` is ticks/s or % of a core; `yardstick` is in the same unit. `ratio`
-is how many times the yardstick's time a tick through ROS takes, or, of nodelets, the share of the headless rate that
-they reach.
+Each benchmark starts its own master and nodes. `value` is in ticks/s or % of a core; `yardstick` has the same unit.
+`ratio` is the time of a tick through ROS divided by the yardstick's time; for nodelets it is their rate divided by the
+headless rate.
 """
 import json
 import math
@@ -15,18 +15,18 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 from crowd_bench.ros_system import REPOSITORY, RosSystem, arguments_of, cpu_seconds, program  # noqa: E402
 
 Q_TABLE = os.path.join(REPOSITORY, 'config', 'q_tables', 'anticipation.txt')
-MAX_NEIGHBOURS = 16  # all that the table looks at
+MAX_NEIGHBOURS = 16  # as in the state set of the table
 NODELET = ['rosrun', 'nodelet', 'nodelet']
 WARM_UP = 30  # ticks
 CROWD_TICKS = 250
 FEW_TICKS = 2500
 TRIPS = 2500
 REAL_TIME = 10.0  # [s]
-ROUNDS = 7  # the best of them counts: the others were disturbed
+ROUNDS = 7  # the best of them counts, as it is the least disturbed one
 
 
 def crowd_scenario():
-    """1,000 agents, 0.5 per square metre, on their way all the time."""
+    """Returns a scenario with 1,000 agents, 0.5 per square metre, that walk all the time."""
     half = math.sqrt(1000 / 0.5) / 2
     box = f'{{box: [[{-half:.2f}, {-half:.2f}], [{half:.2f}, {half:.2f}]]}}'
     goals = ', '.join([box] * 12)
@@ -35,39 +35,39 @@ def crowd_scenario():
 
 
 def few_scenario():
-    """12 agents that cross a circle to and fro."""
+    """Returns a scenario with 12 agents that cross a circle back and forth."""
     lines = ['name: few', 'duration: 5000', 'goal_tolerance: 0.3', 'agents:']
     for i in range(12):
         x, y = (5.0 * function(2.0 * math.pi * i / 12) for function in (math.cos, math.sin))
-        ways = ', '.join([f'[{-x:.3f}, {-y:.3f}], [{x:.3f}, {y:.3f}]'] * 1000)
-        lines.append(f'  - {{position: [{x:.3f}, {y:.3f}], goals: [{ways}], speed: {1 + 0.04 * i:.2f}, radius: 0.25}}')
+        goals = ', '.join([f'[{-x:.3f}, {-y:.3f}], [{x:.3f}, {y:.3f}]'] * 1000)
+        lines.append(f'  - {{position: [{x:.3f}, {y:.3f}], goals: [{goals}], speed: {1 + 0.04 * i:.2f}, radius: 0.25}}')
     return '\n'.join(lines) + '\n'
 
 
 def controller_parameters(scenario, **others):
-    """Parameters of a controller that waits for `step`."""
+    """Returns the parameters of a controller that waits for `step`."""
     return {'scenario': scenario, 'max_neighbours': MAX_NEIGHBOURS, 'real_time_factor': 'fast', 'paused': True,
             'answer_deadline': 60.0, **others}
 
 
 def best_of(*measures):
-    """The best rate of each of these. They take turns, so that what else the machine does meets all of them alike."""
+    """Returns the best rate of each measure. The measures alternate, so that other load affects all of them equally."""
     rounds = [[measure() for measure in measures] for _ in range(ROUNDS)]
     return [max(rates) for rates in zip(*rounds)]
 
 
 def headless(system, scenario, ticks):
-    """What measures ticks/s without ROS."""
+    """Returns a function that measures ticks/s without ROS."""
     return lambda: system.figures('ros_bench', 'headless', scenario, Q_TABLE, MAX_NEIGHBOURS, WARM_UP, ticks)[0]
 
 
 def walking(system, ticks):
-    """What measures ticks/s of the controller that is there."""
+    """Returns a function that measures ticks/s of the running controller."""
     return lambda: system.figures('ros_bench', 'lockstep', WARM_UP, ticks)[0]
 
 
 def lockstep(text, ticks):
-    """Controller and learner as nodes."""
+    """Measures controller and learner as nodes."""
     with RosSystem() as system:
         scenario = system.write('scenario.yaml', text)
         system.start_node('learner', q_table=Q_TABLE)
@@ -83,17 +83,17 @@ def lockstep(text, ticks):
 
 
 def ros_lockstep_1000():
-    """1,000 agents, one learner node."""
+    """Measures 1,000 agents with one learner node."""
     return lockstep(crowd_scenario(), CROWD_TICKS)
 
 
 def ros_lockstep_12():
-    """12 agents, one learner node."""
+    """Measures 12 agents with one learner node."""
     return lockstep(few_scenario(), FEW_TICKS)
 
 
 def nodelets_1000():
-    """Controller and learner as nodelets in one manager."""
+    """Measures controller and learner as nodelets in one manager."""
     with RosSystem() as system:
         scenario = system.write('scenario.yaml', crowd_scenario())
         system.start('manager', [*NODELET, 'manager', '__name:=manager'])
@@ -106,14 +106,14 @@ def nodelets_1000():
 
 
 def real_time_1000():
-    """1,000 agents in real time at 10 Hz with markers and frames: what all nodes together take of a core."""
+    """Measures the load of all nodes together with 1,000 agents in real time at 10 Hz, with markers and frames."""
     with RosSystem() as system:
         scenario = system.write('scenario.yaml', crowd_scenario())
         parameters = controller_parameters(scenario, real_time_factor=1.0, paused=False, publish_tf=True)
         kinds = {'learner': {'q_table': Q_TABLE}, 'crowd_markers': {}, 'crowd_controller': parameters}
         nodes = {kind: system.start_node(kind, **parameters) for kind, parameters in kinds.items()}
         system.start('sink', [program('ros_bench'), 'sink', 'markers', '/tf'])
-        time.sleep(5.0)  # until everybody has found everybody, and paths have grown
+        time.sleep(5.0)  # until all nodes are connected, and the drawn paths have their full length
         before = {kind: cpu_seconds([node]) for kind, node in nodes.items()}
         begin = time.monotonic()
         time.sleep(REAL_TIME)
@@ -124,7 +124,7 @@ def real_time_1000():
 
 
 def figure(value, unit, yardstick, ratio, detail):
-    """A benchmark's result but for its name."""
+    """Returns a benchmark's result without its name."""
     return {'value': value, 'unit': unit, 'yardstick': yardstick, 'ratio': ratio, 'detail': detail}
 
 
@@ -133,12 +133,12 @@ BENCHMARKS = {function.__name__: function for function in
 
 
 def run(names):
-    """Runs benchmarks one after the other; a list of {name, value, unit, yardstick, ratio, detail}."""
+    """Runs benchmarks one after the other. Returns a list of {name, value, unit, yardstick, ratio, detail}."""
     return [{'name': name, **BENCHMARKS[name]()} for name in names]
 
 
 def main():
-    """Runs those that are named, else all, and prints their results as JSON."""
+    """Runs the named benchmarks, by default all, and prints their results as JSON."""
     names = sys.argv[1:] or list(BENCHMARKS)
     unknown = [name for name in names if name not in BENCHMARKS]
     if unknown:

@@ -1,4 +1,4 @@
-"""A ROS system of its own for a benchmark: a master on a free port, nodes, and their end."""
+"""A separate ROS system for a benchmark: a master on a free port, and nodes."""
 import os
 import signal
 import socket
@@ -11,17 +11,17 @@ from crowd_experiments.runs import RunError
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 BUILD = os.environ.get('SOCIAL_CROWD_BUILD', os.path.join(REPOSITORY, '.build'))
 PROGRAMS = os.path.join(BUILD, 'devel', 'lib', 'social_crowd')
-PATIENCE = 300.0  # [s] for any command
-CLOCK_TICKS = os.sysconf('SC_CLK_TCK')  # a second, of the times in /proc
+PATIENCE = 300.0  # [s] time limit of each command
+CLOCK_TICKS = os.sysconf('SC_CLK_TCK')  # per second, unit of the times in /proc
 
 
 def program(name):
-    """A program of this package."""
+    """Returns the path of a program of this package."""
     return os.path.join(PROGRAMS, name)
 
 
 class RosSystem:
-    """Starts a master and nodes, each with its output in a file; ends them all when it is left."""
+    """Context manager that starts a master and nodes, writes their output to files, and ends them all on exit."""
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory(prefix='social_crowd_bench_')
@@ -50,7 +50,7 @@ class RosSystem:
 
     @staticmethod
     def answers(port):
-        """Whether somebody listens at a port."""
+        """Returns whether a process listens on a port."""
         with socket.socket() as client:
             return client.connect_ex(('127.0.0.1', port)) == 0
 
@@ -60,28 +60,28 @@ class RosSystem:
         while not condition():
             self.check()
             if time.monotonic() > deadline:
-                raise RunError(f'waited {PATIENCE:g} s in vain for {what}')
+                raise RunError(f'timeout of {PATIENCE:g} s while waiting for {what}')
             time.sleep(0.05)
 
     def check(self):
-        """Raises an error if a process has ended that should not have."""
+        """Throws RunError if a process has failed."""
         for process in self.processes:
             if process.poll() not in (None, 0):
                 with open(process.log, encoding='utf-8', errors='replace') as stream:
                     raise RunError(f'{process.args} ended with status {process.returncode}:\n{stream.read()}')
 
     def path(self, name):
-        """A path in the system's folder."""
+        """Returns a path in the system's folder."""
         return os.path.join(self.folder.name, name)
 
     def write(self, name, text):
-        """Writes a file in the system's folder; its path."""
+        """Writes a file in the system's folder. Returns its path."""
         with open(self.path(name), 'w', encoding='utf-8') as stream:
             stream.write(text)
         return self.path(name)
 
     def start(self, name, command):
-        """Starts a process in the package's environment; it has its own name for a log."""
+        """Starts a process in the package's environment; its log file is named after it."""
         log = self.path(f'{len(self.processes)}_{name}.log')
         with open(log, 'wb') as stream:
             process = subprocess.Popen(self.wrapped(command), stdin=subprocess.DEVNULL, stdout=stream, stderr=stream,
@@ -95,7 +95,7 @@ class RosSystem:
         return self.start(kind, [program(kind), *arguments_of(parameters)])
 
     def figures(self, *command):
-        """Runs a program of this package to its end; the numbers on the last line that it prints."""
+        """Runs a program of this package. Returns the numbers in the last line of its output."""
         words = [program(command[0]), *(str(word) for word in command[1:])]
         done = subprocess.run(self.wrapped(words), stdout=subprocess.PIPE, text=True, timeout=PATIENCE,
                               env=self.environment, check=False)
@@ -106,17 +106,17 @@ class RosSystem:
 
     @staticmethod
     def wrapped(command):
-        """The same command, run where the package is known to ROS."""
+        """Returns the command, run in the package's environment."""
         return [os.path.join(BUILD, 'devel', 'env.sh'), *command]
 
 
 def arguments_of(parameters):
-    """Private parameters as arguments of a node."""
+    """Returns private parameters as arguments of a node."""
     return [f'_{name}:={value}' for name, value in parameters.items()]
 
 
 def cpu_seconds(processes):
-    """The time that processes and all their threads have used so far [s]."""
+    """Returns the processor time that processes and all their threads have used so far [s]."""
     ticks = 0
     for process in processes:
         with open(f'/proc/{process.pid}/stat', encoding='utf-8') as stream:

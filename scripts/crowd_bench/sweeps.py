@@ -1,4 +1,4 @@
-"""Sweeps: how the cost of a crowd step grows, and their pictures."""
+"""Sweeps: cost of a crowd step against one variable, and their pictures."""
 import dataclasses
 
 from crowd_experiments import style
@@ -18,20 +18,20 @@ class Sweep:
     unit: str
     scale: float = 1.0  # from the points of the benchmarks to those of the axis
     logarithmic: bool = False
-    threads: bool = False  # told as how many times as fast as with one
+    threads: bool = False  # shown as the speedup over one thread
 
     def points(self, measured):
-        """Points of the axis with what is drawn: microseconds an agent step, or times as fast as with one thread."""
+        """Returns points of the axis with the drawn values: microseconds per agent step, or the speedup."""
         if self.threads:
             return [(point, value / measured[0][1]) for point, value in measured]
         return [(point * self.scale, 1e6 / value) for point, value in measured]
 
     @property
     def value_label(self):
-        return 'times as fast as with one' if self.threads else 'µs an agent step'
+        return 'speedup' if self.threads else 'µs per agent step'
 
     def table(self, measured):
-        """Header and rows; costs also as times the least of them, which tells how flat they are."""
+        """Returns header and rows; costs are also given relative to their minimum."""
         points = self.points(measured)
         header = [self.label, 'M ' + self.unit, self.value_label]
         rows = [[f'{point:,g}', f'{value / 1e6:.3f}', f'{drawn:.2f}']
@@ -39,10 +39,11 @@ class Sweep:
         if self.threads:
             return header, rows
         least = min(drawn for _, drawn in points)
-        return [*header, 'times the least'], [[*row, f'{drawn / least:.2f}'] for row, (_, drawn) in zip(rows, points)]
+        header.append('relative to minimum')
+        return header, [[*row, f'{drawn / least:.2f}'] for row, (_, drawn) in zip(rows, points)]
 
     def draw(self, measured, file):
-        """The picture of what was measured."""
+        """Draws the measured points. Returns the file."""
         figure, axes = style.new_figure(1, 1, *PANEL)
         panel = axes[0][0]
         points = self.points(measured)

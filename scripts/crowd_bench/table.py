@@ -1,4 +1,4 @@
-"""Tells results: as lines while they come, as JSON, as rows of a document's table."""
+"""Formats results as printed lines, as JSON, and as rows of a document's table."""
 import json
 import os
 
@@ -30,12 +30,12 @@ def ratio_text(result):
 
 
 def bar_text(number, at_most, text):
-    """A bar in words; empty if there is none."""
+    """Returns a bar as a text; empty if there is none."""
     return '' if number is None else f"{'≤' if at_most else '≥'} {text(number)}"
 
 
 def met_text(result, benchmark):
-    """Whether its bars are met; empty if it has none."""
+    """Returns whether the bars are met, as a text; empty without bars."""
     if benchmark is None or benchmark.bar is None and benchmark.ratio_bar is None:
         return ''
     return 'yes' if benchmark.clears_bar(result) else 'no'
@@ -46,14 +46,15 @@ def heading():
 
 
 def line(result, benchmark=None):
-    """A result for the eye."""
+    """Returns a result as a printed line."""
     return LINE.format(result['name'], quantity(result['value'], result['unit']),
                        quantity(result['yardstick'], result['unit']), ratio_text(result),
                        met_text(result, benchmark)).rstrip()
 
 
 def row(result, benchmark):
-    """A result as cells of the document's table. One through ROS is the best of its rounds and has no spread."""
+    """Returns a result as cells of the document's table. A result through ROS is the best of its rounds, without a
+    spread."""
     def in_unit(value):
         return quantity(value, benchmark.unit)
     return [benchmark.name, benchmark.what, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
@@ -63,7 +64,7 @@ def row(result, benchmark):
 
 
 def write_json(file, results):
-    """The list of {name, value, unit, yardstick, ratio}; whole at any time."""
+    """Writes the list of {name, value, unit, yardstick, ratio}; the file is replaced atomically."""
     beside = file.with_name(file.name + '.new')
     beside.write_text(json.dumps([{key: result[key] for key in KEYS} for result in results], indent=2) + '\n',
                       encoding='utf-8')

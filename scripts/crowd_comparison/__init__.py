@@ -1,1 +1,1 @@
-"""Compares the learned crowds with each other and with the field's models."""
+"""Compares the learned crowds with each other, and with ORCA and social force."""

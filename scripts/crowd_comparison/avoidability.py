@@ -1,12 +1,11 @@
-"""Contacts with obstacles that move and yield to nobody: could any move have avoided them?
+"""Classifies contacts with moving obstacles, which do not yield, by whether a move could have avoided them.
 
-A contact begins at a tick at the end of which an agent overlaps a moving obstacle by more than 1 mm, and did not at the
-end of the tick before. It was avoidable if there is a tick within the last LOOK_BACK seconds before it from which the
-agent could have left by a straight move: walk straight on at one of HEADINGS headings, at full or half its maximum
-speed, or stand, from there until LOOK_ON seconds after the contact, without overlapping anybody or
-anything by more than 1 mm at
-the end of any tick; all others, those who give way to the agent too, walk as they were recorded. That is judged with
-hindsight: whether the agent could have known is not asked.
+A contact begins at a tick at the end of which an agent overlaps a moving obstacle by more than 1 mm, but not at the end
+of the previous tick. It was avoidable if there is a straight move that begins at a tick within the last LOOK_BACK
+seconds before the contact and lasts until LOOK_ON seconds after it, during which the agent does not overlap any body or
+wall by more than 1 mm at the end of any tick. A straight move is to walk at one of HEADINGS headings at full or half
+the maximum speed, or to stand. All other bodies move as recorded, including agents that gave way. The classification
+uses hindsight: it does not consider what the agent could have predicted.
 """
 import dataclasses
 import math
@@ -20,12 +19,12 @@ LOOK_BACK = 3.0  # [s]
 LOOK_ON = 1.0  # [s]
 HEADINGS = 36
 SHARES = (0.5, 1.0)  # of the maximum speed
-TURNED_WITHIN = 1.0  # [s] before the contact: so recent a turn of the obstacle nobody could have foreseen
+TURNED_WITHIN = 1.0  # [s] before the contact; no agent can predict such a recent turn of the obstacle
 
 
 @dataclasses.dataclass(frozen=True)
 class Contact:
-    """An agent and a moving obstacle begin to overlap at the end of a tick."""
+    """An agent and a moving obstacle that begin to overlap at the end of a tick."""
     agent: int
     obstacle: int
     tick: int
@@ -33,16 +32,16 @@ class Contact:
 
 @dataclasses.dataclass(frozen=True)
 class Escape:
-    """A move that would have avoided a contact, from the place at the end of a tick on."""
+    """A move that would have avoided a contact, beginning at the end of a tick."""
     tick: int
     velocity: tuple  # [m/s]
 
 
 class Recording:
-    """A scene with what was walked in it."""
+    """A scene with the recorded trajectories."""
 
     def __init__(self, scene, track):
-        """@param scene as drawn, with fixed places @param track places (tick, agent, 2) [m], nan once one has left"""
+        """@param scene with drawn values @param track places (tick, agent, 2) [m], nan after an agent has left"""
         self.scene = scene
         self.track = track
         self.radii = numpy.array([agent['radius'] for agent in scene.agents])
@@ -55,7 +54,7 @@ class Recording:
         return bool(numpy.ptp(self.obstacles[:, obstacle], axis=0).any())
 
     def contacts(self):
-        """All contacts with moving obstacles."""
+        """Returns all contacts with moving obstacles."""
         found = []
         for obstacle in range(len(self.obstacle_radii)):
             if not self.is_moving(obstacle):
@@ -67,8 +66,8 @@ class Recording:
         return sorted(found, key=lambda contact: (contact.tick, contact.agent))
 
     def last_escape(self, contact, among_others=True):
-        """The latest move that would have avoided a contact, None if there is none.
-        @param among_others False: as if no other agent were there"""
+        """Returns the latest move that would have avoided a contact; None if there is none.
+        @param among_others whether to consider the other agents"""
         ticks_back = min(contact.tick, round(LOOK_BACK / self.scene.tick))
         for tick in range(contact.tick - 1, contact.tick - ticks_back - 1, -1):
             velocities = self.straight_moves(contact.agent)
@@ -78,14 +77,14 @@ class Recording:
         return None
 
     def straight_moves(self, agent):
-        """Standing, and straight on at each heading and fraction of the maximum speed (n, 2) [m/s]."""
+        """Returns the velocities (n, 2) of standing, and of all headings and fractions of the maximum speed [m/s]."""
         angles = 2.0 * math.pi / HEADINGS * numpy.arange(HEADINGS)
         directions = numpy.stack([numpy.cos(angles), numpy.sin(angles)], axis=1)
         speed = self.scene.agents[agent]['speed']
         return numpy.concatenate([numpy.zeros((1, 2)), *(share * speed * directions for share in SHARES)])
 
     def are_clear(self, contact, begin, velocities, among_others):
-        """Which of the moves, from that tick on, touch nothing until LOOK_ON after the contact."""
+        """Returns for each move that begins at a tick whether it is clear until LOOK_ON after the contact."""
         end = contact.tick + round(LOOK_ON / self.scene.tick)
         start, radius = self.track[begin, contact.agent], self.radii[contact.agent]
         clear = numpy.ones(len(velocities), dtype=bool)
@@ -100,20 +99,20 @@ class Recording:
         return clear
 
     def had_turned(self, contact):
-        """Whether the obstacle changed its direction shortly before."""
+        """Returns whether the obstacle changed its direction within TURNED_WITHIN before the contact."""
         begin = max(0, contact.tick - round(TURNED_WITHIN / self.scene.tick))
         steps = numpy.diff(self.obstacles[begin:contact.tick + 1, contact.obstacle], axis=0)
         return bool((numpy.abs(steps - steps[-1]) > 1e-6).any())
 
 
 def are_apart(places, others, reaches):
-    """Which of the places are clear of all others; others that are nan are not there."""
+    """Returns for each place whether it is clear of all others; others that are nan are ignored."""
     away = places[:, None] - others[None]
     return ~(numpy.hypot(away[..., 0], away[..., 1]) < reaches - OVERLAP).any(axis=1)
 
 
 def distances_to_wall(places, wall):
-    """Distances of places (n, 2) from a wall [m]."""
+    """Returns the distances of places (n, 2) to a wall [m]."""
     begin, end = numpy.array(wall[0]), numpy.array(wall[1])
     along = end - begin
     share = numpy.clip((places - begin) @ along / (along @ along), 0.0, 1.0)

@@ -1,13 +1,13 @@
-"""Metrics of scenarios, as evaluate, the benchmark's scorer and its references give them."""
+"""Metrics of scenarios from the CSV files of evaluate, the benchmark's scorer, and its references."""
 import csv
 
 import numpy
 
-WITHOUT_WAY = 'door12'  # needs a way to be found around walls, which none of the models does
+EXCLUDED = 'door12'  # requires path planning around walls, which none of the models does
 
 
 def read_metrics(file, model=None):
-    """Numbers by scenario and figure; of a file with several models, those of one."""
+    """Returns numbers by scenario and metric; of a file with several models, those of one model."""
     metrics = {}
     with open(file, newline='', encoding='utf-8') as stream:
         for row in csv.DictReader(stream):
@@ -18,32 +18,32 @@ def read_metrics(file, model=None):
 
 
 def judged(metrics):
-    """The scenarios over which means are taken."""
-    return [scenario for scenario in metrics if scenario != WITHOUT_WAY]
+    """Returns the scenarios over which means are computed."""
+    return [scenario for scenario in metrics if scenario != EXCLUDED]
 
 
 def time_against(metrics, orca):
-    """Geometric mean over the scenarios of time / ORCA's time."""
+    """Returns the geometric mean over the scenarios of time / ORCA's time."""
     scenarios = judged(metrics)
     ratios = [metrics[scenario]['time_ratio'] / orca[scenario]['time_ratio'] for scenario in scenarios]
     return float(numpy.exp(numpy.mean(numpy.log(ratios))))
 
 
 def not_slower(metrics, orca):
-    """In how many scenarios the time is not above ORCA's."""
+    """Returns the number of scenarios in which the time is not above ORCA's."""
     return sum(metrics[scenario]['time_ratio'] <= orca[scenario]['time_ratio'] for scenario in judged(metrics))
 
 
 def greatest(metrics, key, scenarios=None):
-    """The greatest value of a figure over scenarios, all by default."""
+    """Returns the greatest value of a metric over scenarios, all by default."""
     return max(metrics[scenario][key] for scenario in scenarios or metrics)
 
 
 def least(metrics, key, scenarios=None):
-    """The least value of a figure over scenarios, all by default."""
+    """Returns the least value of a metric over scenarios, all by default."""
     return min(metrics[scenario][key] for scenario in scenarios or metrics)
 
 
 def largest_difference(one, other):
-    """The greatest difference between the same figures of the same scenarios."""
+    """Returns the greatest difference between the same metrics of the same scenarios."""
     return max(abs(one[scenario][key] - value) for scenario, row in other.items() for key, value in row.items())

@@ -1,9 +1,9 @@
-"""What is compared: one name and one colour for each model in all tables and figures."""
+"""The compared models, with their names and colours in all tables and figures."""
 THESIS_MODELS = ('thesis_nearest', 'thesis_occupancy')
 OURS = 'anticipation'
 LEARNED = (*THESIS_MODELS, OURS)
 REFERENCES = ('orca_best', 'orca_fixed', 'social_force')
-ORCA = 'orca_best'  # what times are measured against
+ORCA = 'orca_best'  # reference for times
 
 NAMES = {'thesis_nearest': 'thesis set 1', 'thesis_occupancy': 'thesis set 2', 'anticipation': 'anticipation',
          'orca_best': 'ORCA, best', 'orca_fixed': 'ORCA, fixed', 'social_force': 'social force'}

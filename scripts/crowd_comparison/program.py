@@ -9,13 +9,13 @@ from .setting import ComparisonSetting
 
 
 class ComparisonProgram(Program):
-    """A program that may be given the steering benchmark."""
+    """A program with an optional folder of the steering benchmark."""
 
     def parser(self):
         parser = super().parser()
         parser.add_argument('--benchmark', type=pathlib.Path, metavar='FOLDER',
-                            help='of the steering benchmark: scenarios/, reference.csv, score.py; what needs it is '
-                                 'left out without it')
+                            help='folder of the steering benchmark with scenarios/, reference.csv and score.py; '
+                                 'experiments that need it are left out without it')
         return parser
 
     def setting_of(self, arguments):
@@ -32,7 +32,7 @@ class ComparisonProgram(Program):
 
 PROGRAM = ComparisonProgram(
     name='compare', title='Learned steering, compared', experiments=experiments.ALL,
-    description='Compares the learned crowds with each other and with ORCA and social force: trains, walks, measures, '
-                'draws\nfigures, writes a page with them.',
-    intro='One Q-table for all scenarios, a decision every 0.1 s; the thesis\'s state sets, the anticipating one, ORCA '
-          'and social force.')
+    description='Compares the learned crowds with each other, and with ORCA and social force: trains, evaluates, '
+                'draws\nfigures, and writes a page with them.',
+    intro='One Q-table per model for all scenarios, a decision every 0.1 s; the state sets of the thesis, the state '
+          'set anticipation, ORCA and social force.')

@@ -1,4 +1,4 @@
-"""Where everything of the comparison is."""
+"""Folders and files of the comparison."""
 import dataclasses
 import pathlib
 import typing
@@ -8,17 +8,17 @@ from crowd_experiments.setting import Setting
 
 @dataclasses.dataclass(frozen=True)
 class ComparisonSetting(Setting):
-    """With the steering benchmark's folder, if there is one."""
+    """A Setting with an optional folder of the steering benchmark."""
     benchmark: typing.Optional[pathlib.Path] = None
 
     def learning(self, model):
-        """A shipped training configuration."""
+        """Returns a shipped training configuration."""
         return self.config / 'learning' / f'{model}.yaml'
 
     def table(self, model):
-        """A shipped Q-table."""
+        """Returns a shipped Q-table."""
         return self.config / 'q_tables' / f'{model}.txt'
 
     def benchmark_scenarios(self):
-        """The benchmark's scenario files."""
+        """Returns the scenario files of the benchmark."""
         return sorted((self.benchmark / 'scenarios').glob('*.yaml'))

@@ -1,1 +1,1 @@
-"""Drawings of scenes and of the paths that agents walked in them."""
+"""Drawings of scenes and of recorded paths."""

@@ -1,4 +1,4 @@
-"""Reads what drawings are made of: scenario files and recorded trajectories."""
+"""Reads scenario files and recorded trajectories for drawings."""
 import csv
 import difflib
 import math
@@ -9,16 +9,16 @@ import yaml
 HEADER = ['instance', 'tick', 'agent', 'x', 'y']
 DEFAULT_TICK = 0.1  # [s]
 HERE = pathlib.Path(__file__).resolve().parent
-# Where config/scenarios may lie: in the source tree and, as seen from PREFIX/lib/social_crowd, in PREFIX/share.
+# Folders that may contain config/scenarios: the source tree, and PREFIX/share for programs in PREFIX/lib/social_crowd.
 HOMES = [HERE.parents[1], HERE.parents[2] / 'share' / 'social_crowd']
 
 
 class InputError(Exception):
-    """A file that cannot be drawn; the message says which, where and why."""
+    """A file cannot be drawn; the message contains the file, the place and the reason."""
 
 
 def find_scenario(name_or_file):
-    """The file that is meant: a file if there is one, else the scenario of that name that comes with the package."""
+    """Returns the given file if it exists, otherwise the package's scenario of that name."""
     path = pathlib.Path(name_or_file)
     if path.exists() or path.parent != pathlib.Path('.') or path.suffix not in ('', '.yaml'):
         return name_or_file
@@ -32,7 +32,7 @@ def find_scenario(name_or_file):
 
 
 def read_walks(file, instance):
-    """Returns the walks of an instance, by agent: lists of (tick, x, y) [m]. Without an instance: of the first."""
+    """Returns the instance and its trajectories by agent: lists of (tick, x, y) [m]. Default: the first instance."""
     walks = {}
     instances = set()
     with open(file, newline='', encoding='utf-8', errors='replace') as stream:
@@ -54,18 +54,18 @@ def read_walks(file, instance):
             if row_instance == instance:
                 walks.setdefault(agent, []).append((tick, x, y))
     if not instances:
-        raise InputError(f'{file}: holds no walk')
+        raise InputError(f'{file}: has no trajectory')
     if not walks:
         least, most = min(instances), max(instances)
         expected = least if least == most else f'{least} to {most}'
-        raise InputError(f'{file}: holds no instance {instance}, expected {expected}')
+        raise InputError(f'{file}: has no instance {instance}, expected {expected}')
     for walk in walks.values():
         walk.sort()
     return instance, walks
 
 
 class Scene:
-    """What a scenario document says about agents, obstacles and walls, as far as it can be drawn."""
+    """Agents, obstacles and walls of a scenario document, as far as they can be drawn."""
 
     def __init__(self, document, place):
         self.place = place
@@ -89,7 +89,7 @@ class Scene:
         return value
 
     def number(self, value, where):
-        """A number, or the mean of a range [low, high]."""
+        """Returns a number, or the mean of a range [low, high]."""
         values = value if isinstance(value, list) and len(value) == 2 else [value]
         for element in values:
             is_number = isinstance(element, (int, float)) and not isinstance(element, bool)
@@ -97,20 +97,20 @@ class Scene:
         return sum(values) / len(values)
 
     def point(self, value, where):
-        """A point, or None for a region from which every episode draws anew."""
+        """Returns a point, or None for a region from which each episode draws a point."""
         if isinstance(value, dict):
             return None
         self.need(isinstance(value, list) and len(value) == 2, where, '[x, y]', value)
         return self.number(value[0], where), self.number(value[1], where)
 
     def points(self, value, where):
-        """One point or a list of them, without those that are drawn anew."""
+        """Returns a list of points, without regions."""
         is_list = isinstance(value, list) and value and isinstance(value[0], (list, dict))
         found = [self.point(element, where) for element in (value if is_list else [value])]
         return [point for point in found if point is not None]
 
     def entries(self, document, key, read):
-        """Reads a list of entries, of which each may stand for `count` bodies."""
+        """Reads a list of entries; an entry with `count` stands for several bodies."""
         bodies = []
         for i, entry in enumerate(self.listed(document, key)):
             where = f'{key}[{i}]'
@@ -135,7 +135,7 @@ class Scene:
             'radius': self.radius(entry, where),
             'speed': self.number(entry.get('speed', 0), f'{where}.speed') * self.speed_unit,
             'goals': self.points(goal, f'{where}.goal'),
-            # The goal lies opposite the start, seen from here.
+            # Centre of a goal that lies opposite the start.
             'mirror': None if mirror is None else self.point(mirror, f'{where}.goal.opposite'),
         }
 
@@ -158,7 +158,7 @@ class Scene:
 
 
 def read_scene(file, instance):
-    """Reads the document of an instance; the documents repeat where there are fewer of them than instances."""
+    """Reads the document of an instance; documents are repeated if there are fewer documents than instances."""
     loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
     try:
         with open(file, encoding='utf-8', errors='replace') as stream:
@@ -166,6 +166,6 @@ def read_scene(file, instance):
     except yaml.YAMLError as error:
         raise InputError(f"{file}: not YAML: {' '.join(str(error).split())}") from None
     if not documents:
-        raise InputError(f'{file}: holds no scenario')
+        raise InputError(f'{file}: has no scenario')
     index = instance % len(documents)
     return Scene(documents[index], f'{file}: document {index + 1}')

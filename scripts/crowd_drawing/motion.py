@@ -1,9 +1,9 @@
-"""Where a moving obstacle is."""
+"""Positions of moving obstacles."""
 import math
 
 
 def place_of(obstacle, time):
-    """The centre of an obstacle whose way is fixed, so long after the episode's start [s]."""
+    """Returns the centre of an obstacle at a time after the start of the episode [s]."""
     x, y = obstacle['position']
     if obstacle['to_and_fro']:
         there = [(x, y)] + obstacle['to_and_fro']
@@ -14,7 +14,7 @@ def place_of(obstacle, time):
 
 
 def along(points, distance):
-    """The point so far along a closed way [m], round and round."""
+    """Returns the point at a distance along a closed path [m], which is repeated."""
     legs = list(zip(points, points[1:]))
     distance %= sum(math.dist(here, there) for here, there in legs)
     for (x0, y0), (x1, y1) in legs:

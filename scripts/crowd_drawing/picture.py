@@ -12,15 +12,15 @@ from matplotlib.patheffects import Normal, Stroke  # noqa: E402
 from matplotlib.transforms import ScaledTranslation  # noqa: E402
 
 LONGER_SIDE = 7.0  # of the axes [inch]
-MARGIN = 0.5  # of the picture around what is drawn [m]
+MARGIN = 0.5  # of the picture around its contents [m]
 OBSTACLE_COLOUR = '0.62'
 START_ALPHA = 0.55
-# Strong colours that are easy to tell apart, none of them grey.
+# Strong colours that are easy to distinguish, without grey.
 FEW_COLOURS = ['#1f77b4', '#d62728', '#2ca02c', '#ff7f0e', '#9467bd', '#17becf', '#8c564b', '#e377c2', '#9a9a00']
 
 
 def colours_of(count):
-    """So many colours that neighbours in the list are easy to tell apart."""
+    """Returns `count` colours; adjacent colours in the list are easy to distinguish."""
     if count <= len(FEW_COLOURS):
         return FEW_COLOURS[:count]
     golden = (math.sqrt(5) - 1) / 2
@@ -28,7 +28,7 @@ def colours_of(count):
 
 
 class Picture:
-    """A drawing in metres that grows with what is put into it; in a figure of its own, or in given axes."""
+    """A drawing in metres whose limits grow with its contents; in its own figure, or in given axes."""
 
     def __init__(self, axes=None):
         self.figure, self.axes = (axes.figure, axes) if axes is not None else pyplot.subplots()
@@ -37,7 +37,7 @@ class Picture:
         self.has_goals = self.has_obstacles = False
 
     def show(self, point, radius=0.0):
-        """Makes sure that a disc is within the picture."""
+        """Extends the limits of the picture to include a disc."""
         for axis in (0, 1):
             self.low[axis] = min(self.low[axis], point[axis] - radius)
             self.high[axis] = max(self.high[axis], point[axis] + radius)
@@ -50,7 +50,7 @@ class Picture:
                                             color='0.35', linewidth=1.2, zorder=2, **line))
 
     def draw_obstacle(self, obstacle, duration):
-        """A disc where it starts, and arrows along where it goes within the duration [s]."""
+        """Draws a disc at the start of an obstacle, and arrows along its path within the duration [s]."""
         start, radius = obstacle['position'], obstacle['radius']
         if start is None:
             return
@@ -78,7 +78,7 @@ class Picture:
         self.axes.plot(*zip(*wall), color='black', linewidth=3, solid_capstyle='round', zorder=3)
 
     def draw_goals(self, goals, radius, colour):
-        """A cross at each goal, a little smaller than the body."""
+        """Draws a cross at each goal, smaller than the body."""
         arm = 0.55 * radius
         for x, y in goals:
             self.has_goals = True
@@ -88,7 +88,7 @@ class Picture:
                                zorder=8, path_effects=[Stroke(linewidth=4, foreground='white'), Normal()])
 
     def draw_walk(self, walk, radius, ticks_per_dot, colour):
-        """The path with a dot each second, the body at its start and, as an outline, at its end."""
+        """Draws the path with a dot each second, the body at its start, and the outline of the body at its end."""
         places = [(x, y) for _, x, y in walk]
         dots = [(x, y) for tick, x, y in walk if tick % ticks_per_dot == 0]
         for place in places:
@@ -100,7 +100,7 @@ class Picture:
         self.disc(places[-1], radius, fill=False, edgecolor=colour, linewidth=1.4, zorder=7)
 
     def add_legend(self, scene):
-        """Explains what has been drawn."""
+        """Adds a legend for the contents of the picture."""
         grey = '0.25'
         entries = [
             Line2D([], [], linestyle='', marker='o', color=grey, alpha=START_ALPHA, markersize=10, label='start'),

@@ -1,1 +1,1 @@
-"""What programs that carry out experiments share: they run the tools, keep results, draw figures and write a page."""
+"""Shared code of the programs that run experiments: running tools, storing results, drawing figures, writing pages."""

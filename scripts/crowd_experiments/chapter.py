@@ -1,4 +1,4 @@
-"""What an experiment has to tell: texts, tables and figures, in order."""
+"""The results of an experiment: texts, tables and figures, in order."""
 import dataclasses
 import pathlib
 
@@ -9,7 +9,7 @@ class Table:
     title: str
     header: list
     rows: list
-    name: str = ''  # by which a document asks for it
+    name: str = ''  # by which a document refers to it
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,13 +21,13 @@ class Figure:
 
 @dataclasses.dataclass
 class Chapter:
-    """All that is told of one experiment."""
-    name: str  # as the program knows it
+    """The results of one experiment."""
+    name: str  # of the experiment on the command line
     title: str
     parts: list = dataclasses.field(default_factory=list)  # texts, Tables and Figures
-    commands: list = dataclasses.field(default_factory=list)  # texts: those of one run, as an example
+    commands: list = dataclasses.field(default_factory=list)  # command lines of one run, as an example
 
-    def tell(self, text):
+    def add_text(self, text):
         self.parts.append(text)
 
     def add_table(self, title, header, rows, name=''):

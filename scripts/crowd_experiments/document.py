@@ -11,8 +11,8 @@ PICTURES = re.compile(r'!\[[^\]]*\]\(images/(\w+\.png)\)')
 
 
 def fill_document(file, chapters):
-    """Puts each table between its marks, `<!-- table CHAPTER/NAME -->` and `<!-- end -->`, and copies the figures that
-    the document shows from images/. Returns what there is to be told: what the document asks for in vain."""
+    """Replaces the text between the marks `<!-- table CHAPTER/NAME -->` and `<!-- end -->` by the table, and copies the
+    figures that the document shows to images/. Returns a message for each table and figure that was not measured."""
     file = pathlib.Path(file)
     tables = {f'{chapter.name}/{table.name}': table for chapter in chapters for table in chapter.tables() if table.name}
     figures = {part.file.name: part.file for chapter in chapters for part in chapter.parts if isinstance(part, Figure)}
@@ -24,11 +24,11 @@ def fill_document(file, chapters):
             shutil.copyfile(figures[name], file.parent / 'images' / name)
     missing = [name for _, name, _ in MARKS.findall(text) if name not in tables]
     missing += [name for name in shown if name not in figures]
-    return [f'{file}: {name} was not measured and stays as it is' for name in missing]
+    return [f'{file}: {name} was not measured and is left unchanged' for name in missing]
 
 
 def filled(match, tables):
-    """The marks with the table between them; as they are if there is no such table."""
+    """Returns the marks with the table between them; the unchanged text if there is no such table."""
     begin, name, end = match.groups()
     if name not in tables:
         return match[0]

@@ -1,4 +1,4 @@
-"""Writes the page that holds all figures and tables, and the tables by themselves."""
+"""Writes the page with all figures and tables, and the tables as Markdown files."""
 import base64
 import html
 import pathlib
@@ -17,7 +17,7 @@ code, pre { background: #f4f4f4; } pre { padding: 0.7em; overflow-x: auto; }
 
 
 def write_page(file, title, program, chapters, intro):
-    """One file without anything beside it: figures are within. `program` made it."""
+    """Writes a self-contained HTML file with embedded figures. `program` is the name of the program that made it."""
     contents = ''.join(f'<li><a href="#{chapter.name}">{html.escape(chapter.title)}</a></li>\n' for chapter in chapters)
     body = ''.join(chapter_html(chapter, program) for chapter in chapters)
     file.write_text(
@@ -31,7 +31,7 @@ def chapter_html(chapter, program):
     parts = ''.join(part_html(part, command) for part in chapter.parts)
     commands = html.escape('\n'.join(chapter.commands))
     return (f'<h2 id="{chapter.name}">{html.escape(chapter.title)}</h2>\n'
-            f'<p>All of this chapter: <code>{command}</code></p>\n{parts}'
+            f'<p>Command for this chapter: <code>{command}</code></p>\n{parts}'
             f'<details><summary>The commands of one of its runs</summary><pre>{commands}</pre></details>\n')
 
 
@@ -54,7 +54,7 @@ def table_html(table):
 
 
 def write_tables(folder, chapter):
-    """The chapter's texts and tables as Markdown, to be taken over into documents."""
+    """Writes the chapter's texts and tables as Markdown, for use in documents."""
     folder.mkdir(parents=True, exist_ok=True)
     lines = [f'# {chapter.title}', '']
     for part in chapter.parts:
@@ -66,7 +66,7 @@ def write_tables(folder, chapter):
 
 
 def markdown_lines(table):
-    """A table in Markdown, without its title."""
+    """Returns the lines of a table in Markdown, without its title."""
     return [markdown_row(table.header), '|---' * len(table.header) + '|', *map(markdown_row, table.rows)]
 
 

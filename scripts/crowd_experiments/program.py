@@ -1,4 +1,4 @@
-"""A program that carries out experiments and writes a page about them."""
+"""A program that runs experiments and writes a page with their results."""
 import argparse
 import dataclasses
 import itertools
@@ -24,8 +24,8 @@ EXIT_FINE, EXIT_FAILED, EXIT_INTERRUPTED = 0, 1, 130
 
 @dataclasses.dataclass(frozen=True)
 class Program:
-    """What sets one such program apart. An experiment is a module with NAME, TITLE, plan(setting) and report(setting);
-    one that plans no run is left out."""
+    """The parameters of such a program. An experiment is a module with NAME, TITLE, plan(setting) and report(setting);
+    an experiment without runs is skipped."""
     name: str
     title: str  # of the page
     experiments: tuple
@@ -33,7 +33,7 @@ class Program:
     intro: str  # of the page
 
     def main(self, words=None):
-        """Returns the exit status."""
+        """Runs the program with command line words. Returns the exit status."""
         arguments = self.parse_arguments(words)
         signal.signal(signal.SIGTERM, interrupt)
         start = time.monotonic()
@@ -45,7 +45,7 @@ class Program:
                 return EXIT_INTERRUPTED
             page = self.write(setting, self.chapters(setting, chosen), arguments)
         except KeyboardInterrupt:
-            print('Interrupted; what is done stays.')
+            print('Interrupted; the finished runs are kept.')
             return EXIT_INTERRUPTED
         except (RunError, OSError) as error:
             print(f'{self.name}: {error}', file=sys.stderr)
@@ -54,26 +54,27 @@ class Program:
         return EXIT_FINE
 
     def parser(self):
-        """The command line."""
+        """Returns the parser of the command line."""
         described = '\n'.join(f'  {experiment.NAME:18} {experiment.TITLE}' for experiment in self.experiments)
         parser = argparse.ArgumentParser(
             prog=self.name, formatter_class=argparse.RawDescriptionHelpFormatter, description=self.description,
             epilog=f'experiments:\n{described}\n  {"all":18} all of them\n\n'
-                   'Runs that were completed before are kept unless what they are made from has changed. Ctrl-C keeps '
-                   'the runs\nthat are done; the same command goes on from there.')
+                   'Completed runs are kept unless one of their programs, configurations or scenarios has changed. '
+                   'Ctrl-C keeps the\nfinished runs; the same command continues from there.')
         names = [experiment.NAME for experiment in self.experiments]
         parser.add_argument('experiments', nargs='+', choices=[*names, 'all'], metavar='EXPERIMENT', help='see below')
         parser.add_argument('--results', type=pathlib.Path, default=pathlib.Path('results'), metavar='FOLDER',
-                            help='where everything goes (default: results)')
+                            help='folder of all results (default: results)')
         parser.add_argument('--processes', type=positive, default=min(2, os.cpu_count() or 1), metavar='N',
-                            help='so many runs at a time (default: %(default)s)')
-        parser.add_argument('--force', action='store_true', help='do all runs anew')
+                            help='number of parallel runs (default: %(default)s)')
+        parser.add_argument('--force', action='store_true', help='repeat all runs')
         parser.add_argument('--quick', action='store_true',
-                            help='tiny numbers that mean nothing, to see that all works')
+                            help='minimal numbers of seeds and episodes, to test the program; results are meaningless')
         parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER',
-                            help='of train and evaluate (default: beside this program; else they are built)')
+                            help='folder of train and evaluate (default: the folder of this program; if they are not '
+                                 'there, the package is built)')
         parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md',
-                            help="also fill this document's tables, and the pictures it shows in images/ beside it")
+                            help='also update the tables of this document, and its pictures in images/')
         return parser
 
     def parse_arguments(self, words):
@@ -83,17 +84,18 @@ class Program:
         return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick)
 
     def write(self, setting, chapters, arguments):
-        """The page, and what the document asks for; returns the page's file."""
+        """Writes the page and updates the document. Returns the file of the page."""
         if arguments.document:
-            for told in fill_document(arguments.document, chapters):
-                print(told)
+            for message in fill_document(arguments.document, chapters):
+                print(message)
         page = setting.results / 'index.html'
         write_page(page, self.title, self.name, chapters,
-                   self.intro + (' Quick numbers, which mean nothing.' if setting.quick else ''))
+                   self.intro + (' Quick run: the results are meaningless.' if setting.quick else ''))
         return page
 
     def chapters(self, setting, chosen):
-        """What was asked for, and what else is done: figures are drawn, tables written, those asked for printed."""
+        """Returns the chosen chapters, and all other chapters whose runs are complete. Draws figures, writes tables,
+        and prints the tables of the chosen chapters."""
         chapters = []
         for experiment in self.experiments:
             runs = experiment.plan(setting)
@@ -117,13 +119,13 @@ def positive(text):
 
 
 def find_tools(given):
-    """The folder of the programs; builds them in a clone where they are not beside this program."""
+    """Returns the folder of the programs; builds them in a clone if they are not in the folder of this program."""
     folder = given or pathlib.Path(sys.argv[0]).parent
     if all(os.access(folder / tool, os.X_OK) for tool in TOOLS):
         return folder.resolve()
     if given:
         raise RunError(f'{given}: has no train and evaluate')
-    print('Building, which takes minutes the first time only', flush=True)
+    print('Building (takes minutes the first time)', flush=True)
     built = subprocess.run([REPOSITORY / 'scripts' / 'build'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                            text=True, check=False)
     if built.returncode != 0:
@@ -133,7 +135,7 @@ def find_tools(given):
 
 
 def find_config():
-    """The folder of scenarios and training configurations, in a clone or where the package is installed."""
+    """Returns the folder of scenarios and training configurations, in a clone or an installed package."""
     for folder in (REPOSITORY / 'config', REPOSITORY.parent / 'share' / 'social_crowd' / 'config'):
         if (folder / 'experiments').is_dir():
             return folder
@@ -141,7 +143,8 @@ def find_config():
 
 
 def carry_out(setting, chosen, arguments):
-    """Does the runs that are not done yet; those that several experiments need once."""
+    """Executes the runs that are not done yet; runs that several experiments share are executed once. Returns whether
+    all were completed."""
     runs = list({run.folder: run for experiment in chosen for run in experiment.plan(setting)}.values())
     left = runs if arguments.force else [run for run in runs if not run.is_done()]
     print(f'{len(runs)} runs, {len(runs) - len(left)} of them done before', flush=True)
@@ -151,14 +154,14 @@ def carry_out(setting, chosen, arguments):
         Runner(arguments.processes).carry_out(left)
     except KeyboardInterrupt:
         done = sum(run.is_done() for run in runs)
-        print(f'Interrupted: {done} of {len(runs)} runs are done and stay in {setting.results}; '
-              'the same command goes on from there.')
+        print(f'Interrupted: {done} of {len(runs)} runs are done and kept in {setting.results}; '
+              'the same command continues from there.')
         return False
     return True
 
 
 def print_table(table):
-    """A table for the eye; long texts are broken into lines."""
+    """Prints a table; long texts are wrapped."""
     rows = [[textwrap.wrap(cell, LONGEST_CELL) for cell in row] for row in (table.header, *table.rows)]
     widths = [max(len(line) for row in rows for line in row[i] or ['']) for i in range(len(table.header))]
     print(f'\n{table.title}')

@@ -1,13 +1,13 @@
-"""A bar with the time left, on standard error."""
+"""A progress bar with the remaining time, on standard error."""
 import sys
 import time
 
 WIDTH = 30
-PLAIN_PERIOD = 10.0  # [s] between two lines where there is no terminal
+PLAIN_PERIOD = 10.0  # [s] between two lines without a terminal
 
 
 class ProgressBar:
-    """Shows how far many runs of different lengths are."""
+    """Shows the progress of runs of different lengths."""
 
     def __init__(self, total, runs):
         self.total = total
@@ -19,13 +19,13 @@ class ProgressBar:
         self.next = self.start if self.is_terminal else self.start + PLAIN_PERIOD
 
     def add(self, cost):
-        """A run has ended."""
+        """Counts a finished run."""
         self.done += cost
         self.runs_done += 1
         self.show()
 
     def show(self):
-        """Draws the bar, where there is no terminal now and then only."""
+        """Draws the bar; without a terminal only periodically."""
         now = time.monotonic()
         if now < self.next:
             return
@@ -38,7 +38,7 @@ class ProgressBar:
         sys.stderr.flush()
 
     def end(self):
-        """Leaves the bar as it is."""
+        """Ends the line of the bar."""
         if self.is_terminal:
             sys.stderr.write('\n')
 

@@ -1,4 +1,4 @@
-"""Reads what the tools write: records, figures, headers of Q-tables."""
+"""Reads the files of the tools: records, trajectories, Q-tables."""
 import csv
 
 import numpy
@@ -7,7 +7,7 @@ TEXTS = ('scenario',)
 
 
 def read_csv(file):
-    """The columns of a CSV file by their names: arrays of numbers, lists of texts."""
+    """Returns the columns of a CSV file by their names: arrays of numbers, lists of texts."""
     with open(file, newline='', encoding='utf-8') as stream:
         rows = csv.reader(stream)
         names = next(rows)
@@ -17,7 +17,7 @@ def read_csv(file):
 
 
 def read_tracks(file):
-    """The recorded places of every instance [m]: arrays (tick, agent, 2) that are nan once an agent has left."""
+    """Returns the recorded places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left."""
     rows = numpy.loadtxt(file, delimiter=',', skiprows=1, ndmin=2)
     tracks = {}
     for instance in numpy.unique(rows[:, 0]):
@@ -30,34 +30,34 @@ def read_tracks(file):
 
 
 def percent(flags):
-    """How many of them are set [%]."""
+    """Returns the share of flags that are set [%]."""
     return 100.0 * float(numpy.mean(flags)) if len(flags) else float('nan')
 
 
 def rates(record, rows=slice(None)):
-    """Success, contact and collision [%], as shares of the agents in those rows of a record. A contact is an overlap
-    of bodies; a collision is the thesis's (4.1), a rim within the collision radius."""
+    """Returns success, contact and collision [%], as shares of the agents in these rows of a record. A contact is an
+    overlap of bodies; a collision is a rim within the collision radius (thesis, 4.1)."""
     return tuple(percent(record[column][rows]) for column in ('arrived', 'touched', 'collided'))
 
 
 def of_scenario(record, name):
-    """The rows of a record that belong to a scenario."""
+    """Returns a mask of the rows of a record that belong to a scenario."""
     return numpy.array([scenario == name for scenario in record['scenario']], dtype=bool)
 
 
 def finite(values):
-    """Those that are numbers."""
+    """Returns the finite values."""
     return values[numpy.isfinite(values)]
 
 
 def median(values):
-    """The median of those that are numbers; nan if there is none."""
+    """Returns the median of the finite values; nan if there are none."""
     numbers = finite(values)
     return float(numpy.median(numbers)) if len(numbers) else float('nan')
 
 
 def read_table_header(file):
-    """The header of a Q-table file, as texts by their keys."""
+    """Returns the header of a Q-table file, as texts by their keys."""
     header = {}
     with open(file, encoding='utf-8') as stream:
         next(stream)
@@ -70,7 +70,7 @@ def read_table_header(file):
 
 
 def read_visits(file):
-    """How often each row of a Q-table was visited; rows that were not are left out."""
+    """Returns the number of visits of each visited row of a Q-table."""
     with open(file, encoding='utf-8') as stream:
         lines = iter(stream)
         for line in lines:
@@ -81,7 +81,7 @@ def read_visits(file):
 
 
 def spread_text(values, decimals=2):
-    """Mean ± standard deviation (lowest-highest) of the seeds that have a number; says how many have none."""
+    """Returns mean ± standard deviation (lowest-highest) of the finite values, and the number of other values."""
     values = numpy.array(list(values), dtype=float)
     numbers = finite(values)
     text = Spread(numbers).text(decimals)
@@ -105,11 +105,11 @@ class Spread:
 
     @classmethod
     def of_numbers(cls, values):
-        """Of the seeds for which there is a number."""
+        """Creates a Spread of the finite values."""
         return cls(finite(numpy.array(list(values), dtype=float)))
 
     def text(self, decimals=2):
-        """mean ± standard deviation (lowest-highest)"""
+        """Returns mean ± standard deviation (lowest-highest)."""
         if numpy.isnan(self.mean):
             return '-'
         mean, deviation, low, high = (f'{value:.{decimals}f}' for value in

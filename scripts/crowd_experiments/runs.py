@@ -1,4 +1,4 @@
-"""Runs of the tools, each in a folder of its own, as many at a time as there are processors to spare."""
+"""Runs of the tools, each in its own folder, several in parallel."""
 import concurrent.futures
 import dataclasses
 import functools
@@ -15,28 +15,28 @@ import yaml
 
 from .progress import ProgressBar
 
-STAMP = 'done.txt'  # in a run's folder: what it was made from
-LOG = 'log.txt'  # in a run's folder: its commands, what they printed, how long they took
+STAMP = 'done.txt'  # in a run's folder: digest of commands and input files
+LOG = 'log.txt'  # in a run's folder: commands, their output, processor time
 PROCESSOR_TIME = 'processor time'
 
 
 class RunError(Exception):
-    """A tool that failed; the message has its last words."""
+    """A tool has failed; the message contains the end of its output."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """Commands that are carried out one after the other in a folder."""
+    """Commands that are executed one after the other in a folder."""
     folder: pathlib.Path
-    commands: list  # of lists of words; files that a run makes are relative to its folder
-    cost: float = 1.0  # about how long it takes [s]
+    commands: list  # of lists of words; output files are relative to the folder
+    cost: float = 1.0  # [s] approximate duration
 
     def lines(self):
-        """Its commands as somebody would type them."""
+        """Returns the commands as command lines."""
         return [' '.join(map(str, command)) for command in self.commands]
 
     def stamp(self):
-        """Changes with the commands, the programs and every file that they read."""
+        """Returns a digest of the commands, the programs and all files that they read."""
         digest = hashlib.sha256()
         for command in self.commands:
             for word in map(str, command):
@@ -46,7 +46,7 @@ class Run:
         return digest.hexdigest()
 
     def is_done(self):
-        """Whether its results are there, made from just these files."""
+        """Returns whether the results exist and were made with the current stamp."""
         try:
             return (self.folder / STAMP).read_text(encoding='utf-8') == self.stamp()
         except OSError:
@@ -54,7 +54,7 @@ class Run:
 
 
 def files_behind(path):
-    """The file that a word of a command names, with the scenarios that a training configuration trains on."""
+    """Returns the file that a word of a command names, and the files that it depends on."""
     if not (path.is_absolute() and path.is_file()):
         return []
     files = [path]
@@ -67,17 +67,17 @@ def files_behind(path):
 
 @functools.lru_cache(maxsize=None)
 def scenarios_of(config):
-    """The scenarios that a training configuration trains on; none if it is a scenario itself."""
+    """Returns the scenarios of a training configuration; an empty list for a scenario file."""
     with open(config, encoding='utf-8') as stream:
         training = (next(yaml.safe_load_all(stream)) or {}).get('training', {})
     return [config.parent / name for name in training.get('scenarios', [])]
 
 
-digests = {}  # by file, its size and its time: programs are read once
+digests = {}  # by file, size and time of modification, so that programs are read once
 
 
 def digest_of(file):
-    """A digest of what a file holds."""
+    """Returns a digest of the contents of a file."""
     state = os.stat(file)
     key = (str(file), state.st_size, state.st_mtime_ns)
     if key not in digests:
@@ -86,7 +86,7 @@ def digest_of(file):
 
 
 class Runner:
-    """Carries out runs, a few at a time, and can be stopped."""
+    """Executes runs, several in parallel, and can be stopped."""
 
     def __init__(self, processes):
         self.processes = processes
@@ -95,7 +95,7 @@ class Runner:
         self.stopped = False
 
     def carry_out(self, runs):
-        """Carries out all of them with a bar on standard error; raises RunError at the first that fails."""
+        """Executes all runs with a progress bar on standard error. Throws RunError when the first run fails."""
         bar = ProgressBar(sum(run.cost for run in runs), len(runs))
         bar.show()
         with concurrent.futures.ThreadPoolExecutor(self.processes) as pool:
@@ -113,7 +113,7 @@ class Runner:
 
     @staticmethod
     def as_they_end(futures, bar):
-        """Yields what has ended, and keeps the time left on the bar up to date."""
+        """Yields finished runs, and updates the progress bar."""
         waiting = set(futures)
         while waiting:
             done, waiting = concurrent.futures.wait(waiting, 1.0, concurrent.futures.FIRST_COMPLETED)
@@ -121,7 +121,7 @@ class Runner:
             yield from done
 
     def carry_out_one(self, run):
-        """Begins a run anew; what is stamped is complete."""
+        """Executes a run in an empty folder; the stamp is written when it is complete."""
         shutil.rmtree(run.folder, ignore_errors=True)
         run.folder.mkdir(parents=True)
         stamp = run.stamp()
@@ -130,14 +130,14 @@ class Runner:
         (run.folder / STAMP).write_text(stamp, encoding='utf-8')
 
     def execute(self, command, folder):
-        """Runs a program; what it prints, and the processor time that it took, goes into log.txt."""
+        """Runs a program; its output and processor time are written to log.txt."""
         with open(folder / LOG, 'a', encoding='utf-8') as log:
             log.write(' '.join(command) + '\n')
             log.flush()
             with self.lock:
                 if self.stopped:
                     raise RunError('stopped')
-                # In a group of its own: Ctrl-C is for us, who pass it on.
+                # In its own process group: this process receives Ctrl-C and forwards it.
                 child = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
                                          start_new_session=True)
                 self.children.add(child)
@@ -150,7 +150,7 @@ class Runner:
             raise RunError(f'{" ".join(command)}: exit status {child.returncode}\n{tail_of(folder / LOG)}')
 
     def stop(self):
-        """Ends all that is under way and begins nothing more."""
+        """Interrupts all running programs and starts no others."""
         with self.lock:
             self.stopped = True
             for child in self.children:
@@ -158,11 +158,11 @@ class Runner:
 
 
 def processor_seconds(folder):
-    """The processor time that each command of a run took [s]."""
+    """Returns the processor time of each command of a run [s]."""
     log = (folder / LOG).read_text(encoding='utf-8', errors='replace')
     return [float(seconds) for seconds in re.findall(rf'^{PROCESSOR_TIME}: ([\d.]+) s$', log, re.MULTILINE)]
 
 
 def tail_of(file, lines=5):
-    """The last lines of a log."""
+    """Returns the last lines of a log."""
     return '\n'.join(re.split(r'[\r\n]+', file.read_text(encoding='utf-8', errors='replace').strip())[-lines:])

@@ -1,4 +1,4 @@
-"""Scenes with what was walked in them, and what agents perceive, as panels of figures."""
+"""Panels of figures with scenes, paths, and perceptions of agents."""
 import math
 
 from matplotlib.patches import Circle, Wedge
@@ -11,7 +11,7 @@ CLASS_COLOURS = {1: '#e31a1c', 2: '0.6'}  # the inner radius is red in the thesi
 
 
 def draw_scene(axes, scenario, trajectories, instance, colour=None, obstacle_colour=OBSTACLE_COLOUR):
-    """A scene with the whole paths of one instance; returns the picture."""
+    """Draws a scene with the complete paths of one instance. Returns the picture."""
     _, walks = read_walks(trajectories, instance)
     axes.set_xlabel('x [m]')
     axes.set_ylabel('y [m]')
@@ -22,8 +22,9 @@ def draw_scene(axes, scenario, trajectories, instance, colour=None, obstacle_col
 
 
 def draw_perception(axes, scene, view, sectors, radii, limits):
-    """What an agent perceives. View: its x, y [m] and heading [degrees]; sectors: those that are occupied, each to the
-    radius of its class; radii of the classes [m]; limits of all sectors, from straight ahead [degrees]."""
+    """Draws the perception of an agent. View: x, y [m] and heading [degrees] of the agent; sectors: the occupied
+    sectors, drawn up to the radius of their class; radii: of the classes [m]; limits: of all sectors, relative to the
+    heading [degrees]."""
     x, y, heading = view
     picture = Picture(axes)
     for obstacle in scene.obstacles:
@@ -49,15 +50,15 @@ def draw_perception(axes, scene, view, sectors, radii, limits):
 
 
 def last_tick_of(walks):
-    """The tick at which the last one arrived, or time was up."""
+    """Returns the tick of the last arrival, or of the end of the time."""
     return max(walk[-1][0] for walk in walks.values())
 
 
-def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_ways=True, marked=None,
+def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_paths=True, marked=None,
                 obstacle_colour=OBSTACLE_COLOUR):
-    """All agents at a tick, with goals and the paths so far; an agent that has arrived is a circle at its end. All of
-    them have the colour, or each its own of a list; the marked one has a black ring. Without ways only those who are
-    still there are drawn. Returns the picture, whose limits are not set yet."""
+    """Draws all agents at a tick, with goals and paths up to this tick; an agent that has arrived is a circle at its
+    end. Colour: one for all agents, or a list; the marked agent has a black ring. Without paths, only agents that have
+    not left are drawn. Returns the picture, whose limits are not set yet."""
     picture = Picture(axes)
     for obstacle in scene.obstacles:
         centre = place_of(obstacle, tick * scene.tick)
@@ -68,7 +69,7 @@ def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_w
     if not isinstance(colour, list):
         colour = [colour] * len(scene.agents) if colour else colours_of(len(scene.agents))
     for agent, walk in sorted(walks.items()):
-        if with_ways:
+        if with_paths:
             draw_walker(picture, scene.agents[agent], walk, tick, colour[agent], with_starts)
         elif walk[-1][0] >= tick:
             draw_body(picture, scene.agents[agent], walk, tick, colour[agent])
@@ -80,7 +81,7 @@ def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_w
 
 
 def place_at(walk, tick):
-    """Where an agent is at a tick, or where it left."""
+    """Returns the place of an agent at a tick, or the last place before it left."""
     return next(((x, y) for at, x, y in walk if at >= tick), walk[-1][1:])
 
 
@@ -91,7 +92,7 @@ def draw_body(picture, body, walk, tick, colour):
 
 
 def frame_alike(pictures):
-    """The same limits for all, so that everything is within each of them; returns width and height [m]."""
+    """Sets the same limits for all pictures, which include all of their contents. Returns width and height [m]."""
     for picture in pictures:
         for other in pictures:
             picture.show(other.low)

@@ -1,4 +1,4 @@
-"""How figures look: one colour for one thing, in all of them."""
+"""Style of the figures, with the same colours in all of them."""
 import matplotlib
 
 matplotlib.use('Agg')
@@ -6,7 +6,7 @@ from matplotlib import pyplot  # noqa: E402
 
 SET_COLOURS = {'nearest': '#009e73', 'occupancy': '#8e5ea2'}
 SET_NAMES = {'nearest': 'set 1, nearest obstacle', 'occupancy': 'set 2, occupancy'}
-REFERENCE = '0.25'  # colour of lines that something is compared with
+REFERENCE = '0.25'  # colour of reference lines
 
 SETTINGS = {
     'figure.dpi': 110,
@@ -24,18 +24,18 @@ SETTINGS = {
 
 
 def short_set_name(states):
-    """set 1, set 2"""
+    """Returns 'set 1' or 'set 2'."""
     return SET_NAMES[states].split(',')[0]
 
 
 def new_figure(rows, columns, width, height, **options):
-    """A figure of so many panels, of that size [inch]."""
+    """Returns a figure with rows x columns panels, and the panels; size in inches."""
     with matplotlib.rc_context(SETTINGS):
         return pyplot.subplots(rows, columns, figsize=(width, height), squeeze=False, layout='constrained', **options)
 
 
 def save(figure, file):
-    """Writes a figure and forgets it."""
+    """Writes a figure to a file and closes it. Returns the file."""
     file.parent.mkdir(parents=True, exist_ok=True)
     with matplotlib.rc_context(SETTINGS):
         figure.savefig(file)

@@ -1,20 +1,20 @@
-"""Variations of shipped training configurations and scenarios, written beside the results."""
+"""Variations of shipped training configurations and scenarios, written to the results folder."""
 import copy
 import pathlib
 
 import yaml
 
-LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the fast ones where they are there
+LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the faster implementation, if available
 DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
 EVERY = '*'  # in a path of keys: each entry of a list
 
 
 def vary_config(setting, base, changes, name, scenarios=None):
-    """The training configuration `base`, a name in config/experiments or a file, with other values; returns the file
-    of that name.
+    """Writes a variation of the training configuration `base`, a name in config/experiments or a file. Returns the new
+    file.
 
-    Changes are new values by the paths of their keys, such as {'learning.epsilon': 0.05}; None removes a key. It
-    trains on the scenarios given, or on those of its base."""
+    Changes are new values by the paths of their keys, such as {'learning.epsilon': 0.05}; None removes a key. Without
+    scenarios, those of the base are used."""
     file = base if isinstance(base, pathlib.Path) else setting.config_file(base)
     config = changed(read_documents(file)[0], changes)
     training = config['training']
@@ -23,22 +23,22 @@ def vary_config(setting, base, changes, name, scenarios=None):
 
 
 def vary_scenario(setting, base, changes, name):
-    """The scenario file `base`, a name in config/scenarios or a file, with other values in each of its documents;
-    returns the file of that name. Changes as above, such as {'agents.*.heading': 'goal'}. What results call the
-    scenario is its key `name`, which stays as it is unless it is changed, too."""
+    """Writes a variation of the scenario file `base`, a name in config/scenarios or a file, with changes in each of its
+    documents. Returns the new file. Changes as above, such as {'agents.*.heading': 'goal'}. In results, the scenario is
+    identified by its key `name`, which is unchanged unless `changes` contains it."""
     file = base if isinstance(base, pathlib.Path) else setting.scenario(base)
     documents = [changed(document, changes) for document in read_documents(file)]
     return write_if_new(setting.results / 'configs' / 'scenarios' / f'{name}.yaml', file, documents)
 
 
 def read_documents(file):
-    """The YAML documents of a file."""
+    """Returns the YAML documents of a file."""
     with open(file, encoding='utf-8') as stream:
         return [document for document in yaml.load_all(stream, LOADER) if document is not None]
 
 
 def changed(document, changes):
-    """A copy of a document in which the keys at those paths have other values."""
+    """Returns a copy of a document with changed values."""
     document = copy.deepcopy(document)
     for path, value in changes.items():
         change(document, path.split('.'), value)
@@ -46,7 +46,7 @@ def changed(document, changes):
 
 
 def change(node, keys, value):
-    """Sets a key below a map or a list, or removes it if the value is None. Maps on the way to it are made."""
+    """Sets a key below a map or a list, or removes it if the value is None. Missing maps on the path are created."""
     key, *rest = keys
     if isinstance(node, list):
         for entry in node if key == EVERY else [node[int(key)]]:
@@ -62,7 +62,7 @@ def change(node, keys, value):
 
 
 def write_if_new(file, base, documents):
-    """Writes the documents, which come from a base; leaves the file alone if it holds just them."""
+    """Writes the documents unless the file already has the same contents."""
     content = yaml.dump_all(documents, None, DUMPER, sort_keys=False, default_flow_style=None)
     text = f'# Made from {base.name}.\n{content}'
     if not file.is_file() or file.read_text(encoding='utf-8') != text:

@@ -1,1 +1,1 @@
-"""What nodes need that run another program, and whose end is to be the end of the launch."""
+"""Nodes that run other programs, and that end the launch when the program ends."""

@@ -1,4 +1,4 @@
-"""Plays a bag, and then ends the launch."""
+"""Plays a bag, then ends the launch."""
 import os
 import sys
 
@@ -12,7 +12,7 @@ FIRST_BYTES = b'#ROSBAG'
 
 
 def problem_of(file):
-    """Why a file cannot be played, if that is easy to tell; else nothing."""
+    """Returns why a file cannot be played; an empty text if the reason is unknown."""
     path = os.path.abspath(file)
     if not os.path.isfile(path):
         return 'there is no file %s' % path + ('' if os.path.isabs(file) else '; give an absolute path')
@@ -21,7 +21,7 @@ def problem_of(file):
 
 
 def main():
-    """Plays what the command line names; the exit status."""
+    """Plays the bag of the command line. Returns the exit status."""
     arguments = [word for word in sys.argv[1:] if word != STAY]
     player = Program([roslib.packages.find_node('rosbag', 'play')[0], *arguments])
     status = player.wait()

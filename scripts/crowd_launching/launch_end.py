@@ -1,13 +1,13 @@
-"""Ends the roslaunch that started this process; see launch_end.h, which does the same for nodes in C++."""
+"""Ends the roslaunch process that started this process; launch_end.h does the same for C++ nodes."""
 import os
 import signal
 
 STOPS = {signal.SIGINT, signal.SIGTERM}
-PATIENCE = 20.0  # [s] for roslaunch to stop this process
+PATIENCE = 20.0  # [s] time for roslaunch to stop this process
 
 
 def command_of(process):
-    """Program and arguments of a process; nothing if they cannot be read."""
+    """Returns program and arguments of a process; an empty list if they cannot be read."""
     try:
         with open('/proc/%d/cmdline' % process, 'rb') as stream:
             return [os.fsdecode(word) for word in stream.read().split(b'\0')]
@@ -16,14 +16,15 @@ def command_of(process):
 
 
 def is_roslaunch(command):
-    """Whether it is roslaunch, itself or as the script of an interpreter; not one that serves another machine's."""
+    """Returns whether a command is roslaunch, directly or as the script of an interpreter, but not as a child of a
+    roslaunch on another machine."""
     return 'roslaunch' in map(os.path.basename, command[:2]) and '-c' not in command[2:]
 
 
 def end_launch():
-    """Asks the roslaunch that started this process to end, and waits until it stops the process.
+    """Interrupts the roslaunch that started this process, and waits until it stops this process.
 
-    Does nothing where something else started it.
+    Does nothing if this process was started by another program.
     """
     parent = os.getppid()
     if not is_roslaunch(command_of(parent)):

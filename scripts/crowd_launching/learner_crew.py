@@ -11,7 +11,7 @@ from social_crowd.msg import Scenario
 
 
 def ending_of(status):
-    """How a process ended, by the exit status that subprocess tells."""
+    """Returns a text for the exit status of a subprocess."""
     if status >= 0:
         return 'ended with exit status %d' % status
     name = {number.value: ' (%s)' % number.name for number in signal.Signals}.get(-status, '')
@@ -19,17 +19,17 @@ def ending_of(status):
 
 
 class LearnerCrew:
-    """The learners started so far."""
+    """Starts, checks and stops the learners."""
 
-    PATIENCE = 5.0  # [s] a learner has to save its table and end
-    PERIOD = 0.05  # [s] between two looks
+    PATIENCE = 5.0  # [s] time for a learner to save its table and end
+    PERIOD = 0.05  # [s] between two checks
 
     def __init__(self):
         self.learner = roslib.packages.find_node('social_crowd', 'learner')[0]
         self.parameters = rospy.get_param('~learner', {})
         self.agents = rospy.get_param('~agents', [])  # empty: all
         self.learners = {}  # processes, by agent
-        self.ended = set()  # agents whose learner ended by itself; not started again
+        self.ended = set()  # agents whose learner has ended by itself and is not restarted
         self.wanted = 0
         rospy.Subscriber('scenario', Scenario, self.note_scenario, queue_size=10)
 
@@ -38,16 +38,16 @@ class LearnerCrew:
 
     def parameters_of(self, agent):
         parameters = dict(self.parameters, agents=[agent])
-        if parameters.get('save_to') and parameters.get('tables') != 'own':  # who has own tables names files so itself
+        if parameters.get('save_to') and parameters.get('tables') != 'own':  # own tables: the learner adds it
             stem, ending = os.path.splitext(parameters['save_to'])
             parameters['save_to'] = '%s_agent_%d%s' % (stem, agent, ending)
         return parameters
 
     def start_learner(self, agent):
         name = 'learner_%d' % agent
-        # Replaces all parameters that an earlier learner of this name left.
+        # Replaces all parameters of an earlier learner with this name.
         rospy.set_param(rospy.resolve_name(name), self.parameters_of(agent))
-        # A process group of its own, so that Ctrl-C reaches this node first and learners end in order.
+        # In its own process group, so that Ctrl-C is sent to this node only, which then stops the learners.
         self.learners[agent] = subprocess.Popen([self.learner, '__name:=' + name, '__ns:=' + rospy.get_namespace()],
                                                 start_new_session=True)
 
@@ -56,7 +56,7 @@ class LearnerCrew:
             if learner.poll() is not None and agent not in self.ended:
                 rospy.logerr('learner_%d %s', agent, ending_of(learner.returncode))
                 self.ended.add(agent)
-                if learner.returncode > 0:  # it could not even begin; who was killed (below 0) may be started again
+                if learner.returncode > 0:  # the start failed; a learner that was killed has a negative code
                     raise ChildProcessError('learner_%d could not be started' % agent)
 
     def run(self):
@@ -72,7 +72,7 @@ class LearnerCrew:
 
     def stop(self):
         for learner in self.learners.values():
-            learner.send_signal(signal.SIGINT)  # as Ctrl-C: it saves what it has learned, and ends
+            learner.send_signal(signal.SIGINT)  # as Ctrl-C: the learner saves its table and ends
         for learner in self.learners.values():
             try:
                 learner.wait(self.PATIENCE)
@@ -81,11 +81,11 @@ class LearnerCrew:
 
 
 def main():
-    """Runs a crew until it is told to end."""
+    """Runs a crew until the node is shut down."""
     try:
         rospy.init_node('learner_crew')
     except rospy.ROSInitException:
-        if rospy.is_shutdown():  # told to end already
+        if rospy.is_shutdown():  # interrupted during initialisation
             return
         raise
     learners = rospy.get_param('~learners', 'per_agent')

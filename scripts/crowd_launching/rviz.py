@@ -1,4 +1,4 @@
-"""Runs RViz with a configuration for the crowd that is there."""
+"""Runs RViz with a configuration for the current crowd."""
 import os
 import sys
 import tempfile
@@ -12,11 +12,11 @@ from .launch_end import end_launch
 from .program import Program
 from .view import scale_for
 
-PATIENCE = 10.0  # [s] for a scenario
+PATIENCE = 10.0  # [s] time to wait for a scenario
 
 
 def configuration():
-    """RViz's configuration as YAML, with the scale for the crowd that is there."""
+    """Returns RViz's configuration as YAML, with the scale for the current crowd."""
     file = os.path.join(rospkg.RosPack().get_path('social_crowd'), 'rviz', 'social_crowd.rviz')
     with open(file, encoding='utf-8') as stream:
         settings = yaml.safe_load(stream)
@@ -24,12 +24,12 @@ def configuration():
         scenario = rospy.wait_for_message('scenario', Scenario, PATIENCE)
         settings['Visualization Manager']['Views']['Current']['Scale'] = scale_for(scenario)
     except rospy.ROSException:
-        rospy.logwarn('nobody tells of a scenario on %s', rospy.resolve_name('scenario'))
+        rospy.logwarn('no scenario was received on %s', rospy.resolve_name('scenario'))
     return yaml.safe_dump(settings, sort_keys=False)
 
 
 def main():
-    """Runs RViz until it is closed; its exit status."""
+    """Runs RViz until it is closed. Returns its exit status."""
     if not os.environ.get('DISPLAY'):
         print('show_crowd: there is no display for RViz (DISPLAY is not set); start the launch file with rviz:=false',
               file=sys.stderr)
@@ -37,7 +37,7 @@ def main():
     rospy.init_node('rviz', disable_signals=True)
     ends_launch = rospy.get_param('~ends_launch', False)
     settings = configuration()
-    rospy.signal_shutdown('RViz takes the name')
+    rospy.signal_shutdown('RViz uses this node name')
     with tempfile.TemporaryDirectory(prefix='social_crowd_rviz_') as folder:
         file = os.path.join(folder, 'social_crowd.rviz')
         with open(file, 'w', encoding='utf-8') as stream:

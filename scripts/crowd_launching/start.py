@@ -1,12 +1,12 @@
-"""What a program that roslaunch starts does before all else. Imports nothing that takes long."""
+"""First steps of a program that roslaunch starts. Does not import modules that load slowly."""
 import signal
 import sys
 
 
 def start(usage):
-    """Makes Ctrl-C end this program without a traceback, and answers --help with the usage.
+    """Makes Ctrl-C end this program without a traceback, and prints the usage for --help.
 
-    To be called before the imports that take long. rospy and Program set handlers of their own later.
+    Must be called before slow imports. rospy and Program install their own signal handlers later.
     """
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     if {'-h', '--help'} & set(sys.argv[1:]):

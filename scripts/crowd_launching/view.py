@@ -1,13 +1,13 @@
-"""How RViz has all of a scenario in view."""
-VIEW = 900.0, 700.0  # [pixels] that are there for the crowd in a window of the configuration's size
+"""Scale with which RViz shows a whole scenario."""
+VIEW = 900.0, 700.0  # [pixels] available in a window of the configuration's size
 MARGIN = 1.0  # [m] around it
 LEAST, MOST = 0.5, 100.0  # [pixels/m]
 
 
 def sides_of(scenario):
-    """Width and height of the smallest upright rectangle around agents, goals, obstacles and walls [m].
+    """Returns width and height of the bounding box of agents, goals, obstacles and walls [m].
 
-    Nothing for a Scenario without any of them.
+    Returns an empty list for a Scenario without any of them.
     """
     points = [point for agent in scenario.agents for point in (agent.pose, agent.goal)]
     points += [obstacle.position for obstacle in scenario.obstacles]
@@ -16,6 +16,6 @@ def sides_of(scenario):
 
 
 def scale_for(scenario):
-    """Pixels per metre with which all of a Scenario is seen."""
+    """Returns the scale [pixels/m] with which a whole Scenario is visible."""
     scales = [pixels / (side + 2 * MARGIN) for pixels, side in zip(VIEW, sides_of(scenario))]
     return min([MOST, *(max(LEAST, scale) for scale in scales)])

@@ -1,1 +1,1 @@
-"""Repeats the experiments of the thesis."""
+"""Reproduces the experiments of the thesis."""

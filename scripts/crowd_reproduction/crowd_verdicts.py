@@ -1,13 +1,13 @@
-"""What several claims about crowds are judged by."""
+"""Criteria by which several claims about crowds are judged."""
 import numpy
 
 from crowd_experiments.records import Spread
 
 from . import scenario_runs as runs
-from .claim import COMES_OUT, IN_PART, NOT, decide_all, decide_each
+from .claim import CONFIRMED, PARTLY, NOT_CONFIRMED, decide_all, decide_each
 
-GOOD, HALF = 90.0, 50.0  # [%]: what "successfully" is to mean, and what is enough to come out in part
-RARE = 10.0  # [%]: what "avoids" leaves
+GOOD, HALF = 90.0, 50.0  # [%] success rates from which a claim is confirmed, and partly confirmed
+RARE = 10.0  # [%] highest rate of contacts or collisions with which "avoids" holds
 
 
 def is_good(value):
@@ -15,9 +15,9 @@ def is_good(value):
 
 
 def graded(values):
-    """The verdict on 'it succeeds', given the share of successes [%] for each seed."""
+    """Returns the verdict on 'it succeeds', given the success rate [%] for each seed."""
     mean = float(numpy.mean(list(values)))
-    return COMES_OUT if mean >= GOOD else IN_PART if mean >= HALF else NOT
+    return CONFIRMED if mean >= GOOD else PARTLY if mean >= HALF else NOT_CONFIRMED
 
 
 def is_rare(value):
@@ -25,7 +25,7 @@ def is_rare(value):
 
 
 def both(values, conditions):
-    """The verdict on several conditions, each on its own values of the seeds."""
+    """Returns the verdict on several conditions, each with its own values of the seeds."""
     return decide_all(*(decide_each(of_seeds, condition) for of_seeds, condition in zip(values, conditions)))
 
 
@@ -34,9 +34,9 @@ def seeds(setting):
 
 
 def best_of(verdicts):
-    """The verdict under the reading of the thesis under which a claim fares best."""
+    """Returns the best of the verdicts, for claims that the thesis leaves open to several readings."""
     verdicts = set(verdicts)
-    return next(verdict for verdict in (COMES_OUT, IN_PART, NOT) if verdict in verdicts)
+    return next(verdict for verdict in (CONFIRMED, PARTLY, NOT_CONFIRMED) if verdict in verdicts)
 
 
 def rates_text(setting, scenario):

@@ -1,4 +1,4 @@
-"""Reads the decisions that `evaluate --states` records, and how often each row of a Q-table was decided on."""
+"""Reads the decisions that `evaluate --states` records, and the number of visits of each row of a Q-table."""
 import dataclasses
 
 import numpy
@@ -9,15 +9,15 @@ NUMBERS = HEADER[:-1]
 
 @dataclasses.dataclass(frozen=True)
 class Sector:
-    """A part of an agent's surroundings that something lies in; angles from straight ahead, to the left [degrees]."""
+    """An occupied sector; angles from straight ahead, positive to the left [degrees]."""
     begin: float
     end: float
     distance_class: int
 
 
 def read_decisions(file):
-    """The columns of a record of decisions by their names: arrays, and the list `occupied` of texts; `sectors` is an
-    array of how many sectors were occupied."""
+    """Returns the columns of a record of decisions by their names: arrays, and the list `occupied` of texts; the array
+    `sectors` has the number of occupied sectors."""
     with open(file, encoding='utf-8') as stream:
         if next(stream, '').rstrip('\n').split(',') != HEADER:
             raise ValueError(f"{file}:1: expected the header {','.join(HEADER)}")
@@ -31,7 +31,7 @@ def read_decisions(file):
 
 
 def sectors_of(occupied):
-    """The sectors that a record's text names, to the right of straight ahead with negative angles."""
+    """Parses the sectors of a record; sectors to the right of straight ahead have negative angles."""
     sectors = [Sector(float(begin), float(end), int(distance_class))
                for begin, end, distance_class in (word.split(':') for word in occupied.split())]
     return [dataclasses.replace(sector, begin=sector.begin - 360, end=sector.end - 360) if sector.end > 180 else sector
@@ -39,13 +39,13 @@ def sectors_of(occupied):
 
 
 def read_visits(file):
-    """How often each row of a Q-table was decided on, an array over all rows."""
+    """Returns the number of visits of each row of a Q-table, as an array."""
     with open(file, encoding='utf-8') as stream:
         next(stream)
         header = dict(line.split(': ', 1) for line in iter(lambda: next(stream), '---\n'))
         visits = numpy.zeros(int(header['rows']), dtype=int)
         for line in stream:
-            if line.startswith(('source', 'checksum')):  # what follows says which visits come from other tables
+            if line.startswith(('source', 'checksum')):  # the visits of other sources follow
                 break
             row, *cells = line.split(' ')
             visits[int(row)] = sum(map(int, cells[::2]))

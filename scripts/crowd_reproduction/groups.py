@@ -1,4 +1,4 @@
-"""Grouping (figures 4.22, 4.23): how near the agents are to each other, and what a moving obstacle does to that."""
+"""Grouping (figures 4.22, 4.23): distances between the agents, with and without a moving obstacle."""
 import numpy
 
 from crowd_experiments import style
@@ -8,22 +8,24 @@ from . import names, scenario_runs as runs
 from .measures import centre_distances, nearest_distances, passing, while_all_are_there
 
 FREE, CROSSED = runs.FAR
-APART = 'line6'  # for comparison: agents who start alike, each to a goal of its own
+APART = 'line6'  # for comparison: agents with the same starts, but different goals
 OBSTACLE_RADIUS, VISION = 0.4, 1.0  # [m]
-REACH = OBSTACLE_RADIUS + VISION  # [m]: from there on an agent sees its rim
-TIMES = ('before it passes', 'while it passes', 'when it has passed', 'when the first one arrives')
-TOLD = ("The moving obstacle passes from when the first agent sees it (its rim within 1 m of an agent's centre) until "
-        'an agent sees it for the last time. The goal is at 11 m, not 5 m, so that there is time to group again.')
+REACH = OBSTACLE_RADIUS + VISION  # [m] within this distance an agent perceives the rim
+TIMES = ('before the passage', 'during the passage', 'after the passage', 'at the first arrival')
+DESCRIPTION = (
+    "The passage of the moving obstacle begins when the first agent perceives it (its rim within 1 m of an agent's "
+    'centre) and ends when an agent perceives it for the last time. The goal is at 11 m instead of 5 m, so that the '
+    'agents have time to group again.')
 
 
 def groups_of(setting, table, seed, scenario):
-    """The recorded places of each instance while all are there."""
+    """Returns the recorded places of each instance before the first arrival."""
     return [while_all_are_there(places) for places in runs.tracks_of(setting, table, seed, scenario).values()]
 
 
 def spans_of(places, obstacle):
-    """The ticks before and while the obstacle passes, the one at which it has passed, and the last one; None if it
-    meets no agent, or at once, or still when the first one arrives."""
+    """Returns the ticks before and during the passage, the tick after it, and the last tick. None if there is no
+    passage, if it begins at the first tick, or if it has not ended at the first arrival."""
     times = passing(places, obstacle, REACH)
     if times is None or times[0] == 0 or times[1] + 1 >= len(places):
         return None
@@ -32,13 +34,13 @@ def spans_of(places, obstacle):
 
 
 def companions(places):
-    """How far the nearest companion is, the mean of all agents at each tick [m]."""
+    """Returns the distance to the nearest companion at each tick, mean of all agents [m]."""
     return nearest_distances(places).mean(axis=1)
 
 
 def measured(setting, table, measure):
-    """For each seed and each of TIMES the mean with the obstacle and at the same ticks without it [m], without it the
-    last one when the first agent arrives there: an array (seed, 4, 2)."""
+    """Returns an array (seed, 4, 2): for each seed and each of TIMES the mean with the obstacle, and the mean without
+    it at the same ticks [m]. The last of TIMES without the obstacle is the first arrival there."""
     obstacle = runs.obstacle_places(setting, 'same_goal6_mover', 2001)
     seeds = []
     for seed in setting.seeds(runs.SEEDS):
@@ -52,7 +54,7 @@ def measured(setting, table, measure):
 
 
 def last_metre(setting, table, scenario):
-    """How far the nearest companion is at the start and when the first one arrives [m], a pair for each seed."""
+    """Returns the distance to the nearest companion at the start and at the first arrival [m], a pair per seed."""
     return [numpy.mean([companions(places)[[0, -1]] for places in groups_of(setting, table, seed, scenario)], axis=0)
             for seed in setting.seeds(runs.SEEDS)]
 
@@ -61,12 +63,12 @@ def add_table(chapter, setting):
     rows = []
     for parameters in runs.PARAMETERS:
         table = ('agent', 'occupancy', parameters)
-        for title, measure in (('nearest companion', companions), ('middle of the group', centre_distances)):
+        for title, measure in (('nearest companion', companions), ('centre of the group', centre_distances)):
             values = measured(setting, table, measure)
             for i, scenario in enumerate(('with the moving obstacle', 'without it, at the same ticks')):
                 rows.append([f'{names.PARAMETER_NAMES[parameters]}, distance to the {title}, {scenario}',
                              *(Spread.of_numbers(values[:, time, i]).text(2) for time in range(len(TIMES)))])
-    chapter.add_table("Grouping of six agents with one goal [m]; state set 2, one agent's table. " + TOLD + ' Mean '
+    chapter.add_table(f"Grouping of six agents with one goal [m]; state set 2, one agent's table. {DESCRIPTION} Mean "
                       'over agents, ticks and instances; mean ± standard deviation over the seeds (lowest-highest)',
                       ['', *TIMES], rows, name='groups')
     rows = []
@@ -77,11 +79,12 @@ def add_table(chapter, setting):
                          Spread(end).text(2)])
     chapter.add_table("Distance to the nearest companion [m]; state set 2, one agent's table; mean ± standard "
                       'deviation over the seeds (lowest-highest)',
-                      ['', 'at the start', 'when the first one arrives'], rows, name='groups_end')
+                      ['', 'at the start', 'at the first arrival'], rows, name='groups_end')
 
 
 def mean_curve(setting, table, scenario):
-    """The distance to the nearest companion, mean over instances and seeds, until half of them have lost an agent."""
+    """Returns the distance to the nearest companion at each tick [m], mean over instances and seeds, until the first
+    agent has arrived in half of them."""
     curves = [companions(places) for seed in setting.seeds(runs.SEEDS)
               for places in groups_of(setting, table, seed, scenario)]
     length = int(numpy.median([len(curve) for curve in curves]))
@@ -92,7 +95,7 @@ def mean_curve(setting, table, scenario):
 
 
 def typical_passing(setting, table):
-    """When the obstacle comes and has passed, the median of the instances [ticks]."""
+    """Returns the median begin and end of the passage over the instances [ticks]."""
     obstacle = runs.obstacle_places(setting, 'same_goal6_mover', 2001)
     spans = [spans_of(places, obstacle) for seed in setting.seeds(runs.SEEDS)
              for places in groups_of(setting, table, seed, CROSSED)]
@@ -118,7 +121,7 @@ def add_figure(chapter, setting):
     axes[0][0].set_ylim(0, None)
     axes[0][0].legend(loc='lower left')
     chapter.add_figure(style.save(figure, setting.figure_file('figure_4_22_4_23_groups')),
-                       'Grouping, of figures 4.22 and 4.23: how far the nearest companion is, centre to centre, mean '
+                       'Grouping (figures 4.22 and 4.23): distance to the nearest companion, centre to centre, mean '
                        f'over the agents, {setting.count(runs.WALKED, 2)} instances and '
-                       f'{len(setting.seeds(runs.SEEDS))} seeds, until the first agent arrives in half of them. '
-                       "Shaded: while the obstacle passes (medians). State set 2, one agent's table.")
+                       f'{len(setting.seeds(runs.SEEDS))} seeds, until the first agent has arrived in half of them. '
+                       "Shaded: the passage of the obstacle (medians). State set 2, one agent's table.")

@@ -1,16 +1,16 @@
-"""Measures of what the thesis only looks at: groups, surrounded agents, ways between two obstacles."""
+"""Measures of what the thesis only describes: groups, surrounded agents, passages between two obstacles."""
 import dataclasses
 
 import numpy
 
 RADIUS = 0.25  # of the thesis's agents [m]
 COLLISION_RADIUS = 0.5  # [m]
-CONTACT_OVERLAP = 0.001  # bodies that overlap by less only touch [m]
+CONTACT_OVERLAP = 0.001  # [m] a smaller overlap is not a contact
 
 
 def nearest_distances(places):
-    """How far the nearest companion is [m], centre to centre, from places (tick, agent, 2) that are nan where an agent
-    is not there: an array (tick, agent), nan for those who are alone."""
+    """Returns an array (tick, agent) of the distances to the nearest companion [m], centre to centre; nan without a
+    companion. Places are (tick, agent, 2), nan for an agent that is not present."""
     offsets = places[:, :, None] - places[:, None]
     distances = numpy.hypot(offsets[..., 0], offsets[..., 1])
     others = ~numpy.eye(places.shape[1], dtype=bool)
@@ -19,27 +19,28 @@ def nearest_distances(places):
 
 
 def centre_distances(places):
-    """How far the agents are from the middle of all of them [m], on average: an array (tick)."""
+    """Returns an array (tick) of the mean distance of the agents to their centroid [m]."""
     offsets = places - places.mean(axis=1, keepdims=True)
     return numpy.hypot(offsets[..., 0], offsets[..., 1]).mean(axis=1)
 
 
 def while_all_are_there(places):
-    """The ticks before the first one leaves."""
+    """Returns the places at the ticks before the first agent leaves."""
     there = numpy.isfinite(places[..., 0]).all(axis=1)
     return places[:len(there) if there.all() else int(numpy.argmin(there))]
 
 
 def passing(places, obstacle, reach):
-    """First and last tick at which the centre of an agent is within reach [m] of the obstacle's, whose places are an
-    array (tick, 2); None if that never happens."""
+    """Returns the first and last tick at which the centre of an agent is within reach [m] of the obstacle's centre;
+    None if there is no such tick. Obstacle: places (tick, 2)."""
     offsets = places - obstacle[:len(places), None]
     near = numpy.flatnonzero((numpy.hypot(offsets[..., 0], offsets[..., 1]) <= reach).any(axis=1))
     return (int(near[0]), int(near[-1])) if len(near) else None
 
 
 def crossing(walk, x):
-    """Where a walk, an array (tick, 2), last crosses the line at x from left to right [m]; None if it does not."""
+    """Returns the y at which a path, an array (tick, 2), last crosses the line at x from left to right [m]; None if it
+    does not cross the line."""
     crossed = numpy.flatnonzero((walk[:-1, 0] < x) & (walk[1:, 0] >= x))
     if not len(crossed):
         return None
@@ -48,7 +49,7 @@ def crossing(walk, x):
 
 
 def within_next(flags, ticks):
-    """Whether a flag (tick, agent) is set at any of the next so many ticks, this one not among them."""
+    """Returns whether a flag (tick, agent) is set at any of the next ticks; the current tick is not included."""
     following = numpy.zeros_like(flags)
     for i in range(1, min(ticks, len(flags) - 1) + 1):
         following[:-i] |= flags[i:]
@@ -56,7 +57,7 @@ def within_next(flags, ticks):
 
 
 def grid_of(decisions, chosen):
-    """Places (tick, agent, 2), nan where no decision was made, and a function that lays out a column of the chosen
+    """Returns places (tick, agent, 2), nan without a decision, and a function that arranges a column of the chosen
     decisions (of one instance) in the same way."""
     ticks, agents = decisions['tick'][chosen], decisions['agent'][chosen]
     shape = ticks.max() + 1, agents.max() + 1
@@ -70,65 +71,65 @@ def grid_of(decisions, chosen):
 
 
 def is_contact(distances):
-    """Whether two bodies whose centres are so far apart overlap."""
+    """Returns whether two bodies overlap, given the distances of their centres [m]."""
     return distances < 2 * RADIUS - CONTACT_OVERLAP
 
 
 def is_collision(distances):
-    """Whether the rim of a body whose centre is so far away is within the collision radius."""
+    """Returns whether the rim of a body is within the collision radius, given the distances of the centres [m]."""
     return distances <= COLLISION_RADIUS + RADIUS
 
 
 @dataclasses.dataclass
 class Outcome:
-    """Of decisions of one kind: how many, and after how many a contact or a collision came soon."""
+    """Number of decisions of one kind, and how many of them were soon followed by a contact or a collision."""
     decisions: int = 0
     contacts: int = 0
     collisions: int = 0
 
     def add(self, chosen, contact, collision):
-        """Counts the chosen of a grid of decisions."""
+        """Counts the chosen decisions of a grid."""
         self.decisions += int(chosen.sum())
         self.contacts += int((chosen & contact).sum())
         self.collisions += int((chosen & collision).sum())
 
     def contact_share(self):
-        """[%]"""
+        """Returns the share of decisions followed by a contact [%]."""
         return share(self.contacts, self.decisions)
 
     def collision_share(self):
-        """[%]"""
+        """Returns the share of decisions followed by a collision [%]."""
         return share(self.collisions, self.decisions)
 
 
 @dataclasses.dataclass
 class Surrounded:
-    """Decisions of agents that were surrounded, those of the others, and how the agents fared."""
+    """Decisions of surrounded agents, decisions of other agents, and the results of the surrounded agents."""
     inside: Outcome
     outside: Outcome
     agents: int = 0
-    caught: int = 0  # agents that were ever surrounded
-    caught_arrived: int = 0
-    caught_touched: int = 0  # touched another within the next ticks after being surrounded
-    longest: int = 0  # ticks without a break
+    surrounded: int = 0  # agents that were ever surrounded
+    surrounded_arrived: int = 0
+    surrounded_touched: int = 0  # had a contact with an agent within the next ticks after being surrounded
+    longest: int = 0  # [ticks] without interruption
 
     def per_thousand(self):
-        """Of 1,000 decisions, how many were made by one who is surrounded."""
+        """Returns the number of decisions of surrounded agents per 1,000 decisions."""
         return 10.0 * share(self.inside.decisions, self.inside.decisions + self.outside.decisions)
 
-    def caught_share(self):
-        """[% of the agents]"""
-        return share(self.caught, self.agents)
+    def surrounded_share(self):
+        """Returns the share of agents that were ever surrounded [%]."""
+        return share(self.surrounded, self.agents)
 
 
 def share(part, whole):
-    """[%]"""
+    """Returns part / whole [%]; nan if whole is 0."""
     return 100.0 * part / whole if whole else float('nan')
 
 
 def surrounded(decisions, arrived, least_sectors, ticks):
-    """How often agents are surrounded (so many sectors occupied, or more), and what comes of it within so many ticks;
-    arrived: a set of (instance, agent)."""
+    """Counts how often agents are surrounded (at least least_sectors sectors occupied), and contacts and collisions
+    within the next ticks. Arrived: a set of (instance, agent)."""
     result = Surrounded(Outcome(), Outcome())
     for instance in numpy.unique(decisions['instance']):
         chosen = decisions['instance'] == instance
@@ -137,20 +138,20 @@ def surrounded(decisions, arrived, least_sectors, ticks):
         distances = nearest_distances(places)
         contact = within_next(is_contact(distances), ticks)
         collision = within_next(is_collision(distances), ticks)
-        caught = sectors >= least_sectors
-        result.inside.add(caught, contact, collision)
-        result.outside.add((sectors >= 0) & ~caught, contact, collision)
-        result.agents += caught.shape[1]
-        result.longest = max(result.longest, longest_run(caught))
-        for agent in numpy.flatnonzero(caught.any(axis=0)):
-            result.caught += 1
-            result.caught_arrived += (int(instance), int(agent)) in arrived
-            result.caught_touched += bool((caught & contact)[:, agent].any())
+        is_surrounded = sectors >= least_sectors
+        result.inside.add(is_surrounded, contact, collision)
+        result.outside.add((sectors >= 0) & ~is_surrounded, contact, collision)
+        result.agents += is_surrounded.shape[1]
+        result.longest = max(result.longest, longest_run(is_surrounded))
+        for agent in numpy.flatnonzero(is_surrounded.any(axis=0)):
+            result.surrounded += 1
+            result.surrounded_arrived += (int(instance), int(agent)) in arrived
+            result.surrounded_touched += bool((is_surrounded & contact)[:, agent].any())
     return result
 
 
 def longest_run(flags):
-    """The most ticks in a row for which a flag (tick, agent) is set."""
+    """Returns the greatest number of consecutive ticks for which a flag (tick, agent) is set."""
     longest, now = 0, numpy.zeros(flags.shape[1], dtype=int)
     for line in flags:
         now = numpy.where(line, now + 1, 0)
@@ -159,8 +160,8 @@ def longest_run(flags):
 
 
 def by_visits(decisions, visits, limits, ticks, least_sectors=0):
-    """Outcomes of decisions by how often their row was visited in training: classes from each limit to below the next;
-    of those only with so many sectors occupied."""
+    """Returns the outcomes of decisions by the number of visits of their row in training. Each class reaches from one
+    limit to below the next. Only decisions with at least least_sectors occupied sectors count."""
     outcomes = [Outcome() for _ in limits]
     for instance in numpy.unique(decisions['instance']):
         chosen = decisions['instance'] == instance

@@ -1,4 +1,4 @@
-"""What the thesis's experiments are drawn in beyond what all figures share."""
+"""Names and colours of the rewards and parameters in the figures and tables of the thesis's experiments."""
 REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
 REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
 PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}

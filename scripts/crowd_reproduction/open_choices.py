@@ -1,4 +1,4 @@
-"""What the thesis leaves open, and what is tried in place of the choice that was made here."""
+"""Choices that the thesis leaves open, and the alternatives to our choices that are tried."""
 import dataclasses
 import re
 
@@ -12,15 +12,15 @@ SECTORS = 'state_set.obstacle_sectors'
 
 @dataclasses.dataclass(frozen=True)
 class Choice:
-    """One thing that the thesis leaves open: a key of the training configuration or of the scenario."""
+    """A choice that the thesis leaves open: a key of the training configuration or of the scenario."""
     name: str
-    file: str  # RECIPE or SCENARIO
-    key: str  # its path
-    others: tuple  # values that are tried
-    default: str = ''  # where the file does not say
+    file: str  # CONFIG or SCENARIO
+    key: str  # path of the key
+    others: tuple  # alternative values
+    default: str = ''  # if the file does not have the key
 
     def chosen(self, setting):
-        """The value in the thesis configuration, for the eye."""
+        """Returns the value in the thesis configuration, as a text."""
         file = setting.config_file(f'reward_{REWARDS[0]}_thesis') if self.file == CONFIG else \
             setting.scenario('single_obstacle')
         value = read_documents(file)[0]
@@ -45,31 +45,31 @@ CHOICES = (
 
 @dataclasses.dataclass(frozen=True)
 class Variation:
-    """The thesis configuration with one choice made otherwise; with none it is the thesis configuration itself."""
+    """The thesis configuration with one choice changed; without a choice the thesis configuration itself."""
     choice: Choice = None
     value: object = None
 
     def title(self):
-        """As in tables."""
+        """Returns the label that is used in tables."""
         return f'{self.choice.name}: {self.value_text()}' if self.choice else 'thesis configuration'
 
     def value_text(self):
-        """The value for the eye."""
+        """Returns the value as a text."""
         return value_text(self.value)
 
     def name(self):
-        """As in names of files."""
+        """Returns the name that is used for files."""
         return re.sub(r'[^a-z0-9.]+', '_', self.title().lower()).strip('_')
 
     def scenario(self, setting):
-        """The scenario that it is trained and tried in."""
+        """Returns the scenario for training and evaluation."""
         if self.choice and self.choice.file == SCENARIO:
             return vary_scenario(setting, 'single_obstacle', {self.choice.key: self.value},
                                  f'single_obstacle_{self.name()}')
         return setting.scenario('single_obstacle')
 
     def config(self, setting, reward):
-        """The training configuration."""
+        """Returns the training configuration."""
         base = f'reward_{reward}_thesis'
         if not self.choice:
             return setting.config_file(base)

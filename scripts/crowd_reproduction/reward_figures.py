@@ -17,13 +17,13 @@ COLLISION_RADIUS, VISION_RADIUS = 0.5, 1.0  # [m]
 LETTERS = 'ab'
 RATIOS = {
     'gain_per_tick': ('distance gained per step [m]', SPEED, "the agent's real velocity", gain_per_step),
-    'path_per_gain': ('path per distance gained [-]', 1.0, 'straight way', path_per_gain)}
+    'path_per_gain': ('path per distance gained [-]', 1.0, 'straight line', path_per_gain)}
 RATES = {'success': success, 'collision': collision}
 DURING = {'training': 'in training', 'demo': 'in demo', 'free': 'without an obstacle'}
 
 
 def add_figures(chapter, setting):
-    """All of them, each with the thesis's parameters and with better ones."""
+    """Adds all figures, each with the thesis's parameters and with better parameters."""
     add_setting(chapter, setting)
     for parameters in ('thesis', 'better'):
         for mode, first in zip(MODES, (2, 6)):
@@ -37,7 +37,7 @@ def add_figures(chapter, setting):
 
 
 def figure_file(setting, number, parameters):
-    """fig_4_02.png with the thesis's parameters, fig_4_02_better.png with better ones."""
+    """Returns fig_4_02.png with the thesis's parameters, fig_4_02_better.png with better parameters."""
     return setting.figure_file(f'fig_4_{number:02d}' + ('' if parameters == 'thesis' else '_better'))
 
 
@@ -46,15 +46,15 @@ def caption(number, parameters, text):
 
 
 def shown_place(setting, variant):
-    """The place among the seeds of the one that is drawn: the nearest to the thesis's success in demo; with better
-    parameters the nearest to the median of the seeds."""
+    """Returns the index of the seed that is drawn: the nearest to the thesis's success in demo; with better parameters
+    the nearest to the median of the seeds."""
     values = numpy.array(per_seed(setting, variant, 'demo', success))
     target = THESIS_SUCCESS[variant.reward, 'demo'] if variant.parameters == 'thesis' else numpy.median(values)
     return int(numpy.argmin(numpy.abs(values - target)))
 
 
 def shown_text(setting, parameters):
-    """Says which seeds are drawn, and why."""
+    """Returns a text that states which seeds are drawn, and why."""
     rule = "the seed nearest to the thesis's success in demo" if parameters == 'thesis' else \
         'the seed nearest to the median success in demo'
     seeds = []
@@ -67,7 +67,7 @@ def shown_text(setting, parameters):
 
 
 def add_setting(chapter, setting):
-    """Figure 4.1: one drawn scene, and where the goals of others lie."""
+    """Adds figure 4.1: one drawn scene, with the goals of other scenes."""
     folder = Variant('cosine_cubed').folder(setting, 1)
     scenes = read_documents(folder / 'single_obstacle.yaml')
     agent, obstacle = scenes[0]['agents'][0], scenes[0]['obstacles'][0]
@@ -93,13 +93,13 @@ def add_setting(chapter, setting):
     chapter.add_figure(
         style.save(figure, setting.figure_file('fig_4_01')),
         'After figure 4.1, the same for all parameters: the setting at the start of one episode. Blue: the agent, with '
-        'a white line towards its heading; red: its inner radius, 0.5 m, what enters it is a collision; light grey: '
-        'its radius of vision, 1 m; dark grey: the obstacle; blue cross: the goal; grey crosses: the goals of '
-        f'{len(scenes) - 1} other episodes.')
+        'a white line in the direction of its heading; red: its inner radius, 0.5 m (a rim within it is a collision); '
+        'light grey: its radius of vision, 1 m; dark grey: the obstacle; blue cross: the goal; grey crosses: the goals '
+        f'of {len(scenes) - 1} other episodes.')
 
 
 def panels(number, parameters, what, height=3.9):
-    """Two side by side, (a) distance gained and (b) cos³, as in the thesis."""
+    """Returns a figure with two panels side by side, (a) distance gained and (b) cos³, as in the thesis."""
     figure, axes = style.new_figure(1, 2, 10, height, sharex=True, sharey=True)
     figure.suptitle(f'After figure 4.{number}, {names.PARAMETER_NAMES[parameters]}: {what}', fontsize=12)
     for panel, letter, reward in zip(axes[0], LETTERS, REWARDS):
@@ -108,7 +108,7 @@ def panels(number, parameters, what, height=3.9):
 
 
 def add_scatter(chapter, setting, number, parameters, measure, mode):
-    """A ratio in each episode of one run."""
+    """Adds a ratio in each episode of one run."""
     label, reference, legend, median_of = RATIOS[measure]
     ratio = label.split(' [')[0]
     figure, axes = panels(number, parameters, f'{ratio} {DURING[mode]}')
@@ -122,10 +122,10 @@ def add_scatter(chapter, setting, number, parameters, measure, mode):
         panel.set_xlabel('episode')
     axes[0].set_ylabel(label)
     axes[0].legend(loc='best')
-    text = (f'{ratio} in each episode {DURING[mode]}; dots: the agent arrived; crosses: it did not. Median of all '
-            f'episodes: {", ".join(medians)}. {shown_text(setting, parameters)}')
+    text = (f'{ratio} in each episode {DURING[mode]}; dots: the agent arrived; crosses: it did not arrive. Median of '
+            f'all episodes: {", ".join(medians)}. {shown_text(setting, parameters)}')
     if measure == 'path_per_gain':
-        text += ' Episodes in which nothing was gained have no such ratio: they count in the median as infinite.'
+        text += ' Episodes without a gained distance count as infinite in the median.'
     chapter.add_figure(style.save(figure, figure_file(setting, number, parameters)), caption(number, parameters, text))
 
 
@@ -141,7 +141,7 @@ def scatter(panel, record, measure, colour):
 
 
 def add_rates(chapter, setting, number, parameters, measure, mode):
-    """A rate as a bar for each seed, with the mean over them."""
+    """Adds a rate as a bar for each seed, with the mean over the seeds."""
     figure, axes = panels(number, parameters, f'rate of {measure} {DURING[mode]}')
     for panel, reward in zip(axes, REWARDS):
         values = numpy.sort(per_seed(setting, Variant(reward, parameters), mode, RATES[measure]))
@@ -157,16 +157,16 @@ def add_rates(chapter, setting, number, parameters, measure, mode):
     axes[0].set_ylabel(f'{measure} [% of the episodes]')
     axes[0].set_ylim(0, 105 if measure == 'success' else max(axes[0].get_ylim()[1], 5))
     what = 'in which the agent arrived' if measure == 'success' else \
-        'in which the obstacle entered the inner radius of 0.5 m'
-    text = f'rate of {measure} {DURING[mode]}: share of the episodes {what}. A bar is a seed.'
+        'in which the obstacle was within the inner radius of 0.5 m'
+    text = f'rate of {measure} {DURING[mode]}: share of the episodes {what}. One bar per seed.'
     if measure == 'success':
-        text += " The thesis's rates are of its one run" + (
+        text += " The thesis's rates are those of its single run" + (
             '.' if parameters == 'thesis' else ', with its own parameters.')
     chapter.add_figure(style.save(figure, figure_file(setting, number, parameters)), caption(number, parameters, text))
 
 
 def add_paths(chapter, setting, parameters):
-    """Figure 4.10: walked paths without an obstacle."""
+    """Adds figure 4.10: paths without an obstacle."""
     figure, axes = panels(10, parameters, 'paths without an obstacle', 6.1)
     pictures = []
     for panel, reward in zip(axes, REWARDS):
@@ -182,7 +182,7 @@ def add_paths(chapter, setting, parameters):
 
 
 def draw_paths(panel, folder):
-    """The recorded paths of one run; returns the picture."""
+    """Draws the recorded paths of one run. Returns the picture."""
     scenes = read_documents(folder / 'single_free.yaml')
     picture = Picture(panel)
     for instance, colour in enumerate(colours_of(DRAWN_EPISODES)):

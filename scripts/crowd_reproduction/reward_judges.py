@@ -1,4 +1,4 @@
-"""Ways to judge what the thesis claims of its rewards and of training, from the records of the runs."""
+"""Judges the claims of the thesis about its rewards and about training, from the records of the runs."""
 import math
 
 import numpy
@@ -10,9 +10,10 @@ from .claim import Judgement, decide, decide_all, decide_each, decide_greater, d
 from .names import REWARD_NAMES
 from .reward_runs import COSINE, GAIN, MODES, THESIS_SUCCESS, Variant, per_seed, records
 
-DIFFERENT = 5.0  # [points] by which two rates differ that do not depict each other
-SIMILAR = 10.0  # [points] by which two rates differ that are similar
-# A separation: a gap of so much [m], with such a share of the episodes at least on either side, and at most in it.
+DIFFERENT = 5.0  # [points] rates that differ by more do not depict each other
+SIMILAR = 10.0  # [points] rates that differ by at most this are similar
+# A separation is a gap of WIDTH [m], with a share of LEAST_SIDE of the episodes or more on each side, and at most
+# MOST_BETWEEN in the gap.
 WIDTH, LEAST_SIDE, MOST_BETWEEN = 0.005, 0.05, 0.01
 HALF, FOUR_FIFTHS = (25, 75), (10, 90)  # percentiles between which the middle half and four fifths of the values lie
 
@@ -28,13 +29,13 @@ def compare(measure, mode, greater, decimals=2):
 
 
 def scattered(breadth, mode, greater, decimals=2):
-    """Judges that a measure is more scattered with the one reward: the middle half of it, and four fifths."""
+    """Judges that a measure is more scattered with the one reward, by its middle half and its middle four fifths."""
     return named_parts({'middle half': compare(breadth(HALF), mode, greater, decimals),
                         'four fifths': compare(breadth(FOUR_FIFTHS), mode, greater, decimals)})
 
 
 def named_parts(judges):
-    """Judges a claim that has parts, each with a name."""
+    """Judges a claim with several named parts."""
     def judge(setting):
         parts = {name: part(setting) for name, part in judges.items()}
         return Judgement('. '.join(f'{name}: {part.measured}' for name, part in parts.items()),
@@ -43,7 +44,7 @@ def named_parts(judges):
 
 
 def each(variant, mode, measure, condition, decimals=2):
-    """Judges that a measure fulfils a condition."""
+    """Judges that a measure meets a condition."""
     def judge(setting):
         values = per_seed(setting, variant, mode, measure)
         return Judgement(f'{REWARD_NAMES[variant.reward]} {spread_text(values, decimals)}',
@@ -52,7 +53,7 @@ def each(variant, mode, measure, condition, decimals=2):
 
 
 def both(*judges):
-    """Judges a claim that has parts."""
+    """Judges a claim with several parts."""
     def judge(setting):
         parts = [part(setting) for part in judges]
         return Judgement('. '.join(part.measured for part in parts), decide_all(*(part.verdict for part in parts)))
@@ -71,15 +72,15 @@ def number(variant, mode):
 def curved(setting):
     """Judges that paths without an obstacle bend more with distance gained."""
     gain, cosine = (runs.free_bends(setting, variant)[:, 0] for variant in (GAIN, COSINE))
-    return Judgement('bends in total [degrees]: ' + versus('distance gained', gain, 'cos³', cosine, 0),
+    return Judgement('sum of the bends [degrees]: ' + versus('distance gained', gain, 'cos³', cosine, 0),
                      decide_greater(gain, cosine))
 
 
 def softer(setting):
-    """Judges that they bend less sharply, and turn less a metre."""
+    """Judges that paths with distance gained have less sharp bends and less turning per metre."""
     gain, cosine = (runs.free_bends(setting, variant)[:, 1] for variant in (GAIN, COSINE))
     turning = numpy.array([per_seed(setting, variant, 'free', runs.turning) for variant in (GAIN, COSINE)])
-    gain_turning, cosine_turning = turning[:, numpy.isfinite(turning).all(axis=0)]  # where both arrive
+    gain_turning, cosine_turning = turning[:, numpy.isfinite(turning).all(axis=0)]  # seeds with which both arrive
     verdicts = [decide_greater(cosine, gain)]
     text = 'sharpest bend [degrees]: ' + versus('cos³', cosine, 'distance gained', gain, 0)
     if len(gain_turning):
@@ -89,7 +90,7 @@ def softer(setting):
 
 
 def separated(record):
-    """Whether the distances gained per step lie in two groups."""
+    """Returns whether the distances gained per step form two groups."""
     gains = numpy.sort(record['gain_per_tick'])
     side, between = max(1, math.ceil(LEAST_SIDE * len(gains))), int(MOST_BETWEEN * len(gains)) + 1
     gaps = gains[between:] - gains[:-between]
@@ -97,7 +98,7 @@ def separated(record):
 
 
 def separation(variant):
-    """Judges that the charts show a separation, of the runs in which some episodes fail, as in the thesis's."""
+    """Judges that the charts show a separation, in runs in which some episodes fail, as in the thesis."""
     def judge(setting):
         flags = [separated(record) for record in records(setting, variant, 'demo')
                  if 100.0 * LEAST_SIDE <= runs.success(record) <= 100.0 * (1.0 - LEAST_SIDE)]
@@ -116,7 +117,7 @@ def less_in_demo(variant):
 
 
 def longer(variant, measure, is_better_greater):
-    """Judges that more training betters a rate in demo."""
+    """Judges that more training improves a rate in demo."""
     def judge(setting):
         usual, more = (per_seed(setting, Variant(variant.reward, is_longer=is_longer), 'demo', measure)
                        for is_longer in (False, True))
@@ -128,7 +129,7 @@ def longer(variant, measure, is_better_greater):
 
 
 def more_decisions(variant):
-    """Judges that more decisions in an episode better the success in demo; the same episodes with both."""
+    """Judges that more decisions per episode improve the success in demo, with the same episodes."""
     def judge(setting):
         patient = per_seed(setting, variant, 'patient', runs.success)
         usual = per_seed(setting, variant, 'demo', lambda record: runs.success(
@@ -139,7 +140,7 @@ def more_decisions(variant):
 
 
 def quarter(measure, last):
-    """A rate in the first or the last quarter of the episodes."""
+    """Returns a measure of the first or the last quarter of the episodes."""
     def measured(record):
         length = len(record['arrived']) // 4
         part = slice(-length, None) if last else slice(length)
@@ -148,7 +149,7 @@ def quarter(measure, last):
 
 
 def in_course(variant, measure, falls):
-    """Judges that a rate falls, or rises, in the course of training."""
+    """Judges that a rate decreases, or increases, in the course of the training."""
     def judge(setting):
         first, last = (per_seed(setting, variant, 'training', quarter(measure, is_last)) for is_last in (False, True))
         text = versus('first quarter', first, 'last quarter', last)
@@ -179,11 +180,11 @@ def mostly_free(variant):
     """Judges that most states in training are without an obstacle."""
     def judge(setting):
         shares = runs.free_share(setting, variant)
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: {spread_text(shares, 1)} % without',
+        return Judgement(f'{REWARD_NAMES[variant.reward]}: {spread_text(shares, 1)} % without an obstacle',
                          decide_each(shares, lambda share: share > 50.0))
     return judge
 
 
 def of_both(make, *arguments):
-    """Judges the same of both rewards."""
+    """Judges a claim for both rewards."""
     return both(*(make(variant, *arguments) for variant in (GAIN, COSINE)))

@@ -1,52 +1,54 @@
-"""The surrounded agent (figure 4.25), and rows of the Q-table that were never visited in training (5.1)."""
+"""Surrounded agents (figure 4.25), and rows of the Q-table that were rarely visited in training (5.1)."""
 from crowd_experiments.records import Spread
 
 from . import names, scenario_runs as runs
 from .measures import by_visits, share, surrounded
 
 LEAST_SECTORS = 7  # of 8 occupied: "in almost every single angle interval"
-SOON = 10  # ticks, in which an agent walks 0.3 m, more than a body's radius
+SOON = 10  # [ticks], in which an agent walks 0.3 m, which is more than its radius
 VISIT_CLASSES = {0: 'never', 1: '1-9 times', 10: '10-99 times', 100: '100 times or more'}
 CROWDED = 3  # sectors
-HEADER = ['', 'of 1,000 decisions', 'agents ever %', f'contact within {SOON} decisions %', 'the same of others %',
-          f'collision within {SOON} decisions %', 'the same of others %', 'longest [decisions]',
-          'of these agents arrive %', 'touch another then %']
-TOLD = (f'Surrounded: {LEAST_SECTORS} or 8 of 8 sectors occupied. Contact and collision: with another agent, at the '
-        f'end of any of the next {SOON} decisions; "of others": after decisions with fewer sectors occupied')
+HEADER = ['', 'surrounded, per 1,000 decisions', 'agents ever surrounded %', f'contact within {SOON} decisions %',
+          'contact, other decisions %', f'collision within {SOON} decisions %', 'collision, other decisions %',
+          'longest [decisions]', 'surrounded agents that arrive %', f'with a contact within {SOON} decisions %']
+DEFINITIONS = (
+    f'Surrounded: {LEAST_SECTORS} or 8 of 8 sectors occupied. Contact and collision: with another agent, at the '
+    f'end of any of the next {SOON} decisions. Other decisions: those with fewer sectors occupied. The last two '
+    'columns refer to the agents that were ever surrounded')
 
 
 def measured(setting, table, scenario):
-    """A Surrounded for each seed."""
+    """Returns a Surrounded for each seed."""
     return [surrounded(runs.decisions_of(setting, table, seed, scenario),
                        runs.arrivals_of(setting, table, seed, scenario), LEAST_SECTORS, SOON)
             for seed in setting.seeds(runs.SEEDS)]
 
 
-def row_of(told, found):
-    """A line of the table, from a Surrounded for each seed."""
-    return [told, *(Spread.of_numbers(values).text(decimals) for values, decimals in (
+def row_of(label, found):
+    """Returns a row of the table, from a Surrounded for each seed."""
+    return [label, *(Spread.of_numbers(values).text(decimals) for values, decimals in (
         ([one.per_thousand() for one in found], 2),
-        ([one.caught_share() for one in found], 1),
+        ([one.surrounded_share() for one in found], 1),
         ([one.inside.contact_share() for one in found], 1),
         ([one.outside.contact_share() for one in found], 1),
         ([one.inside.collision_share() for one in found], 1),
         ([one.outside.collision_share() for one in found], 1),
         ([one.longest for one in found], 0),
-        ([share(one.caught_arrived, one.caught) for one in found], 1),
-        ([share(one.caught_touched, one.caught) for one in found], 1)))]
+        ([share(one.surrounded_arrived, one.surrounded) for one in found], 1),
+        ([share(one.surrounded_touched, one.surrounded) for one in found], 1)))]
 
 
 def add_table(chapter, setting):
     rows = [row_of(f'{names.PARAMETER_NAMES[parameters]}, {scenario}',
                    measured(setting, ('agent', 'occupancy', parameters), scenario))
             for parameters in runs.PARAMETERS for scenario in runs.WATCHED]
-    chapter.add_table(f'Surrounded agents (figure 4.25); state set 2, one agent\'s table. {TOLD}. Mean ± standard '
-                      'deviation over the seeds (lowest-highest), of the seeds in which there were any', HEADER, rows,
+    chapter.add_table(f'Surrounded agents (figure 4.25); state set 2, one agent\'s table. {DEFINITIONS}. Mean ± '
+                      'standard deviation over the seeds with surrounded agents (lowest-highest)', HEADER, rows,
                       name='surrounded')
 
 
 def visits_measured(setting, table, scenario, least_sectors):
-    """Outcomes by classes of visits, a list for each seed."""
+    """Returns the outcomes by classes of visits, a list for each seed."""
     return [by_visits(runs.decisions_of(setting, table, seed, scenario), runs.visits_of(setting, table, seed),
                       list(VISIT_CLASSES), SOON, least_sectors) for seed in setting.seeds(runs.SEEDS)]
 
@@ -54,15 +56,15 @@ def visits_measured(setting, table, scenario, least_sectors):
 def add_visits_table(chapter, setting):
     rows = []
     for scenario in runs.WATCHED:
-        for least, told in ((0, 'all decisions'), (CROWDED, f'{CROWDED} or more sectors occupied')):
+        for least, label in ((0, 'all decisions'), (CROWDED, f'{CROWDED} or more sectors occupied')):
             seeds = visits_measured(setting, runs.MAIN, scenario, least)
             for i, visited in enumerate(VISIT_CLASSES.values()):
                 of_all = [share(outcomes[i].decisions, sum(outcome.decisions for outcome in outcomes))
                           for outcomes in seeds]
-                rows.append([f'{scenario}, {told}, row visited {visited}', Spread(of_all).text(2),
+                rows.append([f'{scenario}, {label}, row visited {visited}', Spread(of_all).text(2),
                              Spread.of_numbers(outcomes[i].contact_share() for outcomes in seeds).text(2),
                              Spread.of_numbers(outcomes[i].collision_share() for outcomes in seeds).text(2)])
-    chapter.add_table('An incomplete table (5.1): decisions by how often their row was visited in training, and what '
-                      f'came within {SOON} decisions; state set 2, thesis\'s parameters, one agent\'s table. Mean ± '
-                      'standard deviation over the seeds (lowest-highest)',
-                      ['', 'decisions %', 'then contact %', 'then collision %'], rows, name='visits')
+    chapter.add_table('An incomplete table (5.1): decisions by the number of visits of their row in training, and '
+                      f'contacts and collisions within the next {SOON} decisions; state set 2, thesis\'s parameters, '
+                      'one agent\'s table. Mean ± standard deviation over the seeds (lowest-highest)',
+                      ['', 'decisions %', 'followed by contact %', 'followed by collision %'], rows, name='visits')

@@ -18,7 +18,7 @@ void noteInterrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-/// The long options of a tool, as they are typed.
+/// The long options of a tool, with leading dashes.
 std::vector<std::string> optionsOf(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -27,7 +27,7 @@ std::vector<std::string> optionsOf(const CLI::App& app) {
   return names;
 }
 
-/// What is said of arguments that the tool does not have.
+/// The error message for unknown arguments.
 std::string unknownArguments(const CLI::App& app) {
   const std::vector<std::string> unknown = app.remaining();
   const auto is_option = [](const std::string& word) { return word.rfind("--", 0) == 0; };
@@ -37,7 +37,7 @@ std::string unknownArguments(const CLI::App& app) {
   return "there is no option '" + name + "'" + didYouMean(name, optionsOf(app));
 }
 
-/// Prints help, or what is wrong with the command line.
+/// Prints the help text or the error in the command line. Returns the exit status.
 int explainUsage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
   const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);

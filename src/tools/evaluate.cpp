@@ -63,7 +63,7 @@ void printRow(const std::string& name, const Metrics& metrics) {
   std::fflush(stdout);
 }
 
-/// The configuration's model in place of the one in the table's header.
+/// Replaces the model of the table's header by that of a configuration.
 void useModelOf(const std::string& config_file, const std::string& file, TrainedTable& trained) {
   const TrainingConfig config = readTrainingConfig(config_file);
   requireFit(config.model, trained.model, file);
@@ -81,7 +81,7 @@ std::string recordRows(const EvaluatedEpisode& walked) {
                    "': rename one, or evaluate them one at a time into different folders");
 }
 
-/// Each scenario file has an output file of its own stem in the folder; two of one stem would write to the same one.
+/// Output files are named after the stems of the scenario files, so all stems must be different.
 void requireOwnOutputs(const std::string& option, const std::vector<std::string>& scenarios) {
   std::map<std::string, std::string> file_of;
   for (const std::string& file : scenarios) {
@@ -96,10 +96,10 @@ void requireOwnOutputs(const Arguments& arguments) {
   if (arguments.plan.states) requireOwnOutputs("--states", arguments.scenarios);
 }
 
-/// What is written of each episode as soon as it has been walked.
-class Writing {
+/// Writes the requested files of a scenario, episode by episode.
+class EpisodeWriter {
  public:
-  Writing(const Arguments& arguments, const std::string& name) {
+  EpisodeWriter(const Arguments& arguments, const std::string& name) {
     if (arguments.plan.record) trajectories_.emplace(arguments.trajectories, name);
     if (arguments.plan.states) {
       makeFolder(arguments.states);
@@ -108,7 +108,7 @@ class Writing {
     if (!arguments.plan.scenes) return;
     makeFolder(arguments.scenes);
     scenes_.emplace(arguments.scenes + "/" + name + ".yaml",
-                    "# Drawn from " + name + ".yaml, one document an instance.\n");
+                    "# Drawn from " + name + ".yaml, one document per instance.\n");
   }
 
   void write(const EvaluatedEpisode& walked) {
@@ -125,12 +125,12 @@ class Writing {
 
 Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, const std::string& name,
                      const ScenarioList& scenarios, std::optional<GrowingFile>& record) {
-  Writing writing(arguments, name);
+  EpisodeWriter writer(arguments, name);
   const std::uint64_t episodes = arguments.plan.episodes > 0 ? arguments.plan.episodes : scenarios.size();
   ProgressBar bar(name, episodes);
   Metrics metrics;
   evaluate(trained, scenarios, arguments.plan, [&](EvaluatedEpisode& walked) {
-    writing.write(walked);
+    writer.write(walked);
     if (record) record->append(recordRows(walked));
     metrics.add(walked.result);
     if (bar.isDue(metrics.episodes()) && metrics.episodes() < episodes) bar.show(metrics.episodes(), "");
@@ -149,7 +149,7 @@ int evaluateAll(Arguments& arguments) {
   if (arguments.plan.states && arguments.states == arguments.trajectories) {
     throw InputError("--states: expected another folder than that of --trajectories, got '" + arguments.states + "'");
   }
-  // All files are read before the first is walked: an error in the last one is told at once.
+  // All files are read before the first one is run, so that errors in any of them are reported at once.
   std::vector<ScenarioList> scenarios;
   for (std::string& file : arguments.scenarios) {
     file = findScenario(file);
@@ -172,32 +172,33 @@ int evaluateAll(Arguments& arguments) {
 }
 
 int runMain(int argc, char** argv) {
-  CLI::App app("Walks scenarios with a Q-table (demo mode) and prints the steering benchmark's metrics.", "evaluate");
+  CLI::App app("Runs scenarios with a Q-table (demo mode) and prints the metrics of the steering benchmark.",
+               "evaluate");
   Arguments arguments;
   arguments.plan.threads = std::max(1U, std::thread::hardware_concurrency());
   app.add_option("--q-table", arguments.q_table, "Q-table file")->required();
-  app.add_option("--config", arguments.config, "training configuration; else what the table's header says is used");
-  app.add_option("--episodes", arguments.plan.episodes, "of each scenario file; else every document once")
+  app.add_option("--config", arguments.config,
+                 "training configuration whose model is used; default: that of the table");
+  app.add_option("--episodes", arguments.plan.episodes,
+                 "number of episodes of each scenario file; default: every document once")
       ->check(atLeast(1));
-  app.add_option("--seed", arguments.plan.seed, "of placements at random, and of ties that are broken at random")
+  app.add_option("--seed", arguments.plan.seed, "seed of random placements and random ties")
       ->check(atLeast(0))
       ->capture_default_str();
-  app.add_option("--threads", arguments.plan.threads, "results do not depend on it; else one per processor")
+  app.add_option("--threads", arguments.plan.threads,
+                 "number of threads; default: one per processor; results do not depend on it")
       ->check(CLI::Range(1, 1024));
   app.add_option("--trajectories", arguments.trajectories,
-                 "folder for a NAME.csv (instance,tick,agent,x,y) a scenario file");
+                 "folder for a file NAME.csv (instance,tick,agent,x,y) per scenario file");
   app.add_option("--scenes", arguments.scenes,
-                 "folder for a NAME.yaml a scenario file: what was drawn, one document an instance");
-  app.add_option(
-      "--states", arguments.states,
-      "folder for a NAME.csv a scenario file: the row of the Q-table, the action and the occupied sectors of "
-      "every decision");
-  app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
-  app.add_option("--csv", arguments.csv, "file for the metrics");
-  app.add_option("SCENARIO", arguments.scenarios,
-                 "scenario files, or names of the scenarios that come with the package")
-      ->required();
-  app.footer("Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");
+                 "folder for a file NAME.yaml per scenario file with the drawn scenes, one document per instance");
+  app.add_option("--states", arguments.states,
+                 "folder for a file NAME.csv per scenario file with the row of the Q-table, the action and the "
+                 "occupied sectors of every decision");
+  app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
+  app.add_option("--csv", arguments.csv, "CSV file for the metrics");
+  app.add_option("SCENARIO", arguments.scenarios, "scenario files, or names of scenarios of the package")->required();
+  app.footer("Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");
   return runTool(app, argc, argv, [&] { return evaluateAll(arguments); });
 }
 

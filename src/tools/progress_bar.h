@@ -6,20 +6,20 @@
 
 namespace crowd {
 
-/// @brief A bar on the terminal (standard error) that shows how far a long run is, how it goes and how long it will
-/// take. Where standard error is no terminal it writes a plain line now and then.
+/// @brief Progress bar on standard error with a note and the remaining time. If standard error is not a terminal, plain
+/// lines are printed periodically.
 class ProgressBar {
  public:
   ProgressBar(std::string label, std::uint64_t total);
-  /// @brief Draws at most a few times a second. @param note what to show behind the bar.
+  /// @brief Draws the bar, at most a few times per second. @param note text after the bar
   void show(std::uint64_t done, const std::string& note) { draw(done, note, done == total_); }
-  /// @brief Whether the next show() would draw; saves making notes that nobody sees.
+  /// @brief Returns whether the next show() would draw, so that callers can avoid computing unused notes.
   bool isDue(std::uint64_t done) const;
-  /// @brief Ends the line.
+  /// @brief Draws the bar a last time and ends the line.
   void finish(std::uint64_t done, const std::string& note);
-  /// @brief Takes the bar away again.
+  /// @brief Removes the bar from the terminal.
   void clear();
-  /// @brief Since the start [s].
+  /// @brief Returns the time since the construction [s].
   double seconds() const;
 
  private:
@@ -32,9 +32,9 @@ class ProgressBar {
   std::chrono::steady_clock::time_point next_;
 };
 
-/// @brief Seconds as m:ss or h:mm:ss.
+/// @brief Returns seconds as m:ss or h:mm:ss.
 std::string formatDuration(double seconds);
-/// @brief A number with a unit letter that a person reads at a glance: 950, 12.3 k, 4.56 M.
+/// @brief Returns a number with a unit prefix: 950, 12.3 k, 4.56 M.
 std::string formatCount(double count);
 
 }  // namespace crowd

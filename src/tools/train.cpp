@@ -31,7 +31,7 @@ struct Arguments {
   unsigned threads = 1;
 };
 
-/// Success and contact of the last episodes, in percent of the agents.
+/// Success and contact rates of the last episodes [% of the agents].
 class RecentRates {
  public:
   void add(const EpisodeResult& result) {
@@ -84,7 +84,7 @@ std::string recordRows(std::uint64_t episode, const EpisodeResult& result) {
   return rows;
 }
 
-/// TABLE.txt -> TABLE_000500.txt: the table as it was after so many episodes.
+/// The name of the table after a number of episodes: TABLE.txt -> TABLE_000500.txt.
 std::string nameAfter(const std::string& output, std::uint64_t episode) {
   const std::filesystem::path path(output);
   const std::string name = path.stem().string() + "_" + toPaddedText(episode, 6) + path.extension().string();
@@ -93,7 +93,7 @@ std::string nameAfter(const std::string& output, std::uint64_t episode) {
 
 int train(const Arguments& arguments) {
   Training training = beginTraining(arguments);
-  saveQTable(arguments.output, training.trained());  // a name that cannot be written is told now, not after the work
+  saveQTable(arguments.output, training.trained());  // reports a file that cannot be written before the training
   std::optional<GrowingFile> record;
   if (!arguments.record.empty()) record.emplace(arguments.record, RECORD_HEADER);
   const TrainingPlan& plan = training.config().training;
@@ -126,27 +126,31 @@ int train(const Arguments& arguments) {
 }
 
 int runMain(int argc, char** argv) {
-  CLI::App app("Trains a Q-table: one agent or many learn to walk in the scenarios that CONFIG names.", "train");
+  CLI::App app("Trains a Q-table: one or more agents learn to walk in the scenarios of CONFIG.", "train");
   Arguments arguments;
   arguments.threads = std::max(1U, std::thread::hardware_concurrency());
   app.add_option("CONFIG", arguments.config, "training configuration, such as config/learning/thesis_nearest.yaml")
       ->required();
   app.add_option("--output,-o", arguments.output, "Q-table file to write")->required();
-  app.add_option("--episodes", arguments.episodes, "in place of the configuration's")->check(atLeast(1));
-  app.add_option("--seed", arguments.seed, "in place of the configuration's")->check(atLeast(0));
-  app.add_option("--save-every", arguments.save_every,
-                 "also keep the table every so many episodes, as OUTPUT_000500.txt and so on")
+  app.add_option("--episodes", arguments.episodes, "number of episodes; overrides the configuration")
+      ->check(atLeast(1));
+  app.add_option("--seed", arguments.seed, "seed of all random numbers; overrides the configuration")
       ->check(atLeast(0));
-  app.add_option("--q-table", arguments.q_table, "goes on learning from this table");
-  app.add_option("--tables", arguments.tables, "one for all or each its own, in place of the configuration's")
+  app.add_option("--save-every", arguments.save_every,
+                 "interval in episodes at which the table is also saved, as OUTPUT_000500.txt etc.; 0: never; "
+                 "overrides the configuration")
+      ->check(atLeast(0));
+  app.add_option("--q-table", arguments.q_table, "Q-table file from which learning continues");
+  app.add_option("--tables", arguments.tables,
+                 "one shared table, or one own table per agent; overrides the configuration")
       ->check(CLI::IsMember({"shared", "own"}));
   app.add_option("--threads", arguments.threads,
-                 "for learners side by side, results do not depend on it; else one per processor")
+                 "number of threads for learners side by side; default: one per processor; results do not depend on it")
       ->check(CLI::Range(1, 1024));
-  app.add_option("--record", arguments.record, "CSV file for the measures of every agent of every episode");
+  app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
   app.footer(
-      "Ctrl-C ends the training and keeps what was learned so far.\n"
-      "Exit status: 0 done, 1 error in the input, 2 wrong usage, 130 interrupted.");
+      "Ctrl-C ends the training and saves the values learned so far.\n"
+      "Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");
   return runTool(app, argc, argv, [&] { return train(arguments); });
 }
 

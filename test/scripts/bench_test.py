@@ -1,4 +1,4 @@
-"""scripts/bench: what it makes of the figures of a program of benchmarks, which here are made by hand."""
+"""scripts/bench: processing of benchmark results, which are written by hand."""
 import json
 import os
 import pathlib
@@ -10,7 +10,7 @@ from crowd_bench.catalogue import BENCHMARKS
 from crowd_bench.sweeps import SWEEPS
 from programs import assert_says, in_package, read_bytes, read_text, wait_for
 
-# Answers as Google Benchmark does, with what each repetition tells; of None it does not come to an end.
+# Writes the output format of Google Benchmark with the given counters of each repetition; None never ends.
 PROGRAM = '''#!/usr/bin/python3
 import json
 import re
@@ -18,30 +18,31 @@ import sys
 import time
 options = dict(word.lstrip('-').split('=', 1) for word in sys.argv[1:])
 runs = []
-for name, repetitions in {told!r}.items():
+for name, repetitions in {counters!r}.items():
     if not re.search(options['benchmark_filter'], name):
         continue
-    for told in repetitions[:int(options['benchmark_repetitions'])]:
-        if told is None:
+    for counters in repetitions[:int(options['benchmark_repetitions'])]:
+        if counters is None:
             time.sleep(600)
-        runs.append({{'run_name': name, 'name': name, 'run_type': 'iteration', **told}})
-    runs.append({{'run_name': name, 'name': name + '_median', 'run_type': 'aggregate', **dict.fromkeys(told, -1.0)}})
+        runs.append({{'run_name': name, 'name': name, 'run_type': 'iteration', **counters}})
+    median = dict.fromkeys(counters, -1.0)
+    runs.append({{'run_name': name, 'name': name + '_median', 'run_type': 'aggregate', **median}})
 with open(options['benchmark_out'], 'w') as stream:
     json.dump({{'benchmarks': runs}}, stream)
 '''
 
 
-def repetitions(**told):
-    """Of each repetition what it tells, from lists of all of them: rate=[1.0, 2.0] -> {'rate': 1.0}, {'rate': 2.0}."""
-    return [dict(zip(told, values)) for values in zip(*told.values())]
+def repetitions(**counters):
+    """Returns the counters of each repetition: rate=[1.0, 2.0] -> [{'rate': 1.0}, {'rate': 2.0}]."""
+    return [dict(zip(counters, values)) for values in zip(*counters.values())]
 
 
-TOLD = {
-    # Of the ratios 2, 3 and 1.5 the one between is 2, while that of the medians would be 3.
+COUNTERS = {
+    # The median of the ratios 2, 3 and 1.5 is 2; the ratio of the medians is 3.
     'train_occupancy/manual_time': repetitions(rate=[1e6, 2e6, 4e6], yardstick_rate=[2e6, 6e6, 6e6]),
     'crowd_step_10000_two_threads/iterations:2/manual_time': repetitions(rate=[3e6] * 3, yardstick_rate=[2e6] * 3),
     'q_table_load/manual_time': repetitions(real_time=[30.0, 31.0, 50.0], yardstick_rate=[2000.0] * 3),
-    'memory_100000/iterations:5': repetitions(resident_megabytes=[150.0, 1000.0, 1000.0]),  # only the first is right
+    'memory_100000/iterations:5': repetitions(resident_megabytes=[150.0, 1000.0, 1000.0]),  # only the first is valid
     'crowd_step_agents/1000/iterations:40': repetitions(rate=[9e5, 1e6, 8e5]),
     'crowd_step_agents/20000/iterations:40/real_time': repetitions(rate=[5e5, 5e5, 5e5]),
     'q_table_save/manual_time': [None],
@@ -50,10 +51,10 @@ ENTRIES = {entry.name: entry for entry in BENCHMARKS + SWEEPS}
 
 
 class BenchTest:
-    """The program as a whole."""
+    """The complete program."""
 
-    def bench(self, runner, *words, program=PROGRAM.format(told=TOLD)):
-        """Starts scripts/bench with a program made by hand."""
+    def bench(self, runner, *words, program=PROGRAM.format(counters=COUNTERS)):
+        """Starts scripts/bench with a substitute for the benchmarks."""
         os.makedirs(runner.path('tools'), exist_ok=True)
         os.chmod(runner.write('tools/core_benchmarks', program), 0o755)
         return runner.start('bench', [in_package('scripts', 'bench'), '--tools', runner.path('tools'),
@@ -61,7 +62,7 @@ class BenchTest:
                                       '--json', runner.path('results.json'), *words])
 
     def results(self, runner):
-        """What was written, by name."""
+        """Returns the written results, by name."""
         return {result.pop('name'): result for result in json.loads(read_text(runner.path('results.json')))}
 
     def test_medians_and_ratios(self, runner):
@@ -85,14 +86,14 @@ class BenchTest:
         assert rows in read_text(tables)
         assert read_bytes(runner.path('images/crowd_step_agents.png')).startswith(b'\x89PNG')
 
-    def test_an_interrupt_keeps_what_is_measured(self, runner):
+    def test_an_interrupt_keeps_the_results(self, runner):
         running = self.bench(runner, 'train_occupancy', 'q_table_save')
         wait_for(lambda: 'train_occupancy  ' in running.output(), 'the first result')
         running.signal(signal.SIGINT)
         assert running.wait() == 130, running.output()
         assert set(self.results(runner)) == {'train_occupancy'}
 
-    def test_what_goes_wrong_is_told(self, runner):
+    def test_failures_are_reported(self, runner):
         broken = self.bench(runner, 'train_occupancy', program='#!/bin/sh\necho out of order\nexit 3\n')
         assert broken.wait() == 1
         assert_says(broken.output(), 'core_benchmarks failed', 'out of order')
@@ -104,7 +105,7 @@ class BenchTest:
 
 
 class TableTest:
-    """Results against their bars, and as rows of the document."""
+    """Comparison of results with their bars, and rows of the document."""
 
     def test_bars(self):
         for name, value, yardstick, expected in [
@@ -120,7 +121,7 @@ class TableTest:
             result = benchmark.result(value, yardstick, ratio)
             assert benchmark.clears_bar(result) == expected, (name, value)
 
-    def test_rows_that_were_not_measured_stay(self, runner):
+    def test_rows_without_new_results_are_kept(self, runner):
         file = pathlib.Path(runner.write('page.md', '<!-- table performance/benchmarks -->\n'
                                                     '| name | what |\n|---|---|\n'
                                                     '| q_table_save | a | b | c | d | e | f | g | h | i |\n'
@@ -151,7 +152,7 @@ class TableTest:
 
 
 class ProfileTest:
-    """Where the time goes."""
+    """Profiles of instructions."""
 
     def test_annotation(self):
         text = ('Ir\n---\n1,000 (100.0%)  PROGRAM TOTALS\n---\nIr  file:function\n---\n'

@@ -1,4 +1,4 @@
-"""Programs and scripts from the command line: rosrun finds them at once, and what is wrong is told with a remedy."""
+"""Programs and scripts on the command line: rosrun finds them, and error messages are helpful."""
 import os
 import pathlib
 import shutil
@@ -18,7 +18,7 @@ agents:
 
 
 def run_here(runner, *command):
-    """Exit status and output of a command that is run in the test's folder, without anybody to answer questions."""
+    """Returns exit status and output of a command that is run in the test's folder, without standard input."""
     done = subprocess.run(list(map(str, command)), cwd=runner.folder, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
     return done.returncode, done.stdout.decode(errors='replace')
@@ -29,7 +29,7 @@ class RosrunTest:
 
     @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce', 'show_crowd',
                                       'learner_crew'])
-    def test_it_finds_one_of_each(self, runner, name):
+    def test_names_are_unique(self, runner, name):
         status, output = run_here(runner, 'rosrun', 'social_crowd', name, '--help')
         assert status == 0, output
         assert 'non-unique' not in output
@@ -40,7 +40,7 @@ class ToolTest:
     """train, evaluate and plot_paths."""
 
     def refuse(self, runner, status, words, name, *arguments):
-        """Runs a program that is to refuse."""
+        """Runs a program that must fail with this exit status and these words."""
         got, output = run_here(runner, find_node('social_crowd', name)[0], *arguments)
         assert got == status, output
         assert_says(output, *words)
@@ -56,7 +56,7 @@ class ToolTest:
             words = ["--seed: expected a whole number, 0 or more, got '-1'"]
             self.refuse(runner, 2, words, program, *given, '--seed', -1)
 
-    def test_files_that_are_not_there(self, runner):
+    def test_missing_files(self, runner):
         words = ['table.txt: cannot be read: No such file', os.path.join(runner.folder, 'table.txt')]
         self.refuse(runner, 1, words, 'evaluate', '--q-table', 'table.txt', 'circle6')
         words = ['config.yaml: cannot be read', os.path.join(runner.folder, 'config.yaml')]
@@ -68,7 +68,7 @@ class ToolTest:
         self.refuse(runner, 1, words, 'evaluate', '--q-table', NEAREST_TABLE, 'circel6')
 
     @pytest.mark.parametrize('option', ['--trajectories', '--scenes', '--states'])
-    def test_two_scenarios_would_be_written_to_one_file(self, runner, option):
+    def test_two_scenarios_with_the_same_output_file(self, runner, option):
         shutil.copy(CIRCLE6, runner.path('hall.yaml'))
         os.mkdir(runner.path('other'))
         shutil.copy(CIRCLE6, runner.path('other/hall.yaml'))
@@ -105,15 +105,15 @@ class ToolTest:
                  'in config/scenarios there are circle6, ']
         self.refuse(runner, 1, words, 'plot_paths', *drawing, 'circel6')
 
-    def test_an_instance_that_is_not_there(self, runner):
+    def test_a_missing_instance(self, runner):
         recording = runner.write('walk.csv', WALK + '1,0,0,0,0\n')
         drawing = ['--trajectories', recording, '--output', 'paths.png', '--scenario', 'circle6', '--instance']
-        self.refuse(runner, 1, ['walk.csv: holds no instance 9, expected 0 to 1\n'], 'plot_paths', *drawing, 9)
+        self.refuse(runner, 1, ['walk.csv: has no instance 9, expected 0 to 1\n'], 'plot_paths', *drawing, 9)
         recording = runner.write('walk.csv', WALK)
-        self.refuse(runner, 1, ['walk.csv: holds no instance 1, expected 0\n'], 'plot_paths', *drawing, 1)
+        self.refuse(runner, 1, ['walk.csv: has no instance 1, expected 0\n'], 'plot_paths', *drawing, 1)
 
     def test_goals_drawn_at_random(self, runner):
-        """The picture is of those that are known, and how to get the others is told."""
+        """The picture has the known goals; for the others, the program prints how to get them."""
         recording = runner.write('walk.csv', WALK)
         for goal, known in (('[3, 0]', True), ('{box: [[0, 0], [9, 9]]}', False)):
             scenario = runner.write('scene.yaml', SCENE % goal)
@@ -128,11 +128,11 @@ class BuildTest:
     """scripts/build in a copied clone."""
 
     def copy(self, runner, made_for, build):
-        """A clone with nothing but the script in it, and a build folder that was made for another one."""
+        """Makes a clone that contains only the script, and a build folder of another clone. Returns its cache file."""
         scripts = pathlib.Path(runner.path('clone/scripts'))
         scripts.mkdir(parents=True)
         shutil.copy(in_package('scripts', 'build'), scripts)
-        stop = scripts / 'install_dependencies'  # what comes next; the script ends there
+        stop = scripts / 'install_dependencies'  # the script's next step, which ends it
         stop.write_text('#!/bin/sh\necho looked at the build folder\nexit 7\n', encoding='utf-8')
         stop.chmod(0o755)
         pathlib.Path(build).mkdir(parents=True)
@@ -145,14 +145,14 @@ class BuildTest:
         return run_here(runner, 'env', *(f'{name}={value}' for name, value in environment.items()),
                         runner.path('clone/scripts/build'))
 
-    def test_a_copied_build_folder_is_made_anew(self, runner):
+    def test_a_copied_build_folder_is_recreated(self, runner):
         cache = self.copy(runner, '/somewhere/else', runner.path('clone/.build'))
         status, output = self.build(runner)
         assert status == 7, output
-        assert_says(output, 'clone/.build was made for /somewhere/else and is made anew', 'looked at')
+        assert_says(output, 'clone/.build was made for /somewhere/else and is recreated', 'looked at')
         assert not cache.exists()
 
-    def test_its_own_is_kept(self, runner):
+    def test_the_own_build_folder_is_kept(self, runner):
         cache = self.copy(runner, runner.path('clone'), runner.path('clone/.build'))
         assert self.build(runner) == (7, 'looked at the build folder\n')
         assert cache.exists()
@@ -168,7 +168,7 @@ class BuildTest:
         assert_says(output, 'space in its name', "a clone'")
         assert 'looked at' not in output
 
-    def test_one_elsewhere_may_be_in_use(self, runner):
+    def test_a_build_folder_elsewhere_may_be_in_use(self, runner):
         cache = self.copy(runner, '/somewhere/else', runner.path('theirs'))
         status, output = self.build(runner, SOCIAL_CROWD_BUILD=runner.path('theirs'))
         assert status == 1, output

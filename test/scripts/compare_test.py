@@ -1,4 +1,4 @@
-"""scripts/compare: what it measures, on scenes made by hand; and that it runs from end to end."""
+"""scripts/compare: measures of scenes made by hand, and a complete run."""
 import glob
 import math
 import os
@@ -37,46 +37,46 @@ social_force,a,far,1,50,0,1.0,1.2,0.1
 
 
 class LaneOrderTest:
-    """The order parameter, worked out by hand."""
+    """The order parameter, compared with values computed by hand."""
 
     def test_lanes_are_perfect(self):
         places = numpy.array([[-1, 1], [0, 1], [2, 1], [-2, -1], [0, -1], [1, -1.2]], dtype=float)
         order, chance = lane_order(places, [1, 1, 1, -1, -1, -1])
         assert order == 1.0
-        assert chance == 0.5  # everybody has two others in its lane
+        assert chance == 0.5  # each walker has two others in its lane
         assert order_above_chance(places, [1, 1, 1, -1, -1, -1]) == 1.0
 
-    def test_mixed_company(self):
-        # In one lane: one to the left among two to the right. Those to the right have one of each way: 0.
-        # The one to the left has two of the other: ((0 - 2) / 2)^2 = 1.
+    def test_a_mixed_lane(self):
+        # In one lane, one walker walks to the left and two to the right. For the latter, the others walk in both
+        # directions: 0. For the former, both others walk in the opposite direction: ((0 - 2) / 2)^2 = 1.
         order, chance = lane_order(numpy.array([[0, 0], [1, 0], [2, 0]], dtype=float), [1, 1, -1])
         assert order == pytest.approx(1.0 / 3.0, abs=1e-7)
         assert chance == 0.5
 
-    def test_who_is_elsewhere_does_not_count(self):
-        # Too far to the side, beyond the stretch, and gone.
+    def test_distant_and_absent_walkers_are_ignored(self):
+        # Too far to the side, outside the stretch, and absent.
         places = numpy.array([[0, 0], [1, 0.1], [1, 0.5], [50, 0], [math.nan, math.nan]])
         assert lane_order(places, [1, 1, -1, -1, -1]) == (1.0, 1.0)
         assert math.isnan(lane_order(places[2:], [1, -1, -1])[0])
 
     def test_few_walkers_are_no_order(self):
         places = numpy.array([[x, 1.0 if x > 0 else -1.0] for x in (-4, -3, -2, -1, 1, 2, 3, 4)])
-        ways = [1] * 4 + [-1] * 4
-        assert order_over_time(places[None], ways)[0] == 1.0
+        directions = [1] * 4 + [-1] * 4
+        assert order_over_time(places[None], directions)[0] == 1.0
         assert math.isnan(order_over_time(places[None], [1] * 5 + [-1] * 3)[0])
 
-    def test_ways_at_random_are_no_order(self):
+    def test_random_directions_are_no_order(self):
         random = numpy.random.default_rng(1)
         track = numpy.stack([random.uniform(-5, 5, (400, 200)), random.uniform(-2, 2, (400, 200))], axis=2)
-        ways = random.choice([-1, 1], 200)
-        assert abs(numpy.mean(order_over_time(track, ways))) < 0.01
+        directions = random.choice([-1, 1], 200)
+        assert abs(numpy.mean(order_over_time(track, directions))) < 0.01
 
 
 class AvoidabilityTest:
-    """Contacts with obstacles that move, on walks made by hand: ticks of 0.1 s, bodies of 0.25 and 0.5 m."""
+    """Contacts with moving obstacles, with trajectories made by hand: ticks of 0.1 s, radii of 0.25 and 0.5 m."""
 
     def recording(self, moving_obstacle, others=(), walls=(), ticks=60, start=(0.0, 0.0)):
-        """An agent that stands at its start, others that stand around it, and a moving obstacle."""
+        """Returns a Recording of an agent that stands at its start, other standing agents, and a moving obstacle."""
         places = [start, *others]
         agents = [{'position': list(place), 'goal': [9.0, 9.0], 'speed': 1.0, 'radius': 0.25} for place in places]
         walls = [list(map(list, wall)) for wall in walls]
@@ -84,14 +84,14 @@ class AvoidabilityTest:
         return Recording(scene, numpy.broadcast_to(numpy.array(places, dtype=float), (ticks, len(places), 2)))
 
     def slow(self):
-        """At 0.5 m/s from x = 2 m towards the agent: reaches 0.75 m after 2.5 s."""
+        """Returns an obstacle that moves from x = 2 m towards the agent at 0.5 m/s, and reaches 0.75 m after 2.5 s."""
         return {'position': [2.0, 0.0], 'radius': 0.5, 'velocity': [-0.5, 0.0]}
 
     def test_contacts_begin_where_bodies_overlap(self):
-        # After 25 ticks they just touch, after 26 they overlap by 0.05 m.
+        # After 25 ticks the distance is 0, after 26 ticks the overlap is 0.05 m.
         assert self.recording(self.slow()).contacts() == [Contact(0, 0, 26)]
 
-    def test_no_contact_with_what_rests_or_with_who_has_left(self):
+    def test_no_contact_with_static_obstacles_or_absent_agents(self):
         assert self.recording({'position': [0.5, 0.0], 'radius': 0.5}).contacts() == []
         recording = self.recording(self.slow())
         gone = recording.track.copy()
@@ -102,11 +102,11 @@ class AvoidabilityTest:
         recording = self.recording(self.slow())
         escape = recording.last_escape(recording.contacts()[0])
         assert escape is not None
-        # Straight away from it at full speed is enough even from the last tick on.
+        # Walking away from the obstacle at full speed avoids the contact even from the last tick.
         assert escape.tick == 25
 
-    def test_a_fast_moving_obstacle_overruns_who_stands_close(self):
-        # 12 m/s from 0.9 m off: touches at the first tick, in which the agent gets no further than 0.1 m.
+    def test_a_fast_moving_obstacle_overruns_a_near_agent(self):
+        # 12 m/s from a distance of 0.9 m: contact at the first tick, in which the agent can move at most 0.1 m.
         recording = self.recording({'position': [0.9, 0.0], 'radius': 0.5, 'velocity': [-12.0, 0.0]})
         contact, = recording.contacts()
         assert contact.tick == 1
@@ -114,7 +114,7 @@ class AvoidabilityTest:
         assert recording.last_escape(contact, among_others=False) is None
 
     def test_hemmed_in_by_others(self):
-        # Seven others around it, through which the moving obstacle walks and the agent does not.
+        # Seven other agents surround it; the moving obstacle passes through them, but the agent cannot.
         angles = [2.0 * math.pi * i / 7.0 for i in range(7)]
         ring = [(0.58 * math.cos(angle), 0.58 * math.sin(angle)) for angle in angles]
         recording = self.recording(self.slow(), others=ring)
@@ -123,13 +123,13 @@ class AvoidabilityTest:
         assert recording.last_escape(contact, among_others=False) is not None
 
     def test_walls_are_in_the_way(self):
-        # A dead end, 0.6 m wide, that the moving obstacle fills.
+        # A dead end, 0.6 m wide, which the moving obstacle blocks.
         box = [((-0.3, 0.3), (5.0, 0.3)), ((-0.3, -0.3), (5.0, -0.3)), ((-0.3, -0.3), (-0.3, 0.3))]
         recording = self.recording(self.slow(), walls=box)
         assert recording.last_escape(recording.contacts()[0]) is None
 
     def test_a_turn_shortly_before(self):
-        # From x = 1.5 m to 2.4 m and back to 0 at 2 m/s: turns after 0.45 s and is 0.75 m off after 1.275 s.
+        # From x = 1.5 m to 2.4 m and back to 0 at 2 m/s: turns after 0.45 s and is at 0.75 m after 1.275 s.
         recording = self.recording({'position': [1.5, 0.0], 'radius': 0.5, 'to_and_fro': [[2.4, 0.0], [0.0, 0.0]],
                                     'speed': 2.0})
         assert recording.contacts()[0] == Contact(0, 0, 13)
@@ -138,7 +138,7 @@ class AvoidabilityTest:
 
 
 class BarsTest:
-    """What is asked for, and who meets it."""
+    """The requirements, and the seeds that meet them."""
 
     def figures(self, time, contact=0.0):
         row = {'contact_pct': contact, 'clean_pct': 100.0, 'path_ratio': 1.0, 'turn_rad_per_m': 0.1,
@@ -154,13 +154,13 @@ class BarsTest:
         assert time_against(self.figures((2.0, 4.0)), orca) == pytest.approx(2.0, abs=1e-7)
         assert not_slower(ours, orca) == 1
 
-    def test_bars_tell_which_seeds_meet_them(self):
+    def test_seeds_that_meet_the_bars(self):
         orca = self.figures((1.0, 1.0))
         rows = {row[0]: row for row in bars.rows(
             [self.figures((0.9, 0.9)), self.figures((1.2, 1.2), contact=0.5)], orca, [5, 70])}
         assert rows['time / ORCA, geometric mean'][1:] == ['≤ 1.000', '0.900', '1.200', '1 of 2', '≤ 0.900', '1 of 2']
         assert rows['contact %, worst scenario'][4] == '1 of 2'
-        assert rows['clean %, worst scenario but door12'][4] == 'all seeds'
+        assert rows['clean %, worst scenario without door12'][4] == 'all seeds'
         assert rows['clean %, worst scenario'][6] == 'none'
         assert rows['training, processor time [s]'][3:5] == ['70.0', '1 of 2']
 
@@ -170,19 +170,19 @@ class BarsTest:
 
 
 class DocumentTest:
-    """Filling a document."""
+    """Updating a document."""
 
     def test_tables_are_put_between_their_marks(self, runner):
         chapter = Chapter('lanes', 'Lanes')
         chapter.add_table('Order', ['', 'order'], [['a', '0.5']], 'order')
         file = runner.write('page.md', 'Before.\n<!-- table lanes/order -->\nold\n<!-- end -->\nBetween.\n'
                                        '<!-- table crowds/crowds -->\nkept\n<!-- end -->\n')
-        told = fill_document(file, [chapter])
+        messages = fill_document(file, [chapter])
         assert read_text(file) == ('Before.\n<!-- table lanes/order -->\n'
                                    '|  | order |\n|---|---|\n| a | 0.5 |\n<!-- end -->\n'
                                    'Between.\n<!-- table crowds/crowds -->\nkept\n<!-- end -->\n')
-        assert len(told) == 1
-        assert_says(told[0], 'crowds/crowds')
+        assert len(messages) == 1
+        assert_says(messages[0], 'crowds/crowds')
 
     def test_tracks(self, runner):
         tracks = read_tracks(runner.write('walks.csv', 'instance,tick,agent,x,y\n0,0,0,1,2\n0,0,1,3,4\n0,1,1,5,6\n'
@@ -194,7 +194,7 @@ class DocumentTest:
 
 
 class CompareTest:
-    """The program as a whole."""
+    """The complete program."""
 
     def compare(self, runner, *words):
         """Starts scripts/compare with results in the test's folder."""
@@ -202,7 +202,7 @@ class CompareTest:
                                         '--tools', tools_folder(), '--results', runner.path('results')])
 
     def write_benchmark(self, runner):
-        """Two scenes of one agent, without a scorer."""
+        """Writes a benchmark with two scenes of one agent, without a scorer. Returns its folder."""
         os.makedirs(runner.path('benchmark/scenarios'))
         for name, goal in (('near', 2.0), ('far', 4.0)):
             runner.write(f'benchmark/scenarios/{name}.yaml',
@@ -221,7 +221,7 @@ class CompareTest:
         assert row is not None, read_text(document)
         assert '| 1.100 | 1.500 | 1.200 |' in row[0]
         times = processor_seconds(pathlib.Path(runner.path('results/runs/benchmark/thesis_nearest_01')))
-        assert len(times) == 2  # to train and to evaluate
+        assert len(times) == 2  # of train and evaluate
         again = self.compare(runner, 'benchmark', '--benchmark', runner.path('benchmark'))
         assert again.wait() == 0, again.output()
         assert '6 runs, 6 of them done before' in again.output()
@@ -235,7 +235,7 @@ class CompareTest:
         assert 'id="benchmark"' not in page
         assert len(glob.glob(runner.path('results/runs/*/*/done.txt'))) == 8
 
-    def test_a_folder_that_is_no_benchmark(self, runner):
+    def test_a_folder_without_a_benchmark(self, runner):
         failing = self.compare(runner, 'benchmark', '--benchmark', runner.folder)
         assert failing.wait() == 1
         assert_says(failing.output(), 'reference.csv')

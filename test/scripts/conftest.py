@@ -10,8 +10,8 @@ DEADLINE = pytest.StashKey()
 
 
 def pytest_addoption(parser):
-    parser.addoption('--build', help='folder the package was built in; without it, nothing that installs it is tested')
-    parser.addoption('--time-limit', type=float, help='for all tests together [s]; those that are not done then fail')
+    parser.addoption('--build', help='build folder of the package; without it, installation is not tested')
+    parser.addoption('--time-limit', type=float, help='time limit of all tests together [s]; later tests fail')
 
 
 def pytest_configure(config):
@@ -20,8 +20,8 @@ def pytest_configure(config):
 
 
 def fail_out_of_time(_signal, _frame):
-    """Ends the test that is running."""
-    pytest.fail('the time limit of all tests is over')
+    """Ends the current test."""
+    pytest.fail('the time limit of all tests is exceeded')
 
 
 @pytest.hookimpl(hookwrapper=True)
@@ -29,14 +29,14 @@ def pytest_runtest_call(item):
     deadline = item.config.stash[DEADLINE]
     if deadline is not None:
         signal.signal(signal.SIGALRM, fail_out_of_time)
-        signal.setitimer(signal.ITIMER_REAL, max(deadline - time.monotonic(), 0.001))  # 0 would be never
+        signal.setitimer(signal.ITIMER_REAL, max(deadline - time.monotonic(), 0.001))  # 0 would disable the timer
     yield
     signal.setitimer(signal.ITIMER_REAL, 0.0)
 
 
 @pytest.fixture
 def runner():
-    """Runs programs in a folder of the test's own, which goes with the test. A failed test shows what they printed."""
+    """Runs programs in a temporary folder of the test. Their output is shown if the test fails."""
     with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
         programs = ProgramRunner(folder)
         yield programs

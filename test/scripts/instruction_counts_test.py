@@ -1,5 +1,5 @@
-"""Small runs take as many instructions as they did when these were last counted; their results do not depend on which
-vector instructions the processor has."""
+"""Small runs take as many instructions as stored; their results do not depend on the vector instructions of the
+processor."""
 import os
 import pathlib
 
@@ -9,26 +9,26 @@ from crowd_bench.callgrind import has_valgrind
 from crowd_experiments.runs import RunError
 from programs import ANTICIPATION_TABLE, assert_same_recording, in_package, read_bytes, tools_folder
 
-ADVICE = 'If that is as it should be: scripts/count_instructions --keep'
+ADVICE = 'If this is intended: scripts/count_instructions --keep'
 VALGRIND = ('valgrind', '--tool=none', '--quiet')
 REFERENCE = ('env', 'SOCIAL_CROWD_SIMD=reference')
-needs_valgrind = pytest.mark.skipif(not has_valgrind(), reason='there is no valgrind')
+needs_valgrind = pytest.mark.skipif(not has_valgrind(), reason='valgrind is missing')
 
 
 @needs_valgrind
 class InstructionCountsTest:
-    """Skipped where counts cannot be compared: another compiler, other flags, another kind of processor."""
+    """Skipped if counts cannot be compared: another compiler, other flags, another kind of processor."""
 
     @pytest.fixture
     def kept(self):
-        """The counts that are kept, by name."""
+        """Returns the stored counts, by name."""
         try:
             kind = instruction_counts.kind_of(pathlib.Path(tools_folder()))
         except RunError as error:
             pytest.skip(str(error))
         kept = instruction_counts.read_kept()
         if kind != kept['kind']:
-            pytest.skip(f"this is '{kind}', what was counted is '{kept['kind']}'")
+            pytest.skip(f"this is '{kind}', the stored counts are for '{kept['kind']}'")
         return kept['counts']
 
     @pytest.mark.parametrize('run', instruction_counts.RUNS, ids=lambda run: run.name)
@@ -38,7 +38,7 @@ class InstructionCountsTest:
         assert instruction_counts.is_fine(count, kept[run.name]), f'{count:,} instructions, {change:+.2f} %. {ADVICE}'
 
     @pytest.mark.usefixtures('kept')
-    def test_what_is_never_entered_counts_as_a_failure(self):
+    def test_a_function_that_is_never_called_is_an_error(self):
         command = instruction_counts.RUNS[1].command
         run = instruction_counts.CountedRun('none', 'crowd::noSuchFunction()', command)
         with pytest.raises(RunError, match='never entered'):
@@ -47,10 +47,10 @@ class InstructionCountsTest:
 
 @needs_valgrind
 class SameBitsTest:
-    """Kernels for what the processor has, those for AVX2 (valgrind knows no AVX-512), and the scalar ones."""
+    """Compares the kernels for this processor, for AVX2 (valgrind does not support AVX-512), and the scalar kernels."""
 
     def check(self, runner, written, tool, *arguments):
-        """What a tool writes is the same either way, byte for byte."""
+        """Checks that the output of a tool is the same with all kernels, byte for byte."""
         results = []
         for within in ((), VALGRIND, REFERENCE):
             runner.tool(tool, *arguments, within=within)
@@ -75,7 +75,7 @@ class SameBitsTest:
 
 
 class ComparisonTest:
-    """Counts against those that are kept."""
+    """Comparison of counts with stored counts."""
 
     def test_tolerance(self):
         assert instruction_counts.is_fine(1019, 1000)
@@ -83,7 +83,7 @@ class ComparisonTest:
         assert not instruction_counts.is_fine(1021, 1000)
         assert not instruction_counts.is_fine(979, 1000)
 
-    def test_what_is_kept_reads_back(self, runner):
+    def test_stored_counts_are_read_back(self, runner):
         file = runner.path('counts.yaml')
         instruction_counts.write_kept('GNU 12 Release', {'train': 12345678901}, file)
         assert instruction_counts.read_kept(file) == {'kind': 'GNU 12 Release',

@@ -1,4 +1,4 @@
-"""What roslaunch starts beside the nodes in C++: scripts/show_crowd, learner_crew and play_bag."""
+"""Python programs that roslaunch starts: scripts/show_crowd, learner_crew and play_bag."""
 import os
 import signal
 
@@ -10,7 +10,7 @@ from programs import assert_says, wait_for
 from roslib.packages import find_node
 from social_crowd.msg import AgentState, ObstacleState, Scenario, Wall
 
-# In place of rospy: something that takes as long to import as the test wants.
+# Substitute for rospy whose import never ends.
 SLOW_IMPORT = """
 import time
 open({!r}, 'w').close()
@@ -20,12 +20,12 @@ while True:
 
 
 def program(name):
-    """The path of a program."""
+    """Returns the path of a program."""
     return find_node('social_crowd', name)[0]
 
 
 class ViewTest:
-    """How RViz has all of a scenario in view."""
+    """Scale with which RViz shows a whole scenario."""
 
     def test_agents_goals_obstacles_and_walls(self):
         scenario = Scenario(agents=[AgentState(pose=Pose2D(1.0, 2.0, 0.0), goal=Point(3.0, 5.0, 0.0))])
@@ -42,7 +42,7 @@ class ViewTest:
 
 
 class StartTest:
-    """What they do before they know a ROS master."""
+    """Behaviour before the connection to a ROS master."""
 
     @pytest.mark.parametrize('name', ['show_crowd', 'learner_crew'])
     def test_stopped_while_it_starts(self, runner, name):
@@ -65,7 +65,7 @@ class StartTest:
 
 
 class CrewTest:
-    """What learner_crew says of learners that end."""
+    """Messages of learner_crew for learners that end."""
 
     def test_endings(self):
         assert ending_of(2) == 'ended with exit status 2'

@@ -1,4 +1,4 @@
-"""docs/learning.md: the keys that a training configuration needs, and the configuration that it advises."""
+"""docs/learning.md: the required keys of a training configuration, and the recommended configuration."""
 import csv
 import re
 import subprocess
@@ -8,10 +8,10 @@ from programs import assert_says, page_examples
 
 
 class LearningPageTest:
-    """docs/learning.md: the keys that a training configuration needs, and the configuration that it advises."""
+    """docs/learning.md: the required keys of a training configuration, and the recommended configuration."""
 
-    def test_what_is_advised_arrives(self, runner):
-        """The page says 100 %; the naive training configuration is read at least."""
+    def test_agents_arrive_with_the_recommended_configuration(self, runner):
+        """The page states 100 %; the naive training configuration is only read."""
         configs = page_examples('learning.md')
         config = runner.write('advised.yaml', configs['advised.yaml'])
         runner.tool('train', config, '--output', runner.path('table.txt'))
@@ -23,12 +23,12 @@ class LearningPageTest:
         naive = runner.write('naive.yaml', configs['naive.yaml'])
         runner.tool('train', naive, '--output', runner.path('table.txt'), '--episodes', 1)
 
-    def test_the_least_config_is_one(self, runner):
+    def test_the_minimal_configuration_is_valid(self, runner):
         text = page_examples('learning.md')['least.yaml']
         runner.tool('train', runner.write('least.yaml', text), '--output', runner.path('table.txt'), '--episodes', 1)
         assert QTableFile(runner.path('table.txt')).header['decisions'] > 0
 
-    def test_none_of_its_keys_may_be_left_out(self, runner):
+    def test_all_of_its_keys_are_required(self, runner):
         text = page_examples('learning.md')['least.yaml']
         for key in ('state_set', 'action_set', 'reward', 'obstacle_cost', 'learning', 'scenarios', 'episodes'):
             less = re.sub(rf'^{key}:.*\n|(?<=[{{ ]){key}: [^,}}]*(, )?', '', text, flags=re.MULTILINE)

@@ -1,4 +1,4 @@
-"""docs/library.md: the project that it prints is built with an installed copy, and run."""
+"""docs/library.md: the example project is built with an installed copy of the package, and run."""
 import os
 import pathlib
 import re
@@ -8,44 +8,44 @@ import pytest
 from learning_files import config_text
 from programs import assert_says, page_examples, read_text
 
-LONG = 300.0  # [s] for a compiler on a busy machine
+LONG = 300.0  # [s] time limit for a compiler on a busy machine
 
 
 def without_devel(variable):
-    """The paths in a variable of the environment, less those of the build folder."""
+    """Returns the paths in an environment variable without those of the build folder."""
     return [path for path in os.environ.get(variable, '').split(':') if path and '/devel' not in path]
 
 
 class LibraryPageTest:
-    """docs/library.md: a project of one's own, with an installed copy."""
+    """docs/library.md: a separate project with an installed copy of the package."""
 
     def run_here(self, runner, *command):
-        """Exit status and output of a command that knows nothing of the build folder."""
+        """Returns exit status and output of a command whose environment does not contain the build folder."""
         environment = dict(os.environ, CMAKE_PREFIX_PATH='', LD_LIBRARY_PATH=':'.join(without_devel('LD_LIBRARY_PATH')))
         done = subprocess.run(list(map(str, command)), cwd=runner.folder, env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, timeout=LONG, check=False)
         return done.returncode, done.stdout.decode(errors='replace')
 
-    def run_to_its_end(self, runner, *command):
-        """What a command prints; it has to succeed."""
+    def run_successfully(self, runner, *command):
+        """Returns the output of a command, which must succeed."""
         status, output = self.run_here(runner, *command)
         assert status == 0, f'{command}:\n{output}'
         return output
 
     def install(self, runner, build, prefix):
-        """As the page says; afterwards the build folder is as it was."""
-        environment = pathlib.Path(build, 'catkin_generated', 'setup_cached.sh')  # of tests: not to be that of this one
+        """Installs the package as described on the page; restores the build folder afterwards."""
+        environment = pathlib.Path(build, 'catkin_generated', 'setup_cached.sh')  # environment of tests
         kept = environment.read_bytes()
         with open(os.path.join(build, 'CMakeCache.txt'), encoding='utf-8') as cache:
             before = re.search('^CMAKE_INSTALL_PREFIX:PATH=(.*)$', cache.read(), re.MULTILINE).group(1)
         try:
             subprocess.run(['cmake', build, f'-DCMAKE_INSTALL_PREFIX={prefix}'], stdout=subprocess.DEVNULL, check=True)
-            self.run_to_its_end(runner, 'cmake', '--install', build)
+            self.run_successfully(runner, 'cmake', '--install', build)
         finally:
             subprocess.run(['cmake', build, f'-DCMAKE_INSTALL_PREFIX={before}'], stdout=subprocess.DEVNULL, check=True)
             environment.write_bytes(kept)
-        found = self.run_to_its_end(runner, 'env', '-i', 'PATH=/usr/bin:/bin', 'bash', '-c',
-                                    f'source {prefix}/setup.bash && rospack find social_crowd')
+        found = self.run_successfully(runner, 'env', '-i', 'PATH=/usr/bin:/bin', 'bash', '-c',
+                                      f'source {prefix}/setup.bash && rospack find social_crowd')
         assert found.strip() == os.path.join(prefix, 'share', 'social_crowd')
 
     def test_the_example_walks_and_learns(self, runner, request):
@@ -60,20 +60,20 @@ class LibraryPageTest:
             runner.write(name, text)
         others = without_devel('CMAKE_PREFIX_PATH')
         prefixes = ';'.join([prefix, *others])
-        self.run_to_its_end(runner, 'cmake', '-S', '.', '-B', 'build', f'-DCMAKE_PREFIX_PATH={prefixes}')
-        self.run_to_its_end(runner, 'cmake', '--build', 'build')
+        self.run_successfully(runner, 'cmake', '-S', '.', '-B', 'build', f'-DCMAKE_PREFIX_PATH={prefixes}')
+        self.run_successfully(runner, 'cmake', '--build', 'build')
         self.check_programs(runner, os.path.join(prefix, 'share', 'social_crowd', 'config'))
 
     def check_programs(self, runner, config):
-        """They do what the tools do; scenarios have the names of the installed copy."""
+        """Compares the programs with the tools; scenarios are found by name in the installed copy."""
         table = os.path.join(config, 'q_tables', 'anticipation.txt')
-        walked = self.run_to_its_end(runner, 'build/walk', table, 'circle6')
+        walked = self.run_successfully(runner, 'build/walk', table, 'circle6')
         assert re.search(r'^6 of 6 arrived, 0 were in contact, \d+ ticks\n$', walked)
         status, output = self.run_here(runner, 'build/walk', 'missing.txt', 'circle6')
         assert status == 1, output
         assert_says(output, 'missing.txt: cannot be read')
         training = runner.write('config.yaml', config_text('circle6', 2, seed=4))
-        learned = self.run_to_its_end(runner, 'build/learn', training, 'table.txt')
+        learned = self.run_successfully(runner, 'build/learn', training, 'table.txt')
         assert re.search(r'^2 episodes, \d+ decisions\n$', learned)
         runner.tool('train', training, '--output', runner.path('expected.txt'))
         assert read_text(runner.path('table.txt')) == read_text(runner.path('expected.txt'))

@@ -1,4 +1,4 @@
-"""What the tables of scripts/reproduce are made of: records, and the rules by which claims and choices are judged."""
+"""Parts of the tables of scripts/reproduce: records, and the rules for judging claims and choices."""
 import math
 
 import numpy
@@ -10,7 +10,7 @@ from crowd_reproduction.experiments import sensitivity
 
 
 class RecordsTest:
-    """What tables are made of, on numbers worked out by hand."""
+    """Values in tables, compared with numbers computed by hand."""
 
     def test_spread(self):
         spread = Spread([1.0, 2.0, 6.0])
@@ -36,7 +36,7 @@ class RecordsTest:
         assert contact == pytest.approx(100.0 / 3.0, abs=1e-7)
         assert collision == 100.0
 
-    def test_spread_says_where_there_is_no_number(self):
+    def test_spread_reports_missing_numbers(self):
         assert spread_text([1.0, 2.0, 6.0], 1) == '3.0 ± 2.6 (1.0-6.0)'
         assert spread_text([1.0, math.inf, 3.0], 0) == '2 ± 1 (1-3); infinite in 1 of 3 seeds'
         assert spread_text([math.nan, math.nan]) == '-; none in 2 of 2 seeds'
@@ -48,8 +48,8 @@ class RecordsTest:
     def test_measures_of_an_episode(self):
         record = {'path_per_gain': numpy.array([1.5, math.nan, 4.0]), 'gain_per_tick': numpy.array([0.02, 0.0, 0.01]),
                   'path_ratio': numpy.array([1.4, 20.0, 3.0]), 'arrived': numpy.array([1.0, 0.0, 1.0])}
-        assert reward_runs.path_per_gain(record) == 4.0  # of 1.5, 4 and an infinite one
-        assert reward_runs.shortfall(record) == pytest.approx(0.02, abs=1e-7)  # of 0.01, 0.03 and 0.02
+        assert reward_runs.path_per_gain(record) == 4.0  # median of 1.5, 4 and infinity
+        assert reward_runs.shortfall(record) == pytest.approx(0.02, abs=1e-7)  # median of 0.01, 0.03 and 0.02
         assert reward_runs.path_ratio(record) == pytest.approx(2.2, abs=1e-7)
         assert reward_runs.breadth(numpy.arange(11.0), (10, 90)) == 8.0  # from 1 to 9
         assert reward_runs.breadth(numpy.array([1.0, math.inf]), (10, 90)) == math.inf
@@ -76,59 +76,59 @@ class RecordsTest:
             return reward_judges.separated({'gain_per_tick': numpy.array(gains)})
         assert separated(0.001, 0.016, 0.0, 0.017)
         assert not separated(0.012, 0.016, 0.010, 0.014)
-        # One of forty is less than a twentieth.
+        # One of forty is less than LEAST_SIDE.
         assert not separated(0.0, *[0.016] * 39)
         assert separated(0.0, 0.0, *[0.016] * 38)
-        # One of two hundred in between does not matter, five of them do.
+        # One of two hundred values in the gap is accepted, five are not.
         assert separated(*[0.0] * 20, 0.004, *[0.008] * 179)
         assert not separated(*[0.0] * 20, *[0.004] * 5, *[0.008] * 175)
 
 
 class ClaimTest:
-    """The rule by which claims are judged."""
+    """The rule for judging claims."""
 
     def test_the_mean_and_three_quarters_of_the_seeds(self):
         # 2.25 > 1, and the differences 2, 2, 2, -1 have the standard error 1.5 / 2; three of four.
-        assert claim.decide_greater([3, 3, 3, 0], [1, 1, 1, 1]) == claim.COMES_OUT
-        # The mean only: 4 > 1, the differences 8, 4, 0, 0 have the standard error sqrt(44 / 3) / 2 = 1.9.
-        assert claim.decide_greater([9, 5, 1, 1], [1, 1, 1, 1]) == claim.IN_PART
+        assert claim.decide_greater([3, 3, 3, 0], [1, 1, 1, 1]) == claim.CONFIRMED
+        # Holds for the mean only: 4 > 1, the differences 8, 4, 0, 0 have the standard error sqrt(44 / 3) / 2 = 1.9.
+        assert claim.decide_greater([9, 5, 1, 1], [1, 1, 1, 1]) == claim.PARTLY
         # The mean 1.75 > 1, but the standard error of the differences 5, 0, -1, -1 is 1.4.
-        assert claim.decide_greater([6, 1, 0, 0], [1, 1, 1, 1]) == claim.NOT
-        assert claim.decide_greater([2, 2, 2, 0], [1, 1, 1, 9]) == claim.IN_PART  # the seeds only
-        assert claim.decide_greater([1, 1], [1, 1]) == claim.NOT  # a tie
-        assert claim.decide_greater([math.inf, math.inf], [1, 2]) == claim.COMES_OUT
+        assert claim.decide_greater([6, 1, 0, 0], [1, 1, 1, 1]) == claim.NOT_CONFIRMED
+        assert claim.decide_greater([2, 2, 2, 0], [1, 1, 1, 9]) == claim.PARTLY  # holds for the seeds only
+        assert claim.decide_greater([1, 1], [1, 1]) == claim.NOT_CONFIRMED  # a tie
+        assert claim.decide_greater([math.inf, math.inf], [1, 2]) == claim.CONFIRMED
 
     def test_conditions_and_numbers(self):
-        assert claim.decide_each([0.0, 0.5, 0.9, 1.5], lambda rate: rate <= 1.0) == claim.COMES_OUT
-        assert claim.decide_each([0.0, 0.0, 9.0], lambda rate: rate <= 1.0) == claim.NOT
-        assert claim.decide_near([70.0, 80.0], 73.8) == claim.COMES_OUT
-        assert claim.decide_near([76.0, 78.0], 73.8) == claim.IN_PART  # near, but not among them
-        assert claim.decide_near([0.0, 100.0], 73.8) == claim.IN_PART  # among them, but not near
-        assert claim.decide_near([90.0, 100.0], 73.8) == claim.NOT
+        assert claim.decide_each([0.0, 0.5, 0.9, 1.5], lambda rate: rate <= 1.0) == claim.CONFIRMED
+        assert claim.decide_each([0.0, 0.0, 9.0], lambda rate: rate <= 1.0) == claim.NOT_CONFIRMED
+        assert claim.decide_near([70.0, 80.0], 73.8) == claim.CONFIRMED
+        assert claim.decide_near([76.0, 78.0], 73.8) == claim.PARTLY  # near, but outside the range
+        assert claim.decide_near([0.0, 100.0], 73.8) == claim.PARTLY  # within the range, but not near
+        assert claim.decide_near([90.0, 100.0], 73.8) == claim.NOT_CONFIRMED
 
     def test_parts(self):
-        assert claim.decide_all(claim.NOT, claim.NOT) == claim.NOT
-        assert claim.decide_all(claim.NOT, claim.COMES_OUT) == claim.IN_PART
+        assert claim.decide_all(claim.NOT_CONFIRMED, claim.NOT_CONFIRMED) == claim.NOT_CONFIRMED
+        assert claim.decide_all(claim.NOT_CONFIRMED, claim.CONFIRMED) == claim.PARTLY
 
     def test_table(self):
         chapter = Chapter('claims', 'Claims')
-        verdicts = (claim.COMES_OUT, claim.NOT, claim.NOT)
+        verdicts = (claim.CONFIRMED, claim.NOT_CONFIRMED, claim.NOT_CONFIRMED)
         claims = [claim.Claim('4.1', 'it works', lambda _, verdict=verdict: claim.Judgement('5 of 8', verdict),
-                              {claim.NOT: 'another geometry'}) for verdict in verdicts]
+                              {claim.NOT_CONFIRMED: 'another geometry'}) for verdict in verdicts]
         claim.add_claims(chapter, 'Claims', claims, None, 'rewards')
         table, text = chapter.parts
         assert table.name == 'rewards'
-        assert table.rows == [['4.1', 'it works', '5 of 8', 'comes out', ''],
-                              *[['4.1', 'it works', '5 of 8', 'does not come out', 'another geometry']] * 2]
-        assert text == 'Of 3 claims 1 come out, 0 come out in part, 2 do not come out.'
+        assert table.rows == [['4.1', 'it works', '5 of 8', 'confirmed', ''],
+                              *[['4.1', 'it works', '5 of 8', 'not confirmed', 'another geometry']] * 2]
+        assert text == 'Of 3 claims: 1 confirmed, 0 partly confirmed, 2 not confirmed.'
 
     def test_versus(self):
         text = claim.versus('demo', [1, 4, 4], 'training', [2, 2, 2], 0)
-        assert text == 'demo 3 ± 2 (1-4), training 2 ± 0 (2-2); greater with demo in 2 of 3 seeds'
+        assert text == 'demo 3 ± 2 (1-4), training 2 ± 0 (2-2); demo greater in 2 of 3 seeds'
 
 
 class SensitivityTest:
-    """Which choices are said to matter."""
+    """Effects of the choices."""
 
     def test_shift(self):
         # The differences 4, 6, 5, 5 have the mean 5 and the standard error sqrt(2 / 3) / 2 = 0.41.
@@ -141,14 +141,14 @@ class SensitivityTest:
     def test_text(self):
         text = sensitivity.effects_text({'radius': [None, ('0.2', 1.5)], 'epsilon': [('0.3', -20.25), ('0.2', 3.0)],
                                          'order': [None, None]})
-        assert text == ('Choices that matter: epsilon moves 2 of 2 rates, by up to 20.2 points; radius moves 1 of 2 '
-                        'rates, by up to 1.5 points. No effect found: order.')
+        assert text == ('Choices with an effect: epsilon changes 2 of 2 rates, by up to 20.2 points; radius changes 1 '
+                        'of 2 rates, by up to 1.5 points. No effect found: order.')
 
-    def test_swing(self):
+    def test_spread_of_demo(self):
         text = sensitivity.swing_text({'distance_gained': [100.0, 0.0], 'cosine_cubed': [26.5, 80.0]})
-        assert '(distance gained 0.0 to 100.0 %, cos³ 26.5 to 80.0 %), so 2 seeds' in text
+        assert '(distance gained 0.0 to 100.0 %, cos³ 26.5 to 80.0 %). So 2 seeds' in text
 
     def test_names(self):
         variations = {variation.name() for variation in open_choices.VARIATIONS}
-        assert len(variations) == len(open_choices.VARIATIONS)  # no run overwrites another's files
+        assert len(variations) == len(open_choices.VARIATIONS)  # all files have different names
         assert 'sector_limits_of_set_1_degrees_22.5_67.5_112.5_180' in variations

@@ -1,4 +1,4 @@
-"""What scripts/reproduce measures where the thesis only looks, on numbers worked out by hand."""
+"""Measures of scripts/reproduce, compared with numbers computed by hand."""
 import math
 
 import numpy
@@ -15,7 +15,7 @@ def places_of(*ticks):
 
 
 class DecisionsTest:
-    """Reading what `evaluate --states` and `train` write."""
+    """Reading the files of `evaluate --states` and `train`."""
 
     def test_decisions(self, runner):
         decisions = read_decisions(runner.write(
@@ -41,10 +41,10 @@ class DecisionsTest:
 
 
 class GroupsTest:
-    """How near agents are to each other."""
+    """Distances between agents."""
 
     def test_nearest(self):
-        # Three in a line at 0, 1 and 3 m; then the one in the middle is gone; then one is alone.
+        # Three agents in a line at 0, 1 and 3 m; then without the one in the middle; then only one agent.
         places = places_of([[0, 0], [1, 0], [3, 0]], [[0, 0], [NAN, NAN], [3, 4]], [[0, 0], [NAN, NAN], [NAN, NAN]])
         found = measures.nearest_distances(places)
         assert found[0].tolist() == [1, 1, 2]
@@ -53,7 +53,7 @@ class GroupsTest:
         assert numpy.isnan(found[2]).all()
 
     def test_middle(self):
-        # The middle of (0, 0), (2, 0), (1, 3) is (1, 1).
+        # The centroid of (0, 0), (2, 0), (1, 3) is (1, 1).
         found = measures.centre_distances(places_of([[0, 0], [2, 0], [1, 3]]))
         assert found[0] == pytest.approx((math.sqrt(2) + math.sqrt(2) + 2) / 3, abs=1e-7)
 
@@ -63,21 +63,21 @@ class GroupsTest:
         assert len(measures.while_all_are_there(places[:2])) == 2
 
     def test_passing(self):
-        # An obstacle goes along y = 0 past two agents at (0, 1) and (9, 9); within 1.5 m where |x| <= sqrt(1.25).
+        # An obstacle moves along y = 0 past two agents at (0, 1) and (9, 9); within 1.5 m where |x| <= sqrt(1.25).
         places = places_of(*[[[0, 1], [9, 9]]] * 7)
         obstacle = numpy.array([[x, 0.0] for x in range(-3, 5)])
         assert measures.passing(places, obstacle, 1.5) == (2, 4)
         assert measures.passing(places, obstacle, 0.5) is None
 
     def test_crossing(self):
-        # Goes over the line at x = 0, back, and over it again between (-1, 4) and (3, 8): at a quarter, y = 5.
+        # Crosses the line at x = 0, returns, and crosses it again between (-1, 4) and (3, 8), at y = 5.
         walk = numpy.array([[-1, 0], [1, 0], [-1, 4], [3, 8]], dtype=float)
         assert measures.crossing(walk, 0.0) == 5.0
         assert measures.crossing(walk, 3.5) is None
 
 
 class SurroundedTest:
-    """What follows after decisions of one kind."""
+    """Contacts and collisions after decisions of one kind."""
 
     def test_within_next(self):
         flags = numpy.array([[0], [0], [0], [1], [0]], dtype=bool)
@@ -95,8 +95,8 @@ class SurroundedTest:
         assert measures.longest_run(flags) == 3
 
     def decisions(self, runner):
-        """Two agents, four ticks: 2, 1, 0.7 and 0.4 m apart; agent 0 is surrounded at the first two. In a second
-        instance agent 0 is alone and sees nothing."""
+        """Returns decisions of two agents at four ticks, 2, 1, 0.7 and 0.4 m apart; agent 0 is surrounded at the first
+        two ticks. In a second instance agent 0 is alone and perceives nothing."""
         lines = ['instance,tick,agent,x,y,heading,row,action,occupied']
         for tick, (x, sectors) in enumerate(((2, 7), (1, 8), (0.7, 1), (0.4, 1))):
             lines.append(f'0,{tick},0,0,0,0,{tick},0,' + ' '.join(['0:45:2'] * sectors))
@@ -106,17 +106,17 @@ class SurroundedTest:
 
     def test_surrounded(self, runner):
         found = measures.surrounded(self.decisions(runner), {(0, 0)}, 7, 2)
-        # Surrounded at ticks 0 and 1: a collision (0.7 m, tick 2) comes within two ticks of both, a contact (tick 3)
-        # of the second only. Else: agent 1 at the same ticks; both at tick 2, then a contact and a collision; nothing
-        # comes after tick 3.
+        # Surrounded at ticks 0 and 1: a collision (0.7 m, tick 2) follows within two ticks of both, a contact (tick 3)
+        # only within two ticks of the second. Other decisions: agent 1 at the same ticks; both agents at tick 2,
+        # followed by a contact and a collision; both agents at tick 3, followed by nothing.
         assert found.inside == measures.Outcome(decisions=2, contacts=1, collisions=2)
         assert found.outside == measures.Outcome(decisions=7, contacts=3, collisions=4)
         assert found.per_thousand() == pytest.approx(1000 * 2 / 9, abs=1e-7)
-        assert (found.agents, found.caught, found.caught_arrived, found.caught_touched) == (3, 1, 1, 1)
+        assert (found.agents, found.surrounded, found.surrounded_arrived, found.surrounded_touched) == (3, 1, 1, 1)
         assert found.longest == 2
 
     def test_by_visits(self, runner):
-        # Agent 0 is on rows 0 to 3, agent 1 on row 4; the alone one on row 0 sees nothing.
+        # Agent 0 has rows 0 to 3, agent 1 has row 4; the single agent of instance 1 has row 0 and perceives nothing.
         visits = numpy.array([0, 5, 10, 99, 0])
         never, some, many = measures.by_visits(self.decisions(runner), visits, [0, 1, 10], 1)
         assert (never.decisions, some.decisions, many.decisions) == (6, 1, 2)

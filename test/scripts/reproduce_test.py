@@ -1,4 +1,4 @@
-"""scripts/reproduce: what it leaves and keeps, how it is interrupted; its variations of shipped files."""
+"""scripts/reproduce: results, continuation, interruption, and variations of shipped files."""
 import csv
 import glob
 import os
@@ -21,7 +21,7 @@ REWARDS = ('distance_gained', 'cosine_cubed')
 
 
 class ReproduceTest:
-    """The program as a whole."""
+    """The complete program."""
 
     def reproduce(self, runner, *words):
         """Starts scripts/reproduce with results in the test's folder."""
@@ -29,7 +29,7 @@ class ReproduceTest:
                                           '--results', runner.path('results')])
 
     def stamps(self, runner):
-        """The runs that are complete."""
+        """Returns the stamps of the complete runs."""
         return set(glob.glob(runner.path('results/runs/*/*/done.txt')))
 
     def test_quick_from_end_to_end(self, runner):
@@ -49,10 +49,10 @@ class ReproduceTest:
         assert page.count('<img src="data:image/png;base64,') == len(figures)
         self.check_table(runner)
         self.check_claims(runner)
-        self.check_going_on(runner)
+        self.check_continuation(runner)
 
     def check_table(self, runner):
-        """The success in the table is that in the records, worked out here once more."""
+        """Compares the success in the table with values computed from the records."""
         table = read_text(runner.path('results/tables/reward_evaluation.md'))
         for reward, name in zip(REWARDS, ('distance gained', 'cos³')):
             shares = [self.success_in(runner, f'{reward}_better_{seed:02d}/demo.csv') for seed in (1, 2)]
@@ -61,27 +61,27 @@ class ReproduceTest:
                     f'({min(shares):.2f}-{max(shares):.2f}) |') in row
 
     def success_in(self, runner, record):
-        """Percent of the episodes of a record in which the agent arrived."""
+        """Returns the share of the episodes of a record in which the agent arrived [%]."""
         with open(runner.path(f'results/runs/reward_evaluation/{record}'), encoding='utf-8') as stream:
             rows = list(csv.DictReader(stream))
         assert len(rows) == 20
         return 100.0 * sum(row['arrived'] == '1' for row in rows) / len(rows)
 
     def check_claims(self, runner):
-        """Each claim about the rewards is judged from the records."""
+        """Checks that each claim about the rewards is judged from the records."""
         setting = Setting(pathlib.Path(), pathlib.Path(in_package('config')),
                           pathlib.Path(runner.path('results')), quick=True)
         chapter = Chapter('claims', 'Claims')
         claim.add_claims(chapter, 'Rewards', reward_claims.CLAIMS, setting, 'rewards')
         rows = chapter.tables()[0].rows
         assert len(rows) == len(reward_claims.CLAIMS)
-        assert {row[3] for row in rows} <= {claim.COMES_OUT, claim.IN_PART, claim.NOT}
+        assert {row[3] for row in rows} <= {claim.CONFIRMED, claim.PARTLY, claim.NOT_CONFIRMED}
         arrivals = [self.success_in(runner, f'cosine_cubed_thesis_{seed:02d}/demo.csv') for seed in (1, 2)]
         assert f'cos³ {statistics.mean(arrivals):.2f} ' in next(
             row[2] for row in rows if row[1] == 'success in demo is "slightly better" with cos³ (%)')
 
-    def check_going_on(self, runner):
-        """Runs that are done are kept; one that is not is done again."""
+    def check_continuation(self, runner):
+        """Complete runs are kept; an incomplete one is repeated."""
         os.remove(sorted(self.stamps(runner))[0])
         again = self.reproduce(runner, 'reward_evaluation', '--quick')
         assert again.wait() == 0, again.output()
@@ -92,7 +92,7 @@ class ReproduceTest:
         running = self.reproduce(runner, 'ambiguity')
         wait_for(lambda: self.stamps(runner), 'the first run')
         assert running.stop() == 130, running.output()
-        done = re.search(r'Interrupted: (\d+) of 80 runs are done and stay', running.output())
+        done = re.search(r'Interrupted: (\d+) of 80 runs are done and kept', running.output())
         assert done is not None, running.output()
         assert len(self.stamps(runner)) == int(done[1])
 
@@ -116,7 +116,7 @@ class VariationsTest:
     """Variations of shipped files."""
 
     def setting(self, runner):
-        """With a config/ of its own."""
+        """Returns a Setting with its own config/."""
         config, results = pathlib.Path(runner.path('config')), pathlib.Path(runner.path('results'))
         for folder in ('experiments', 'scenarios'):
             (config / folder).mkdir(parents=True, exist_ok=True)
@@ -128,7 +128,7 @@ class VariationsTest:
                                 'learning.epsilon': 0.2})
         assert other == {'agents': [{'speed': 1, 'heading': 'goal'}, {'speed': [3, 4], 'heading': 'goal'}],
                          'learning': {'epsilon': 0.2}}
-        assert scene['order'] == 'sequential'  # is left as it was
+        assert scene['order'] == 'sequential'  # is unchanged
         with pytest.raises(ValueError):
             changed(scene, {'obstacles.*.radius': 0.2})
 
@@ -144,7 +144,7 @@ class VariationsTest:
         assert yaml.safe_load(read_text(file)) == {'learning': learning, 'training': training}
         os.utime(file, (1, 1))
         vary_config(setting, 'base', changes, 'varied')
-        assert os.stat(file).st_mtime == 1  # it was as it should be
+        assert os.stat(file).st_mtime == 1  # the file was already up to date
         other = vary_config(setting, file, {}, 'other', [pathlib.Path('/b.yaml')])
         assert yaml.safe_load(read_text(other))['training']['scenarios'] == ['/b.yaml']
 
@@ -158,9 +158,9 @@ class VariationsTest:
 
 
 class RunTest:
-    """When a run that was done before counts as done."""
+    """Conditions under which a previous run counts as done."""
 
-    def test_stamp_changes_with_all_that_it_is_made_from(self, runner):
+    def test_stamp_depends_on_all_inputs(self, runner):
         scenario = runner.write('scenario.yaml', 'name: one\n')
         config = runner.write('config.yaml', 'training: {scenarios: [scenario.yaml]}\n')
 
@@ -181,26 +181,26 @@ class RunTest:
 
 
 class MotionTest:
-    """Where moving obstacles are drawn."""
+    """Positions of moving obstacles in drawings."""
 
     def place(self, time, **motion):
-        """The place of an obstacle that starts at (1, 2)."""
+        """Returns the position of an obstacle that starts at (1, 2)."""
         rest = {'position': (1.0, 2.0), 'velocity': (0.0, 0.0), 'to_and_fro': [], 'waypoints': [], 'speed': 0.5}
         return place_of(dict(rest, **motion), time)
 
-    def test_at_rest_and_straight_on(self):
+    def test_static_and_straight_on(self):
         assert self.place(9.0) == (1.0, 2.0)
         assert self.place(4.0, velocity=(0.5, -1.0)) == (3.0, -2.0)
 
     def test_to_and_fro(self):
-        # 3 m along y and 4 m along x at 0.5 m/s: after 8 s 1 m of the second leg, after 20 s 10 m, that is 4 m back.
-        way = [(1.0, 5.0), (5.0, 5.0)]
-        assert self.place(8.0, to_and_fro=way) == (2.0, 5.0)
-        assert self.place(20.0, to_and_fro=way) == (2.0, 5.0)
-        assert self.place(28.0, to_and_fro=way) == (1.0, 2.0)
+        # 3 m along y and 4 m along x at 0.5 m/s: 1 m of the second leg after 8 s; 10 m after 20 s, which is 4 m back.
+        path = [(1.0, 5.0), (5.0, 5.0)]
+        assert self.place(8.0, to_and_fro=path) == (2.0, 5.0)
+        assert self.place(20.0, to_and_fro=path) == (2.0, 5.0)
+        assert self.place(28.0, to_and_fro=path) == (1.0, 2.0)
 
-    def test_round_and_round(self):
-        # A triangle of 3, 4 and 5 m: after 16 s 8 m, 1 m into the way back, a fifth of it.
+    def test_closed_path(self):
+        # A triangle of 3, 4 and 5 m: 8 m after 16 s, which is 1 m (a fifth) of the third side.
         x, y = self.place(16.0, waypoints=[(1.0, 5.0), (5.0, 5.0)])
         assert x == pytest.approx(4.2, abs=1e-7)
         assert y == pytest.approx(4.4, abs=1e-7)

@@ -1,11 +1,11 @@
-"""Q-table files, taken apart and made by hand, and training configurations."""
+"""Parsing and writing Q-table files, and training configurations."""
 import yaml
 from programs import read_text
 
 
 class QTableFile:
-    """A Q-table file taken apart: header as a map, rows as {row: [(visits, value) by action]}, what it has of other
-    sources as {source: {row: [visits by action]}}."""
+    """A parsed Q-table file: header as a map, rows as {row: [(visits, value) by action]}, visits of other sources as
+    {source: {row: [visits by action]}}."""
 
     def __init__(self, file):
         text = read_text(file)
@@ -26,7 +26,7 @@ class QTableFile:
             self.rows[int(row)] = [(int(words[i]), float(words[i + 1])) for i in range(0, len(words), 2)]
 
     def visits(self):
-        """All visits."""
+        """Returns the sum of all visits."""
         return sum(visits for actions in self.rows.values() for visits, _ in actions)
 
 
@@ -41,7 +41,7 @@ actions: 8
 
 
 def q_table_text(rows, decisions=0):
-    """A Q-table file for the thesis's first state set; rows are {row: {action: (visits, value)}}."""
+    """Returns a Q-table file for the thesis's first state set; rows are {row: {action: (visits, value)}}."""
     text = f'social_crowd Q-table 1\n{NEAREST_MODEL}alpha: 0.1\ngamma: 0.1\nlambda: 0\nepsilon: 0.1\n'
     text += f'decisions: {decisions}\nseed: 1\nvisited_rows: {len(rows)}\n---\n'
     for row, actions in sorted(rows.items()):
@@ -51,7 +51,7 @@ def q_table_text(rows, decisions=0):
 
 
 def checksum_of(text):
-    """FNV-1a, 64 bits."""
+    """Returns the 64-bit FNV-1a hash of a text."""
     value = 0xCBF29CE484222325
     for byte in text.encode():
         value = (value ^ byte) * 0x100000001B3 % 2**64
@@ -60,7 +60,7 @@ def checksum_of(text):
 
 def config_text(scenario, episodes, seed=1, tables='shared', learning='{alpha: 0.2, gamma: 0.9, epsilon: 0.3}',
                 model=NEAREST_MODEL):
-    """A training configuration."""
+    """Returns a training configuration."""
     parts = ''.join(line + '\n' for line in model.splitlines() if not line.startswith(('rows', 'actions')))
     return (f'{parts}learning: {learning}\n'
             f'training: {{scenarios: [{scenario}], episodes: {episodes}, seed: {seed}, tables: {tables}}}\n')

@@ -1,5 +1,5 @@
-"""What all tests in Python share: programs of this package as processes of their own, in a folder of the test's own,
-and waiting with a deadline. Needs no ROS master."""
+"""Shared code of all Python tests: running programs of this package in a temporary folder, and waiting with a deadline.
+Does not need a ROS master."""
 import os
 import re
 import signal
@@ -10,14 +10,14 @@ import time
 import rospkg
 from roslib.packages import find_node
 
-PATIENCE = 90.0  # [s] for what comes at once on an idle machine
-PERIOD = 0.01  # [s] between two looks
+PATIENCE = 90.0  # [s] time limit for events that take almost no time on an idle machine
+PERIOD = 0.01  # [s] between two polls
 PACKAGE = rospkg.RosPack().get_path('social_crowd')
 COLOUR = re.compile(r'\x1b\[[0-9;]*m')
 
 
 def in_package(*parts):
-    """A path in the package."""
+    """Returns a path in the package."""
     return os.path.join(PACKAGE, *parts)
 
 
@@ -28,46 +28,46 @@ CIRCLE6 = in_package('config', 'scenarios', 'circle6.yaml')
 
 
 def data(name):
-    """A file in test/data."""
+    """Returns a file in test/data."""
     return in_package('test', 'data', name)
 
 
 def page_examples(page):
-    """The files that a page of docs/ prints, by name: `NAME`: and a block of code."""
+    """Returns the example files of a page in docs/ by name. An example is `NAME`: followed by a block of code."""
     text = read_text(in_package('docs', page))
     return dict(re.findall(r'^`([\w.]+)`:\n\n```\w+\n(.*?)^```$', text, re.DOTALL | re.MULTILINE))
 
 
 def tools_folder():
-    """The folder of the programs train and evaluate."""
+    """Returns the folder of the programs train and evaluate."""
     return os.path.dirname(find_node('social_crowd', 'train')[0])
 
 
 def recording_of(scenario):
-    """Name of a scenario file's recording."""
+    """Returns the name of a scenario file's recording."""
     return os.path.splitext(os.path.basename(scenario))[0] + '.csv'
 
 
 def wait_for(condition, what, seconds=PATIENCE):
-    """Polls until the condition gives something true, and returns that."""
+    """Polls until the condition returns a true value, and returns this value."""
     deadline = time.monotonic() + seconds
     while True:
         result = condition()
         if result:
             return result
         if time.monotonic() > deadline:
-            raise AssertionError(f'waited {seconds:g} s in vain for {what}')
+            raise AssertionError(f'timeout of {seconds:g} s while waiting for {what}')
         time.sleep(PERIOD)
 
 
 def read_text(file):
-    """What a file holds."""
+    """Returns the contents of a file."""
     with open(file, encoding='utf-8', errors='replace') as stream:
         return stream.read()
 
 
 def read_bytes(file):
-    """What a file holds, byte for byte; None if there is no such file."""
+    """Returns the bytes of a file; None if the file does not exist."""
     if not os.path.exists(file):
         return None
     with open(file, 'rb') as stream:
@@ -75,14 +75,14 @@ def read_bytes(file):
 
 
 def assert_says(text, *words):
-    """Checks that a text holds all these words."""
+    """Checks that a text contains all these words."""
     missing = [word for word in words if word not in text]
     if missing:
         raise AssertionError(f'{missing} are missing in: {text}')
 
 
 def assert_same_recording(got, expected):
-    """Compares recordings byte for byte; the first line that differs is told."""
+    """Compares recordings byte for byte; the error contains the first different line."""
     if got is None:
         raise AssertionError('there is no recording')
     if got == expected:
@@ -94,48 +94,48 @@ def assert_same_recording(got, expected):
 
 
 class Process:
-    """A program that runs beside the test; its output goes to a file."""
+    """A program that runs in parallel with the test; its output is written to a file."""
 
     def __init__(self, name, command, log, environment=None):
         self.name = name
         self.log = log
-        self.is_given_up = False  # killed on purpose: how it ends says nothing
+        self.is_given_up = False  # killed intentionally; its exit status is ignored
         environment = dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED='1', **(environment or {}))
         with open(log, 'wb') as stream:
             self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream, stderr=stream,
                                             env=environment)
 
     def output(self):
-        """What it has printed so far, without colours."""
+        """Returns the output so far, without colours."""
         return COLOUR.sub('', read_text(self.log))
 
     def is_running(self):
-        """Whether it has not ended yet."""
+        """Returns whether the program is still running."""
         return self.process.poll() is None
 
     def wait(self, seconds=PATIENCE):
-        """Waits for its end; the exit status."""
+        """Waits for the end of the program. Returns its exit status."""
         wait_for(lambda: not self.is_running(), f'the end of {self.name}', seconds)
         return self.process.returncode
 
     def signal(self, number):
-        """Sends it a signal."""
+        """Sends a signal to the program."""
         self.process.send_signal(number)
 
     def stop(self):
-        """Asks it to end, as Ctrl-C does; the exit status."""
+        """Interrupts the program, as Ctrl-C does. Returns its exit status."""
         if self.is_running():
             self.signal(signal.SIGINT)
         return self.wait()
 
     def kill(self):
-        """Ends it without a chance to say goodbye."""
+        """Kills the program."""
         self.is_given_up = True
         self.process.kill()
         self.process.wait()
 
     def clean_up(self):
-        """Ends it in any case; what was wrong with its end, if anything."""
+        """Ends the program. Returns a text if it did not end properly."""
         if self.is_given_up:
             self.process.kill()
             self.process.wait()
@@ -145,47 +145,47 @@ class Process:
             status = self.stop()
         except AssertionError:
             self.kill()
-            return f'{self.name} did not end when asked to'
-        return f'{self.name} ended with exit status {status} when asked to' if was_running and status != 0 else ''
+            return f'{self.name} did not end after SIGINT'
+        return f'{self.name} ended with exit status {status} after SIGINT' if was_running and status != 0 else ''
 
 
 class ProgramRunner:
-    """Programs that a test runs, and the test's folder."""
+    """Runs the programs of a test in the test's folder."""
 
     def __init__(self, folder, environment=None):
         self.folder = folder
-        self.environment = environment or {}  # of all programs, beside the test's own
+        self.environment = environment or {}  # additional variables for all programs
         self.processes = []
 
     def path(self, name):
-        """A path in the test's folder."""
+        """Returns a path in the test's folder."""
         return os.path.join(self.folder, name)
 
     def write(self, name, text):
-        """Writes a file in the test's folder; its path."""
+        """Writes a file in the test's folder. Returns its path."""
         with open(self.path(name), 'w', encoding='utf-8') as stream:
             stream.write(text)
         return self.path(name)
 
     def start(self, name, command, environment=None):
-        """Starts a program."""
+        """Starts a program. Returns its Process."""
         log = self.path(f'{len(self.processes)}_{name}.log')
         process = Process(name, command, log, dict(self.environment, **(environment or {})))
         self.processes.append(process)
         return process
 
     def outputs(self):
-        """What the started programs have printed so far."""
+        """Returns the output of the started programs so far."""
         return ''.join(f'--- output of {process.name}\n{process.output()}\n' for process in self.processes)
 
     def clean_up(self):
-        """Ends the started programs; what was wrong with their ends, if anything, a line each."""
+        """Ends the started programs. Returns a line for each program that did not end properly."""
         problems = [process.clean_up() for process in reversed(self.processes)]
         return '\n'.join(problem for problem in problems if problem)
 
     @staticmethod
     def tool(name, *arguments, within=()):
-        """Runs a program of this package to its end, perhaps within another one; what it printed."""
+        """Runs a program of this package, optionally with another program as a prefix. Returns its output."""
         command = [*within, *find_node('social_crowd', name)[:1], *map(str, arguments)]
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
         output = done.stdout.decode(errors='replace')
@@ -194,7 +194,7 @@ class ProgramRunner:
         return output
 
     def headless(self, scenario, table=NEAREST_TABLE, **options):
-        """The recording of a run without ROS, byte for byte."""
+        """Returns the bytes of the recording of a run without ROS."""
         folder = tempfile.mkdtemp(dir=self.folder)
         arguments = [part for name, value in options.items() for part in (f'--{name}', value)]
         self.tool('evaluate', '--q-table', table, '--trajectories', folder, *arguments, scenario)

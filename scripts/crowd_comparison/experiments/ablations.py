@@ -1,4 +1,4 @@
-"""Each idea of the anticipating crowd switched off once: what does it cost?"""
+"""Ablations: each idea of the anticipation crowd is switched off once."""
 from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread
@@ -14,7 +14,7 @@ TITLE = 'Ablations'
 SEEDS = 3
 QUICK_EPISODES = 5
 WHOLE = 'everything'
-# What is put in place of the training configuration's keys.
+# Changes of the training configuration, by the paths of keys.
 ABLATIONS = {
     WHOLE: {},
     'no reciprocal time': {'state_set.reciprocal_times': []},
@@ -47,7 +47,7 @@ def run_name(ablation, seed):
 
 
 def plan(setting):
-    """A run for each ablation and training seed; none without a benchmark."""
+    """Returns a run for each ablation and training seed; an empty list without a benchmark."""
     if not setting.benchmark:
         return []
     return [make_run(setting, ablation, seed) for seed in setting.seeds(SEEDS, 1) for ablation in ablations_of(setting)]
@@ -63,19 +63,19 @@ def make_run(setting, ablation, seed):
 
 
 def write_config(setting, ablation):
-    """The shipped training configuration with what is switched off."""
+    """Writes the shipped training configuration with one idea switched off. Returns the file."""
     return vary_config(setting, setting.learning(OURS), ABLATIONS[ablation], run_name(ablation, 0)[:-3])
 
 
 def report(setting):
-    """The chapter, from the runs' figures."""
+    """Returns the chapter, from the runs' metrics."""
     orca = read_metrics(setting.benchmark / 'reference.csv', ORCA)
     found = {ablation: [read_metrics(setting.run_folder(NAME, run_name(ablation, seed)) / 'metrics.csv')
                         for seed in setting.seeds(SEEDS, 1)] for ablation in ablations_of(setting)}
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
-        'One idea switched off at a time, all else as in the training configuration, trained anew with '
-        f'{len(setting.seeds(SEEDS, 1))} seeds each and walked through the benchmark. Contact, path and turning: the '
+    chapter.add_text(
+        'One idea is switched off at a time; all else is as in the training configuration. Each variant is trained '
+        f'with {len(setting.seeds(SEEDS, 1))} seeds and evaluated with the benchmark. Contact, path and turning: the '
         'worst scenario; clean: the worst scenario without door12, and the mean. Mean (lowest-highest) over the seeds.')
     scenarios = judged(orca)
     columns = {
@@ -87,13 +87,13 @@ def report(setting):
         'path': (lambda f: greatest(f, 'path_ratio'), 3), 'turn rad/m': (lambda f: greatest(f, 'turn_rad_per_m'), 2)}
     rows = [[ablation, *(spread_text([measure(metrics) for metrics in seeds], decimals)
                          for measure, decimals in columns.values())] for ablation, seeds in found.items()]
-    chapter.add_table('What each idea is worth', ['', *columns], rows, 'ablations')
+    chapter.add_table('Effect of each idea', ['', *columns], rows, 'ablations')
     add_figure(chapter, setting, found, orca)
     return chapter
 
 
 def add_figure(chapter, setting, found, orca):
-    """Time against ORCA's beside the mean share of clean instances."""
+    """Adds time / ORCA's time and the mean share of clean instances, side by side."""
     scenarios = judged(orca)
     figure, axes = style.new_figure(1, 2, 11, 0.9 + 0.32 * len(found), sharey=True)
     measures = (lambda f: time_against(f, orca), lambda f: Spread(f[name]['clean_pct'] for name in scenarios).mean)
@@ -108,4 +108,4 @@ def add_figure(chapter, setting, found, orca):
         panel.set_xlabel(label)
         panel.set_yticks(range(len(names)), names)
     chapter.add_figure(style.save(figure, setting.figure_file('ablations')),
-                       'Each idea switched off once; a mark for each training seed, the line: everything on.')
+                       'Each idea switched off once; marks: training seeds; line: mean with all ideas.')

@@ -1,4 +1,4 @@
-"""The steering benchmark: every learned model over training seeds, beside ORCA and social force."""
+"""The steering benchmark: learned models with several training seeds, compared with ORCA and social force."""
 import sys
 
 from crowd_experiments import style
@@ -21,7 +21,8 @@ SCORER = 'score.py'
 
 
 def plan(setting):
-    """A run for each learned model and training seed, and one for the benchmark's scorer; none without a benchmark."""
+    """Returns a run for each learned model and training seed, and one for the benchmark's scorer; an empty list without
+    a benchmark."""
     if not setting.benchmark:
         return []
     runs = [make_run(setting, model, seed) for seed in setting.seeds(SEEDS) for model in LEARNED]
@@ -46,7 +47,7 @@ def make_run(setting, model, seed):
 
 
 def make_scored_run(setting):
-    """The shipped table, by evaluate and by the benchmark's scorer."""
+    """Returns a run that evaluates the shipped table with `evaluate` and with the benchmark's scorer."""
     return Run(scored_folder(setting), [
         [setting.tool('evaluate'), '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
          '--trajectories', 'trajectories', *setting.benchmark_scenarios()],
@@ -56,20 +57,20 @@ def make_scored_run(setting):
 
 
 def report(setting):
-    """The chapter, from the runs' figures."""
+    """Returns the chapter, from the runs' metrics."""
     learned = {model: [read_metrics(run_folder(setting, model, seed) / 'metrics.csv')
                        for seed in setting.seeds(SEEDS)] for model in LEARNED}
     references = {model: read_metrics(setting.benchmark / 'reference.csv', model) for model in REFERENCES}
     seconds = [processor_seconds(run_folder(setting, OURS, seed))[0] for seed in setting.seeds(SEEDS)]
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
-        f'Fixed scenes, the same for every model; {len(setting.seeds(SEEDS))} training seeds of each learned one. '
-        'Contact: agents whose body overlapped another one or a wall by more than 1 mm at the end of any tick; clean: '
-        'instances in which everybody arrived and nobody was in contact; time: time x maximum speed / straight way; '
-        'path: way walked / straight way; both of who arrived. '
-        'Means over scenarios leave out door12, which needs a way to '
-        'be found around walls. Spreads are mean (lowest-highest) over the training seeds.')
-    chapter.add_table(f'What is asked for, of {NAMES[OURS]}', bars.HEADER,
+    chapter.add_text(
+        f'All models use the same fixed scenes; learned models have {len(setting.seeds(SEEDS))} training seeds. '
+        'Contact: agents whose body overlapped another body or a wall by more than 1 mm at the end of any tick; clean: '
+        'instances in which all agents arrived and none had a contact; time: time x maximum speed / straight-line '
+        'distance; path: distance walked / straight-line distance, both of the agents that arrived. Means over '
+        'scenarios exclude door12, which requires path planning around walls. Spreads are mean (lowest-highest) over '
+        'the training seeds.')
+    chapter.add_table(f'Requirements (bars) and aims for {NAMES[OURS]}', bars.HEADER,
                       bars.rows(learned[OURS], references[ORCA], seconds), 'bars')
     add_overview(chapter, learned, references)
     add_times(chapter, setting, learned, references)
@@ -80,14 +81,14 @@ def report(setting):
 
 
 def spread_text(values, decimals):
-    """mean (lowest-highest), or the number alone if there is no spread."""
+    """Returns mean (lowest-highest), or only the mean if there is no spread."""
     spread = Spread(values)
     mean, low, high = (f'{value:.{decimals}f}' for value in (spread.mean, spread.low, spread.high))
     return mean if low == high else f'{mean} ({low}-{high})'
 
 
 def all_models(learned, references):
-    """Lists of figures by model: one for each seed, a single one for the references."""
+    """Returns lists of metrics by model: one for each seed, a single one for the references."""
     return {**learned, **{model: [metrics] for model, metrics in references.items()}}
 
 
@@ -103,9 +104,9 @@ def add_overview(chapter, learned, references):
     rows = [[NAMES[model], *(spread_text([measure(metrics) for metrics in seeds], places)
                              for measure, places in zip(columns.values(), decimals))]
             for model, seeds in all_models(learned, references).items()]
-    chapter.add_table(f'At a glance: geometric mean of time / that of ORCA with its parameters picked for each '
-                      f'scenario; in how many of {len(judged(orca))} scenarios it is not above; and the worst scenario '
-                      'of each (clean: without door12)', ['', *columns], rows, 'overview')
+    chapter.add_table(f'Overview: geometric mean of time / time of ORCA with parameters chosen for each scenario; '
+                      f'number of scenarios of {len(judged(orca))} in which the time is not above; and the values of '
+                      'the worst scenario (clean: without door12)', ['', *columns], rows, 'overview')
 
 
 def add_measure(chapter, learned, references, key, label, decimals):
@@ -116,7 +117,7 @@ def add_measure(chapter, learned, references, key, label, decimals):
 
 
 def add_times(chapter, setting, learned, references):
-    """Time against ORCA's in every scenario, a mark for each model, a bar over the seeds of ours."""
+    """Adds time / ORCA's time in every scenario: a mark for each model, a line over the training seeds."""
     orca = references[ORCA]
     scenarios = sorted(orca, key=lambda name: Spread(f[name]['time_ratio'] for f in learned[OURS]).mean
                        / orca[name]['time_ratio'])
@@ -139,19 +140,19 @@ def add_times(chapter, setting, learned, references):
     panel.set_xlabel("time / ORCA's time with its parameters picked for the scenario (left: faster)")
     panel.legend(loc='lower right')
     chapter.add_figure(style.save(figure, setting.figure_file('steering_times')),
-                       'Time against ORCA\'s, scenario by scenario; lines: lowest to highest over the training seeds. '
-                       'Faster and in contact is no achievement: the thesis\'s sets and social force walk through '
-                       'others.')
+                       'Time / ORCA\'s time by scenario; lines: lowest to highest over the training seeds. The '
+                       'thesis\'s sets and social force walk through other agents, so their times are not comparable.')
 
 
 def add_score(chapter, setting):
     if not (setting.benchmark / SCORER).is_file():
-        chapter.tell(f'The benchmark has no {SCORER}: evaluate\'s metrics are not checked against it.')
+        chapter.add_text(f'The benchmark has no {SCORER}: the metrics of evaluate are not checked against it.')
         return
     folder = scored_folder(setting)
     scored = read_metrics(folder / 'scored.csv')
     difference = largest_difference(read_metrics(folder / 'metrics.csv'), scored)
     chapter.add_table(
-        "evaluate's metrics of the shipped table beside those of the benchmark's scorer, which reads its trajectories",
+        "Metrics of evaluate for the shipped table, compared with those of the benchmark's scorer, which reads the "
+        'recorded trajectories',
         ['scenarios', 'metrics compared', 'greatest difference'],
         [[str(len(scored)), str(sum(len(row) for row in scored.values())), f'{difference:.1g}']], 'scorer')

@@ -1,4 +1,4 @@
-"""Two crowds meet in a corridor: do lanes form?"""
+"""Lane formation of two crowds in a corridor."""
 import numpy
 
 from crowd_drawing.files import read_scene, read_walks
@@ -18,14 +18,14 @@ EPISODES = 10
 PLACEMENT_SEED = 1
 TICK = 0.1  # [s]
 SHOWN_TIME = 25.0  # [s]
-JUDGED = (8.0, 18.0)  # [s] both crowds are within each other
+JUDGED = (8.0, 18.0)  # [s] time in which the crowds overlap
 MOMENTS = (1.0, 14.0)  # [s]
 DRAWN = ('anticipation', 'thesis_nearest')
-WAY_COLOURS = {1: '#d55e00', -1: '#0072b2'}
+DIRECTION_COLOURS = {1: '#d55e00', -1: '#0072b2'}
 
 
 def plan(setting):
-    """A run for each model, with the shipped table."""
+    """Returns a run for each model, with the shipped table."""
     return [Run(folder(setting, model), [
         [setting.tool('evaluate'), '--q-table', setting.table(model), '--threads', 1, '--seed', PLACEMENT_SEED,
          '--episodes', setting.count(EPISODES, 2), '--scenes', '.', '--trajectories', '.', '--record', 'record.csv',
@@ -37,14 +37,15 @@ def folder(setting, model):
 
 
 def report(setting):
-    """The chapter, from the recorded walks."""
+    """Returns the chapter, from the recorded trajectories."""
     curves = {model: curves_of(folder(setting, model)) for model in LEARNED}
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
+    chapter.add_text(
         f'Two crowds of forty in a corridor 4 m wide walk through each other, {len(curves[LEARNED[0]])} placements. '
-        'Order: mean over walkers of ((same way - opposite way) / (same + opposite))^2 among the others in a lane '
-        f'{2 * HALF_WIDTH:g} m wide around them, within {STRETCH:g} m of the middle (Rex and Löwen 2007, Nowak and '
-        'Schadschneider 2012), less what chance gives: 0 is chance, 1 perfect lanes.')
+        'Order: mean over agents of ((same direction - opposite direction) / (same + opposite))^2 among the other '
+        f'agents in a lane {2 * HALF_WIDTH:g} m wide around the agent, within {STRETCH:g} m of the middle (Rex and '
+        'Löwen 2007, Nowak and Schadschneider 2012), less the value expected by chance: 0 is chance, 1 is perfect '
+        'lanes.')
     add_curves(chapter, setting, curves)
     add_moments(chapter, setting)
     add_table(chapter, setting, curves)
@@ -52,8 +53,8 @@ def report(setting):
 
 
 def curves_of(run_folder):
-    """The order at each tick: an array (placement, tick), nan after the last one has left."""
-    curves = [order_over_time(track, starting_ways(track)) for track in
+    """Returns an array (placement, tick) of the order, nan after the last agent has left."""
+    curves = [order_over_time(track, starting_directions(track)) for track in
               read_tracks(run_folder / f'{SCENARIO}.csv').values()]
     ticks = round(SHOWN_TIME / TICK) + 1
     padded = numpy.full((len(curves), ticks), numpy.nan)
@@ -62,8 +63,8 @@ def curves_of(run_folder):
     return padded
 
 
-def starting_ways(track):
-    """1 for who starts on the left and walks to the right, -1 for the others."""
+def starting_directions(track):
+    """Returns 1 for agents that start on the left and walk to the right, -1 for the others."""
     return numpy.where(track[0, :, 0] < 0.0, 1, -1)
 
 
@@ -83,26 +84,27 @@ def add_curves(chapter, setting, curves):
     panel.set_ylabel('order above chance')
     panel.legend(loc='upper left')
     chapter.add_figure(style.save(figure, setting.figure_file('lane_order')),
-                       'Lane order over time: mean and standard deviation over the placements, while both ways are '
-                       'walked in all of them.')
+                       'Lane order over time: mean and standard deviation over the placements, while all of them have '
+                       'agents of both directions.')
 
 
 def add_moments(chapter, setting):
-    """The first placement, early and late, coloured by way."""
+    """Adds an early and a late moment of the first placement, coloured by direction."""
     figure, axes = style.new_figure(len(DRAWN), len(MOMENTS), 7.0 * len(MOMENTS), 2.1 * len(DRAWN), sharex=True,
                                     sharey=True)
     for model, row in zip(DRAWN, axes):
         run_folder = folder(setting, model)
         scene = read_scene(run_folder / f'{SCENARIO}.yaml', 0)
         _, walks = read_walks(run_folder / f'{SCENARIO}.csv', 0)
-        colours = [WAY_COLOURS[1 if walks[agent][0][1] < 0.0 else -1] for agent in range(len(scene.agents))]
+        colours = [DIRECTION_COLOURS[1 if walks[agent][0][1] < 0.0 else -1] for agent in range(len(scene.agents))]
         for panel, moment in zip(row, MOMENTS):
-            draw_moment(panel, scene, walks, round(moment / scene.tick), colours, with_ways=False).frame()
+            draw_moment(panel, scene, walks, round(moment / scene.tick), colours, with_paths=False).frame()
             panel.set_xlim(-11.0, 11.0)
             panel.set_ylim(-2.6, 2.6)
             panel.set_title(f'{NAMES[model]}, {moment:g} s')
     chapter.add_figure(style.save(figure, setting.figure_file('corridor')),
-                       'The middle of the corridor in the first placement: who walks to the right and who to the left.')
+                       'The middle of the corridor in the first placement; colours: agents that walk to the right, and '
+                       'to the left.')
 
 
 def add_table(chapter, setting, curves):

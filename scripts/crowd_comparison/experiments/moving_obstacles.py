@@ -1,4 +1,4 @@
-"""Obstacles that yield to nobody: who is touched, and could anybody have helped it?"""
+"""Contacts with moving obstacles, which do not yield, and whether they were avoidable."""
 import math
 
 import numpy
@@ -14,17 +14,17 @@ from ..avoidability import HEADINGS, LOOK_BACK, LOOK_ON, TURNED_WITHIN, Recordin
 from ..models import COLOURS, LEARNED, NAMES, OURS
 
 NAME = 'moving_obstacles'
-TITLE = 'Moving obstacles that yield to nobody'
+TITLE = 'Moving obstacles that do not yield'
 SCENARIO = 'crowd_random_movers'
 EPISODES = 20
 SEED = 1  # of the placements
 DRAWN_PANELS = 6
-REACH = 2.2  # [m] around a contact that is drawn
+REACH = 2.2  # [m] drawn distance around a contact
 KINDS = ('avoidable', 'hemmed in', 'overrun')
 
 
 def plan(setting):
-    """A run for each model, with the shipped table."""
+    """Returns a run for each model, with the shipped table."""
     return [Run(folder(setting, model), [
         [setting.tool('evaluate'), '--q-table', setting.table(model), '--threads', 1, '--seed', SEED, '--episodes',
          setting.count(EPISODES, 2), '--scenes', '.', '--trajectories', '.', '--record', 'record.csv',
@@ -36,7 +36,7 @@ def folder(setting, model):
 
 
 def kind_of(recording, contact):
-    """Whether a contact could have been avoided, and the last move that would have."""
+    """Returns the kind of a contact, and the last move that would have avoided it."""
     escape = recording.last_escape(contact)
     if escape:
         return 'avoidable', escape
@@ -45,7 +45,7 @@ def kind_of(recording, contact):
 
 
 def judged_contacts(run_folder):
-    """Every contact with its recording, kind and escape."""
+    """Returns every contact with its recording, kind and escape."""
     judged = []
     for instance, track in read_tracks(run_folder / f'{SCENARIO}.csv').items():
         recording = Recording(read_scene(run_folder / f'{SCENARIO}.yaml', instance), track)
@@ -54,16 +54,16 @@ def judged_contacts(run_folder):
 
 
 def report(setting):
-    """The chapter, from the recorded walks."""
+    """Returns the chapter, from the recorded trajectories."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
-        'Forty agents from anywhere to anywhere among eight obstacles that walk to and fro at 0.3 to 1.2 m/s, '
-        f'{setting.count(EPISODES, 2)} placements. A contact was avoidable if at any tick within {LOOK_BACK:g} s '
+    chapter.add_text(
+        'Forty agents walk between random places among eight obstacles that move back and forth at 0.3 to 1.2 m/s, '
+        f'in {setting.count(EPISODES, 2)} placements. A contact was avoidable if at a tick within {LOOK_BACK:g} s '
         f'before it a straight move (straight on at one of {HEADINGS} headings, at full or half speed, or standing) '
-        f'would have kept the agent clear of everything until {LOOK_ON:g} s after it, all others walking as they did; '
-        'judged with hindsight. Hemmed in: only without the other agents. Overrun: not even then. Avoidable to the '
-        f'last: still from the place at the end of the tick before. Turned: the obstacle had turned round within '
-        f'the last {TURNED_WITHIN:g} s.')
+        f'would have kept the agent clear of all bodies and walls until {LOOK_ON:g} s after it, while all other bodies '
+        'move as recorded; this uses hindsight. Hemmed in: avoidable only without the other agents. Overrun: not '
+        'avoidable even then. Avoidable until the last tick: avoidable from the position at the end of the previous '
+        f'tick. Turned: the obstacle had turned round within the last {TURNED_WITHIN:g} s.')
     contacts = {model: judged_contacts(folder(setting, model)) for model in LEARNED}
     rows = []
     for model, judged in contacts.items():
@@ -74,17 +74,17 @@ def report(setting):
                      *(str(sum(kind == found for _, _, found, _ in judged)) for kind in KINDS), str(late),
                      str(turned)])
     columns = ['', 'success %', 'agents in contact %', 'contacts with moving obstacles', *KINDS,
-               'avoidable to the last', 'turned']
+               'avoidable until the last tick', 'turned']
     chapter.add_table('Contacts with moving obstacles', columns, rows, 'contacts')
     add_panels(chapter, setting, contacts[OURS])
     return chapter
 
 
 def add_panels(chapter, setting, judged):
-    """Some contacts of ours, the unavoidable ones first."""
+    """Adds some contacts of the anticipation crowd, the unavoidable ones first."""
     shown = sorted(judged, key=lambda entry: -KINDS.index(entry[2]))[:DRAWN_PANELS]
     if not shown:
-        chapter.tell(f'{NAMES[OURS].capitalize()}: no contact to show.')
+        chapter.add_text(f'{NAMES[OURS].capitalize()}: no contact to show.')
         return
     columns = min(3, len(shown))
     rows = math.ceil(len(shown) / columns)
@@ -95,10 +95,9 @@ def add_panels(chapter, setting, judged):
         draw_contact(panel, recording, contact, escape)
         panel.set_title(f'{kind}, {contact.tick * recording.scene.tick:.1f} s')
     chapter.add_figure(style.save(figure, setting.figure_file('moving_obstacle_contacts')),
-                       f'Contacts of {NAMES[OURS]} at the moment they begin, with the ways of the {LOOK_BACK:g} s '
-                       'before: orange the agent that is touched, grey the moving obstacles, blue the others; '
-                       'dashed: the last '
-                       'straight move that would have avoided it.')
+                       f'Contacts of {NAMES[OURS]} at their first tick, with the paths of the last {LOOK_BACK:g} s. '
+                       'Orange: the agent that is touched; grey: moving obstacles; blue: other agents; dashed: the '
+                       'last straight move that would have avoided the contact.')
 
 
 def draw_contact(panel, recording, contact, escape):
@@ -109,16 +108,16 @@ def draw_contact(panel, recording, contact, escape):
     for obstacle, radius in enumerate(recording.obstacle_radii):
         if not is_near(recording.obstacles[tick, obstacle], centre):
             continue
-        way = recording.obstacles[begin:tick + 1, obstacle]
-        panel.plot(*way.T, color='0.45', linewidth=1.3)
-        picture.disc(way[-1], radius, facecolor=OBSTACLE_COLOUR, edgecolor='0.35')
+        path = recording.obstacles[begin:tick + 1, obstacle]
+        panel.plot(*path.T, color='0.45', linewidth=1.3)
+        picture.disc(path[-1], radius, facecolor=OBSTACLE_COLOUR, edgecolor='0.35')
     for agent, radius in enumerate(recording.radii):
         if not is_near(recording.track[tick, agent], centre):
             continue
-        way = recording.track[begin:tick + 1, agent]
+        path = recording.track[begin:tick + 1, agent]
         colour = COLOURS[OURS] if agent == contact.agent else COLOURS['orca_best']
-        panel.plot(*way.T, color=colour, linewidth=1.3, zorder=5)
-        picture.disc(way[-1], radius, facecolor=colour, edgecolor='none', alpha=0.8, zorder=6)
+        panel.plot(*path.T, color=colour, linewidth=1.3, zorder=5)
+        picture.disc(path[-1], radius, facecolor=colour, edgecolor='none', alpha=0.8, zorder=6)
     if escape:
         start = recording.track[escape.tick, contact.agent]
         end = start + (tick - escape.tick) * scene.tick * numpy.array(escape.velocity)
@@ -129,5 +128,5 @@ def draw_contact(panel, recording, contact, escape):
 
 
 def is_near(place, centre):
-    """Whether it can be seen in a picture around the centre; who has left is nowhere."""
+    """Returns whether a place is within or near the picture around the centre; False for agents that have left."""
     return bool((numpy.abs(place - centre) < REACH + 1.0).all())

@@ -1,4 +1,4 @@
-"""The experiments, in the thesis's order. Each module has NAME, TITLE, plan(setting) and report(setting)."""
+"""The experiments, in the order of the thesis. Each module has NAME, TITLE, plan(setting) and report(setting)."""
 from . import ambiguity, future_work, learning_curves, reward_evaluation, scenarios, sensitivity, sharing
 from .. import claims
 

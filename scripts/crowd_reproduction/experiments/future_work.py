@@ -1,4 +1,4 @@
-"""The future work of 5.2 on the thesis's own agent: a stay action, occlusion, condensed states."""
+"""The future work of section 5.2, applied to the thesis's agent: a stay action, occlusion, condensed states."""
 from crowd_experiments import style
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_table_header
@@ -8,18 +8,18 @@ from crowd_experiments.variations import vary_config
 from .. import agent_runs, agent_training, scenario_runs as runs
 from ..decisions import read_decisions
 from ..measures import share, surrounded
-from ..surroundings import HEADER, LEAST_SECTORS, SOON, TOLD, row_of
+from ..surroundings import DEFINITIONS, HEADER, LEAST_SECTORS, SOON, row_of
 
 NAME = 'future_work'
-TITLE = 'Future work (5.2): what would help the surrounded agent of figure 4.25?'
+TITLE = 'Future work (5.2), for the surrounded agent of figure 4.25'
 SCENARIO = 'circle12_varied'
 SEEDS = 10
 EPISODES = runs.EPISODES
-WATCHED = 2  # of them, decision by decision
+WATCHED = 2  # number of episodes of which every decision is recorded
 STAY = {'action_set.stay': True}
 OCCLUSION = {'vision.occlusion': True}
 CONDENSED = {'state_set.type': 'condensed_occupancy'}
-# What is put in place of the training configuration's keys, by the name of the run and what the tables call it.
+# By the name of the run: the label in tables, and the changed keys of the training configuration.
 UNCHANGED = 'thesis'
 VARIATIONS = {
     UNCHANGED: ("the thesis's agent", {}),
@@ -40,13 +40,13 @@ def folder_of(setting, variation, seed):
 
 
 def plan(setting):
-    """A run for each variation and seed; the thesis's agent is that of the scenarios."""
+    """Returns a run for each variation and seed; the thesis's agent is that of the scenarios."""
     return [make_run(setting, variation, seed) for seed in setting.seeds(SEEDS) for variation in VARIATIONS
             if variation != UNCHANGED] + agent_runs.plan(setting)
 
 
 def make_run(setting, variation, seed):
-    """The training of one agent, as for the scenarios, then twelve on a circle by its table."""
+    """Returns a run that trains one agent as for the scenarios, then runs twelve agents on a circle with its table."""
     changes = VARIATIONS[variation][1]
     single, field = (vary_config(setting, f'agent_{part}_occupancy_thesis', changes, f'{NAME}_{part}_{variation}')
                      for part in ('single', 'field'))
@@ -60,41 +60,41 @@ def make_run(setting, variation, seed):
 def report(setting):
     """The chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
-        "State set 2, king's moves and the thesis's parameters; one agent learns alone as for the scenarios, and "
-        f'twelve walk on a circle at varied speeds by its table ({SCENARIO}). What the thesis proposes is put in, one '
-        'at a time: an action that means to stay put, without and with a cost of every tick in which the agent does '
-        'not move (a full step straight to the goal earns 1, an obstacle in the inner radius costs 10 for each '
-        'sector); occlusion, so that what others hide is not perceived; and condensed states, in which the nearest '
-        f'distance is one for the whole circle. {len(setting.seeds(SEEDS))} seeds, '
-        f'{setting.count(EPISODES, 2)} instances; what follows being surrounded is looked at in '
-        f'{setting.count(WATCHED, 2)} of them.')
+    chapter.add_text(
+        "State set 2, king's moves and the thesis's parameters. One agent learns alone as for the scenarios; then "
+        f'twelve agents on a circle walk at varied speeds with its table ({SCENARIO}). The proposals of the thesis are '
+        'applied one at a time: a stay action, without and with a cost for every tick in which the agent does '
+        'not move (the reward of a full step straight to the goal is 1; an obstacle in the inner radius costs 10 for '
+        'each sector); occlusion, so that hidden bodies are not perceived; and condensed states, with one nearest '
+        f'distance for the whole circle. {len(setting.seeds(SEEDS))} seeds, '
+        f'{setting.count(EPISODES, 2)} instances; surrounded agents are evaluated in {setting.count(WATCHED, 2)} of '
+        'them.')
     records = {variation: records_of(setting, variation) for variation in VARIATIONS}
     found = {variation: measured(setting, variation) for variation in VARIATIONS}
     add_figure(chapter, setting, records, found)
     add_table(chapter, setting, records)
-    chapter.add_table(f"Surrounded agents in {SCENARIO}; set 2 and thesis's parameters, with what is named. {TOLD}. "
-                      'Sectors are those that the agent perceives as occupied. Mean ± standard deviation over the '
-                      'seeds (lowest-highest), of the seeds in which there were any', HEADER,
-                      [row_of(told, found[variation]) for variation, (told, _) in VARIATIONS.items()],
+    chapter.add_table(f"Surrounded agents in {SCENARIO}; set 2 and thesis's parameters, with one change per row. "
+                      f'{DEFINITIONS}. Sectors are those that the agent perceives as occupied. Mean ± standard '
+                      'deviation over the seeds with surrounded agents (lowest-highest)', HEADER,
+                      [row_of(label, found[variation]) for variation, (label, _) in VARIATIONS.items()],
                       name='surrounded')
     return chapter
 
 
 def records_of(setting, variation):
-    """How the agents fared, of all seeds."""
+    """Returns the records of all seeds."""
     records = (read_csv(folder_of(setting, variation, seed) / 'demo.csv') for seed in setting.seeds(SEEDS))
     return [of_only(record, SCENARIO) for record in records]
 
 
 def of_only(record, scenario):
-    """The part of a record that is about a scenario."""
+    """Returns the rows of a record that belong to a scenario."""
     rows = of_scenario(record, scenario)
     return {name: column[rows] for name, column in record.items() if name != 'scenario'}
 
 
 def measured(setting, variation):
-    """A Surrounded for each seed."""
+    """Returns a Surrounded for each seed."""
     results = []
     for seed, record in zip(setting.seeds(SEEDS), records_of(setting, variation)):
         arrived = {(int(episode), int(agent)) for episode, agent, arrives in
@@ -105,24 +105,24 @@ def measured(setting, variation):
 
 
 def first_instances(decisions):
-    """The decisions of as many instances as are watched; the scenarios' chapter watches more."""
+    """Returns the decisions of the first WATCHED instances; the scenarios' chapter records more."""
     chosen = decisions['instance'] < WATCHED
     return {name: column[chosen] for name, column in decisions.items() if name != 'occupied'}
 
 
 def add_table(chapter, setting, records):
     rows = []
-    for variation, (told, _) in VARIATIONS.items():
+    for variation, (label, _) in VARIATIONS.items():
         success, contact, collision = map(Spread, zip(*map(rates, records[variation])))
         ratios = Spread.of_numbers(median(record['path_ratio'][record['arrived'] > 0]) for record in records[variation])
         times = Spread.of_numbers(median(record['time_ratio'][record['arrived'] > 0]) for record in records[variation])
         visited = Spread(float(read_table_header(folder_of(setting, variation, seed) / agent_training.TABLE)
                                ['visited_rows']) for seed in setting.seeds(SEEDS))
-        rows.append([told, success.text(1), collision.text(1), contact.text(1), ratios.text(2), times.text(2),
+        rows.append([label, success.text(1), collision.text(1), contact.text(1), ratios.text(2), times.text(2),
                      visited.text(0)])
     chapter.add_table(f"Future work: twelve on a circle at varied speeds ({SCENARIO}); set 2 and thesis's parameters, "
                       'with what is named. Mean ± standard deviation over the seeds (lowest-highest); ratios: the '
-                      'median of those that arrived, seed by seed',
+                      'median of the arrivals for each seed',
                       ['', 'success %', 'collision %', 'contact %', 'path ratio (arrivals only)',
                        'time ratio (arrivals only)', 'rows visited in training'], rows, name='future_work')
 
@@ -132,8 +132,8 @@ def add_figure(chapter, setting, records, found):
     panels = {'success [% of the agents]': lambda variation: [rates(record)[0] for record in records[variation]],
               'collision [% of the agents]': lambda variation: [rates(record)[2] for record in records[variation]],
               'contact [% of the agents]': lambda variation: [rates(record)[1] for record in records[variation]],
-              'surrounded, then touches [%]':
-                  lambda variation: [share(one.caught_touched, one.caught) for one in found[variation]]}
+              'contact after being surrounded [%]':
+                  lambda variation: [share(one.surrounded_touched, one.surrounded) for one in found[variation]]}
     for panel, (title, values_of) in zip(axes[0], panels.items()):
         for place, variation in enumerate(VARIATIONS):
             values = Spread.of_numbers(values_of(variation))
@@ -142,9 +142,9 @@ def add_figure(chapter, setting, records, found):
                        color='#8e5ea2')
         panel.set_title(title)
         panel.set_xlim(0, 105)
-    axes[0][0].set_yticks(range(len(VARIATIONS)), [told for told, _ in VARIATIONS.values()])
+    axes[0][0].set_yticks(range(len(VARIATIONS)), [label for label, _ in VARIATIONS.values()])
     axes[0][0].invert_yaxis()
     chapter.add_figure(style.save(figure, setting.figure_file('future_work')),
-                       f"Future work of 5.2: {SCENARIO} with set 2 and the thesis's parameters; a dot is a seed, bars "
-                       f'are means. Right: of the agents that were ever surrounded ({LEAST_SECTORS} or 8 of 8 sectors '
-                       f'occupied) the share that touched another within the next {SOON} decisions.')
+                       f"Future work (5.2): {SCENARIO} with set 2 and the thesis's parameters; dots: seeds, bars: "
+                       f'means. Right: share of the agents that were ever surrounded ({LEAST_SECTORS} or 8 of 8 '
+                       f'sectors occupied) with a contact within the next {SOON} decisions.')

@@ -1,4 +1,4 @@
-"""Rows and quality of a table against the episodes it has learned."""
+"""Visited rows and success of a table against the number of training episodes."""
 import numpy
 
 from crowd_experiments import style
@@ -8,7 +8,7 @@ from crowd_experiments.records import Spread, of_scenario, rates, read_csv, read
 from .. import agent_runs, agent_training, checkpoints, names
 
 NAME = 'learning_curves'
-TITLE = 'Learning curves: a record of learning'
+TITLE = 'Learning curves'
 SETS = agent_training.SETS
 PARAMETERS = agent_training.PARAMETERS
 SEEDS = agent_runs.SEEDS
@@ -20,12 +20,12 @@ plan = agent_runs.plan
 
 
 def report(setting):
-    """The chapter, from the runs' records."""
+    """Returns the chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
-        f'{agent_training.TOLD} In the second part its table is saved every '
-        f'{checkpoints.every(setting)} episodes, and each of these tables walks, in demo mode, fields '
-        'of obstacles that it has not met (training_field), and six agents on a circle. '
+    chapter.add_text(
+        f'{agent_training.DESCRIPTION} In the second part the table is saved every '
+        f'{checkpoints.every(setting)} episodes. Each of these tables is evaluated in demo mode, in fields of '
+        'obstacles that were not used in training (training_field), and with six agents on a circle. '
         f'{len(setting.seeds(SEEDS))} seeds.')
     curves = {(states, parameters): Curve(setting, states, parameters) for states in SETS for parameters in PARAMETERS}
     add_figure(chapter, setting, curves)
@@ -34,8 +34,8 @@ def report(setting):
 
 
 class Curve:
-    """Of one training configuration, for each checkpoint and seed: rows visited, and by scenario success,
-    contact and collision [%]."""
+    """Results of one training configuration for each checkpoint and seed: visited rows; success, contact and
+    collision [%] by scenario."""
 
     def __init__(self, setting, states, parameters):
         folders = [agent_training.folder_of(setting, states, parameters, seed) for seed in setting.seeds(SEEDS)]
@@ -51,7 +51,7 @@ class Curve:
 
 
 def add_figure(chapter, setting, curves):
-    """Rows, success, collision and contact one above the other; the two sets of parameters side by side."""
+    """Adds the figure of rows, success, collision and contact (from top to bottom) for both sets of parameters."""
     figure, axes = style.new_figure(1 + len(MEASURES), len(PARAMETERS), 11, 11, sharex=True, sharey=True)
     for (states, parameters), curve in curves.items():
         panels = axes[:, PARAMETERS.index(parameters)]
@@ -73,8 +73,8 @@ def add_figure(chapter, setting, curves):
     axes[0][0].legend(loc='center right')
     axes[-1][1].legend(loc='upper right')
     chapter.add_figure(style.save(figure, setting.figure_file('learning_curves')),
-                       'A record of learning: rows visited, success, collision and contact in demo against the '
-                       'episodes learned among several obstacles, after 2,000 with one; mean over the seeds.')
+                       'Learning curves: visited rows, success, collision and contact in demo against the number of '
+                       'training episodes among several obstacles, after 2,000 with one obstacle; mean over the seeds.')
 
 
 def add_table(chapter, curves):
@@ -82,10 +82,10 @@ def add_table(chapter, curves):
     for (states, parameters), curve in curves.items():
         for i in sorted({0, 1, len(curve.episodes) // 2, len(curve.episodes) - 1}):
             rows.append([f'{style.short_set_name(states)}, {names.PARAMETER_NAMES[parameters]}, '
-                         f'{curve.episodes[i]} episodes among several',
+                         f'{curve.episodes[i]:,} episodes among several obstacles',
                          Spread(curve.rows[i]).text(0),
                          *(Spread(curve.rates[scenario][i, :, index]).text(1) for scenario in SCENARIOS
                            for index in MEASURES.values())])
-    chapter.add_table('Rows and quality: mean ± standard deviation over the seeds (lowest-highest)',
+    chapter.add_table('Rows and rates: mean ± standard deviation over the seeds (lowest-highest)',
                       ['', 'rows visited', *(f'{scenario}: {measure} %' for scenario in SCENARIOS
                                              for measure in MEASURES)], rows, name='curves')

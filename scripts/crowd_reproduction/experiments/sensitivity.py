@@ -1,4 +1,4 @@
-"""What the thesis leaves open, varied one choice at a time: what does it do to the rates of 4.1?"""
+"""Sensitivity of the rates of section 4.1 to the choices that the thesis leaves open, varied one at a time."""
 import functools
 
 import numpy
@@ -17,20 +17,20 @@ TITLE = 'What the thesis leaves open, varied one at a time'
 SEEDS = 10
 EPISODES = 2000
 DEMO_EPISODES = 500
-MEASURES = {'success': 0, 'collision': 1, 'contact': 2}  # places in what rates_of gives
+MEASURES = {'success': 0, 'collision': 1, 'contact': 2}  # indices in the results of rates_of()
 TABLED = ('success', 'collision')
 CELLS = [(measure, mode, reward) for measure in TABLED for mode in MODES for reward in REWARDS]
-# When the mean over the seeds has moved: by so many points, and by so many standard errors of the paired difference.
+# A change of the mean over the seeds counts from this number of points and of standard errors of the paired difference.
 LEAST_POINTS, LEAST_ERRORS = 1.0, 3.0
 
 
 def variations_of(setting):
-    """Those that are tried."""
+    """Returns the variations that are tried."""
     return VARIATIONS[:3] if setting.quick else VARIATIONS
 
 
 def plan(setting):
-    """A run for each variation, reward and seed."""
+    """Returns a run for each variation, reward and seed."""
     return [make_run(setting, variation, reward, seed) for seed in setting.seeds(SEEDS)
             for variation in variations_of(setting) for reward in REWARDS]
 
@@ -50,26 +50,26 @@ def make_run(setting, variation, reward, seed):
 
 @functools.lru_cache(maxsize=None)
 def rates_of(setting, variation, reward, mode):
-    """Success, collision and contact [%] of each seed: an array (seeds, 3)."""
+    """Returns an array (seeds, 3) of success, collision and contact [%]."""
     found = [rates(read_csv(folder_of(setting, variation, reward, seed) / f'{mode}.csv'))
              for seed in setting.seeds(SEEDS)]
     return numpy.array([(success, collision, contact) for success, contact, collision in found])
 
 
 def values_of(setting, variation, cell):
-    """The rates of the seeds [%] in a cell of the table."""
+    """Returns the rates of the seeds [%] in a cell of the table."""
     measure, mode, reward = cell
     return rates_of(setting, variation, reward, mode)[:, MEASURES[measure]]
 
 
 def report(setting):
-    """The chapter, from the runs' records."""
+    """Returns the chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
     chosen = '; '.join(f'{choice.name}: {choice.chosen(setting)}' for choice in CHOICES)
-    chapter.tell(
-        f'The thesis does not say how these were chosen. Thesis configuration: {chosen}. Each is varied, all else '
-        f"being as it was; the thesis's parameters, both rewards, {len(setting.seeds(SEEDS))} seeds, "
-        f'{setting.count(EPISODES, 40):,} training episodes, {setting.count(DEMO_EPISODES, 10)} in demo.')
+    chapter.add_text(
+        f'The thesis does not state these choices. Thesis configuration: {chosen}. Each choice is varied on its own; '
+        f"the thesis's parameters, both rewards, {len(setting.seeds(SEEDS))} seeds, "
+        f'{setting.count(EPISODES, 40):,} training episodes, {setting.count(DEMO_EPISODES, 10)} demo episodes.')
     add_figure(chapter, setting)
     add_table(chapter, setting, 'The four rates of success and of collision [%]', CELLS, NAME)
     add_table(chapter, setting, 'The four rates of contact [%]',
@@ -92,7 +92,7 @@ def add_table(chapter, setting, title, cells, name):
 
 
 def reported(cell):
-    """The thesis gives its rates of success only."""
+    """Returns the rate that the thesis reports; it reports rates of success only."""
     measure, mode, reward = cell
     return f'{THESIS_SUCCESS[reward, mode]:.2f}' if measure == 'success' else ''
 
@@ -103,7 +103,7 @@ def cell_text(values):
 
 
 def shift(values, base):
-    """By how many points the mean over the seeds has moved; 0 where that is not more than chance may do."""
+    """Returns the change of the mean over the seeds [points]; 0 if it is not significant."""
     differences = numpy.subtract(values, base)
     mean = float(differences.mean())
     error = float(differences.std(ddof=1)) / len(differences) ** 0.5
@@ -111,7 +111,7 @@ def shift(values, base):
 
 
 def strongest(setting, choice, cell):
-    """The value that moves a rate most, and by how many points; None if none does."""
+    """Returns the value with the strongest effect on a rate, and the change [points]; None if no value has one."""
     base = values_of(setting, THESIS, cell)
     shifts = {variation.value_text(): shift(values_of(setting, variation, cell), base)
               for variation in variations_of(setting) if variation.choice is choice}
@@ -120,40 +120,42 @@ def strongest(setting, choice, cell):
 
 
 def add_effects(chapter, setting):
-    """Which choices matter, by the numbers."""
+    """Adds the table of the strongest effects, and texts about them."""
     tried = [choice for choice in CHOICES if any(variation.choice is choice for variation in variations_of(setting))]
     found = {choice.name: [strongest(setting, choice, cell) for cell in CELLS] for choice in tried}
     rows = [[name, *('-' if effect is None else f'{effect[1]:+.1f} ({effect[0]})' for effect in effects)]
             for name, effects in found.items()]
     chapter.add_table(
-        f'What moves a rate: the strongest change in points (the value that makes it); -: no value changes the mean '
-        f'over the seeds by {LEAST_POINTS:g} point and by more than {LEAST_ERRORS:g} standard errors of the '
-        'difference, seed by seed', ['', *map(column_name, CELLS)], rows, 'effects')
-    chapter.tell(effects_text(found))
-    chapter.tell(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward)) for reward in REWARDS}))
+        f'Strongest effect on each rate in points (the value that causes it); -: no value changes the mean '
+        f'over the seeds by at least {LEAST_POINTS:g} point and by more than {LEAST_ERRORS:g} standard errors of the '
+        'paired difference', ['', *map(column_name, CELLS)], rows, 'effects')
+    chapter.add_text(effects_text(found))
+    chapter.add_text(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward))
+                                 for reward in REWARDS}))
 
 
 def effects_text(found):
-    """The choices in order of how many of the rates they move; `found` has the strongest changes by the choice."""
+    """Returns a text that lists the choices by the number of rates that they change; `found` has the strongest changes
+    by the choice."""
     moved = {name: [effect for effect in effects if effect] for name, effects in found.items()}
     order = sorted(moved, key=lambda name: -len(moved[name]))
-    parts = [f'{name} moves {len(moved[name])} of {len(found[name])} rates, by up to '
+    parts = [f'{name} changes {len(moved[name])} of {len(found[name])} rates, by up to '
              f'{max(abs(points) for _, points in moved[name]):.1f} points' for name in order if moved[name]]
     still = [name for name in order if not moved[name]]
-    text = f'Choices that matter: {"; ".join(parts) if parts else "none"}.'
+    text = f'Choices with an effect: {"; ".join(parts) if parts else "none"}.'
     return text + (f' No effect found: {"; ".join(still)}.' if still else '')
 
 
 def swing_text(values):
-    """Why a change of a rate in demo has to be large to be seen; success in demo by the reward."""
+    """Returns a text on the spread of the rates in demo; `values` has the success in demo by the reward."""
     parts = [f'{names.REWARD_NAMES[reward]} {min(rates_in_demo):.1f} to {max(rates_in_demo):.1f} %'
              for reward, rates_in_demo in values.items()]
-    return (f'With the thesis configuration alone success in demo differs from seed to seed ({", ".join(parts)}), so '
+    return (f'With the thesis configuration, success in demo already varies between seeds ({", ".join(parts)}). So '
             f'{len(next(iter(values.values())))} seeds show only large changes of the rates in demo.')
 
 
 def add_figure(chapter, setting):
-    """A row for each variation; a dot for the mean, a line from the lowest to the highest seed."""
+    """Adds a figure with a row for each variation; dot: mean, line: from the lowest to the highest seed."""
     variations = variations_of(setting)[::-1]
     panels = [(measure, mode) for measure in TABLED for mode in MODES]
     figure, axes = style.new_figure(1, len(panels), 14, 1.2 + 0.33 * len(variations), sharey=True)

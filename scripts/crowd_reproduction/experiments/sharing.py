@@ -1,4 +1,4 @@
-"""One agent learns, many use what it learned: how long is the pioneer to learn before it shares?"""
+"""One agent learns, many use its table: effect of the number of episodes that the pioneer learns before it shares."""
 import numpy
 
 from crowd_experiments import style
@@ -9,17 +9,17 @@ from crowd_experiments.runs import Run
 from .. import agent_training
 
 NAME = 'sharing'
-TITLE = 'One agent learns, many use it'
+TITLE = 'One agent learns, many use its table'
 SETS = agent_training.SETS
 CROWD = 'circle12'
 SEEDS = 10
 FIELD_EPISODES = (0, 10, 100, 1000, 4000)  # of the pioneer among several obstacles, after its training as in 4.1
 QUICK_EPISODES = (0, 5)
 DEMO_EPISODES = 50
-FURTHER_EPISODES = 100  # in which all learn on
-JUDGED_EPISODES = 50  # of those, the last
-USES = {'fixed': 'the table stays as it is', 'own': 'all learn on, in own tables',
-        'shared': 'all learn on, in one shared table'}
+FURTHER_EPISODES = 100  # in which all agents continue learning
+JUDGED_EPISODES = 50  # the last of those
+USES = {'fixed': 'unchanged table', 'own': 'all continue learning, own tables',
+        'shared': 'all continue learning, one shared table'}
 USE_COLOURS = {'fixed': '#0072b2', 'own': '#e69f00', 'shared': '#cc79a7'}
 MEASURES = {'success': 0, 'collision': 2, 'contact': 1}
 
@@ -33,12 +33,13 @@ def run_name(states, seed):
 
 
 def plan(setting):
-    """A run for each state set and seed."""
+    """Returns a run for each state set and seed."""
     return [make_run(setting, states, seed) for seed in setting.seeds(SEEDS) for states in SETS]
 
 
 def make_run(setting, states, seed):
-    """Trains a pioneer for so many episodes, lets a crowd walk by its table, then lets the crowd learn on."""
+    """Returns a run that, for each number of episodes, trains a pioneer, evaluates a crowd with its table, and lets the
+    crowd continue learning."""
     commands = [agent_training.learn_single(setting, setting.config_file(f'agent_single_{states}_thesis'), seed)]
     for episodes in episodes_of(setting):
         table = agent_training.SINGLE_TABLE
@@ -57,14 +58,15 @@ def make_run(setting, states, seed):
 
 
 def report(setting):
-    """The chapter, from the runs' records."""
+    """Returns the chapter, from the runs' records."""
     chapter = Chapter(NAME, TITLE)
-    chapter.tell(
-        f'A pioneer learns alone, {agent_training.SINGLE_EPISODES:,} episodes with one obstacle (4.1), then for so '
-        'many among several, resting and moving (4.3); then twelve agents on a circle walk to the opposite points by '
-        'its table. Either the table stays as it is, or all go on learning, each in a table of its own or all in one, '
-        f'for {setting.count(FURTHER_EPISODES, 2)} episodes, of which the last {JUDGED_EPISODES} are judged; 1 % of '
-        f"the decisions are at random in them. The thesis's parameters, {len(setting.seeds(SEEDS))} seeds.")
+    chapter.add_text(
+        f'A pioneer learns alone, in {agent_training.SINGLE_EPISODES:,} episodes with one obstacle (4.1), then in a '
+        'varied number of episodes among several static and moving obstacles (4.3). Then twelve agents on a circle '
+        'walk to the opposite points with its table. Either the table does not change, or all agents continue '
+        f'learning, in own tables or in one, for {setting.count(FURTHER_EPISODES, 2)} episodes with an epsilon of '
+        f"0.01, of which the last {JUDGED_EPISODES} are evaluated. The thesis's parameters, "
+        f'{len(setting.seeds(SEEDS))} seeds.')
     curves = {(states, use): curve(setting, states, use) for states in SETS for use in USES}
     add_figure(chapter, setting, curves)
     add_table(chapter, setting, curves)
@@ -72,7 +74,7 @@ def report(setting):
 
 
 def curve(setting, states, use):
-    """Success, contact and collision [%] for each number of episodes and seed: an array (episodes, seeds, 3)."""
+    """Returns an array (episodes, seeds, 3) of success, contact and collision [%]."""
     return numpy.array([[judged(setting.run_folder(NAME, run_name(states, seed)) / f'{use}_{episodes:05d}.csv')
                          for seed in setting.seeds(SEEDS)] for episodes in episodes_of(setting)])
 
@@ -102,17 +104,20 @@ def add_figure(chapter, setting, curves):
         panel.set_xlabel('episodes among several obstacles before the pioneer shared')
     axes[0][1].legend(loc='lower right')
     chapter.add_figure(style.save(figure, setting.figure_file('sharing')),
-                       'Success, collision and contact of a crowd of twelve against the number of episodes that the '
-                       "pioneer learned. Thesis's parameters. Lines: mean over the seeds; bands: lowest to highest.")
+                       'Success, collision and contact of a crowd of twelve agents against the number of training '
+                       "episodes of the pioneer. Thesis's parameters. Lines: mean over the seeds; bands: lowest to "
+                       'highest.')
 
 
 def add_table(chapter, setting, curves):
     rows = []
     for states in SETS:
         for i, episodes in enumerate(episodes_of(setting)):
-            rows.append([f"{style.SET_NAMES[states]}, thesis's parameters, {episodes:,} episodes among several",
+            rows.append([f"{style.SET_NAMES[states]}, thesis's parameters, {episodes:,} episodes among several "
+                         'obstacles',
                          *(Spread(curves[states, use][i, :, index]).text(1) for use in USES
                            for index in MEASURES.values())])
-    header = ['', *(f'{use}: {measure} %' for use in ('fixed', 'own tables', 'one table') for measure in MEASURES)]
-    chapter.add_table("A crowd of twelve with the pioneer's table: mean ± standard deviation over the seeds "
+    header = ['', *(f'{use}: {measure} %' for use in ('unchanged table', 'own tables', 'one table')
+                    for measure in MEASURES)]
+    chapter.add_table("A crowd of twelve agents with the pioneer's table: mean ± standard deviation over the seeds "
                       '(lowest-highest)', header, rows, name='sharing')
