@@ -6,6 +6,7 @@
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
 #include "social_crowd/ros/topic_publishers.h"
+#include "social_crowd/ros/vision.h"
 
 namespace crowd {
 namespace {
@@ -43,7 +44,8 @@ AnswerCollector::AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const Co
       learners_(run_),
       perceptions_(node),
       actions_(
-          subscribeToTicks<ActionsMessage>(node, names::ACTIONS, QUEUE, [this](const auto& event) { take(event); })) {}
+          subscribeToTicks<ActionsMessage>(node, names::ACTIONS, QUEUE, [this](const auto& event) { take(event); })),
+      status_(node.subscribe(names::LEARNER_STATUS, QUEUE, &AnswerCollector::takeStatus, this)) {}
 
 void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event) {
   const ActionsMessage& message = *event.getMessage();
@@ -58,21 +60,45 @@ void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event)
   if (!refused.empty()) learners_.noteRefused(refused);
 }
 
+void AnswerCollector::takeStatus(const ros::MessageEvent<const social_crowd::LearnerStatus>& event) {
+  const social_crowd::LearnerStatus& status = *event.getMessage();
+  const Vision vision{status.vision_radius, status.max_neighbours, status.occlusion != 0};
+  visions_.report(status.node.empty() ? event.getPublisherName() : status.node, vision);
+  if (asked_episode_ != nullptr && !covers(asked_episode_->vision(), visions_.widest())) askWithWiderVision();
+}
+
+void AnswerCollector::useWidestVision(Episode& episode) {
+  if (areEqual(episode.vision(), visions_.widest())) return;
+  episode.setVision(visions_.widest());
+}
+
+void AnswerCollector::askWithWiderVision() {
+  useWidestVision(*asked_episode_);
+  // A service may have added or removed agents since the turn began: then the turn is asked anew.
+  is_outdated_ = agentsToAsk(asked_episode_->perceptions()) != asked_;
+  if (!is_outdated_) perceptions_.publish(toMessage(*asked_episode_, header_), true);
+}
+
 PerceptionsMessage::ConstPtr AnswerCollector::toMessage(Episode& episode, const std_msgs::Header& header) const {
   const auto message = boost::make_shared<PerceptionsMessage>();
   message->header = header;
   message->run = run_;
+  message->vision = episode.vision();
   message->shared = episode.sharedPerceptions();
   return message;
 }
 
 void AnswerCollector::ask(Episode& episode, const std_msgs::Header& header) {
   cancelled_ = false;
-  const std::vector<AgentId> asked = agentsToAsk(episode.perceptions());
-  lockstep_.open(episode.number(), episode.perceptions().tick, asked);
+  is_outdated_ = false;
+  asked_episode_ = &episode;
+  header_ = header;
+  useWidestVision(episode);
+  asked_ = agentsToAsk(episode.perceptions());
+  lockstep_.open(episode.number(), episode.perceptions().tick, asked_);
   perceptions_.publish(toMessage(episode, header), true);
   asked_at_ = Clock::now();
-  noteSilence(asked);
+  noteSilence(asked_);
   ask_again_after_ = FIRST_ASK_AGAIN;
   ask_again_at_ = asked_at_ + ask_again_after_;
 }
@@ -84,20 +110,26 @@ bool AnswerCollector::wait(const Episode& episode) {
     awaitPresent();
     awaitNewcomers(episode);
   }
+  endWait();
   if (isInterrupted()) return false;
   warnOfAbsence(lockstep_.close());
-  perceptions_.endWait();
   noteAnswers();
   return true;
 }
 
+void AnswerCollector::endWait() {
+  perceptions_.endWait();
+  asked_episode_ = nullptr;
+}
+
 void AnswerCollector::cancel() {
   cancelled_ = true;
-  perceptions_.endWait();
+  endWait();
   lockstep_.resetCounts();
 }
 
 void AnswerCollector::publishLast(Episode& episode, const std_msgs::Header& header) {
+  useWidestVision(episode);
   perceptions_.publish(toMessage(episode, header), false);
 }
 

@@ -86,7 +86,7 @@ void CrowdController::beginEpisode() {
   tick_ended_ = true;
   Scene scene = scenarios_.scene(seed_, instance_);
   keepHeadings(headings_, scene);
-  episode_ = std::make_unique<Episode>(std::move(scene), next_episode_++, parameters_.vision);
+  episode_ = std::make_unique<Episode>(std::move(scene), next_episode_++, Vision());
   answers_.cancel();
   trajectory_.clear();
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
@@ -135,7 +135,7 @@ void CrowdController::walkTurn() {
   cut_off_ = false;
   answers_.ask(*episode_, broadcaster_.header());
   if (tick_ended_) broadcaster_.tellAgents(*episode_);  // while learners decide; between turns it is half of a tick
-  if (!answers_.wait(*episode_)) return;                // another episode has begun, or the node shuts down
+  if (!answers_.wait(*episode_)) return;  // to be asked anew, another episode has begun, or the node shuts down
   tick_ended_ = episode_->step(answers_.answers());
   if (tick_ended_) endTick();
 }

@@ -13,6 +13,7 @@
 #include "social_crowd/ros/console.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
+#include "social_crowd/ros/vision.h"
 
 namespace crowd {
 namespace {
@@ -21,8 +22,10 @@ namespace {
 constexpr unsigned SERVICE_THREADS = 4;
 constexpr std::uint32_t QUEUE = 100;  // messages
 constexpr bool LATCHED = true;
-const ros::WallDuration IDLE(0.1);           // between two looks whether ROS still runs
-const ros::WallDuration STATUS_PERIOD(0.5);  // at most so often because of a new episode
+const ros::WallDuration IDLE(0.1);             // between two looks whether ROS still runs
+const ros::WallDuration STATUS_PATIENCE(3.0);  // until the controller should have received the status
+constexpr double WARNING_PERIOD = 5.0;         // [s]
+const ros::WallDuration STATUS_PERIOD(0.5);    // at most so often because of a new episode
 
 /// Where a file that a request names is looked for: relative to the node's working directory.
 std::string absolutePath(const std::string& file) {
@@ -46,6 +49,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       save_to_(parameters.save_to),
       save_every_(parameters.save_every),
       learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
+      limiter_(learner_.model().vision()),
       // Latched: the first answer may be given before the controller has connected.
       actions_publisher_(node_, names::ACTIONS, QUEUE),
       taking_(private_node, 1),
@@ -80,8 +84,9 @@ void LearnerNode::takePerceptions(const PerceptionsMessage& message) {
 
 void LearnerNode::answer(const PerceptionsMessage& message) {
   if (isRepeated(message)) return actions_publisher_.repeat();
-  const Perceptions& perceptions = message.content();
-  requireValid(perceptions);
+  if (!isSufficient(message)) return;
+  requireValid(message.content());
+  const Perceptions& perceptions = limiter_.limit(message.content(), message.vision);
   const bool new_run = message.run != run_;
   if (new_run) learner_.forgetDecisions();
   const bool new_episode = new_run || episodes_ == 0 || perceptions.episode != episode_;
@@ -106,6 +111,23 @@ bool LearnerNode::isRepeated(const PerceptionsMessage& message) const {
   return last != nullptr && message.run == run_ && message.content().episode == last->content.episode &&
          message.content().tick == last->content.tick && message.content().turn == answered_turn_ &&
          message.header.stamp == last->header.stamp;
+}
+
+bool LearnerNode::isSufficient(const PerceptionsMessage& message) {
+  const Vision needed = learner_.model().vision();
+  const ros::WallTime now = ros::WallTime::now();
+  if (covers(message.vision, needed)) {
+    insufficient_since_ = ros::WallTime();
+    return true;
+  }
+  if (insufficient_since_.isZero()) insufficient_since_ = now;
+  if (now - insufficient_since_ > STATUS_PATIENCE) {
+    ROS_WARN_THROTTLE(WARNING_PERIOD,
+                      "perceptions are not answered, because they contain less than the model needs: %s instead of %s. "
+                      "Does the crowd controller receive '%s'?",
+                      toText(message.vision).c_str(), toText(needed).c_str(), status_publisher_.getTopic().c_str());
+  }
+  return false;
 }
 
 void LearnerNode::noteEpisode() {
@@ -141,6 +163,10 @@ void LearnerNode::publishStatus() {
   status.gamma = learner_.parameters().gamma;
   status.trace_decay = learner_.parameters().lambda;
   status.epsilon = learner_.parameters().epsilon;
+  const Vision vision = learner_.model().vision();
+  status.vision_radius = vision.radius;
+  status.max_neighbours = vision.max_neighbours;
+  status.occlusion = vision.occlusion ? 1 : 0;
   status_publisher_.publish(status);
 }
 

@@ -20,8 +20,8 @@ constexpr std::uint32_t WIRE_NEIGHBOUR = 1 + 5 * NUMBER;
 constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
 constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
-constexpr std::uint32_t WIRE_PERCEPTIONS = 4 * NUMBER + COUNT + 1 + 3 * COUNT;  // all but header and lists
-constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                      // all but header, name and list
+constexpr std::uint32_t WIRE_PERCEPTIONS = 5 * NUMBER + 2 * COUNT + 2 + 3 * COUNT;  // all but header and lists
+constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                          // all but header, name and list
 
 /// Puts numbers one behind the other where there is room for them, which is asked for once a list.
 class Writer {
@@ -226,6 +226,9 @@ void Serializer<PerceptionsMessage>::write(OStream& stream, const PerceptionsMes
   stream.next(content.tick_duration);
   stream.next(message.run);
   stream.next(std::uint8_t{content.last});
+  stream.next(message.vision.radius);
+  stream.next(message.vision.max_neighbours);
+  stream.next(std::uint8_t{message.vision.occlusion});
   crowd::putAgentsAndBodies(stream, content);
   crowd::putList(stream, content.walls, crowd::WIRE_WALL);
 }
@@ -234,6 +237,7 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   message.shared.reset();
   Perceptions& content = message.received;
   std::uint8_t last = 0;
+  std::uint8_t occlusion = 0;
   stream.next(message.header);
   stream.next(content.episode);
   stream.next(content.tick);
@@ -241,7 +245,11 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   stream.next(content.tick_duration);
   stream.next(message.run);
   stream.next(last);
+  stream.next(message.vision.radius);
+  stream.next(message.vision.max_neighbours);
+  stream.next(occlusion);
   content.last = last != 0;
+  message.vision.occlusion = occlusion != 0;
   crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
   crowd::takeNeighbours(stream, content.neighbours);
   crowd::takeList(stream, content.walls, crowd::WIRE_WALL);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <social_crowd/LearnerStatus.h>
 
 #include <cstdint>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "social_crowd/ros/answering_learners.h"
 #include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/ros/learner_visions.h"
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/perceptions_publisher.h"
 #include "social_crowd/ros/tick_messages.h"
@@ -27,7 +29,8 @@ class AnswerCollector {
   /// @brief Publishes the perceptions of the episode's present turn and begins to take answers to them.
   void ask(Episode& episode, const std_msgs::Header& header);
   /// @brief Waits until no answer is awaited any more, serving the main loop.
-  /// @return false if cancel() was called meanwhile or the node shuts down; the answers are then void
+  /// @return false if the answers are void: cancel() was called meanwhile, the node shuts down, or the turn has to be
+  /// asked anew
   bool wait(const Episode& episode);
   /// @brief Abandons the present turn: another episode begins. May be called while wait() serves the main loop.
   void cancel();
@@ -43,7 +46,13 @@ class AnswerCollector {
 
   PerceptionsMessage::ConstPtr toMessage(Episode& episode, const std_msgs::Header& header) const;
   void take(const ros::MessageEvent<const ActionsMessage>& event);
-  bool isInterrupted() const { return cancelled_ || loop_.isClosed(); }
+  void takeStatus(const ros::MessageEvent<const social_crowd::LearnerStatus>& event);
+  void useWidestVision(Episode& episode);
+  /// Publishes the perceptions of the present turn again, made with the widest vision. Answers already taken stay
+  /// valid.
+  void askWithWiderVision();
+  bool isInterrupted() const { return cancelled_ || is_outdated_ || loop_.isClosed(); }
+  void endWait();
   void serveUntil(const Clock& deadline);
   void awaitPresent();
   void awaitNewcomers(const Episode& episode);
@@ -64,9 +73,15 @@ class AnswerCollector {
   Lockstep lockstep_;
   AnsweringLearners learners_;
   PerceptionsPublisher perceptions_;
+  LearnerVisions visions_;
   ros::Subscriber actions_;
+  ros::Subscriber status_;
 
+  Episode* asked_episode_ = nullptr;  // while answers are awaited
+  std_msgs::Header header_;           // of the present turn
+  std::vector<AgentId> asked_;        // agents of the present turn
   bool cancelled_ = false;
+  bool is_outdated_ = false;  // the perceptions of the present turn cannot be made again
   Clock asked_at_;
   Clock ask_again_at_;
   ros::WallDuration ask_again_after_;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "social_crowd/ros/parameters.h"
-#include "social_crowd/world/perception.h"
 
 namespace crowd {
 
@@ -22,12 +21,11 @@ struct ControllerParameters {
   double start_deadline = 30.0;   ///< ~start_deadline: how long to wait for learners that never answered [s]
   double answer_deadline = 1.0;   ///< ~answer_deadline: how long to wait for an answer [s], wall clock
   int misses_until_absent = 3;    ///< ~misses_until_absent: missed answers in a row until an agent is not waited for
-  Vision vision;               ///< ~vision_radius [m], ~max_neighbours (0: no limit), ~occlusion; else those of ~config
-  double agents_rate = 50.0;   ///< ~agents_rate: agents and tf are told at most so often [Hz]; 0: every tick
-  bool publish_tf = false;     ///< ~publish_tf: map -> agent_<id>
-  bool publish_clock = false;  ///< ~publish_clock: simulated time on /clock
-  std::string trajectories;    ///< ~trajectories: folder for recordings; empty: none
-  bool ends_launch = false;    ///< ~ends_launch: end the roslaunch that started it after the last episode
+  double agents_rate = 50.0;      ///< ~agents_rate: agents and tf are told at most so often [Hz]; 0: every tick
+  bool publish_tf = false;        ///< ~publish_tf: map -> agent_<id>
+  bool publish_clock = false;     ///< ~publish_clock: simulated time on /clock
+  std::string trajectories;       ///< ~trajectories: folder for recordings; empty: none
+  bool ends_launch = false;       ///< ~ends_launch: end the roslaunch that started it after the last episode
 };
 
 /// @throws InputError naming everything that is wrong.

@@ -14,6 +14,7 @@
 #include "social_crowd/ros/latched_publisher.h"
 #include "social_crowd/ros/learner_parameters.h"
 #include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/perception_limiter.h"
 #include "social_crowd/ros/services.h"
 #include "social_crowd/ros/share_report.h"
 #include "social_crowd/ros/tick_messages.h"
@@ -40,6 +41,9 @@ class LearnerNode {
   void answer(const PerceptionsMessage& message);
   /// Whether it was answered already: the controller may ask again (PerceptionsPublisher).
   bool isRepeated(const PerceptionsMessage& message) const;
+  /// Whether the perceptions contain all that the model needs. If not, the controller has not received the status of
+  /// this learner yet, and will publish them again.
+  bool isSufficient(const PerceptionsMessage& message);
   void noteEpisode();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
@@ -68,6 +72,7 @@ class LearnerNode {
   std::string save_to_;
   std::uint64_t save_every_;
   Learner learner_;
+  PerceptionLimiter limiter_;
 
   ObjectPool<ActionsMessage::Ptr> replies_;
   std::uint64_t run_ = 0;            // of the controller heard last
@@ -76,6 +81,7 @@ class LearnerNode {
   std::uint32_t answered_turn_ = 0;  // of the last answer
   std::uint64_t episodes_ = 0;       // begun
   ros::WallTime last_status_;
+  ros::WallTime insufficient_since_;                           // zero: the last perceptions were sufficient
   std::map<std::string, social_crowd::LearnerStatus> others_;  // other learners, by node name
 
   LatchedPublisher<ActionsMessage> actions_publisher_;

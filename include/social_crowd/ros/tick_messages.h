@@ -25,6 +25,7 @@ struct PerceptionsMessage {
 
   std_msgs::Header header;
   std::uint64_t run = 0;                      ///< of the controller that tells this
+  Vision vision;                              ///< with which the perceptions were made
   std::shared_ptr<const Perceptions> shared;  ///< what is sent: the episode's own
   Perceptions received;                       ///< what came over the wire; counts where nothing is shared
 
