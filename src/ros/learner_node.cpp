@@ -110,7 +110,13 @@ bool LearnerNode::isRepeated(const PerceptionsMessage& message) const {
   const ActionsMessage::ConstPtr& last = actions_publisher_.last();
   return last != nullptr && message.run == run_ && message.content().episode == last->content.episode &&
          message.content().tick == last->content.tick && message.content().turn == answered_turn_ &&
-         message.header.stamp == last->header.stamp;
+         message.header.stamp == last->header.stamp && last->content.agents.size() == countToAnswer(message.content());
+}
+
+std::size_t LearnerNode::countToAnswer(const Perceptions& perceptions) const {
+  return static_cast<std::size_t>(
+      std::count_if(perceptions.agents.begin(), perceptions.agents.end(),
+                    [&](const AgentPerception& self) { return !self.arrived && learner_.serves(self.agent); }));
 }
 
 bool LearnerNode::isSufficient(const PerceptionsMessage& message) {

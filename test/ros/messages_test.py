@@ -50,18 +50,6 @@ walls:
   - [[0.26, 0.26], [-0.26, 0.26]]
   - [[-0.26, 0.26], [-0.26, -0.26]]
 """
-# Three in a row, the middle one in front of the last, for the first.
-ROW = """
-name: row
-duration: 1
-goal_tolerance: 0.2
-agents:
-  - {position: [0, 0], goal: [9, 5], speed: 0.5, radius: 0.25}
-  - {position: [2, 0], goal: [9, 0], speed: 0.5, radius: 0.25}
-  - {position: [4, 0], goal: [9, -5], speed: 0.5, radius: 0.25}
-walls:
-  - [[5, -0.1], [5, 0.1]]
-"""
 
 
 class BroadcastTestCase(support.CrowdTestCase):
@@ -174,7 +162,7 @@ class SequentialTest(BroadcastTestCase):
     """Agents that take turns, and what is within their collision radius."""
 
     def test_each_agent_is_asked_in_a_turn_of_its_own(self):
-        self.start_all(SCENE + 'order: sequential\n')
+        self.start_all(SCENE + 'order: sequential\n', table=support.ANTICIPATION_TABLE)
         self.step(2)
         self.ears['agents'].wait_at(0, 2)
         self.assertEqual(self.ears['scenario'].wait().order, Scenario.SEQUENTIAL)
@@ -209,22 +197,6 @@ class SequentialTest(BroadcastTestCase):
         result = self.ears['episode_results'].wait_at(0, 2)
         self.assertEqual(self.ears['scenario'].wait().collision_radius, 0.2)
         self.assertEqual((result.collision_percent, result.agents[0].collided), (0.0, False))
-
-
-class OcclusionTest(BroadcastTestCase):
-    """Who is perceived."""
-
-    def perceived(self, **parameters):
-        """How many bodies and walls each agent perceives at the start."""
-        self.start_all(ROW, **parameters)
-        self.step(1)
-        return [(agent.neighbour_count, agent.wall_count) for agent in self.ears['perceptions'].wait_at(0, 0).agents]
-
-    def test_everybody_by_default(self):
-        self.assertEqual(self.perceived(), [(2, 1)] * 3)
-
-    def test_who_is_hidden_on_request_is_not(self):
-        self.assertEqual(self.perceived(occlusion=True), [(1, 0), (2, 0), (1, 1)])
 
 
 class FramesTest(BroadcastTestCase):

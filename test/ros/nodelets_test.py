@@ -8,7 +8,7 @@ import rospy
 import support
 from learning_files import QTableFile, config_text
 from roslib.packages import find_node
-from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
+from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus, Perceptions
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
@@ -104,6 +104,19 @@ class DemoTest(NodeletTestCase):
         self.assertEqual(controller.wait(), 0)
         expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
+
+    def test_learners_with_different_visions(self):
+        """The learner of all agents sees 1 m; one that serves an agent which is not there sees 6 m."""
+        self.load('learner', 'learner_a', q_table=support.NEAREST_TABLE)
+        self.load('learner', 'learner_b', q_table=support.ANTICIPATION_TABLE, agents=[99])
+        perceptions = self.listen('perceptions', Perceptions)
+        results = self.listen('episode_results', EpisodeResult)
+        controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=self.path('ros'))
+        results.wait_connected()
+        self.assertEqual(controller.wait(), 0)
+        expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
+        self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
+        self.assertGreater(perceptions.messages[-1].vision_radius, 6.0)
 
     def test_ticks_go_by_pointer(self):
         """roscpp counts the bytes of what was written out: of pointers there are none."""

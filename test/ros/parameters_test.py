@@ -48,20 +48,19 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_out_of_range(self):
         bad = {'seed': -1, 'episodes': -1, 'real_time_factor': -1.0, 'start_deadline': -1.0, 'answer_deadline': 0.0,
-               'misses_until_absent': 0, 'vision_radius': -0.5, 'max_neighbours': -2}
+               'misses_until_absent': 0, 'agents_rate': -0.5}
         message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
         self.assert_says(message, 'got -0.5', 'from 0 to')
 
     def test_not_finite(self):
-        bad = {'real_time_factor': INFINITE, 'start_deadline': NAN, 'answer_deadline': INFINITE, 'vision_radius': NAN}
+        bad = {'real_time_factor': INFINITE, 'start_deadline': NAN, 'answer_deadline': INFINITE, 'agents_rate': NAN}
         self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
 
     def test_of_a_wrong_type(self):
         bad = {'scenario': [1, 2], 'scenario_folder': {'a': 1}, 'seed': 'one', 'episodes': 2.5,
                'real_time_factor': 'quick', 'paused': 'yes', 'start_deadline': 'soon',
                'answer_deadline': True, 'misses_until_absent': 3.0,
-               'vision_radius': [6.0], 'max_neighbours': '4', 'occlusion': 1, 'publish_tf': 1, 'publish_clock': 'true',
-               'trajectories': True}
+               'agents_rate': [6.0], 'publish_tf': 1, 'publish_clock': 'true', 'trajectories': True}
         self.assert_all_named(self.start_plain(**bad), *bad)
 
     def test_unknown(self):
@@ -97,13 +96,13 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_all_at_once(self):
         """Missing, wrong, not finite and unknown ones in one message."""
-        self.assert_all_named(self.start_plain(seed='x', vision_radius=NAN, no_such_name=1), 'scenario', 'seed',
-                              'vision_radius', 'no_such_name')
+        self.assert_all_named(self.start_plain(seed='x', agents_rate=NAN, no_such_name=1), 'scenario', 'seed',
+                              'agents_rate', 'no_such_name')
 
     def test_numbers_may_come_as_whole_ones_and_texts(self):
         """As roslaunch and rosparam hand them on."""
         node = self.start_controller(self.write('scene.yaml', SCENE), real_time_factor='2', answer_deadline=1,
-                                     vision_radius=6, paused=True)
+                                     agents_rate=6, paused=True)
         self.succeed('crowd_controller/pause', data=True)
         self.assertTrue(node.is_running())
 

@@ -8,6 +8,7 @@ from social_crowd.msg import AgentPerception, Neighbour, Perceptions, RelativeAc
 FREE = None  # nothing is perceived
 NEAR, FAR = 0.3, 0.8  # [m] to the rim: the thesis's distance classes 1 and 2
 RADIUS = 0.25  # [m] of all bodies
+VISION = 10.0  # [m], more than the models of the tests need
 
 
 def ahead(degrees, distance):
@@ -17,7 +18,7 @@ def ahead(degrees, distance):
 
 def perceptions(episode, tick, last=False):
     """Perceptions of nobody yet."""
-    message = Perceptions(episode=episode, tick=tick, tick_duration=support.TICK, last=last)
+    message = Perceptions(episode=episode, tick=tick, tick_duration=support.TICK, last=last, vision_radius=VISION)
     message.header.frame_id = 'map'
     message.header.stamp = rospy.Time.now()
     return message

@@ -41,6 +41,7 @@ class LearnerNode {
   void answer(const PerceptionsMessage& message);
   /// Whether it was answered already: the controller may ask again (PerceptionsPublisher).
   bool isRepeated(const PerceptionsMessage& message) const;
+  std::size_t countToAnswer(const Perceptions& perceptions) const;
   /// Whether the perceptions contain all that the model needs. If not, the controller has not received the status of
   /// this learner yet, and will publish them again.
   bool isSufficient(const PerceptionsMessage& message);
