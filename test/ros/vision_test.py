@@ -22,6 +22,15 @@ agents:
 walls:
   - [[5, -0.1], [5, 0.1]]
 """
+# Two agents that perceive each other from 3.5 m, not from 1 m, and evade at once.
+HEAD_ON = """
+name: head_on
+duration: 20
+goal_tolerance: 0.2
+agents:
+  - {position: [-2, 0], goal: [4, 0], speed: 1, radius: 0.25}
+  - {position: [2, 0.1], goal: [-4, 0], speed: 1, radius: 0.25}
+"""
 PROGRESS = 'reward: {type: progress}'
 
 
@@ -199,15 +208,18 @@ class MixedLearnersTest(VisionTestCase):
         self.check_recording(table)
 
     def test_a_wider_learner_for_which_the_crowd_waits(self):
-        """The other learner's smaller vision and the default are in use until it comes; it answers neither."""
-        table = self.train_anticipation(vision_radius=8)
-        self.start_other(support.NEAREST_TABLE)
-        self.perceptions = self.listen('perceptions', Perceptions)
-        self.start_walk()
-        self.perceptions.wait_connected()
-        self.start_learner(q_table=table)
-        self.check_recording(table)
-        self.assertEqual(vision_of(self.perceptions.messages[-1]), (8.0 + MARGIN, 0, False))
+        """Perceptions of the first tick are published with the smaller vision; it does not answer them."""
+        scenario = self.write('head_on.yaml', HEAD_ON)
+        narrow = self.start_learner('narrow')
+        self.start_paused(scenario=scenario, episodes=1)
+        self.expect(1.0 + MARGIN, 0, False)
+        self.assertEqual(narrow.stop(), 0)
+        self.succeed('crowd_controller/reset', keep_seed=True)
+        self.go_on()
+        first = self.perceptions.wait_at(1, 0)
+        self.assertEqual(vision_of(first), (1.0 + MARGIN, 0, False))
+        self.start_learner(q_table=support.ANTICIPATION_TABLE)
+        self.assert_same_recording(self.finish_walk(), self.headless(scenario, support.ANTICIPATION_TABLE))
 
     def test_what_is_learned(self):
         """The reward depends on all that is perceived."""
