@@ -11,10 +11,10 @@
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 1000;          // messages; many learners may answer at once
-const ros::WallDuration IDLE(0.1);             // between two checks whether ROS still runs
-const ros::WallDuration WARNING_PERIOD(5.0);   // of the warning that no answer comes
-constexpr double USUAL_START = 3.0;            // [s] that learners may take to start without a warning
+constexpr std::uint32_t QUEUE = 1000;          // messages; many learners may answer at the same time
+const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
+const ros::WallDuration WARNING_PERIOD(5.0);   // of warnings about missing answers
+constexpr double USUAL_START = 3.0;            // [s] of a learner, without a warning
 const ros::WallDuration FIRST_ASK_AGAIN(0.1);  // doubled each time
 
 std::vector<AgentId> agentsToAsk(const Perceptions& perceptions) {
@@ -74,7 +74,7 @@ void AnswerCollector::useWidestVision(Episode& episode) {
 
 void AnswerCollector::askWithWiderVision() {
   useWidestVision(*asked_episode_);
-  // A service may have added or removed agents since the turn began: then the turn is asked anew.
+  // A service may have added or removed agents since the turn began: then ask() has to be called again.
   is_outdated_ = agentsToAsk(asked_episode_->perceptions()) != asked_;
   if (!is_outdated_) perceptions_.publish(toMessage(*asked_episode_, header_), true);
 }
@@ -105,7 +105,7 @@ void AnswerCollector::ask(Episode& episode, const std_msgs::Header& header) {
 
 bool AnswerCollector::wait(const Episode& episode) {
   if (lockstep_.isDeserted() && lockstep_.areAbsent(walkingAgents(episode.world()))) {
-    awaitAnybody(episode);
+    awaitAny(episode);
   } else {
     awaitPresent();
     awaitNewcomers(episode);
@@ -157,12 +157,12 @@ void AnswerCollector::awaitNewcomers(const Episode& episode) {
 
 void AnswerCollector::giveUpOnNewcomers(const Episode& episode) {
   const std::vector<AgentId> agents = lockstep_.giveUpOnNewcomers(walkingAgents(episode.world()));
-  noteSilence(agents);  // in a sequential scenario some were not asked yet
+  noteSilence(agents);  // in a sequential scenario some have not had a turn yet
   warnOfAbsence(agents);
 }
 
-void AnswerCollector::awaitAnybody(const Episode& episode) {
-  // With no learner left to wait for, a tick lasts as long as in real time: the episode neither hangs nor rushes by.
+void AnswerCollector::awaitAny(const Episode& episode) {
+  // If all agents are absent, a tick lasts as long as in real time, so that learners can come back during the episode.
   const double turn = episode.scene().tick_duration / static_cast<double>(episode.turnsOfTick());
   const Clock deadline = asked_at_ + ros::WallDuration(std::min(answer_deadline_, turn));
   while (!isInterrupted() && lockstep_.isDeserted() && Clock::now() < deadline) {
@@ -207,14 +207,14 @@ void AnswerCollector::warnOfSilence() {
   const std::vector<AgentId> missing = lockstep_.missing();
   if (silence(missing) < USUAL_START) return;
   last_warning_ = now;
-  ROS_WARN("no answer for %s for %.1f s: %s. Without an answer they stay where they are", namedAgents(missing).c_str(),
-           silence(missing), reasonForSilence().c_str());
+  ROS_WARN("no answer for %s for %.1f s: %s. They stay in place", namedAgents(missing).c_str(), silence(missing),
+           reasonForSilence().c_str());
 }
 
 void AnswerCollector::warnOfAbsence(const std::vector<AgentId>& agents) {
   if (agents.empty()) return;
   last_warning_ = Clock::now();
-  ROS_WARN("no answer for %s for %.1f s: %s. From now on they are not waited for until they are answered for",
+  ROS_WARN("no answer for %s for %.1f s: %s. They are absent: they are not waited for until an answer for them arrives",
            namedAgents(agents).c_str(), silence(agents), reasonForSilence().c_str());
 }
 

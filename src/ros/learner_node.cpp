@@ -18,18 +18,18 @@
 namespace crowd {
 namespace {
 
-// Sharing may wait for other learners; the other services go on meanwhile.
+// Sharing may wait for other learners; other services must remain available.
 constexpr unsigned SERVICE_THREADS = 4;
 constexpr std::uint32_t QUEUE = 100;  // messages
 constexpr bool LATCHED = true;
-const ros::WallDuration IDLE(0.1);             // between two looks whether ROS still runs
+const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
 const ros::WallDuration STATUS_PATIENCE(3.0);  // until the controller should have received the status
 constexpr double WARNING_PERIOD = 5.0;         // [s]
-const ros::WallDuration STATUS_PERIOD(0.5);    // at most so often because of a new episode
+const ros::WallDuration STATUS_PERIOD(0.5);    // minimum time between two status messages because of new episodes
 
-/// Where a file that a request names is looked for: relative to the node's working directory.
+/// Returns the absolute path of a file in a request; relative paths are relative to the working directory of the node.
 std::string absolutePath(const std::string& file) {
-  if (file.empty()) throw InputError("file: expected the name of a file, got nothing");
+  if (file.empty()) throw InputError("file: expected a file name, got an empty text");
   return std::filesystem::absolute(file).lexically_normal().string();
 }
 
@@ -50,7 +50,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       save_every_(parameters.save_every),
       learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
       limiter_(learner_.model().vision()),
-      // Latched: the first answer may be given before the controller has connected.
+      // Latched, because the first answer may be published before the controller has connected.
       actions_publisher_(node_, names::ACTIONS, QUEUE),
       taking_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
@@ -137,7 +137,7 @@ bool LearnerNode::isSufficient(const PerceptionsMessage& message) {
 }
 
 void LearnerNode::noteEpisode() {
-  // Saving every n episodes means after n of them, that is when the next one begins.
+  // A table is saved after n episodes, which is when the next one begins.
   if (save_every_ > 0 && episodes_ > 0 && episodes_ % save_every_ == 0) saveAll(true);
   ++episodes_;
   if (episodes_ == 1 || ros::WallTime::now() - last_status_ >= STATUS_PERIOD) publishStatus();
@@ -225,12 +225,12 @@ void LearnerNode::advertiseServices() {
       if (!shared || for_one) whose = "the table of agent " + std::to_string(agent);
       return trained(learner_.tableToSave(agent));
     });
-    saveQTable(file, table);  // while the learner goes on
+    saveQTable(file, table);  // in the service thread: the learner continues
     response.message = "saved " + visitedRowsOf(table.table) + " of " + whose + " to " + file;
   });
   services_.serve<social_crowd::LoadQTable>(names::LOAD_Q_TABLE, [this](const auto& request, auto& response) {
     const std::string file = absolutePath(request.file);
-    const TrainedTable table = loadQTable(file);  // parsed and checked before anything is replaced
+    const TrainedTable table = loadQTable(file);  // may throw; nothing has been replaced yet
     loop_.ask<void>([&] {
       requireFit(learner_.model(), table.model, file);
       const TakeReport report = giveTo({}, table.table, TakeMethod::REPLACE);
@@ -241,7 +241,7 @@ void LearnerNode::advertiseServices() {
   });
   services_.serve<std_srvs::Trigger>(names::RESET_TRACES, [this](const auto& /*request*/, auto& response) {
     loop_.ask<void>([&] { learner_.forgetDecisions(); });
-    response.message = "forgot the traces, and the decisions that were waiting for their reward; the values stay";
+    response.message = "reset the eligibility traces and the last decisions; the Q-table is unchanged";
   });
   services_.serve<social_crowd::SetMode>(names::SET_MODE, [this](const auto& request, auto& response) {
     const Mode mode = parseMode(request.mode);
@@ -258,8 +258,8 @@ void LearnerNode::advertiseServices() {
           learner_.setPlan(changedPlan(before, request.parameters, "parameters"));
           publishStatus();
           const std::string changes = differences(before, learner_.plan());
-          response.message = (changes.empty() ? "nothing changed" : "changed " + changes) + "; in force are " +
-                             toText(learner_.plan());
+          response.message = (changes.empty() ? "nothing changed" : "changed " + changes) +
+                             "; present values: " + toText(learner_.plan());
         });
       });
   services_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,

@@ -16,7 +16,7 @@ class DemoTest(WalkTestCase):
         """Compares the recordings; learners are there already."""
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
         self.assert_same_recording(self.walk(), expected)
-        if table != support.ANTICIPATION_TABLE:  # who anticipates may get through
+        if table != support.ANTICIPATION_TABLE:  # agents that anticipate may get through
             self.assertGreater(self.blocked, 0, 'the solid scenario should block some moves')
 
     def check_one_learner(self, table):
@@ -73,7 +73,7 @@ class DemoTest(WalkTestCase):
         self.assertNotEqual(*recordings)
 
     def test_what_is_hidden(self):
-        """Agents that do not perceive what others and walls hide; the learner takes the nearest 16 of what they see."""
+        """Occlusion, with at most 16 neighbours."""
         table = self.train_anticipation('vision: {occlusion: true}')
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
         self.start_learner(q_table=table)
@@ -107,7 +107,7 @@ class TrainingTest(support.CrowdTestCase):
     LEARNING = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
 
     def train_headless(self, scenario, tables):
-        """Trains without ROS; the training configuration's path, the table's path and what it learned from."""
+        """Trains without ROS; paths of the training configuration and of the table, and the number of decisions."""
         text = config_text(scenario, self.EPISODES, self.SEED, tables, self.LEARNING)
         config = self.write('config.yaml', text)
         table = self.path('headless.txt')

@@ -19,22 +19,21 @@
 namespace crowd {
 
 /// @brief Publishes perceptions and waits for the learners' answers, with deadlines. Owned by CrowdController, which
-/// calls ask() and then wait() once a turn; all in the main loop, which wait() serves. docs/protocol.md describes
-/// the protocol.
+/// calls ask() and then wait() once per turn. All functions run in the main loop, which wait() serves. docs/protocol.md
+/// describes the protocol.
 class AnswerCollector {
  public:
   /// @param node whose callbacks `loop` serves
   AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const ControllerParameters& parameters);
 
-  /// @brief Publishes the perceptions of the episode's present turn and begins to take answers to them.
+  /// @brief Publishes the perceptions of the present turn of the episode and starts to accept answers.
   void ask(Episode& episode, const std_msgs::Header& header);
-  /// @brief Waits until no answer is awaited any more, serving the main loop.
-  /// @return false if the answers are void: cancel() was called meanwhile, the node shuts down, or the turn has to be
-  /// asked anew
+  /// @brief Serves the main loop until no answer is awaited any more.
+  /// @return false if the answers are void: cancel() was called, the node shuts down, or ask() has to be called again
   bool wait(const Episode& episode);
-  /// @brief Abandons the present turn: another episode begins. May be called while wait() serves the main loop.
+  /// @brief Abandons the present turn because another episode begins. May be called while wait() serves the main loop.
   void cancel();
-  /// @brief Publishes the last perceptions of an episode, which are not answered.
+  /// @brief Publishes the last perceptions of an episode; no answer is awaited.
   void publishLast(Episode& episode, const std_msgs::Header& header);
 
   const std::vector<AgentAction>& answers() const { return lockstep_.answers(); }
@@ -48,8 +47,8 @@ class AnswerCollector {
   void take(const ros::MessageEvent<const ActionsMessage>& event);
   void takeStatus(const ros::MessageEvent<const social_crowd::LearnerStatus>& event);
   void useWidestVision(Episode& episode);
-  /// Publishes the perceptions of the present turn again, made with the widest vision. Answers already taken stay
-  /// valid.
+  /// Makes the perceptions of the present turn again with the widest vision and publishes them. Answers that were
+  /// already accepted stay valid.
   void askWithWiderVision();
   bool isInterrupted() const { return cancelled_ || is_outdated_ || loop_.isClosed(); }
   void endWait();
@@ -57,7 +56,7 @@ class AnswerCollector {
   void awaitPresent();
   void awaitNewcomers(const Episode& episode);
   void giveUpOnNewcomers(const Episode& episode);
-  void awaitAnybody(const Episode& episode);
+  void awaitAny(const Episode& episode);
   void askAgain();
   void noteSilence(const std::vector<AgentId>& asked);
   void noteAnswers();
@@ -85,7 +84,7 @@ class AnswerCollector {
   Clock asked_at_;
   Clock ask_again_at_;
   ros::WallDuration ask_again_after_;
-  std::vector<Clock> silent_since_;  // by agent: first tick without an answer since the last one; zero: none
+  std::vector<Clock> silent_since_;  // by agent: first tick without an answer since its last answer; zero: none
   Clock last_warning_;
 };
 

@@ -7,15 +7,15 @@
 
 namespace crowd {
 
-/// @brief The vision that each learner has reported, and the widest of them. A learner that has left still counts:
-/// wider perceptions do not change what the others decide, and it may come back. A new report of a learner replaces the
-/// previous one.
+/// @brief The vision that each learner has reported, and the widest of them. A new report of a learner replaces
+/// its previous one. Reports of learners that have left are kept: wider perceptions do not change the decisions of the
+/// others.
 class LearnerVisions {
  public:
   /// @brief Records a report. An invalid radius is ignored with a warning.
   /// @param vision with radius 0: none is requested
   void report(const std::string& learner, const Vision& vision);
-  /// @brief The widest vision of all learners; before any report, the default vision.
+  /// @brief Returns the widest vision of all learners; before the first report, the default vision.
   const Vision& widest() const { return widest_; }
 
  private:
