@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 from crowd_bench.ros_system import REPOSITORY, RosSystem, arguments_of, cpu_seconds, program  # noqa: E402
 
 Q_TABLE = os.path.join(REPOSITORY, 'config', 'q_tables', 'anticipation.txt')
-MAX_NEIGHBOURS = 16  # as in the state set of the table
+MAX_NEIGHBOURS = 16  # those of the Q-table's model
 NODELET = ['rosrun', 'nodelet', 'nodelet']
 WARM_UP = 30  # ticks
 CROWD_TICKS = 250
@@ -46,8 +46,7 @@ def few_scenario():
 
 def controller_parameters(scenario, **others):
     """Returns the parameters of a controller that waits for `step`."""
-    return {'scenario': scenario, 'max_neighbours': MAX_NEIGHBOURS, 'real_time_factor': 'fast', 'paused': True,
-            'answer_deadline': 60.0, **others}
+    return {'scenario': scenario, 'real_time_factor': 'fast', 'paused': True, 'answer_deadline': 60.0, **others}
 
 
 def best_of(*measures):

@@ -1,4 +1,4 @@
-// The nodes as nodelets: several of them in one process, where they exchange pointers instead of messages.
+// The nodes as nodelets: in one process they exchange messages by pointer.
 
 #include <nodelet/NodeletUnload.h>
 #include <nodelet/nodelet.h>
@@ -16,8 +16,8 @@
 namespace crowd {
 namespace {
 
-/// Asks the manager to take a nodelet away that has nothing left to do, so that whoever loaded it is told. Where there
-/// is no manager, the process is the nodelet's alone.
+/// Requests that the manager unloads a nodelet that is done; the program that loaded it then ends, too. Without a
+/// manager (standalone nodelet), the process is shut down.
 void unload(const std::string& name) {
   nodelet::NodeletUnload call;
   call.request.name = name;
@@ -25,13 +25,13 @@ void unload(const std::string& name) {
   if (!has_manager) ros::requestShutdown();
 }
 
-/// Does not hold up its manager: the node begins in onInit(), and runs in a thread of its own.
+/// Creates the node in onInit() and runs it in a thread of its own, so that it does not block the manager.
 template <typename Node>
 class CrowdNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {
     try {
-      // Unloading waits for the node's thread, so another one has to ask for it.
+      // Unloading waits for the thread of the node, so another thread must request it.
       thread_ = std::make_unique<NodeThread<Node>>(getNodeHandle(), getPrivateNodeHandle(), getName(),
                                                    [name = getName()] { std::thread(unload, name).detach(); });
     } catch (const std::exception& error) {

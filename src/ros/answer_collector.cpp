@@ -6,14 +6,15 @@
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
 #include "social_crowd/ros/topic_publishers.h"
+#include "social_crowd/ros/vision.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 1000;          // messages; many learners may answer at once
-const ros::WallDuration IDLE(0.1);             // between two checks whether ROS still runs
-const ros::WallDuration WARNING_PERIOD(5.0);   // of the warning that no answer comes
-constexpr double USUAL_START = 3.0;            // [s] that learners may take to start without a warning
+constexpr std::uint32_t QUEUE = 1000;          // messages; many learners may answer at the same time
+const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
+const ros::WallDuration WARNING_PERIOD(5.0);   // of warnings about missing answers
+constexpr double USUAL_START = 3.0;            // [s] of a learner, without a warning
 const ros::WallDuration FIRST_ASK_AGAIN(0.1);  // doubled each time
 
 std::vector<AgentId> agentsToAsk(const Perceptions& perceptions) {
@@ -43,7 +44,8 @@ AnswerCollector::AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const Co
       learners_(run_),
       perceptions_(node),
       actions_(
-          subscribeToTicks<ActionsMessage>(node, names::ACTIONS, QUEUE, [this](const auto& event) { take(event); })) {}
+          subscribeToTicks<ActionsMessage>(node, names::ACTIONS, QUEUE, [this](const auto& event) { take(event); })),
+      status_(node.subscribe(names::LEARNER_STATUS, QUEUE, &AnswerCollector::takeStatus, this)) {}
 
 void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event) {
   const ActionsMessage& message = *event.getMessage();
@@ -58,46 +60,76 @@ void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event)
   if (!refused.empty()) learners_.noteRefused(refused);
 }
 
+void AnswerCollector::takeStatus(const ros::MessageEvent<const social_crowd::LearnerStatus>& event) {
+  const social_crowd::LearnerStatus& status = *event.getMessage();
+  const Vision vision{status.vision_radius, status.max_neighbours, status.occlusion != 0};
+  visions_.report(status.node.empty() ? event.getPublisherName() : status.node, vision);
+  if (asked_episode_ != nullptr && !covers(asked_episode_->vision(), visions_.widest())) askWithWiderVision();
+}
+
+void AnswerCollector::useWidestVision(Episode& episode) {
+  if (areEqual(episode.vision(), visions_.widest())) return;
+  episode.setVision(visions_.widest());
+}
+
+void AnswerCollector::askWithWiderVision() {
+  useWidestVision(*asked_episode_);
+  // A service may have added or removed agents since the turn began: then ask() has to be called again.
+  is_outdated_ = agentsToAsk(asked_episode_->perceptions()) != asked_;
+  if (!is_outdated_) perceptions_.publish(toMessage(*asked_episode_, header_), true);
+}
+
 PerceptionsMessage::ConstPtr AnswerCollector::toMessage(Episode& episode, const std_msgs::Header& header) const {
   const auto message = boost::make_shared<PerceptionsMessage>();
   message->header = header;
   message->run = run_;
+  message->vision = episode.vision();
   message->shared = episode.sharedPerceptions();
   return message;
 }
 
 void AnswerCollector::ask(Episode& episode, const std_msgs::Header& header) {
   cancelled_ = false;
-  const std::vector<AgentId> asked = agentsToAsk(episode.perceptions());
-  lockstep_.open(episode.number(), episode.perceptions().tick, asked);
+  is_outdated_ = false;
+  asked_episode_ = &episode;
+  header_ = header;
+  useWidestVision(episode);
+  asked_ = agentsToAsk(episode.perceptions());
+  lockstep_.open(episode.number(), episode.perceptions().tick, asked_);
   perceptions_.publish(toMessage(episode, header), true);
   asked_at_ = Clock::now();
-  noteSilence(asked);
+  noteSilence(asked_);
   ask_again_after_ = FIRST_ASK_AGAIN;
   ask_again_at_ = asked_at_ + ask_again_after_;
 }
 
 bool AnswerCollector::wait(const Episode& episode) {
   if (lockstep_.isDeserted() && lockstep_.areAbsent(walkingAgents(episode.world()))) {
-    awaitAnybody(episode);
+    awaitAny(episode);
   } else {
     awaitPresent();
     awaitNewcomers(episode);
   }
+  endWait();
   if (isInterrupted()) return false;
   warnOfAbsence(lockstep_.close());
-  perceptions_.endWait();
   noteAnswers();
   return true;
 }
 
+void AnswerCollector::endWait() {
+  perceptions_.endWait();
+  asked_episode_ = nullptr;
+}
+
 void AnswerCollector::cancel() {
   cancelled_ = true;
-  perceptions_.endWait();
+  endWait();
   lockstep_.resetCounts();
 }
 
 void AnswerCollector::publishLast(Episode& episode, const std_msgs::Header& header) {
+  useWidestVision(episode);
   perceptions_.publish(toMessage(episode, header), false);
 }
 
@@ -125,12 +157,12 @@ void AnswerCollector::awaitNewcomers(const Episode& episode) {
 
 void AnswerCollector::giveUpOnNewcomers(const Episode& episode) {
   const std::vector<AgentId> agents = lockstep_.giveUpOnNewcomers(walkingAgents(episode.world()));
-  noteSilence(agents);  // in a sequential scenario some were not asked yet
+  noteSilence(agents);  // in a sequential scenario some have not had a turn yet
   warnOfAbsence(agents);
 }
 
-void AnswerCollector::awaitAnybody(const Episode& episode) {
-  // With no learner left to wait for, a tick lasts as long as in real time: the episode neither hangs nor rushes by.
+void AnswerCollector::awaitAny(const Episode& episode) {
+  // If all agents are absent, a tick lasts as long as in real time, so that learners can come back during the episode.
   const double turn = episode.scene().tick_duration / static_cast<double>(episode.turnsOfTick());
   const Clock deadline = asked_at_ + ros::WallDuration(std::min(answer_deadline_, turn));
   while (!isInterrupted() && lockstep_.isDeserted() && Clock::now() < deadline) {
@@ -175,14 +207,14 @@ void AnswerCollector::warnOfSilence() {
   const std::vector<AgentId> missing = lockstep_.missing();
   if (silence(missing) < USUAL_START) return;
   last_warning_ = now;
-  ROS_WARN("no answer for %s for %.1f s: %s. Without an answer they stay where they are", namedAgents(missing).c_str(),
-           silence(missing), reasonForSilence().c_str());
+  ROS_WARN("no answer for %s for %.1f s: %s. They stay in place", namedAgents(missing).c_str(), silence(missing),
+           reasonForSilence().c_str());
 }
 
 void AnswerCollector::warnOfAbsence(const std::vector<AgentId>& agents) {
   if (agents.empty()) return;
   last_warning_ = Clock::now();
-  ROS_WARN("no answer for %s for %.1f s: %s. From now on they are not waited for until they are answered for",
+  ROS_WARN("no answer for %s for %.1f s: %s. They are absent: they are not waited for until an answer for them arrives",
            namedAgents(agents).c_str(), silence(agents), reasonForSilence().c_str());
 }
 

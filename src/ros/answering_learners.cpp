@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <array>
 
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/ros/agent_list.h"
@@ -10,56 +11,47 @@
 namespace crowd {
 namespace {
 
-/// A few words for each cause; equal words are warned of once.
-std::string briefly(Refusal cause) {
-  switch (cause) {
-    case Refusal::NOT_ASKED:
-      return "for agents that were not asked";
-    case Refusal::BAD_ROTATION:
-      return "rotation is not a finite number";
-    case Refusal::BAD_SPEED:
-      return "speed_fraction is not within 0 to 1";
-    case Refusal::TOO_LATE:
-      return "for a tick that is over";
-    case Refusal::TOO_EARLY:
-      return "for a tick that has not begun";
-    case Refusal::SECOND_ANSWER:
-      return "a second answer to the same tick";
-    case Refusal::OTHER_LEARNER:
-      return "another learner answers for the same agents";
-  }
-  return "";
+/// Texts about a cause of refusal.
+struct RefusalTexts {
+  const char* cause;    // short; identifies the cause
+  const char* details;  // follows the names of the agents; {...} are placeholders
+};
+
+/// In the order of Refusal.
+constexpr std::array<RefusalTexts, 7> REFUSALS = {{
+    {"for agents that were not asked", " in {tick}, expected agents of the perceptions that have not arrived"},
+    {"rotation is not a finite number", " with rotation {rotation}, expected a finite number [rad]"},
+    {"speed_fraction is not within 0 to 1", " with speed_fraction {speed_fraction}, expected 0 to 1"},
+    {"for a tick that is over",
+     " in {tick}, which is over: expected episode and tick of the perceptions, within ~answer_deadline"},
+    {"for a tick that has not begun", " in {tick}, which has not begun: expected episode and tick of the perceptions"},
+    {"a second answer to the same tick", " in {tick} twice: the first answer counts"},
+    {"another learner answers for the same agents", ""},
+}};
+static_assert(static_cast<std::size_t>(Refusal::OTHER_LEARNER) + 1 == REFUSALS.size(), "one entry for each cause");
+
+const RefusalTexts& textsOf(Refusal cause) { return REFUSALS.at(static_cast<std::size_t>(cause)); }
+
+std::string replaced(std::string text, const std::string& placeholder, const std::string& value) {
+  const std::size_t place = text.find(placeholder);
+  return place == std::string::npos ? text : text.replace(place, placeholder.size(), value);
 }
 
-/// What was answered and what was expected.
-std::string explained(const RefusedAnswer& refused, const std::vector<AgentId>& agents) {
-  const std::string when = "tick " + std::to_string(refused.tick) + " of episode " + std::to_string(refused.episode);
-  std::string whose = namedAgents(agents);
-  switch (refused.cause) {
-    case Refusal::NOT_ASKED:
-      return whose + " in " + when + ", expected agents of the perceptions that have not arrived";
-    case Refusal::BAD_ROTATION:
-      return whose + " with rotation " + toText(refused.answer.action.rotation) + ", expected a finite number [rad]";
-    case Refusal::BAD_SPEED:
-      return whose + " with speed_fraction " + toText(refused.answer.action.speed_fraction) + ", expected 0 to 1";
-    case Refusal::TOO_LATE:
-      return whose + " in " + when + ", which is over: expected episode and tick of the perceptions, within " +
-             "~answer_deadline";
-    case Refusal::TOO_EARLY:
-      return whose + " in " + when + ", which has not begun: expected episode and tick of the perceptions";
-    case Refusal::SECOND_ANSWER:
-      return whose + " in " + when + " twice: the first answer counts";
-    case Refusal::OTHER_LEARNER:
-      break;
-  }
-  return whose;
+/// Returns what was answered and what was expected.
+std::string detailsOf(const RefusedAnswer& refused, const std::vector<AgentId>& agents) {
+  const std::string tick = "tick " + std::to_string(refused.tick) + " of episode " + std::to_string(refused.episode);
+  std::string text = textsOf(refused.cause).details;
+  text = replaced(text, "{tick}", tick);
+  text = replaced(text, "{rotation}", toText(refused.answer.action.rotation));
+  text = replaced(text, "{speed_fraction}", toText(refused.answer.action.speed_fraction));
+  return namedAgents(agents) + text;
 }
 
 std::string describedAsSilent(const std::string& node, const std::string& topic) {
   return "'" + node + "' publishes on '" + topic + "', but has not answered yet";
 }
 
-/// Agents of refused answers of the same cause as the first one, which are taken out of the list.
+/// Removes the refused answers with the same cause as the first one, and returns their agents.
 std::vector<AgentId> takeAgentsOfFirstCause(std::vector<RefusedAnswer>& refused) {
   const RefusedAnswer first = refused.front();
   const auto others = std::stable_partition(refused.begin(), refused.end(), [&](const RefusedAnswer& one) {
@@ -87,8 +79,8 @@ RunCheck AnsweringLearners::checkRun(std::uint64_t run, LearnerId learner) {
   if (run == 0) {
     warnOnce(learner, "run is missing", "without run" + expected);
   } else {
-    warnOnce(learner, "run is another controller's",
-             "another controller's perceptions (run " + std::to_string(run) + ")" + expected);
+    warnOnce(learner, "run of another controller",
+             "perceptions of another controller (run " + std::to_string(run) + ")" + expected);
   }
   return RunCheck::OTHER;
 }
@@ -101,23 +93,24 @@ void AnsweringLearners::noteRefused(const std::vector<RefusedAnswer>& refused) {
     if (first.cause == Refusal::OTHER_LEARNER) {
       warnOfRivals(first, agents);
     } else {
-      warnOnce(first.learner, briefly(first.cause), "for " + explained(first, agents));
+      warnOnce(first.learner, textsOf(first.cause).cause, "for " + detailsOf(first, agents));
     }
   }
 }
 
 void AnsweringLearners::warnOfRivals(const RefusedAnswer& refused, const std::vector<AgentId>& agents) {
-  learners_[refused.learner].refusals.insert(briefly(Refusal::OTHER_LEARNER));
+  learners_[refused.learner].refusals.insert(textsOf(Refusal::OTHER_LEARNER).cause);
   if (!rivals_.insert(std::minmax(refused.learner, refused.other)).second) return;
   ROS_WARN(
-      "two learners answer for %s: %s and %s; of their answers to a tick the first one counts, the other is dropped. "
-      "Give each learner agents of its own (~agents)",
+      "two learners answer for %s: %s and %s; the first answer to a tick counts, the other is dropped. Assign "
+      "different "
+      "agents to the learners (~agents)",
       namedAgents(agents).c_str(), quoted(refused.other).c_str(), quoted(refused.learner).c_str());
 }
 
 void AnsweringLearners::warnOnce(LearnerId learner, const std::string& cause, const std::string& text) {
   if (!learners_[learner].refusals.insert(cause).second) return;
-  ROS_WARN("%s answers %s. The answer is dropped; this is said once for each cause", quoted(learner).c_str(),
+  ROS_WARN("%s answers %s. The answer is dropped. This warning is printed once for each cause", quoted(learner).c_str(),
            text.c_str());
 }
 
@@ -133,7 +126,7 @@ std::string AnsweringLearners::reasonForSilence(const std::vector<std::string>& 
     }
     if (!has_answered) add(describedAsSilent(node, topic));
   }
-  return reason.empty() ? "no learner is there (no node publishes on '" + topic + "')" : reason;
+  return reason.empty() ? "there is no learner (no node publishes on '" + topic + "')" : reason;
 }
 
 std::string AnsweringLearners::described(const Learner& learner) const {

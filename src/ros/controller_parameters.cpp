@@ -10,7 +10,6 @@ namespace {
 
 constexpr double MAX_REAL_TIME_FACTOR = 1e6;
 constexpr double MAX_DEADLINE = 3600.0;  // [s]
-constexpr double MAX_VISION = 1e3;       // [m]
 constexpr double MAX_RATE = 1e6;         // [Hz]
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 constexpr const char* FAST = "fast";
@@ -25,8 +24,7 @@ double readRealTimeFactor(Parameters& parameters, double otherwise) {
   return otherwise;
 }
 
-/// What a training configuration says of scenarios, episodes, seed and vision. It is read by whoever reads training
-/// configurations.
+/// Takes scenarios, episodes and seed from a training configuration.
 void useConfig(Parameters& parameters, ControllerParameters& read) {
   const std::string file = parameters.text("config", "");
   if (file.empty()) return;
@@ -35,7 +33,6 @@ void useConfig(Parameters& parameters, ControllerParameters& read) {
     read.scenarios = config.training.scenarios;
     read.episodes = config.training.episodes;
     read.seed = config.training.seed;
-    read.vision = config.model.vision();
     read.name = stemOf(file);
   } catch (const Error& error) {
     parameters.complain("config", error.what());
@@ -73,10 +70,6 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.answer_deadline = parameters.number("answer_deadline", read.answer_deadline, 1e-3, MAX_DEADLINE);
   read.misses_until_absent =
       static_cast<int>(parameters.whole("misses_until_absent", read.misses_until_absent, 1, MAX_WHOLE));
-  read.vision.radius = parameters.number("vision_radius", read.vision.radius, 0.0, MAX_VISION);
-  read.vision.max_neighbours =
-      static_cast<std::uint32_t>(parameters.whole("max_neighbours", read.vision.max_neighbours, 0, MAX_WHOLE));
-  read.vision.occlusion = parameters.flag("occlusion", read.vision.occlusion);
   read.agents_rate = parameters.number("agents_rate", read.agents_rate, 0.0, MAX_RATE);
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
   read.publish_clock = parameters.flag("publish_clock", read.publish_clock);

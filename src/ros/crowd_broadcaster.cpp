@@ -16,7 +16,7 @@ constexpr bool LATCHED = true;
 
 CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters)
     : publish_clock_(parameters.publish_clock),
-      clock_(1, 0),  // zero means to ROS that there is no time yet
+      clock_(1, 0),  // ROS takes zero as no time received yet
       agents_period_(parameters.agents_rate > 0.0 ? 1.0 / parameters.agents_rate : 0.0),
       agents_(node.advertise<social_crowd::AgentStates>(names::AGENTS, QUEUE)),
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
@@ -24,7 +24,7 @@ CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParamet
   if (publish_clock_) clock_publisher_ = node.advertise<rosgraph_msgs::Clock>(names::CLOCK, QUEUE);
   if (parameters.publish_tf) {
     frames_broadcaster_.emplace();
-    // Publishers of one topic in one process share their connections, so that this one counts the broadcaster's.
+    // Publishers of one topic in one process share their connections, so this one has the broadcaster's subscribers.
     frames_subscribers_ = ros::NodeHandle().advertise<tf2_msgs::TFMessage>(names::TF, QUEUE);
   }
 }
@@ -44,19 +44,19 @@ void CrowdBroadcaster::advanceClock(double seconds) {
   clock_publisher_.publish(message);
 }
 
-bool CrowdBroadcaster::hasToldAgents(const Episode& episode) const {
-  return agents_told_ == std::pair(episode.number(), episode.world().tick());
+bool CrowdBroadcaster::hasPublishedAgents(const Episode& episode) const {
+  return agents_published_ == std::pair(episode.number(), episode.world().tick());
 }
 
-void CrowdBroadcaster::tellAgents(const Episode& episode) {
-  const bool is_due = agents_period_.isZero() || ros::SteadyTime::now() - agents_told_at_ >= agents_period_;
-  if (is_due) tellAgentsNow(episode);
+void CrowdBroadcaster::publishAgents(const Episode& episode) {
+  const bool is_due = agents_period_.isZero() || ros::SteadyTime::now() - agents_published_at_ >= agents_period_;
+  if (is_due) publishAgentsNow(episode);
 }
 
-void CrowdBroadcaster::tellAgentsNow(const Episode& episode) {
-  if (hasToldAgents(episode)) return;
-  agents_told_ = {episode.number(), episode.world().tick()};
-  agents_told_at_ = ros::SteadyTime::now();
+void CrowdBroadcaster::publishAgentsNow(const Episode& episode) {
+  if (hasPublishedAgents(episode)) return;
+  agents_published_ = {episode.number(), episode.world().tick()};
+  agents_published_at_ = ros::SteadyTime::now();
   if (agents_.getNumSubscribers() > 0) publishStates(episode);
   if (frames_broadcaster_ && frames_subscribers_.getNumSubscribers() > 0) publishFrames(episode);
 }

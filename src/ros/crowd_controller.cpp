@@ -11,10 +11,10 @@ namespace crowd {
 namespace {
 
 constexpr unsigned SERVICE_THREADS = 3;
-const ros::WallDuration IDLE(0.1);         // between two checks whether ROS still runs
-const ros::WallDuration FLUSH(0.25);       // for the last messages to leave the process
-const ros::WallDuration LAUNCH_END(20.0);  // for roslaunch to shut the node down
-constexpr double MAX_LAG = 0.5;            // [s] behind real time that are made up for
+const ros::WallDuration IDLE(0.1);         // between two checks for shutdown
+const ros::WallDuration FLUSH(0.25);       // until the last messages have left the process
+const ros::WallDuration LAUNCH_END(20.0);  // until roslaunch has shut the node down
+constexpr double MAX_LAG = 0.5;            // [s] behind real time; a larger lag is not caught up
 
 }  // namespace
 
@@ -50,18 +50,18 @@ void CrowdController::linger() {
         static_cast<unsigned long>(metrics_.episodes()), metrics_.successPercent(), metrics_.contactPercent(),
         metrics_.collisionPercent(), metrics_.cleanPercent(), metrics_.pathRatio(), metrics_.timeRatio());
   }
-  // ROS does not tell when a message has left the process.
+  // ROS does not report when a message has left the process.
   serveUntil(Clock::now() + FLUSH);
   if (parameters_.ends_launch && !loop_.isClosed() && endLaunch()) awaitShutdown(Clock::now() + LAUNCH_END);
 }
 
 void CrowdController::awaitShutdown(const Clock& deadline) {
-  // Whatever is asked of the controller meanwhile must not end it: roslaunch would take its exit for the cause.
+  // Service calls must not end the node now: roslaunch would report its exit as the cause of the shutdown.
   while (!loop_.isClosed() && Clock::now() < deadline) loop_.run(IDLE);
 }
 
 void CrowdController::useScenarios(ScenarioList scenarios, const std::string& name) {
-  // All that can fail comes before anything is replaced.
+  // Everything that can fail is done before anything is replaced.
   scenarios.scene(seed_, 0);
   std::optional<TrajectoryFile> recording = beginRecording(name);
   scenarios_ = std::move(scenarios);
@@ -86,18 +86,18 @@ void CrowdController::beginEpisode() {
   tick_ended_ = true;
   Scene scene = scenarios_.scene(seed_, instance_);
   keepHeadings(headings_, scene);
-  episode_ = std::make_unique<Episode>(std::move(scene), next_episode_++, parameters_.vision);
+  episode_ = std::make_unique<Episode>(std::move(scene), next_episode_++, Vision());
   answers_.cancel();
   trajectory_.clear();
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
   next_tick_ = Clock::now();
   broadcaster_.advanceClock(episode_->scene().tick_duration);
   broadcaster_.publishScenario(*episode_, instance_);
-  broadcaster_.tellAgentsNow(*episode_);
+  broadcaster_.publishAgentsNow(*episode_);
 }
 
 void CrowdController::endEpisode() {
-  broadcaster_.tellAgentsNow(*episode_);
+  broadcaster_.publishAgentsNow(*episode_);
   answers_.publishLast(*episode_, broadcaster_.header());
   broadcaster_.publishResult(*episode_, instance_, answers_.missedCount(), answers_.droppedCount());
   const EpisodeResult result = episode_->result();
@@ -124,7 +124,7 @@ void CrowdController::logResult(const EpisodeResult& result) {
 
 void CrowdController::waitWhilePaused() {
   while (!loop_.isClosed() && !mayWalk()) {
-    broadcaster_.tellAgentsNow(*episode_);
+    broadcaster_.publishAgentsNow(*episode_);
     noteRest();
     loop_.run(IDLE);
     next_tick_ = Clock::now();
@@ -134,8 +134,9 @@ void CrowdController::waitWhilePaused() {
 void CrowdController::walkTurn() {
   cut_off_ = false;
   answers_.ask(*episode_, broadcaster_.header());
-  if (tick_ended_) broadcaster_.tellAgents(*episode_);  // while learners decide; between turns it is half of a tick
-  if (!answers_.wait(*episode_)) return;                // another episode has begun, or the node shuts down
+  if (tick_ended_)
+    broadcaster_.publishAgents(*episode_);  // while learners decide; between turns the tick is incomplete
+  if (!answers_.wait(*episode_)) return;    // ask again, or another episode has begun, or the node shuts down
   tick_ended_ = episode_->step(answers_.answers());
   if (tick_ended_) endTick();
 }
@@ -159,7 +160,7 @@ void CrowdController::keepPace() {
   next_tick_ += ros::WallDuration(episode_->scene().tick_duration / parameters_.real_time_factor);
   if ((Clock::now() - next_tick_).toSec() > MAX_LAG) next_tick_ = Clock::now();
   if (Clock::now() >= next_tick_) return;
-  broadcaster_.tellAgents(*episode_);
+  broadcaster_.publishAgents(*episode_);
   serveUntil(next_tick_);
 }
 

@@ -1,5 +1,4 @@
-// The services of the crowd controller. Handlers run in service threads; what touches the world is asked of the main
-// loop.
+// Services of the crowd controller. Handlers run in service threads and access the world through the main loop.
 
 #include <social_crowd/LoadScenario.h>
 #include <social_crowd/RemoveAgent.h>
@@ -46,8 +45,8 @@ std::future<void> CrowdController::pause(bool paused) {
 }
 
 std::future<void> CrowdController::beginSteps(std::uint32_t ticks) {
-  if (!paused_) throw InputError("the crowd is walking: pause it first");
-  if (pending_steps_ != nullptr) throw InputError("the last steps are still under way");
+  if (!paused_) throw InputError("the crowd is walking: call ~pause first");
+  if (pending_steps_ != nullptr) throw InputError("another step request is in progress");
   pending_steps_ = std::make_unique<PendingSteps>();
   pending_steps_->left = ticks;
   return pending_steps_->done.get_future();
@@ -66,12 +65,12 @@ bool CrowdController::waitFor(const std::future<void>& done, std::chrono::millis
 void CrowdController::advertiseServices() {
   services_.serve<std_srvs::SetBool>(names::PAUSE, [this](const auto& request, auto& response) {
     const bool paused = request.data != 0;
-    // The tick under way comes to its end first, unless it waits for a learner.
+    // The present tick ends first, unless it waits for a learner.
     const auto at_rest = loop_.ask<std::future<void>>([&] { return pause(paused); });
     const bool rests = waitFor(at_rest, PAUSE_PATIENCE);
     response.message = (!paused ? "walking from "
                         : rests ? "paused at "
-                                : "paused after the tick that still waits for answers: ") +
+                                : "will pause after the present tick, which waits for answers: ") +
                        loop_.ask<std::string>([&] { return place(); });
   });
   services_.serve<social_crowd::Step>(names::STEP, [this](const auto& request, auto& response) {
@@ -86,16 +85,16 @@ void CrowdController::advertiseServices() {
   services_.serve<social_crowd::Reset>(names::RESET, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
       const std::uint64_t seed = request.keep_seed != 0 ? seed_ : request.seed;
-      scenarios_.scene(seed, 0);  // throws where it cannot be laid out, before anything is replaced
+      scenarios_.scene(seed, 0);  // may throw; nothing has been replaced yet
       std::optional<TrajectoryFile> recording = beginRecording(scenario_name_);
       seed_ = seed;
       restart(std::move(recording));
-      response.message = "began " + scenario_name_ + " anew, seed " + std::to_string(seed_) + ": " + place();
+      response.message = "restarted " + scenario_name_ + ", seed " + std::to_string(seed_) + ": " + place();
     });
   });
   services_.serve<social_crowd::LoadScenario>(names::LOAD_SCENARIO, [this](const auto& request, auto& response) {
     const std::string file = findScenario(request.scenario, "", parameters_.scenario_folder);
-    ScenarioList scenarios = readScenarios(file);  // parsed and checked before anything is replaced
+    ScenarioList scenarios = readScenarios(file);  // may throw; nothing has been replaced yet
     response.documents = static_cast<std::uint32_t>(scenarios.size());
     loop_.ask<void>([&] {
       useScenarios(std::move(scenarios), stemOf(file));
@@ -111,32 +110,32 @@ void CrowdController::advertiseServices() {
     start.radius = request.radius;
     loop_.ask<void>([&] {
       response.agent = episode_->spawnAgent(start);
-      response.message = "agent " + std::to_string(response.agent) + " came at " + place();
+      response.message = "agent " + std::to_string(response.agent) + " added at " + place();
     });
   });
   services_.serve<social_crowd::RemoveAgent>(names::REMOVE_AGENT, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
       episode_->removeAgent(request.agent);
-      response.message = "agent " + std::to_string(request.agent) + " left at " + place();
+      response.message = "agent " + std::to_string(request.agent) + " removed at " + place();
     });
   });
   services_.serve<social_crowd::SetGoal>(names::SET_GOAL, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
       episode_->setGoal(request.agent, fromPoint(request.goal));
-      response.message = "agent " + std::to_string(request.agent) + " has another goal since " + place();
+      response.message = "agent " + std::to_string(request.agent) + " has a new goal since " + place();
     });
   });
   services_.serve<social_crowd::SpawnObstacle>(names::SPAWN_OBSTACLE, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
       response.obstacle = static_cast<std::uint32_t>(
           episode_->spawnObstacle(fromPoint(request.position), fromVector3(request.velocity), request.radius));
-      response.message = "obstacle " + std::to_string(response.obstacle) + " came at " + place();
+      response.message = "obstacle " + std::to_string(response.obstacle) + " added at " + place();
     });
   });
   services_.serve<social_crowd::RemoveObstacle>(names::REMOVE_OBSTACLE, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
       episode_->removeObstacle(request.obstacle);
-      response.message = "obstacle " + std::to_string(request.obstacle) + " left at " + place();
+      response.message = "obstacle " + std::to_string(request.obstacle) + " removed at " + place();
     });
   });
 }

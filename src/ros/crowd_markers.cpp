@@ -11,9 +11,9 @@ namespace crowd {
 namespace {
 
 constexpr std::uint32_t QUEUE = 100;        // messages
-constexpr std::uint32_t MARKERS_QUEUE = 2;  // messages; only the newest counts
+constexpr std::uint32_t MARKERS_QUEUE = 2;  // messages; only the newest is used
 constexpr double WARNING_PERIOD = 10.0;     // [s]
-const ros::WallDuration IDLE(0.1);          // between two looks whether ROS still runs
+const ros::WallDuration IDLE(0.1);          // between two checks for shutdown
 const ros::WallDuration REPEAT_AFTER(1.0);
 
 constexpr double MIN_RATE = 0.1;       // [Hz]
@@ -69,10 +69,10 @@ void CrowdMarkers::run() {
 
 void CrowdMarkers::takeScenario(const social_crowd::Scenario& message) {
   scene_.take(message);
-  // Episodes of one scenario are drawn anew each; the view is not to jump with each.
+  // The view must not jump at each episode of the same scenario.
   if (message.name == scenario_name_ && !scenario_name_.empty()) return;
   scenario_name_ = message.name;
-  publishFrame(middleOf(message).array().round());  // RViz's grid has its lines at whole metres of the map
+  publishFrame(middleOf(message).array().round());  // the lines of RViz's grid are at whole metres
 }
 
 void CrowdMarkers::publishFrame(const Vector2& middle) {
@@ -90,7 +90,7 @@ ros::Subscriber CrowdMarkers::subscribe(const char* topic) {
     try {
       scene_.take(*message);
     } catch (const Error& error) {
-      ROS_WARN_THROTTLE(WARNING_PERIOD, "a message on %s is not shown: %s", topic, error.what());
+      ROS_WARN_THROTTLE(WARNING_PERIOD, "cannot show a message on %s: %s", topic, error.what());
     }
   });
 }

@@ -13,7 +13,7 @@
 namespace crowd {
 namespace {
 
-/// Program and arguments of a process; nothing if they cannot be read.
+/// Returns program and arguments of a process; empty if they cannot be read.
 std::vector<std::string> commandOf(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/cmdline");
   std::vector<std::string> words;
@@ -21,8 +21,8 @@ std::vector<std::string> commandOf(pid_t process) {
   return words;
 }
 
-/// Whether it is roslaunch, itself or as the script of an interpreter. One with -c serves a roslaunch on another
-/// machine, which would report its end as an error.
+/// Whether a command is roslaunch, run directly or by an interpreter. A roslaunch with -c is the child of one on
+/// another machine, which would report its end as an error.
 bool isRoslaunch(const std::vector<std::string>& command) {
   const auto program_end = command.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(command.size(), 2));
   const bool found = std::any_of(command.begin(), program_end, [](const std::string& word) {

@@ -13,20 +13,23 @@
 #include "social_crowd/ros/console.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
+#include "social_crowd/ros/vision.h"
 
 namespace crowd {
 namespace {
 
-// Sharing may wait for other learners; the other services go on meanwhile.
+// Sharing may wait for other learners; other services must remain available.
 constexpr unsigned SERVICE_THREADS = 4;
 constexpr std::uint32_t QUEUE = 100;  // messages
 constexpr bool LATCHED = true;
-const ros::WallDuration IDLE(0.1);           // between two looks whether ROS still runs
-const ros::WallDuration STATUS_PERIOD(0.5);  // at most so often because of a new episode
+const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
+const ros::WallDuration STATUS_PATIENCE(3.0);  // until the controller should have received the status
+constexpr double WARNING_PERIOD = 5.0;         // [s]
+const ros::WallDuration STATUS_PERIOD(0.5);    // minimum time between two status messages because of new episodes
 
-/// Where a file that a request names is looked for: relative to the node's working directory.
+/// Returns the absolute path of a file in a request; relative paths are relative to the working directory of the node.
 std::string absolutePath(const std::string& file) {
-  if (file.empty()) throw InputError("file: expected the name of a file, got nothing");
+  if (file.empty()) throw InputError("file: expected a file name, got an empty text");
   return std::filesystem::absolute(file).lexically_normal().string();
 }
 
@@ -46,7 +49,8 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       save_to_(parameters.save_to),
       save_every_(parameters.save_every),
       learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
-      // Latched: the first answer may be given before the controller has connected.
+      limiter_(learner_.model().vision()),
+      // Latched, because the first answer may be published before the controller has connected.
       actions_publisher_(node_, names::ACTIONS, QUEUE),
       taking_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
@@ -80,8 +84,9 @@ void LearnerNode::takePerceptions(const PerceptionsMessage& message) {
 
 void LearnerNode::answer(const PerceptionsMessage& message) {
   if (isRepeated(message)) return actions_publisher_.repeat();
-  const Perceptions& perceptions = message.content();
-  requireValid(perceptions);
+  if (!isSufficient(message)) return;
+  requireValid(message.content());
+  const Perceptions& perceptions = limiter_.limit(message.content(), message.vision);
   const bool new_run = message.run != run_;
   if (new_run) learner_.forgetDecisions();
   const bool new_episode = new_run || episodes_ == 0 || perceptions.episode != episode_;
@@ -105,11 +110,34 @@ bool LearnerNode::isRepeated(const PerceptionsMessage& message) const {
   const ActionsMessage::ConstPtr& last = actions_publisher_.last();
   return last != nullptr && message.run == run_ && message.content().episode == last->content.episode &&
          message.content().tick == last->content.tick && message.content().turn == answered_turn_ &&
-         message.header.stamp == last->header.stamp;
+         message.header.stamp == last->header.stamp && last->content.agents.size() == countToAnswer(message.content());
+}
+
+std::size_t LearnerNode::countToAnswer(const Perceptions& perceptions) const {
+  return static_cast<std::size_t>(
+      std::count_if(perceptions.agents.begin(), perceptions.agents.end(),
+                    [&](const AgentPerception& self) { return !self.arrived && learner_.serves(self.agent); }));
+}
+
+bool LearnerNode::isSufficient(const PerceptionsMessage& message) {
+  const Vision needed = learner_.model().vision();
+  const ros::WallTime now = ros::WallTime::now();
+  if (covers(message.vision, needed)) {
+    insufficient_since_ = ros::WallTime();
+    return true;
+  }
+  if (insufficient_since_.isZero()) insufficient_since_ = now;
+  if (now - insufficient_since_ > STATUS_PATIENCE) {
+    ROS_WARN_THROTTLE(WARNING_PERIOD,
+                      "perceptions are not answered, because they contain less than the model needs: %s instead of %s. "
+                      "Does the crowd controller receive '%s'?",
+                      toText(message.vision).c_str(), toText(needed).c_str(), status_publisher_.getTopic().c_str());
+  }
+  return false;
 }
 
 void LearnerNode::noteEpisode() {
-  // Saving every n episodes means after n of them, that is when the next one begins.
+  // A table is saved after n episodes, which is when the next one begins.
   if (save_every_ > 0 && episodes_ > 0 && episodes_ % save_every_ == 0) saveAll(true);
   ++episodes_;
   if (episodes_ == 1 || ros::WallTime::now() - last_status_ >= STATUS_PERIOD) publishStatus();
@@ -141,6 +169,10 @@ void LearnerNode::publishStatus() {
   status.gamma = learner_.parameters().gamma;
   status.trace_decay = learner_.parameters().lambda;
   status.epsilon = learner_.parameters().epsilon;
+  const Vision vision = learner_.model().vision();
+  status.vision_radius = vision.radius;
+  status.max_neighbours = vision.max_neighbours;
+  status.occlusion = vision.occlusion ? 1 : 0;
   status_publisher_.publish(status);
 }
 
@@ -193,12 +225,12 @@ void LearnerNode::advertiseServices() {
       if (!shared || for_one) whose = "the table of agent " + std::to_string(agent);
       return trained(learner_.tableToSave(agent));
     });
-    saveQTable(file, table);  // while the learner goes on
+    saveQTable(file, table);  // in the service thread: the learner continues
     response.message = "saved " + visitedRowsOf(table.table) + " of " + whose + " to " + file;
   });
   services_.serve<social_crowd::LoadQTable>(names::LOAD_Q_TABLE, [this](const auto& request, auto& response) {
     const std::string file = absolutePath(request.file);
-    const TrainedTable table = loadQTable(file);  // parsed and checked before anything is replaced
+    const TrainedTable table = loadQTable(file);  // may throw; nothing has been replaced yet
     loop_.ask<void>([&] {
       requireFit(learner_.model(), table.model, file);
       const TakeReport report = giveTo({}, table.table, TakeMethod::REPLACE);
@@ -209,7 +241,7 @@ void LearnerNode::advertiseServices() {
   });
   services_.serve<std_srvs::Trigger>(names::RESET_TRACES, [this](const auto& /*request*/, auto& response) {
     loop_.ask<void>([&] { learner_.forgetDecisions(); });
-    response.message = "forgot the traces, and the decisions that were waiting for their reward; the values stay";
+    response.message = "reset the eligibility traces and the last decisions; the Q-table is unchanged";
   });
   services_.serve<social_crowd::SetMode>(names::SET_MODE, [this](const auto& request, auto& response) {
     const Mode mode = parseMode(request.mode);
@@ -226,8 +258,8 @@ void LearnerNode::advertiseServices() {
           learner_.setPlan(changedPlan(before, request.parameters, "parameters"));
           publishStatus();
           const std::string changes = differences(before, learner_.plan());
-          response.message = (changes.empty() ? "nothing changed" : "changed " + changes) + "; in force are " +
-                             toText(learner_.plan());
+          response.message = (changes.empty() ? "nothing changed" : "changed " + changes) +
+                             "; present values: " + toText(learner_.plan());
         });
       });
   services_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,

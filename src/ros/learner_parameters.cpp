@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 
-/// What is wrong with a value, "NAME: expected ...", without the name that the library has for it.
+/// Removes the name from a problem "NAME: expected ...", because parameters have other names.
 std::string withoutName(const std::string& problem) { return problem.substr(problem.find(": ") + 2); }
 
-/// A parameter that is one of a few names.
+/// Reads a parameter whose value is one of a few names.
 template <typename Named>
 Named readNamed(Parameters& parameters, const std::string& name, Named otherwise, Named (*parse)(const std::string&)) {
   try {
@@ -25,7 +25,7 @@ Named readNamed(Parameters& parameters, const std::string& name, Named otherwise
   }
 }
 
-/// Reads a file that a parameter names; nothing where it is not set or cannot be read (then noted).
+/// Reads the file in a parameter; nullopt if the parameter is not set, or the file cannot be read (then noted).
 template <typename Content>
 std::optional<Content> readFileOf(Parameters& parameters, const std::string& name,
                                   Content (*read)(const std::string&)) {
@@ -54,7 +54,7 @@ void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
   if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
 }
 
-/// The file to save to as an absolute path; what is wrong with it is told at the start and not after the training.
+/// Returns ~save_to as an absolute path. It is checked now, so that an error is reported before the training.
 std::string readSaveTo(Parameters& parameters) {
   const std::string given = parameters.text("save_to", "");
   if (given.empty()) return {};
@@ -70,11 +70,11 @@ std::string readSaveTo(Parameters& parameters) {
 void readAgents(Parameters& parameters, std::set<AgentId>& agents) {
   for (const std::int64_t agent : parameters.wholes("agents")) {
     const bool added = agents.insert(static_cast<AgentId>(agent)).second;
-    if (!added) parameters.complain("agents", "agent " + std::to_string(agent) + " stands there twice");
+    if (!added) parameters.complain("agents", "agent " + std::to_string(agent) + " is listed twice");
   }
 }
 
-/// Model and table come from a table, a configuration, or both.
+/// Checks that the model is defined, by a table, a configuration or both.
 void checkSources(Parameters& parameters, const std::optional<TrainingConfig>& config,
                   const std::optional<TrainedTable>& table, Mode mode) {
   const bool tried_table = !parameters.text("q_table", "").empty();
@@ -98,14 +98,13 @@ std::vector<std::string> findWarnings(Mode mode, const std::optional<TrainingCon
   std::vector<std::string> warnings;
   if (mode == Mode::TRAINING && save_to.empty()) {
     warnings.emplace_back(
-        "what is learned will not be saved: there is no ~save_to (argument save_to of demo.launch); ~save_q_table "
-        "saves "
-        "it at any time");
+        "what is learned will not be saved: ~save_to is not set (argument save_to of demo.launch); the service "
+        "~save_q_table saves it at any time");
   }
   if (mode == Mode::TRAINING && config && config->training.side_by_side > 1) {
     warnings.push_back(
-        "the configuration asks for " + std::to_string(config->training.side_by_side) +
-        " learners side by side; through ROS one learns alone, so the table will not be that of 'train'");
+        "the configuration requests " + std::to_string(config->training.side_by_side) +
+        " learners side by side; through ROS a single one learns, so the table will differ from that of 'train'");
   }
   return warnings;
 }

@@ -10,13 +10,13 @@
 namespace crowd {
 namespace {
 
-const ros::Duration REACH(1.0);  // how long to look for another learner's service
+const ros::Duration REACH(1.0);  // timeout for the service of another learner
 
 bool contains(const std::vector<AgentId>& agents, AgentId agent) {
   return std::find(agents.begin(), agents.end(), agent) != agents.end();
 }
 
-/// Asks another learner to take a table. What went wrong is the message of a failed response.
+/// Calls ~take_q_table of another learner. If the call fails, the response contains the cause.
 social_crowd::TakeQTable::Response askToTake(const std::string& learner,
                                              const social_crowd::TakeQTable::Request& request) {
   social_crowd::TakeQTable call;
@@ -31,10 +31,10 @@ social_crowd::TakeQTable::Response askToTake(const std::string& learner,
 
 using Learners = std::map<std::string, social_crowd::LearnerStatus>;  // by node name
 
-/// Why an agent did not get a table that another one of this learner shares with it.
+/// Returns why an agent did not get the shared table.
 std::string whyNotTaken(AgentId agent, AgentId from, const Learners& others) {
   const std::string name = "agent " + std::to_string(agent);
-  if (agent == from) return name + " is the one who shares it";
+  if (agent == from) return name + " is the source";
   const bool is_served = std::any_of(others.begin(), others.end(),
                                      [&](const auto& other) { return contains(other.second.agents, agent); });
   return name + " did not get it" + (is_served ? "" : ": no learner serves agent " + std::to_string(agent));
@@ -44,7 +44,7 @@ std::string whyNotTaken(AgentId agent, AgentId from, const Learners& others) {
 
 TakeReport LearnerNode::giveTo(const std::vector<AgentId>& agents, QTable table, TakeMethod method) {
   TakeReport report(method);
-  table.beginSource();  // once for all who take it
+  table.beginSource();  // one source for all receiving agents
   if (!agents.empty() && learner_.tableUse() == TableUse::OWN) {
     for (const AgentId agent : agents) report.note(agent, learner_.takeTable(agent, table, method));
     return report;

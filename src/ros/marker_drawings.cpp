@@ -13,10 +13,10 @@ using social_crowd::AgentState;
 using social_crowd::AgentStates;
 using visualization_msgs::Marker;
 
-/// RViz works with single precision; what is farther away is a damaged message [m].
+/// RViz uses single precision; larger coordinates are taken as invalid [m].
 constexpr double FARTHEST = 1e6;
 
-bool isDrawable(double number) { return std::abs(number) <= FARTHEST; }  // NaN is not
+bool isDrawable(double number) { return std::abs(number) <= FARTHEST; }  // false for NaN
 bool isDrawable(const geometry_msgs::Point& point) { return isDrawable(point.x) && isDrawable(point.y); }
 
 Pose poseOf(const AgentState& agent) { return {{agent.pose.x, agent.pose.y}, agent.pose.theta}; }
@@ -128,7 +128,8 @@ Marker drawSectors(const Pose& pose, const std::vector<OccupiedSector>& sectors,
   TriangleMarker marker(marker_style::SECTORS, 0, Layer::SECTORS);
   const bool fine = isDrawable(pose.position.x()) && isDrawable(pose.position.y()) && isDrawable(pose.heading);
   for (const OccupiedSector& sector : sectors) {
-    const auto index = static_cast<std::size_t>(sector.distance_class) - 1;  // 0, no class, becomes the largest
+    const auto index =
+        static_cast<std::size_t>(sector.distance_class) - 1;  // class 0 (none) wraps to the largest number
     if (!fine || index >= limits.size() || !isDrawable(limits[index])) continue;
     const double inner = index == 0 ? 0.0 : limits[index - 1];
     marker.addRingPart(pose.position, inner, limits[index], pose.heading + sector.from, pose.heading + sector.to,

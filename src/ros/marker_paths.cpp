@@ -5,7 +5,7 @@
 namespace crowd {
 namespace {
 
-/// A step of 0 keeps every point at which somebody moved; what it is doubled to when there are too many [m].
+/// Step that replaces a step of 0 (every movement is a point) when there are too many points [m].
 constexpr double LEAST_STEP = 0.01;
 
 }  // namespace

@@ -24,14 +24,14 @@ AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& scenario) {
   return states;
 }
 
-/// Copies a part of a list, if it is one: else the reader of the copy finds too few.
+/// Copies a part of a list; nothing if it lies beyond the list, so that requireValid() finds the copy invalid.
 template <typename List>
 void copyPart(const List& list, std::uint32_t first, std::uint32_t count, List& copy) {
   if (std::uint64_t{first} + count > list.size()) return;
   for (std::uint32_t i = first; i < first + count; ++i) copy.push_back(list[i]);
 }
 
-/// The same with one agent only, or none if it is not there.
+/// Returns the perceptions of one agent; empty if it is not among them.
 Perceptions only(std::int64_t agent, const Perceptions& perceptions) {
   Perceptions own;
   own.episode = perceptions.episode;
@@ -93,7 +93,7 @@ void MarkerScene::take(const social_crowd::Scenario& message) {
 }
 
 void MarkerScene::show(const AgentStates::ConstPtr& states) {
-  // A bag that is played again may begin with the episode it ended with.
+  // A bag that is played repeatedly may begin with the episode with which it ends.
   if (states->episode != states_->episode || states->tick < states_->tick) paths_.clear();
   for (const AgentState& agent : states->agents) {
     if (hasPlace(agent)) paths_.add(agent.agent, {agent.pose.x, agent.pose.y});
@@ -103,10 +103,11 @@ void MarkerScene::show(const AgentStates::ConstPtr& states) {
 }
 
 void MarkerScene::take(const PerceptionsMessage& message) {
-  const Perceptions& told = message.content();
-  Perceptions own = only(options_.agent, told);
-  // In a sequential tick the other agents have turns of their own: what the chosen one perceived in its turn stays.
-  const bool is_next = told.episode == perceptions_.episode && told.tick <= perceptions_.tick + 1 && !told.last;
+  const Perceptions& content = message.content();
+  Perceptions own = only(options_.agent, content);
+  // In a sequential tick each agent has its own turn: keep the perception of the chosen agent.
+  const bool is_next =
+      content.episode == perceptions_.episode && content.tick <= perceptions_.tick + 1 && !content.last;
   if (own.agents.empty() && is_next) return;
   perceptions_ = Perceptions();
   changed_ = true;

@@ -9,13 +9,13 @@
 namespace crowd {
 namespace {
 
-/// A curve is drawn with straight pieces that turn by at most so much [rad].
+/// Maximum angle of one straight segment of a curve [rad].
 constexpr double MAX_TURN = PI / 24.0;
 
 }  // namespace
 
 ListMarker::ListMarker(const char* kind, int id, marker_style::Layer layer, int type) {
-  marker_.header.frame_id = names::MAP_FRAME;  // the stamp stays 0: to be drawn whatever the time is
+  marker_.header.frame_id = names::MAP_FRAME;  // the stamp stays 0, so that RViz draws the marker at any time
   marker_.ns = kind;
   marker_.id = id;
   marker_.type = type;

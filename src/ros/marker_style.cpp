@@ -10,17 +10,16 @@ namespace {
 constexpr double GOLDEN_RATIO = 0.61803398874989485;
 constexpr double FIRST_SHADE = 0.69;  // of agent 0: blue
 
-/// Hues at even steps along the colours that agents have. Finer where eyes tell more hues apart, so that not every
-/// third agent is some green; red is left to contacts.
+/// Hues of agents at even steps. They are denser where hues are easier to distinguish; red is reserved for contacts.
 constexpr std::array<double, 9> HUES = {0.05, 0.085, 0.13, 0.29, 0.45, 0.56, 0.64, 0.76, 0.91};
 
-/// Agents with nearly the same hue differ by 5, 8 or 13 (as the golden ratio has it); these tell them apart.
+/// Distinguishes agents with nearly the same hue, whose numbers differ by 5, 8 or 13 because of the golden ratio.
 struct Tone {
   double saturation;
   double value;
 };
 constexpr std::array<Tone, 3> TONES = {{{0.75, 0.9}, {0.85, 0.68}, {0.5, 0.8}}};
-constexpr std::uint32_t TONE_RUN = 5;  // agents in a row of the same tone
+constexpr std::uint32_t TONE_RUN = 5;  // number of consecutive agents with the same tone
 
 constexpr double PALENESS = 0.4;  // 0: not at all, 1: white
 
@@ -38,7 +37,7 @@ Colour withAlpha(Colour colour, double alpha) {
   return colour;
 }
 
-/// One channel of the colour circle: a trapezoid of the distance from the channel's own hue.
+/// One channel of the colour circle: a trapezoid function of the distance from the hue of the channel.
 double channel(double hue, double own_hue) {
   double distance = std::abs(hue - own_hue);
   distance = std::min(distance, 1.0 - distance);
@@ -51,14 +50,14 @@ Colour fromHue(double hue, double saturation, double value) {
   return make(shade(0.0), shade(1.0 / 3.0), shade(2.0 / 3.0));
 }
 
-/// @param share of the way along HUES, from 0 to below 1
+/// @param share position along HUES, from 0 to below 1
 double hueAt(double share) {
   const double steps = share * static_cast<double>(HUES.size() - 1);
   const auto before = static_cast<std::size_t>(steps);
   return HUES[before] + (HUES[before + 1] - HUES[before]) * (steps - static_cast<double>(before));
 }
 
-/// Yellow and green look brighter than blue of the same value; on a light ground they would get lost.
+/// Yellow and green look brighter than blue of the same value and would be hard to see on a light ground.
 double dim(double hue) { return 1.0 - 0.22 * channel(hue, 1.0 / 3.0); }
 
 }  // namespace

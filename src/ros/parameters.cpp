@@ -21,7 +21,7 @@ std::string rangeText(double low, double high) {
   return " from " + toText(low) + " to " + toText(high);
 }
 
-/// A value as YAML has it.
+/// Returns a value as YAML.
 std::string textOf(XmlRpcValue& value) {
   if (value.getType() == XmlRpcValue::TypeString) return "'" + static_cast<std::string&>(value) + "'";
   if (value.getType() == XmlRpcValue::TypeBoolean) return static_cast<bool&>(value) ? "true" : "false";
@@ -42,11 +42,11 @@ std::string textOf(XmlRpcValue& value) {
 
 using Wholes = std::vector<std::int64_t>;
 
-/// The elements of a list of whole numbers of at least 0; nothing where it is none.
+/// Returns the elements of a list of whole numbers of at least 0; nullopt if it is no such list.
 std::optional<Wholes> readWholes(XmlRpcValue& list) {
   if (list.getType() != XmlRpcValue::TypeArray) return std::nullopt;
   Wholes numbers;
-  // begin() of an XmlRpcValue is that of a struct.
+  // XmlRpcValue::begin() is for structs only.
   for (int i = 0; i < list.size(); ++i) {  // NOLINT(modernize-loop-convert)
     const bool fine = list[i].getType() == XmlRpcValue::TypeInt && static_cast<int&>(list[i]) >= 0;
     if (!fine) return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<Wholes> readWholes(XmlRpcValue& list) {
   return numbers;
 }
 
-/// The same of a text: roscpp sets a list of the command line (`_agents:="[1, 2]"`) as a text.
+/// Returns the same for a text: roscpp sets a list on the command line (`_agents:="[1, 2]"`) as a text.
 std::optional<Wholes> parseWholes(const std::string& name, const std::string& text) {
   try {
     const std::vector<YAML::Node> documents = parseYamlStream(text, name);
@@ -70,7 +70,7 @@ std::optional<Wholes> parseWholes(const std::string& name, const std::string& te
   }
 }
 
-/// What a launch file sets for an argument that was left empty.
+/// Whether a value is an empty text, which a launch file sets for an empty argument.
 bool isEmptyText(XmlRpcValue& value) {
   return value.getType() == XmlRpcValue::TypeString && static_cast<std::string&>(value).empty();
 }
@@ -98,7 +98,7 @@ std::string Parameters::text(const std::string& name, const std::string& otherwi
   XmlRpcValue* const value = find(name);
   if (value == nullptr) return otherwise;
   if (value->getType() == XmlRpcValue::TypeString) return *value;
-  // roslaunch turns what looks like a number into one; a text may well look like a number.
+  // roslaunch converts a text that looks like a number.
   if (value->getType() == XmlRpcValue::TypeInt) return std::to_string(static_cast<int>(*value));
   if (value->getType() == XmlRpcValue::TypeDouble) return toText(static_cast<double>(*value));
   expect(name, "a text", *value);

@@ -8,7 +8,7 @@ namespace crowd {
 namespace {
 
 constexpr std::uint32_t QUEUE = 100;           // messages
-const ros::WallDuration TIME_TO_ANSWER(0.05);  // for a node that has just connected
+const ros::WallDuration TIME_TO_ANSWER(0.05);  // of a node that has just connected
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void PerceptionsPublisher::markHeard(const std::string& node) {
 bool PerceptionsPublisher::isAnyUnheard(const std::vector<std::string>& nodes) const {
   const ros::WallTime before = ros::WallTime::now() - TIME_TO_ANSWER;
   return std::any_of(nodes.begin(), nodes.end(), [&](const std::string& node) {
-    if (node == ros::this_node::getName()) return true;  // nodelets: several learners have this name
+    if (node == ros::this_node::getName()) return true;  // several nodelet learners may have this node name
     const auto found = subscribers_.find(node);
     return found != subscribers_.end() && !found->second.heard && found->second.since <= before;
   });

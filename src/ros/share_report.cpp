@@ -21,7 +21,7 @@ std::string TakeReport::text() const {
   std::string text = method_ == TakeMethod::MERGE ? "merged into" : "replaced";
   bool first = true;
   for (const auto& [outcome, agents] : by_outcome_) {
-    const std::string whose = agents.empty() ? "agents to come" : namedAgents(agents);
+    const std::string whose = agents.empty() ? "future agents" : namedAgents(agents);
     text += (first ? " the table of " : ", that of ") + whose + " (" + std::to_string(outcome.first) + " visits, " +
             std::to_string(outcome.second) + " of them new)";
     first = false;
@@ -39,6 +39,6 @@ void ShareReport::noteProblem(const std::string& problem) {
   add(problem);
 }
 
-std::string ShareReport::text() const { return text_.empty() ? "there is nobody else to take it" : text_; }
+std::string ShareReport::text() const { return text_.empty() ? "there is no other agent" : text_; }
 
 }  // namespace crowd

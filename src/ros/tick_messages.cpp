@@ -13,17 +13,17 @@ namespace {
 using ros::serialization::IStream;
 using ros::serialization::OStream;
 
-// Bytes on the wire: what the .msg files say, packed.
+// Sizes on the wire [bytes], from the .msg files.
 constexpr std::uint32_t NUMBER = sizeof(double);
 constexpr std::uint32_t COUNT = sizeof(std::uint32_t);
 constexpr std::uint32_t WIRE_NEIGHBOUR = 1 + 5 * NUMBER;
 constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
 constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
-constexpr std::uint32_t WIRE_PERCEPTIONS = 4 * NUMBER + COUNT + 1 + 3 * COUNT;  // all but header and lists
-constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                      // all but header, name and list
+constexpr std::uint32_t WIRE_PERCEPTIONS = 5 * NUMBER + 2 * COUNT + 2 + 3 * COUNT;  // without header and lists
+constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                          // without header, name and list
 
-/// Puts numbers one behind the other where there is room for them, which is asked for once a list.
+/// Writes numbers consecutively to a buffer. The size is reserved once per list.
 class Writer {
  public:
   explicit Writer(std::uint8_t* place) : place_(place) {}
@@ -44,7 +44,7 @@ class Writer {
   std::uint8_t* place_;
 };
 
-/// Takes them again.
+/// Reads numbers consecutively from a buffer.
 class Reader {
  public:
   explicit Reader(const std::uint8_t* place) : place_(place) {}
@@ -130,7 +130,7 @@ void take(Reader& reader, AgentAction& action) {
   reader.take(action.action.speed_fraction);
 }
 
-/// Room for a list of so many elements, its length already written.
+/// Writes the length of a list and reserves space for its elements.
 Writer beginList(OStream& stream, std::size_t count, std::uint32_t size) {
   stream.next(static_cast<std::uint32_t>(count));
   return Writer(stream.advance(static_cast<std::uint32_t>(count) * size));
@@ -142,7 +142,8 @@ void putList(OStream& stream, const std::vector<Element>& list, std::uint32_t si
   for (const Element& element : list) put(writer, element);
 }
 
-/// The elements of a list, behind its length. @throws StreamOverrun if there are fewer
+/// Reads the length of a list; the reader is at its first element. @throws StreamOverrunException if the message is too
+/// short
 Reader openList(IStream& stream, std::uint32_t& count, std::uint32_t size) {
   stream.next(count);
   if (count > stream.getLength() / size) ros::serialization::throwStreamOverrun();
@@ -170,8 +171,8 @@ std::size_t countNeighbours(const Perceptions& perceptions) {
   return count;
 }
 
-/// Bodies go agent by agent, without the gaps that may be between them.
-void putAgentsAndBodies(OStream& stream, const Perceptions& perceptions) {
+/// Writes the neighbours agent by agent, without the gaps between them.
+void putAgentsAndNeighbours(OStream& stream, const Perceptions& perceptions) {
   Writer agents = beginList(stream, perceptions.agents.size(), WIRE_SELF);
   std::uint32_t first_neighbour = 0;
   for (const AgentPerception& self : perceptions.agents) {
@@ -186,7 +187,7 @@ void putAgentsAndBodies(OStream& stream, const Perceptions& perceptions) {
 
 void checkPart(std::uint32_t first, std::uint32_t count, std::size_t size, const char* what) {
   if (std::uint64_t{first} + count <= size) return;
-  throw InputError(std::string("perceptions: the ") + what + " of an agent lie beyond the list of " +
+  throw InputError(std::string("perceptions: the ") + what + " of an agent are beyond the end of the list of " +
                    std::to_string(size));
 }
 
@@ -196,7 +197,7 @@ void checkNumbers(const AgentPerception& self) {
   if (!finite)
     throw InputError("perceptions: goal, max_speed or radius of agent " + std::to_string(self.agent) +
                      " is not a finite number");
-  if (self.agent >= AGENT_LIMIT) throw InputError("perceptions: there is no agent " + std::to_string(self.agent));
+  if (self.agent >= AGENT_LIMIT) throw InputError("perceptions: invalid agent number " + std::to_string(self.agent));
 }
 
 }  // namespace
@@ -226,7 +227,10 @@ void Serializer<PerceptionsMessage>::write(OStream& stream, const PerceptionsMes
   stream.next(content.tick_duration);
   stream.next(message.run);
   stream.next(std::uint8_t{content.last});
-  crowd::putAgentsAndBodies(stream, content);
+  stream.next(message.vision.radius);
+  stream.next(message.vision.max_neighbours);
+  stream.next(std::uint8_t{message.vision.occlusion});
+  crowd::putAgentsAndNeighbours(stream, content);
   crowd::putList(stream, content.walls, crowd::WIRE_WALL);
 }
 
@@ -234,6 +238,7 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   message.shared.reset();
   Perceptions& content = message.received;
   std::uint8_t last = 0;
+  std::uint8_t occlusion = 0;
   stream.next(message.header);
   stream.next(content.episode);
   stream.next(content.tick);
@@ -241,7 +246,11 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   stream.next(content.tick_duration);
   stream.next(message.run);
   stream.next(last);
+  stream.next(message.vision.radius);
+  stream.next(message.vision.max_neighbours);
+  stream.next(occlusion);
   content.last = last != 0;
+  message.vision.occlusion = occlusion != 0;
   crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
   crowd::takeNeighbours(stream, content.neighbours);
   crowd::takeList(stream, content.walls, crowd::WIRE_WALL);

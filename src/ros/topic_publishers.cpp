@@ -13,7 +13,7 @@ std::vector<std::string> publishersOf(const std::string& topic) {
   if (!ros::master::execute("getSystemState", request, response, state, false)) return {};
   XmlRpc::XmlRpcValue& published = state[0];
   std::vector<std::string> nodes;
-  // begin() of an XmlRpcValue is that of a struct.
+  // XmlRpcValue::begin() is for structs only.
   for (int i = 0; i < published.size(); ++i) {  // NOLINT(modernize-loop-convert)
     if (static_cast<std::string>(published[i][0]) != topic) continue;
     for (int k = 0; k < published[i][1].size(); ++k) nodes.push_back(published[i][1][k]);

@@ -12,6 +12,11 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
       monitor_(scene_, world_),
       number_(number) {}
 
+void Episode::setVision(const Vision& vision) {
+  vision_ = vision;
+  are_current_ = false;
+}
+
 bool Episode::step(const std::vector<AgentAction>& actions) {
   if (!isSequential()) {
     world_.step(actions, *thread_pool_);

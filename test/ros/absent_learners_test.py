@@ -57,7 +57,7 @@ class KilledLearnerTest(AbsenceTestCase):
         self.assertEqual(self.ticks_at_rest(0), 0)
 
     def test_the_only_learner(self):
-        """Nobody is left to wait for: the episode goes on at the pace of real time, and ends."""
+        """If all agents are absent, the episode continues in real time until its end."""
         self.start_quiet(seconds=2, episodes=1, trajectories=self.path('ros'), paused=True, misses_until_absent=1)
         learner = self.start_learner()
         self.step(5)
@@ -70,7 +70,7 @@ class KilledLearnerTest(AbsenceTestCase):
         self.assertEqual(self.rows()[20], self.rows()[5])
 
     def test_it_learns_nothing_from_the_gap(self):
-        """A learner that hangs for a while is told that its late answer was not carried out."""
+        """A learner that hangs for a while perceives that its late answer was not executed."""
         heard = self.listen('perceptions', Perceptions)
         self.start_quiet(paused=True)
         heard.wait_connected()
@@ -85,7 +85,7 @@ class KilledLearnerTest(AbsenceTestCase):
 
 
 class NoLearnerTest(AbsenceTestCase):
-    """Nobody answers at all."""
+    """No learner answers."""
 
     def test_a_warning_and_no_hang(self):
         log = self.listen('/rosout', Log)
@@ -140,7 +140,7 @@ class RestartedControllerTest(AbsenceTestCase):
 
 
 class LateLearnerTest(AbsenceTestCase):
-    """What a learner that comes in the middle does."""
+    """A learner that joins during an episode."""
 
     def test_it_answers_the_tick_that_is_waited_for(self):
         self.start_quiet(answer_deadline=60.0, paused=True)

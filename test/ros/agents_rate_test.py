@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How often agents and tf are told: at a limited rate, but always where the crowd stands still or an episode ends."""
+"""agents and tf are published at a limited rate, and always when the crowd is paused or an episode ends."""
 import support
 from social_crowd.msg import AgentStates, EpisodeResult, Perceptions
 from tf2_msgs.msg import TFMessage
@@ -15,7 +15,7 @@ agents:
 
 
 class AgentsRateTest(support.CrowdTestCase):
-    """A controller that is told how often."""
+    """A controller with a limited rate."""
 
     def start_all(self, **parameters):
         """Starts a paused controller and a learner and listens."""
@@ -28,42 +28,42 @@ class AgentsRateTest(support.CrowdTestCase):
         for ear in (self.agents, self.frames, self.perceptions, self.results):
             ear.wait_connected()
 
-    def told(self):
-        """Episode and tick of what was told so far."""
+    def published(self):
+        """Episodes and ticks that were published so far."""
         return [(message.episode, message.tick) for message in self.agents.messages]
 
-    def wait_told(self, *expected):
-        """Waits until that was told, in this order, and nothing else."""
-        support.wait_for(lambda: len(self.told()) >= len(expected), f'{expected}, got {self.told()}')
-        self.assertEqual(self.told(), list(expected))
+    def wait_published(self, *expected):
+        """Waits until exactly these were published, in this order."""
+        support.wait_for(lambda: len(self.published()) >= len(expected), f'{expected}, got {self.published()}')
+        self.assertEqual(self.published(), list(expected))
 
     def test_each_tick(self):
         self.start_all(agents_rate=0)
         self.step(20)
-        self.wait_told(*((0, tick) for tick in range(1, 21)), (1, 0))
+        self.wait_published(*((0, tick) for tick in range(1, 21)), (1, 0))
         support.wait_for(lambda: len(self.frames.messages) >= 21, 'frames of each tick')
 
     def test_ticks_between_are_left_out(self):
         self.start_all(agents_rate=NEVER)
         self.step(7)
-        self.wait_told((0, 7))
+        self.wait_published((0, 7))
         self.step(20)  # 13 of this episode, 7 of the next
-        self.wait_told((0, 7), (0, 20), (1, 0), (1, 7))
+        self.wait_published((0, 7), (0, 20), (1, 0), (1, 7))
         self.perceptions.wait_at(1, 6)
         ticks = [message.tick for message in self.perceptions.messages if message.episode == 0]
-        self.assertEqual(sorted(set(ticks)), list(range(21)), 'learners are told each tick')
+        self.assertEqual(sorted(set(ticks)), list(range(21)), 'learners get each tick')
         support.wait_for(lambda: len(self.frames.messages) >= 4, 'frames')
         self.assertEqual(len(self.frames.messages), 4)
 
-    def test_what_is_told_at_last_is_where_they_are(self):
+    def test_the_last_states_are_those_at_rest(self):
         self.start_all(agents_rate=NEVER)
         self.step(5)
-        told = self.agents.wait_at(0, 5).agents[0].pose
+        state = self.agents.wait_at(0, 5).agents[0].pose
         perceived = self.perceptions.wait_at(0, 4).agents[0].pose
-        self.assertGreater((told.x, told.y), (perceived.x, perceived.y))
+        self.assertGreater((state.x, state.y), (perceived.x, perceived.y))
         self.step(1)
         perceived = self.perceptions.wait_at(0, 5).agents[0].pose
-        self.assertEqual((told.x, told.y, told.theta), (perceived.x, perceived.y, perceived.theta))
+        self.assertEqual((state.x, state.y, state.theta), (perceived.x, perceived.y, perceived.theta))
 
 
 if __name__ == '__main__':

@@ -1,4 +1,4 @@
-"""What tests of answers to the crowd controller share: a quiet scene and a learner that answers what a test wants."""
+"""Helpers for tests of answers to the crowd controller: a quiet scene, and a learner with prepared answers."""
 import math
 
 import rospy
@@ -6,7 +6,7 @@ import support
 from social_crowd.msg import AgentStates, EpisodeResult, Perceptions, RelativeAction, RelativeActions
 
 AHEAD, BACK = (0.0, 1.0), (math.pi, 1.0)  # rotation, fraction of the maximum speed
-# Two agents that see nobody and walk straight ahead for all of the episode.
+# Two agents without neighbours that walk straight ahead during the whole episode.
 QUIET = """
 name: quiet
 duration: {seconds}
@@ -55,7 +55,7 @@ class AbsenceTestCase(support.CrowdTestCase):
 
 
 class Answers:
-    """A learner that sends everybody straight ahead, and beside that whatever a test wants."""
+    """A learner that sends all agents straight ahead, and adds the answers of a test."""
 
     def __init__(self, test):
         self.silent = set()  # agents that get no answer

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Answers that the crowd controller refuses: what it counts and what it says; perceptions are sent once."""
+"""Answers that the crowd controller refuses: counts and warnings; perceptions are published once."""
 import rospy
 import support
 from answering import AHEAD, BACK, AbsenceTestCase, Answers, actions_for
@@ -12,7 +12,7 @@ class WrongAnswersTest(AbsenceTestCase):
     """Wrong answers are dropped and counted, and nothing else changes."""
 
     def check(self, wrong, count, after=False):
-        """Walks an episode without and one with wrong answers, of which so many are dropped a tick."""
+        """Walks an episode without and one with wrong answers, and checks how many are dropped per tick."""
         self.start_quiet(seconds=3, paused=True, trajectories=self.path('ros'))
         answers = Answers(self)
         self.step(30)
@@ -69,7 +69,7 @@ class NamedCausesTest(AbsenceTestCase):
     """A refused answer is named with its learner and its cause, once for each cause."""
 
     def refuse(self, change, warning='no answer for'):
-        """Lets a learner give only wrong answers; what the controller prints up to a warning."""
+        """Lets a learner publish wrong answers only; the output of the controller up to a warning."""
         self.start_quiet(start_deadline=300.0, answer_deadline=0.2, paused=True)
         answers = Answers(self)
         answers.silent = {0, 1}

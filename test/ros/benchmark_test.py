@@ -26,7 +26,7 @@ class BenchmarkTest(support.CrowdTestCase):
         return self.write('first.yaml', '\n'.join(text if text.startswith('---') else f'---\n{text}' for text in first))
 
     def walk(self, scenario, episodes):
-        """Walks so many instances through ROS; the recording."""
+        """Walks a number of instances through ROS; the recording."""
         controller = self.start_controller(scenario, episodes=episodes, trajectories=self.path('ros'))
         self.assertEqual(controller.wait(), 0)
         return support.read_bytes(self.path('ros/' + support.recording_of(scenario)))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The services of the crowd controller that tell it what to do next: pause, step, reset, load_scenario."""
+"""Services of the crowd controller: pause, step, reset, load_scenario."""
 import os
 
 import support
@@ -75,7 +75,7 @@ class PauseAndStepTest(ControllerTestCase):
         self.assertEqual(self.step(1).tick, 1)
 
     def test_going_on_ends_a_step(self):
-        """Who steps 1000000 ticks gets an answer, at the latest when somebody else lets the crowd walk."""
+        """A call of 1000000 steps returns at the latest when another call ends the pause."""
         self.start_all(real_time_factor=5.0)
         later = self.call_later('crowd_controller/step', ticks=1000000)
         self.agents.wait(lambda message: message.tick >= 1)
@@ -87,7 +87,7 @@ class ResetTest(ControllerTestCase):
     """reset."""
 
     def record(self, ticks=50):
-        """Walks and returns where everybody was."""
+        """Walks and returns all positions."""
         response = self.step(ticks)
         self.agents.wait_at(response.episode, response.tick)
         first = response.tick - ticks + 1
@@ -130,7 +130,7 @@ class ResetTest(ControllerTestCase):
         self.assert_same_recording(support.read_bytes(self.path('ros/scene.csv')), expected)
 
     def test_while_walking(self):
-        """Again and again, at any moment of a tick; it walks on, and answers to what was before are not taken."""
+        """Repeatedly, at any moment of a tick; the crowd continues to walk, and earlier answers are not used."""
         self.start_all(RANDOM)
         first = self.record(10)
         self.do('pause', data=False)

@@ -1,10 +1,10 @@
-"""A crowd controller whose services are called, with a learner and ears, and what it walks."""
+"""A crowd controller with a learner, listeners, and calls of its services."""
 import re
 
 import support
 from social_crowd.msg import AgentStates, EpisodeResult, Perceptions, Scenario
 
-# Two agents that see nobody and walk straight ahead, an obstacle far away.
+# Two agents without neighbours that walk straight ahead, and a distant obstacle.
 QUIET = """
 name: quiet
 duration: 20
@@ -18,12 +18,12 @@ obstacles:
 
 
 def place_in(message):
-    """Episode and tick that a message tells."""
+    """Episode and tick in a message."""
     return tuple(map(int, re.search(r'episode (\d+), tick (\d+)', message).groups()))
 
 
 class ControllerTestCase(support.CrowdTestCase):
-    """A crowd controller that begins paused, a learner, and ears."""
+    """A crowd controller that starts paused, a learner, and listeners."""
 
     def start_all(self, text=QUIET, **parameters):
         """Starts the nodes and listens."""
@@ -47,7 +47,7 @@ class ControllerTestCase(support.CrowdTestCase):
         return self.succeed(f'crowd_controller/{service}', **request)
 
     def walk(self, ticks=1):
-        """Walks so many ticks; where everybody is then."""
+        """Walks a number of ticks; the state after them."""
         response = self.step(ticks)
         return self.agents.wait_at(response.episode, response.tick)
 

@@ -1,20 +1,18 @@
 #!/usr/bin/python3
-"""The node crowd_markers: made-up messages go in, and what would be seen in RViz is checked."""
-
+"""The node crowd_markers: hand-made messages, and the markers that RViz would show."""
 import math
 import subprocess
-import threading
 import unittest
 
 import roslib.packages
 import rospy
 import rostest
 from geometry_msgs.msg import Point, Pose2D
+from picturing import Picture, agent_at, fills, sectors_of
 from social_crowd.msg import (AgentPerception, AgentState, AgentStates, LearnerStatus, ObstacleState, Neighbour,
                               Perceptions, Scenario, Wall)
 from support import PATIENCE, wait_for
 from tf2_msgs.msg import TFMessage
-from visualization_msgs.msg import Marker, MarkerArray
 
 PACKAGE = 'social_crowd'
 NODE = 'crowd_markers'
@@ -24,67 +22,6 @@ MODEL = f'''state_set: {{type: %s, collision_radius: {COLLISION_RADIUS}, vision_
 action_set: {{type: kings_moves, rotations: 8}}
 reward: {{goal: cosine_cubed, arrival: 100, obstacle_cost: 10}}
 '''
-
-
-class Picture:
-    """What RViz would show of a topic of markers."""
-
-    def __init__(self, topic):
-        self._lock = threading.Lock()
-        self._markers = {}
-        self.most_markers = 0  # of any message
-        self._subscriber = rospy.Subscriber(topic, MarkerArray, self._take, queue_size=100)
-
-    def _take(self, array):
-        with self._lock:
-            self.most_markers = max(self.most_markers, len(array.markers))
-            for marker in array.markers:
-                self._markers.pop((marker.ns, marker.id), None)
-                if marker.action == Marker.ADD:
-                    self._markers[marker.ns, marker.id] = marker
-
-    def markers(self, kind=None):
-        with self._lock:
-            return [marker for (ns, _), marker in sorted(self._markers.items()) if kind in (None, ns)]
-
-    def kinds(self):
-        return {marker.ns for marker in self.markers()}
-
-    def points(self, kind):
-        return [(point.x, point.y) for marker in self.markers(kind) for point in marker.points]
-
-    def colours(self, kind):
-        return {(colour.r, colour.g, colour.b) for marker in self.markers(kind) for colour in marker.colors}
-
-    def body_count(self):
-        return len(self.points('headings')) // 6  # two triangles each
-
-    def close(self):
-        self._subscriber.unregister()
-
-
-def agent_at(number, x, y, goal=(9.0, 9.0), **others):
-    return AgentState(agent=number, pose=Pose2D(x, y, 0.0), max_speed=1.3, radius=0.25, goal=Point(*goal, 0.0),
-                      **others)
-
-
-def sectors_of(points, centre):
-    """Ring parts made of triangles: by outer radius [m], between which angles [degrees] the triangles' middles are."""
-    angles = {}
-    for i in range(0, len(points), 3):
-        triangle = [(x - centre[0], y - centre[1]) for x, y in points[i:i + 3]]
-        outer = round(max(math.hypot(x, y) for x, y in triangle), 3)
-        middle = [sum(corner[axis] for corner in triangle) / 3 for axis in (0, 1)]
-        angles.setdefault(outer, []).append(math.degrees(math.atan2(middle[1], middle[0])))
-    return {outer: (min(some), max(some)) for outer, some in angles.items()}
-
-
-def fills(angles, limits):
-    """Whether the middles of triangles fill the sector between the limits [degrees]; None: neither is there."""
-    if angles is None or limits is None:
-        return angles is limits
-    slack = 6.0  # [degrees]; a triangle is narrower than twice that
-    return limits[0] <= angles[0] <= limits[0] + slack and limits[1] - slack <= angles[1] <= limits[1]
 
 
 class CrowdMarkersTest(unittest.TestCase):
@@ -163,7 +100,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.assertEqual(self.colours_of_radii(), {COLLISION_RADIUS: 'red', VISION_RADIUS: 'amber'})
 
     def colours_of_radii(self):
-        """What colour the circle of a radius has."""
+        """The colour of each circle, by its radius."""
         [marker] = self.picture.markers('radii')
         return {round(math.hypot(point.x, point.y), 3): 'red' if colour.g < 0.4 else 'amber'
                 for point, colour in zip(marker.points, marker.colors)}
@@ -267,7 +204,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.perceive(Pose2D(), near)
         wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector')
         self.show(agent_at(0, 0.0, 0.0, status=AgentState.ARRIVED))
-        wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector of one who has arrived')
+        wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector of an agent that has arrived')
         self.show(agent_at(0, 0.0, 0.0))
         wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector again')
         CrowdMarkersTest.episode += 1
@@ -295,13 +232,13 @@ class CrowdMarkersTest(unittest.TestCase):
         self.learn('occupancy')
         self.perceive(Pose2D(), [Neighbour(x=0.5, radius=0.25)])
         wait_for(lambda: 'sectors' in self.picture.kinds(), 'a sector of the other node')
-        wait_for(lambda: any(x > 30.0 for x, _ in plain.points('radii')), 'radii of everybody')
+        wait_for(lambda: any(x > 30.0 for x, _ in plain.points('radii')), 'radii of all agents')
         self.assertNotIn('sectors', plain.kinds())
         self.assertEqual(self.perceptions.get_num_connections(), 1)
 
     def test_perceptions_are_left_alone_while_nobody_looks(self):
         self.picture.close()
-        wait_for(lambda: self.perceptions.get_num_connections() == 0, 'nobody subscribes to perceptions')
+        wait_for(lambda: self.perceptions.get_num_connections() == 0, 'no subscription to perceptions')
         self.picture = Picture('markers')
         self.addCleanup(self.picture.close)
         wait_for(lambda: self.perceptions.get_num_connections() == 1, 'a node subscribes to perceptions again')

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The example of docs/own_learner.md: what the page prints is run as it stands there."""
+"""The example of docs/own_learner.md is run as it is printed there."""
 import os
 
 import support
@@ -26,7 +26,7 @@ class OwnLearnerPageTest(support.CrowdTestCase):
         return self.start('my_learner', [file, *words])
 
     def arrivals(self, episodes):
-        """Which agents arrive in which episode; nobody's answer may be missing."""
+        """The arrivals of each episode; no answer may be missing."""
         results = self.listen('episode_results', EpisodeResult)
         self.start_controller(self.write('pair.yaml', PAIR), episodes=episodes)
         results.wait(lambda result: result.episode == episodes - 1, 'of the last episode')

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How launches end, well and badly, and what roslaunch tells of their arguments."""
+"""Ends of launches, with and without errors, and the arguments that roslaunch lists."""
 import os
 import re
 import signal
@@ -27,7 +27,7 @@ INCLUDING = """
 
 
 class EndTest(LaunchTestCase):
-    """A launch that is done ends well, also in the tests of what launches leave; one that fails does not."""
+    """A launch that is done ends without an error; one that fails does not."""
 
     def test_nodelets_save_what_they_learned(self):
         self.assert_ends_well(self.demo(mode='training', nodelets='true', save_to=self.path('table.txt'), episodes=1))
@@ -67,7 +67,7 @@ class RvizTest(LaunchTestCase):
         return launched
 
     def close_rviz(self):
-        """What its user does."""
+        """Closes RViz as its user does."""
         self.write('rviz.close', '')
 
     def test_closing_it_ends_a_demo(self):
@@ -98,10 +98,10 @@ class RvizTest(LaunchTestCase):
 
 
 class ArgumentsTest(LaunchTestCase):
-    """What roslaunch tells of arguments, and what their defaults stand for."""
+    """The arguments that roslaunch lists, and the meaning of their defaults."""
 
     def ask(self, *arguments):
-        """What roslaunch tells without starting anything."""
+        """The output of roslaunch when nothing is started."""
         return subprocess.run(['roslaunch', *arguments], stdout=subprocess.PIPE, timeout=support.PATIENCE,
                               check=True).stdout.decode()
 

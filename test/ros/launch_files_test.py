@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The launch files: they end by themselves, leave what they promise, and say what is wrong."""
+"""The launch files: they end by themselves, write their files, and report errors."""
 import os
 
 import rosbag

@@ -33,6 +33,6 @@ class LaunchTestCase(support.CrowdTestCase):
         self.assertEqual(complaints, [])
 
     def assert_ends_with(self, launched, *words):
-        """Checks that a launch ends by itself and says why; roslaunch reports it as an error."""
+        """Checks that a launch ends by itself and prints the cause; roslaunch reports it as an error."""
         launched.wait()
         self.assert_says(launched.output(), 'REQUIRED process', 'has died', *words)

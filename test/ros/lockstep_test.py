@@ -6,36 +6,17 @@ import rospy
 import support
 from learning_files import QTableFile, checksum_of, config_text
 from roslib.packages import find_node
-from social_crowd.msg import EpisodeResult
-
-# A circle, walls, moving obstacles, several goals, random places, solid bodies, agents that take turns, headings that
-# are kept.
-SCENARIO = support.data('lockstep.yaml')
-EPISODES = 12  # so that each of the six documents is walked twice
+from walking import EPISODES, SCENARIO, WalkTestCase
 
 
-class DemoTest(support.CrowdTestCase):
+class DemoTest(WalkTestCase):
     """Agents that walk by a table: the recording of the run through ROS against that of `evaluate`."""
-
-    def walk(self, scenario=SCENARIO, episodes=EPISODES, seed=5, **parameters):
-        """Walks episodes through ROS; the recording. Nothing may be missed or dropped on the way."""
-        results = self.listen('episode_results', EpisodeResult)
-        controller = self.start_controller(scenario, episodes=episodes, seed=seed, trajectories=self.path('ros'),
-                                           **parameters)
-        results.wait_connected()
-        self.assertEqual(controller.wait(), 0)
-        support.wait_for(lambda: len(results.messages) >= episodes, 'the results of all episodes')
-        # The very first answer may come twice: when it is given and, as it is latched, when the connection is made.
-        counts = [(result.missed_answers, result.episode and result.dropped_answers) for result in results.messages]
-        self.assertEqual(counts, [(0, 0)] * episodes, 'missed and dropped answers')
-        self.blocked = sum(result.blocked_moves for result in results.messages)
-        return support.read_bytes(self.path('ros/' + support.recording_of(scenario)))
 
     def check(self, table):
         """Compares the recordings; learners are there already."""
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
         self.assert_same_recording(self.walk(), expected)
-        if table != support.ANTICIPATION_TABLE:  # who anticipates may get through
+        if table != support.ANTICIPATION_TABLE:  # agents that anticipate may get through
             self.assertGreater(self.blocked, 0, 'the solid scenario should block some moves')
 
     def check_one_learner(self, table):
@@ -92,15 +73,11 @@ class DemoTest(support.CrowdTestCase):
         self.assertNotEqual(*recordings)
 
     def test_what_is_hidden(self):
-        """Agents that do not perceive what others and walls hide; the learner takes the nearest 16 of what they see."""
-        config = support.read_text(support.in_package('config', 'learning', 'anticipation.yaml'))
-        config = config.replace('../scenarios', support.in_package('config', 'scenarios'))
-        config = self.write('config.yaml', config + 'vision: {occlusion: true}\n')
-        table = self.path('table.txt')
-        self.tool('train', config, '--output', table, '--episodes', 20)
+        """Occlusion, with at most 16 neighbours."""
+        table = self.train_anticipation('vision: {occlusion: true}')
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
         self.start_learner(q_table=table)
-        self.assert_same_recording(self.walk(occlusion=True, vision_radius=6.0 + 1e-6), expected)
+        self.assert_same_recording(self.walk(), expected)
 
     def test_ties_broken_at_random(self):
         """A table that knows little, so that most values are equal: chance is that of the same seed."""
@@ -130,7 +107,7 @@ class TrainingTest(support.CrowdTestCase):
     LEARNING = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
 
     def train_headless(self, scenario, tables):
-        """Trains without ROS; the training configuration's path, the table's path and what it learned from."""
+        """Trains without ROS; paths of the training configuration and of the table, and the number of decisions."""
         text = config_text(scenario, self.EPISODES, self.SEED, tables, self.LEARNING)
         config = self.write('config.yaml', text)
         table = self.path('headless.txt')

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Controller, learner and markers as nodelets: they do what the nodes do, and come and go without a trace."""
+"""Controller, learner and markers as nodelets: same behaviour as the nodes, loading and unloading."""
 import os
 import xmlrpc.client
 
@@ -8,7 +8,7 @@ import rospy
 import support
 from learning_files import QTableFile, config_text
 from roslib.packages import find_node
-from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus
+from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus, Perceptions
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
@@ -19,7 +19,7 @@ PRELOAD = os.environ.get('CROWD_NODELET_PRELOAD')  # see scripts/test --sanitize
 
 
 def children(message):
-    """The frames that a message of tf tells of."""
+    """The child frames in a message of tf."""
     return {frame.child_frame_id for frame in message.transforms}
 
 
@@ -71,7 +71,7 @@ class DemoTest(NodeletTestCase):
             folder = self.path(os.path.basename(table))
             learner = self.load('learner', q_table=table)
             controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=folder)
-            self.assertEqual(controller.wait(), 0)  # it unloads itself when it is done, and whoever loaded it ends
+            self.assertEqual(controller.wait(), 0)  # it unloads itself, and the loading program ends
             recording = support.read_bytes(os.path.join(folder, 'lockstep.csv'))
             self.assert_same_recording(recording, self.headless(SCENARIO, table, episodes=EPISODES, seed=5))
             self.assertEqual(learner.stop(), 0)
@@ -85,7 +85,7 @@ class DemoTest(NodeletTestCase):
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
 
     def test_a_controller_alone_in_its_process(self):
-        """Without a manager that it could be unloaded from, it ends the process when it is done."""
+        """Without a manager it ends the process when it is done."""
         self.start_learner()
         parameters = {'scenario': support.CIRCLE6, 'real_time_factor': 'fast', 'episodes': 1, 'answer_deadline': 60.0}
         for key, value in parameters.items():
@@ -105,8 +105,21 @@ class DemoTest(NodeletTestCase):
         expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
 
+    def test_learners_with_different_visions(self):
+        """The learner of all agents sees 1 m; one that serves an agent which is not there sees 6 m."""
+        self.load('learner', 'learner_a', q_table=support.NEAREST_TABLE)
+        self.load('learner', 'learner_b', q_table=support.ANTICIPATION_TABLE, agents=[99])
+        perceptions = self.listen('perceptions', Perceptions)
+        results = self.listen('episode_results', EpisodeResult)
+        controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=self.path('ros'))
+        results.wait_connected()
+        self.assertEqual(controller.wait(), 0)
+        expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
+        self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
+        self.assertGreater(perceptions.messages[-1].vision_radius, 6.0)
+
     def test_ticks_go_by_pointer(self):
-        """roscpp counts the bytes of what was written out: of pointers there are none."""
+        """roscpp counts the bytes of serialised messages; there are none for pointers."""
         self.load('learner', q_table=support.NEAREST_TABLE)
         self.load_controller(paused=True)
         self.step(20)
@@ -151,7 +164,7 @@ class TrainingTest(NodeletTestCase):
 
         self.wait_until_learned('learner', decisions)
         self.succeed('learner/save_q_table', file=self.path('saved.txt'))
-        self.assertEqual(learner.stop(), 0)  # unloads it, and it saves what it has learned
+        self.assertEqual(learner.stop(), 0)  # unloads it, and it saves its table
         support.wait_for(lambda: support.read_bytes(self.path('ros.txt')), 'the table saved at the end')
         self.assertEqual(support.read_text(self.path('ros.txt')), support.read_text(self.path('headless.txt')))
         self.assert_manager_is_well()

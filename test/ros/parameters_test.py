@@ -20,7 +20,7 @@ class RefusalTestCase(support.CrowdTestCase):
     """A node that refuses to start."""
 
     def message_of(self, node):
-        """What a node says before it ends in error: one message, the last thing it prints."""
+        """The message of a node that ends with an error: the last output."""
         self.assertEqual(node.wait(), 1, f'exit status of {node.name}; its output: {node.output()}')
         output = node.output()
         self.assertEqual(output.count('[FATAL]'), 1, output)
@@ -48,20 +48,19 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_out_of_range(self):
         bad = {'seed': -1, 'episodes': -1, 'real_time_factor': -1.0, 'start_deadline': -1.0, 'answer_deadline': 0.0,
-               'misses_until_absent': 0, 'vision_radius': -0.5, 'max_neighbours': -2}
+               'misses_until_absent': 0, 'agents_rate': -0.5}
         message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
         self.assert_says(message, 'got -0.5', 'from 0 to')
 
     def test_not_finite(self):
-        bad = {'real_time_factor': INFINITE, 'start_deadline': NAN, 'answer_deadline': INFINITE, 'vision_radius': NAN}
+        bad = {'real_time_factor': INFINITE, 'start_deadline': NAN, 'answer_deadline': INFINITE, 'agents_rate': NAN}
         self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
 
     def test_of_a_wrong_type(self):
         bad = {'scenario': [1, 2], 'scenario_folder': {'a': 1}, 'seed': 'one', 'episodes': 2.5,
                'real_time_factor': 'quick', 'paused': 'yes', 'start_deadline': 'soon',
                'answer_deadline': True, 'misses_until_absent': 3.0,
-               'vision_radius': [6.0], 'max_neighbours': '4', 'occlusion': 1, 'publish_tf': 1, 'publish_clock': 'true',
-               'trajectories': True}
+               'agents_rate': [6.0], 'publish_tf': 1, 'publish_clock': 'true', 'trajectories': True}
         self.assert_all_named(self.start_plain(**bad), *bad)
 
     def test_unknown(self):
@@ -70,7 +69,7 @@ class ControllerParametersTest(RefusalTestCase):
         self.assert_says(message, 'no such parameter', '~seed', '~answer_deadline')
 
     def test_misspelt(self):
-        """Each gets the nearest one, and none is listed among those that there are."""
+        """Each gets the most similar name; the lists of names do not contain misspelt ones."""
         message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, real_time_facter=3, epsiodes=1),
                                         'real_time_facter', 'epsiodes')
         self.assert_says(message, "~real_time_facter: there is no such parameter, did you mean '~real_time_factor'? "
@@ -80,13 +79,13 @@ class ControllerParametersTest(RefusalTestCase):
             self.assertNotIn('~real_time_facter', line.partition('There are')[2])
 
     def test_left_from_an_earlier_start(self):
-        """The message says how to remove it, for it stays on the parameter server."""
+        """The message contains the command that removes it from the parameter server."""
         name = f'{self.namespace}/crowd_controller/paces'
         message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, paces=1), 'paces')
         self.assert_says(message, f'It may be left from an earlier start: rosparam delete {name}\n')
 
     def test_a_required_one_is_misspelt(self):
-        """It is told as the misspelling and not as missing, too."""
+        """It is reported as misspelt, and not as missing as well."""
         message = self.assert_all_named(self.start_plain(scenaro=support.CIRCLE6), 'scenaro')
         self.assert_says(message, "did you mean '~scenario'?")
 
@@ -97,13 +96,13 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_all_at_once(self):
         """Missing, wrong, not finite and unknown ones in one message."""
-        self.assert_all_named(self.start_plain(seed='x', vision_radius=NAN, no_such_name=1), 'scenario', 'seed',
-                              'vision_radius', 'no_such_name')
+        self.assert_all_named(self.start_plain(seed='x', agents_rate=NAN, no_such_name=1), 'scenario', 'seed',
+                              'agents_rate', 'no_such_name')
 
     def test_numbers_may_come_as_whole_ones_and_texts(self):
         """As roslaunch and rosparam hand them on."""
         node = self.start_controller(self.write('scene.yaml', SCENE), real_time_factor='2', answer_deadline=1,
-                                     vision_radius=6, paused=True)
+                                     agents_rate=6, paused=True)
         self.succeed('crowd_controller/pause', data=True)
         self.assertTrue(node.is_running())
 
@@ -117,7 +116,7 @@ class ScenarioFilesTest(RefusalTestCase):
     """Scenario files with errors, when crowd_controller starts."""
 
     def refusal(self, scenario, **parameters):
-        """Starts a controller with a scenario that is no good; what it says."""
+        """Starts a controller with an invalid scenario; its message."""
         return self.message_of(self.start_controller(scenario, **parameters))
 
     def check(self, text, *words):
@@ -152,7 +151,7 @@ class ScenarioFilesTest(RefusalTestCase):
         self.assert_says(self.refusal('no_such_name', scenario_folder=self.folder), 'no_such_name', self.folder)
 
     def test_a_name_of_none(self):
-        """Where it was looked for, and what there is, the nearest first."""
+        """The message contains the folder and the existing names, the most similar first."""
         self.assert_says(self.refusal('circel6'), "no scenario 'circel6', did you mean 'circle6'? There is no file ",
                          os.path.join(os.getcwd(), 'circel6'), support.in_package('config', 'scenarios'),
                          'there are circle6, ')
@@ -192,7 +191,7 @@ class LearnerParametersTest(RefusalTestCase):
         self.assertEqual(list(status.wait().agents), [1, 2, 3])
 
     def test_lists_that_are_none(self):
-        """They are told as they were given."""
+        """They are printed as they were set."""
         expected = '~agents: expected a list of whole numbers of at least 0, such as [0, 1, 2], got '
         for given in ('[1,x]', '[1, -2]', '[1, 2', '1 2', '{1: 2}', '[1.5]', '["1"]'):
             node = self.start_learner(arguments=[f'_agents:={given}'])
@@ -227,8 +226,8 @@ class LearnerParametersTest(RefusalTestCase):
         config = config_text(support.CIRCLE6, 1, learning='{alpha: 0.2, epsilon: {from: 0.8, to: 0.2, episodes: 10}}')
         status = self.listen('learner_status', LearnerStatus)
         self.start_plain(mode='training', config=self.write('config.yaml', config), epsilon='', alpha='')
-        told = status.wait()
-        self.assertEqual((told.alpha, told.epsilon), (0.2, 0.8))
+        message = status.wait()
+        self.assertEqual((message.alpha, message.epsilon), (0.2, 0.8))
 
     def test_files_that_cannot_be_read(self):
         table = self.write('table.txt', 'no table')
@@ -240,7 +239,7 @@ class LearnerParametersTest(RefusalTestCase):
         self.assert_says(self.assert_all_named(self.start_plain(q_table=missing), 'q_table'), missing)
 
     def test_a_file_that_cannot_be_written(self):
-        """It is told at the start, not after the training."""
+        """It is reported at the start, not after the training."""
         file = self.path('no_such_folder/table.txt')
         message = self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, mode='training', save_to=file))
         self.assert_says(message, f'~save_to: {file}: cannot be written',

@@ -5,9 +5,10 @@ import rospy
 import support
 from social_crowd.msg import AgentPerception, Neighbour, Perceptions, RelativeActions
 
-FREE = None  # nothing is perceived
+FREE = None  # no obstacle
 NEAR, FAR = 0.3, 0.8  # [m] to the rim: the thesis's distance classes 1 and 2
 RADIUS = 0.25  # [m] of all bodies
+VISION = 10.0  # [m], more than the models of the tests need
 
 
 def ahead(degrees, distance):
@@ -16,15 +17,15 @@ def ahead(degrees, distance):
 
 
 def perceptions(episode, tick, last=False):
-    """Perceptions of nobody yet."""
-    message = Perceptions(episode=episode, tick=tick, tick_duration=support.TICK, last=last)
+    """Perceptions without agents."""
+    message = Perceptions(episode=episode, tick=tick, tick_duration=support.TICK, last=last, vision_radius=VISION)
     message.header.frame_id = 'map'
     message.header.stamp = rospy.Time.now()
     return message
 
 
 def add_agent(message, agent, goal, body=FREE, arrived=False, acted=True):
-    """Adds what one agent perceives: goal and at most one obstacle, (x, y) in its frame [m]."""
+    """Adds the perception of one agent: goal and at most one obstacle, (x, y) in its frame [m]."""
     self = AgentPerception(agent=agent, max_speed=0.3, radius=RADIUS, goal_x=goal[0], goal_y=goal[1], arrived=arrived,
                            acted=acted, first_neighbour=len(message.neighbours), first_wall=len(message.walls))
     if body is not FREE:
@@ -46,7 +47,7 @@ def all_situations(episode=0, tick=0):
 
 
 class Perceiver:
-    """Stands in for the crowd controller: tells learners what they perceive and takes their answers."""
+    """Replaces the crowd controller: publishes perceptions and receives the answers of learners."""
 
     def __init__(self, test, learners=1):
         self.actions = test.listen('actions', RelativeActions)

@@ -58,7 +58,7 @@ class RvizTest(unittest.TestCase):
         return imread(file) if taken.returncode == 0 else None
 
     def shows(self, colour, least):
-        """Whether the screen has at least so many pixels of a colour."""
+        """Whether the screen has a minimum number of pixels of a colour."""
         picture = self.screenshot()
         return picture is not None and count_like(picture, colour) >= least
 

@@ -1,4 +1,4 @@
-"""What the rostests share: nodes, topics and services of a name space of their own; and what all tests share."""
+"""Base of the rostests: nodes, topics and services in a name space of their own. Includes the support of all tests."""
 import os
 import shutil
 import sys
@@ -43,7 +43,7 @@ skips = {}  # reasons, by test
 
 
 class Task:
-    """A call in a thread of its own, so that one that hangs can be told from one that takes its time."""
+    """A call in a thread of its own, with a timeout."""
 
     def __init__(self, call):
         self.call = call
@@ -53,7 +53,7 @@ class Task:
         self.thread.start()
 
     def run(self):
-        """What the thread does."""
+        """Body of the thread."""
         try:
             self.value = self.call()
         except Exception as error:
@@ -64,7 +64,7 @@ class Task:
         return not self.thread.is_alive()
 
     def result(self, what='an answer', seconds=PATIENCE):
-        """What the call returned, once it has."""
+        """Waits for the result of the call."""
         wait_for(self.is_done, what, seconds)
         if self.error is not None:
             raise self.error
@@ -80,8 +80,8 @@ class Listener:
         self.subscriber = rospy.Subscriber(topic, message_type, self.messages.append, tcp_nodelay=True)
 
     def wait_connected(self):
-        """Waits until somebody publishes."""
-        wait_for(lambda: self.subscriber.get_num_connections() > 0, f'somebody who publishes {self.topic}')
+        """Waits for a publisher."""
+        wait_for(lambda: self.subscriber.get_num_connections() > 0, f'a publisher of {self.topic}')
         return self
 
     def wait(self, fits=lambda message: True, what='', seconds=PATIENCE):
@@ -103,7 +103,7 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
     count = 0
 
     def run(self, result=None):
-        """Runs the test; if it fails, shows what its processes printed."""
+        """Runs the test; if it fails, prints the output of its processes."""
         CrowdTestCase.count += 1
         self.namespace = f'/test_{CrowdTestCase.count}'
         ProgramRunner.__init__(self, tempfile.mkdtemp(prefix='social_crowd_'), {'ROS_NAMESPACE': self.namespace})
@@ -143,13 +143,13 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
         return self.start(name, find_node('social_crowd', kind)[:1] + [f'__name:={name}', *arguments])
 
     def start_controller(self, scenario, arguments=(), **parameters):
-        """Starts a crowd controller that is in no hurry with its learners, only with its clock."""
+        """Starts a crowd controller with long deadlines that walks as fast as possible."""
         defaults = {'scenario': scenario, 'real_time_factor': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0,
                     'agents_rate': 0}
         return self.start_node('crowd_controller', 'crowd_controller', dict(defaults, **parameters), arguments)
 
     def start_learner(self, name='learner', arguments=(), **parameters):
-        """Starts a learner, in demo mode with a trained table unless told otherwise."""
+        """Starts a learner, by default in demo mode with a trained table."""
         if not {'q_table', 'config'} & set(parameters):
             parameters['q_table'] = NEAREST_TABLE
         return self.start_node('learner', name, parameters, arguments)
@@ -186,11 +186,11 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
         return response
 
     def step(self, ticks=1):
-        """Walks so many ticks."""
+        """Walks a number of ticks."""
         return self.succeed('crowd_controller/step', ticks=ticks)
 
     def wait_until_learned(self, learner, decisions):
-        """Waits until a learner has learned from so many decisions."""
+        """Waits until a learner has learned from a number of decisions."""
         status = self.listen('learner_status', LearnerStatus)
 
         def has_all():

@@ -132,11 +132,11 @@ class ObstaclesTest(ControllerTestCase):
     def test_agents_perceive_it(self):
         self.start_all()
         self.step(1)
-        self.do('spawn_obstacle', **self.spawn(2.0, 0.0))
+        self.do('spawn_obstacle', **self.spawn(1.25, 0.0))
         self.step(1)
         perceived = self.perceptions.wait_at(0, 1)
         bodies = [(body.x, body.y, body.radius) for body in perceived.neighbours]
-        self.assertEqual(bodies, [(1.95, 0.0, 0.5)])
+        self.assertEqual(bodies, [(1.2, 0.0, 0.5)])
 
     def test_removing(self):
         self.start_all()

@@ -8,10 +8,11 @@
 
 namespace crowd {
 
-/// @brief The agents' numbers as text, such as "1, 2, 5"; of more than `most` the first ones and how many are left out.
+/// @brief Returns the numbers of agents as text, such as "1, 2, 5"; of more than `most` the first ones and the number
+/// of the others.
 std::string agentList(const std::vector<AgentId>& agents, std::size_t most = 20);
 
-/// @brief The same with the noun: "agent 1" or "agents 1, 2, 5".
+/// @brief Returns agentList() with the noun: "agent 1" or "agents 1, 2, 5".
 std::string namedAgents(const std::vector<AgentId>& agents);
 
 }  // namespace crowd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <social_crowd/LearnerStatus.h>
 
 #include <cstdint>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "social_crowd/ros/answering_learners.h"
 #include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/ros/learner_visions.h"
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/perceptions_publisher.h"
 #include "social_crowd/ros/tick_messages.h"
@@ -17,21 +19,21 @@
 namespace crowd {
 
 /// @brief Publishes perceptions and waits for the learners' answers, with deadlines. Owned by CrowdController, which
-/// calls ask() and then wait() once a turn; all in the main loop, which wait() serves. docs/protocol.md describes
-/// the protocol.
+/// calls ask() and then wait() once per turn. All functions run in the main loop, which wait() serves. docs/protocol.md
+/// describes the protocol.
 class AnswerCollector {
  public:
   /// @param node whose callbacks `loop` serves
   AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const ControllerParameters& parameters);
 
-  /// @brief Publishes the perceptions of the episode's present turn and begins to take answers to them.
+  /// @brief Publishes the perceptions of the present turn of the episode and starts to accept answers.
   void ask(Episode& episode, const std_msgs::Header& header);
-  /// @brief Waits until no answer is awaited any more, serving the main loop.
-  /// @return false if cancel() was called meanwhile or the node shuts down; the answers are then void
+  /// @brief Serves the main loop until no answer is awaited any more.
+  /// @return false if the answers are void: cancel() was called, the node shuts down, or ask() has to be called again
   bool wait(const Episode& episode);
-  /// @brief Abandons the present turn: another episode begins. May be called while wait() serves the main loop.
+  /// @brief Abandons the present turn because another episode begins. May be called while wait() serves the main loop.
   void cancel();
-  /// @brief Publishes the last perceptions of an episode, which are not answered.
+  /// @brief Publishes the last perceptions of an episode; no answer is awaited.
   void publishLast(Episode& episode, const std_msgs::Header& header);
 
   const std::vector<AgentAction>& answers() const { return lockstep_.answers(); }
@@ -43,12 +45,18 @@ class AnswerCollector {
 
   PerceptionsMessage::ConstPtr toMessage(Episode& episode, const std_msgs::Header& header) const;
   void take(const ros::MessageEvent<const ActionsMessage>& event);
-  bool isInterrupted() const { return cancelled_ || loop_.isClosed(); }
+  void takeStatus(const ros::MessageEvent<const social_crowd::LearnerStatus>& event);
+  void useWidestVision(Episode& episode);
+  /// Makes the perceptions of the present turn again with the widest vision and publishes them. Answers that were
+  /// already accepted stay valid.
+  void askWithWiderVision();
+  bool isInterrupted() const { return cancelled_ || is_outdated_ || loop_.isClosed(); }
+  void endWait();
   void serveUntil(const Clock& deadline);
   void awaitPresent();
   void awaitNewcomers(const Episode& episode);
   void giveUpOnNewcomers(const Episode& episode);
-  void awaitAnybody(const Episode& episode);
+  void awaitAny(const Episode& episode);
   void askAgain();
   void noteSilence(const std::vector<AgentId>& asked);
   void noteAnswers();
@@ -64,13 +72,19 @@ class AnswerCollector {
   Lockstep lockstep_;
   AnsweringLearners learners_;
   PerceptionsPublisher perceptions_;
+  LearnerVisions visions_;
   ros::Subscriber actions_;
+  ros::Subscriber status_;
 
+  Episode* asked_episode_ = nullptr;  // while answers are awaited
+  std_msgs::Header header_;           // of the present turn
+  std::vector<AgentId> asked_;        // agents of the present turn
   bool cancelled_ = false;
+  bool is_outdated_ = false;  // the perceptions of the present turn cannot be made again
   Clock asked_at_;
   Clock ask_again_at_;
   ros::WallDuration ask_again_after_;
-  std::vector<Clock> silent_since_;  // by agent: first tick without an answer since the last one; zero: none
+  std::vector<Clock> silent_since_;  // by agent: first tick without an answer since its last answer; zero: none
   Clock last_warning_;
 };
 

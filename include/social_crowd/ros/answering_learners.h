@@ -11,31 +11,31 @@
 
 namespace crowd {
 
-/// @brief Which controller's perceptions a message answers.
+/// @brief The controller whose perceptions a message answers.
 enum class RunCheck {
   OWN,
-  EARLIER,  ///< another controller's, in the learner's first message: a latched one from before
-  OTHER,    ///< another controller's, or none is named
+  EARLIER,  ///< an earlier controller; latched message, the first one of the learner
+  OTHER,    ///< another controller, or the message contains no run
 };
 
-/// @brief The learners that have answered the controller: their names and what was refused of them. Warns once for
-/// each learner and cause. Called in the controller's main loop.
+/// @brief Learners that have answered the controller, with the causes for which answers were refused. Prints one
+/// warning per learner and cause. All functions run in the main loop of the controller.
 class AnsweringLearners {
  public:
   /// @param run of this controller
   explicit AnsweringLearners(std::uint64_t run) : run_(run) {}
 
-  /// @brief The number of a learner; a new one for a new name.
-  /// @param node of the ROS node that published the answer, which with nodelets may hold several learners
+  /// @brief Returns the number of a learner; a new one for a new name.
+  /// @param node name of the ROS node that published the answer; with nodelets it may contain several learners
   LearnerId numberOf(const std::string& learner, const std::string& node);
-  /// @brief Whose answers a message holds, by the run that it names. Warns of OTHER.
+  /// @brief Returns the controller that a message answers, by its run. Warns of OTHER.
   RunCheck checkRun(std::uint64_t run, LearnerId learner);
   void noteTaken(LearnerId learner) { learners_[learner].taken = true; }
-  /// @brief Warns of causes that are new.
+  /// @brief Warns of new causes.
   void noteRefused(const std::vector<RefusedAnswer>& refused);
 
-  /// @brief Returns why some agents have no answer, by what is known of the nodes that publish answers.
-  /// @param nodes that publish on `topic`
+  /// @brief Returns as text why agents may have no answer.
+  /// @param nodes that publish `topic`
   std::string reasonForSilence(const std::vector<std::string>& nodes, const std::string& topic) const;
 
  private:
@@ -43,10 +43,10 @@ class AnsweringLearners {
     std::string name;
     std::string node;
     std::uint64_t messages = 0;
-    bool taken = false;  // an answer
+    bool taken = false;  // at least one answer was accepted
     std::set<std::string> refusals;
   };
-  /// Warns unless the learner was warned of this cause before.
+  /// Prints a warning unless there was one for this learner and cause.
   void warnOnce(LearnerId learner, const std::string& cause, const std::string& text);
   std::string described(const Learner& learner) const;
   std::string quoted(LearnerId learner) const { return "'" + learners_[learner].name + "'"; }

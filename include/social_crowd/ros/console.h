@@ -8,8 +8,8 @@
 
 namespace crowd {
 
-/// @brief Prints information of a node that may be about to end. ROS_INFO prints nothing once ROS shuts down, which
-/// Ctrl-C starts; then the text goes straight to the standard output, in the form of the console.
+/// @brief Logs information. ROS_INFO prints nothing while ROS shuts down; then the text is written directly to the
+/// standard output in the same format.
 inline void logInfo(const std::string& text) {
   if (ros::isShuttingDown()) {
     std::cout << "[ INFO] [" << ros::WallTime::now() << "]: " << text << std::endl;
@@ -18,7 +18,7 @@ inline void logInfo(const std::string& text) {
   }
 }
 
-/// @brief The same of an error that ends the node; to the standard error.
+/// @brief Logs an error that ends the node, to the standard error while ROS shuts down.
 inline void logFatal(const std::string& text) {
   if (ros::isShuttingDown()) {
     std::cerr << "[FATAL] [" << ros::WallTime::now() << "]: " << text << std::endl;

@@ -12,23 +12,23 @@
 #include "social_crowd/world/world.h"
 
 /// Conversions between messages (namespace social_crowd) and core types (namespace crowd); those of every tick are in
-/// tick_messages.h. Numbers go over unchanged, bit for bit. The header of a message is left to the caller.
+/// tick_messages.h. Numbers are copied bit for bit. The caller sets the header of a message.
 namespace crowd {
 
 geometry_msgs::Point toPoint(const Vector2& v);
 geometry_msgs::Vector3 toVector3(const Vector2& v);
-/// @brief The rotation of a body that faces `heading` [rad], counterclockwise from the x axis of the map.
+/// @brief Returns the rotation of a body with `heading` [rad], counterclockwise from the x axis of the map.
 geometry_msgs::Quaternion toQuaternion(double heading);
 Vector2 fromPoint(const geometry_msgs::Point& point);
 Vector2 fromVector3(const geometry_msgs::Vector3& vector);
 
-/// @brief Agents and obstacles as they are now, tick and time; not header and episode.
+/// @brief Writes agents, obstacles, tick and time; not header and episode.
 void toMessage(const World& world, social_crowd::AgentStates& message);
 
-/// @brief Metrics of the episode and of each agent; not header, episode, instance and the counts of answers.
+/// @brief Writes the metrics of the episode and of each agent; not header, episode, instance and counts of answers.
 void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message);
 
-/// @brief What an episode begins with; not header, episode and instance.
+/// @brief Writes the start of an episode; not header, episode and instance.
 void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& message);
 
 }  // namespace crowd

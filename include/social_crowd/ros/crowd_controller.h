@@ -19,23 +19,22 @@
 
 namespace crowd {
 
-/// @brief The node that owns world, clock and episodes: it tells everybody what it perceives, waits for the answers
-/// (lockstep with a deadline), moves everybody, and goes on to the next tick or episode. docs/protocol.md has the
-/// protocol.
+/// @brief Node that owns world, clock and episodes. In each tick it publishes perceptions, waits for the answers
+/// (lockstep with a deadline) and moves the agents. docs/protocol.md describes the protocol.
 class CrowdController {
  public:
-  /// @throws InputError naming bad parameters or what is wrong with the scenario file; FileError.
+  /// @throws InputError that lists invalid parameters or describes an error of the scenario file; FileError
   CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// @brief Walks episodes until as many as wanted are done, it is stopped, or ROS shuts down.
+  /// @brief Walks episodes until ~episodes are done, stop() is called, or ROS shuts down.
   void run();
-  /// @brief From another thread: lets run() return soon.
+  /// @brief Makes run() return soon. Thread-safe.
   void stop() { loop_.close(); }
 
  private:
   using Clock = ros::WallTime;
 
-  /// A request to walk some ticks while paused.
+  /// Request to walk a number of ticks while paused.
   struct PendingSteps {
     std::uint32_t left = 0;
     std::promise<void> done;
@@ -55,18 +54,18 @@ class CrowdController {
   bool mayWalk() const { return !paused_ || pending_steps_ != nullptr; }
   void walkTurn();
   void endTick();
-  /// Serves callbacks until `until`; true if the wait is over because the tick was cut off by a reset.
+  /// Serves callbacks until `until`, or until the tick is cut off by a reset.
   void serveUntil(const Clock& until);
   void keepPace();
   void noteStep();
   void finishSteps();
 
-  /// Ready once the crowd stands still, if it is to.
+  /// @return ready when the crowd is at rest, or immediately if it is to walk
   std::future<void> pause(bool paused);
   void noteRest();
   std::future<void> beginSteps(std::uint32_t ticks);
-  /// In a service thread: whether it was done within so long. @throws Error if the node shuts down before.
-  bool waitFor(const std::future<void>& done, std::chrono::milliseconds most) const;
+  /// Waits in a service thread; false after the timeout. @throws Error if the node shuts down first
+  bool waitFor(const std::future<void>& done, std::chrono::milliseconds timeout) const;
   std::string place() const;
   void logResult(const EpisodeResult& result);
 
@@ -80,12 +79,12 @@ class CrowdController {
   std::string scenario_name_;
   std::uint64_t seed_;
   std::unique_ptr<Episode> episode_;
-  std::uint64_t next_episode_ = 0;  // never repeats, so that an old answer cannot be taken for a new one
+  std::uint64_t next_episode_ = 0;  // never repeats, so that an old answer cannot be mistaken for a new one
   std::uint64_t instance_ = 0;      // since the scenario was loaded or reset
   std::uint64_t ended_episodes_ = 0;
-  bool tick_ended_ = true;        // no turn of the tick is under way
+  bool tick_ended_ = true;        // no turn of the tick is in progress
   std::vector<double> headings_;  // of the agents at the end of the last episode [rad]
-  bool cut_off_ = false;          // the episode was replaced while a tick was under way
+  bool cut_off_ = false;          // the episode was replaced during a tick
   Metrics metrics_;
 
   Clock next_tick_;
@@ -96,7 +95,7 @@ class CrowdController {
   std::optional<TrajectoryFile> trajectory_file_;
   std::string trajectory_;  // rows of the present episode
 
-  Services services_;  // last: its threads use all of the above
+  Services services_;  // last member: its threads use all others
 };
 
 }  // namespace crowd

@@ -8,41 +8,39 @@
 
 namespace crowd {
 
-/// @brief Parameters of the node crowd_markers. The other defaults stand in MarkerOptions.
+/// @brief Parameters of the node crowd_markers; see MarkerOptions for the other defaults.
 struct MarkerParameters {
   MarkerOptions options;  ///< ~agent (-1: none), ~radii (none, chosen or all), ~path_step [m], ~path_points
-  double rate = 20.0;     ///< ~rate: markers are published at most so often [Hz], wall clock
+  double rate = 20.0;     ///< ~rate: maximum rate of markers [Hz], wall clock
 };
 
-/// @throws InputError naming everything that is wrong.
+/// @throws InputError that lists all invalid parameters
 MarkerParameters readMarkerParameters(const ros::NodeHandle& private_node);
 
-/// @brief The node that shows a crowd in RViz. It knows the crowd from topics alone, so that a recording can be shown
-/// as well.
+/// @brief Node that shows a crowd in RViz. It uses topics only, so that it can also show a recording.
 ///
-/// It also publishes the frame `crowd`, in the middle of the scenario (at whole metres), to which RViz's view and grid
-/// are bound.
+/// It also publishes the frame `crowd` at the centre of the scenario (rounded to metres), which RViz uses for view and
+/// grid.
 ///
-/// Draws at a limited rate, and only if somebody listens and something has changed. Once a second everything is
-/// repeated, changed or not: RViz forgets the markers of a namespace that is switched off and needs them when it is
-/// switched on.
+/// It draws at a limited rate, and only if there are subscribers and the scene has changed. All markers are repeated
+/// once per second, because RViz discards the markers of a namespace that is switched off.
 class CrowdMarkers {
  public:
-  /// @throws InputError naming bad parameters.
+  /// @throws InputError that lists invalid parameters
   CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// @brief Draws until it is stopped or ROS shuts down.
+  /// @brief Draws until stop() is called or ROS shuts down.
   void run();
-  /// @brief From another thread: lets run() return soon.
+  /// @brief Makes run() return soon. Thread-safe.
   void stop() { loop_.close(); }
 
  private:
   CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& parameters);
-  /// Subscribes to a topic whose messages the scene takes.
+  /// Subscribes to a topic and passes its messages to the scene.
   template <typename Message>
   ros::Subscriber subscribe(const char* topic);
   void takeScenario(const social_crowd::Scenario& message);
-  /// Tells tf where the middle of the crowd is. RViz wants to know a transform of its fixed frame, too.
+  /// Publishes the frame `crowd`. RViz also needs a transform of its fixed frame.
   void publishFrame(const Vector2& middle);
   void subscribeToPerceptions(bool wanted);
   void publish();
@@ -53,13 +51,13 @@ class CrowdMarkers {
   MarkerScene scene_;
   ros::Publisher publisher_;
   tf2_ros::StaticTransformBroadcaster frame_broadcaster_;
-  std::string scenario_name_;  // of the scenario in whose middle the frame is
+  std::string scenario_name_;  // scenario of the present frame
   ros::Subscriber agents_;
   ros::Subscriber scenario_;
   ros::Subscriber learner_status_;
-  ros::Subscriber perceptions_;  // only while somebody looks at what comes of them: they are the largest messages
+  ros::Subscriber perceptions_;  // only while there are subscribers, because these messages are large
   ros::WallTimer timer_;
-  ros::WallTime last_whole_;  // when everything was drawn
+  ros::WallTime last_whole_;  // time of the last complete drawing
   std::uint32_t listeners_ = 0;
 };
 

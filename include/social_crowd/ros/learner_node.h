@@ -14,22 +14,23 @@
 #include "social_crowd/ros/latched_publisher.h"
 #include "social_crowd/ros/learner_parameters.h"
 #include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/perception_limiter.h"
 #include "social_crowd/ros/services.h"
 #include "social_crowd/ros/share_report.h"
 #include "social_crowd/ros/tick_messages.h"
 
 namespace crowd {
 
-/// @brief The node that owns Q-tables and nothing of the world: perceptions in, relative actions out, for one agent or
-/// many; it saves, loads, takes and shares Q-tables.
+/// @brief Node that owns Q-tables: it answers perceptions with relative actions for one or more agents, learns, and
+/// saves, loads and shares Q-tables.
 class LearnerNode {
  public:
-  /// @throws InputError naming bad parameters.
+  /// @throws InputError that lists invalid parameters
   LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
-  /// @brief Answers perceptions until it is stopped or ROS shuts down; then saves the table, where that is asked for.
+  /// @brief Answers perceptions until stop() is called or ROS shuts down; then saves the table to ~save_to.
   void run();
-  /// @brief From another thread: lets run() return soon.
+  /// @brief Makes run() return soon. Thread-safe.
   void stop() { loop_.close(); }
 
  private:
@@ -38,25 +39,29 @@ class LearnerNode {
   void advertiseServices();
   void takePerceptions(const PerceptionsMessage& message);
   void answer(const PerceptionsMessage& message);
-  /// Whether it was answered already: the controller may ask again (PerceptionsPublisher).
+  /// Whether the last answer is to this message, which the controller may publish again.
   bool isRepeated(const PerceptionsMessage& message) const;
+  std::size_t countToAnswer(const Perceptions& perceptions) const;
+  /// Whether the perceptions contain what the model needs. If not, the controller has not received the status of this
+  /// learner yet and will publish them again.
+  bool isSufficient(const PerceptionsMessage& message);
   void noteEpisode();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
 
-  /// The agent whose table stands for all where one is to be named.
+  /// The agent whose table is used where one agent is needed.
   AgentId firstAgent() const;
   TrainedTable trained(QTable table) const;
-  /// Writes ~save_to. @param goes_on whether learning goes on in the tables
+  /// Writes ~save_to. @param goes_on whether learning continues
   void saveAll(bool goes_on);
   void requireServed(AgentId agent) const;
-  /// The agent that a request means by a number: 0 may stand for the only one there is, or for all that share a table.
+  /// Returns the agent that a request refers to. If there is only one table, 0 means its agent.
   AgentId meant(AgentId agent) const;
 
   // learner_sharing.cpp
   void share(const social_crowd::ShareQTable::Request& request, social_crowd::ShareQTable::Response& response);
   void take(const social_crowd::TakeQTable::Request& request, social_crowd::TakeQTable::Response& response);
-  /// Gives a table to some agents, or to all if none is named.
+  /// Gives a table to these agents; if the list is empty, to all.
   TakeReport giveTo(const std::vector<AgentId>& agents, QTable table, TakeMethod method);
   void shareWithin(const std::vector<AgentId>& agents, AgentId from, const QTable& table, TakeMethod method,
                    ShareReport& report);
@@ -68,14 +73,16 @@ class LearnerNode {
   std::string save_to_;
   std::uint64_t save_every_;
   Learner learner_;
+  PerceptionLimiter limiter_;
 
   ObjectPool<ActionsMessage::Ptr> replies_;
-  std::uint64_t run_ = 0;            // of the controller heard last
+  std::uint64_t run_ = 0;            // of the last perceptions
   std::uint64_t episode_ = 0;        // of the last perceptions
   std::uint64_t tick_ = 0;           // of the last perceptions
   std::uint32_t answered_turn_ = 0;  // of the last answer
-  std::uint64_t episodes_ = 0;       // begun
+  std::uint64_t episodes_ = 0;       // number of episodes begun
   ros::WallTime last_status_;
+  ros::WallTime insufficient_since_;                           // zero: the last perceptions were sufficient
   std::map<std::string, social_crowd::LearnerStatus> others_;  // other learners, by node name
 
   LatchedPublisher<ActionsMessage> actions_publisher_;
@@ -83,9 +90,9 @@ class LearnerNode {
   ros::Subscriber perceptions_subscriber_;
   ros::Subscriber status_subscriber_;
 
-  // Taking waits for nobody: learners that all share at once do not wait for each other's busy threads.
+  // A thread of its own for taking tables: learners that share at the same time must not wait for each other.
   Services taking_;
-  Services services_;  // last: its threads use all of the above
+  Services services_;  // last member: its threads use all others
 };
 
 }  // namespace crowd

@@ -10,17 +10,17 @@
 
 namespace crowd {
 
-/// @brief What the parameters of the node learner come to. The defaults stand here only.
+/// @brief Parameters of the node learner with their defaults.
 struct LearnerParameters {
   Learner::Options options;                   ///< ~mode, ~tables, ~agents, ~seed, ~alpha, ~gamma, ~lambda, ~epsilon
-  TrainedTable table;                         ///< of ~q_table; an empty one for the model of ~config without it
-  TakeMethod on_share = TakeMethod::REPLACE;  ///< ~on_share: replace or merge, where who shares leaves it open
-  std::string save_to;                        ///< ~save_to: Q-table file to write at the end, absolute
-  std::uint64_t save_every = 0;               ///< ~save_every: and every so many episodes; 0: at the end only
-  std::vector<std::string> warnings;          ///< what its user may not expect, to be told at the start
+  TrainedTable table;                         ///< of ~q_table; else an empty one for the model of ~config
+  TakeMethod on_share = TakeMethod::REPLACE;  ///< ~on_share: replace or merge, if a request contains no method
+  std::string save_to;                        ///< ~save_to: Q-table file that is written at the end, absolute path
+  std::uint64_t save_every = 0;               ///< ~save_every: also written after this number of episodes; 0: never
+  std::vector<std::string> warnings;          ///< to be printed at the start
 };
 
-/// @throws InputError naming everything that is wrong.
+/// @throws InputError that lists all invalid parameters
 LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node);
 
 }  // namespace crowd

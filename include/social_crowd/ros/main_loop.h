@@ -14,27 +14,25 @@
 
 namespace crowd {
 
-/// @brief The one thread that owns a node's state: callbacks of its subscriptions run here, and whatever service
-/// threads ask for, one at a time. So nothing else needs a lock.
-///
-/// It goes on until ROS shuts down, its owner has nothing left to do, or another thread closes it.
+/// @brief The thread that owns the state of a node. Callbacks of subscriptions and tasks of service threads run in it
+/// one after the other, so that the state needs no lock. It ends when ROS shuts down or close() is called.
 class MainLoop {
  public:
-  /// @brief The same node handle, with all its callbacks served here.
+  /// @brief Returns the node handle with the callback queue of this loop.
   ros::NodeHandle adopt(ros::NodeHandle node) {
     node.setCallbackQueue(&queue_);
     return node;
   }
 
-  /// @brief Waits for something to do, at most so long, then does all there is.
+  /// @brief Waits for callbacks, at most `wait`, and calls all that are available.
   void run(const ros::WallDuration& wait) { queue_.callAvailable(wait); }
 
-  /// @brief Ends it, also from another thread: what is under way comes to its end, who asks for more is told so.
+  /// @brief Ends the loop: the present callback is completed, later calls of ask() throw. Thread-safe.
   void close() { closed_ = true; }
   bool isClosed() const { return closed_ || !ros::ok(); }
 
-  /// @brief From another thread: runs `task` in the main loop and returns what it returns, or throws what it throws.
-  /// @throws Error if the node shuts down before.
+  /// @brief Runs `task` in the main loop and returns its result or throws its exception. Must be called in another
+  /// thread. @throws Error if the node shuts down first
   template <typename Result>
   Result ask(std::function<Result()> task) {
     auto job = boost::make_shared<Job<Result>>(std::move(task));
@@ -62,7 +60,7 @@ class MainLoop {
       return Success;
     }
 
-    /// Whoever asked is gone, so the task must not run any more; false if it has run already.
+    /// Prevents the task from running later; false if it has already run.
     bool cancel() {
       const std::lock_guard<std::mutex> lock(mutex_);
       cancelled_ = !done_;

@@ -8,33 +8,33 @@
 
 namespace crowd {
 
-/// @brief The paths that agents walked in an episode, from their start to where they are now.
+/// @brief The paths of the agents in an episode.
 ///
-/// A point is kept for every step [m] walked. All paths together have a limited number of points: beyond it every
-/// second one is dropped and the step doubled, so that paths get coarser and never shorter.
+/// One point is kept per step [m]. If the number of points of all paths exceeds a maximum, every second point is
+/// removed and the step is doubled, so that paths become coarser but not shorter.
 class WalkedPaths {
  public:
   struct Path {
     std::vector<Vector2> points;    ///< [m], `map`
-    std::size_t settled = 0;        ///< so many points at the front stay as they are and were drawn before
-    Vector2 tip = Vector2::Zero();  ///< where the agent is now [m], `map`
+    std::size_t settled = 0;        ///< number of points at the front that were already drawn
+    Vector2 tip = Vector2::Zero();  ///< present position of the agent [m], `map`
   };
 
   /// @param step [m], at least 0
   /// @param max_points of all paths together
   WalkedPaths(double step, std::size_t max_points) : first_step_(step), step_(step), max_points_(max_points) {}
 
-  /// @brief Forgets everything.
+  /// @brief Removes all paths.
   void clear();
-  /// @brief An agent is there now [m].
+  /// @brief Adds the present position of an agent [m].
   void add(std::uint32_t agent, const Vector2& position);
 
-  /// @brief All points there are now count as drawn.
+  /// @brief Marks all present points as drawn.
   void settle();
-  /// @brief Whether points that count as drawn have changed since settle().
+  /// @brief Whether points that are marked as drawn have changed since settle().
   bool isUnsettled() const { return unsettled_; }
 
-  /// @brief The paths by number of agent.
+  /// @brief Returns the paths by number of agent.
   const std::map<std::uint32_t, Path>& paths() const { return paths_; }
 
  private:

@@ -19,54 +19,54 @@
 
 namespace crowd {
 
-/// @brief Which learner decides for which agent, and so which state set it has.
+/// @brief The state set of each agent, from the status of the learner that serves it.
 class KnownStateSets {
  public:
-  /// @throws InputError if the model in the status is none.
+  /// @throws InputError if the model in the status is invalid
   void take(const social_crowd::LearnerStatus& status);
-  /// @brief Null if no learner is known to serve the agent.
+  /// @brief Returns the state set of an agent; null if no learner has reported that it serves the agent.
   const StateSet* of(AgentId agent) const;
 
  private:
   using Shared = std::shared_ptr<const StateSet>;
   std::unordered_map<AgentId, Shared> own_;
   Shared for_all_;
-  std::string model_;  // the text that was read last, and what it stands for
+  std::string model_;  // text of the last model parsed; state_set_ is its state set
   Shared state_set_;
 };
 
-/// @brief The middle of the smallest upright rectangle around all that a scenario has: agents, goals, obstacles, walls.
-/// What is not finite does not count.
+/// @brief Returns the centre of the bounding box of a scenario: agents, goals, obstacles, walls. Positions that are not
+/// finite are ignored.
 Vector2 middleOf(const social_crowd::Scenario& scenario);
 
-/// @brief What is shown beside the crowd itself, and how.
+/// @brief Options of the visualisation.
 struct MarkerOptions {
   enum class Radii { NONE, CHOSEN, ALL };
   static constexpr std::int64_t NO_AGENT = -1;
 
-  std::int64_t agent = 0;            ///< the chosen agent, whose occupied sectors are shown; NO_AGENT: none
-  Radii radii = Radii::CHOSEN;       ///< around whom the limits of the distance classes are shown
-  double path_step = 0.05;           ///< walked from one point of a path to the next [m]
-  std::size_t path_points = 40'000;  ///< at most, of all paths together
+  std::int64_t agent = 0;            ///< the agent whose occupied sectors are shown; NO_AGENT: none
+  Radii radii = Radii::CHOSEN;       ///< agents around which the limits of the distance classes are shown
+  double path_step = 0.05;           ///< distance between two points of a path [m]
+  std::size_t path_points = 40'000;  ///< maximum number of points of all paths together
 };
 
-/// @brief All that is known of a crowd from messages, and the markers that show it.
+/// @brief Collects the messages of a crowd and draws the markers that show it.
 class MarkerScene {
  public:
   explicit MarkerScene(const MarkerOptions& options);
 
   void take(const social_crowd::AgentStates::ConstPtr& message);
   void take(const social_crowd::Scenario& message);
-  /// @throws InputError if what the chosen agent perceives is damaged.
+  /// @throws InputError if the perception of the chosen agent is invalid
   void take(const PerceptionsMessage& message);
-  /// @throws InputError if the model in the status is none; the scene stays as it is.
+  /// @throws InputError if the model in the status is invalid; nothing has changed then
   void take(const social_crowd::LearnerStatus& message);
 
-  /// @brief Whether anything was taken since draw().
+  /// @brief Whether the scene has changed since draw().
   bool hasChanged() const { return changed_; }
 
-  /// @brief The markers of all kinds; what is not there any more is deleted.
-  /// @param whole draw also what is old of the paths, which is much and hardly ever changes; else it is left as it is.
+  /// @brief Returns all markers; markers without content are deleted in RViz.
+  /// @param whole also draw the settled parts of the paths, which are large and rarely change
   visualization_msgs::MarkerArray draw(bool whole);
 
  private:
@@ -79,7 +79,7 @@ class MarkerScene {
   KnownStateSets state_sets_;
   social_crowd::AgentStates::ConstPtr states_;  // never null
   std::vector<social_crowd::Wall> walls_;
-  Perceptions perceptions_;  // of the chosen agent alone, or of nobody
+  Perceptions perceptions_;  // of the chosen agent only, or empty
   WalkedPaths paths_;
   bool changed_ = false;
 };

@@ -10,15 +10,16 @@
 
 namespace crowd {
 
-/// @brief One marker that holds any number of shapes, each point with a colour of its own.
+/// @brief A marker with any number of shapes; each point has its own colour.
 ///
-/// The layer is the height of the marker's pose, not of its points: RViz sorts what is translucent by the pose.
+/// The layer is the height of the pose of the marker, not of its points, because RViz sorts translucent markers by the
+/// pose.
 class ListMarker {
  public:
   using Colour = marker_style::Colour;
 
-  /// @brief The marker with all its shapes, to be added; or to be deleted if there are none, as RViz takes an empty
-  /// list for an error. Leaves nothing behind.
+  /// @brief Returns the marker with all its shapes, and clears this object. Without shapes the action of the marker is
+  /// DELETE, because RViz reports an empty list as an error.
   visualization_msgs::Marker finish();
 
  protected:
@@ -28,7 +29,7 @@ class ListMarker {
   visualization_msgs::Marker marker_;
 };
 
-/// @brief A circle of radius 1 as a polygon, counterclockwise.
+/// @brief Returns a circle of radius 1 as a polygon, counterclockwise.
 std::vector<Vector2> unitCircle(std::size_t corners);
 
 /// @brief Filled shapes (TRIANGLE_LIST).
@@ -42,13 +43,13 @@ class TriangleMarker : public ListMarker {
   /// @brief A ring between two radii [m].
   void addRing(const Vector2& centre, double inner, double outer, const std::vector<Vector2>& circle,
                const Colour& colour);
-  /// @brief Tells where a body of this radius looks.
+  /// @brief An arrow that shows the heading of a body of this radius.
   void addArrow(const Pose& pose, double radius, const Colour& colour);
   /// @brief Part of a ring between two radii [m] and two angles of the map [rad], `from` <= `to`.
   void addRingPart(const Vector2& centre, double inner, double outer, double from, double to, const Colour& colour);
 
  private:
-  /// The part of a ring between two directions (unit vectors), with straight rims.
+  /// Part of a ring between two directions (unit vectors), with straight rims.
   void addRingPiece(const Vector2& centre, double inner, double outer, const Vector2& from, const Vector2& to,
                     const Colour& colour);
 };

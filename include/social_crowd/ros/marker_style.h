@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// How the markers look: all colours and sizes, and only here.
+/// Colours and sizes of all markers.
 namespace crowd::marker_style {
 
 using Colour = std_msgs::ColorRGBA;
@@ -20,9 +20,9 @@ constexpr const char* WALLS = "walls";
 constexpr const char* RADII = "radii";
 constexpr const char* SECTORS = "sectors";
 
-/// @brief What lies over what, seen from above.
+/// @brief Drawing order, lowest first.
 enum class Layer { SECTORS = 1, OBSTACLES, WALLS, PATHS, GOALS, RADII, BODIES, HEADINGS, CONTACTS };
-constexpr double LAYER_HEIGHT = 0.02;  ///< from one layer to the next [m]; less and RViz mixes them up
+constexpr double LAYER_HEIGHT = 0.02;  ///< distance between two layers [m]; RViz mixes layers that are nearer
 
 // Sizes [m].
 constexpr double PATH_WIDTH = 0.035;
@@ -30,30 +30,31 @@ constexpr double WALL_WIDTH = 0.06;
 constexpr double RADIUS_WIDTH = 0.02;
 constexpr double CONTACT_WIDTH = 0.06;
 constexpr double GOAL_WIDTH = 0.045;
-constexpr double GOAL_SIZE = 0.13;  ///< from the centre of a goal's cross to the end of an arm
+constexpr double GOAL_SIZE = 0.13;  ///< length of an arm of the cross
 
-// The arrow that shows a heading, in radii of its body: ahead of the centre and to the side.
+// Arrow of a heading, in radii of the body: positions ahead of the centre and to the side.
 constexpr double ARROW_TIP = 0.78;
 constexpr double ARROW_BACK = -0.5;
 constexpr double ARROW_NOTCH = -0.2;
 constexpr double ARROW_HALF_WIDTH = 0.5;
 
-/// @brief Bodies of a crowd together have about so many corners: the more bodies, the fewer corners each.
+/// @brief Approximate number of corners of all bodies together.
 constexpr std::size_t CORNER_BUDGET = 12'000;
 constexpr std::size_t MIN_CORNERS = 10;
 constexpr std::size_t MAX_CORNERS = 36;
 
-/// @brief Corners of the circles of each of so many bodies.
+/// @brief Returns the number of corners of a circle for a number of bodies.
 std::size_t cornersFor(std::size_t bodies);
 
-/// @brief Own colour of an agent; neighbouring numbers differ strongly, and none is the red of contacts.
+/// @brief Colour of an agent. Consecutive numbers have clearly different colours, and none is the red of contacts.
 Colour ofAgent(std::uint32_t agent);
-/// @brief The same colour, nearer to the ground's.
+/// @brief Returns the colour mixed with white.
 Colour paler(const Colour& colour);
-/// @brief Of the circle that limits a distance class, of so many classes: the last limit is the radius of vision,
-/// amber; one before it is a collision radius, red. A state set with one class has a radius of vision only.
+/// @brief Colour of the circle that limits a distance class. The last limit is the radius of vision (amber), the others
+/// are collision radii (red).
+/// @param classes number of classes
 Colour ofRadius(std::size_t distance_class, std::size_t classes);
-/// @brief Of an occupied sector (translucent), as its class.
+/// @brief Colour of an occupied sector (translucent) by its class.
 Colour ofSector(std::size_t distance_class, std::size_t classes);
 Colour ofContact();
 Colour ofHeading();

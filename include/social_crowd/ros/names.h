@@ -5,13 +5,13 @@ namespace crowd::names {
 // Topics; relative, so that namespaces and remapping work.
 constexpr const char* PERCEPTIONS = "perceptions";          ///< Perceptions: crowd_controller -> learner
 constexpr const char* ACTIONS = "actions";                  ///< RelativeActions: learner -> crowd_controller
-constexpr const char* AGENTS = "agents";                    ///< AgentStates: crowd_controller -> eyes
-constexpr const char* SCENARIO = "scenario";                ///< Scenario, latched: crowd_controller -> eyes
-constexpr const char* EPISODE_RESULTS = "episode_results";  ///< EpisodeResult: crowd_controller -> anybody
-constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, latched: learner -> anybody
+constexpr const char* AGENTS = "agents";                    ///< AgentStates: crowd_controller -> visualisation
+constexpr const char* SCENARIO = "scenario";                ///< Scenario, latched: crowd_controller -> visualisation
+constexpr const char* EPISODE_RESULTS = "episode_results";  ///< EpisodeResult: crowd_controller -> any node
+constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, latched: learner -> all
 constexpr const char* MARKERS = "markers";                  ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
-constexpr const char* CLOCK = "/clock";                     ///< rosgraph_msgs/Clock; absolute, as ROS wants it
-constexpr const char* TF = "/tf";                           ///< tf2_msgs/TFMessage; absolute, as tf2_ros has it
+constexpr const char* CLOCK = "/clock";                     ///< rosgraph_msgs/Clock; absolute, as ROS requires
+constexpr const char* TF = "/tf";                           ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
 
 // Services; private names below the node.
 constexpr const char* PAUSE = "pause";
@@ -34,6 +34,6 @@ constexpr const char* SET_LEARNING_PARAMETERS = "set_learning_parameters";
 // Frames.
 constexpr const char* MAP_FRAME = "map";
 constexpr const char* AGENT_FRAME_PREFIX = "agent_";
-constexpr const char* CROWD_FRAME = "crowd";  ///< in the middle of the scenario, at whole metres; axes as in map
+constexpr const char* CROWD_FRAME = "crowd";  ///< at the centre of the scenario, rounded to metres; axes as in map
 
 }  // namespace crowd::names

@@ -9,9 +9,8 @@
 
 namespace crowd {
 
-/// @brief main() of a node: makes a `Node` from the two node handles and runs it until it ends or ROS shuts down. What
-/// goes wrong is told in words.
-/// @return exit status: 0, or 1 after an error.
+/// @brief main() of a node: creates a `Node` with the two node handles and runs it. Errors are logged.
+/// @return exit status: 0, or 1 after an error
 template <typename Node>
 int runNode(int argc, char** argv, const char* name) {
   try {
@@ -20,7 +19,7 @@ int runNode(int argc, char** argv, const char* name) {
     std::cerr << name << ": " << error.what() << std::endl;
     return 1;
   }
-  const ros::NodeHandle keeps_the_console;  // ROS shuts down with its last handle and is mute from then on
+  const ros::NodeHandle keeps_the_console;  // ROS shuts down with its last handle; nothing is logged after that
   try {
     Node node((ros::NodeHandle()), ros::NodeHandle("~"));
     node.run();

@@ -14,17 +14,17 @@
 
 namespace crowd {
 
-/// @brief A node that runs in a thread of its own, so that it can live beside others in one process.
+/// @brief Runs a node in a thread of its own, so that one process can contain several nodes.
 template <typename Node>
 class NodeThread {
  public:
-  /// @param name for messages
-  /// @param at_end called in that thread when the node ends by itself
-  /// @throws whatever the node throws if it cannot begin.
+  /// @param name for log messages
+  /// @param at_end is called in that thread when the node ends by itself
+  /// @throws the exceptions of the constructor of the node
   NodeThread(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const std::string& name,
              std::function<void()> at_end)
       : node_(node, private_node), thread_([this, name, at_end = std::move(at_end)] { run(name, at_end); }) {}
-  /// @brief Ends the node: what it has under way comes to its end first.
+  /// @brief Stops the node and waits for its end.
   ~NodeThread() {
     stopped_ = true;
     node_.stop();
@@ -45,7 +45,7 @@ class NodeThread {
 
   Node node_;
   std::atomic<bool> stopped_{false};
-  std::thread thread_;  // last: it uses all of the above
+  std::thread thread_;  // last member: it uses all others
 };
 
 }  // namespace crowd

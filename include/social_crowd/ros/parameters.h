@@ -11,31 +11,30 @@
 
 namespace crowd {
 
-/// @brief Reads a node's private parameters and collects everything that is wrong with them, so that all of it is told
-/// at once. Unknown private parameters are wrong too: a mistyped name must not be silently ignored.
+/// @brief Reads the private parameters of a node and collects all errors, so that they are reported together. An
+/// unknown private parameter is an error, too.
 class Parameters {
  public:
   explicit Parameters(const ros::NodeHandle& private_node) : node_(private_node) {}
 
-  /// @brief The parameter, or the default where it is not set or wrong (then noted). An empty text, which a launch file
-  /// sets for an argument that was left empty, counts as not set.
+  /// @brief Returns the parameter, or the default if it is not set or invalid (then noted). An empty text, which a
+  /// launch file sets for an empty argument, counts as not set.
   std::string text(const std::string& name, const std::string& otherwise);
   bool flag(const std::string& name, bool otherwise);
-  /// @brief From `low` to `high`, both included; infinite ones are no limits.
+  /// @brief A number from `low` to `high`, both included; infinite values are no limits.
   double number(const std::string& name, double otherwise, double low, double high);
   std::int64_t whole(const std::string& name, std::int64_t otherwise, std::int64_t low, std::int64_t high);
   /// @brief A list of whole numbers of at least 0, or a text that is such a list in YAML.
   std::vector<std::int64_t> wholes(const std::string& name);
-  /// @brief Whether it is set, and to more than an empty text.
+  /// @brief Whether it is set to another value than an empty text.
   bool isSet(const std::string& name);
 
-  /// @brief Notes something wrong with a parameter in the caller's words.
+  /// @brief Notes an error of a parameter.
   void complain(const std::string& name, const std::string& what);
-  /// @brief The same of one that must be set and is not. Where an unknown one is set whose name is like it, that one is
-  /// told instead.
+  /// @brief Notes that a required parameter is not set. It is not reported if an unknown parameter has a similar name.
   void complainMissing(const std::string& name, const std::string& what);
 
-  /// @throws InputError naming every parameter that is wrong or unknown, one a line.
+  /// @throws InputError that lists all invalid and unknown parameters, one per line
   void finish();
 
  private:
@@ -47,7 +46,7 @@ class Parameters {
   ros::NodeHandle node_;
   std::set<std::string> asked_;
   std::vector<std::string> problems_;
-  std::map<std::string, std::string> missing_;  // what is wrong, by name
+  std::map<std::string, std::string> missing_;  // error, by name
   XmlRpc::XmlRpcValue value_;
 };
 

@@ -10,30 +10,31 @@
 
 namespace crowd {
 
-/// @brief Publishes the perceptions of a tick, or in a sequential scenario of a turn: once to all subscribers, and
-/// while answers are awaited to each subscriber that connects. Owned by AnswerCollector, which calls it in the node's
-/// main loop; its callbacks run there as well.
+/// @brief Publishes the perceptions of a tick, or in a sequential scenario of a turn: once to all subscribers, and,
+/// while answers are awaited, to each subscriber that connects. Owned by AnswerCollector; all functions and callbacks
+/// run in the main loop.
 ///
-/// Who connects late is the one case in which a message is sent again: ROS does not tell a publisher whether its
-/// subscriber's own publisher is connected already, so the first answer of a node may be lost. Within one process a
-/// second subscriber is not announced at all. isAnyUnheard() tells when to ask again.
+/// The first answer of a node that connects late may be lost, because ROS does not report whether the publisher of that
+/// node is already connected. Within one process a second subscriber is not reported at all. In these cases, see
+/// isAnyUnheard(), the message is published again.
 class PerceptionsPublisher {
  public:
-  /// @param node callbacks are served by its queue
+  /// @param node its queue serves the callbacks
   explicit PerceptionsPublisher(ros::NodeHandle& node);
   PerceptionsPublisher(const PerceptionsPublisher&) = delete;
   PerceptionsPublisher& operator=(const PerceptionsPublisher&) = delete;
 
-  /// @brief Sends perceptions to all subscribers. Nothing may change the message from now on.
-  /// @param awaited whether answers are awaited: subscribers that connect before endWait() are sent it as well
+  /// @brief Publishes perceptions. The message must not change afterwards.
+  /// @param awaited whether answers are awaited: the message is then also sent to subscribers that connect before
+  /// endWait()
   void publish(const PerceptionsMessage::ConstPtr& message, bool awaited);
-  /// @brief Sends the awaited perceptions to all subscribers once more.
+  /// @brief Publishes the present perceptions again if answers are awaited.
   void publishAgain() const;
   void endWait() { awaited_.reset(); }
 
   /// @brief Records that a node has answered the perceptions of this controller.
   void markHeard(const std::string& node);
-  /// @brief Whether one of these nodes subscribes, has had time to answer, and has not answered since it connected.
+  /// @brief Whether one of these nodes subscribes and has not answered within a short time after it connected.
   bool isAnyUnheard(const std::vector<std::string>& nodes) const;
 
  private:
@@ -43,7 +44,7 @@ class PerceptionsPublisher {
   };
   void addSubscriber(const ros::SingleSubscriberPublisher& subscriber);
 
-  std::map<std::string, Subscriber> subscribers_;  // by name of the node; also former ones, which publish no answers
+  std::map<std::string, Subscriber> subscribers_;  // by name of the node; includes former ones
   PerceptionsMessage::ConstPtr awaited_;
   ros::Publisher publisher_;
 };

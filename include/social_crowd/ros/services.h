@@ -9,8 +9,8 @@
 
 namespace crowd {
 
-/// @brief A node's services. They run in threads of their own, so that one that waits does not stop the node; what goes
-/// wrong in a handler becomes `success: false` and a message for a person.
+/// @brief Services of a node. Handlers run in separate threads, so that a waiting handler does not block the node. An
+/// exception in a handler gives a response with `success: false` and its text as `message`.
 class Services {
  public:
   Services(const ros::NodeHandle& private_node, unsigned threads) : node_(private_node), spinner_(threads, &queue_) {
@@ -21,7 +21,7 @@ class Services {
   Services& operator=(const Services&) = delete;
 
   /// @brief Advertises a service whose response has `success` and `message`.
-  /// @param handler fills the response, or throws; success is set for it.
+  /// @param handler writes the response without `success`, or throws
   template <typename Service>
   void serve(const std::string& name,
              std::function<void(const typename Service::Request&, typename Service::Response&)> handler) {
@@ -40,10 +40,10 @@ class Services {
     servers_.push_back(node_.advertiseService<Request, Response>(name, answer));
   }
 
-  /// @brief From now on requests are answered.
+  /// @brief Starts to answer requests.
   void start() { spinner_.start(); }
 
-  /// @brief Ends the services; handlers under way come to their end first.
+  /// @brief Shuts the services down and waits for running handlers.
   void stop() {
     for (ros::ServiceServer& server : servers_) server.shutdown();
     spinner_.stop();

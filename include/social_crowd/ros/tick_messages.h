@@ -12,27 +12,28 @@
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
 
-/// The two messages of every tick as the nodes hold them: the core's own types, which are written to the wire and read
-/// from it without a step in between. On the wire, and to everybody else, they are social_crowd/Perceptions and
-/// social_crowd/RelativeActions. Within a process they are passed on by pointer and never written at all.
+/// The two messages of each tick. They contain the types of the core, which are serialised directly. On the wire, and
+/// for other nodes, they are social_crowd/Perceptions and social_crowd/RelativeActions. Within a process they are
+/// passed by pointer and not serialised.
 namespace crowd {
 
-/// @brief What every agent perceives at the start of a tick; on the wire social_crowd/Perceptions.
+/// @brief Perceptions of the agents at the start of a tick; on the wire social_crowd/Perceptions.
 struct PerceptionsMessage {
   using Wire = social_crowd::Perceptions;
   using Ptr = boost::shared_ptr<PerceptionsMessage>;
   using ConstPtr = boost::shared_ptr<const PerceptionsMessage>;
 
   std_msgs::Header header;
-  std::uint64_t run = 0;                      ///< of the controller that tells this
-  std::shared_ptr<const Perceptions> shared;  ///< what is sent: the episode's own
-  Perceptions received;                       ///< what came over the wire; counts where nothing is shared
+  std::uint64_t run = 0;                      ///< of the publishing controller
+  Vision vision;                              ///< of the perceptions
+  std::shared_ptr<const Perceptions> shared;  ///< sent message: the object of the episode
+  Perceptions received;                       ///< deserialised message; used if `shared` is null
 
   const Perceptions& content() const { return shared != nullptr ? *shared : received; }
 };
 
-/// @brief A learner's answer; on the wire social_crowd/RelativeActions. Whether the actions are valid is judged by who
-/// takes them.
+/// @brief Answer of a learner; on the wire social_crowd/RelativeActions. The receiver checks whether the actions are
+/// valid.
 struct ActionsMessage {
   using Wire = social_crowd::RelativeActions;
   using Ptr = boost::shared_ptr<ActionsMessage>;
@@ -44,11 +45,11 @@ struct ActionsMessage {
   RelativeActions content;
 };
 
-/// @brief Numbers of agents from here on are taken for damaged messages.
+/// @brief Messages with agent numbers from this one on are invalid.
 constexpr AgentId AGENT_LIMIT = 10'000'000;
 
-/// @brief To be asked before what came in a message is used.
-/// @throws InputError if it contradicts itself: parts beyond the lists, numbers that are not finite.
+/// @brief Checks received perceptions.
+/// @throws InputError if parts lie beyond the lists or numbers are not finite
 void requireValid(const Perceptions& perceptions);
 
 }  // namespace crowd
@@ -57,7 +58,7 @@ namespace ros {
 
 namespace message_traits {
 
-/// Tells of a message what is told of another one.
+/// Trait with the value of the wire type.
 template <template <typename> class Trait, typename Message, typename Wire>
 struct TraitOf {
   static const char* value() { return Trait<Wire>::value(); }
@@ -96,7 +97,7 @@ namespace serialization {
 template <>
 struct Serializer<crowd::PerceptionsMessage> {
   static void write(OStream& stream, const crowd::PerceptionsMessage& message);
-  /// @throws StreamOverrunException if the message is shorter than it says.
+  /// @throws StreamOverrunException if the message is too short
   static void read(IStream& stream, crowd::PerceptionsMessage& message);
   static std::uint32_t serializedLength(const crowd::PerceptionsMessage& message);
 };
@@ -104,7 +105,7 @@ struct Serializer<crowd::PerceptionsMessage> {
 template <>
 struct Serializer<crowd::ActionsMessage> {
   static void write(OStream& stream, const crowd::ActionsMessage& message);
-  /// @throws StreamOverrunException if the message is shorter than it says.
+  /// @throws StreamOverrunException if the message is too short
   static void read(IStream& stream, crowd::ActionsMessage& message);
   static std::uint32_t serializedLength(const crowd::ActionsMessage& message);
 };

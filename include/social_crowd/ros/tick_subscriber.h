@@ -11,8 +11,8 @@
 
 namespace crowd {
 
-/// @brief Subscribes to a topic of every tick, without delay in the network (tcpNoDelay); messages are read into
-/// buffers that are used again.
+/// @brief Subscribes to a topic that is published in each tick, with tcpNoDelay. Messages are deserialised into reused
+/// buffers.
 /// @param take is called with each message and the name of the node that published it
 template <typename Message>
 ros::Subscriber subscribeToTicks(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue,

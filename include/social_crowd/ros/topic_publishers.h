@@ -5,9 +5,9 @@
 
 namespace crowd {
 
-/// @brief Asks the ROS master which nodes publish a topic. Blocks for one call to the master.
-/// @param topic its full name
-/// @return full names of the nodes; none if the master does not answer
+/// @brief Returns the full names of the nodes that publish a topic. Blocks for one call to the ROS master; empty if
+/// that fails.
+/// @param topic full name
 std::vector<std::string> publishersOf(const std::string& topic);
 
 }  // namespace crowd

@@ -26,6 +26,10 @@ class Episode {
   /// number.
   Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool = ThreadPool::callerOnly());
 
+  /// @brief Changes the vision; perceptions() reflect it immediately.
+  void setVision(const Vision& vision);
+  const Vision& vision() const { return vision_; }
+
   /// @brief Perceptions of the agents whose turn it is; once the episode is over, of all agents, with `last` set. Valid
   /// until the next change of the world.
   const Perceptions& perceptions();

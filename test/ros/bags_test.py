@@ -1,0 +1,68 @@
+#!/usr/bin/python3
+"""An episode in a rosbag."""
+import xmlrpc.client
+
+import rosbag
+import rosgraph
+import support
+from broadcasting import TOPICS, BroadcastTestCase
+from roslib.packages import find_node
+
+
+class BagTest(BroadcastTestCase):
+    """An episode in a rosbag."""
+
+    def record(self):
+        """Starts rosbag record; it listens to everything when this returns."""
+        topics = [f'{self.namespace}/{name}' for name in TOPICS]
+        command = find_node('rosbag', 'record')[:1] + ['--output-name', self.path('crowd.bag'), '__name:=recorder']
+        recorder = self.start('recorder', command + topics)
+        wanted = {(node, f'{self.namespace}/{topic}') for node, topic in (
+            ('crowd_controller', 'agents'), ('crowd_controller', 'perceptions'), ('crowd_controller', 'scenario'),
+            ('crowd_controller', 'episode_results'), ('learner', 'actions'), ('learner', 'learner_status'))}
+        support.wait_for(lambda: all(self.is_heard(*pair) for pair in wanted), 'rosbag to listen to all topics')
+        return recorder
+
+    def node(self, name):
+        """XML-RPC interface of a node."""
+        return xmlrpc.client.ServerProxy(rosgraph.Master('/social_crowd_test').lookupNode(f'{self.namespace}/{name}'))
+
+    def is_heard(self, node, topic):
+        """Whether the recorder is connected to a node's topic."""
+        connections = self.node(node).getBusInfo('/social_crowd_test')[2]
+        return any('recorder' in str(connection[1]) and connection[2] == 'o' and connection[4] == topic
+                   for connection in connections)
+
+    def received(self):
+        """How many messages of each topic have reached the recorder."""
+        _, subscribed = self.node('recorder').getBusStats('/social_crowd_test')  # roscpp gives no status before it
+        return {topic.split('/')[-1]: sum(link[2] for link in links) for topic, links in subscribed}
+
+    def recorded(self):
+        """The messages of episode 0 in the bag, by topic and tick."""
+        recorded = {name: {} for name in TOPICS}
+        with rosbag.Bag(self.path('crowd.bag')) as bag:
+            for topic, message, _ in bag.read_messages():
+                if message.episode == 0:
+                    recorded[topic.split('/')[-1]][message.tick] = message
+        return recorded
+
+    def test_it_holds_the_episode(self):
+        self.start_all()
+        recorder = self.record()
+        self.walk_an_episode()
+        self.step(5)  # of the next episode, so that nothing of this one is on its way any more
+        heard = {name: len(ear.messages) for name, ear in self.ears.items()}
+        support.wait_for(lambda: all(self.received().get(name, 0) >= heard[name] for name in TOPICS),
+                         'the messages to reach the recorder')
+        self.assertEqual(recorder.stop(), 0)
+        recorded = self.recorded()
+        for name, ear in self.ears.items():
+            expected = {message.tick: message for message in ear.messages if message.episode == 0}
+            self.assertEqual(sorted(recorded[name]), sorted(expected), name)
+            for tick, message in expected.items():
+                self.assertEqual(str(recorded[name][tick]), str(message), f'{name} {tick}')
+
+
+if __name__ == '__main__':
+    support.run('bags_test')
