@@ -125,6 +125,20 @@ int train(const Arguments& arguments) {
   return isInterrupted() ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
+template <typename Types>
+void printTypes(const char* key, const Types& types) {
+  for (const auto& type : types) std::cout << "| `" << key << "` | `" << type.name << "` | " << type.summary << " |\n";
+}
+
+/// Prints the registered types of the parts of a model as a Markdown table.
+void listTypes() {
+  std::cout << "| key | `type` | contents |\n|---|---|---|\n";
+  printTypes("state_set", stateSetTypes());
+  printTypes("action_set", actionSetTypes());
+  printTypes("reward", rewardTypes());
+  std::cout.flush();
+}
+
 int runMain(int argc, char** argv) {
   CLI::App app("Trains a Q-table: one or more agents learn to walk in the scenarios of CONFIG.", "train");
   Arguments arguments;
@@ -147,6 +161,13 @@ int runMain(int argc, char** argv) {
   app.add_option("--threads", arguments.threads,
                  "number of threads for learners side by side; default: one per processor; results do not depend on it")
       ->check(CLI::Range(1, 1024));
+  app.add_flag_callback(
+      "--list-types",
+      [] {
+        listTypes();
+        throw CLI::Success();
+      },
+      "print the types of state sets, action sets and rewards that a configuration can use");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
   app.footer(
       "Ctrl-C ends the training and saves the values learned so far.\n"

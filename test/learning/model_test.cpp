@@ -118,7 +118,7 @@ TEST(ParseModel, RefusesWhatIsNoYamlOrNoMap) {
 
 TEST(ParseModel, RefusesStateSetsThatMakeNoSense) {
   EXPECT_TRUE(contains(errorInStateSet("{type: nearest}"),
-                       "state_set.type: expected nearest_obstacle, occupancy, condensed_occupancy or anticipation"));
+                       "state_set.type: expected " + namesOf(stateSetTypes()) + ", got 'nearest'"));
   EXPECT_TRUE(contains(errorInStateSet("{sectors: 8}"), "'type' is missing"));
   EXPECT_TRUE(contains(errorInStateSet("{type: occupancy, goal_sectors: 8}"), "unknown key 'goal_sectors'"));
   for (const char* const wrong : {"sectors: 1", "sectors: 13", "sectors: 8.5", "sectors: -8"}) {

@@ -4,7 +4,7 @@ import re
 import subprocess
 
 from learning_files import QTableFile
-from programs import assert_says, page_examples
+from programs import assert_says, page_examples, page_text
 
 
 class LearningPageTest:
@@ -27,6 +27,11 @@ class LearningPageTest:
         text = page_examples('learning.md')['least.yaml']
         runner.tool('train', runner.write('least.yaml', text), '--output', runner.path('table.txt'), '--episodes', 1)
         assert QTableFile(runner.path('table.txt')).header['decisions'] > 0
+
+    def test_table_of_types_is_that_of_the_program(self, runner):
+        table = runner.tool('train', '--list-types')
+        assert '| `state_set` | `occupancy` |' in table
+        assert table in page_text('learning.md'), 'paste the output of train --list-types into docs/learning.md'
 
     def test_all_of_its_keys_are_required(self, runner):
         text = page_examples('learning.md')['least.yaml']

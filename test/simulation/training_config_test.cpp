@@ -123,7 +123,7 @@ TEST(TrainingConfig, MistakesAreNamedWithFileLineAndWhatWasExpected) {
       {"state_set: {type: nearest_obstacle, goal_sectors: 4}\n", "", {"state_set"}},
       {"nearest_obstacle",
        "farthest",
-       {"line 2", "state_set.type", "nearest_obstacle, occupancy, condensed_occupancy or anticipation", "farthest"}},
+       {"line 2", "state_set.type", namesOf(stateSetTypes()), "farthest"}},
       {"goal_sectors: 4", "goal_sectors: many", {"line 2", "state_set.goal_sectors", "whole number", "many"}},
       {"goal_sectors", "sectors", {"line 2", "state_set", "unknown key 'sectors'", "goal_sectors"}},
       {"kings_moves", "queens_moves", {"line 3", "action_set.type", "kings_moves", "queens_moves"}},

@@ -38,6 +38,11 @@ def page_examples(page):
     return dict(re.findall(r'^`([\w.]+)`:\n\n```\w+\n(.*?)^```$', text, re.DOTALL | re.MULTILINE))
 
 
+def page_text(page):
+    """Returns the text of a page in docs/."""
+    return read_text(in_package('docs', page))
+
+
 def tools_folder():
     """Returns the folder of the programs train and evaluate."""
     return os.path.dirname(find_node('social_crowd', 'train')[0])

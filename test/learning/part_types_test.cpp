@@ -1,0 +1,121 @@
+// Properties of all registered state sets, action sets and rewards. A new type is tested without a change here.
+
+#include "social_crowd/learning/part_types.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "social_crowd/learning/model.h"
+#include "social_crowd/learning/states/obstacle_classes.h"
+#include "support/error_of.h"
+#include "support/learners.h"
+#include "support/moves.h"
+#include "support/rows.h"
+
+namespace crowd {
+namespace {
+
+std::string typed(const std::string& name) { return "{type: " + name + "}"; }
+
+std::shared_ptr<const ActionSet> makeActions(const std::string& text) {
+  return makeActionSet(YAML::Load(text), {"test", 0, "action_set"});
+}
+
+std::shared_ptr<const StateSet> makeStates(const std::string& text, const ActionSet& actions) {
+  return makeStateSet(YAML::Load(text), {"test", 0, "state_set"}, actions);
+}
+
+template <typename Types>
+void expectDistinctNames(const Types& types) {
+  std::set<std::string> names;
+  for (const auto& type : types) {
+    EXPECT_TRUE(names.insert(type.name).second) << type.name;
+    EXPECT_FALSE(std::string(type.summary).empty()) << type.name;
+  }
+}
+
+TEST(PartTypes, HaveNamesAndSummaries) {
+  expectDistinctNames(stateSetTypes());
+  expectDistinctNames(actionSetTypes());
+  expectDistinctNames(rewardTypes());
+}
+
+TEST(PartTypes, NamesAreListedInErrors) {
+  const std::vector<ActionSetType> one = {{"first", "", nullptr}};
+  EXPECT_EQ(namesOf(one), "first");
+  const std::vector<ActionSetType> three = {{"first", "", nullptr}, {"second", "", nullptr}, {"third", "", nullptr}};
+  EXPECT_EQ(namesOf(three), "first, second or third");
+  EXPECT_TRUE(contains(errorOf<InputError>([] { makeActions("{type: fourth}"); }),
+                       "expected " + namesOf(actionSetTypes()) + ", got 'fourth'"));
+}
+
+TEST(PartTypes, StateAndActionSetsHaveDefaultsAndReadBackTheirSpecs) {
+  for (const ActionSetType& action_type : actionSetTypes()) {
+    const auto actions = makeActions(typed(action_type.name));
+    EXPECT_EQ(makeActions(actions->spec())->spec(), actions->spec());
+    for (const StateSetType& state_type : stateSetTypes()) {
+      const auto states = makeStates(typed(state_type.name), *actions);
+      EXPECT_EQ(makeStates(states->spec(), *actions)->spec(), states->spec());
+    }
+  }
+}
+
+TEST(PartTypes, MirrorImagesOfMirrorImagesAreTheOriginals) {
+  for (const ActionSetType& action_type : actionSetTypes()) {
+    const auto actions = makeActions(typed(action_type.name));
+    for (Action action = 0; action < actions->size(); ++action) {
+      ASSERT_LT(actions->mirrored(action), actions->size()) << action_type.name;
+      ASSERT_EQ(actions->mirrored(actions->mirrored(action)), action) << action_type.name;
+    }
+    for (const StateSetType& state_type : stateSetTypes()) {
+      const auto states = makeStates(typed(state_type.name), *actions);
+      for (Row row = 0; row < states->rowCount(); ++row) {
+        ASSERT_LT(states->mirrored(row), states->rowCount()) << state_type.name;
+        ASSERT_EQ(states->mirrored(states->mirrored(row)), row) << state_type.name;
+      }
+    }
+  }
+}
+
+TEST(PartTypes, RowsOfAnyPerceptionAreInTheTable) {
+  constexpr AgentId AGENTS = 20;
+  for (const ActionSetType& action_type : actionSetTypes()) {
+    const auto actions = makeActions(typed(action_type.name));
+    for (const StateSetType& state_type : stateSetTypes()) {
+      const auto states = makeStates(typed(state_type.name), *actions);
+      for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const PerceptionsBuilder tick = learners::randomTick(seed, 0, 0, AGENTS);
+        for (AgentId agent = 0; agent < AGENTS; ++agent) {
+          const Perception seen = tick.perception(agent);
+          for (const Row row : rowsOf(*states, seen, movesOf(*actions, seen))) {
+            ASSERT_LT(row, states->rowCount()) << state_type.name << ", seed " << seed;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(PartTypes, PicturesShowDistanceLimitsWithinTheVision) {
+  const auto actions = makeActions(typed("kings_moves"));
+  for (const StateSetType& type : stateSetTypes()) {
+    const auto states = makeStates(typed(type.name), *actions);
+    const auto* const picture = dynamic_cast<const SectorPicture*>(states.get());
+    if (picture == nullptr) continue;
+    ASSERT_FALSE(picture->distanceLimits().empty()) << type.name;
+    EXPECT_EQ(picture->distanceLimits().back(), states->visionRadius()) << type.name;
+  }
+}
+
+TEST(PartTypes, ThesisRewardIsRefusedWhereRowsHaveNoDistanceClasses) {
+  const std::string message = errorOf<InputError>([] {
+    parseModel(
+        "{state_set: {type: anticipation}, action_set: {type: goal_relative}, "
+        "reward: {goal: cosine_cubed, obstacle_cost: 80}}");
+  });
+  EXPECT_TRUE(contains(message, "do not encode distance classes")) << message;
+}
+
+}  // namespace
+}  // namespace crowd
