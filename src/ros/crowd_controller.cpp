@@ -21,8 +21,8 @@ constexpr double MAX_LAG = 0.5;            // [s] behind real time; a larger lag
 CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
     : parameters_(readControllerParameters(private_node)),
       node_(loop_.adopt(node)),
-      broadcaster_(node_, parameters_),
       answers_(loop_, node_, parameters_),
+      broadcaster_(node_, parameters_),
       seed_(parameters_.seed),
       paused_(parameters_.paused),
       services_(private_node, SERVICE_THREADS) {

@@ -120,7 +120,7 @@ std::size_t LearnerNode::countToAnswer(const Perceptions& perceptions) const {
 }
 
 bool LearnerNode::isSufficient(const PerceptionsMessage& message) {
-  const Vision needed = learner_.model().vision();
+  const Vision& needed = limiter_.vision();
   const ros::WallTime now = ros::WallTime::now();
   if (covers(message.vision, needed)) {
     insufficient_since_ = ros::WallTime();
@@ -169,10 +169,9 @@ void LearnerNode::publishStatus() {
   status.gamma = learner_.parameters().gamma;
   status.trace_decay = learner_.parameters().lambda;
   status.epsilon = learner_.parameters().epsilon;
-  const Vision vision = learner_.model().vision();
-  status.vision_radius = vision.radius;
-  status.max_neighbours = vision.max_neighbours;
-  status.occlusion = vision.occlusion ? 1 : 0;
+  status.vision_radius = limiter_.vision().radius;
+  status.max_neighbours = limiter_.vision().max_neighbours;
+  status.occlusion = limiter_.vision().occlusion ? 1 : 0;
   status_publisher_.publish(status);
 }
 

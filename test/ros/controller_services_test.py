@@ -51,7 +51,7 @@ class PauseAndStepTest(ControllerTestCase):
         self.refuse('step', 'at least 1', ticks=0)
         later = self.call_later('crowd_controller/step', ticks=20)
         self.agents.wait(lambda message: message.tick >= 1)
-        self.refuse('step', 'under way', ticks=1)
+        self.refuse('step', 'in progress', ticks=1)
         self.assertEqual(later.result().tick, 20)
         self.do('pause', data=False)
         self.refuse('step', 'pause', ticks=1)

@@ -161,7 +161,7 @@ class TrainTest(LaunchTestCase):
         config = self.write('config.yaml', config_text(SCENARIO, 1).replace('tables: shared', 'side_by_side: 4'))
         launched = self.launch('train.launch', output=self.path('table.txt'), config=config)
         self.assertEqual(launched.wait(), 0, launched.output())
-        self.assert_says(launched.output(), '4 learners side by side', "not be that of 'train'")
+        self.assert_says(launched.output(), '4 learners side by side', "differ from that of 'train'")
 
     def test_it_goes_on_from_a_table(self):
         file = self.path('trained.txt')

@@ -72,8 +72,8 @@ class CrowdController {
   ControllerParameters parameters_;
   MainLoop loop_;
   ros::NodeHandle node_;
-  CrowdBroadcaster broadcaster_;
   AnswerCollector answers_;
+  CrowdBroadcaster broadcaster_;
 
   ScenarioList scenarios_;
   std::string scenario_name_;

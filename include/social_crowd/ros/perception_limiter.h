@@ -13,6 +13,7 @@ class PerceptionLimiter {
  public:
   /// @param vision of the result
   explicit PerceptionLimiter(const Vision& vision) : vision_(vision) {}
+  const Vision& vision() const { return vision_; }
 
   /// @brief Returns the perceptions as the world would make them with the vision of this object.
   /// @param perceptions valid, see requireValid()
