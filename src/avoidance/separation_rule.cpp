@@ -1,19 +1,19 @@
 #include "social_crowd/avoidance/separation_rule.h"
 
 #include <algorithm>
+#include <array>
 
 #include "social_crowd/avoidance/escape_planner.h"
 #include "social_crowd/avoidance/near_agents.h"
 #include "social_crowd/common/errors.h"
-#include "social_crowd/common/static_vector.h"
 
 namespace crowd {
 namespace {
 
 /// Upper bound of the displacement in one direction, agent frame.
-struct Limit {
-  Vector2 normal = Vector2::Zero();
-  double max_advance = 0.0;  // along `normal` [m]
+struct Limit {  // NOLINT(cppcoreguidelines-pro-type-member-init): an array of limits is not written twice
+  Vector2 normal;
+  double max_advance;  // along `normal` [m]
 };
 
 inline Limit limitOf(const Vector2& towards, double distance, double max_advance) {
@@ -77,10 +77,10 @@ void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t co
 }
 
 /// A limit and the moves that it applies to.
-struct Cut {
+struct Cut {  // NOLINT(cppcoreguidelines-pro-type-member-init): as Limit
   Limit limit;
-  double reach = 0.0;  // the longest displacement of a tick [m]
-  MoveBlock* moves = nullptr;
+  double reach;  // the longest displacement of a tick [m]
+  MoveBlock* moves;
 };
 
 /// The neighbours first .. first + NEIGHBOURS_AT_ONCE - 1 that may limit a move: near agents, and all static obstacles.
@@ -125,17 +125,18 @@ void SeparationRule::cut(const PerceptionBatch& batch, MoveBlock* moves, std::si
 /// Collects the limits of all agents in one list before it applies them: loops over the limits of each agent would be
 /// short and of unpredictable length, so that branches would be mispredicted.
 void SeparationRule::cutAmongAgents(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const {
-  StaticVector<Cut, NearAgents::MAX_COUNT> cuts;
+  std::array<Cut, NearAgents::MAX_COUNT> cuts;  // NOLINT(cppcoreguidelines-pro-type-member-init): `cut_count` are valid
+  std::size_t cut_count = 0;
   for (const NearAgent near : NearAgents(batch)) {
     const Perception& seen = batch[near.agent()];
     const AgentPerception& self = seen.self;
     const double tick_duration = seen.tick_duration;
     const double reach = self.max_speed * tick_duration;
     const Limit limit = limitOfAgent(self, seen.neighbours[near.neighbour()], tick_duration, sharing_);
-    cuts.add(limit, reach, moves + near.agent() * blocksOf(count));
-    cuts.keepLastIf(limit.max_advance < reach);
+    cuts[cut_count] = {limit, reach, moves + near.agent() * blocksOf(count)};
+    cut_count += limit.max_advance < reach ? 1 : 0;  // the others are overwritten
   }
-  for (const Cut& each : cuts) cutToGap(each.limit, each.reach, each.moves, count);
+  for (std::size_t i = 0; i < cut_count; ++i) cutToGap(cuts[i].limit, cuts[i].reach, cuts[i].moves, count);
 }
 
 void SeparationRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t LANES = CandidateVelocities::LANES;
 static_assert(LANES == simd::CandidateArrays::MAX, "size that kernels expect");
-static_assert(NeighbourList::MARGIN >= simd::NeighbourArrays::PADDING, "kernels read this far beyond the end");
+static_assert(NeighbourList::PADDING >= simd::NeighbourArrays::PADDING, "kernels read this far beyond the end");
 
 void accumulateAgents(const simd::NeighbourArrays& agents, const AgentPerception& self, const Vector2& preferred,
                       CandidateVelocities& candidates) {

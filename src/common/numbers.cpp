@@ -94,4 +94,12 @@ std::string toPaddedText(std::uint64_t value, int width) {
   return stream.str();
 }
 
+std::string toHexText(std::uint64_t value) {
+  std::string digits(16, '0');
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, value >>= 4U) {
+    *digit = "0123456789abcdef"[value & 0xFU];
+  }
+  return digits;
+}
+
 }  // namespace crowd

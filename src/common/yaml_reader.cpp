@@ -1,15 +1,12 @@
 #include "social_crowd/common/yaml_reader.h"
 
-#include <yaml-cpp/eventhandler.h>
-
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+#include <utility>
 
-#include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/common/suggestions.h"
 
@@ -40,8 +37,6 @@ std::string prefixOf(const YamlPlace& place, const YAML::Mark& mark) {
 /// Whether the node is an unquoted scalar; a quoted one is always a text.
 bool isPlain(const YAML::Node& node) { return node.IsDefined() && node.IsScalar() && node.Tag() != "!"; }
 
-YAML::Mark markOf(const YAML::Node& node) { return node.IsDefined() ? node.Mark() : YAML::Mark::null_mark(); }
-
 std::string describe(const YAML::Node& node) {
   if (!node.IsDefined() || node.IsNull()) {
     return "nothing";
@@ -57,91 +52,30 @@ std::string describe(const YAML::Node& node) {
   return (isPlain(node) ? "'" : "the text '") + quote + "'";
 }
 
-const char* wordsFor(NumberRule rule) {
-  switch (rule) {
-    case NumberRule::NOT_NEGATIVE:
-      return "a number of 0 or more";
-    case NumberRule::POSITIVE:
-      return "a number above 0";
-    case NumberRule::FRACTION:
-      return "a number from 0 to 1";
-    case NumberRule::ANY:
-      break;
-  }
-  return "a number";
-}
+/// Words for the numbers that a rule permits, in the order of the rules.
+constexpr std::array<const char*, 4> RULE_WORDS = {"a number", "a number of 0 or more", "a number above 0",
+                                                   "a number from 0 to 1"};
 
 bool satisfies(double value, NumberRule rule) {
-  switch (rule) {
-    case NumberRule::NOT_NEGATIVE:
-      return value >= 0.0;
-    case NumberRule::POSITIVE:
-      return value > 0.0;
-    case NumberRule::FRACTION:
-      return value >= 0.0 && value <= 1.0;
-    case NumberRule::ANY:
-      break;
-  }
-  return true;
+  if (rule == NumberRule::ANY) return true;
+  if (rule == NumberRule::POSITIVE) return value > 0.0;
+  return value >= 0.0 && (rule == NumberRule::NOT_NEGATIVE || value <= 1.0);
 }
 
-/// Detects a document that begins at the same position as the previous one.
-class ProgressWatch : public YAML::EventHandler {
- public:
-  bool isStuck() const { return is_stuck_; }
-  const YAML::Mark& mark() const { return mark_; }
-
-  void OnDocumentStart(const YAML::Mark& mark) override {
-    is_stuck_ = mark.pos == mark_.pos;
-    mark_ = mark;
-  }
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                const std::string& /*value*/) override {}
-  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                       YAML::EmitterStyle::value /*style*/) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                  YAML::EmitterStyle::value /*style*/) override {}
-  void OnMapEnd() override {}
-
- private:
-  bool is_stuck_ = false;
-  YAML::Mark mark_ = YAML::Mark::null_mark();
-};
-
-/// Whether every line begins like a line of a block map or list: with a word, "- ", a comment or "---" alone.
-bool beginsPlainly(const std::string& text) {
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::size_t first = std::min(text.find_first_not_of(" \r", begin), end);
-    const char head = first < end ? text[first] : '#';
-    const bool word = std::isalnum(static_cast<unsigned char>(head)) != 0 || head == '#';
-    const bool entry = head == '-' && first + 1 < end && text[first + 1] == ' ';
-    if (!word && !entry && text.compare(begin, end - begin, "---") != 0) {
-      return false;
-    }
-    begin = end + 1;
-  }
-  return true;
+std::optional<double> finiteNumberOf(const YAML::Node& node) {
+  const std::optional<double> value = isPlain(node) ? toNumber(node.Scalar()) : std::nullopt;
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// Refuses documents that begin with a comma: yaml-cpp treats them as empty and never advances, so that LoadAll would
-/// exhaust the memory. This check takes as long as reading, and is skipped if no document can begin with a comma.
-void refuseEndlessText(const std::string& text, const std::string& name) {
-  if (beginsPlainly(text)) {
-    return;
-  }
-  std::istringstream stream(text);
-  YAML::Parser parser(stream);
-  ProgressWatch watch;
-  while (parser.HandleNextDocument(watch)) {
-    if (watch.isStuck()) {
-      throw InputError(prefixOf({name, 0, ""}, watch.mark()) + "this is not YAML: a comma out of place");
-    }
-  }
+template <typename Whole>
+std::optional<Whole> wholeNumberOf(const YAML::Node& node) {
+  if (!isPlain(node)) return std::nullopt;
+  const std::string& text = node.Scalar();
+  const char* const end = text.data() + text.size();
+  Whole value = 0;
+  const auto read = std::from_chars(text.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+  return value;
 }
 
 }  // namespace
@@ -154,8 +88,12 @@ YamlPlace YamlPlace::element(std::size_t index) const {
   return {file, document, path + "[" + std::to_string(index) + "]"};
 }
 
+void throwProblem(const YamlPlace& place, const YAML::Mark& mark, const std::string& problem) {
+  throw InputError(prefixOf(place, mark) + problem);
+}
+
 void throwProblem(const YamlPlace& place, const YAML::Node& node, const std::string& problem) {
-  throw InputError(prefixOf(place, markOf(node)) + problem);
+  throwProblem(place, node.IsDefined() ? node.Mark() : YAML::Mark::null_mark(), problem);
 }
 
 void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::string& expected) {
@@ -163,36 +101,20 @@ void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::st
 }
 
 double readNumber(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
-  if (isPlain(node)) {
-    const std::optional<double> value = toNumber(node.Scalar());
-    if (value && std::isfinite(*value) && satisfies(*value, rule)) {
-      return *value;
-    }
-  }
-  throwExpected(place, node, wordsFor(rule));
+  const std::optional<double> value = finiteNumberOf(node);
+  if (value && satisfies(*value, rule)) return *value;
+  throwExpected(place, node, RULE_WORDS.at(static_cast<std::size_t>(rule)));
 }
 
 std::int64_t readWhole(const YAML::Node& node, const YamlPlace& place, std::int64_t low, std::int64_t high) {
-  if (isPlain(node)) {
-    const std::string& text = node.Scalar();
-    const char* const end = text.data() + text.size();
-    std::int64_t value = 0;
-    const auto read = std::from_chars(text.data(), end, value);
-    if (read.ec == std::errc() && read.ptr == end && value >= low && value <= high) {
-      return value;
-    }
-  }
+  const auto value = wholeNumberOf<std::int64_t>(node);
+  if (value && *value >= low && *value <= high) return *value;
   throwExpected(place, node, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
 }
 
 std::uint64_t readCount(const YAML::Node& node, const YamlPlace& place) {
-  if (isPlain(node)) {
-    const std::string& text = node.Scalar();
-    const char* const end = text.data() + text.size();
-    std::uint64_t value = 0;
-    const auto read = std::from_chars(text.data(), end, value);
-    if (read.ec == std::errc() && read.ptr == end) return value;
-  }
+  const auto value = wholeNumberOf<std::uint64_t>(node);
+  if (value) return *value;
   throwExpected(place, node, "a whole number of at least 0");
 }
 
@@ -209,9 +131,8 @@ Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place) {
   }
   // Places of elements are built only for messages, because most of a scenario file consists of vectors.
   const auto read = [&](std::size_t index) {
-    const YAML::Node element = node[index];
-    const std::optional<double> value = isPlain(element) ? toNumber(element.Scalar()) : std::nullopt;
-    return value && std::isfinite(*value) ? *value : readNumber(element, place.element(index));
+    const std::optional<double> value = finiteNumberOf(node[index]);
+    return value ? *value : readNumber(node[index], place.element(index));
   };
   const double x = read(0);
   return {x, read(1)};
@@ -285,41 +206,25 @@ YAML::Node YamlMap::find(const std::string& key) const {
   return entry != nullptr ? entry->value : YAML::Node(YAML::NodeType::Undefined);
 }
 
-double YamlMap::number(const std::string& key, NumberRule rule) const {
-  return readNumber(need(key), placeOf(key), rule);
+double YamlMap::number(const std::string& key, NumberRule rule, std::optional<double> otherwise) const {
+  return otherwise && !has(key) ? *otherwise : readNumber(need(key), placeOf(key), rule);
 }
 
-double YamlMap::number(const std::string& key, NumberRule rule, double otherwise) const {
-  const Entry* const entry = look(key);
-  return entry != nullptr ? readNumber(entry->value, placeOf(key), rule) : otherwise;
+std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high,
+                            std::optional<std::int64_t> otherwise) const {
+  return otherwise && !has(key) ? *otherwise : readWhole(need(key), placeOf(key), low, high);
 }
 
-std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high) const {
-  return readWhole(need(key), placeOf(key), low, high);
+std::uint64_t YamlMap::count(const std::string& key, std::optional<std::uint64_t> otherwise) const {
+  return otherwise && !has(key) ? *otherwise : readCount(need(key), placeOf(key));
 }
 
-std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise) const {
-  const Entry* const entry = look(key);
-  return entry != nullptr ? readWhole(entry->value, placeOf(key), low, high) : otherwise;
-}
-
-std::uint64_t YamlMap::count(const std::string& key) const { return readCount(need(key), placeOf(key)); }
-
-std::uint64_t YamlMap::count(const std::string& key, std::uint64_t otherwise) const {
-  const Entry* const entry = look(key);
-  return entry != nullptr ? readCount(entry->value, placeOf(key)) : otherwise;
-}
-
-std::string YamlMap::text(const std::string& key) const { return readText(need(key), placeOf(key)); }
-
-std::string YamlMap::text(const std::string& key, const std::string& otherwise) const {
-  const Entry* const entry = look(key);
-  return entry != nullptr ? readText(entry->value, placeOf(key)) : otherwise;
+std::string YamlMap::text(const std::string& key, std::optional<std::string> otherwise) const {
+  return otherwise && !has(key) ? *std::move(otherwise) : readText(need(key), placeOf(key));
 }
 
 bool YamlMap::flag(const std::string& key, bool otherwise) const {
-  const Entry* const entry = look(key);
-  return entry != nullptr ? readFlag(entry->value, placeOf(key)) : otherwise;
+  return has(key) ? readFlag(need(key), placeOf(key)) : otherwise;
 }
 
 std::vector<double> YamlMap::risingNumbers(const std::string& key, double low, double high,
@@ -335,17 +240,6 @@ std::vector<double> YamlMap::risingNumbers(const std::string& key, double low, d
     if (!rises || numbers[i] < low || numbers[i] > high) throwExpected(placeOf(key).element(i), node[i], expected);
   }
   return numbers;
-}
-
-std::vector<YAML::Node> loadYamlStream(const std::string& file) { return parseYamlStream(readFile(file), file); }
-
-std::vector<YAML::Node> parseYamlStream(const std::string& text, const std::string& name) {
-  try {
-    refuseEndlessText(text, name);
-    return YAML::LoadAll(text);
-  } catch (const YAML::Exception& error) {
-    throw InputError(prefixOf({name, 0, ""}, error.mark) + "this is not YAML: " + error.msg);
-  }
 }
 
 }  // namespace crowd

@@ -14,7 +14,6 @@ const Perceptions& PerceptionLimiter::limit(const Perceptions& perceptions, cons
   limited_.agents = perceptions.agents;
   limited_.neighbours.clear();
   limited_.walls.clear();
-  limited_.order = perceptions.order;
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const Perception wide(perceptions, i);
     AgentPerception& self = limited_.agents[i];

@@ -20,6 +20,12 @@ double straightLength(const AgentStart& start, double goal_tolerance) {
   return std::max(MIN_LENGTH, length);
 }
 
+/// Number of agents that were not removed and for which this is true.
+std::size_t countOf(const std::vector<AgentResult>& agents, bool AgentResult::*what) {
+  const auto counts = [what](const AgentResult& agent) { return agent.*what && !agent.removed; };
+  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
+}
+
 }  // namespace
 
 std::size_t EpisodeResult::agentCount() const {
@@ -27,20 +33,11 @@ std::size_t EpisodeResult::agentCount() const {
   return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
 }
 
-std::size_t EpisodeResult::arrivedCount() const {
-  const auto arrived = [](const AgentResult& agent) { return agent.arrived; };
-  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), arrived));
-}
+std::size_t EpisodeResult::arrivedCount() const { return countOf(agents, &AgentResult::arrived); }
 
-std::size_t EpisodeResult::touchedCount() const {
-  const auto touched = [](const AgentResult& agent) { return agent.touched && !agent.removed; };
-  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), touched));
-}
+std::size_t EpisodeResult::touchedCount() const { return countOf(agents, &AgentResult::touched); }
 
-std::size_t EpisodeResult::collidedCount() const {
-  const auto collided = [](const AgentResult& agent) { return agent.collided && !agent.removed; };
-  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), collided));
-}
+std::size_t EpisodeResult::collidedCount() const { return countOf(agents, &AgentResult::collided); }
 
 std::vector<double> EpisodeResult::headings() const {
   std::vector<double> headings;
@@ -93,7 +90,7 @@ void EpisodeMonitor::observe(const World& world, ThreadPool& thread_pool) {
       if (agent.isWalking() || just_arrived) observeAgent(agent, along_heading, tracks_[i]);
     }
   };
-  thread_pool.run(tracks_.size(), observe_some, FEW_AGENTS);
+  thread_pool.run(tracks_.size(), observe_some, ThreadPool::FEW_SHORT_ITEMS);
 }
 
 inline void EpisodeMonitor::observeAgent(const Agent& agent, bool along_heading, Track& track) const {

@@ -6,7 +6,7 @@ namespace crowd {
 namespace {
 
 constexpr std::size_t BLOCK = 64;  // [bodies]; the perceptions of 64 agents take about 60 kB
-constexpr std::size_t FEW_BLOCKS = FEW_AGENTS / BLOCK;
+constexpr std::size_t FEW_BLOCKS = ThreadPool::FEW_SHORT_ITEMS / BLOCK;
 
 }  // namespace
 

@@ -1,17 +1,9 @@
 #include "social_crowd/simulation/lockstep.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace crowd {
 namespace {
-
-std::optional<Refusal> invalidity(const RelativeAction& action) {
-  if (!std::isfinite(action.rotation)) return Refusal::BAD_ROTATION;
-  const bool is_share = action.speed_fraction >= 0.0 && action.speed_fraction <= 1.0;  // false for NaN
-  if (!is_share) return Refusal::BAD_SPEED;
-  return std::nullopt;
-}
 
 bool areEqual(const RelativeAction& one, const RelativeAction& other) {
   return one.rotation == other.rotation && one.speed_fraction == other.speed_fraction;
@@ -51,7 +43,8 @@ const std::vector<RefusedAnswer>& Lockstep::take(const RelativeActions& answers,
 
 void Lockstep::takeOne(const AgentAction& answer, const Moment& moment, LearnerId learner) {
   if (!wasAsked(answer.agent)) return refuse(Refusal::NOT_ASKED, answer, moment, learner);
-  if (const auto cause = invalidity(answer.action)) return refuse(*cause, answer, moment, learner);
+  if (!answer.action.hasValidRotation()) return refuse(Refusal::BAD_ROTATION, answer, moment, learner);
+  if (!answer.action.hasValidSpeed()) return refuse(Refusal::BAD_SPEED, answer, moment, learner);
   AgentRecord& record = records_[answer.agent];
   markPresent(record);
   if (open_ && moment == now_ && record.asked && !record.answered) {

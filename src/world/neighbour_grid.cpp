@@ -37,17 +37,19 @@ void NeighbourGrid::build(double cell_size) {
   for (auto* numbers : {&xs_, &ys_, &radii_}) numbers->resize(added_.size() + PADDING);
   bodies_.resize(added_.size() + PADDING);
   motions_.resize(added_.size());
-  if (added_.size() <= LIST) {
-    for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], i);
-    return;
-  }
-  layOut(cell_size);
+  cell_size_ = cell_size;
+  if (!isList()) return sortIntoCells();
+  for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], i);
+}
+
+void NeighbourGrid::sortIntoCells() {
+  layOut();
   countCells();
   // first_[c + 1] is the start of cell c, and advances to its end while the cell is filled in the order of add().
   for (std::size_t i = 0; i < added_.size(); ++i) place(added_[i], first_[cells_[i] + 1]++);
 }
 
-void NeighbourGrid::layOut(double cell_size) {
+void NeighbourGrid::layOut() {
   Vector2 low = added_.front().centre;
   Vector2 high = low;
   for (const Disc& disc : added_) {
@@ -55,7 +57,7 @@ void NeighbourGrid::layOut(double cell_size) {
     high = high.cwiseMax(disc.centre);
   }
   origin_ = low;
-  cells_per_metre_ = 1.0 / cell_size;
+  cells_per_metre_ = 1.0 / cell_size_;
   const Vector2 size = high - low;
   // Distant bodies must not increase memory use: the cell size is doubled until MAX_CELLS suffice.
   while ((size.x() * cells_per_metre_ + 1.0) * (size.y() * cells_per_metre_ + 1.0) > static_cast<double>(MAX_CELLS)) {
@@ -77,7 +79,7 @@ void NeighbourGrid::countCells() {
 }
 
 void NeighbourGrid::place(const Disc& disc, std::size_t where) {
-  move(where, disc.centre, disc.velocity);
+  setMotion(where, disc);
   radii_[where] = disc.radius;
   bodies_[where] = disc.body;
 }

@@ -9,6 +9,9 @@
 namespace crowd {
 namespace {
 
+/// Number of discs up to which a linear search with insertion sort is fastest.
+constexpr std::size_t FEW_DISCS = 8;
+
 bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
   if (a.rim_distance != b.rim_distance) return a.rim_distance < b.rim_distance;
   return grid.body(a.disc) < grid.body(b.disc);
@@ -18,8 +21,8 @@ bool isNearer(const NeighbourGrid& grid, const NearDisc& a, const NearDisc& b) {
 
 Span<NearDisc> NeighbourSearch::findNearest(const NeighbourGrid& grid, const Vector2& point, double distance,
                                             std::size_t max_count, std::uint32_t except) {
-  return grid.isShort() ? findInShortList(grid, point, distance, max_count, except)
-                        : findInRuns(grid, point, distance, max_count, except);
+  return grid.size() <= FEW_DISCS ? findInShortList(grid, point, distance, max_count, except)
+                                  : findInRuns(grid, point, distance, max_count, except);
 }
 
 Span<NearDisc> NeighbourSearch::findInRuns(const NeighbourGrid& grid, const Vector2& point, double distance,

@@ -5,7 +5,7 @@
 namespace crowd {
 
 void NeighbourList::grow(std::size_t size) {
-  const std::size_t capacity = std::max(size + MARGIN, 2 * kinds_.size());
+  const std::size_t capacity = std::max(size + PADDING, 2 * kinds_.size());
   for (std::vector<double>* numbers : {&xs_, &ys_, &vxs_, &vys_, &radii_}) numbers->resize(capacity);
   kinds_.resize(capacity);
 }

@@ -1,11 +1,10 @@
 #include "social_crowd/world/scenario.h"
 
-#include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "world/placed_bodies.h"
 
 namespace crowd {
 namespace {
@@ -15,46 +14,26 @@ constexpr int MAX_TRIES = 1000;
 /// Number of draws that require non-overlapping goals; later draws permit overlaps, since crowded goals may not fit.
 constexpr int TRIES_FOR_SEPARATE_GOALS = 200;
 
-/// Name of a body in messages: its entry in the file, and its number among the bodies of that entry.
-struct Label {
-  const char* list;
-  std::size_t entry;
-  int line;
-  int number;
-  int count;
-
-  std::string text() const {
-    const std::string name = std::string(list) + "[" + std::to_string(entry) + "]";
-    return count == 1 ? name : name + " (" + std::to_string(number) + " of " + std::to_string(count) + ")";
+/// Calls work(group, label, index) for each body of these groups; `index` counts the bodies.
+template <typename Groups, typename Work>
+void forEachBody(const char* list, const Groups& groups, const Work& work) {
+  std::size_t index = 0;
+  for (std::size_t entry = 0; entry < groups.size(); ++entry) {
+    const auto& group = groups[entry];
+    for (int number = 1; number <= group.count; ++number, ++index) {
+      work(group, Label{list, entry, group.line, number, group.count}, index);
+    }
   }
-};
-
-/// A disc whose position is determined.
-struct PlacedBody {
-  Label label;
-  Vector2 centre;
-  double radius;
-  bool at_rest;  ///< static during the whole episode
-};
-
-/// A goal whose position is determined, and the radius of its agent.
-struct PlacedGoal {
-  Vector2 point;
-  double radius;
-};
-
-/// A body or wall that overlaps a requested position, and the depth of the overlap [m].
-struct Blocker {
-  std::string name;
-  double depth;
-};
+}
 
 /// Builds the scene of one episode. Fixed bodies are placed before drawn ones, so that drawn bodies avoid all of them
 /// independently of the order in the file. Obstacles are placed before agents, because drawn goals avoid them.
 class Placement {
  public:
   Placement(const Scenario& scenario, std::uint64_t run_seed, std::uint64_t episode)
-      : scenario_(scenario), random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}) {}
+      : scenario_(scenario),
+        random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}),
+        placed_(scenario.walls) {}
 
   Scene place();
 
@@ -77,16 +56,10 @@ class Placement {
   bool drawGoals(const AgentGroup& group, AgentStart& agent, bool separate);
   void requireWay(const AgentGroup& group, const Label& label) const;
 
-  std::optional<Blocker> findBlocker(const Vector2& centre, double radius, double gap) const;
-  bool coversGoal(const Vector2& centre, double radius) const;
-  bool canStandAt(const Vector2& point, double radius) const;
-  bool isNearAGoal(const Vector2& point, double radius) const;
-
   const Scenario& scenario_;
   KeyedRandom random_;
   Scene scene_;
-  std::vector<PlacedBody> bodies_;
-  std::vector<PlacedGoal> goals_;
+  PlacedBodies placed_;
 };
 
 Scene Placement::place() {
@@ -123,11 +96,11 @@ void Placement::recordFixedGoals() {
   for (const AgentGroup& group : scenario_.agents) {
     for (const Region& goal : group.goals) {
       if (goal.isFixed()) {
-        goals_.push_back({goal.first, group.radius.high});
+        placed_.addGoal(goal.first, group.radius.high);
       }
     }
     if (group.opposite && group.position.isFixed()) {
-      goals_.push_back({2.0 * *group.opposite - group.position.first, group.radius.high});
+      placed_.addGoal(2.0 * *group.opposite - group.position.first, group.radius.high);
     }
   }
 }
@@ -138,19 +111,12 @@ Placement::Position Placement::positionOf(const ObstacleGroup& group) {
 }
 
 void Placement::placeObstacles(Position position) {
-  std::size_t next = 0;
-  for (std::size_t entry = 0; entry < scenario_.obstacles.size(); ++entry) {
-    const ObstacleGroup& group = scenario_.obstacles[entry];
-    for (int number = 1; number <= group.count; ++number, ++next) {
-      if (positionOf(group) != position) {
-        continue;
-      }
-      const Label label{"obstacles", entry, group.line, number, group.count};
-      const Obstacle obstacle = drawObstacle(group, label);
-      bodies_.push_back({label, obstacle.path.position(0.0), obstacle.radius, !obstacle.path.moves()});
-      scene_.obstacles[next] = obstacle;
-    }
-  }
+  forEachBody("obstacles", scenario_.obstacles, [&](const ObstacleGroup& group, const Label& label, std::size_t index) {
+    if (positionOf(group) != position) return;
+    const Obstacle obstacle = drawObstacle(group, label);
+    placed_.add(label, obstacle.path.position(0.0), obstacle.radius, !obstacle.path.moves());
+    scene_.obstacles[index] = obstacle;
+  });
 }
 
 Vector2 Placement::drawStart(const ObstacleGroup& group, const Label& label) {
@@ -168,7 +134,7 @@ Obstacle Placement::drawObstacle(const ObstacleGroup& group, const Label& label)
     const Vector2 start = drawStart(group, label);
     const double radius = group.radius.draw(random_);
     const bool fits = positionOf(group) == Position::FIXED ||
-                      (!findBlocker(start, radius, DRAWN_GAP) && !(rests && coversGoal(start, radius)));
+                      (!placed_.findBlocker(start, radius, DRAWN_GAP) && !(rests && placed_.isNearGoal(start, radius)));
     if (fits) {
       return {drawPath(group, start, label), radius};
     }
@@ -197,40 +163,29 @@ ObstaclePath Placement::drawPath(const ObstacleGroup& group, const Vector2& star
 }
 
 void Placement::placeFixedAgents() {
-  std::size_t next = 0;
-  for (std::size_t entry = 0; entry < scenario_.agents.size(); ++entry) {
-    const AgentGroup& group = scenario_.agents[entry];
-    for (int number = 1; number <= group.count; ++number, ++next) {
-      if (!group.position.isFixed()) {
-        continue;
-      }
-      const Label label{"agents", entry, group.line, number, group.count};
-      AgentStart& agent = scene_.agents[next];
-      agent.position = group.position.first;
-      agent.radius = group.radius.draw(random_);
-      if (const auto blocker = findBlocker(agent.position, agent.radius, -TOUCH_TOLERANCE)) {
-        fail(label, overlapText(label.text(), blocker->name, blocker->depth));
-      }
-      bodies_.push_back({label, agent.position, agent.radius, false});
+  forEachBody("agents", scenario_.agents, [&](const AgentGroup& group, const Label& label, std::size_t index) {
+    if (!group.position.isFixed()) return;
+    AgentStart& agent = scene_.agents[index];
+    agent.position = group.position.first;
+    agent.radius = group.radius.draw(random_);
+    if (const auto blocker = placed_.findBlocker(agent.position, agent.radius, -TOUCH_TOLERANCE)) {
+      fail(label, overlapText(label.text(), blocker->name, blocker->depth));
     }
-  }
+    placed_.add(label, agent.position, agent.radius, false);
+  });
 }
 
 void Placement::completeAgents() {
-  std::size_t next = 0;
-  for (std::size_t entry = 0; entry < scenario_.agents.size(); ++entry) {
-    const AgentGroup& group = scenario_.agents[entry];
-    bool separate_goals = true;
-    for (int number = 1; number <= group.count; ++number, ++next) {
-      const Label label{"agents", entry, group.line, number, group.count};
-      AgentStart& agent = scene_.agents[next];
-      completeAgent(group, label, agent, separate_goals);
-      agent.max_speed = group.max_speed.draw(random_);
-      agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
-      agent.heading = wrapAngle(agent.heading);
-      agent.keeps_heading = group.keeps_heading;
-    }
-  }
+  bool separate_goals = true;
+  forEachBody("agents", scenario_.agents, [&](const AgentGroup& group, const Label& label, std::size_t index) {
+    separate_goals = separate_goals || label.number == 1;
+    AgentStart& agent = scene_.agents[index];
+    completeAgent(group, label, agent, separate_goals);
+    agent.max_speed = group.max_speed.draw(random_);
+    agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
+    agent.heading = wrapAngle(agent.heading);
+    agent.keeps_heading = group.keeps_heading;
+  });
 }
 
 /// An agent that has arrived before it walks counts as a success. What is drawn is drawn so that this does not happen.
@@ -253,7 +208,7 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
     if (!placed) {
       agent.position = group.position.draw(random_);
       agent.radius = group.radius.draw(random_);
-      if (findBlocker(agent.position, agent.radius, DRAWN_GAP)) {
+      if (placed_.findBlocker(agent.position, agent.radius, DRAWN_GAP)) {
         continue;
       }
     }
@@ -261,10 +216,10 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
       continue;
     }
     if (!placed) {
-      bodies_.push_back({label, agent.position, agent.radius, false});
+      placed_.add(label, agent.position, agent.radius, false);
     }
     for (const Vector2& goal : agent.goals) {
-      goals_.push_back({goal, agent.radius});
+      placed_.addGoal(goal, agent.radius);
     }
     return;
   }
@@ -283,7 +238,7 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separ
     if ((drawn || from_drawn) && (goal - from).norm() <= scenario_.goal_tolerance) {
       return false;
     }
-    if (drawn && (!canStandAt(goal, agent.radius) || (separate && isNearAGoal(goal, agent.radius)))) {
+    if (drawn && (!placed_.canStandAt(goal, agent.radius) || (separate && placed_.isNearGoal(goal, agent.radius)))) {
       return false;
     }
     agent.goals.push_back(goal);
@@ -291,40 +246,6 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separ
     from_drawn = drawn;
   }
   return true;
-}
-
-std::optional<Blocker> Placement::findBlocker(const Vector2& centre, double radius, double gap) const {
-  for (const PlacedBody& body : bodies_) {
-    const double depth = radius + body.radius - (body.centre - centre).norm();
-    if (depth > -gap) {
-      return Blocker{body.label.text(), depth};
-    }
-  }
-  for (std::size_t i = 0; i < scenario_.walls.size(); ++i) {
-    const double depth = radius - distanceTo(scenario_.walls[i], centre);
-    if (depth > -gap) {
-      return Blocker{"walls[" + std::to_string(i) + "]", depth};
-    }
-  }
-  return std::nullopt;
-}
-
-bool Placement::coversGoal(const Vector2& centre, double radius) const {
-  return std::any_of(goals_.begin(), goals_.end(),
-                     [&](const PlacedGoal& goal) { return (goal.point - centre).norm() < radius + goal.radius; });
-}
-
-bool Placement::canStandAt(const Vector2& point, double radius) const {
-  const bool body = std::any_of(bodies_.begin(), bodies_.end(), [&](const PlacedBody& other) {
-    return other.at_rest && (other.centre - point).norm() < radius + other.radius;
-  });
-  return !body && std::none_of(scenario_.walls.begin(), scenario_.walls.end(),
-                               [&](const Segment& wall) { return distanceTo(wall, point) < radius; });
-}
-
-bool Placement::isNearAGoal(const Vector2& point, double radius) const {
-  return std::any_of(goals_.begin(), goals_.end(),
-                     [&](const PlacedGoal& goal) { return (goal.point - point).norm() < radius + goal.radius; });
 }
 
 }  // namespace

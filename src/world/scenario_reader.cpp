@@ -4,8 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "social_crowd/common/suggestions.h"
-#include "social_crowd/common/yaml_reader.h"
+#include "world/region_reader.h"
 
 namespace crowd {
 namespace {
@@ -26,93 +25,6 @@ struct Units {
 
 int lineOf(const YAML::Node& node) { return node.Mark().line + 1; }
 
-Range readRange(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
-  if (!node.IsSequence()) {
-    const double value = readNumber(node, place, rule);
-    return {value, value};
-  }
-  if (node.size() != 2) {
-    throwExpected(place, node, "a number or [low, high]");
-  }
-  const Range range{readNumber(node[0], place.element(0), rule), readNumber(node[1], place.element(1), rule)};
-  if (range.low > range.high) {
-    throwProblem(place, node, "expected [low, high], got the higher number first");
-  }
-  return range;
-}
-
-Region readBox(const YAML::Node& node, const YamlPlace& place) {
-  if (!node.IsSequence() || node.size() != 2) {
-    throwExpected(place, node, "two corners [[x0, y0], [x1, y1]]");
-  }
-  Region region;
-  region.kind = Region::Kind::BOX;
-  region.first = readVector(node[0], place.element(0));
-  region.second = readVector(node[1], place.element(1));
-  if ((region.first.array() > region.second.array()).any()) {
-    throwProblem(place, node, "expected the lower left corner, then the upper right one");
-  }
-  return region;
-}
-
-Region readRing(const YAML::Node& node, const YamlPlace& place) {
-  const YamlMap map(node, place, {"centre", "radius"});
-  Region region;
-  region.kind = Region::Kind::RING;
-  region.first = readVector(map.need("centre"), map.placeOf("centre"));
-  region.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::NOT_NEGATIVE);
-  if (region.radius.high <= 0.0) {
-    throwProblem(map.placeOf("radius"), map.need("radius"), "expected an outer radius above 0");
-  }
-  return region;
-}
-
-/// Throws for a map of one key that is none of the keys that `expected` lists as {KEY: ...}.
-[[noreturn]] void throwUnknownPlace(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
-  std::vector<std::string> known;
-  for (const char* key : {"box", "ring", "opposite", "between"}) {
-    if (expected.find(std::string("{") + key) != std::string::npos) known.emplace_back(key);
-  }
-  const std::string key = node.begin()->first.Scalar();
-  throwProblem(place, node, "expected " + expected + ", got '" + key + "'" + didYouMean(key, known));
-}
-
-/// Reads [x, y], {box: ...} or {ring: ...}; callers that permit other forms handle these before.
-Region readRegion(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
-  if (node.IsSequence()) {
-    Region region;
-    region.first = readVector(node, place);
-    return region;
-  }
-  if (!node.IsMap() || node.size() != 1) {
-    throwExpected(place, node, expected);
-  }
-  const YamlMap map(node, place);
-  if (const YAML::Node box = map.find("box")) {
-    return readBox(box, map.placeOf("box"));
-  }
-  if (const YAML::Node ring = map.find("ring")) {
-    return readRing(ring, map.placeOf("ring"));
-  }
-  throwUnknownPlace(node, place, expected);
-}
-
-Region readRegion(const YAML::Node& node, const YamlPlace& place) {
-  return readRegion(node, place, "[x, y], {box: ...} or {ring: ...}");
-}
-
-/// Reads a list of one or more regions.
-std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place) {
-  if (!node.IsSequence() || node.size() == 0) {
-    throwExpected(place, node, "a list of one or more points");
-  }
-  std::vector<Region> regions;
-  for (const YAML::Node& element : node) {
-    regions.push_back(readRegion(element, place.element(regions.size())));
-  }
-  return regions;
-}
-
 void readGoals(const YamlMap& map, AgentGroup& group) {
   const YAML::Node goals = map.find("goals");
   if (goals && map.has("goal")) {
@@ -124,12 +36,9 @@ void readGoals(const YamlMap& map, AgentGroup& group) {
   }
   const YAML::Node goal = map.need("goal");
   const YamlPlace place = map.placeOf("goal");
-  if (goal.IsMap() && goal.size() == 1) {
-    const YamlMap choice(goal, place);
-    if (const YAML::Node opposite = choice.find("opposite")) {
-      group.opposite = readVector(opposite, choice.placeOf("opposite"));
-      return;
-    }
+  if (const YAML::Node opposite = findOnly("opposite", goal, place)) {
+    group.opposite = readVector(opposite, place.child("opposite"));
+    return;
   }
   group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...} or {opposite: [x, y]}")};
 }
@@ -218,12 +127,9 @@ Between readBetween(const YAML::Node& node, const YamlPlace& place) {
 void readPosition(const YamlMap& map, ObstacleGroup& group) {
   const YAML::Node position = map.need("position");
   const YamlPlace place = map.placeOf("position");
-  if (position.IsMap() && position.size() == 1) {
-    const YamlMap choice(position, place);
-    if (const YAML::Node between = choice.find("between")) {
-      group.between = readBetween(between, choice.placeOf("between"));
-      return;
-    }
+  if (const YAML::Node between = findOnly("between", position, place)) {
+    group.between = readBetween(between, place.child("between"));
+    return;
   }
   group.position = readRegion(position, place, "[x, y], {box: ...}, {ring: ...} or {between: ...}");
 }
@@ -267,12 +173,11 @@ std::vector<T> readList(const YAML::Node& node, const YamlPlace& place, Read rea
   return list;
 }
 
-Units readUnits(const YamlMap& map) {
-  const std::string name = map.text("units", "si");
-  if (name != "si" && name != "thesis") {
-    throwExpected(map.placeOf("units"), map.need("units"), "si or thesis");
-  }
-  return {name == "thesis", map.number("tick", NumberRule::POSITIVE, DEFAULT_TICK_DURATION)};
+/// Whether the word of a key is the second one of two; if the key is absent, it is the first.
+bool isSecond(const YamlMap& map, const std::string& key, const std::string& first, const std::string& second) {
+  const std::string word = map.text(key, first);
+  if (word != first && word != second) throwExpected(map.placeOf(key), map.need(key), first + " or " + second);
+  return word == second;
 }
 
 std::uint64_t readDuration(const YamlMap& map, const Units& units) {
@@ -285,22 +190,6 @@ std::uint64_t readDuration(const YamlMap& map, const Units& units) {
   return static_cast<std::uint64_t>(ticks);
 }
 
-Contact readContact(const YamlMap& map) {
-  const std::string name = map.text("contact", "ghost");
-  if (name != "ghost" && name != "solid") {
-    throwExpected(map.placeOf("contact"), map.need("contact"), "ghost or solid");
-  }
-  return name == "solid" ? Contact::SOLID : Contact::GHOST;
-}
-
-Order readOrder(const YamlMap& map) {
-  const std::string name = map.text("order", "simultaneous");
-  if (name != "simultaneous" && name != "sequential") {
-    throwExpected(map.placeOf("order"), map.need("order"), "simultaneous or sequential");
-  }
-  return name == "sequential" ? Order::SEQUENTIAL : Order::SIMULTANEOUS;
-}
-
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place,
                     {"name", "units", "tick", "duration", "goal_tolerance", "collision_radius", "contact", "order",
@@ -311,13 +200,14 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   if (scenario.name.empty()) {
     throwExpected(map.placeOf("name"), map.need("name"), "a name");
   }
-  const Units units = readUnits(map);
+  const Units units{isSecond(map, "units", "si", "thesis"),
+                    map.number("tick", NumberRule::POSITIVE, DEFAULT_TICK_DURATION)};
   scenario.tick_duration = units.tick_duration;
   scenario.max_ticks = readDuration(map, units);
   scenario.goal_tolerance = map.number("goal_tolerance", NumberRule::POSITIVE);
   scenario.collision_radius = map.number("collision_radius", NumberRule::POSITIVE, DEFAULT_COLLISION_RADIUS);
-  scenario.contact = readContact(map);
-  scenario.order = readOrder(map);
+  scenario.contact = isSecond(map, "contact", "ghost", "solid") ? Contact::SOLID : Contact::GHOST;
+  scenario.order = isSecond(map, "order", "simultaneous", "sequential") ? Order::SEQUENTIAL : Order::SIMULTANEOUS;
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
   const auto agents = [&](const YAML::Node& entry, const YamlPlace& at) { return readAgents(entry, at, units); };
   scenario.agents = readList<AgentGroup>(map.need("agents"), map.placeOf("agents"), agents);

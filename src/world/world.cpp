@@ -1,51 +1,18 @@
 #include "social_crowd/world/world.h"
 
-#include <algorithm>
 #include <atomic>
 #include <string>
 #include <utility>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/common/prefetch.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::size_t ACTIONS_AHEAD = 16;  // prefetch distance; larger than PREFETCH_AHEAD, as beginMove() is short
-
-Agent makeAgent(AgentId id, const AgentStart& start) {
-  Agent agent;
-  agent.id = id;
-  agent.pose = {start.position, wrapAngle(start.heading)};
-  agent.ahead = unitVector(agent.pose.heading);
-  agent.max_speed = start.max_speed;
-  agent.radius = start.radius;
-  agent.goals = start.goals;
-  agent.present_goal = start.goals.front();
-  return agent;
-}
-
-void requireFinite(const std::string& what, double value) {
-  if (!std::isfinite(value)) throw InputError(what + ": expected a finite number, got " + toText(value));
-}
-
-void requireAbove(const std::string& what, double value) {
-  requireFinite(what, value);
-  if (value <= 0.0) throw InputError(what + ": expected a number above 0, got " + toText(value));
-}
-
-void requirePoint(const std::string& what, const Vector2& point) {
-  requireFinite(what, point.x());
-  requireFinite(what, point.y());
-}
-
-bool isValid(const RelativeAction& action) {
-  return std::isfinite(action.rotation) && action.speed_fraction >= 0.0 && action.speed_fraction <= 1.0;
-}
-
-[[noreturn]] void throwInvalid(const AgentAction& given) {
+void requireValid(const AgentAction& given) {
   const RelativeAction& action = given.action;
+  if (action.isValid()) return;
   throw InputError("agent " + std::to_string(given.agent) +
                    ": expected a finite rotation and a fraction of the maximum speed from 0 to 1, got rotation " +
                    toText(action.rotation) + " and share " + toText(action.speed_fraction));
@@ -59,11 +26,8 @@ World::World(const Scene& scene)
       collision_radius_(scene.collision_radius),
       contact_(scene.contact),
       obstacles_(scene.obstacles),
-      walls_(scene.walls),
-      active_count_(scene.agents.size()) {
-  for (const AgentStart& start : scene.agents) {
-    agents_.push_back(makeAgent(static_cast<AgentId>(agents_.size()), start));
-  }
+      walls_(scene.walls) {
+  for (const AgentStart& start : scene.agents) addAgent(start);
   refresh();
 }
 
@@ -95,25 +59,6 @@ inline void World::moveObstacles() {
   }
 }
 
-inline void World::updateGrid() {
-  if (!grid_.isList()) return rebuildGrid();
-  std::size_t disc = 0;
-  for (const Agent& agent : agents_) {
-    if (!agent.isWalking()) continue;
-    grid_.move(disc++, agent.pose.position, agent.velocity);
-  }
-  for (const std::size_t i : moving_obstacles_) {
-    grid_.move(disc + i, obstacle_positions_[i], obstacle_velocities_[i]);
-  }
-}
-
-void World::updateGridOf(const Agent& agent) {
-  if (!grid_.isList()) return rebuildGrid();
-  const std::uint32_t* const bodies = grid_.bodies();
-  const std::uint32_t* const disc = std::find(bodies, bodies + grid_.size(), agent.id);
-  grid_.move(static_cast<std::size_t>(disc - bodies), agent.pose.position, agent.velocity);
-}
-
 void World::rebuildGrid() {
   grid_.clear();
   for (const Agent& agent : agents_) {
@@ -126,18 +71,34 @@ void World::rebuildGrid() {
   grid_.build(CELL_SIZE);
 }
 
+inline void World::updateGrid() {
+  std::size_t number = 0;
+  for (const Agent& agent : agents_) {
+    if (agent.isWalking()) grid_.move(number++, agent.pose.position, agent.velocity);
+  }
+  for (const std::size_t i : moving_obstacles_) {
+    grid_.move(number + i, obstacle_positions_[i], obstacle_velocities_[i]);
+  }
+  grid_.update();
+}
+
+void World::updateGridOf(const Agent& agent) {
+  std::size_t number = 0;
+  for (AgentId id = 0; id < agent.id; ++id) number += agents_[id].isWalking() ? 1 : 0;
+  grid_.move(number, agent.pose.position, agent.velocity);
+  grid_.update();
+}
+
 void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
   assignActions(actions);
   thread_pool.run(
       assigned_actions_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          if (i + ACTIONS_AHEAD < end)
-            prefetchAt(assigned_actions_[i + ACTIONS_AHEAD]);  // beyond `end` another worker writes
           beginMove(agents_[i], std::exchange(assigned_actions_[i], nullptr));
         }
       },
-      FEW_AGENTS);
+      ThreadPool::FEW_SHORT_ITEMS);
   if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
   finishTick(thread_pool);
 }
@@ -145,7 +106,7 @@ void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_poo
 void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   const RelativeAction* action = nullptr;
   for (const AgentAction& given : actions) {
-    if (!isValid(given.action)) throwInvalid(given);
+    requireValid(given);
     if (given.agent == id && action == nullptr) action = &given.action;
   }
   if (!isActive(id)) return;
@@ -178,7 +139,7 @@ void World::finishTick(ThreadPool& thread_pool) {
         for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals);
         if (arrivals > 0) arrived += arrivals;
       },
-      FEW_AGENTS);
+      ThreadPool::FEW_SHORT_ITEMS);
   just_arrived_count_ = arrived;
   if (just_arrived_count_ == 0) return;
   active_count_ -= just_arrived_count_;
@@ -186,11 +147,8 @@ void World::finishTick(ThreadPool& thread_pool) {
 }
 
 inline void World::assignActions(const std::vector<AgentAction>& actions) {
+  for (const AgentAction& given : actions) requireValid(given);
   for (const AgentAction& given : actions) {
-    if (!isValid(given.action)) {
-      std::fill(assigned_actions_.begin(), assigned_actions_.end(), nullptr);
-      throwInvalid(given);
-    }
     if (given.agent < assigned_actions_.size() && assigned_actions_[given.agent] == nullptr)
       assigned_actions_[given.agent] = &given.action;
   }
@@ -273,75 +231,6 @@ void World::moveSolids(const Moves& moves) {
     agent.bumped = agent.bumped || outcome->touched;
     ++outcome;
   }
-}
-
-Agent& World::findWalking(AgentId id) {
-  if (!isActive(id)) throw InputError("there is no agent " + std::to_string(id) + " on its way");
-  return agents_[id];
-}
-
-void World::requireFreePlace(const Vector2& centre, double radius, bool agents_only) {
-  const double overlap = contact_ == Contact::SOLID ? TOUCH_TOLERANCE : CONTACT_OVERLAP;
-  found_.clear();
-  grid_.findNear(centre, radius - overlap, found_);
-  for (const std::uint32_t body : found_) {
-    if (body < agents_.size()) throw InputError("the place is taken by agent " + std::to_string(body));
-    if (agents_only) continue;
-    throw InputError("the place is taken by obstacle " + std::to_string(body - agents_.size()));
-  }
-  if (agents_only) return;
-  const auto taken = [&](const Segment& wall) { return distanceTo(wall, centre) < radius - overlap; };
-  if (std::any_of(walls_.begin(), walls_.end(), taken)) throw InputError("the place is taken by a wall");
-}
-
-AgentId World::spawnAgent(const AgentStart& start) {
-  requireAbove("max_speed [m/s]", start.max_speed);
-  requireAbove("radius [m]", start.radius);
-  requireFinite("heading [rad]", start.heading);
-  requirePoint("position [m]", start.position);
-  if (start.goals.empty()) throw InputError("goals: expected at least one, got none");
-  for (const Vector2& goal : start.goals) requirePoint("goal [m]", goal);
-  requireFreePlace(start.position, start.radius, false);
-  const auto id = static_cast<AgentId>(agents_.size());
-  agents_.push_back(makeAgent(id, start));
-  ++active_count_;
-  refresh();
-  return id;
-}
-
-void World::removeAgent(AgentId id) {
-  findWalking(id).status = AgentStatus::REMOVED;
-  --active_count_;
-  refresh();
-}
-
-void World::setGoal(AgentId id, const Vector2& goal) {
-  requirePoint("goal [m]", goal);
-  Agent& agent = findWalking(id);
-  agent.goals = {goal};
-  agent.next_goal = 0;
-  agent.present_goal = goal;
-  ++agent.goal_number;
-}
-
-std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
-  requireAbove("radius [m]", radius);
-  requirePoint("position [m]", position);
-  requirePoint("velocity [m/s]", velocity);
-  requireFreePlace(position, radius, true);
-  // Paths are functions of the time since the start of the episode: extrapolate the position back to that time.
-  const bool rests = velocity == Vector2::Zero();
-  obstacles_.push_back(
-      {rests ? ObstaclePath::atRest(position) : ObstaclePath::straight(position - time() * velocity, velocity),
-       radius});
-  refresh();
-  return obstacles_.size() - 1;
-}
-
-void World::removeObstacle(std::size_t number) {
-  if (number >= obstacles_.size()) throw InputError("there is no obstacle " + std::to_string(number));
-  obstacles_.erase(obstacles_.begin() + static_cast<std::ptrdiff_t>(number));
-  refresh();
 }
 
 }  // namespace crowd

@@ -1,76 +1,62 @@
 #include <algorithm>
 
-#include "social_crowd/common/prefetch.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
+namespace {
+
+constexpr std::size_t PREFETCH_AHEAD = 4;  // [bodies]
+
+/// Loads an agent into the cache: those that are neighbours in the grid are anywhere in memory.
+inline void prefetch(const Agent& agent) {
+#if defined(__GNUC__)
+  constexpr std::size_t CACHE_LINE = 64;  // [bytes]
+  const auto* const first = reinterpret_cast<const char*>(&agent);
+  for (std::size_t offset = 0; offset < sizeof(Agent); offset += CACHE_LINE) __builtin_prefetch(first + offset);
+#endif
+}
+
+}  // namespace
+
+template <typename Work>
+inline void World::forEachInGrid(std::size_t first, std::size_t last, const Work& work) const {
+  for (std::size_t disc = first; disc < last; ++disc) {
+    if (disc + PREFETCH_AHEAD < grid_.size()) {
+      const std::uint32_t next = grid_.body(disc + PREFETCH_AHEAD);
+      if (next < agents_.size()) prefetch(agents_[next]);
+    }
+    const std::uint32_t body = grid_.body(disc);
+    if (body < agents_.size()) work(agents_[body]);
+  }
+}
 
 void World::perceive(const Vision& vision, Perceptions& perceptions) {
   const std::size_t count = active_count_ + just_arrived_count_;
   perceptions.agents.resize(count);
-  perceptions.order.clear();
   beginPerceptions(vision, count, workspace_, perceptions);
-  if (grid_.isList()) {
-    perceiveInIdOrder(vision, perceptions);
-  } else {
-    perceiveInSpatialOrder(vision, perceptions);
+  std::uint32_t place = 0;
+  std::size_t written = 0;
+  for (const Agent& agent : agents_) {
+    if (!isPerceiving(agent)) continue;
+    AgentPerception& self = perceptions.agents[place];
+    self.agent = agent.id;
+    places_[agent.id] = place++;
+    if (!agent.isWalking()) perceiveOne(vision, agent, written++, workspace_, self, perceptions);  // not in the grid
   }
+  forEachInGrid(0, grid_.size(), [&](const Agent& agent) {
+    perceiveOne(vision, agent, written++, workspace_, perceptions.agents[places_[agent.id]], perceptions);
+  });
   std::swap(perceptions.walls, workspace_.walls);
 }
 
 void World::perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perceptions& perceptions) {
   perceptions.agents.resize(id ? 1 : 0);
-  perceptions.order.clear();
   beginPerceptions(vision, perceptions.agents.size(), workspace_, perceptions);
   for (AgentPerception& self : perceptions.agents) {
     self.agent = *id;
     perceiveOne(vision, agents_[*id], 0, workspace_, self, perceptions);
   }
   std::swap(perceptions.walls, workspace_.walls);
-}
-
-inline void World::perceiveInIdOrder(const Vision& vision, Perceptions& perceptions) {
-  AgentPerception* const perceived = perceptions.agents.data();
-  std::size_t count = 0;
-  for (const Agent& agent : agents_) {
-    if (!isPerceiving(agent)) continue;
-    perceived[count].agent = agent.id;
-    perceiveOne(vision, agent, count, workspace_, perceived[count], perceptions);
-    ++count;
-  }
-}
-
-void World::perceiveInSpatialOrder(const Vision& vision, Perceptions& perceptions) {
-  std::uint32_t listed = 0;
-  for (const Agent& agent : agents_) {
-    if (isPerceiving(agent)) perceptions.agents[listed++].agent = agent.id;
-  }
-  orderAgents(perceptions);
-  const std::size_t count = perceptions.agents.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i + PREFETCH_AHEAD < count) {
-      const AgentPerception& next = perceptions.agents[perceptions.order[i + PREFETCH_AHEAD]];
-      prefetch(next);
-      prefetch(agents_[next.agent]);
-    }
-    AgentPerception& self = perceptions.agents[perceptions.order[i]];
-    perceiveOne(vision, agents_[self.agent], i, workspace_, self, perceptions);
-  }
-}
-
-void World::orderAgents(Perceptions& perceptions) {
-  perceptions.order.resize(perceptions.agents.size());
-  std::uint32_t* ordered = perceptions.order.data();
-  for (std::uint32_t place = 0; place < perceptions.agents.size(); ++place) {
-    const AgentId agent = perceptions.agents[place].agent;
-    places_[agent] = place;
-    if (hasJustArrived(agents_[agent])) *ordered++ = place;  // not in the grid any more
-  }
-  const std::size_t agents = places_.size();
-  for (std::size_t disc = 0; disc < grid_.size(); ++disc) {
-    const std::uint32_t body = grid_.body(disc);
-    if (body < agents) *ordered++ = places_[body];
-  }
 }
 
 inline void World::beginPerceptions(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
@@ -83,22 +69,15 @@ inline void World::beginPerceptions(const Vision& vision, std::size_t agents, Pe
 
 void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t last, PerceptionWorkspace& workspace,
                          Perceptions& perceptions) const {
-  perceptions.order.clear();
   beginPerceptions(vision, last - first, workspace, perceptions);
   std::size_t count = 0;
-  for (std::size_t disc = first; disc < last; ++disc) {
-    if (disc + PREFETCH_AHEAD < grid_.size()) {
-      const std::uint32_t next = grid_.body(disc + PREFETCH_AHEAD);
-      if (next < agents_.size()) prefetch(agents_[next]);
-    }
-    const std::uint32_t body = grid_.body(disc);
-    if (body >= agents_.size()) continue;
+  forEachInGrid(first, last, [&](const Agent& agent) {
     // Grown on demand: sizing by the number of bodies, which include obstacles, would construct elements in each tick.
     if (count == perceptions.agents.size()) perceptions.agents.emplace_back();
     AgentPerception& self = perceptions.agents[count];
-    self.agent = body;
-    perceiveOne(vision, agents_[body], count++, workspace, self, perceptions);
-  }
+    self.agent = agent.id;
+    perceiveOne(vision, agent, count++, workspace, self, perceptions);
+  });
   perceptions.agents.resize(count);
   std::swap(perceptions.walls, workspace.walls);
 }

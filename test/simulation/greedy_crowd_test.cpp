@@ -178,7 +178,7 @@ TEST(GreedyCrowd, ForgetsTheLastWorld) {
   GreedyCrowd crowd;
   std::vector<AgentAction> actions;
   crowd.decide(World(scenes::randomCrowd(1)), EPISODE, model.vision(), learner, actions, many);
-  ASSERT_GT(actions.size(), 2 * FEW_AGENTS);
+  ASSERT_GT(actions.size(), 2 * ThreadPool::FEW_SHORT_ITEMS);
   const World small(scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({3.0, 0.0})}));
   crowd.decide(small, EPISODE, model.vision(), learner, actions);
   std::vector<AgentAction> expected;

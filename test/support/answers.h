@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/world/relative_action.h"
+#include "social_crowd/simulation/lockstep.h"
 
 /// Answers to perceptions, for tests of the lockstep.
 namespace crowd::answers {
@@ -12,6 +12,7 @@ using Ids = std::vector<AgentId>;
 
 constexpr std::uint64_t EPISODE = 5;
 constexpr RelativeAction MOVE{0.5, 1.0};
+constexpr LearnerId LEARNER = 0;
 
 /// What these agents answer to a tick.
 inline RelativeActions answersOf(std::uint64_t tick, const Ids& agents, const RelativeAction& action = MOVE,
@@ -21,6 +22,13 @@ inline RelativeActions answersOf(std::uint64_t tick, const Ids& agents, const Re
   answers.tick = tick;
   for (const AgentId agent : agents) answers.agents.push_back({agent, action});
   return answers;
+}
+
+/// Opens a tick, takes the answers of some and closes it.
+inline void playTick(Lockstep& lockstep, std::uint64_t tick, const Ids& asked, const Ids& answering) {
+  lockstep.open(EPISODE, tick, asked);
+  lockstep.take(answersOf(tick, answering), LEARNER);
+  lockstep.close();
 }
 
 /// Whose answers these are.

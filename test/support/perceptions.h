@@ -95,7 +95,7 @@ class PerceptionsBuilder {
 /// which stands beside it in the list, sees that one touched at once.
 inline void addTouchedAgent(AgentId id, PerceptionsBuilder& scene) {
   scene.agent(id, {9.0, 0.0});
-  for (std::size_t i = 0; i < NeighbourList::MARGIN; ++i) {
+  for (std::size_t i = 0; i < NeighbourList::PADDING; ++i) {
     scene.neighbour({0.1, 0.0}, 0.25).velocity(Vector2::Zero(), {-10.0, 0.0});
   }
 }

@@ -7,6 +7,7 @@
 
 #include "social_crowd/common/random.h"
 #include "social_crowd/world/world.h"
+#include "support/overlaps.h"
 
 /// Builders of scenes for tests.
 namespace crowd::scenes {
@@ -99,7 +100,9 @@ inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, doub
 /// The same with more agents than are done by one worker alone.
 inline Scene randomCrowd(std::uint64_t seed) {
   Scene made = randomScene(seed, 500, 20.0);
-  while (made.agents.size() <= 2 * FEW_AGENTS) made.agents.push_back(made.agents[made.agents.size() / 2]);
+  while (made.agents.size() <= 2 * ThreadPool::FEW_SHORT_ITEMS) {
+    made.agents.push_back(made.agents[made.agents.size() / 2]);
+  }
   return made;
 }
 
@@ -121,7 +124,7 @@ inline Scene solidCrowd(std::uint64_t seed, std::size_t agents, double max_speed
   while (made.agents.size() < agents) {
     made.agents.push_back(
         wanderer(randomPoint(random, half_width), random.uniform(0.5, max_speed), random.uniform(0.15, 0.35)));
-    if (!findOverlap(made).empty()) made.agents.pop_back();
+    if (hasOverlap(made)) made.agents.pop_back();
   }
   return made;
 }

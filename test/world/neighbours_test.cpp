@@ -68,7 +68,7 @@ std::size_t roomAt(const Number* numbers) {
 }
 
 void expectMargin(const NeighbourList& neighbours) {
-  const std::size_t needed = neighbours.size() + NeighbourList::MARGIN;
+  const std::size_t needed = neighbours.size() + NeighbourList::PADDING;
   for (const double* numbers :
        {neighbours.xs(), neighbours.ys(), neighbours.vxs(), neighbours.vys(), neighbours.radii()}) {
     EXPECT_GE(roomAt(numbers), needed) << neighbours.size() << " bodies";

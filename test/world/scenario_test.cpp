@@ -6,6 +6,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/world/scenario_reader.h"
+#include "support/overlaps.h"
 
 namespace crowd {
 namespace {
@@ -142,7 +143,7 @@ TEST(Scenario, DependsOnRunSeedScenarioSeedAndEpisodeAlone) {
 
 TEST(Scenario, DrawnBodiesKeepClearOfEachOtherAndOfWalls) {
   forManyHalls([](const Scene& scene) {
-    EXPECT_EQ(findOverlap(scene), "");
+    EXPECT_FALSE(scenes::hasOverlap(scene));
     const std::vector<Disc> all = discs(scene);
     ASSERT_EQ(all.size(), 25U);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -251,27 +252,6 @@ TEST(ScenarioList, PlaysItsScenariosRoundAndRound) {
   EXPECT_EQ(list.scene(1, 4).name, "b");
   EXPECT_NE(places(list.scene(1, 1)), places(list.scene(1, 4)));
   EXPECT_THROW(ScenarioList().scene(1, 0), InputError);
-}
-
-TEST(FindOverlap, NamesTheAgentAndWhatItOverlaps) {
-  Scene scene;
-  scene.agents.resize(2);
-  scene.agents[0].radius = 0.25;
-  scene.agents[1].radius = 0.25;
-  scene.agents[1].position = {0.5, 0.0};
-  EXPECT_EQ(findOverlap(scene), "");  // they touch
-  scene.agents[1].position = {0.4, 0.0};
-  EXPECT_EQ(findOverlap(scene), "agents[0] and agents[1] overlap by 0.1 m");
-  scene.agents[1].position = {3.0, 0.0};
-  scene.obstacles.push_back({ObstaclePath::atRest({9.0, 0.0}), 0.5});
-  scene.obstacles.push_back({ObstaclePath::straight({3.0, 0.5}, {1.0, 0.0}), 0.5});
-  EXPECT_EQ(findOverlap(scene), "agents[1] and obstacles[1] overlap by 0.25 m");
-  scene.obstacles.pop_back();
-  scene.walls.push_back({{-1.0, 0.2}, {1.0, 0.2}});
-  EXPECT_EQ(findOverlap(scene), "agents[0] and walls[0] overlap by 0.05 m");
-  scene.obstacles.push_back(scene.obstacles[0]);
-  scene.walls[0] = {{9.0, 0.0}, {9.0, 1.0}};
-  EXPECT_EQ(findOverlap(scene), "");  // fixtures may overlap
 }
 
 TEST(Scenario, RandomHeadingsDifferAndCoverTheCircle) {

@@ -14,7 +14,8 @@ namespace crowd {
 constexpr double GAP_MARGIN = 1e-9;
 
 /// @brief Number of neighbours that findNear() examines per call.
-constexpr std::size_t NEIGHBOURS_AT_ONCE = NeighbourList::MARGIN;
+constexpr std::size_t NEIGHBOURS_AT_ONCE = 16;
+static_assert(NeighbourList::PADDING >= NEIGHBOURS_AT_ONCE, "findNear() reads beyond the last neighbour");
 /// @brief Subset of NEIGHBOURS_AT_ONCE neighbours: bit i stands for neighbour first + i.
 using NeighbourSet = std::uint32_t;
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "social_crowd/common/numbers.h"
+
 namespace crowd {
 
 /// @brief Incremental 64-bit FNV-1a checksum of a text (Fowler, Noll and Vo).
@@ -19,14 +21,7 @@ class Checksum {
   }
 
   /// @brief The checksum as 16 hexadecimal digits.
-  std::string text() const {
-    std::string digits(16, '0');
-    std::uint64_t left = hash_;
-    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, left >>= 4U) {
-      *digit = "0123456789abcdef"[left & 0xFU];
-    }
-    return digits;
-  }
+  std::string text() const { return toHexText(hash_); }
 
  private:
   std::uint64_t hash_ = 0xCBF29CE484222325ULL;

@@ -27,4 +27,7 @@ std::string toFixedText(double value, int decimals, int width = 0);
 /// @brief A whole number padded with zeros on the left to `width` characters.
 std::string toPaddedText(std::uint64_t value, int width);
 
+/// @brief A number as 16 hexadecimal digits.
+std::string toHexText(std::uint64_t value);
+
 }  // namespace crowd

@@ -26,6 +26,9 @@ class ThreadPool {
   /// use it at the same time.
   static ThreadPool& callerOnly();
 
+  /// @brief Number of short items (about a microsecond each) up to which one thread takes less time than waking others.
+  static constexpr std::size_t FEW_SHORT_ITEMS = 128;
+
   /// @brief Number of workers, the caller of run() included.
   unsigned count() const { return static_cast<unsigned>(threads_.size()) + 1; }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct YamlPlace {
   YamlPlace element(std::size_t index) const;
 };
 
-/// @brief Throws the InputError "FILE: document D, line L: PATH: PROBLEM" with the line of the node.
+/// @brief Throws the InputError "FILE: document D, line L: PATH: PROBLEM" with the line of the mark or node.
+[[noreturn]] void throwProblem(const YamlPlace& place, const YAML::Mark& mark, const std::string& problem);
 [[noreturn]] void throwProblem(const YamlPlace& place, const YAML::Node& node, const std::string& problem);
 /// @brief Throws the InputError "FILE: document D, line L: PATH: expected ..., got ...".
 [[noreturn]] void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::string& expected);
@@ -50,8 +52,8 @@ using YamlKeys = std::initializer_list<const char*>;
 ///
 /// The caller declares the permitted keys before it reads the first value, so that the message about an unknown key
 /// lists them all, and a misspelt key is reported as misspelt and not as missing.
-/// All readers throw InputError with file, document, line and the expected value. Overloads with `otherwise` return
-/// that value if the key is absent; the others require the key.
+/// All readers throw InputError with file, document, line and the expected value. If the key is absent they return
+/// `otherwise`; without it they require the key.
 class YamlMap {
  public:
   /// @brief A map whose keys are declared later with allow(); until then any key may be read.
@@ -70,14 +72,11 @@ class YamlMap {
   /// @brief The value of a key, or an undefined node (false) if it is absent.
   YAML::Node find(const std::string& key) const;
 
-  double number(const std::string& key, NumberRule rule) const;
-  double number(const std::string& key, NumberRule rule, double otherwise) const;
-  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high) const;
-  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t otherwise) const;
-  std::uint64_t count(const std::string& key) const;
-  std::uint64_t count(const std::string& key, std::uint64_t otherwise) const;
-  std::string text(const std::string& key) const;
-  std::string text(const std::string& key, const std::string& otherwise) const;
+  double number(const std::string& key, NumberRule rule, std::optional<double> otherwise = std::nullopt) const;
+  std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high,
+                     std::optional<std::int64_t> otherwise = std::nullopt) const;
+  std::uint64_t count(const std::string& key, std::optional<std::uint64_t> otherwise = std::nullopt) const;
+  std::string text(const std::string& key, std::optional<std::string> otherwise = std::nullopt) const;
   bool flag(const std::string& key, bool otherwise) const;
   /// @brief A list, possibly empty, of strictly increasing numbers from `low` to `high`.
   std::vector<double> risingNumbers(const std::string& key, double low, double high,

@@ -9,10 +9,10 @@
 
 namespace crowd {
 
-/// @brief Finds discs near a point with a uniform grid over the centres of the discs, rebuilt each tick in O(n).
+/// @brief Finds discs near a point with a uniform grid over the centres of the discs, updated each tick in O(n).
 ///
-/// The owner calls clear(), add() for each disc, then build(). Afterwards any number of threads may call the const
-/// functions at the same time.
+/// The owner calls clear(), add() for each disc, then build(); when discs have moved, move() for each of them, then
+/// update(). Afterwards any number of threads may call the const functions at the same time.
 class NeighbourGrid {
  public:
   /// @brief A disc in the grid; `body` is an identifier chosen by the caller.
@@ -29,16 +29,16 @@ class NeighbourGrid {
   void add(const Vector2& centre, double radius, std::uint32_t body, const Vector2& velocity = Vector2::Zero());
   /// @brief Sorts the added discs into cells of about this size [m]; call it after the last add().
   void build(double cell_size);
-
-  /// @brief Whether there are few enough discs to store them in the order of add(); only then move() is permitted.
-  bool isList() const { return size() <= LIST; }
-  /// @brief Whether there are few enough discs that a simple linear search is fastest.
-  bool isShort() const { return size() <= SHORT; }
-  /// @brief Sets position [m] and velocity [m/s] of a disc; requires isList().
-  void move(std::size_t disc, const Vector2& centre, const Vector2& velocity) {
-    xs_[disc] = centre.x();
-    ys_[disc] = centre.y();
-    motions_[disc] = {centre.x(), centre.y(), velocity.x(), velocity.y()};
+  /// @brief Sets position [m] and velocity [m/s] of a disc; searches find it there after the next update().
+  /// @param number of the disc, from 0 in the order of add()
+  void move(std::size_t number, const Vector2& centre, const Vector2& velocity) {
+    added_[number].centre = centre;
+    added_[number].velocity = velocity;
+    if (isList()) setMotion(number, added_[number]);
+  }
+  /// @brief Sorts the moved discs into the cells; call it after the last move().
+  void update() {
+    if (!isList()) sortIntoCells();
   }
 
   /// @brief Number of discs. Disc indices follow the order of the cells.
@@ -87,13 +87,13 @@ class NeighbourGrid {
 
   /// @brief Whether the rim of any disc is within `distance` [m] of the point. @param except body that is ignored
   bool isAnyNear(const Vector2& point, double distance, std::uint32_t except) const {
-    return isShort() ? isAnyInShortList(point, distance, except) : isAnyInRuns(point, distance, except);
+    return size() <= SHORT ? isAnyInShortList(point, distance, except) : isAnyInRuns(point, distance, except);
   }
 
  private:
   static constexpr std::size_t MAX_CELLS = 1U << 20U;
-  static constexpr std::size_t SHORT = 8;
-  static constexpr std::size_t LIST = 32;  // up to this number, all discs form one run
+  static constexpr std::size_t SHORT = 8;  // up to this number of discs, branches cost less than vector instructions
+  static constexpr std::size_t LIST = 32;  // up to this number, all discs form one run, in the order of add()
 
   /// A rectangle of cells; the discs of each of its rows form one run.
   struct Cells {
@@ -112,6 +112,7 @@ class NeighbourGrid {
     return {first_[static_cast<std::size_t>(first + cells.left)],
             first_[static_cast<std::size_t>(first + cells.right) + 1]};
   }
+  bool isList() const { return size() <= LIST; }
   Run all() const { return {0, static_cast<std::uint32_t>(size())}; }
   bool isAnyInShortList(const Vector2& point, double distance, std::uint32_t except) const {
     // One disc is often the excluded body and most others are far: branches are predicted well.
@@ -123,9 +124,15 @@ class NeighbourGrid {
     return false;
   }
   bool isAnyInRuns(const Vector2& point, double distance, std::uint32_t except) const;
-  void layOut(double cell_size);
+  void sortIntoCells();
+  void layOut();
   void countCells();
   void place(const Disc& disc, std::size_t where);
+  void setMotion(std::size_t where, const Disc& disc) {
+    xs_[where] = disc.centre.x();
+    ys_[where] = disc.centre.y();
+    motions_[where] = {disc.centre.x(), disc.centre.y(), disc.velocity.x(), disc.velocity.y()};
+  }
   std::int64_t column(double x) const { return cellOf(x - origin_.x(), columns_); }
   std::int64_t row(double y) const { return cellOf(y - origin_.y(), rows_); }
   std::int64_t cellOf(double offset, std::int64_t cells) const {
@@ -143,6 +150,7 @@ class NeighbourGrid {
   std::vector<std::uint32_t> bodies_;
   std::vector<Motion> motions_;
   Vector2 origin_ = Vector2::Zero();
+  double cell_size_ = 1.0;
   double cells_per_metre_ = 1.0;
   double max_radius_ = 0.0;
   std::int64_t columns_ = 0;

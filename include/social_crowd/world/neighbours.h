@@ -27,8 +27,8 @@ inline double rimDistance(const Neighbour& neighbour) { return neighbour.positio
 /// @brief List of neighbours as a structure of arrays, so that loops over many neighbours can use vector instructions.
 class NeighbourList {
  public:
-  /// @brief Number of unspecified but readable elements behind the last in each array, so that loops may overrun.
-  static constexpr std::size_t MARGIN = 16;
+  /// @brief Number of elements that may be read beyond the last one of each array; their values are unspecified.
+  static constexpr std::size_t PADDING = 16;
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -36,7 +36,7 @@ class NeighbourList {
   /// @brief Changes the length; new elements are unspecified until set().
   void resize(std::size_t size) {
     size_ = size;
-    if (kinds_.size() < size + MARGIN) grow(size);
+    if (kinds_.size() < size + PADDING) grow(size);
   }
   /// @brief Appends a neighbour.
   void push_back(const Neighbour& neighbour) {  // NOLINT(readability-identifier-naming): as in the standard library
@@ -54,7 +54,7 @@ class NeighbourList {
     kinds_[i] = neighbour.kind;
   }
 
-  /// @brief Arrays of the fields of Neighbour, each with MARGIN additional elements.
+  /// @brief Arrays of the fields of Neighbour, PADDING elements may be read beyond the last.
   const double* xs() const { return xs_.data(); }
   const double* ys() const { return ys_.data(); }
   const double* vxs() const { return vxs_.data(); }

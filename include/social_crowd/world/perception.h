@@ -12,9 +12,6 @@ namespace crowd {
 
 using AgentId = std::uint32_t;
 
-/// @brief Number of agents up to which a tick in one thread takes less time than waking other threads.
-constexpr std::size_t FEW_AGENTS = 128;
-
 /// @brief Range and limits of an agent's perception.
 struct Vision {
   double radius = 6.0;               ///< maximum distance from the agent's centre to the rim of a neighbour [m]
@@ -51,8 +48,6 @@ struct Perceptions {
   std::vector<AgentPerception> agents;
   NeighbourList neighbours;    ///< of each agent, nearest rim first
   std::vector<Segment> walls;  ///< in the frame of the agent they belong to
-  /// Indices of all agents in spatial order, for cache-friendly iteration over large crowds. Empty for small crowds.
-  std::vector<std::uint32_t> order;
 };
 
 /// @brief Perception of one agent at a tick: a view into Perceptions, valid as long as these are unchanged.

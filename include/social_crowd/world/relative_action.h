@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,10 @@ namespace crowd {
 struct RelativeAction {
   double rotation = 0.0;        ///< of the heading, counterclockwise [rad]
   double speed_fraction = 0.0;  ///< of the maximum speed, 0 (stay) to 1
+
+  bool hasValidRotation() const { return std::isfinite(rotation); }
+  bool hasValidSpeed() const { return speed_fraction >= 0.0 && speed_fraction <= 1.0; }  // false for NaN
+  bool isValid() const { return hasValidRotation() && hasValidSpeed(); }
 };
 
 /// @brief The answer for one agent.

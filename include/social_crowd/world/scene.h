@@ -62,10 +62,6 @@ void keepHeadings(const std::vector<double>& last, Scene& scene);
 /// @brief Overlap up to which bodies only touch [m]; allows for rounding.
 constexpr double TOUCH_TOLERANCE = 1e-9;
 
-/// @brief Describes the first overlap of an agent at the start ("agents[1] and obstacles[0] overlap by 0.12 m"); empty
-/// if there is none. Obstacles and walls may overlap each other.
-std::string findOverlap(const Scene& scene);
-
 /// @brief "FIRST and SECOND overlap by DEPTH m". @param depth [m]
 std::string overlapText(const std::string& first, const std::string& second, double depth);
 

@@ -141,25 +141,25 @@ class World {
   template <typename Moves>
   void moveSolids(const Moves& moves);
   void finishTick(ThreadPool& thread_pool);
-  /// Updates the grid after the move of one agent.
-  void updateGridOf(const Agent& agent);
   void endMove(Agent& agent, std::size_t& arrivals) const;
   /// Whether the rim of another body, or a wall, is within the distance of the agent's centre.
   bool isAnythingWithin(double distance, const Agent& agent) const;
   void placeObstacles();
   void moveObstacles();
   void rebuildGrid();
-  /// Updates the grid after all bodies have moved; it must contain the same bodies.
+  /// Moves all bodies in the grid, which must contain them already.
   void updateGrid();
-  void perceiveInIdOrder(const Vision& vision, Perceptions& perceptions);
-  void perceiveInSpatialOrder(const Vision& vision, Perceptions& perceptions);
-  void orderAgents(Perceptions& perceptions);
+  /// The same for one agent.
+  void updateGridOf(const Agent& agent);
+  /// Calls work(agent) for the agents among the bodies first .. last - 1 of the grid, in the order of its cells.
+  template <typename Work>
+  void forEachInGrid(std::size_t first, std::size_t last, const Work& work) const;
   bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
   bool isPerceiving(const Agent& agent) const { return agent.isWalking() || hasJustArrived(agent); }
   /// Prepares perceptions for a number of agents.
   void beginPerceptions(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
                         Perceptions& perceptions) const;
-  /// Writes the perception of an agent; `before` agents have been written before it.
+  /// Writes the perception of an agent to `self`; `before` agents have been written before it.
   void perceiveOne(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
                    AgentPerception& self, Perceptions& perceptions) const;
   void perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
@@ -169,6 +169,7 @@ class World {
   void findWalls(const Vision& vision, const Agent& agent, const Rotation& frame, PerceptionWorkspace& workspace) const;
   /// Reduces neighbours and walls in the workspace to their visible parts.
   void applyOcclusion(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const;
+  void addAgent(const AgentStart& start);
   Agent& findWalking(AgentId id);
   void requireFreePlace(const Vector2& centre, double radius, bool agents_only);
   void refresh();

@@ -1,158 +1,24 @@
-#include "social_crowd/learning/q_table_file.h"
-
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "social_crowd/common/checksum.h"
+#include "learning/line_reader.h"
+#include "learning/q_table_format.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/learning/q_table_file.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::string_view MAGIC = "social_crowd Q-table";
-constexpr int VERSION = 1;
-constexpr std::string_view HEADER_END = "---";
-constexpr std::string_view SOURCE_KEY = "source ";
-constexpr std::string_view CHECKSUM_KEY = "checksum: ";
-constexpr std::string_view HEX_DIGITS = "0123456789abcdef";
+using namespace q_table_format;  // NOLINT(google-build-using-namespace): the words of this file
+
 constexpr std::int64_t MAX_SOURCES = 1'000'000;
 constexpr const char* A_SOURCE = "16 hexadecimal digits, not all 0";
-constexpr std::size_t MAX_ROW_SIZE = 11;             // characters of the row number and the line end
-constexpr std::size_t MAX_ENTRY_SIZE = 10 + 24 + 2;  // characters of visits, a value and two spaces
-
-/// Whether the row differs from a new one.
-bool isStored(const QTable& table, Row row) {
-  for (Action action = 0; action < table.actions(); ++action) {
-    const double value = table.value(row, action);
-    if (table.visits(row, action) > 0 || value != 0.0 || std::signbit(value)) return true;
-  }
-  return false;
-}
-
-std::string textOf(SourceId source) {
-  std::string digits(16, '0');
-  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, source >>= 4U) {
-    *digit = HEX_DIGITS[source & 0xFU];
-  }
-  return digits;
-}
-
-/// The sources that a file must list so that its reader can restore all of them. A single source that equals
-/// QTable::source() of a table without a named own source is not listed.
-struct Sources {
-  SourceId rest = NO_SOURCE;  // of all visits that are not listed
-  Contributions listed;
-
-  explicit Sources(const QTable& table) : listed(table.foreign()) {
-    if (table.isNamed()) rest = table.source();
-    if (listed.size() == 1 && !table.hasOwnVisits()) {
-      rest = listed.front().source;
-      listed.clear();
-    }
-    if (rest != NO_SOURCE && rest == table.contentId()) rest = NO_SOURCE;
-  }
-};
-
-std::string headerOf(const TrainedTable& trained, const Sources& sources, std::size_t lines) {
-  std::string text = std::string(MAGIC) + " " + std::to_string(VERSION) + "\n" + trained.model.spec();
-  const auto add = [&](const char* key, const std::string& value) { text += std::string(key) + ": " + value + "\n"; };
-  add("rows", std::to_string(trained.table.rows()));
-  add("actions", std::to_string(trained.table.actions()));
-  add("alpha", toText(trained.parameters.alpha));
-  add("gamma", toText(trained.parameters.gamma));
-  add("lambda", toText(trained.parameters.lambda));
-  if (trained.parameters.alpha_decay > 0.0) add("alpha_decay", toText(trained.parameters.alpha_decay));
-  if (trained.parameters.mirrored) add("mirrored", "true");
-  if (trained.parameters.ties != Ties::FIRST) add("ties", toText(trained.parameters.ties));
-  add("epsilon", toText(trained.parameters.epsilon));
-  add("decisions", std::to_string(trained.decisions));
-  add("seed", std::to_string(trained.seed));
-  if (sources.rest != NO_SOURCE) add("source", "'" + textOf(sources.rest) + "'");
-  if (!sources.listed.empty()) add("other_sources", std::to_string(sources.listed.size()));
-  add("visited_rows", std::to_string(lines));
-  return text + std::string(HEADER_END) + "\n";
-}
-
-void appendRow(const QTable& table, Row row, std::string& text) {
-  appendText(row, text);
-  for (Action action = 0; action < table.actions(); ++action) {
-    const double value = table.value(row, action);
-    if (!std::isfinite(value)) {
-      throw InputError("row " + std::to_string(row) + ", action " + std::to_string(action) + " of the Q-table is " +
-                       toText(value) + ": such a table is not written");
-    }
-    text += ' ';
-    appendText(table.visits(row, action), text);
-    text += ' ';
-    appendText(value, text);
-  }
-  text += "\n";
-}
-
-void appendSource(const Contribution& contribution, std::string& text) {
-  const VisitCounts& visits = *contribution.visits;
-  text += std::string(SOURCE_KEY) + textOf(contribution.source) + " " + std::to_string(visits.rows().size()) + "\n";
-  for (std::size_t i = 0; i < visits.rows().size(); ++i) {
-    appendText(visits.rows()[i], text);
-    for (Action action = 0; action < visits.actions(); ++action) {
-      text += ' ';
-      appendText(visits.at(i)[action], text);
-    }
-    text += "\n";
-  }
-}
-
-/// Reads a text line by line and counts the lines.
-class LineReader {
- public:
-  LineReader(std::string_view text, std::string name) : rest_(text), unsummed_(text), name_(std::move(name)) {}
-
-  bool atEnd() const { return rest_.empty(); }
-
-  /// Returns the next line without its line end; fails if there is none.
-  std::string_view next(const std::string& expected) {
-    ++line_;
-    const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) fail(expected, rest_.empty() ? "the end of the file" : "a line cut short");
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end + 1);
-    return line;
-  }
-
-  /// Reads the next line if it is the expected one; returns whether it is.
-  bool nextIs(std::string_view expected) {
-    const bool is_it = rest_.size() > expected.size() && rest_.substr(0, expected.size()) == expected &&
-                       rest_[expected.size()] == '\n';
-    if (is_it) next(std::string(expected));
-    return is_it;
-  }
-
-  [[noreturn]] void fail(const std::string& expected, const std::string& got) const {
-    throw InputError(name_ + ": line " + std::to_string(line_) + ": expected " + expected + ", got " + got);
-  }
-
-  const std::string& name() const { return name_; }
-
-  /// Adds the text before `end` that is not in the checksum yet; returns the checksum of all text before `end`.
-  /// Frequent calls are fast, because the text is still in the cache.
-  const Checksum& sumUpTo(const char* end) {
-    const auto length = static_cast<std::size_t>(end - unsummed_.data());
-    checksum_.add(unsummed_.substr(0, length));
-    unsummed_.remove_prefix(length);
-    return checksum_;
-  }
-
- private:
-  std::string_view rest_;
-  std::string_view unsummed_;
-  Checksum checksum_;
-  std::string name_;
-  std::size_t line_ = 0;
-};
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t MAX_SIZE = 60;
@@ -161,9 +27,8 @@ std::string quoted(std::string_view text) {
 
 /// The message does not quote a file that is not a Q-table: the caller may not be allowed to read it.
 void readMagic(LineReader& lines) {
-  const std::string magic = std::string(MAGIC) + " " + std::to_string(VERSION);
-  if (lines.nextIs(magic)) return;
-  throw InputError(lines.name() + ": line 1: expected '" + magic +
+  if (lines.nextIs(MAGIC)) return;
+  throw InputError(lines.name() + ": line 1: expected '" + std::string(MAGIC) +
                    "': this is no Q-table of this package, or one of another version");
 }
 
@@ -180,12 +45,13 @@ struct Header {
   Row visited_rows = 0;
 };
 
-/// Inverse of textOf().
+/// Inverse of toHexText(); a source is not 0.
 std::optional<SourceId> toSource(std::string_view text) {
   if (text.size() != 16) return std::nullopt;
+  constexpr std::string_view DIGITS = "0123456789abcdef";
   SourceId source = 0;
   for (const char digit : text) {
-    const std::size_t value = HEX_DIGITS.find(digit);
+    const std::size_t value = DIGITS.find(digit);
     if (value == std::string_view::npos) return std::nullopt;
     source = source << 4U | value;
   }
@@ -297,11 +163,11 @@ class SourcesReader {
 
   /// Reads one source, whose id must be above that of the previous one.
   Contribution read(SourceId before, SourceId own) {
-    const std::string expected = "'" + std::string(SOURCE_KEY) + "' and a source of its own above " + textOf(before) +
-                                 ", then its number of rows";
+    const std::string expected = "'" + std::string(SOURCE_KEY) + " ' and a source of its own above " +
+                                 toHexText(before) + ", then its number of rows";
     const std::string_view line = lines_.next(expected);
     std::string_view rest = line;
-    const bool is_source = nextWord(rest) == SOURCE_KEY.substr(0, SOURCE_KEY.size() - 1);
+    const bool is_source = nextWord(rest) == SOURCE_KEY;
     const std::optional<SourceId> source = toSource(nextWord(rest));
     const std::optional<std::uint32_t> rows = toCount(rest);
     if (!is_source || !source || *source <= before || *source == own || !rows || *rows == 0) {
@@ -364,22 +230,6 @@ void readSources(LineReader& lines, const Header& header, QTable& table) {
 
 }  // namespace
 
-std::string toText(const TrainedTable& trained) {
-  std::vector<Row> rows;
-  for (Row row = 0; row < trained.table.rows(); ++row) {
-    if (isStored(trained.table, row)) rows.push_back(row);
-  }
-  const Sources sources(trained.table);
-  std::string text = headerOf(trained, sources, rows.size());
-  // Avoids reallocations; reserved pages that are not written to need no memory.
-  text.reserve(text.size() + rows.size() * (MAX_ROW_SIZE + trained.table.actions() * MAX_ENTRY_SIZE));
-  for (const Row row : rows) appendRow(trained.table, row, text);
-  for (const Contribution& contribution : sources.listed) appendSource(contribution, text);
-  Checksum checksum;
-  checksum.add(text);
-  return text.append(CHECKSUM_KEY).append(checksum.text()).append("\n");
-}
-
 TrainedTable parseQTable(const std::string& text, const std::string& name) {
   LineReader lines(text, name);
   readMagic(lines);
@@ -395,8 +245,6 @@ TrainedTable parseQTable(const std::string& text, const std::string& name) {
   if (!lines.atEnd()) lines.fail("nothing after the checksum", "more text");
   return {header.model, header.parameters, header.decisions, header.seed, std::move(table)};
 }
-
-void saveQTable(const std::string& file, const TrainedTable& trained) { replaceFile(file, toText(trained)); }
 
 TrainedTable loadQTable(const std::string& file) { return parseQTable(readFile(file), file); }
 

@@ -1,0 +1,114 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "learning/q_table_format.h"
+#include "social_crowd/common/checksum.h"
+#include "social_crowd/common/files.h"
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/learning/q_table_file.h"
+
+namespace crowd {
+namespace {
+
+using namespace q_table_format;  // NOLINT(google-build-using-namespace): the words of this file
+
+constexpr std::size_t MAX_ROW_SIZE = 11;             // characters of the row number and the line end
+constexpr std::size_t MAX_ENTRY_SIZE = 10 + 24 + 2;  // characters of visits, a value and two spaces
+
+/// Whether the row differs from a new one.
+bool isStored(const QTable& table, Row row) {
+  for (Action action = 0; action < table.actions(); ++action) {
+    const double value = table.value(row, action);
+    if (table.visits(row, action) > 0 || value != 0.0 || std::signbit(value)) return true;
+  }
+  return false;
+}
+
+/// The sources that a file must list so that its reader can restore all of them. A single source that equals
+/// QTable::source() of a table without a named own source is not listed.
+struct Sources {
+  SourceId rest = NO_SOURCE;  // of all visits that are not listed
+  Contributions listed;
+
+  explicit Sources(const QTable& table) : listed(table.foreign()) {
+    if (table.isNamed()) rest = table.source();
+    if (listed.size() == 1 && !table.hasOwnVisits()) {
+      rest = listed.front().source;
+      listed.clear();
+    }
+    if (rest != NO_SOURCE && rest == table.contentId()) rest = NO_SOURCE;
+  }
+};
+
+std::string headerOf(const TrainedTable& trained, const Sources& sources, std::size_t lines) {
+  std::string text = std::string(MAGIC) + "\n" + trained.model.spec();
+  const auto add = [&](const char* key, const std::string& value) { text += std::string(key) + ": " + value + "\n"; };
+  add("rows", std::to_string(trained.table.rows()));
+  add("actions", std::to_string(trained.table.actions()));
+  add("alpha", toText(trained.parameters.alpha));
+  add("gamma", toText(trained.parameters.gamma));
+  add("lambda", toText(trained.parameters.lambda));
+  if (trained.parameters.alpha_decay > 0.0) add("alpha_decay", toText(trained.parameters.alpha_decay));
+  if (trained.parameters.mirrored) add("mirrored", "true");
+  if (trained.parameters.ties != Ties::FIRST) add("ties", toText(trained.parameters.ties));
+  add("epsilon", toText(trained.parameters.epsilon));
+  add("decisions", std::to_string(trained.decisions));
+  add("seed", std::to_string(trained.seed));
+  if (sources.rest != NO_SOURCE) add("source", "'" + toHexText(sources.rest) + "'");
+  if (!sources.listed.empty()) add("other_sources", std::to_string(sources.listed.size()));
+  add("visited_rows", std::to_string(lines));
+  return text + std::string(HEADER_END) + "\n";
+}
+
+void appendRow(const QTable& table, Row row, std::string& text) {
+  appendText(row, text);
+  for (Action action = 0; action < table.actions(); ++action) {
+    const double value = table.value(row, action);
+    if (!std::isfinite(value)) {
+      throw InputError("row " + std::to_string(row) + ", action " + std::to_string(action) + " of the Q-table is " +
+                       toText(value) + ": such a table is not written");
+    }
+    text += ' ';
+    appendText(table.visits(row, action), text);
+    text += ' ';
+    appendText(value, text);
+  }
+  text += "\n";
+}
+
+void appendSource(const Contribution& contribution, std::string& text) {
+  const VisitCounts& visits = *contribution.visits;
+  text += std::string(SOURCE_KEY) + " " + toHexText(contribution.source) + " " + std::to_string(visits.rows().size()) +
+          "\n";
+  for (std::size_t i = 0; i < visits.rows().size(); ++i) {
+    appendText(visits.rows()[i], text);
+    for (Action action = 0; action < visits.actions(); ++action) {
+      text += ' ';
+      appendText(visits.at(i)[action], text);
+    }
+    text += "\n";
+  }
+}
+
+}  // namespace
+
+std::string toText(const TrainedTable& trained) {
+  std::vector<Row> rows;
+  for (Row row = 0; row < trained.table.rows(); ++row) {
+    if (isStored(trained.table, row)) rows.push_back(row);
+  }
+  const Sources sources(trained.table);
+  std::string text = headerOf(trained, sources, rows.size());
+  // Avoids reallocations; reserved pages that are not written to need no memory.
+  text.reserve(text.size() + rows.size() * (MAX_ROW_SIZE + trained.table.actions() * MAX_ENTRY_SIZE));
+  for (const Row row : rows) appendRow(trained.table, row, text);
+  for (const Contribution& contribution : sources.listed) appendSource(contribution, text);
+  Checksum checksum;
+  checksum.add(text);
+  return text.append(CHECKSUM_KEY).append(checksum.text()).append("\n");
+}
+
+void saveQTable(const std::string& file, const TrainedTable& trained) { replaceFile(file, toText(trained)); }
+
+}  // namespace crowd

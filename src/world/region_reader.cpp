@@ -1,0 +1,90 @@
+#include "world/region_reader.h"
+
+#include "social_crowd/common/suggestions.h"
+
+namespace crowd {
+
+Range readRange(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
+  if (!node.IsSequence()) {
+    const double value = readNumber(node, place, rule);
+    return {value, value};
+  }
+  if (node.size() != 2) {
+    throwExpected(place, node, "a number or [low, high]");
+  }
+  const Range range{readNumber(node[0], place.element(0), rule), readNumber(node[1], place.element(1), rule)};
+  if (range.low > range.high) {
+    throwProblem(place, node, "expected [low, high], got the higher number first");
+  }
+  return range;
+}
+
+namespace {
+
+Region readBox(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsSequence() || node.size() != 2) {
+    throwExpected(place, node, "two corners [[x0, y0], [x1, y1]]");
+  }
+  Region region;
+  region.kind = Region::Kind::BOX;
+  region.first = readVector(node[0], place.element(0));
+  region.second = readVector(node[1], place.element(1));
+  if ((region.first.array() > region.second.array()).any()) {
+    throwProblem(place, node, "expected the lower left corner, then the upper right one");
+  }
+  return region;
+}
+
+Region readRing(const YAML::Node& node, const YamlPlace& place) {
+  const YamlMap map(node, place, {"centre", "radius"});
+  Region region;
+  region.kind = Region::Kind::RING;
+  region.first = readVector(map.need("centre"), map.placeOf("centre"));
+  region.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::NOT_NEGATIVE);
+  if (region.radius.high <= 0.0) {
+    throwProblem(map.placeOf("radius"), map.need("radius"), "expected an outer radius above 0");
+  }
+  return region;
+}
+
+/// Throws for a map of one key that is none of the keys that `expected` lists as {KEY: ...}.
+[[noreturn]] void throwUnknownPlace(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
+  std::vector<std::string> known;
+  for (const char* key : {"box", "ring", "opposite", "between"}) {
+    if (expected.find(std::string("{") + key) != std::string::npos) known.emplace_back(key);
+  }
+  const std::string key = node.begin()->first.Scalar();
+  throwProblem(place, node, "expected " + expected + ", got '" + key + "'" + didYouMean(key, known));
+}
+
+}  // namespace
+
+Region readRegion(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
+  if (node.IsSequence()) {
+    Region region;
+    region.first = readVector(node, place);
+    return region;
+  }
+  if (const YAML::Node box = findOnly("box", node, place)) return readBox(box, place.child("box"));
+  if (const YAML::Node ring = findOnly("ring", node, place)) return readRing(ring, place.child("ring"));
+  if (!node.IsMap() || node.size() != 1) throwExpected(place, node, expected);
+  throwUnknownPlace(node, place, expected);
+}
+
+YAML::Node findOnly(const std::string& key, const YAML::Node& node, const YamlPlace& place) {
+  const bool has_one = node.IsMap() && node.size() == 1;
+  return has_one ? YamlMap(node, place).find(key) : YAML::Node(YAML::NodeType::Undefined);
+}
+
+std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsSequence() || node.size() == 0) {
+    throwExpected(place, node, "a list of one or more points");
+  }
+  std::vector<Region> regions;
+  for (const YAML::Node& element : node) {
+    regions.push_back(readRegion(element, place.element(regions.size())));
+  }
+  return regions;
+}
+
+}  // namespace crowd

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "social_crowd/common/yaml_reader.h"
+#include "social_crowd/world/scenario.h"
+
+namespace crowd {
+
+/// @brief Reads a number or [low, high]. @throws InputError, as all functions of this file do
+Range readRange(const YAML::Node& node, const YamlPlace& place, NumberRule rule);
+
+/// @brief Reads [x, y], {box: ...} or {ring: ...}.
+/// @param expected the permitted forms, for messages; callers that permit other forms handle these before
+Region readRegion(const YAML::Node& node, const YamlPlace& place,
+                  const std::string& expected = "[x, y], {box: ...} or {ring: ...}");
+
+/// @brief Reads a list of one or more regions.
+std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place);
+
+/// @brief The value in {KEY: VALUE}; an undefined node (false) if the node is anything else.
+YAML::Node findOnly(const std::string& key, const YAML::Node& node, const YamlPlace& place);
+
+}  // namespace crowd
