@@ -98,18 +98,6 @@ NeighbourSet findLimiting(const Perception& seen, std::size_t first) {
 
 }  // namespace
 
-GapSharing parseGapSharing(const std::string& text) {
-  if (text == "none") return GapSharing::NONE;
-  if (text == "half") return GapSharing::HALF;
-  if (text == "moving") return GapSharing::MOVING;
-  throw InputError("gap_sharing: expected none, half or moving, got '" + text + "'");
-}
-
-std::string toText(GapSharing sharing) {
-  if (sharing == GapSharing::NONE) return "none";
-  return sharing == GapSharing::HALF ? "half" : "moving";
-}
-
 void SeparationRule::cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const {
   for (std::size_t k = 0; k < batch.size(); ++k) {
     MoveBlock* const own = moves + k * blocksOf(count);

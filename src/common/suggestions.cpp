@@ -61,4 +61,13 @@ std::string joinNames(const std::vector<std::string>& names, const std::string& 
   return text;
 }
 
+std::string joinAlternatives(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
+    text += names[i];
+  }
+  return text;
+}
+
 }  // namespace crowd

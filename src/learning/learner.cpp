@@ -5,21 +5,11 @@
 namespace crowd {
 namespace {
 
-static_assert(AgentPlaces::NONE == TableStore::BASE, "unknown agents use the base table");
-
 Mirror mirrorFor(const Model& model, const LearningParameters& parameters) {
   return parameters.mirrored ? Mirror(*model.state_set, *model.action_set) : Mirror();
 }
 
 }  // namespace
-
-Mode parseMode(const std::string& text) {
-  if (text == "training") return Mode::TRAINING;
-  if (text == "demo") return Mode::DEMO;
-  throw InputError("mode: expected training or demo, got '" + text + "'");
-}
-
-std::string toText(Mode mode) { return mode == Mode::TRAINING ? "training" : "demo"; }
 
 Learner::Learner(Model model, Options options)
     : Learner(model, std::move(options), QTable(model.state_set->rowCount(), model.action_set->size())) {}
@@ -30,6 +20,7 @@ Learner::Learner(Model model, Options options, QTable table)
       max_neighbours_(model_.state_set->maxNeighbours()),
       rows_each_(model_.state_set->rowsPerPerception()),
       blocks_each_(blocksOf(model_.action_set->size())),
+      has_constant_moves_(model_.action_set->hasConstantMoves()),
       options_(std::move(options)),
       parameters_(options_.plan.parameters),
       learning_rates_(parameters_),
@@ -60,9 +51,12 @@ void Learner::beginEpisode(std::uint64_t episode) {
 }
 
 std::uint32_t Learner::addAgent(AgentId agent) {
-  memories_.emplace_back();
-  tables_.addUser();
-  return places_.add(agent);
+  const auto [known, is_new] = places_.try_emplace(agent, places_.size());
+  if (is_new) {
+    memories_.emplace_back();
+    tables_.addUser();
+  }
+  return known->second;
 }
 
 void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
@@ -70,13 +64,16 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
   actions.episode = perceptions.episode;
   actions.tick = perceptions.tick;
   actions.agents.clear();
-  for (const AgentPerception& self : perceptions.agents) {
-    if (serves(self.agent) && places_.find(self.agent) == AgentPlaces::NONE) addAgent(self.agent);
+  const auto place_of = [this](AgentId agent) { return addAgent(agent); };
+  if (options_.mode == Mode::DEMO) {
+    for (const AgentPerception& self : perceptions.agents) {
+      if (serves(self.agent)) addAgent(self.agent);
+    }
+    return decideGreedily(perceptions, workspace_, actions.agents);
   }
-  if (options_.mode == Mode::DEMO) return decideGreedily(perceptions, workspace_, actions.agents);
   // All agents learn before any agent decides, so that all decisions of a tick use the same table.
   workspace_.choices.clear();
-  perceive(perceptions, 0, perceptions.agents.size(), workspace_);
+  perceive(perceptions, 0, perceptions.agents.size(), place_of, workspace_);
   findRows(workspace_);
   learn(perceptions);
   if (perceptions.last) return;
@@ -88,9 +85,10 @@ void Learner::decideGreedily(const Perceptions& perceptions, DecisionWorkspace& 
                              std::vector<AgentAction>& actions) const {
   workspace.choices.clear();
   if (perceptions.last) return;
+  const auto place_of = [this](AgentId agent) { return placeOf(agent); };
   // One batch after the other, whose data stay in the cache.
   for (std::size_t first = 0; first < perceptions.agents.size(); first += MAX_BATCH) {
-    perceive(perceptions, first, std::min(first + MAX_BATCH, perceptions.agents.size()), workspace);
+    perceive(perceptions, first, std::min(first + MAX_BATCH, perceptions.agents.size()), place_of, workspace);
     findRows(workspace);
     answer(workspace, actions, [&](std::size_t k) {
       const double tie = tieOf(perceptions, workspace.seen[k].self.agent);
@@ -100,40 +98,40 @@ void Learner::decideGreedily(const Perceptions& perceptions, DecisionWorkspace& 
 }
 
 /// Lists the served ones of the agents first .. last - 1.
+template <typename PlaceOf>
 inline void Learner::perceive(const Perceptions& perceptions, std::size_t first, std::size_t last,
-                              DecisionWorkspace& workspace) const {
+                              const PlaceOf& place_of, DecisionWorkspace& workspace) const {
   workspace.seen.clear();
   workspace.places.clear();
   for (std::size_t index = first; index < last; ++index) {
     const AgentId agent = perceptions.agents[index].agent;
     if (!serves(agent)) continue;
-    workspace.seen.push_back(limited(perceptions, index));
-    workspace.places.push_back(places_.find(agent));
+    limit(workspace.seen.emplace_back(perceptions, index));
+    workspace.places.push_back(place_of(agent));
   }
 }
 
-/// Returns the perception of an agent, limited to the model's vision: messages may contain more neighbours.
-inline Perception Learner::limited(const Perceptions& perceptions, std::size_t index) const {
-  Perception seen(perceptions, index);
+/// Limits a perception to the model's vision: messages may contain more neighbours.
+inline void Learner::limit(Perception& seen) const {
   // Without a limit the state set selects the neighbours itself.
-  if (max_neighbours_ == 0) return seen;
+  if (max_neighbours_ == 0) return;
   std::size_t count = std::min<std::size_t>(max_neighbours_, seen.neighbours.size());
   // Neighbours are sorted, nearest rim first.
   while (count > 0 && rimDistance(seen.neighbours[count - 1]) > vision_radius_) --count;
   seen.neighbours = seen.neighbours.front(count);
-  return seen;
 }
 
 inline void Learner::findRows(DecisionWorkspace& workspace) const {
   const std::size_t agents = workspace.seen.size();
-  if (workspace.rows.size() < agents * rows_each_) {
+  const bool grows = workspace.rows.size() < agents * rows_each_;
+  if (grows) {
     workspace.rows.resize(agents * rows_each_);
     workspace.moves.resize(agents * blocks_each_);
   }
   for (std::size_t first = 0; first < agents; first += MAX_BATCH) {
     const PerceptionBatch batch(&workspace.seen[first], std::min(MAX_BATCH, agents - first));
     MoveBlock* const moves = &workspace.moves[first * blocks_each_];
-    model_.action_set->findMoves(batch, moves);
+    if (grows || !has_constant_moves_) model_.action_set->findMoves(batch, moves);
     model_.state_set->findRows(batch, moves, &workspace.rows[first * rows_each_]);
   }
 }
@@ -145,9 +143,13 @@ inline void Learner::answer(DecisionWorkspace& workspace, std::vector<AgentActio
     const AgentPerception& self = workspace.seen[k].self;
     if (self.arrived) continue;
     const Action action = choose(k);
-    workspace.choices.push_back({rowsOf(workspace, k)[action], action});
-    const CandidateMove move = moveAt(&workspace.moves[k * blocks_each_], action);
-    actions.push_back({self.agent, model_.action_set->relativeAction(move, action)});
+    // Elements are written in place: the loads of a copy would wait for the stores that were just made.
+    Choice& choice = workspace.choices.emplace_back();
+    choice.row = rowsOf(workspace, k)[action];
+    choice.action = action;
+    AgentAction& given = actions.emplace_back();
+    given.agent = self.agent;
+    given.action = model_.action_set->relativeAction(&workspace.moves[k * blocks_each_], action);
   }
 }
 
@@ -204,7 +206,8 @@ inline double Learner::tieOf(const Perceptions& perceptions, AgentId agent) cons
 
 std::vector<AgentId> Learner::servedAgents() const {
   if (!servesAll()) return {options_.agents.begin(), options_.agents.end()};
-  std::vector<AgentId> known = places_.agents();
+  std::vector<AgentId> known;
+  for (const auto& [agent, place] : places_) known.push_back(agent);
   std::sort(known.begin(), known.end());
   return known;
 }
@@ -227,12 +230,12 @@ void Learner::setPlan(const LearningPlan& plan) {
 }
 
 QTable Learner::tableToShare(AgentId agent) {
-  tables_.nameSource(places_.find(agent), newSource());
+  tables_.nameSource(placeOf(agent), newSource());
   return tableOf(agent);
 }
 
 QTable Learner::tableToSave(AgentId agent) {
-  tables_.nameSource(places_.find(agent), tableOf(agent).contentId());
+  tables_.nameSource(placeOf(agent), tableOf(agent).contentId());
   return tableOf(agent);
 }
 
@@ -240,16 +243,15 @@ Learner::TakenByAll Learner::takeTable(QTable table, TakeMethod method) {
   checkShape(table);
   const TableStore::TakenByAll taken = tables_.take(std::move(table), method);
   TakenByAll by_agent{taken.base, {}};
-  for (std::size_t place = 0; place < taken.by_user.size(); ++place) {
-    by_agent.by_agent[places_.agents()[place]] = taken.by_user[place];
+  for (const auto& [agent, place] : places_) {
+    if (tables_.use() == TableUse::OWN) by_agent.by_agent[agent] = taken.by_user[place];
   }
   return by_agent;
 }
 
 Learner::Taken Learner::takeTable(AgentId agent, QTable table, TakeMethod method) {
   checkShape(table);
-  std::uint32_t place = places_.find(agent);
-  if (place == AgentPlaces::NONE && tables_.use() == TableUse::OWN) place = addAgent(agent);
+  const std::uint32_t place = tables_.use() == TableUse::OWN ? addAgent(agent) : TableStore::BASE;
   return tables_.take(place, std::move(table), method);
 }
 

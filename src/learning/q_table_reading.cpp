@@ -95,7 +95,7 @@ Header readHeader(LineReader& lines) {
   readParameter(map, "lambda", &LearningParameters::lambda, header.parameters);
   readParameter(map, "alpha_decay", &LearningParameters::alpha_decay, header.parameters);
   header.parameters.mirrored = map.flag("mirrored", header.parameters.mirrored);
-  header.parameters.ties = readTies(map);
+  header.parameters.ties = TIES.read(map, Ties::FIRST);
   readParameter(map, "epsilon", &LearningParameters::epsilon, header.parameters);
   header.decisions = map.count("decisions");
   header.seed = map.count("seed");

@@ -51,7 +51,7 @@ std::string headerOf(const TrainedTable& trained, const Sources& sources, std::s
   add("lambda", toText(trained.parameters.lambda));
   if (trained.parameters.alpha_decay > 0.0) add("alpha_decay", toText(trained.parameters.alpha_decay));
   if (trained.parameters.mirrored) add("mirrored", "true");
-  if (trained.parameters.ties != Ties::FIRST) add("ties", toText(trained.parameters.ties));
+  if (trained.parameters.ties != Ties::FIRST) add("ties", TIES.nameOf(trained.parameters.ties));
   add("epsilon", toText(trained.parameters.epsilon));
   add("decisions", std::to_string(trained.decisions));
   add("seed", std::to_string(trained.seed));

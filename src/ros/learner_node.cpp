@@ -156,8 +156,8 @@ void LearnerNode::publishStatus() {
   status.episode = episode_;
   status.tick = tick_;
   status.node = name_;
-  status.mode = toText(learner_.mode());
-  status.tables = toText(learner_.tableUse());
+  status.mode = MODES.nameOf(learner_.mode());
+  status.tables = TABLE_USES.nameOf(learner_.tableUse());
   status.serves_all = learner_.servesAll() ? 1 : 0;
   status.agents = learner_.servedAgents();
   status.model = learner_.model().spec();
@@ -243,12 +243,12 @@ void LearnerNode::advertiseServices() {
     response.message = "reset the eligibility traces and the last decisions; the Q-table is unchanged";
   });
   services_.serve<social_crowd::SetMode>(names::SET_MODE, [this](const auto& request, auto& response) {
-    const Mode mode = parseMode(request.mode);
+    const Mode mode = MODES.parse(request.mode);
     loop_.ask<void>([&] {
       learner_.setMode(mode);
       publishStatus();
     });
-    response.message = "now in " + toText(mode) + " mode";
+    response.message = "now in " + MODES.nameOf(mode) + " mode";
   });
   services_.serve<social_crowd::SetLearningParameters>(
       names::SET_LEARNING_PARAMETERS, [this](const auto& request, auto& response) {

@@ -15,10 +15,10 @@ constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 std::string withoutName(const std::string& problem) { return problem.substr(problem.find(": ") + 2); }
 
 /// Reads a parameter whose value is one of a few names.
-template <typename Named>
-Named readNamed(Parameters& parameters, const std::string& name, Named otherwise, Named (*parse)(const std::string&)) {
+template <typename Enum, std::size_t COUNT>
+Enum readNamed(Parameters& parameters, const std::string& name, Enum otherwise, const EnumNames<Enum, COUNT>& names) {
   try {
-    return parse(parameters.text(name, toText(otherwise)));
+    return names.parse(parameters.text(name, names.nameOf(otherwise)));
   } catch (const InputError& error) {
     parameters.complain(name, withoutName(error.what()));
     return otherwise;
@@ -114,14 +114,14 @@ std::vector<std::string> findWarnings(Mode mode, const std::optional<TrainingCon
 LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   Parameters parameters(private_node);
   Learner::Options options;
-  options.mode = readNamed(parameters, "mode", options.mode, parseMode);
-  const TakeMethod on_share = readNamed(parameters, "on_share", TakeMethod::REPLACE, parseTakeMethod);
+  options.mode = readNamed(parameters, "mode", options.mode, MODES);
+  const TakeMethod on_share = readNamed(parameters, "on_share", TakeMethod::REPLACE, TAKE_METHODS);
   readAgents(parameters, options.agents);
   const auto config = readFileOf(parameters, "config", readTrainingConfig);
   const auto table = readFileOf(parameters, "q_table", loadQTable);
   checkSources(parameters, config, table, options.mode);
   const TrainingPlan training = config ? config->training : TrainingPlan();
-  options.tables = readNamed(parameters, "tables", training.tables, parseTableUse);
+  options.tables = readNamed(parameters, "tables", training.tables, TABLE_USES);
   if (table) options.plan = {table->parameters, EpsilonSchedule::constant(table->parameters.epsilon)};
   if (config) options.plan = config->learning;
   readLearningParameters(parameters, options.plan);

@@ -62,7 +62,7 @@ TakeReport LearnerNode::giveTo(const std::vector<AgentId>& agents, QTable table,
 void LearnerNode::take(const social_crowd::TakeQTable::Request& request, social_crowd::TakeQTable::Response& response) {
   const std::string name = "the shared Q-table";
   const TrainedTable trained = parseQTable(request.q_table, name);
-  const TakeMethod method = request.method.empty() ? on_share_ : parseTakeMethod(request.method);
+  const TakeMethod method = request.method.empty() ? on_share_ : TAKE_METHODS.parse(request.method);
   loop_.ask<void>([&] {
     requireFit(learner_.model(), trained.model, name);
     for (const AgentId agent : request.to_agents) requireServed(agent);
@@ -75,7 +75,7 @@ void LearnerNode::take(const social_crowd::TakeQTable::Request& request, social_
 
 void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
                         social_crowd::ShareQTable::Response& response) {
-  const TakeMethod method = request.method.empty() ? on_share_ : parseTakeMethod(request.method);
+  const TakeMethod method = request.method.empty() ? on_share_ : TAKE_METHODS.parse(request.method);
   ShareReport report;
   AgentId from = request.from_agent;
   social_crowd::TakeQTable::Request offer;

@@ -61,6 +61,7 @@ class OrderedRun {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_.emplace(walked.instance, std::move(walked));
     while (!stopped_ && !waiting_.empty() && waiting_.begin()->first == delivered_) {
+      stopped_ = true;  // also if deliver_ throws
       stopped_ = !deliver_(waiting_.begin()->second);
       waiting_.erase(waiting_.begin());
       ++delivered_;

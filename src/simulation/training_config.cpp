@@ -23,20 +23,12 @@ std::vector<std::string> findScenarios(const YAML::Node& node, const YamlPlace& 
   return files;
 }
 
-TableUse readTableUse(const YamlMap& map, TableUse otherwise) {
-  try {
-    return parseTableUse(map.text("tables", toText(otherwise)));
-  } catch (const InputError&) {
-    throwExpected(map.placeOf("tables"), map.need("tables"), "shared or own");
-  }
-}
-
 TrainingPlan readTrainingPlan(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place, {"scenarios", "episodes", "seed", "tables", "save_every", "side_by_side", "turn"});
   TrainingPlan plan;
   plan.episodes = static_cast<std::uint64_t>(map.whole("episodes", 1, INT64_MAX));
   plan.seed = map.count("seed", plan.seed);
-  plan.tables = readTableUse(map, plan.tables);
+  plan.tables = TABLE_USES.read(map, plan.tables);
   plan.save_every = static_cast<std::uint64_t>(map.whole("save_every", 0, INT64_MAX, 0));
   plan.side_by_side = static_cast<std::uint32_t>(map.whole("side_by_side", 1, 1024, plan.side_by_side));
   plan.turn = static_cast<std::uint32_t>(map.whole("turn", 1, INT32_MAX, plan.turn));

@@ -66,7 +66,7 @@ TrainingConfig readConfigFor(const Arguments& arguments) {
   if (arguments.episodes) config.training.episodes = *arguments.episodes;
   if (arguments.seed) config.training.seed = *arguments.seed;
   if (arguments.save_every) config.training.save_every = *arguments.save_every;
-  if (!arguments.tables.empty()) config.training.tables = parseTableUse(arguments.tables);
+  if (!arguments.tables.empty()) config.training.tables = TABLE_USES.parse(arguments.tables);
   return config;
 }
 

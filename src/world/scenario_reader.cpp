@@ -9,6 +9,9 @@
 namespace crowd {
 namespace {
 
+enum class UnitSystem { SI, THESIS };
+constexpr EnumNames<UnitSystem, 2> UNIT_SYSTEMS{"units", {"si", "thesis"}};
+
 constexpr double MAX_TICKS = 1e9;
 constexpr std::int64_t MAX_COUNT = 10000;
 constexpr std::int64_t MAX_AGENT = std::numeric_limits<std::int32_t>::max();
@@ -173,13 +176,6 @@ std::vector<T> readList(const YAML::Node& node, const YamlPlace& place, Read rea
   return list;
 }
 
-/// Whether the word of a key is the second one of two; if the key is absent, it is the first.
-bool isSecond(const YamlMap& map, const std::string& key, const std::string& first, const std::string& second) {
-  const std::string word = map.text(key, first);
-  if (word != first && word != second) throwExpected(map.placeOf(key), map.need(key), first + " or " + second);
-  return word == second;
-}
-
 std::uint64_t readDuration(const YamlMap& map, const Units& units) {
   const double duration = map.number("duration", NumberRule::POSITIVE);
   // A whole number of ticks must not lose one tick to rounding.
@@ -200,14 +196,14 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   if (scenario.name.empty()) {
     throwExpected(map.placeOf("name"), map.need("name"), "a name");
   }
-  const Units units{isSecond(map, "units", "si", "thesis"),
+  const Units units{UNIT_SYSTEMS.read(map, UnitSystem::SI) == UnitSystem::THESIS,
                     map.number("tick", NumberRule::POSITIVE, DEFAULT_TICK_DURATION)};
   scenario.tick_duration = units.tick_duration;
   scenario.max_ticks = readDuration(map, units);
   scenario.goal_tolerance = map.number("goal_tolerance", NumberRule::POSITIVE);
   scenario.collision_radius = map.number("collision_radius", NumberRule::POSITIVE, DEFAULT_COLLISION_RADIUS);
-  scenario.contact = isSecond(map, "contact", "ghost", "solid") ? Contact::SOLID : Contact::GHOST;
-  scenario.order = isSecond(map, "order", "simultaneous", "sequential") ? Order::SEQUENTIAL : Order::SIMULTANEOUS;
+  scenario.contact = CONTACTS.read(map, Contact::GHOST);
+  scenario.order = ORDERS.read(map, Order::SIMULTANEOUS);
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
   const auto agents = [&](const YAML::Node& entry, const YamlPlace& at) { return readAgents(entry, at, units); };
   scenario.agents = readList<AgentGroup>(map.need("agents"), map.placeOf("agents"), agents);

@@ -78,7 +78,7 @@ TEST(Allocations, AreCounted) {
 TEST(Allocations, ATickMakesNoneOnceWarm) {
   for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
     for (const unsigned threads : {1U, 2U}) {
-      EXPECT_TRUE(getsWarm(mode, threads)) << toText(mode) << ", " << threads << " threads";
+      EXPECT_TRUE(getsWarm(mode, threads)) << MODES.nameOf(mode) << ", " << threads << " threads";
     }
   }
 }

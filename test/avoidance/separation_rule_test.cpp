@@ -122,7 +122,7 @@ double worstOfRandomWalk(GapSharing sharing, std::uint64_t seed) {
 TEST(SeparationRule, NobodyWhoFollowsItEverTouchesAnything) {
   for (const GapSharing sharing : {GapSharing::HALF, GapSharing::MOVING}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-      EXPECT_LE(worstOfRandomWalk(sharing, seed), TOUCH_TOLERANCE) << toText(sharing) << ", seed " << seed;
+      EXPECT_LE(worstOfRandomWalk(sharing, seed), TOUCH_TOLERANCE) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;
     }
   }
 }
@@ -130,8 +130,8 @@ TEST(SeparationRule, NobodyWhoFollowsItEverTouchesAnything) {
 TEST(SeparationRule, WithoutItTheSameCrowdBumps) { EXPECT_GT(worstOfRandomWalk(GapSharing::NONE, 1), 0.05); }
 
 TEST(GapSharing, HasNames) {
-  for (const char* name : {"none", "half", "moving"}) EXPECT_EQ(toText(parseGapSharing(name)), name);
-  EXPECT_TRUE(contains(errorOf<InputError>([] { parseGapSharing("third"); }), "none, half or moving, got 'third'"));
+  for (const char* name : {"none", "half", "moving"}) EXPECT_EQ(GAP_SHARINGS.nameOf(GAP_SHARINGS.parse(name)), name);
+  EXPECT_TRUE(contains(errorOf<InputError>([] { GAP_SHARINGS.parse("third"); }), "none, half or moving, got 'third'"));
 }
 
 }  // namespace

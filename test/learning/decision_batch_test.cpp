@@ -91,8 +91,8 @@ TEST(DecisionBatch, FindTheSameMovesAndRowsTogetherAsAlone) {
         actions.findMoves({&seen[k], 1}, &moves_alone[k * blocks]);
         states.findRows({&seen[k], 1}, &moves_alone[k * blocks], &rows_alone[k * actions.size()]);
       }
-      ASSERT_TRUE(areSame(moves, moves_alone)) << toText(sharing) << ", seed " << seed;
-      ASSERT_EQ(rows, rows_alone) << toText(sharing) << ", seed " << seed;
+      ASSERT_TRUE(areSame(moves, moves_alone)) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;
+      ASSERT_EQ(rows, rows_alone) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;
     }
   }
 }
@@ -115,7 +115,7 @@ TEST(DecisionBatch, AreCutShortTogetherByEveryLimitThatOneAloneMeets) {
         rule.cut(seen[k], &alone[k], count);  // neighbour by neighbour, not as a list of near agents
         cut_short += alone[k].fraction[0] < alone[k].wanted[0] ? 1 : 0;
       }
-      ASSERT_TRUE(areSame(together, alone)) << toText(sharing) << ", seed " << seed;
+      ASSERT_TRUE(areSame(together, alone)) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;
     }
     EXPECT_EQ(cut_short > 200, sharing != GapSharing::NONE) << cut_short;
   }

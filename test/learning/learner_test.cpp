@@ -126,20 +126,20 @@ TEST(Learner, RefusesToBeginWithWhatIsWrong) {
 }
 
 TEST(LearnerNames, ReadBackWhatTheyWrite) {
-  for (const Mode mode : {Mode::TRAINING, Mode::DEMO}) EXPECT_EQ(parseMode(toText(mode)), mode);
-  for (const TableUse use : {TableUse::SHARED, TableUse::OWN}) EXPECT_EQ(parseTableUse(toText(use)), use);
+  for (const Mode mode : {Mode::TRAINING, Mode::DEMO}) EXPECT_EQ(MODES.parse(MODES.nameOf(mode)), mode);
+  for (const TableUse use : {TableUse::SHARED, TableUse::OWN}) EXPECT_EQ(TABLE_USES.parse(TABLE_USES.nameOf(use)), use);
   for (const TakeMethod method : {TakeMethod::REPLACE, TakeMethod::MERGE}) {
-    EXPECT_EQ(parseTakeMethod(toText(method)), method);
+    EXPECT_EQ(TAKE_METHODS.parse(TAKE_METHODS.nameOf(method)), method);
   }
-  EXPECT_EQ(parseMode("training"), Mode::TRAINING);
-  EXPECT_EQ(parseTableUse("own"), TableUse::OWN);
-  EXPECT_EQ(parseTakeMethod("merge"), TakeMethod::MERGE);
+  EXPECT_EQ(MODES.parse("training"), Mode::TRAINING);
+  EXPECT_EQ(TABLE_USES.parse("own"), TableUse::OWN);
+  EXPECT_EQ(TAKE_METHODS.parse("merge"), TakeMethod::MERGE);
 }
 
 TEST(LearnerNames, SayWhatWasExpected) {
-  EXPECT_EQ(errorOf<InputError>([] { parseMode("Demo"); }), "mode: expected training or demo, got 'Demo'");
-  EXPECT_EQ(errorOf<InputError>([] { parseTableUse(""); }), "tables: expected shared or own, got ''");
-  EXPECT_EQ(errorOf<InputError>([] { parseTakeMethod("add"); }), "method: expected replace or merge, got 'add'");
+  EXPECT_EQ(errorOf<InputError>([] { MODES.parse("Demo"); }), "mode: expected training or demo, got 'Demo'");
+  EXPECT_EQ(errorOf<InputError>([] { TABLE_USES.parse(""); }), "tables: expected shared or own, got ''");
+  EXPECT_EQ(errorOf<InputError>([] { TAKE_METHODS.parse("add"); }), "method: expected replace or merge, got 'add'");
 }
 
 /// Two rows for every perception: action 0 is looked up in row 0 or 1, action 1 in row 2 or 3, by how far the goal is.

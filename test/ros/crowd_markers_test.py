@@ -108,9 +108,9 @@ class CrowdMarkersTest(unittest.TestCase):
     def test_a_radius_of_vision_alone_is_not_red(self):
         """Anticipation has no collision radius."""
         self.begin(agent_at(0, 0.0, 0.0))
-        model = MODEL.replace(f'collision_radius: {COLLISION_RADIUS}, ', '').replace('kings_moves, rotations: 8',
-                                                                                     'goal_relative')
-        self.status.publish(LearnerStatus(serves_all=True, model=model % 'anticipation'))
+        model = (f'state_set: {{type: anticipation, vision_radius: {VISION_RADIUS}}}\n'
+                 'action_set: {type: goal_relative}\nreward: {type: progress}\n')
+        self.status.publish(LearnerStatus(serves_all=True, model=model))
         wait_for(lambda: self.picture.markers('radii') and self.colours_of_radii() == {VISION_RADIUS: 'amber'},
                  'one amber circle')
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include "social_crowd/avoidance/candidate_move.h"
 #include "social_crowd/avoidance/perception_batch.h"
+#include "social_crowd/common/enum_names.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {
@@ -15,10 +14,7 @@ enum class GapSharing {
   MOVING,  ///< the line between them moves with their mean velocity: a follower may use the space that a leader leaves
 };
 
-/// @brief Parses none, half or moving, as used in files. @throws InputError that lists the valid names.
-GapSharing parseGapSharing(const std::string& text);
-/// @brief Returns the name that parseGapSharing() reads.
-std::string toText(GapSharing sharing);
+inline constexpr EnumNames<GapSharing, 3> GAP_SHARINGS{"gap_sharing", {"none", "half", "moving"}};
 
 /// @brief Limits moves so that agents that follow the rule never touch each other, walls, or static obstacles
 /// (docs/separation_rule.md has the proof and its conditions), and replaces moves that moving obstacles make unsafe

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// Help for whoever mistyped a name.
+/// Error messages about unknown names.
 namespace crowd {
 
 /// @brief How many letters have to be inserted, left out, replaced or exchanged with the next one to get from one word
@@ -23,5 +23,8 @@ std::vector<std::string> sortedByNearness(std::string_view given, std::vector<st
 
 /// @brief The names with a prefix each and a comma between them.
 std::string joinNames(const std::vector<std::string>& names, const std::string& prefix = "");
+
+/// @brief Returns "a, b or c".
+std::string joinAlternatives(const std::vector<std::string>& names);
 
 }  // namespace crowd

@@ -4,11 +4,12 @@
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "social_crowd/avoidance/perception_batch.h"
+#include "social_crowd/common/enum_names.h"
 #include "social_crowd/common/random.h"
-#include "social_crowd/learning/agent_places.h"
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/rl/learning_parameters.h"
 #include "social_crowd/learning/rl/policy.h"
@@ -22,10 +23,7 @@ namespace crowd {
 /// @brief training: learn and explore; demo: act greedily, tables do not change.
 enum class Mode { TRAINING, DEMO };
 
-/// @brief Parses the name used in files, parameters and messages. @throws InputError that lists the valid names.
-Mode parseMode(const std::string& text);
-/// @brief Returns the name that parseMode() reads.
-std::string toText(Mode mode);
+inline constexpr EnumNames<Mode, 2> MODES{"mode", {"training", "demo"}};
 
 /// @brief A decision: the chosen action and the row of the Q-table that its value is in.
 struct Choice {
@@ -113,7 +111,7 @@ class Learner {
   void setDecisions(std::uint64_t decisions) { decisions_ = decisions; }
 
   /// @brief The table that an agent uses; for an unknown agent, the table that it would begin with.
-  const QTable& tableOf(AgentId agent) const { return tables_.table(places_.find(agent)); }
+  const QTable& tableOf(AgentId agent) const { return tables_.table(placeOf(agent)); }
   /// @brief Returns a copy of that table for other agents. Its experience is recognised when it is merged later.
   QTable tableToShare(AgentId agent);
   /// @brief Returns a copy of that table for a file. Its experience is recognised, too. The copy depends only on the
@@ -145,12 +143,19 @@ class Learner {
     AgentPerception before;
   };
 
+  /// Returns the place of an agent; TableStore::BASE if it is unknown.
+  std::uint32_t placeOf(AgentId agent) const {
+    const auto found = places_.find(agent);
+    return found != places_.end() ? found->second : TableStore::BASE;
+  }
+  /// Adds an agent unless it is known. Returns its place.
   std::uint32_t addAgent(AgentId agent);
   void checkShape(const QTable& table) const;
   void beginEpisode(std::uint64_t episode);
 
-  Perception limited(const Perceptions& perceptions, std::size_t index) const;
-  void perceive(const Perceptions& perceptions, std::size_t first, std::size_t last,
+  void limit(Perception& seen) const;
+  template <typename PlaceOf>
+  void perceive(const Perceptions& perceptions, std::size_t first, std::size_t last, const PlaceOf& place_of,
                 DecisionWorkspace& workspace) const;
   void findRows(DecisionWorkspace& workspace) const;
   void learn(const Perceptions& perceptions);
@@ -170,6 +175,7 @@ class Learner {
   std::uint32_t max_neighbours_;
   std::size_t rows_each_;    // rows per agent
   std::size_t blocks_each_;  // blocks of moves per agent
+  bool has_constant_moves_;  // the moves in a workspace stay valid
   Options options_;
   LearningParameters parameters_;
   LearningRateSchedule learning_rates_;
@@ -179,9 +185,9 @@ class Learner {
   KeyedRandom chance_;  // random numbers of the episode
   bool began_ = false;
   std::uint64_t decisions_ = 0;
-  TableStore tables_;  // by place
-  AgentPlaces places_;
-  std::vector<Memory> memories_;  // by place
+  TableStore tables_;                                  // by place
+  std::unordered_map<AgentId, std::uint32_t> places_;  // 0, 1, 2 ... in the order of their first perception
+  std::vector<Memory> memories_;                       // by place
   DecisionWorkspace workspace_;
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/common/suggestions.h"
 #include "social_crowd/common/yaml_reader.h"
 
 namespace crowd {
@@ -23,12 +24,9 @@ struct PartType {
 /// @brief Returns "a, b or c" for the names of the types.
 template <typename Part, typename... Given>
 std::string namesOf(const std::vector<PartType<Part, Given...>>& types) {
-  std::string names;
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    const bool is_last = i + 1 == types.size();
-    names += (i == 0 ? "" : is_last ? " or " : ", ") + std::string(types[i].name);
-  }
-  return names;
+  std::vector<std::string> names;
+  for (const auto& type : types) names.emplace_back(type.name);
+  return joinAlternatives(names);
 }
 
 /// @brief Creates the part that a YAML map describes.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/common/enum_names.h"
 #include "social_crowd/world/geometry.h"
 #include "social_crowd/world/obstacle_path.h"
 
@@ -14,11 +15,13 @@ constexpr double DEFAULT_TICK_DURATION = 0.1;
 
 /// @brief Contact model. GHOST: bodies pass through each other. SOLID: agents stop where they touch something.
 enum class Contact : std::uint8_t { GHOST = 0, SOLID = 1 };
+inline constexpr EnumNames<Contact, 2> CONTACTS{"contact", {"ghost", "solid"}};
 
 /// @brief Order of moves within a tick. SIMULTANEOUS: all agents perceive the world at the start of the tick, then all
 /// move. SEQUENTIAL (thesis, algorithms 3.3 and 3.4): in the order of their ids, each agent perceives the world as the
 /// agents before it left it, decides and moves.
 enum class Order : std::uint8_t { SIMULTANEOUS = 0, SEQUENTIAL = 1 };
+inline constexpr EnumNames<Order, 2> ORDERS{"order", {"simultaneous", "sequential"}};
 
 /// @brief Inner radius (thesis, 4.1) [m], see Scene::collision_radius.
 constexpr double DEFAULT_COLLISION_RADIUS = 0.5;

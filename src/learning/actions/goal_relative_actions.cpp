@@ -69,7 +69,7 @@ std::string GoalRelativeActions::spec() const {
   return std::string("{type: ") + TYPE + ", headings: " + toText(parameters_.headings) +
          ", slow_headings: " + toText(parameters_.slow_headings) +
          ", slow_fraction: " + toText(parameters_.slow_fraction) + ", stay: " + (parameters_.stay ? "true" : "false") +
-         ", gap_sharing: " + toText(parameters_.gap_sharing) + ", lookout: " + toText(parameters_.lookout) + "}";
+         ", gap_sharing: " + GAP_SHARINGS.nameOf(parameters_.gap_sharing) + ", lookout: " + toText(parameters_.lookout) + "}";
 }
 
 std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
@@ -80,12 +80,7 @@ std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
   parameters.slow_headings = map.risingNumbers("slow_headings", 0.0, 180.0, parameters.slow_headings);
   parameters.slow_fraction = map.number("slow_fraction", NumberRule::FRACTION, parameters.slow_fraction);
   parameters.stay = map.flag("stay", parameters.stay);
-  const std::string sharing = map.text("gap_sharing", toText(parameters.gap_sharing));
-  try {
-    parameters.gap_sharing = parseGapSharing(sharing);
-  } catch (const InputError&) {
-    throwExpected(map.placeOf("gap_sharing"), map.need("gap_sharing"), "none, half or moving");
-  }
+  parameters.gap_sharing = GAP_SHARINGS.read(map, parameters.gap_sharing);
   parameters.lookout = map.number("lookout", NumberRule::NOT_NEGATIVE, parameters.lookout);
   return std::make_shared<GoalRelativeActions>(parameters);
 }

@@ -9,8 +9,6 @@
 namespace crowd {
 namespace {
 
-constexpr const char* DISTANCE_GAINED_NAME = "distance_gained";
-constexpr const char* COSINE_CUBED_NAME = "cosine_cubed";
 constexpr double FALL_PER_CLASS = 100.0;  // 10^2, (3.8) and (3.9)
 
 /// Penalty of each distance class. That of an empty sector is 0, although the printed (3.9), taken at D = 0, gives
@@ -52,28 +50,23 @@ double ThesisReward::goalPart(const AgentPerception& before, const AgentPercepti
 }
 
 std::string ThesisReward::spec() const {
-  return std::string("{goal: ") +
-         (parameters_.goal == GoalPart::DISTANCE_GAINED ? DISTANCE_GAINED_NAME : COSINE_CUBED_NAME) +
-         ", arrival: " + toText(parameters_.arrival) + ", obstacle_cost: " + toText(parameters_.obstacle_cost) +
+  return "{goal: " + GOAL_PARTS.nameOf(parameters_.goal) + ", arrival: " + toText(parameters_.arrival) +
+         ", obstacle_cost: " + toText(parameters_.obstacle_cost) +
          (parameters_.stay_cost > 0.0 ? ", stay_cost: " + toText(parameters_.stay_cost) : "") + "}";
 }
 
 std::shared_ptr<const Reward> readThesisReward(YamlMap& map, const StateSet& state_set) {
   map.allow({"type", "goal", "arrival", "obstacle_cost", "stay_cost"});
   ThesisReward::Parameters parameters;
-  const std::string goal = map.text("goal");
-  if (goal == DISTANCE_GAINED_NAME) {
-    parameters.goal = ThesisReward::GoalPart::DISTANCE_GAINED;
-  } else if (goal != COSINE_CUBED_NAME) {
-    throwExpected(map.placeOf("goal"), map.need("goal"), "distance_gained or cosine_cubed");
-  }
+  parameters.goal = ThesisReward::GOAL_PARTS.need(map);
   parameters.arrival = map.number("arrival", NumberRule::ANY, parameters.arrival);
   parameters.obstacle_cost = map.number("obstacle_cost", NumberRule::NOT_NEGATIVE);
   parameters.stay_cost = map.number("stay_cost", NumberRule::NOT_NEGATIVE, parameters.stay_cost);
   const auto* const classes = dynamic_cast<const RowDistanceClasses*>(&state_set);
   if (classes == nullptr) {
-    throwExpected(map.placeOf("type"), map.node(),
-                  "another reward, because the rows of this state set do not encode distance classes");
+    throwProblem(map.place(), map.node(),
+                 "the reward of the thesis needs a state set whose rows encode distance classes; " + state_set.spec() +
+                     " do not encode distance classes");
   }
   return std::make_shared<ThesisReward>(parameters, *classes, state_set.rowCount());
 }

@@ -9,14 +9,6 @@
 
 namespace crowd {
 
-Ties parseTies(const std::string& text) {
-  if (text == "first") return Ties::FIRST;
-  if (text == "random") return Ties::RANDOM;
-  throw InputError("ties: expected first or random, got '" + text + "'");
-}
-
-std::string toText(Ties ties) { return ties == Ties::FIRST ? "first" : "random"; }
-
 std::string LearningParameters::problems() const {
   std::string problems;
   const auto require = [&](bool fine, const char* name, const char* expected, double got) {
@@ -48,14 +40,10 @@ EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
   schedule.first = map.number("from", NumberRule::FRACTION);
   schedule.last = map.number("to", NumberRule::FRACTION);
   schedule.episodes = static_cast<std::uint64_t>(map.whole("episodes", 1, INT64_MAX));
-  const std::string shape = map.text("shape", "linear");
-  if (shape == "exponential") {
-    schedule.shape = EpsilonSchedule::Shape::EXPONENTIAL;
-    if (schedule.first <= 0.0 || schedule.last <= 0.0) {
-      throwExpected(place, node, "from and to above 0 for an exponential schedule");
-    }
-  } else if (shape != "linear") {
-    throwExpected(map.placeOf("shape"), map.need("shape"), "linear or exponential");
+  schedule.shape = EpsilonSchedule::SHAPES.read(map, schedule.shape);
+  const bool has_zero = schedule.first <= 0.0 || schedule.last <= 0.0;
+  if (schedule.shape == EpsilonSchedule::Shape::EXPONENTIAL && has_zero) {
+    throwExpected(place, node, "from and to above 0 for an exponential schedule");
   }
   return schedule;
 }
@@ -73,14 +61,6 @@ void readParameter(const YamlMap& map, const std::string& key, double LearningPa
   parameters.*member = alone.*member;
 }
 
-Ties readTies(const YamlMap& map, Ties otherwise) {
-  try {
-    return parseTies(map.text("ties", toText(otherwise)));
-  } catch (const InputError&) {
-    throwExpected(map.placeOf("ties"), map.need("ties"), "first or random");
-  }
-}
-
 LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, const LearningPlan& otherwise) {
   const YamlMap map(node, place, {"alpha", "alpha_decay", "gamma", "lambda", "mirrored", "ties", "epsilon"});
   LearningPlan plan = otherwise;
@@ -89,7 +69,7 @@ LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, co
   readParameter(map, "gamma", &LearningParameters::gamma, plan.parameters);
   readParameter(map, "lambda", &LearningParameters::lambda, plan.parameters);
   plan.parameters.mirrored = map.flag("mirrored", plan.parameters.mirrored);
-  plan.parameters.ties = readTies(map, plan.parameters.ties);
+  plan.parameters.ties = TIES.read(map, plan.parameters.ties);
   if (const YAML::Node epsilon = map.find("epsilon")) {
     plan.epsilon = readEpsilon(epsilon, map.placeOf("epsilon"));
     plan.parameters.epsilon = plan.epsilon.at(0);
@@ -107,10 +87,8 @@ LearningPlan changedPlan(const LearningPlan& plan, const std::string& text, cons
 
 std::string toText(const EpsilonSchedule& schedule) {
   if (schedule.episodes == 0 || schedule.first == schedule.last) return toText(schedule.last);
-  const bool exponential = schedule.shape == EpsilonSchedule::Shape::EXPONENTIAL;
   return "{from: " + toText(schedule.first) + ", to: " + toText(schedule.last) +
-         ", episodes: " + std::to_string(schedule.episodes) + ", shape: " + (exponential ? "exponential" : "linear") +
-         "}";
+         ", episodes: " + std::to_string(schedule.episodes) + ", shape: " + EpsilonSchedule::SHAPES.nameOf(schedule.shape) + "}";
 }
 
 namespace {
@@ -125,7 +103,7 @@ std::array<std::pair<const char*, std::string>, KEYS> entriesOf(const LearningPl
            {"gamma", toText(parameters.gamma)},
            {"lambda", toText(parameters.lambda)},
            {"mirrored", parameters.mirrored ? "true" : "false"},
-           {"ties", toText(parameters.ties)},
+           {"ties", TIES.nameOf(parameters.ties)},
            {"epsilon", toText(plan.epsilon)}}};
 }
 

@@ -1,23 +1,6 @@
 #include "social_crowd/learning/rl/table_store.h"
 
-#include "social_crowd/common/errors.h"
-
 namespace crowd {
-
-TableUse parseTableUse(const std::string& text) {
-  if (text == "shared") return TableUse::SHARED;
-  if (text == "own") return TableUse::OWN;
-  throw InputError("tables: expected shared or own, got '" + text + "'");
-}
-
-TakeMethod parseTakeMethod(const std::string& text) {
-  if (text == "replace") return TakeMethod::REPLACE;
-  if (text == "merge") return TakeMethod::MERGE;
-  throw InputError("method: expected replace or merge, got '" + text + "'");
-}
-
-std::string toText(TableUse use) { return use == TableUse::SHARED ? "shared" : "own"; }
-std::string toText(TakeMethod method) { return method == TakeMethod::REPLACE ? "replace" : "merge"; }
 
 void TableStore::addUser() {
   if (use_ == TableUse::OWN) own_.push_back(base_);

@@ -3,7 +3,7 @@
 namespace crowd {
 
 CondensedOccupancyStates::CondensedOccupancyStates(const Parameters& parameters)
-    : ThesisStates(parameters.distances),
+    : SectorStates(parameters.distances),
       occupancy_(parameters),
       sectors_(parameters.sectors),
       codes_(Row{1} << static_cast<unsigned>(parameters.sectors)) {}

@@ -47,7 +47,7 @@ std::pair<double, Vector2> findNearest(const Perception& perception) {
 }  // namespace
 
 NearestObstacleStates::NearestObstacleStates(const Parameters& parameters)
-    : ThesisStates(parameters.distances),
+    : SectorStates(parameters.distances),
       parameters_(parameters),
       goal_sectors_(parameters.goal_sectors),
       obstacle_sectors_(inRadians(parameters.obstacle_sectors)) {}

@@ -14,7 +14,7 @@ constexpr double NO_DIRECTION = 1e-9;
 }  // namespace
 
 OccupancyStates::OccupancyStates(const Parameters& parameters)
-    : ThesisStates(parameters.distances), sectors_(parameters.sectors), codes_(1) {
+    : SectorStates(parameters.distances), sectors_(parameters.sectors), codes_(1) {
   for (int i = 0; i < parameters.sectors; ++i) {
     codes_ *= BASE;
     const Vector2 limit = unitVector(sectors_.rightLimit(i));

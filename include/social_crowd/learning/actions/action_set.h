@@ -32,8 +32,13 @@ class ActionSet {
   /// agents.
   /// @param moves output, blocksOf(size()) blocks per agent. Unused lanes must hold a valid move, too.
   virtual void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const = 0;
-  /// @brief Returns the relative action that carries out a move of findMoves().
-  virtual RelativeAction relativeAction(const CandidateMove& move, Action /*action*/) const { return toAction(move); }
+  /// @brief Whether findMoves() writes the same moves for all perceptions. Then the learner does not call it each tick.
+  virtual bool hasConstantMoves() const { return false; }
+  /// @brief Returns the relative action that carries out the move of an action.
+  /// @param moves those that findMoves() wrote for the agent
+  virtual RelativeAction relativeAction(const MoveBlock* moves, Action action) const {
+    return toAction(moveAt(moves, action));
+  }
   /// @brief Returns the action that is the same move with left and right exchanged.
   virtual Action mirrored(Action action) const = 0;
   /// @brief Name and parameters as one canonical line of YAML. Two sets with equal lines are the same set; Q-table

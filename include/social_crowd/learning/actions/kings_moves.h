@@ -18,8 +18,9 @@ class KingsMoves : public ActionSet {
 
   Action size() const override { return static_cast<Action>(relative_actions_.size()); }
   void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
+  bool hasConstantMoves() const override { return true; }
   /// @brief Returns the exact multiple of 360 degrees / rotations.
-  RelativeAction relativeAction(const CandidateMove& /*move*/, Action action) const override {
+  RelativeAction relativeAction(const MoveBlock* /*moves*/, Action action) const override {
     return relative_actions_[action];
   }
   Action mirrored(Action action) const override {

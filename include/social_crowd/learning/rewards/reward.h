@@ -37,7 +37,8 @@ class Reward {
   virtual std::string spec() const = 0;
 };
 
-/// @brief Returns the decrease of the distance to the goal [m]; 0 if the goal has changed.
+/// @brief Returns the decrease of the distance to the goal [m]; 0 if the goal has changed, as in the tick in which the
+/// agent reached an intermediate goal.
 double distanceGained(const AgentPerception& before, const AgentPerception& after);
 
 /// @brief Creates the reward that a YAML map describes; without the key `type` that of the thesis.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "social_crowd/common/enum_names.h"
 #include "social_crowd/learning/rewards/reward.h"
 #include "social_crowd/learning/states/obstacle_classes.h"
 
@@ -18,6 +19,7 @@ class ThesisReward : public Reward {
     DISTANCE_GAINED,  ///< (3.6) decrease of the distance to the goal [m]
     COSINE_CUBED,     ///< (3.7) cos^3 of the angle between the new heading and the goal
   };
+  static constexpr EnumNames<GoalPart, 2> GOAL_PARTS{"goal", {"distance_gained", "cosine_cubed"}};
 
   struct Parameters {
     GoalPart goal = GoalPart::COSINE_CUBED;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "social_crowd/common/yaml_reader.h"
+#include "social_crowd/common/enum_names.h"
 
 namespace crowd {
 
@@ -13,10 +13,7 @@ namespace crowd {
 /// each with the same probability.
 enum class Ties { FIRST, RANDOM };
 
-/// @brief Parses first or random, as used in files. @throws InputError that lists the valid names.
-Ties parseTies(const std::string& text);
-/// @brief Returns the name that parseTies() reads.
-std::string toText(Ties ties);
+inline constexpr EnumNames<Ties, 2> TIES{"ties", {"first", "random"}};
 
 /// @brief Parameters of Q-learning (3.1). The defaults are the thesis's.
 struct LearningParameters {
@@ -42,12 +39,10 @@ struct LearningParameters {
 void readParameter(const YamlMap& map, const std::string& key, double LearningParameters::*member,
                    LearningParameters& parameters);
 
-/// @brief Reads the key `ties`; returns `otherwise` if the map does not have it. @throws InputError with the place
-Ties readTies(const YamlMap& map, Ties otherwise = Ties::FIRST);
-
 /// @brief Epsilon by episode: from `first` to `last` within `episodes` episodes, then constant.
 struct EpsilonSchedule {
   enum class Shape { LINEAR, EXPONENTIAL };
+  static constexpr EnumNames<Shape, 2> SHAPES{"shape", {"linear", "exponential"}};
   double first = 0.1;
   double last = 0.1;
   std::uint64_t episodes = 0;

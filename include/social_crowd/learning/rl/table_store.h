@@ -2,10 +2,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "social_crowd/common/enum_names.h"
 #include "social_crowd/learning/rl/q_table.h"
 
 namespace crowd {
@@ -15,12 +14,8 @@ enum class TableUse { SHARED, OWN };
 /// @brief How a table is combined with the table that a user already has.
 enum class TakeMethod { REPLACE, MERGE };
 
-/// @brief Parse the names used in files, parameters and messages. @throws InputError that lists the valid names.
-TableUse parseTableUse(const std::string& text);
-TakeMethod parseTakeMethod(const std::string& text);
-/// @brief Return the names that the functions above parse.
-std::string toText(TableUse use);
-std::string toText(TakeMethod method);
+inline constexpr EnumNames<TableUse, 2> TABLE_USES{"tables", {"shared", "own"}};
+inline constexpr EnumNames<TakeMethod, 2> TAKE_METHODS{"method", {"replace", "merge"}};
 
 /// @brief The Q-tables of several users, numbered 0, 1, 2 ...; users are agents of a learner. With SHARED, all users
 /// have the base table; with OWN, each has a copy of the base table, made when it is first written to.

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "social_crowd/learning/states/occupancy_states.h"
+#include "social_crowd/learning/states/sector_states.h"
 #include "social_crowd/learning/states/sectors.h"
-#include "social_crowd/learning/states/thesis_states.h"
 
 namespace crowd {
 
@@ -15,7 +15,7 @@ namespace crowd {
 ///
 /// With n sectors the state is G * 2 * 2^n + near * 2^n + code, where the code's binary digits are the sectors, sector
 /// 0 first as in (3.5); terminal n * 2 * 2^n.
-class CondensedOccupancyStates : public ThesisStates {
+class CondensedOccupancyStates : public SectorStates {
  public:
   static constexpr const char* TYPE = "condensed_occupancy";
 

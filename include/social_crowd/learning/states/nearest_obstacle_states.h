@@ -1,7 +1,7 @@
 #pragma once
 
+#include "social_crowd/learning/states/sector_states.h"
 #include "social_crowd/learning/states/sectors.h"
-#include "social_crowd/learning/states/thesis_states.h"
 
 namespace crowd {
 
@@ -10,7 +10,7 @@ namespace crowd {
 ///
 /// With G the goal sector (nG of them), A the obstacle sector (nO), D the distance class (1 .. nD):
 /// nothing perceived: G; else (nG - 1) + G * (nO * nD) + A * nD + D; terminal: nG * nO * nD + nG.
-class NearestObstacleStates : public ThesisStates {
+class NearestObstacleStates : public SectorStates {
  public:
   static constexpr const char* TYPE = "nearest_obstacle";
 

@@ -13,8 +13,8 @@ class RowDistanceClasses {
  public:
   virtual ~RowDistanceClasses() = default;
   /// @brief Returns the distance classes of a row, one per obstacle or sector that it distinguishes: 0 (empty) to
-  /// DistanceClasses::COUNT. Empty if the row encodes no obstacle, and for a terminal row. ThesisReward calls it for
-  /// every row when it is created.
+  /// DistanceClasses::COUNT; zeros may be omitted. Empty if the row encodes no obstacle, and for a terminal row.
+  /// ThesisReward calls it for every row when it is created, and sums the penalties of the classes.
   virtual std::vector<int> distanceClasses(Row row) const = 0;
 };
 
@@ -30,7 +30,7 @@ struct OccupiedSector {
 class SectorPicture {
  public:
   virtual ~SectorPicture() = default;
-  /// @brief Returns the sectors that are occupied in a perception.
+  /// @brief Returns the sectors that are occupied in a perception. They may overlap; each is drawn.
   virtual std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const = 0;
   /// @brief Outer limits of the distance classes 1, 2, ..., ascending: distances from the agent's centre to the other's
   /// rim [m].

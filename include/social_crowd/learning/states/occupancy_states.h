@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "social_crowd/learning/states/sector_states.h"
 #include "social_crowd/learning/states/sectors.h"
-#include "social_crowd/learning/states/thesis_states.h"
 
 namespace crowd {
 
@@ -20,7 +20,7 @@ namespace crowd {
 ///
 /// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
 /// 3^8 * G + code, terminal 3^8 * 8.
-class OccupancyStates : public ThesisStates {
+class OccupancyStates : public SectorStates {
  public:
   static constexpr const char* TYPE = "occupancy";
   static constexpr int MAX_SECTORS = 12;  // a table of 3^12 * 12 rows is the largest practical one

@@ -33,7 +33,9 @@ class StateSet {
   virtual Row rowCount() const = 0;
   /// @brief Number of rows that a perception maps to: 1 (the same row for all actions) or one per action.
   virtual std::size_t rowsPerPerception() const { return 1; }
-  /// @brief Writes the rows of each agent of a batch. The rows of an agent do not depend on the other agents.
+  /// @brief Writes the rows of each agent of a batch. The rows of an agent do not depend on the other agents. Called
+  /// also for agents that have arrived, whose rows are not used. If maxNeighbours() is 0, the perceptions may hold
+  /// neighbours beyond visionRadius().
   /// @param moves the candidate moves of the action set, blocksOf(number of actions) blocks per agent
   /// @param rows output, rowsPerPerception() row numbers per agent, each below rowCount()
   virtual void findRows(const PerceptionBatch& batch, const MoveBlock* moves, Row* rows) const = 0;

@@ -9,11 +9,11 @@
 
 namespace crowd {
 
-/// @brief What the state sets of the thesis have in common: one row per perception, two distance classes, and a last
-/// row for an agent that has arrived.
-class ThesisStates : public StateSet, public RowDistanceClasses, public SectorPicture {
+/// @brief Base of state sets that divide the surroundings into sectors, as those of the thesis: one row per perception,
+/// two distance classes, and a terminal row. They can be combined with ThesisReward and drawn.
+class SectorStates : public StateSet, public RowDistanceClasses, public SectorPicture {
  public:
-  explicit ThesisStates(const DistanceClasses& distances) : distances_(distances) {}
+  explicit SectorStates(const DistanceClasses& distances) : distances_(distances) {}
 
   Row rowCount() const override { return terminal() + 1; }
   double visionRadius() const override { return distances_.vision_radius; }

@@ -1,10 +1,10 @@
-#include "social_crowd/learning/states/thesis_states.h"
+#include "social_crowd/learning/states/sector_states.h"
 
 #include "social_crowd/common/numbers.h"
 
 namespace crowd {
 
-std::string ThesisStates::distancesSpec() const {
+std::string SectorStates::distancesSpec() const {
   return ", collision_radius: " + toText(distances_.collision_radius) +
          ", vision_radius: " + toText(distances_.vision_radius);
 }
