@@ -48,7 +48,7 @@ std::string missingFolderOf(const std::string& file) {
 /// Some special files claim to be larger than any memory.
 constexpr std::uintmax_t MOST_RESERVED = 1U << 26U;  // [bytes]
 
-/// Writes all to a temporary file and flushes it to the disk. What goes wrong is told of the file that it stands for.
+/// Writes all to a temporary file and flushes it to the disk. Errors name the file that it replaces.
 void writeDurably(const std::string& temporary, const std::string& content, const std::string& file) {
   const int flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
   const int descriptor = ::open(temporary.c_str(), flags, 0666);  // NOLINT(*-vararg)

@@ -82,7 +82,7 @@ std::string findScenario(const std::string& name_or_file, const std::string& bas
   const fs::path path(name_or_file);
   const fs::path file = fs::path(base) / path;
   const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == EXTENSION);
-  const bool is_plainly_a_folder = !is_bare && isFolder(file);  // who reads it says so
+  const bool is_plainly_a_folder = !is_bare && isFolder(file);  // reported when it is read
   if (isFile(file) || is_plainly_a_folder) return file.lexically_normal().string();
   const fs::path named = fs::path(folder) / (path.stem().string() + EXTENSION);
   if (is_bare && isFile(named)) return named.string();

@@ -14,7 +14,7 @@ constexpr std::uint64_t EPISODE = 5;
 constexpr RelativeAction MOVE{0.5, 1.0};
 constexpr LearnerId LEARNER = 0;
 
-/// What these agents answer to a tick.
+/// Answers of these agents to a tick.
 inline RelativeActions answersOf(std::uint64_t tick, const Ids& agents, const RelativeAction& action = MOVE,
                                  std::uint64_t episode = EPISODE) {
   RelativeActions answers;
@@ -31,7 +31,7 @@ inline void playTick(Lockstep& lockstep, std::uint64_t tick, const Ids& asked, c
   lockstep.close();
 }
 
-/// Whose answers these are.
+/// The agents of the answers.
 inline Ids agentsOf(const std::vector<AgentAction>& answers) {
   Ids agents;
   for (const AgentAction& answer : answers) agents.push_back(answer.agent);

@@ -8,9 +8,8 @@
 #include "social_crowd/learning/learner.h"
 #include "support/perceptions.h"
 
-/// What tests of learners need: a model of 69 rows and 8 actions in which an agent alone is in row 0 .. 3, as its goal
-/// lies ahead, left, behind or right, and is rewarded by the distance it gained [m]; so a test says in a line what an
-/// agent went through.
+/// Helpers for tests of learners: a model of 69 rows and 8 actions in which a single agent is in row 0 .. 3 if its goal
+/// lies ahead, left, behind or right, and the reward is the distance gained [m].
 namespace crowd::learners {
 
 inline Model model() {
@@ -21,7 +20,7 @@ inline Model model() {
 
 inline QTable emptyTable() { return {69, 8}; }
 
-/// Alpha 0.5 and gamma 0.5 lose nothing to rounding; nobody explores.
+/// With alpha 0.5 and gamma 0.5 the values are exact; no agent explores.
 inline Learner::Options options(Mode mode, TableUse tables = TableUse::SHARED) {
   Learner::Options options;
   options.mode = mode;
@@ -31,7 +30,7 @@ inline Learner::Options options(Mode mode, TableUse tables = TableUse::SHARED) {
   return options;
 }
 
-/// The goal of an agent in one of the rows 0 .. 3, so far away [m] to the last bit.
+/// The goal of an agent in one of the rows 0 .. 3, exactly at a distance [m].
 inline Vector2 goalIn(Row row, double distance) {
   const double along = row % 2 == 0 ? distance : 0.0;
   const double across = row % 2 == 1 ? distance : 0.0;
@@ -53,7 +52,7 @@ inline Action actionOf(const AgentAction& answer) {
   return static_cast<Action>(std::lround(toDegrees(answer.action.rotation) / 45.0));
 }
 
-/// The action that the learner gives an agent alone, in a tick of its own.
+/// The action of a single agent in one tick.
 inline Action decideOne(Learner& learner, const PerceptionsBuilder& perceptions) {
   return actionOf(decide(learner, perceptions).agents.at(0));
 }
@@ -73,7 +72,8 @@ inline QTable randomTable(const Model& model, std::uint64_t seed) {
 
 inline QTable randomTable(std::uint64_t seed) { return randomTable(model(), seed); }
 
-/// What so many agents might perceive; of some the last answer was lost. `backwards` tells of the last agent first.
+/// Random perceptions of a number of agents; the last answers of some were not carried out. `backwards` lists the
+/// agents in descending order.
 inline PerceptionsBuilder randomTick(std::uint64_t seed, std::uint64_t episode, std::uint64_t tick, AgentId agents,
                                      bool backwards = false) {
   PerceptionsBuilder scene(episode, tick);

@@ -28,7 +28,7 @@ inline RelativeAction relativeAction(const ActionSet& actions, const Perception&
   return actions.relativeAction(movesOf(actions, perception).data(), action);
 }
 
-/// @brief What would come of the first `count` moves of a block.
+/// @brief Features of the first `count` moves of a block.
 inline MoveFeatures featuresAlone(const Perception& perception, MoveBlock moves, std::size_t count,
                                   double min_fraction) {
   MoveFeatures features;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
@@ -36,7 +36,7 @@ inline MoveFeatures featuresAlone(const Perception& perception, MoveBlock moves,
   return features;
 }
 
-/// @brief What a separation rule makes of moves.
+/// @brief Moves limited by a separation rule.
 inline std::vector<CandidateMove> cut(const SeparationRule& rule, const Perception& perception,
                                       std::vector<CandidateMove> moves) {
   std::vector<MoveBlock> blocks = toBlocks(moves);

@@ -17,7 +17,7 @@ inline Bits bitsOf(const std::vector<double>& numbers) {
   return bits;
 }
 
-/// All that an agent is told, but for where in the lists it stands.
+/// All fields of a perception except the positions in the lists.
 inline Bits bitsOf(const Perception& seen) {
   const AgentPerception& self = seen.self;
   std::vector<double> numbers = {self.pose.position.x(),

@@ -9,8 +9,7 @@ namespace crowd {
 /// @brief The point at a bearing [degrees, counterclockwise from ahead] and a distance [m].
 inline Vector2 polar(double degrees, double distance) { return distance * unitVector(toRadians(degrees)); }
 
-/// @brief Makes perceptions for tests, agent by agent: what is said of an agent, its bodies and its walls is said of
-/// the one added last.
+/// @brief Makes perceptions for tests, agent by agent. Neighbours, walls and properties apply to the agent added last.
 class PerceptionsBuilder {
  public:
   explicit PerceptionsBuilder(std::uint64_t episode = 0, std::uint64_t tick = 0) {
@@ -42,7 +41,7 @@ class PerceptionsBuilder {
     return *this;
   }
 
-  /// @brief What the body is.
+  /// @brief Sets the kind of the last neighbour.
   PerceptionsBuilder& kind(NeighbourKind kind) {
     Neighbour neighbour = all_.neighbours[all_.neighbours.size() - 1];
     neighbour.kind = kind;
@@ -50,7 +49,7 @@ class PerceptionsBuilder {
     return *this;
   }
 
-  /// @brief How the agent and its body moved in the last tick, in the agent's frame [m/s].
+  /// @brief Velocities of the agent and of its last neighbour in the last tick, agent frame [m/s].
   PerceptionsBuilder& velocity(const Vector2& own, const Vector2& of_body) {
     all_.agents.back().velocity = own;
     Neighbour neighbour = all_.neighbours[all_.neighbours.size() - 1];
@@ -84,15 +83,15 @@ class PerceptionsBuilder {
   }
 
   const Perceptions& all() const { return all_; }
-  /// @brief What the agent added as number `index` perceives; valid as long as the builder lives unchanged.
+  /// @brief The perception of agent `index`, in the order of addition; valid as long as the builder is unchanged.
   Perception perception(std::size_t index = 0) const { return {all_, index}; }
 
  private:
   Perceptions all_;
 };
 
-/// @brief Adds an agent with many bodies that lie on it and come on: whoever takes one of these for another agent's,
-/// which stands beside it in the list, sees that one touched at once.
+/// @brief Adds an agent with many neighbours that overlap it and approach. Code that reads beyond the neighbours of the
+/// agent before it in the list finds an immediate collision.
 inline void addTouchedAgent(AgentId id, PerceptionsBuilder& scene) {
   scene.agent(id, {9.0, 0.0});
   for (std::size_t i = 0; i < NeighbourList::PADDING; ++i) {

@@ -10,11 +10,10 @@
 
 #include "social_crowd/learning/q_table_file.h"
 
-/// A small Q-table file for tests: as text, and as the table it stands for.
+/// A small Q-table file for tests: its text and its table.
 namespace crowd::q_table_texts {
 
-/// FNV-1a of 64 bits, in 16 hexadecimal digits: a second implementation, so that damage with a right checksum can be
-/// told from damage that only the checksum finds.
+/// FNV-1a of 64 bits, in 16 hexadecimal digits: a second implementation, to make damaged files with a valid checksum.
 inline std::string checksumOf(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const char letter : text) {

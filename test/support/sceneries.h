@@ -9,8 +9,8 @@
 #include "social_crowd/world/occlusion.h"
 #include "support/scenes.h"
 
-/// What one agent has around it, in its frame, and what is left of it to be seen. Bodies are told apart by their
-/// numbers: they are perceived elsewhere and smaller where they are partly hidden.
+/// The surroundings of one agent in its frame, and their visible parts. Bodies are identified by their numbers, because
+/// a partly hidden body is perceived at another position and smaller.
 namespace crowd::sceneries {
 
 constexpr double FAR = 100.0;  // radius of vision [m]

@@ -67,7 +67,7 @@ inline Vector2 randomPoint(KeyedRandom& random, double half_width) {
   return {x, random.uniform(-half_width, half_width)};
 }
 
-/// A square full of agents that walk through each other, of obstacles at rest and in motion, and of walls.
+/// A square with agents that walk through each other, static and moving obstacles, and walls.
 inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, double half_width = 6.0) {
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
   Scene made = scene({});
@@ -97,7 +97,7 @@ inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, doub
   return made;
 }
 
-/// The same with more agents than are done by one worker alone.
+/// The same with enough agents for several worker threads.
 inline Scene randomCrowd(std::uint64_t seed) {
   Scene made = randomScene(seed, 500, 20.0);
   while (made.agents.size() <= 2 * ThreadPool::FEW_SHORT_ITEMS) {
@@ -106,8 +106,8 @@ inline Scene randomCrowd(std::uint64_t seed) {
   return made;
 }
 
-/// A solid crowd in which nothing overlaps at the start: agents as fast as `max_speed` [m/s] in a square that they fill
-/// to a good part, obstacles at rest, as many moving obstacles as wanted, and walls.
+/// A dense crowd in a solid world in which no bodies overlap at the start: agents with speeds up to `max_speed` [m/s],
+/// static obstacles, a number of moving obstacles, and walls.
 inline Scene solidCrowd(std::uint64_t seed, std::size_t agents, double max_speed, std::size_t moving_obstacles = 0) {
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
   const double half_width = 0.5 * std::sqrt(static_cast<double>(agents)) + 1.0;

@@ -6,10 +6,10 @@
 
 #include "social_crowd/world/world.h"
 
-/// What tests of the world look at.
+/// Helpers for tests of the world.
 namespace crowd {
 
-/// Sees everything.
+/// Vision without limits.
 constexpr Vision FAR_SIGHT{1e6, 0};
 
 inline void expectVector(const Vector2& v, double x, double y) {
@@ -34,7 +34,7 @@ inline std::vector<double> stateOf(const World& world) {
   return state;
 }
 
-/// What everybody perceives who sees everything.
+/// The perceptions of all agents with unlimited vision.
 inline Perceptions lookAround(World& world) {
   Perceptions perceptions;
   world.perceive(FAR_SIGHT, perceptions);

@@ -60,7 +60,7 @@ class CrowdController {
   void noteStep();
   void finishSteps();
 
-  /// @return ready when the crowd is at rest, or immediately if it is to walk
+  /// @return ready when the crowd has paused, or immediately if it is to walk
   std::future<void> pause(bool paused);
   void noteRest();
   std::future<void> beginSteps(std::uint32_t ticks);
