@@ -119,8 +119,7 @@ TEST(QTableDamage, InTheVisitsOfSources) {
 }
 
 TEST(QTableDamage, InTheModel) {
-  expectRefused(edited("nearest_obstacle", "nearest"), 2,
-                "expected " + namesOf(stateSetTypes()) + ", got 'nearest'");
+  expectRefused(edited("nearest_obstacle", "nearest"), 2, "expected " + namesOf(stateSetTypes()) + ", got 'nearest'");
   expectRefused(edited("goal_sectors: 2", "goal_sectors: 0"), 2, "goal_sectors");
   expectRefused(edited("vision_radius: 1", "vision_radius: 0.1"), 2, "vision_radius");
   expectRefused(edited("vision_radius", "vision"), 2, "unknown key 'vision'");

@@ -55,8 +55,8 @@ TEST(ThreadPoolShare, AnEpisodeDoesNotDependOnTheirNumber) {
       for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
         const Walked expected = walk(scene, mode, 1);
         const auto expect_same = [&](unsigned threads, bool at_once) {
-          SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << MODES.nameOf(mode) << ", " << threads << " threads"
-                                          << (at_once ? ", all at once" : ""));
+          SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << MODES.nameOf(mode) << ", " << threads
+                                          << " threads" << (at_once ? ", all at once" : ""));
           const Walked walked = walk(scene, mode, threads, at_once);
           EXPECT_EQ(walked.state, expected.state);
           EXPECT_EQ(walked.metrics, expected.metrics);

@@ -121,9 +121,7 @@ void expectRefused(const Mistake& mistake) {
 TEST(TrainingConfig, MistakesAreNamedWithFileLineAndWhatWasExpected) {
   const std::vector<Mistake> mistakes = {
       {"state_set: {type: nearest_obstacle, goal_sectors: 4}\n", "", {"state_set"}},
-      {"nearest_obstacle",
-       "farthest",
-       {"line 2", "state_set.type", namesOf(stateSetTypes()), "farthest"}},
+      {"nearest_obstacle", "farthest", {"line 2", "state_set.type", namesOf(stateSetTypes()), "farthest"}},
       {"goal_sectors: 4", "goal_sectors: many", {"line 2", "state_set.goal_sectors", "whole number", "many"}},
       {"goal_sectors", "sectors", {"line 2", "state_set", "unknown key 'sectors'", "goal_sectors"}},
       {"kings_moves", "queens_moves", {"line 3", "action_set.type", "kings_moves", "queens_moves"}},

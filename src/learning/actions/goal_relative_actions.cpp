@@ -69,7 +69,8 @@ std::string GoalRelativeActions::spec() const {
   return std::string("{type: ") + TYPE + ", headings: " + toText(parameters_.headings) +
          ", slow_headings: " + toText(parameters_.slow_headings) +
          ", slow_fraction: " + toText(parameters_.slow_fraction) + ", stay: " + (parameters_.stay ? "true" : "false") +
-         ", gap_sharing: " + GAP_SHARINGS.nameOf(parameters_.gap_sharing) + ", lookout: " + toText(parameters_.lookout) + "}";
+         ", gap_sharing: " + GAP_SHARINGS.nameOf(parameters_.gap_sharing) +
+         ", lookout: " + toText(parameters_.lookout) + "}";
 }
 
 std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {

@@ -88,7 +88,8 @@ LearningPlan changedPlan(const LearningPlan& plan, const std::string& text, cons
 std::string toText(const EpsilonSchedule& schedule) {
   if (schedule.episodes == 0 || schedule.first == schedule.last) return toText(schedule.last);
   return "{from: " + toText(schedule.first) + ", to: " + toText(schedule.last) +
-         ", episodes: " + std::to_string(schedule.episodes) + ", shape: " + EpsilonSchedule::SHAPES.nameOf(schedule.shape) + "}";
+         ", episodes: " + std::to_string(schedule.episodes) +
+         ", shape: " + EpsilonSchedule::SHAPES.nameOf(schedule.shape) + "}";
 }
 
 namespace {
