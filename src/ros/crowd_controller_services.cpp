@@ -52,10 +52,10 @@ std::future<void> CrowdController::beginSteps(std::uint32_t ticks) {
   return pending_steps_->done.get_future();
 }
 
-bool CrowdController::waitFor(const std::future<void>& done, std::chrono::milliseconds most) const {
+bool CrowdController::waitFor(const std::future<void>& done, std::chrono::milliseconds timeout) const {
   constexpr std::chrono::milliseconds LOOK(100);
-  const auto deadline = std::chrono::steady_clock::now() + most;
-  while (done.wait_for(std::min(LOOK, most)) != std::future_status::ready) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  while (done.wait_for(std::min(LOOK, timeout)) != std::future_status::ready) {
     if (loop_.isClosed()) throw Error("the node is shutting down");
     if (std::chrono::steady_clock::now() >= deadline) return false;
   }

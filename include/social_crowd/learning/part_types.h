@@ -25,6 +25,7 @@ struct PartType {
 template <typename Part, typename... Given>
 std::string namesOf(const std::vector<PartType<Part, Given...>>& types) {
   std::vector<std::string> names;
+  names.reserve(types.size());
   for (const auto& type : types) names.emplace_back(type.name);
   return joinAlternatives(names);
 }
