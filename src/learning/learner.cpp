@@ -123,15 +123,16 @@ inline void Learner::limit(Perception& seen) const {
 
 inline void Learner::findRows(DecisionWorkspace& workspace) const {
   const std::size_t agents = workspace.seen.size();
-  const bool grows = workspace.rows.size() < agents * rows_each_;
-  if (grows) {
-    workspace.rows.resize(agents * rows_each_);
-    workspace.moves.resize(agents * blocks_each_);
-  }
+  if (workspace.rows.size() < agents * rows_each_) workspace.rows.resize(agents * rows_each_);
+  const bool grows = workspace.moves.size() < agents * blocks_each_;
+  if (grows) workspace.moves.resize(agents * blocks_each_);
+  // The workspace may have been used by another learner.
+  const bool has_moves = has_constant_moves_ && !grows && workspace.moves_of == model_.action_set;
+  if (workspace.moves_of != model_.action_set) workspace.moves_of = model_.action_set;
   for (std::size_t first = 0; first < agents; first += MAX_BATCH) {
     const PerceptionBatch batch(&workspace.seen[first], std::min(MAX_BATCH, agents - first));
     MoveBlock* const moves = &workspace.moves[first * blocks_each_];
-    if (grows || !has_constant_moves_) model_.action_set->findMoves(batch, moves);
+    if (!has_moves) model_.action_set->findMoves(batch, moves);
     model_.state_set->findRows(batch, moves, &workspace.rows[first * rows_each_]);
   }
 }

@@ -134,9 +134,9 @@ void CrowdController::waitWhilePaused() {
 void CrowdController::walkTurn() {
   cut_off_ = false;
   answers_.ask(*episode_, broadcaster_.header());
-  if (tick_ended_)
-    broadcaster_.publishAgents(*episode_);  // while learners decide; between turns the tick is incomplete
-  if (!answers_.wait(*episode_)) return;    // ask again, or another episode has begun, or the node shuts down
+  // Published while the learners decide; between turns the tick is incomplete.
+  if (tick_ended_) broadcaster_.publishAgents(*episode_);
+  if (!answers_.wait(*episode_)) return;  // ask again, or another episode has begun, or the node shuts down
   tick_ended_ = episode_->step(answers_.answers());
   if (tick_ended_) endTick();
 }

@@ -225,6 +225,33 @@ TEST(Decisions, DoNotDependOnTheOrderOfAgents) {
   EXPECT_EQ(runOne(walking(Mode::DEMO, TableUse::SHARED)), runOne(walking(Mode::DEMO, TableUse::SHARED), true));
 }
 
+TEST(Decisions, DoNotDependOnAnEarlierUseOfTheWorkspace) {
+  const std::string reward = "reward: {type: progress}}";
+  const std::vector<std::string> specs = {
+      "{state_set: {type: anticipation}, action_set: {type: goal_relative}, " + reward,
+      "{state_set: {type: anticipation}, action_set: {type: kings_moves}, " + reward,
+      "{state_set: {type: occupancy}, action_set: {type: kings_moves, rotations: 60}, " + reward,  // more blocks
+      "{state_set: {type: anticipation}, action_set: {type: kings_moves, stay: true}, " + reward};
+  DecisionWorkspace reused;
+  for (const std::string& first : specs) {
+    for (const std::string& spec : {first, specs[0], specs[1], specs[2], specs[3]}) {
+      const Model model = parseModel(spec);
+      const Learner learner(model, walking(Mode::DEMO, TableUse::SHARED), learners::randomTable(model, 1));
+      const Perceptions perceptions = randomTick(3, 0, 0, AGENTS).all();
+      DecisionWorkspace fresh;
+      std::vector<AgentAction> expected;
+      std::vector<AgentAction> actions;
+      learner.decideGreedily(perceptions, fresh, expected);
+      learner.decideGreedily(perceptions, reused, actions);
+      ASSERT_EQ(actions.size(), expected.size());
+      for (std::size_t i = 0; i < actions.size(); ++i) {
+        EXPECT_EQ(reused.choices[i].row, fresh.choices[i].row) << spec;
+        EXPECT_EQ(reused.choices[i].action, fresh.choices[i].action) << spec;
+      }
+    }
+  }
+}
+
 TEST(Decisions, LearningChangesThem) {
   // Otherwise the comparisons above would prove little.
   EXPECT_NE(runOne(walking(Mode::TRAINING, TableUse::OWN)), runOne(walking(Mode::TRAINING, TableUse::SHARED)));

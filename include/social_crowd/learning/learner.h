@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -31,13 +32,14 @@ struct Choice {
   Action action = 0;
 };
 
-/// @brief Buffers for the decisions of one thread.
+/// @brief Buffers for the decisions of one thread, for any learners, one after the other.
 struct DecisionWorkspace {
-  std::vector<Perception> seen;       ///< of the served agents, limited to the model's vision
-  std::vector<std::uint32_t> places;  ///< of these agents
-  std::vector<MoveBlock> moves;       ///< candidate moves of each of these agents
-  std::vector<Row> rows;              ///< of each of these agents
-  std::vector<Choice> choices;        ///< the decision behind each answer of the last call
+  std::vector<Perception> seen;               ///< of the served agents, limited to the model's vision
+  std::vector<std::uint32_t> places;          ///< of these agents
+  std::vector<MoveBlock> moves;               ///< candidate moves of each of these agents
+  std::vector<Row> rows;                      ///< of each of these agents
+  std::vector<Choice> choices;                ///< the decision behind each answer of the last call
+  std::shared_ptr<const ActionSet> moves_of;  ///< the action set that wrote `moves`
 };
 
 /// @brief Decides for one or more agents and learns: receives perceptions, returns relative actions. Headless runs and
