@@ -49,25 +49,17 @@ ObstaclePath::ObstaclePath(Kind kind, std::vector<Vector2> points, const Vector2
   }
 }
 
-double ObstaclePath::along(double t) const { return std::fmod(speed_ * t, legs_.back().end); }
-
 const ObstaclePath::Leg& ObstaclePath::legAt(double distance) const {
   const auto ends_after = [](double value, const Leg& candidate) { return value < candidate.end; };
   const auto leg = std::upper_bound(legs_.begin(), legs_.end(), distance, ends_after);
   return leg == legs_.end() ? legs_.back() : *leg;
 }
 
-Vector2 ObstaclePath::position(double t) const {
-  if (legs_.empty()) {
-    return points_.front() + t * velocity_;
-  }
-  const double distance = along(t);
+ObstaclePath::Motion ObstaclePath::at(double t) const {
+  if (legs_.empty()) return {points_.front() + t * velocity_, velocity_};
+  const double distance = std::fmod(speed_ * t, legs_.back().end);
   const Leg& leg = legAt(distance);
-  return leg.from + (distance - leg.begin) * leg.unit;
-}
-
-Vector2 ObstaclePath::velocity(double t) const {
-  return legs_.empty() ? velocity_ : Vector2(speed_ * legAt(along(t)).unit);
+  return {leg.from + (distance - leg.begin) * leg.unit, speed_ * leg.unit};
 }
 
 }  // namespace crowd

@@ -42,21 +42,16 @@ void World::refresh() {
 bool World::isActive(AgentId id) const { return id < agents_.size() && agents_[id].isWalking(); }
 
 void World::placeObstacles() {
-  obstacle_positions_.clear();
-  obstacle_velocities_.clear();
+  obstacle_motions_.clear();
   moving_obstacles_.clear();
   for (const Obstacle& obstacle : obstacles_) {
-    if (obstacle.path.moves()) moving_obstacles_.push_back(obstacle_positions_.size());
-    obstacle_positions_.push_back(obstacle.path.position(time()));
-    obstacle_velocities_.push_back(obstacle.path.velocity(time()));
+    if (obstacle.path.moves()) moving_obstacles_.push_back(obstacle_motions_.size());
+    obstacle_motions_.push_back(obstacle.path.at(time()));
   }
 }
 
 inline void World::moveObstacles() {
-  for (const std::size_t i : moving_obstacles_) {
-    obstacle_positions_[i] = obstacles_[i].path.position(time());
-    obstacle_velocities_[i] = obstacles_[i].path.velocity(time());
-  }
+  for (const std::size_t i : moving_obstacles_) obstacle_motions_[i] = obstacles_[i].path.at(time());
 }
 
 void World::rebuildGrid() {
@@ -66,7 +61,7 @@ void World::rebuildGrid() {
   }
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
     const auto body = static_cast<std::uint32_t>(agents_.size() + i);
-    grid_.add(obstacle_positions_[i], obstacles_[i].radius, body, obstacle_velocities_[i]);
+    grid_.add(obstacle_motions_[i].position, obstacles_[i].radius, body, obstacle_motions_[i].velocity);
   }
   grid_.build(CELL_SIZE);
 }
@@ -77,7 +72,7 @@ inline void World::updateGrid() {
     if (agent.isWalking()) grid_.move(number++, agent.pose.position, agent.velocity);
   }
   for (const std::size_t i : moving_obstacles_) {
-    grid_.move(number + i, obstacle_positions_[i], obstacle_velocities_[i]);
+    grid_.move(number + i, obstacle_motions_[i].position, obstacle_motions_[i].velocity);
   }
   grid_.update();
 }
@@ -210,9 +205,10 @@ void World::moveSolids(const Moves& moves) {
   }
   const double end = static_cast<double>(tick_ + 1) * tick_duration_;
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    const Vector2 way = moves(agents_.size() + i) ? Vector2(obstacles_[i].path.position(end) - obstacle_positions_[i])
-                                                  : Vector2::Zero();
-    discs_.push_back({obstacle_positions_[i], way, obstacles_[i].radius, false});
+    const Vector2 way = moves(agents_.size() + i)
+                            ? Vector2(obstacles_[i].path.position(end) - obstacle_motions_[i].position)
+                            : Vector2::Zero();
+    discs_.push_back({obstacle_motions_[i].position, way, obstacles_[i].radius, false});
   }
   auto outcome = solid_motion_.move(discs_, walls_).begin();
   for (Agent& agent : agents_) {

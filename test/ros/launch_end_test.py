@@ -123,7 +123,7 @@ class ArgumentsTest(LaunchTestCase):
 
     def test_words_stand_for_nothing(self):
         """No parameter has one for its value; an argument that is left empty does the same."""
-        for file, count in (('demo.launch', 3), ('train.launch', 7)):
+        for file, count in (('demo.launch', 3), ('train.launch', 6)):
             words = self.words_of(file)
             self.assertEqual(len(words), count, words)
             parameters = self.parameters('social_crowd', file, 'output:=table.txt')

@@ -22,10 +22,14 @@ class ObstaclePath {
   /// @throws InputError unless two points differ and the speed is above 0.
   static ObstaclePath loop(std::vector<Vector2> points, double speed);
 
-  /// @brief Position in `map` [m], t seconds after the start of the episode.
-  Vector2 position(double t) const;
-  /// @brief Velocity in `map` [m/s], t seconds after the start of the episode.
-  Vector2 velocity(double t) const;
+  struct Motion {
+    Vector2 position = Vector2::Zero();  ///< [m], `map`
+    Vector2 velocity = Vector2::Zero();  ///< [m/s], `map`
+  };
+  /// @brief Returns position and velocity t seconds after the start of the episode.
+  Motion at(double t) const;
+  Vector2 position(double t) const { return at(t).position; }
+  Vector2 velocity(double t) const { return at(t).velocity; }
   Kind kind() const { return kind_; }
   bool moves() const { return kind_ != Kind::AT_REST; }
   /// @brief The points of the path in `map` [m]; the first is the start.
@@ -41,7 +45,6 @@ class ObstaclePath {
     double end = 0.0;
   };
   const Leg& legAt(double distance) const;
-  double along(double t) const;
 
   Kind kind_ = Kind::AT_REST;
   std::vector<Vector2> points_;

@@ -185,8 +185,7 @@ class World {
   std::size_t active_count_ = 0;
   std::size_t just_arrived_count_ = 0;  // in the last tick
 
-  std::vector<Vector2> obstacle_positions_;   // at the present time
-  std::vector<Vector2> obstacle_velocities_;  // at the present time
+  std::vector<ObstaclePath::Motion> obstacle_motions_;  // at the present time
   std::vector<std::size_t> moving_obstacles_;
   NeighbourGrid grid_;                    // of the agents on their way and the obstacles
   std::vector<std::uint32_t> found_;      // scratch
