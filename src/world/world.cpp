@@ -25,8 +25,8 @@ World::World(const Scene& scene)
       goal_tolerance_(scene.goal_tolerance),
       collision_radius_(scene.collision_radius),
       contact_(scene.contact),
-      obstacles_(scene.obstacles),
-      walls_(scene.walls) {
+      obstacles_(scene.obstacles) {
+  replaceWalls(scene.walls);
   for (const AgentStart& start : scene.agents) addAgent(start);
   refresh();
 }
@@ -150,7 +150,7 @@ inline void World::assignActions(const std::vector<AgentAction>& actions) {
 }
 
 inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
-  agent.acted = action != nullptr && agent.isWalking();
+  agent.acted = action != nullptr && agent.isWalking() && !agent.held;
   agent.blocked = false;
   agent.velocity = Vector2::Zero();
   if (!agent.acted) return;
@@ -179,7 +179,13 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
   if ((agent.goal() - agent.pose.position).norm() > goal_tolerance_) return;
   if (++agent.next_goal < agent.goals.size()) {
     agent.present_goal = agent.goals[agent.next_goal];
+    agent.has_waypoint = false;
     ++agent.goal_number;
+    return;
+  }
+  if (!agent.leaves) {
+    agent.next_goal = agent.goals.size() - 1;
+    agent.at_goal = true;
     return;
   }
   agent.status = AgentStatus::ARRIVED;

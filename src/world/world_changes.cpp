@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
@@ -32,6 +33,7 @@ void World::addAgent(const AgentStart& start) {
   agent.ahead = unitVector(agent.pose.heading);
   agent.max_speed = start.max_speed;
   agent.radius = start.radius;
+  agent.leaves = start.leaves;
   agent.goals = start.goals;
   agent.present_goal = start.goals.front();
   ++active_count_;
@@ -42,19 +44,28 @@ Agent& World::findWalking(AgentId id) {
   return agents_[id];
 }
 
-void World::requireFreePlace(const Vector2& centre, double radius, bool agents_only) {
+std::string World::findBlocker(const Vector2& centre, double radius, bool agents_only,
+                               std::optional<AgentId> except) const {
   const double overlap = contact_ == Contact::SOLID ? TOUCH_TOLERANCE : CONTACT_OVERLAP;
-  found_.clear();
-  grid_.findNear(centre, radius - overlap, found_);
-  for (const std::uint32_t body : found_) {
-    if (body < agents_.size()) throw InputError("the place is taken by agent " + std::to_string(body));
-    if (agents_only) continue;
-    throw InputError("the place is taken by obstacle " + std::to_string(body - agents_.size()));
+  std::vector<std::uint32_t> found;
+  grid_.findNear(centre, radius - overlap, found);
+  for (const std::uint32_t body : found) {
+    if (body == except) continue;
+    if (body < agents_.size()) return "agent " + std::to_string(body);
+    if (!agents_only) return "obstacle " + std::to_string(body - agents_.size());
   }
-  if (agents_only) return;
-  const auto taken = [&](const Segment& wall) { return distanceTo(wall, centre) < radius - overlap; };
-  if (std::any_of(walls_.begin(), walls_.end(), taken)) throw InputError("the place is taken by a wall");
+  if (agents_only) return "";
+  const auto overlaps = [&](const Segment& wall) { return distanceTo(wall, centre) < radius - overlap; };
+  return std::any_of(walls_.begin(), walls_.end(), overlaps) ? "a wall" : "";
 }
+
+void World::requireFreePlace(const Vector2& centre, double radius, bool agents_only,
+                             std::optional<AgentId> except) const {
+  const std::string blocker = findBlocker(centre, radius, agents_only, except);
+  if (!blocker.empty()) throw InputError("the place is taken by " + blocker);
+}
+
+bool World::isFree(const Vector2& centre, double radius) const { return findBlocker(centre, radius, false).empty(); }
 
 AgentId World::spawnAgent(const AgentStart& start) {
   requireAbove("max_speed [m/s]", start.max_speed);
@@ -75,13 +86,56 @@ void World::removeAgent(AgentId id) {
   refresh();
 }
 
+void World::leave(AgentId id) {
+  Agent& agent = findWalking(id);
+  agent.status = AgentStatus::ARRIVED;
+  agent.arrival_tick = tick_;
+  ++just_arrived_count_;
+  --active_count_;
+  refresh();
+}
+
 void World::setGoal(AgentId id, const Vector2& goal) {
   requirePoint("goal [m]", goal);
   Agent& agent = findWalking(id);
   agent.goals = {goal};
   agent.next_goal = 0;
   agent.present_goal = goal;
+  agent.has_waypoint = false;
+  agent.at_goal = false;
   ++agent.goal_number;
+}
+
+void World::setWaypoint(AgentId id, const Vector2& waypoint) {
+  requirePoint("waypoint [m]", waypoint);
+  Agent& agent = findWalking(id);
+  if (agent.has_waypoint && agent.waypoint == waypoint) return;
+  agent.waypoint = waypoint;
+  agent.has_waypoint = true;
+  ++agent.goal_number;
+}
+
+void World::clearWaypoint(AgentId id) {
+  Agent& agent = findWalking(id);
+  if (!agent.has_waypoint) return;
+  agent.has_waypoint = false;
+  ++agent.goal_number;
+}
+
+void World::hold(AgentId id, bool held) { findWalking(id).held = held; }
+
+void World::teleport(AgentId id, const Pose& pose) {
+  requirePoint("position [m]", pose.position);
+  requireFinite("heading [rad]", pose.heading);
+  Agent& agent = findWalking(id);
+  requireFreePlace(pose.position, agent.radius, false, id);
+  agent.pose = {pose.position, wrapAngle(pose.heading)};
+  agent.ahead = unitVector(agent.pose.heading);
+  agent.velocity = Vector2::Zero();
+  agent.has_waypoint = false;
+  agent.at_goal = false;
+  ++agent.goal_number;
+  refresh();
 }
 
 std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
@@ -94,6 +148,7 @@ std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocit
   obstacles_.push_back(
       {rests ? ObstaclePath::atRest(position) : ObstaclePath::straight(position - time() * velocity, velocity),
        radius});
+  ++layout_changes_;
   refresh();
   return obstacles_.size() - 1;
 }
@@ -101,7 +156,38 @@ std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocit
 void World::removeObstacle(std::size_t number) {
   if (number >= obstacles_.size()) throw InputError("there is no obstacle " + std::to_string(number));
   obstacles_.erase(obstacles_.begin() + static_cast<std::ptrdiff_t>(number));
+  ++layout_changes_;
   refresh();
+}
+
+std::size_t World::addWall(const Segment& wall) {
+  requirePoint("wall [m]", wall.from);
+  requirePoint("wall [m]", wall.to);
+  if (wall.from == wall.to) throw InputError("expected a wall with a length, got twice the same end");
+  for (const Agent& agent : agents_) {
+    if (agent.isWalking() && distanceTo(wall, agent.pose.position) < agent.radius - CONTACT_OVERLAP) {
+      throw InputError("the place is taken by agent " + std::to_string(agent.id));
+    }
+  }
+  walls_.push_back(wall);
+  wall_ids_.push_back(next_wall_id_++);
+  ++layout_changes_;
+  return wall_ids_.back();
+}
+
+void World::removeWall(std::size_t id) {
+  const auto found = std::lower_bound(wall_ids_.begin(), wall_ids_.end(), id);
+  if (found == wall_ids_.end() || *found != id) throw InputError("there is no wall " + std::to_string(id));
+  walls_.erase(walls_.begin() + (found - wall_ids_.begin()));
+  wall_ids_.erase(found);
+  ++layout_changes_;
+}
+
+void World::replaceWalls(std::vector<Segment> walls) {
+  walls_ = std::move(walls);
+  wall_ids_.resize(walls_.size());
+  for (std::size_t& id : wall_ids_) id = next_wall_id_++;
+  ++layout_changes_;
 }
 
 }  // namespace crowd

@@ -112,7 +112,7 @@ inline void World::perceiveSelf(const Agent& agent, const Rotation& frame, Agent
   self.velocity = frame.intoFrame(agent.velocity);
   self.max_speed = agent.max_speed;
   self.radius = agent.radius;
-  self.goal = frame.intoFrame(agent.goal() - agent.pose.position);
+  self.goal = frame.intoFrame(agent.perceivedGoal() - agent.pose.position);
   self.goal_number = agent.goal_number;
   self.arrived = agent.hasArrived();
   self.acted = agent.acted;

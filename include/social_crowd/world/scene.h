@@ -33,6 +33,7 @@ struct AgentStart {
   std::vector<Vector2> goals;          ///< [m], `map`; visited in this order, at least one
   double max_speed = 0.0;              ///< maximum speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
+  bool leaves = true;          ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
 };
 

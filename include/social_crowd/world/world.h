@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "social_crowd/common/thread_pool.h"
@@ -32,8 +33,13 @@ struct Agent {
   std::vector<Vector2> goals;          ///< [m], `map`
   std::size_t next_goal = 0;
   Vector2 present_goal = Vector2::Zero();  ///< present goal, or the last one after arrival [m], `map`
-  std::uint32_t goal_number = 0;           ///< number of changes of the goal
+  Vector2 waypoint = Vector2::Zero();      ///< where it is to walk now, see setWaypoint() [m], `map`
+  std::uint32_t goal_number = 0;           ///< number of changes of the goal or the waypoint
   AgentStatus status = AgentStatus::WALKING;
+  bool leaves = true;               ///< see AgentStart
+  bool has_waypoint = false;        ///< it perceives `waypoint` as its goal
+  bool at_goal = false;             ///< reached its last goal, but does not leave
+  bool held = false;                ///< stays where it is, see hold()
   std::uint64_t arrival_tick = 0;   ///< the tick at whose start it had arrived, if arrived
   bool acted = false;               ///< an action was executed in the last tick
   bool blocked = false;             ///< its last move was cut short by an impact; solid worlds only
@@ -48,6 +54,8 @@ struct Agent {
   bool hasArrived() const { return status == AgentStatus::ARRIVED; }
   /// @brief The present goal, or the last one after arrival [m], `map`.
   const Vector2& goal() const { return present_goal; }
+  /// @brief What the agent perceives as its goal: the waypoint if it has one, else goal() [m], `map`.
+  const Vector2& perceivedGoal() const { return has_waypoint ? waypoint : present_goal; }
 };
 
 /// @brief State of agents, obstacles and walls: moves agents and obstacles tick by tick and computes the perceptions.
@@ -128,11 +136,39 @@ class World {
   void removeAgent(AgentId id);
   /// @brief Replaces all goals of an agent by one [m], `map`. @throws InputError unless the agent is on its way.
   void setGoal(AgentId id, const Vector2& goal);
+  /// @brief Sets the point that the agent perceives in place of its goal, which remains the point where it arrives,
+  /// until it reaches the goal or gets another one. @param waypoint [m], `map` @throws InputError unless it is on its
+  /// way.
+  void setWaypoint(AgentId id, const Vector2& waypoint);
+  /// @brief Makes the agent perceive its goal again. @throws InputError unless it is on its way.
+  void clearWaypoint(AgentId id);
+  /// @brief Makes an agent stay where it is, whatever its actions, or ends that. @throws InputError unless it is on its
+  /// way.
+  void hold(AgentId id, bool held);
+  /// @brief Lets an agent arrive now, as at its last goal. @throws InputError unless it is on its way.
+  void leave(AgentId id);
+  /// @brief Moves an agent to another place at once. @param pose in `map` @throws InputError unless it is on its way
+  /// and the place is free; the world is unchanged then.
+  void teleport(AgentId id, const Pose& pose);
+  /// @brief Whether a disc at this place [m], `map`, would overlap no agent, obstacle or wall.
+  bool isFree(const Vector2& centre, double radius) const;
   /// @brief Adds an obstacle, whose path begins now, and returns its index. @param position [m], `map`
   /// @param velocity [m/s], `map` @param radius [m] @throws InputError if a number is invalid or it overlaps an agent.
   std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
   /// @brief Removes an obstacle; the indices of later obstacles decrease by one. @throws InputError if there is none.
   void removeObstacle(std::size_t number);
+  /// @brief Adds a wall and returns its id. @param wall [m], `map` @throws InputError if a number is not finite, the
+  /// wall has no length, or it overlaps an agent.
+  std::size_t addWall(const Segment& wall);
+  /// @brief Removes a wall. @param id as returned by addWall(); the walls of the scene have the ids 0, 1, 2 ...
+  /// @throws InputError if there is no such wall.
+  void removeWall(std::size_t id);
+  /// @brief Replaces all walls; their ids begin after the last one ever used. Agents may overlap them.
+  void replaceWalls(std::vector<Segment> walls);
+  /// @brief The id of each wall, in the order of walls().
+  const std::vector<std::size_t>& wallIds() const { return wall_ids_; }
+  /// @brief Number of changes of walls and obstacles at rest, for caches of what depends on them.
+  std::uint64_t layoutChanges() const { return layout_changes_; }
 
  private:
   void assignActions(const std::vector<AgentAction>& actions);
@@ -171,7 +207,11 @@ class World {
   void applyOcclusion(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const;
   void addAgent(const AgentStart& start);
   Agent& findWalking(AgentId id);
-  void requireFreePlace(const Vector2& centre, double radius, bool agents_only);
+  /// Returns what overlaps a disc at this place, such as "agent 3"; empty if nothing does. @param except an agent
+  std::string findBlocker(const Vector2& centre, double radius, bool agents_only,
+                          std::optional<AgentId> except = std::nullopt) const;
+  void requireFreePlace(const Vector2& centre, double radius, bool agents_only,
+                        std::optional<AgentId> except = std::nullopt) const;
   void refresh();
 
   double tick_duration_;
@@ -182,13 +222,15 @@ class World {
   std::vector<Agent> agents_;
   std::vector<Obstacle> obstacles_;
   std::vector<Segment> walls_;
+  std::vector<std::size_t> wall_ids_;  // of these
+  std::size_t next_wall_id_ = 0;
+  std::uint64_t layout_changes_ = 0;
   std::size_t active_count_ = 0;
   std::size_t just_arrived_count_ = 0;  // in the last tick
 
   std::vector<ObstaclePath::Motion> obstacle_motions_;  // at the present time
   std::vector<std::size_t> moving_obstacles_;
   NeighbourGrid grid_;                    // of the agents on their way and the obstacles
-  std::vector<std::uint32_t> found_;      // scratch
   std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;
   std::vector<const RelativeAction*> assigned_actions_;  // by agent; during step() only
