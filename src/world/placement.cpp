@@ -26,6 +26,24 @@ void forEachBody(const char* list, const Groups& groups, const Work& work) {
   }
 }
 
+/// The settings of a scenario and its walls, without bodies.
+Scene emptyScene(const Scenario& scenario) {
+  Scene scene;
+  scene.name = scenario.name;
+  scene.tick_duration = scenario.tick_duration;
+  scene.max_ticks = scenario.max_ticks;
+  scene.goal_tolerance = scenario.goal_tolerance;
+  scene.collision_radius = scenario.collision_radius;
+  scene.contact = scenario.contact;
+  scene.order = scenario.order;
+  scene.walls = scenario.walls;
+  scene.way_finding = scenario.way_finding;
+  scene.map = scenario.map;
+  scene.free_space = scenario.free_space;
+  if (scenario.map_walls) scene.walls.insert(scene.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
+  return scene;
+}
+
 /// Builds the scene of one episode. Fixed bodies are placed before drawn ones, so that drawn bodies avoid all of them
 /// independently of the order in the file. Obstacles are placed before agents, because drawn goals avoid them.
 class Placement {
@@ -33,7 +51,8 @@ class Placement {
   Placement(const Scenario& scenario, std::uint64_t run_seed, std::uint64_t episode)
       : scenario_(scenario),
         random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}),
-        placed_(scenario.walls) {}
+        scene_(emptyScene(scenario)),
+        placed_(scene_.walls) {}
 
   Scene place();
 
@@ -53,6 +72,7 @@ class Placement {
   void placeFixedAgents();
   void completeAgents();
   void completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, bool& separate_goals);
+  bool areConnected(const Vector2& from, const Vector2& to) const;
   bool drawGoals(const AgentGroup& group, AgentStart& agent, bool separate);
   void requireWay(const AgentGroup& group, const Label& label) const;
 
@@ -63,14 +83,6 @@ class Placement {
 };
 
 Scene Placement::place() {
-  scene_.name = scenario_.name;
-  scene_.tick_duration = scenario_.tick_duration;
-  scene_.max_ticks = scenario_.max_ticks;
-  scene_.goal_tolerance = scenario_.goal_tolerance;
-  scene_.collision_radius = scenario_.collision_radius;
-  scene_.contact = scenario_.contact;
-  scene_.order = scenario_.order;
-  scene_.walls = scenario_.walls;
   for (const AgentGroup& group : scenario_.agents) {
     scene_.agents.resize(scene_.agents.size() + static_cast<std::size_t>(group.count));
   }
@@ -120,7 +132,7 @@ void Placement::placeObstacles(Position position) {
 }
 
 Vector2 Placement::drawStart(const ObstacleGroup& group, const Label& label) {
-  if (!group.between) return group.position.draw(random_);
+  if (!group.between) return group.position.draw(random_, scene_.free_space.get());
   if (group.between->agent >= scene_.agents.size()) {
     fail(label, label.text() + ".position.between.agent: expected the number of an agent, 0 to " +
                     std::to_string(scene_.agents.size() - 1) + ", got " + std::to_string(group.between->agent));
@@ -151,7 +163,7 @@ ObstaclePath Placement::drawPath(const ObstacleGroup& group, const Vector2& star
   }
   std::vector<Vector2> points = {start};
   for (const Region& waypoint : group.waypoints) {
-    points.push_back(waypoint.draw(random_));
+    points.push_back(waypoint.draw(random_, scene_.free_space.get()));
   }
   const double speed = group.speed.draw(random_);
   try {
@@ -206,7 +218,7 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
   for (int tries = 0; tries < MAX_TRIES; ++tries) {
     separate_goals = separate_goals && tries < TRIES_FOR_SEPARATE_GOALS;
     if (!placed) {
-      agent.position = group.position.draw(random_);
+      agent.position = group.position.draw(random_, scene_.free_space.get());
       agent.radius = group.radius.draw(random_);
       if (placed_.findBlocker(agent.position, agent.radius, DRAWN_GAP)) {
         continue;
@@ -226,6 +238,12 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
   fail(label, label.text() + ": no free place for it and its goal found in " + std::to_string(MAX_TRIES) + " tries");
 }
 
+/// Whether an agent can walk from one place of the map to another.
+bool Placement::areConnected(const Vector2& from, const Vector2& to) const {
+  const std::uint32_t component = scene_.free_space->component(from);
+  return component != FreeSpace::NONE && component == scene_.free_space->component(to);
+}
+
 bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separate) {
   agent.goals.clear();
   Vector2 from = agent.position;
@@ -233,11 +251,13 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separ
   const std::size_t count = group.opposite ? 1 : group.goals.size();
   for (std::size_t i = 0; i < count; ++i) {
     const bool drawn = group.opposite ? from_drawn : !group.goals[i].isFixed();
-    const Vector2 goal =
-        group.opposite ? Vector2(2.0 * *group.opposite - agent.position) : group.goals[i].draw(random_);
+    const Vector2 goal = group.opposite ? Vector2(2.0 * *group.opposite - agent.position)
+                                        : group.goals[i].draw(random_, scene_.free_space.get());
     if ((drawn || from_drawn) && (goal - from).norm() <= scenario_.goal_tolerance) {
       return false;
     }
+    const bool anywhere = drawn && !group.opposite && group.goals[i].kind == Region::Kind::FREE;
+    if ((anywhere || group.position.kind == Region::Kind::FREE) && !areConnected(from, goal)) return false;
     if (drawn && (!placed_.canStandAt(goal, agent.radius) || (separate && placed_.isNearGoal(goal, agent.radius)))) {
       return false;
     }

@@ -47,10 +47,17 @@ Region readRing(const YAML::Node& node, const YamlPlace& place) {
   return region;
 }
 
+Region readFree(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsScalar() || node.Scalar() != "free") throwExpected(place, node, "free");
+  Region region;
+  region.kind = Region::Kind::FREE;
+  return region;
+}
+
 /// Throws for a map of one key that is none of the keys that `expected` lists as {KEY: ...}.
 [[noreturn]] void throwUnknownPlace(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
   std::vector<std::string> known;
-  for (const char* key : {"box", "ring", "opposite", "between"}) {
+  for (const char* key : {"box", "ring", "map", "opposite", "between"}) {
     if (expected.find(std::string("{") + key) != std::string::npos) known.emplace_back(key);
   }
   const std::string key = node.begin()->first.Scalar();
@@ -67,6 +74,7 @@ Region readRegion(const YAML::Node& node, const YamlPlace& place, const std::str
   }
   if (const YAML::Node box = findOnly("box", node, place)) return readBox(box, place.child("box"));
   if (const YAML::Node ring = findOnly("ring", node, place)) return readRing(ring, place.child("ring"));
+  if (const YAML::Node map = findOnly("map", node, place)) return readFree(map, place.child("map"));
   if (!node.IsMap() || node.size() != 1) throwExpected(place, node, expected);
   throwUnknownPlace(node, place, expected);
 }

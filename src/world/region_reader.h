@@ -11,10 +11,10 @@ namespace crowd {
 /// @brief Reads a number or [low, high]. @throws InputError, as all functions of this file do
 Range readRange(const YAML::Node& node, const YamlPlace& place, NumberRule rule);
 
-/// @brief Reads [x, y], {box: ...} or {ring: ...}.
+/// @brief Reads [x, y], {box: ...}, {ring: ...} or {map: free}.
 /// @param expected the permitted forms, for messages; callers that permit other forms handle these before
 Region readRegion(const YAML::Node& node, const YamlPlace& place,
-                  const std::string& expected = "[x, y], {box: ...} or {ring: ...}");
+                  const std::string& expected = "[x, y], {box: ...}, {ring: ...} or {map: free}");
 
 /// @brief Reads a list of one or more regions.
 std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place);

@@ -7,7 +7,8 @@
 
 namespace crowd {
 
-Vector2 Region::draw(KeyedRandom& random) const {
+Vector2 Region::draw(KeyedRandom& random, const FreeSpace* free_space) const {
+  if (kind == Kind::FREE) return free_space->draw(random);
   if (kind == Kind::BOX) {
     const double x = random.uniform(first.x(), second.x());
     return {x, random.uniform(first.y(), second.y())};

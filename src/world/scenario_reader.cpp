@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "world/region_reader.h"
+#include "world/scenario_map.h"
 
 namespace crowd {
 namespace {
@@ -43,7 +44,7 @@ void readGoals(const YamlMap& map, AgentGroup& group) {
     group.opposite = readVector(opposite, place.child("opposite"));
     return;
   }
-  group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...} or {opposite: [x, y]}")};
+  group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}")};
 }
 
 int readCount(const YamlMap& map, bool is_fixed) {
@@ -134,7 +135,7 @@ void readPosition(const YamlMap& map, ObstacleGroup& group) {
     group.between = readBetween(between, place.child("between"));
     return;
   }
-  group.position = readRegion(position, place, "[x, y], {box: ...}, {ring: ...} or {between: ...}");
+  group.position = readRegion(position, place, "[x, y], {box: ...}, {ring: ...}, {map: free} or {between: ...}");
 }
 
 ObstacleGroup readObstacles(const YAML::Node& node, const YamlPlace& place, const Units& units) {
@@ -189,7 +190,7 @@ std::uint64_t readDuration(const YamlMap& map, const Units& units) {
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place,
                     {"name", "units", "tick", "duration", "goal_tolerance", "collision_radius", "contact", "order",
-                     "seed", "agents", "obstacles", "walls"});
+                     "seed", "agents", "obstacles", "walls", "map", "way_finding"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -213,6 +214,8 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
   scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);
   scenario.walls = readList<Segment>(map.find("walls"), map.placeOf("walls"), readWall);
+  scenario.way_finding = map.flag("way_finding", true);
+  readScenarioMap(map, scenario);
   return scenario;
 }
 

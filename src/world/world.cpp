@@ -150,7 +150,7 @@ inline void World::assignActions(const std::vector<AgentAction>& actions) {
 }
 
 inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
-  agent.acted = action != nullptr && agent.isWalking() && !agent.held;
+  agent.acted = action != nullptr && agent.isWalking() && !agent.held && !agent.yielding;
   agent.blocked = false;
   agent.velocity = Vector2::Zero();
   if (!agent.acted) return;

@@ -124,6 +124,8 @@ void World::clearWaypoint(AgentId id) {
 
 void World::hold(AgentId id, bool held) { findWalking(id).held = held; }
 
+void World::setYielding(AgentId id, bool yielding) { findWalking(id).yielding = yielding; }
+
 void World::teleport(AgentId id, const Pose& pose) {
   requirePoint("position [m]", pose.position);
   requireFinite("heading [rad]", pose.heading);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "social_crowd/common/random.h"
+#include "social_crowd/world/free_space.h"
 #include "social_crowd/world/scene.h"
 
 namespace crowd {
@@ -23,13 +25,14 @@ struct Range {
 
 /// @brief A point, or a region in which one is drawn for each episode [m].
 struct Region {
-  enum class Kind { POINT, BOX, RING };
+  enum class Kind { POINT, BOX, RING, FREE };  ///< FREE: anywhere on the map where an agent fits
   Kind kind = Kind::POINT;
   Vector2 first = Vector2::Zero();   ///< the point; the box's lower left corner; the ring's centre
   Vector2 second = Vector2::Zero();  ///< the box's upper right corner
   Range radius;                      ///< the ring's inner and outer radius [m]; inner 0: a disc
 
-  Vector2 draw(KeyedRandom& random) const;
+  /// @param free_space for FREE: where agents fit
+  Vector2 draw(KeyedRandom& random, const FreeSpace* free_space = nullptr) const;
   bool isFixed() const { return kind == Kind::POINT; }
 };
 
@@ -82,7 +85,11 @@ struct Scenario {
   std::uint64_t seed = 0;  ///< combined with the seed of the run
   std::vector<AgentGroup> agents;
   std::vector<ObstacleGroup> obstacles;
-  std::vector<Segment> walls;
+  std::vector<Segment> walls;                             ///< of the file; those of the map are not among them
+  bool way_finding = true;                                ///< see Scene
+  std::shared_ptr<const OccupancyMap> map;                ///< null: none
+  std::shared_ptr<const std::vector<Segment>> map_walls;  ///< of the map; null: none
+  std::shared_ptr<const FreeSpace> free_space;  ///< of the map, for the largest agent; null if no region is FREE
 
   /// @brief Creates the scene of one episode; depends only on scenario, seed and episode.
   ///

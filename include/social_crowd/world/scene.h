@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "social_crowd/common/enum_names.h"
+#include "social_crowd/world/free_space.h"
 #include "social_crowd/world/geometry.h"
 #include "social_crowd/world/obstacle_path.h"
 
@@ -33,7 +35,7 @@ struct AgentStart {
   std::vector<Vector2> goals;          ///< [m], `map`; visited in this order, at least one
   double max_speed = 0.0;              ///< maximum speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
-  bool leaves = true;          ///< leaves the world at its last goal; else it stays until it gets another goal
+  bool leaves = true;                  ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
 };
 
@@ -56,7 +58,11 @@ struct Scene {
   Order order = Order::SIMULTANEOUS;
   std::vector<AgentStart> agents;
   std::vector<Obstacle> obstacles;
-  std::vector<Segment> walls;
+  std::vector<Segment> walls;  ///< including those of the map
+  /// Agents whose goal is hidden by walls or obstacles at rest perceive a waypoint on the way to it instead.
+  bool way_finding = true;
+  std::shared_ptr<const OccupancyMap> map;      ///< the map that some of the walls come from; null: none
+  std::shared_ptr<const FreeSpace> free_space;  ///< see Scenario
 };
 
 /// @brief Sets the heading of each agent with `keeps_heading` to last[id], its heading at the end of the previous

@@ -40,6 +40,7 @@ struct Agent {
   bool has_waypoint = false;        ///< it perceives `waypoint` as its goal
   bool at_goal = false;             ///< reached its last goal, but does not leave
   bool held = false;                ///< stays where it is, see hold()
+  bool yielding = false;            ///< stays where it is, see setYielding()
   std::uint64_t arrival_tick = 0;   ///< the tick at whose start it had arrived, if arrived
   bool acted = false;               ///< an action was executed in the last tick
   bool blocked = false;             ///< its last move was cut short by an impact; solid worlds only
@@ -145,6 +146,8 @@ class World {
   /// @brief Makes an agent stay where it is, whatever its actions, or ends that. @throws InputError unless it is on its
   /// way.
   void hold(AgentId id, bool held);
+  /// @brief The same, for agents that give way to others; both are independent.
+  void setYielding(AgentId id, bool yielding);
   /// @brief Lets an agent arrive now, as at its last goal. @throws InputError unless it is on its way.
   void leave(AgentId id);
   /// @brief Moves an agent to another place at once. @param pose in `map` @throws InputError unless it is on its way

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/navigation/passages.h"
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief Remaining path of an agent: the corners after its position, the last one is the goal [m], `map`.
+using RemainingPath = std::vector<Vector2>;
+
+/// @brief Decides who goes first through passages that are too narrow for two agents to pass each other, so that agents
+/// do not block each other there. Deterministic; depends only on the world and the earlier calls.
+///
+/// At most one direction at a time has the right of way in a passage. Agents of that direction are admitted in the order
+/// of their distance, as many at a time as fit side by side; the next one when an admitted one has entered. After
+/// BATCH_SIZE agents the others have their turn. Agents that wait stay outside of a zone in front of the mouth; if there
+/// is traffic in the other direction, the zone contains a lane for those who come out.
+///
+/// Call contract: update() once per tick, after the agents have moved and waypoints were set.
+class RightOfWay {
+ public:
+  /// @brief Passages below this width are controlled, for agents of this radius [m].
+  static double maxWidth(double radius) { return 4.0 * radius + 0.3; }
+  /// @brief Number of agents of one direction that go before the others have their turn.
+  static constexpr std::size_t BATCH_SIZE = 8;
+  /// @brief Agents take part from this distance along their path to the passage [m].
+  static constexpr double LOOKAHEAD = 4.0;
+
+  /// @param radius radius of the largest agents [m]
+  RightOfWay(const FloorPlan& floor, double radius);
+
+  const Passages& passages() const { return passages_; }
+  /// @brief Holds agents that must wait (World::setYielding), and sends those that are in the way of others aside
+  /// (World::setWaypoint). @param paths of all agents, by id; empty for those that have none
+  void update(World& world, const std::vector<RemainingPath>& paths);
+
+ private:
+  /// The next passage on the path of an agent.
+  struct Claim {
+    AgentId agent = 0;
+    std::size_t mouth = 0;  // where it enters
+    double distance = 0.0;  // along the path [m]; 0 inside
+  };
+  struct PassageState {
+    std::vector<Claim> claims;  // of this tick, nearest first
+    std::vector<AgentId> admitted;
+    std::size_t direction = 0;  // the mouth that admitted agents enter
+    std::size_t served = 0;     // since the direction changed
+  };
+
+  void collectClaims(const World& world, const std::vector<RemainingPath>& paths);
+  void addClaim(const Agent& agent, const RemainingPath& path);
+  void dropPassed(PassageState& state) const;
+  void admit(std::size_t passage, PassageState& state) const;
+  void chooseDirection(PassageState& state) const;
+  void guide(std::size_t passage, const PassageState& state, World& world) const;
+  void guideWaiting(const Mouth& mouth, bool two_way, const Claim& claim, World& world) const;
+  std::size_t nearestMouth(std::size_t passage, const Vector2& place) const;
+
+  Passages passages_;
+  double radius_;
+  std::vector<PassageState> states_;  // by passage
+};
+
+}  // namespace crowd

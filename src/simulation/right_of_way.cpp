@@ -1,0 +1,160 @@
+#include "social_crowd/simulation/right_of_way.h"
+
+#include <algorithm>
+
+namespace crowd {
+namespace {
+
+constexpr double SAMPLE = 0.15;       // distance between the points of a path that are looked up [m]
+constexpr double LANE_MARGIN = 0.15;  // between an agent in the lane and agents beside it [m]
+constexpr double LANE_LENGTH = 3.0;   // [m]
+constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
+constexpr double ONE_WAY_ZONE = 0.5;  // radius of the zone without traffic in the other direction [m]
+
+bool contains(const std::vector<AgentId>& ids, AgentId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+}  // namespace
+
+RightOfWay::RightOfWay(const FloorPlan& floor, double radius)
+    : passages_(floor, radius, maxWidth(radius)), radius_(radius), states_(passages_.size()) {}
+
+void RightOfWay::update(World& world, const std::vector<RemainingPath>& paths) {
+  if (states_.empty()) return;
+  collectClaims(world, paths);
+  for (std::size_t passage = 0; passage < states_.size(); ++passage) {
+    PassageState& state = states_[passage];
+    dropPassed(state);
+    if (state.claims.empty()) continue;
+    admit(passage, state);
+    guide(passage, state, world);
+  }
+}
+
+void RightOfWay::collectClaims(const World& world, const std::vector<RemainingPath>& paths) {
+  for (PassageState& state : states_) state.claims.clear();
+  for (const Agent& agent : world.agents()) {
+    if (agent.isWalking()) addClaim(agent, paths[agent.id]);
+  }
+  const auto nearer = [](const Claim& a, const Claim& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.agent < b.agent;
+  };
+  for (PassageState& state : states_) std::sort(state.claims.begin(), state.claims.end(), nearer);
+}
+
+void RightOfWay::addClaim(const Agent& agent, const RemainingPath& path) {
+  Vector2 from = agent.pose.position;
+  Vector2 before = from;
+  double walked = 0.0;
+  for (const Vector2& corner : path) {
+    const double length = (corner - from).norm();
+    for (double along = 0.0; along < length && walked + along < LOOKAHEAD; along += SAMPLE) {
+      const Vector2 place = from + along / length * (corner - from);
+      const std::uint16_t passage = passages_.at(place);
+      if (passage != Passages::NONE) {
+        return states_[passage].claims.push_back({agent.id, nearestMouth(passage, before), walked + along});
+      }
+      before = place;
+    }
+    walked += length;
+    from = corner;
+    if (walked >= LOOKAHEAD) return;
+  }
+}
+
+std::size_t RightOfWay::nearestMouth(std::size_t passage, const Vector2& place) const {
+  const auto& mouths = passages_[passage].mouths;
+  const auto nearer = [&](const Mouth& a, const Mouth& b) {
+    return (a.centre - place).squaredNorm() < (b.centre - place).squaredNorm();
+  };
+  return static_cast<std::size_t>(std::min_element(mouths.begin(), mouths.end(), nearer) - mouths.begin());
+}
+
+/// Forgets admitted agents that have passed, have left, or have another path now.
+void RightOfWay::dropPassed(PassageState& state) const {
+  const auto passed = [&](AgentId agent) {
+    const auto is_its = [agent](const Claim& claim) { return claim.agent == agent; };
+    return std::none_of(state.claims.begin(), state.claims.end(), is_its);
+  };
+  state.admitted.erase(std::remove_if(state.admitted.begin(), state.admitted.end(), passed), state.admitted.end());
+}
+
+void RightOfWay::admit(std::size_t passage, PassageState& state) const {
+  // Whoever is inside walks on.
+  for (const Claim& claim : state.claims) {
+    if (claim.distance == 0.0 && !contains(state.admitted, claim.agent)) state.admitted.push_back(claim.agent);
+  }
+  if (state.admitted.empty()) chooseDirection(state);
+  const auto waits_elsewhere = [&](const Claim& claim) {
+    return claim.mouth != state.direction && !contains(state.admitted, claim.agent);
+  };
+  const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), waits_elsewhere);
+  const auto side_by_side =
+      std::max<std::size_t>(1, static_cast<std::size_t>(passages_[passage].width / (2.0 * radius_ + LANE_MARGIN)));
+  std::size_t entering = 0;
+  for (const Claim& claim : state.claims) {
+    entering += claim.distance > 0.0 && contains(state.admitted, claim.agent) ? 1 : 0;
+  }
+  for (const Claim& claim : state.claims) {
+    if (entering >= side_by_side || (two_way && state.served >= BATCH_SIZE)) return;
+    if (claim.mouth != state.direction || contains(state.admitted, claim.agent)) continue;
+    state.admitted.push_back(claim.agent);
+    ++state.served;
+    ++entering;
+  }
+}
+
+/// Gives the right of way to the others after a batch, or if nobody else claims it.
+void RightOfWay::chooseDirection(PassageState& state) const {
+  const auto claims_of = [&](bool same) {
+    return std::find_if(state.claims.begin(), state.claims.end(),
+                        [&](const Claim& claim) { return (claim.mouth == state.direction) == same; });
+  };
+  const bool others_wait = claims_of(false) != state.claims.end();
+  const bool own_wait = claims_of(true) != state.claims.end();
+  if (others_wait && (state.served >= BATCH_SIZE || !own_wait)) {
+    state.direction = claims_of(false)->mouth;
+    state.served = 0;
+  } else if (!others_wait) {
+    state.served = 0;
+  }
+}
+
+void RightOfWay::guide(std::size_t passage, const PassageState& state, World& world) const {
+  const bool two_way = std::any_of(state.claims.begin(), state.claims.end(),
+                                   [&](const Claim& claim) { return claim.mouth != state.claims.front().mouth; });
+  for (const Claim& claim : state.claims) {
+    if (contains(state.admitted, claim.agent)) continue;
+    guideWaiting(passages_[passage].mouths[claim.mouth], two_way, claim, world);
+  }
+}
+
+void RightOfWay::guideWaiting(const Mouth& mouth, bool two_way, const Claim& claim, World& world) const {
+  const Vector2 offset = world.agents()[claim.agent].pose.position - mouth.centre;
+  const double ahead = offset.dot(mouth.outward);
+  const double aside = cross(mouth.outward, offset);
+  if (!two_way) {
+    if (offset.norm() < ONE_WAY_ZONE + STOP_MARGIN) world.setYielding(claim.agent, true);
+    return;
+  }
+  const double half_lane = 2.0 * radius_ + LANE_MARGIN;
+  const bool in_lane = ahead < LANE_LENGTH && std::abs(aside) < half_lane;
+  if (!in_lane) {
+    const bool enters_next = ahead < LANE_LENGTH + STOP_MARGIN && std::abs(aside) < half_lane + STOP_MARGIN;
+    if (enters_next || offset.norm() < LANE_LENGTH) world.setYielding(claim.agent, true);
+    return;
+  }
+  const Vector2 left(-mouth.outward.y(), mouth.outward.x());
+  const double side = aside >= 0.0 ? 1.0 : -1.0;
+  const double out = std::max(ahead, 2.0 * radius_);
+  for (const double to : {side, -side}) {
+    const Vector2 place = mouth.centre + out * mouth.outward + to * (half_lane + STOP_MARGIN + 0.1) * left;
+    if (passages_.fits(place, radius_) && passages_.fits(place - to * radius_ * left, radius_)) {
+      return world.setWaypoint(claim.agent, place);
+    }
+  }
+  world.setWaypoint(claim.agent, mouth.centre + (LANE_LENGTH + 1.0) * mouth.outward);
+}
+
+}  // namespace crowd

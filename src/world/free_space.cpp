@@ -1,0 +1,38 @@
+#include "social_crowd/world/free_space.h"
+
+namespace crowd {
+
+FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius)
+    : clearance_(floor, 0.5 * map.resolution, radius + map.resolution), components_(clearance_.size(), NONE) {
+  using Index = ClearanceGrid::Index;
+  const CellFrame frame(map);
+  std::vector<bool> fits(clearance_.size(), false);
+  for (Index point = 0; point < clearance_.size(); ++point) {
+    fits[point] = clearance_[point] >= radius && map.isFree(frame.cellAt(clearance_.place(point)));
+    if (fits[point]) points_.push_back(point);
+  }
+  std::uint32_t count = 0;
+  std::vector<Index> found;
+  for (const Index seed : points_) {
+    if (components_[seed] != NONE) continue;
+    found.assign(1, seed);
+    components_[seed] = count;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      clearance_.forNeighbours(found[i], [&](Index at) {
+        if (!fits[at] || components_[at] != NONE) return;
+        components_[at] = count;
+        found.push_back(at);
+      });
+    }
+    ++count;
+  }
+}
+
+Vector2 FreeSpace::draw(KeyedRandom& random) const {
+  const Vector2 centre = clearance_.place(points_[random.below(static_cast<std::uint32_t>(points_.size()))]);
+  const double half = 0.5 * clearance_.spacing();
+  const double dx = random.uniform(-half, half);
+  return centre + Vector2(dx, random.uniform(-half, half));
+}
+
+}  // namespace crowd
