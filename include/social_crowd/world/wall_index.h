@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "social_crowd/world/geometry.h"
+
+namespace crowd {
+
+/// @brief Finds walls near points and paths with a uniform grid, so that a search costs only what is near.
+///
+/// It does not change after construction; any number of threads may search at the same time. Up to FEW walls are a
+/// plain list. Memory is limited: there are at most 2^20 cells, and long walls that cross very many cells make cells
+/// larger.
+class WallIndex {
+ public:
+  static constexpr std::size_t FEW = 8;  ///< up to this number of walls, a list is fastest
+
+  WallIndex() = default;
+  /// @param walls finite segments [m]
+  /// @param cell_size wanted side of a cell [m], above 0
+  explicit WallIndex(std::vector<Segment> walls, double cell_size = 1.0);
+
+  /// @brief The walls in the order in which they were given; searches return indices into this list.
+  const std::vector<Segment>& walls() const { return walls_; }
+
+  /// @brief Appends to `found` the walls at most `distance` [m] from the point, each once, by ascending index.
+  void findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const;
+
+  /// @brief Whether any wall is at most `distance` [m] from the point.
+  bool isAnyWithin(const Vector2& point, double distance) const;
+
+  /// @brief Distance from the point to the nearest wall [m], or `limit` if that is less; `limit` may be infinite.
+  double nearestDistance(const Vector2& point, double limit) const;
+
+  /// @brief Whether a disc that moves straight from one point to another overlaps no wall on the way. Walls that it
+  /// only touches do not count, unless the radius is 0.
+  /// @param radius of the disc [m]
+  bool isClear(const Vector2& from, const Vector2& to, double radius) const;
+
+  /// @brief Memory of the walls and the grid [bytes].
+  std::size_t memory() const;
+
+ private:
+  /// Columns left .. right of the rows bottom .. top.
+  struct Cells {
+    std::int64_t left;
+    std::int64_t right;
+    std::int64_t bottom;
+    std::int64_t top;
+  };
+
+  bool isList() const { return walls_.size() <= FEW; }
+  void layOut(double cell_size);
+  void fillCells();
+  /// The number of pairs of a wall and a cell that it crosses.
+  std::size_t countEntries() const;
+  std::int64_t column(double x) const { return cellOf(x - origin_.x(), columns_); }
+  std::int64_t row(double y) const { return cellOf(y - origin_.y(), rows_); }
+  /// The cell at this distance from the first cell's edge [m], or the nearest one.
+  std::int64_t cellOf(double offset, std::int64_t cells) const;
+  Cells cellsNear(const Vector2& point, double distance) const;
+  /// Calls visit(row, left, right) for rows of cells that contain all points at most `margin` [m] from the segment.
+  template <typename Visit>
+  bool visitRows(const Segment& segment, double margin, const Visit& visit) const;
+  /// Calls test(wall index) for the walls in cells of a row until it returns true; returns whether it did.
+  template <typename Test>
+  bool isAnyInRow(std::int64_t row, std::int64_t left, std::int64_t right, const Test& test) const;
+  /// The same for the walls in cells near a point; some walls are tested several times.
+  template <typename Test>
+  bool isAnyNear(const Vector2& point, double distance, const Test& test) const;
+
+  std::vector<Segment> walls_;
+  std::vector<std::uint32_t> first_;    // first_[c]: first entry of cell c
+  std::vector<std::uint32_t> entries_;  // walls of all cells, in each cell in ascending order
+  Vector2 origin_ = Vector2::Zero();
+  double cells_per_metre_ = 1.0;
+  std::int64_t columns_ = 1;
+  std::int64_t rows_ = 1;
+};
+
+}  // namespace crowd

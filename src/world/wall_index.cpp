@@ -1,0 +1,182 @@
+#include "social_crowd/world/wall_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "world/swept_disc.h"
+
+namespace crowd {
+namespace {
+
+constexpr double MAX_CELLS = 1U << 20U;
+constexpr std::size_t ENTRIES_PER_WALL = 64;  // more than that, and cells are made larger,
+constexpr std::size_t FREE_ENTRIES = 65536;   // unless there are only so many
+constexpr double SLACK = 1e-6;                // [cells]; walls so near to a cell are also in it, against rounding
+
+double squaredDistance(const Segment& wall, const Vector2& point) {
+  return (nearestPoint(wall, point) - point).squaredNorm();
+}
+
+/// The x coordinates of the part of a segment between two y coordinates; if there is none, of its nearer end.
+std::pair<double, double> xsBetween(const Segment& segment, double low, double high) {
+  const Vector2 along = segment.to - segment.from;
+  const auto xAt = [&](double y) {
+    return segment.from.x() + std::clamp((y - segment.from.y()) / along.y(), 0.0, 1.0) * along.x();
+  };
+  const bool is_level = along.y() == 0.0;
+  return std::minmax(is_level ? segment.from.x() : xAt(low), is_level ? segment.to.x() : xAt(high));
+}
+
+}  // namespace
+
+WallIndex::WallIndex(std::vector<Segment> walls, double cell_size) : walls_(std::move(walls)) {
+  if (isList()) return;
+  layOut(cell_size);
+  fillCells();
+}
+
+std::int64_t WallIndex::cellOf(double offset, std::int64_t cells) const {
+  const double cell = offset * cells_per_metre_;
+  return cell > 0.0 ? static_cast<std::int64_t>(std::min(cell, static_cast<double>(cells - 1))) : 0;
+}
+
+WallIndex::Cells WallIndex::cellsNear(const Vector2& point, double distance) const {
+  return {column(point.x() - distance), column(point.x() + distance), row(point.y() - distance),
+          row(point.y() + distance)};
+}
+
+template <typename Visit>
+bool WallIndex::visitRows(const Segment& segment, double margin, const Visit& visit) const {
+  const double reach = margin + SLACK / cells_per_metre_;
+  const auto [low, high] = std::minmax(segment.from.y(), segment.to.y());
+  for (std::int64_t r = row(low - reach); r <= row(high + reach); ++r) {
+    const double bottom = origin_.y() + static_cast<double>(r) / cells_per_metre_;
+    const auto [left, right] = xsBetween(segment, bottom - reach, bottom + 1.0 / cells_per_metre_ + reach);
+    if (visit(r, column(left - reach), column(right + reach))) return true;
+  }
+  return false;
+}
+
+template <typename Test>
+bool WallIndex::isAnyInRow(std::int64_t row, std::int64_t left, std::int64_t right, const Test& test) const {
+  const auto first = static_cast<std::size_t>(row * columns_);
+  const std::uint32_t end = first_[first + static_cast<std::size_t>(right) + 1];
+  for (std::uint32_t i = first_[first + static_cast<std::size_t>(left)]; i < end; ++i) {
+    if (test(entries_[i])) return true;
+  }
+  return false;
+}
+
+template <typename Test>
+bool WallIndex::isAnyNear(const Vector2& point, double distance, const Test& test) const {
+  if (isList()) {
+    for (std::uint32_t i = 0; i < walls_.size(); ++i) {
+      if (test(i)) return true;
+    }
+    return false;
+  }
+  const Cells cells = cellsNear(point, distance);
+  for (std::int64_t r = cells.bottom; r <= cells.top; ++r) {
+    if (isAnyInRow(r, cells.left, cells.right, test)) return true;
+  }
+  return false;
+}
+
+void WallIndex::layOut(double cell_size) {
+  Vector2 low = walls_.front().from;
+  Vector2 high = low;
+  for (const Segment& wall : walls_) {
+    low = low.cwiseMin(wall.from).cwiseMin(wall.to);
+    high = high.cwiseMax(wall.from).cwiseMax(wall.to);
+  }
+  origin_ = low;
+  const Vector2 size = high - low;
+  cells_per_metre_ = 1.0 / cell_size;
+  const auto count = [&](double side) { return std::isfinite(side) ? side * cells_per_metre_ + 1.0 : 1.0; };
+  while (count(size.x()) * count(size.y()) > MAX_CELLS) cells_per_metre_ /= 2.0;
+  const auto resize = [&] {
+    columns_ = static_cast<std::int64_t>(count(size.x()));
+    rows_ = static_cast<std::int64_t>(count(size.y()));
+  };
+  for (resize(); countEntries() > ENTRIES_PER_WALL * walls_.size() + FREE_ENTRIES; resize()) cells_per_metre_ /= 2.0;
+}
+
+std::size_t WallIndex::countEntries() const {
+  std::size_t entries = 0;
+  for (const Segment& wall : walls_) {
+    visitRows(wall, 0.0, [&](std::int64_t /*row*/, std::int64_t left, std::int64_t right) {
+      entries += static_cast<std::size_t>(right - left + 1);
+      return false;
+    });
+  }
+  return entries;
+}
+
+void WallIndex::fillCells() {
+  first_.assign(static_cast<std::size_t>(columns_ * rows_) + 2, 0);
+  const auto visitCells = [&](const Segment& wall, const auto& visit) {
+    visitRows(wall, 0.0, [&](std::int64_t r, std::int64_t left, std::int64_t right) {
+      for (std::int64_t c = left; c <= right; ++c) visit(static_cast<std::size_t>(r * columns_ + c));
+      return false;
+    });
+  };
+  for (const Segment& wall : walls_) visitCells(wall, [&](std::size_t cell) { ++first_[cell + 2]; });
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  entries_.resize(first_.back());
+  // first_[c + 1] is the start of cell c, and advances to its end.
+  for (std::uint32_t i = 0; i < walls_.size(); ++i) {
+    visitCells(walls_[i], [&](std::size_t cell) { entries_[first_[cell + 1]++] = i; });
+  }
+}
+
+void WallIndex::findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const {
+  if (!(distance >= 0.0)) return;
+  const std::size_t before = found.size();
+  const double limit = distance * distance;
+  isAnyNear(point, distance, [&](std::uint32_t wall) {
+    if (squaredDistance(walls_[wall], point) <= limit) found.push_back(wall);
+    return false;
+  });
+  if (isList()) return;
+  const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);
+  std::sort(begin, found.end());
+  found.erase(std::unique(begin, found.end()), found.end());
+}
+
+bool WallIndex::isAnyWithin(const Vector2& point, double distance) const {
+  if (!(distance >= 0.0)) return false;
+  const double limit = distance * distance;
+  return isAnyNear(point, distance, [&](std::uint32_t wall) { return squaredDistance(walls_[wall], point) <= limit; });
+}
+
+double WallIndex::nearestDistance(const Vector2& point, double limit) const {
+  if (!(limit > 0.0)) return limit;
+  double nearest = limit * limit;
+  const auto look = [&](std::uint32_t wall) {
+    nearest = std::min(nearest, squaredDistance(walls_[wall], point));
+    return false;
+  };
+  // The reach is doubled until it contains the nearest wall or all cells.
+  for (double reach = isList() ? limit : 1.0 / cells_per_metre_;; reach *= 2.0) {
+    reach = std::min(reach, limit);
+    isAnyNear(point, reach, look);
+    if (reach >= limit || nearest <= reach * reach) break;
+  }
+  return std::min(limit, std::sqrt(nearest));
+}
+
+bool WallIndex::isClear(const Vector2& from, const Vector2& to, double radius) const {
+  const SweptDisc disc({from, to}, radius);
+  const auto overlaps = [&](std::uint32_t wall) { return disc.overlaps(walls_[wall]); };
+  if (isList()) return !isAnyNear(from, 0.0, overlaps);
+  return !visitRows({from, to}, radius, [&](std::int64_t r, std::int64_t left, std::int64_t right) {
+    return isAnyInRow(r, left, right, overlaps);
+  });
+}
+
+std::size_t WallIndex::memory() const {
+  return walls_.capacity() * sizeof(Segment) + (first_.capacity() + entries_.capacity()) * sizeof(std::uint32_t);
+}
+
+}  // namespace crowd
