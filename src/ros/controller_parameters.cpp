@@ -61,6 +61,7 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   ControllerParameters read;
   useConfig(parameters, read);
   readScenario(parameters, read);
+  read.map_topic = parameters.text("map_topic", "");
   read.seed = static_cast<std::uint64_t>(parameters.whole("seed", static_cast<std::int64_t>(read.seed), 0, MAX_WHOLE));
   read.episodes =
       static_cast<std::uint64_t>(parameters.whole("episodes", static_cast<std::int64_t>(read.episodes), 0, MAX_WHOLE));

@@ -1,7 +1,11 @@
 #include "social_crowd/ros/conversions.h"
 
 #include <tf2/LinearMath/Quaternion.h>
+#include <tf2/utils.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace crowd {
 namespace {
@@ -115,13 +119,39 @@ void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& m
   message.contact = static_cast<std::uint8_t>(scene.contact);
   toMessages(world.agents(), message.agents);
   message.obstacles = obstacleStates(world);
-  message.walls.clear();
-  for (const Segment& segment : scene.walls) {
-    social_crowd::Wall wall;
-    wall.from = toPoint(segment.from);
-    wall.to = toPoint(segment.to);
-    message.walls.push_back(wall);
+  toMessages(scene.walls, message.walls);
+}
+
+void toMessages(const std::vector<Segment>& walls, std::vector<social_crowd::Wall>& messages) {
+  messages.resize(walls.size());
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    messages[i].from = toPoint(walls[i].from);
+    messages[i].to = toPoint(walls[i].to);
   }
+}
+
+void toMessage(const OccupancyMap& map, nav_msgs::OccupancyGrid& message) {
+  message.info.resolution = static_cast<float>(map.resolution);
+  message.info.width = map.width;
+  message.info.height = map.height;
+  message.info.origin.position = toPoint(map.origin.position);
+  message.info.origin.orientation = toQuaternion(map.origin.heading);
+  const auto value_of = [](CellState state) -> std::int8_t {
+    if (state == CellState::UNKNOWN) return -1;
+    return state == CellState::OCCUPIED ? 100 : 0;
+  };
+  message.data.resize(map.cells.size());
+  std::transform(map.cells.begin(), map.cells.end(), message.data.begin(), value_of);
+}
+
+OccupancyMap fromMessage(const nav_msgs::OccupancyGrid& message) {
+  const geometry_msgs::Pose& origin = message.info.origin;
+  OccupancyMap layout;
+  layout.resolution = static_cast<double>(message.info.resolution);
+  layout.origin = {fromPoint(origin.position), tf2::getYaw(origin.orientation)};
+  layout.width = message.info.width;
+  layout.height = message.info.height;
+  return mapFromGrid(std::move(layout), message.data);
 }
 
 }  // namespace crowd

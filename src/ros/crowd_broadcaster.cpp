@@ -1,6 +1,8 @@
 #include "social_crowd/ros/crowd_broadcaster.h"
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <rosgraph_msgs/Clock.h>
+#include <social_crowd/Walls.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include "social_crowd/ros/conversions.h"
@@ -15,11 +17,13 @@ constexpr bool LATCHED = true;
 }  // namespace
 
 CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters)
-    : publish_clock_(parameters.publish_clock),
+    : node_(node),
+      publish_clock_(parameters.publish_clock),
       clock_(1, 0),  // ROS takes zero as no time received yet
       agents_period_(parameters.agents_rate > 0.0 ? 1.0 / parameters.agents_rate : 0.0),
       agents_(node.advertise<social_crowd::AgentStates>(names::AGENTS, QUEUE)),
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
+      walls_(node.advertise<social_crowd::Walls>(names::WALLS, QUEUE, LATCHED)),
       results_(node.advertise<social_crowd::EpisodeResult>(names::EPISODE_RESULTS, QUEUE)) {
   if (publish_clock_) clock_publisher_ = node.advertise<rosgraph_msgs::Clock>(names::CLOCK, QUEUE);
   if (parameters.publish_tf) {
@@ -49,11 +53,13 @@ bool CrowdBroadcaster::hasPublishedAgents(const Episode& episode) const {
 }
 
 void CrowdBroadcaster::publishAgents(const Episode& episode) {
+  publishWalls(episode);
   const bool is_due = agents_period_.isZero() || ros::SteadyTime::now() - agents_published_at_ >= agents_period_;
   if (is_due) publishAgentsNow(episode);
 }
 
 void CrowdBroadcaster::publishAgentsNow(const Episode& episode) {
+  publishWalls(episode);
   if (hasPublishedAgents(episode)) return;
   agents_published_ = {episode.number(), episode.world().tick()};
   agents_published_at_ = ros::SteadyTime::now();
@@ -91,6 +97,31 @@ void CrowdBroadcaster::publishScenario(const Episode& episode, std::uint64_t ins
   message.episode = episode.number();
   message.instance = instance;
   scenario_.publish(message);
+  publishWalls(episode);
+  const std::shared_ptr<const OccupancyMap>& map = episode.scene().map;
+  if (map != nullptr && map != map_published_) publishMap(*map);
+  if (map != nullptr) map_published_ = map;
+}
+
+void CrowdBroadcaster::publishWalls(const Episode& episode) {
+  const std::pair now(episode.number(), episode.world().layoutChanges());
+  if (walls_published_ == now) return;
+  walls_published_ = now;
+  social_crowd::Walls message;
+  message.header = header();
+  message.episode = episode.number();
+  toMessages(episode.world().walls(), message.walls);
+  message.numbers.assign(episode.world().wallIds().begin(), episode.world().wallIds().end());
+  walls_.publish(message);
+}
+
+void CrowdBroadcaster::publishMap(const OccupancyMap& map) {
+  if (!map_) map_ = node_.advertise<nav_msgs::OccupancyGrid>(names::MAP, 1, LATCHED);
+  nav_msgs::OccupancyGrid message;
+  toMessage(map, message);
+  message.header = header();
+  message.info.map_load_time = message.header.stamp;
+  map_.publish(message);
 }
 
 void CrowdBroadcaster::publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed,

@@ -4,7 +4,10 @@
 #include <utility>
 
 #include "social_crowd/common/files.h"
+#include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/launch_end.h"
+#include "social_crowd/ros/names.h"
+#include "social_crowd/world/map_walls.h"
 #include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
@@ -28,6 +31,10 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       services_(private_node, SERVICE_THREADS) {
   useScenarios(readScenarios(parameters_.scenarios), parameters_.name);
   advertiseServices();
+  if (!parameters_.map_topic.empty()) {
+    map_subscriber_ = node_.subscribe<nav_msgs::OccupancyGrid>(parameters_.map_topic, 1,
+                                                               [this](const auto& message) { takeMap(*message); });
+  }
 }
 
 void CrowdController::run() {
@@ -81,12 +88,42 @@ void CrowdController::restart(std::optional<TrajectoryFile> recording) {
   beginEpisode();
 }
 
+Scene CrowdController::nextScene() const {
+  Scene scene = scenarios_.scene(seed_, instance_);
+  keepHeadings(headings_, scene);
+  if (map_ != nullptr) {
+    scene.map = map_;
+    scene.walls.resize(scene.own_walls);
+    scene.walls.insert(scene.walls.end(), map_walls_.begin(), map_walls_.end());
+  }
+  return scene;
+}
+
+void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
+  try {
+    if (message.header.frame_id != names::MAP_FRAME && !message.header.frame_id.empty()) {
+      throw InputError("header.frame_id: expected 'map', got '" + message.header.frame_id + "'");
+    }
+    auto map = std::make_shared<const OccupancyMap>(fromMessage(message));
+    map_walls_ = traceWalls(*map);
+    map_ = std::move(map);
+  } catch (const Error& error) {
+    ROS_ERROR("the map on %s is not used: %s", parameters_.map_topic.c_str(), error.what());
+    return;
+  }
+  const Scene& scene = episode_->scene();
+  std::vector<Segment> walls(scene.walls.begin(), scene.walls.begin() + static_cast<std::ptrdiff_t>(scene.own_walls));
+  walls.insert(walls.end(), map_walls_.begin(), map_walls_.end());
+  episode_->replaceWalls(std::move(walls));
+  broadcaster_.publishWalls(*episode_);
+  ROS_INFO("map of %u x %u cells from %s: %zu walls", message.info.width, message.info.height,
+           parameters_.map_topic.c_str(), map_walls_.size());
+}
+
 void CrowdController::beginEpisode() {
   cut_off_ = true;
   tick_ended_ = true;
-  Scene scene = scenarios_.scene(seed_, instance_);
-  keepHeadings(headings_, scene);
-  episode_ = std::make_unique<Episode>(std::move(scene), next_episode_++, Vision());
+  episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision());
   answers_.cancel();
   trajectory_.clear();
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);

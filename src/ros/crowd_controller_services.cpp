@@ -1,17 +1,11 @@
 // Services of the crowd controller. Handlers run in service threads and access the world through the main loop.
 
 #include <social_crowd/LoadScenario.h>
-#include <social_crowd/RemoveAgent.h>
-#include <social_crowd/RemoveObstacle.h>
 #include <social_crowd/Reset.h>
-#include <social_crowd/SetGoal.h>
-#include <social_crowd/SpawnAgent.h>
-#include <social_crowd/SpawnObstacle.h>
 #include <social_crowd/Step.h>
 #include <std_srvs/SetBool.h>
 
 #include "social_crowd/common/files.h"
-#include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/crowd_controller.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/world/scenario_files.h"
@@ -101,43 +95,7 @@ void CrowdController::advertiseServices() {
       response.message = "loaded " + file + ": " + place();
     });
   });
-  services_.serve<social_crowd::SpawnAgent>(names::SPAWN_AGENT, [this](const auto& request, auto& response) {
-    AgentStart start;
-    start.position = {request.pose.x, request.pose.y};
-    start.heading = request.pose.theta;
-    start.goals = {fromPoint(request.goal)};
-    start.max_speed = request.max_speed;
-    start.radius = request.radius;
-    loop_.ask<void>([&] {
-      response.agent = episode_->spawnAgent(start);
-      response.message = "agent " + std::to_string(response.agent) + " added at " + place();
-    });
-  });
-  services_.serve<social_crowd::RemoveAgent>(names::REMOVE_AGENT, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->removeAgent(request.agent);
-      response.message = "agent " + std::to_string(request.agent) + " removed at " + place();
-    });
-  });
-  services_.serve<social_crowd::SetGoal>(names::SET_GOAL, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->setGoal(request.agent, fromPoint(request.goal));
-      response.message = "agent " + std::to_string(request.agent) + " has a new goal since " + place();
-    });
-  });
-  services_.serve<social_crowd::SpawnObstacle>(names::SPAWN_OBSTACLE, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      response.obstacle = static_cast<std::uint32_t>(
-          episode_->spawnObstacle(fromPoint(request.position), fromVector3(request.velocity), request.radius));
-      response.message = "obstacle " + std::to_string(response.obstacle) + " added at " + place();
-    });
-  });
-  services_.serve<social_crowd::RemoveObstacle>(names::REMOVE_OBSTACLE, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->removeObstacle(request.obstacle);
-      response.message = "obstacle " + std::to_string(request.obstacle) + " removed at " + place();
-    });
-  });
+  advertiseWorldServices();
 }
 
 }  // namespace crowd

@@ -92,6 +92,11 @@ void MarkerScene::take(const social_crowd::Scenario& message) {
   if (message.episode != states_->episode || states_->agents.empty()) show(statesAtStart(message));
 }
 
+void MarkerScene::take(const social_crowd::Walls& message) {
+  walls_ = message.walls;
+  changed_ = true;
+}
+
 void MarkerScene::show(const AgentStates::ConstPtr& states) {
   // A bag that is played repeatedly may begin with the episode with which it ends.
   if (states->episode != states_->episode || states->tick < states_->tick) paths_.clear();

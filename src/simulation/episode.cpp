@@ -10,7 +10,14 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
       vision_(vision),
       thread_pool_(&thread_pool),
       monitor_(scene_, world_),
-      number_(number) {}
+      number_(number) {
+  noteChange();
+}
+
+void Episode::noteChange() {
+  if (scene_.way_finding) way_finder_.update(world_);
+  are_current_ = false;
+}
 
 void Episode::setVision(const Vision& vision) {
   vision_ = vision;
@@ -33,7 +40,7 @@ bool Episode::step(const std::vector<AgentAction>& actions) {
 
 bool Episode::endTick() {
   monitor_.observe(world_, *thread_pool_);
-  are_current_ = false;
+  noteChange();
   return true;
 }
 
@@ -88,30 +95,51 @@ void Episode::decide(Learner& learner, RelativeActions& actions) {
 AgentId Episode::spawnAgent(const AgentStart& start) {
   const AgentId id = world_.spawnAgent(start);
   monitor_.watch(start, world_);
-  are_current_ = false;
+  noteChange();
   return id;
 }
 
 void Episode::removeAgent(AgentId id) {
   world_.removeAgent(id);
-  are_current_ = false;
+  noteChange();
 }
 
 void Episode::setGoal(AgentId id, const Vector2& goal) {
   world_.setGoal(id, goal);
   monitor_.recordGoal(world_.agents()[id], goal);
-  are_current_ = false;
+  noteChange();
 }
 
 std::size_t Episode::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
   const std::size_t number = world_.spawnObstacle(position, velocity, radius);
-  are_current_ = false;
+  noteChange();
   return number;
 }
 
 void Episode::removeObstacle(std::size_t number) {
   world_.removeObstacle(number);
-  are_current_ = false;
+  noteChange();
+}
+
+void Episode::teleport(AgentId id, const Pose& pose) {
+  world_.teleport(id, pose);
+  noteChange();
+}
+
+std::size_t Episode::addWall(const Segment& wall) {
+  const std::size_t id = world_.addWall(wall);
+  noteChange();
+  return id;
+}
+
+void Episode::removeWall(std::size_t id) {
+  world_.removeWall(id);
+  noteChange();
+}
+
+void Episode::replaceWalls(std::vector<Segment> walls) {
+  world_.replaceWalls(std::move(walls));
+  noteChange();
 }
 
 }  // namespace crowd

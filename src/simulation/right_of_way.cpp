@@ -1,6 +1,8 @@
 #include "social_crowd/simulation/right_of_way.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace crowd {
 namespace {
@@ -17,8 +19,8 @@ bool contains(const std::vector<AgentId>& ids, AgentId id) {
 
 }  // namespace
 
-RightOfWay::RightOfWay(const FloorPlan& floor, double radius)
-    : passages_(floor, radius, maxWidth(radius)), radius_(radius), states_(passages_.size()) {}
+RightOfWay::RightOfWay(std::shared_ptr<const Passages> passages, double radius)
+    : passages_(std::move(passages)), radius_(radius), states_(passages_->size()) {}
 
 void RightOfWay::update(World& world, const std::vector<RemainingPath>& paths) {
   if (states_.empty()) return;
@@ -51,7 +53,7 @@ void RightOfWay::addClaim(const Agent& agent, const RemainingPath& path) {
     const double length = (corner - from).norm();
     for (double along = 0.0; along < length && walked + along < LOOKAHEAD; along += SAMPLE) {
       const Vector2 place = from + along / length * (corner - from);
-      const std::uint16_t passage = passages_.at(place);
+      const std::uint16_t passage = passages_->at(place);
       if (passage != Passages::NONE) {
         return states_[passage].claims.push_back({agent.id, nearestMouth(passage, before), walked + along});
       }
@@ -64,7 +66,7 @@ void RightOfWay::addClaim(const Agent& agent, const RemainingPath& path) {
 }
 
 std::size_t RightOfWay::nearestMouth(std::size_t passage, const Vector2& place) const {
-  const auto& mouths = passages_[passage].mouths;
+  const auto& mouths = (*passages_)[passage].mouths;
   const auto nearer = [&](const Mouth& a, const Mouth& b) {
     return (a.centre - place).squaredNorm() < (b.centre - place).squaredNorm();
   };
@@ -91,7 +93,7 @@ void RightOfWay::admit(std::size_t passage, PassageState& state) const {
   };
   const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), waits_elsewhere);
   const auto side_by_side =
-      std::max<std::size_t>(1, static_cast<std::size_t>(passages_[passage].width / (2.0 * radius_ + LANE_MARGIN)));
+      std::max<std::size_t>(1, static_cast<std::size_t>((*passages_)[passage].width / (2.0 * radius_ + LANE_MARGIN)));
   std::size_t entering = 0;
   for (const Claim& claim : state.claims) {
     entering += claim.distance > 0.0 && contains(state.admitted, claim.agent) ? 1 : 0;
@@ -126,7 +128,7 @@ void RightOfWay::guide(std::size_t passage, const PassageState& state, World& wo
                                    [&](const Claim& claim) { return claim.mouth != state.claims.front().mouth; });
   for (const Claim& claim : state.claims) {
     if (contains(state.admitted, claim.agent)) continue;
-    guideWaiting(passages_[passage].mouths[claim.mouth], two_way, claim, world);
+    guideWaiting((*passages_)[passage].mouths[claim.mouth], two_way, claim, world);
   }
 }
 
@@ -150,7 +152,7 @@ void RightOfWay::guideWaiting(const Mouth& mouth, bool two_way, const Claim& cla
   const double out = std::max(ahead, 2.0 * radius_);
   for (const double to : {side, -side}) {
     const Vector2 place = mouth.centre + out * mouth.outward + to * (half_lane + STOP_MARGIN + 0.1) * left;
-    if (passages_.fits(place, radius_) && passages_.fits(place - to * radius_ * left, radius_)) {
+    if (passages_->fits(place, radius_) && passages_->fits(place - to * radius_ * left, radius_)) {
       return world.setWaypoint(claim.agent, place);
     }
   }

@@ -37,6 +37,7 @@ Scene emptyScene(const Scenario& scenario) {
   scene.contact = scenario.contact;
   scene.order = scenario.order;
   scene.walls = scenario.walls;
+  scene.own_walls = scenario.walls.size();
   scene.way_finding = scenario.way_finding;
   scene.map = scenario.map;
   scene.free_space = scenario.free_space;

@@ -13,8 +13,7 @@ constexpr std::uint32_t WALL = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
-const std::vector<SolidMotion::Outcome>& SolidMotion::move(const std::vector<Disc>& discs,
-                                                           const std::vector<Segment>& walls) {
+const std::vector<SolidMotion::Outcome>& SolidMotion::move(const std::vector<Disc>& discs, const WallIndex& walls) {
   walls_ = &walls;
   begin(discs);
   findNeighbours();
@@ -88,7 +87,10 @@ void SolidMotion::predictWallImpacts(Index agent, double now) {
   if (body.way.isZero(0.0)) return;
   const Vector2 position = body.at(now);
   double first = NEVER;
-  for (const Segment& wall : *walls_) {
+  near_walls_.clear();
+  walls_->findNear(position, body.radius + body.way.norm(), near_walls_);
+  for (const std::uint32_t number : near_walls_) {
+    const Segment& wall = walls_->walls()[number];
     first = std::min(first,
                      firstTouch(Segment{wall.from - position, wall.to - position}, body.way, body.radius, 1.0 - now));
   }

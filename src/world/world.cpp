@@ -194,11 +194,7 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
 }
 
 inline bool World::isAnythingWithin(double distance, const Agent& agent) const {
-  if (grid_.isAnyNear(agent.pose.position, distance, agent.id)) return true;
-  for (const Segment& wall : walls_) {
-    if (distanceTo(wall, agent.pose.position) <= distance) return true;
-  }
-  return false;
+  return grid_.isAnyNear(agent.pose.position, distance, agent.id) || walls_.isAnyWithin(agent.pose.position, distance);
 }
 
 template <typename Moves>

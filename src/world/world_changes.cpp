@@ -55,8 +55,7 @@ std::string World::findBlocker(const Vector2& centre, double radius, bool agents
     if (!agents_only) return "obstacle " + std::to_string(body - agents_.size());
   }
   if (agents_only) return "";
-  const auto overlaps = [&](const Segment& wall) { return distanceTo(wall, centre) < radius - overlap; };
-  return std::any_of(walls_.begin(), walls_.end(), overlaps) ? "a wall" : "";
+  return walls_.isAnyWithin(centre, radius - overlap) ? "a wall" : "";
 }
 
 void World::requireFreePlace(const Vector2& centre, double radius, bool agents_only,
@@ -171,7 +170,9 @@ std::size_t World::addWall(const Segment& wall) {
       throw InputError("the place is taken by agent " + std::to_string(agent.id));
     }
   }
-  walls_.push_back(wall);
+  std::vector<Segment> walls = this->walls();
+  walls.push_back(wall);
+  walls_ = WallIndex(std::move(walls));
   wall_ids_.push_back(next_wall_id_++);
   ++layout_changes_;
   return wall_ids_.back();
@@ -180,14 +181,16 @@ std::size_t World::addWall(const Segment& wall) {
 void World::removeWall(std::size_t id) {
   const auto found = std::lower_bound(wall_ids_.begin(), wall_ids_.end(), id);
   if (found == wall_ids_.end() || *found != id) throw InputError("there is no wall " + std::to_string(id));
-  walls_.erase(walls_.begin() + (found - wall_ids_.begin()));
+  std::vector<Segment> walls = this->walls();
+  walls.erase(walls.begin() + (found - wall_ids_.begin()));
+  walls_ = WallIndex(std::move(walls));
   wall_ids_.erase(found);
   ++layout_changes_;
 }
 
 void World::replaceWalls(std::vector<Segment> walls) {
-  walls_ = std::move(walls);
-  wall_ids_.resize(walls_.size());
+  walls_ = WallIndex(std::move(walls));
+  wall_ids_.resize(this->walls().size());
   for (std::size_t& id : wall_ids_) id = next_wall_id_++;
   ++layout_changes_;
 }

@@ -94,7 +94,7 @@ inline void World::perceiveOne(const Vision& vision, const Agent& agent, std::si
   self.neighbour_count = static_cast<std::uint32_t>(found.size());
   self.first_wall = static_cast<std::uint32_t>(workspace.walls.size());
   perceiveSelf(agent, frame, self);
-  if (!walls_.empty()) findWalls(vision, agent, frame, workspace);
+  if (!walls().empty()) findWalls(vision, agent, frame, workspace);
   if (vision.occlusion) {
     workspace.near.resize(found.size());
     writeNeighbours(found, agent, 0, workspace.near);
@@ -138,8 +138,10 @@ inline void World::writeNeighbours(const Span<NearDisc>& found, const Agent& age
 
 inline void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& frame,
                              PerceptionWorkspace& workspace) const {
-  for (const Segment& wall : walls_) {
-    if (distanceTo(wall, agent.pose.position) > vision.radius) continue;
+  workspace.near_walls.clear();
+  walls_.findNear(agent.pose.position, vision.radius, workspace.near_walls);
+  for (const std::uint32_t number : workspace.near_walls) {
+    const Segment& wall = walls()[number];
     workspace.walls.push_back(
         {frame.intoFrame(wall.from - agent.pose.position), frame.intoFrame(wall.to - agent.pose.position)});
   }

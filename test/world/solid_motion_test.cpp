@@ -18,7 +18,7 @@ Disc obstacle(const Vector2& position, const Vector2& way, double radius) { retu
 
 std::vector<Outcome> move(const std::vector<Disc>& discs, const std::vector<Segment>& walls = {}) {
   SolidMotion motion;
-  return motion.move(discs, walls);
+  return motion.move(discs, WallIndex(walls));
 }
 
 void expectAt(const Outcome& outcome, double x, double y) {

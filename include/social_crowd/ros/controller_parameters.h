@@ -14,6 +14,7 @@ struct ControllerParameters {
   std::vector<std::string> scenarios;
   std::string name;               ///< of recordings: name of the file in ~scenario or ~config
   std::string scenario_folder;    ///< ~scenario_folder: folder of named scenarios; empty: that of the package
+  std::string map_topic;          ///< ~map_topic: topic of a map that replaces those of the scenarios; empty: none
   std::uint64_t seed = 1;         ///< ~seed: of random placements; else that of ~config
   std::uint64_t episodes = 0;     ///< ~episodes: number of episodes; 0: unlimited; else that of ~config
   double real_time_factor = 1.0;  ///< ~real_time_factor: 0 or `fast`: as fast as possible

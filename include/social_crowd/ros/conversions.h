@@ -3,9 +3,13 @@
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Quaternion.h>
 #include <geometry_msgs/Vector3.h>
+#include <nav_msgs/OccupancyGrid.h>
 #include <social_crowd/AgentStates.h>
 #include <social_crowd/EpisodeResult.h>
 #include <social_crowd/Scenario.h>
+#include <social_crowd/Wall.h>
+
+#include <vector>
 
 #include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/world/scene.h"
@@ -30,5 +34,13 @@ void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message
 
 /// @brief Writes the start of an episode; not header, episode and instance.
 void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& message);
+
+void toMessages(const std::vector<Segment>& walls, std::vector<social_crowd::Wall>& messages);
+
+/// @brief Writes cells, resolution, size and origin; not the header and the time. Free cells are 0, occupied ones 100,
+/// unknown ones -1.
+void toMessage(const OccupancyMap& map, nav_msgs::OccupancyGrid& message);
+/// @brief The map of a message, see mapFromGrid(). @throws InputError unless it is valid
+OccupancyMap fromMessage(const nav_msgs::OccupancyGrid& message);
 
 }  // namespace crowd

@@ -6,6 +6,7 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,16 +30,20 @@ class CrowdBroadcaster {
   /// @brief The same regardless of the rate, before a pause of unknown length.
   void publishAgentsNow(const Episode& episode);
   void publishScenario(const Episode& episode, std::uint64_t instance);
+  /// @brief Publishes the walls if they have changed since the last call, or are those of another episode.
+  void publishWalls(const Episode& episode);
   void publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed, std::uint64_t dropped);
 
   /// @brief Returns a header with frame map and the present time (simulated time with ~publish_clock).
   std_msgs::Header header() const;
 
  private:
+  void publishMap(const OccupancyMap& map);
   bool hasPublishedAgents(const Episode& episode) const;
   void publishStates(const Episode& episode);
   void publishFrames(const Episode& episode);
 
+  ros::NodeHandle node_;
   bool publish_clock_;
   ros::Time clock_;
   ros::WallDuration agents_period_;
@@ -47,6 +52,10 @@ class CrowdBroadcaster {
   ros::Publisher agents_;
   ObjectPool<social_crowd::AgentStatesPtr> states_;
   ros::Publisher scenario_;
+  ros::Publisher walls_;
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> walls_published_;  // episode, and number of changes
+  ros::Publisher map_;                                                      // advertised with the first map
+  std::shared_ptr<const OccupancyMap> map_published_;
   ros::Publisher results_;
   ros::Publisher clock_publisher_;
   std::optional<tf2_ros::TransformBroadcaster> frames_broadcaster_;  // only with ~publish_tf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "social_crowd/ros/answer_collector.h"
 #include "social_crowd/ros/controller_parameters.h"
@@ -41,9 +43,13 @@ class CrowdController {
   };
 
   void advertiseServices();
+  void advertiseWorldServices();
 
   void useScenarios(ScenarioList scenarios, const std::string& name);
   std::optional<TrajectoryFile> beginRecording(const std::string& name) const;
+  /// Replaces the map of the running episode and of all later ones; logs an error and changes nothing if it is invalid.
+  void takeMap(const nav_msgs::OccupancyGrid& message);
+  Scene nextScene() const;
   void restart(std::optional<TrajectoryFile> recording);
   void beginEpisode();
   void endEpisode();
@@ -77,6 +83,9 @@ class CrowdController {
 
   ScenarioList scenarios_;
   std::string scenario_name_;
+  ros::Subscriber map_subscriber_;
+  std::shared_ptr<const OccupancyMap> map_;  // from ~map_topic, in place of those of the scenarios; null: none so far
+  std::vector<Segment> map_walls_;           // of this map
   std::uint64_t seed_;
   std::unique_ptr<Episode> episode_;
   std::uint64_t next_episode_ = 0;  // never repeats, so that an old answer cannot be mistaken for a new one

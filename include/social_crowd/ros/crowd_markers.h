@@ -54,6 +54,7 @@ class CrowdMarkers {
   std::string scenario_name_;  // scenario of the present frame
   ros::Subscriber agents_;
   ros::Subscriber scenario_;
+  ros::Subscriber walls_;
   ros::Subscriber learner_status_;
   ros::Subscriber perceptions_;  // only while there are subscribers, because these messages are large
   ros::WallTimer timer_;

@@ -3,6 +3,7 @@
 #include <social_crowd/AgentStates.h>
 #include <social_crowd/LearnerStatus.h>
 #include <social_crowd/Scenario.h>
+#include <social_crowd/Walls.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <memory>
@@ -57,6 +58,7 @@ class MarkerScene {
 
   void take(const social_crowd::AgentStates::ConstPtr& message);
   void take(const social_crowd::Scenario& message);
+  void take(const social_crowd::Walls& message);
   /// @throws InputError if the perception of the chosen agent is invalid
   void take(const PerceptionsMessage& message);
   /// @throws InputError if the model in the status is invalid; nothing has changed then

@@ -3,10 +3,12 @@
 namespace crowd::names {
 
 // Topics; relative, so that namespaces and remapping work.
-constexpr const char* PERCEPTIONS = "perceptions";          ///< Perceptions: crowd_controller -> learner
-constexpr const char* ACTIONS = "actions";                  ///< RelativeActions: learner -> crowd_controller
-constexpr const char* AGENTS = "agents";                    ///< AgentStates: crowd_controller -> visualisation
-constexpr const char* SCENARIO = "scenario";                ///< Scenario, latched: crowd_controller -> visualisation
+constexpr const char* PERCEPTIONS = "perceptions";  ///< Perceptions: crowd_controller -> learner
+constexpr const char* ACTIONS = "actions";          ///< RelativeActions: learner -> crowd_controller
+constexpr const char* AGENTS = "agents";            ///< AgentStates: crowd_controller -> visualisation
+constexpr const char* SCENARIO = "scenario";        ///< Scenario, latched: crowd_controller -> visualisation
+constexpr const char* WALLS = "walls";              ///< Walls, latched: crowd_controller -> visualisation
+constexpr const char* MAP = "map";                  ///< nav_msgs/OccupancyGrid, latched: crowd_controller -> RViz
 constexpr const char* EPISODE_RESULTS = "episode_results";  ///< EpisodeResult: crowd_controller -> any node
 constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, latched: learner -> all
 constexpr const char* MARKERS = "markers";                  ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
@@ -21,6 +23,9 @@ constexpr const char* LOAD_SCENARIO = "load_scenario";
 constexpr const char* SPAWN_AGENT = "spawn_agent";
 constexpr const char* REMOVE_AGENT = "remove_agent";
 constexpr const char* SET_GOAL = "set_goal";
+constexpr const char* TELEPORT = "teleport";
+constexpr const char* ADD_WALL = "add_wall";
+constexpr const char* REMOVE_WALL = "remove_wall";
 constexpr const char* SPAWN_OBSTACLE = "spawn_obstacle";
 constexpr const char* REMOVE_OBSTACLE = "remove_obstacle";
 constexpr const char* SAVE_Q_TABLE = "save_q_table";

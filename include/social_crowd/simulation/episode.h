@@ -8,6 +8,7 @@
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/simulation/greedy_crowd.h"
+#include "social_crowd/simulation/way_finder.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
@@ -62,8 +63,14 @@ class Episode {
   void setGoal(AgentId id, const Vector2& goal);
   std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
   void removeObstacle(std::size_t number);
+  void teleport(AgentId id, const Pose& pose);
+  std::size_t addWall(const Segment& wall);
+  void removeWall(std::size_t id);
+  void replaceWalls(std::vector<Segment> walls);
 
  private:
+  /// Notes a change of the world: waypoints are updated, and the perceptions are not current any more.
+  void noteChange();
   bool isSequential() const { return scene_.order == Order::SEQUENTIAL; }
   void perceiveTurn();
   /// Advances `turn_` to the next agent that has a turn in this tick, starting with `turn_` itself; false if none.
@@ -75,6 +82,7 @@ class Episode {
   Vision vision_;
   ThreadPool* thread_pool_;
   EpisodeMonitor monitor_;
+  WayFinder way_finder_;
   std::uint64_t number_;
   ObjectPool<std::shared_ptr<Perceptions>> buffers_;
   std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // latest

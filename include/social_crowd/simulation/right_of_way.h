@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "social_crowd/navigation/passages.h"
@@ -14,10 +15,10 @@ using RemainingPath = std::vector<Vector2>;
 /// @brief Decides who goes first through passages that are too narrow for two agents to pass each other, so that agents
 /// do not block each other there. Deterministic; depends only on the world and the earlier calls.
 ///
-/// At most one direction at a time has the right of way in a passage. Agents of that direction are admitted in the order
-/// of their distance, as many at a time as fit side by side; the next one when an admitted one has entered. After
-/// BATCH_SIZE agents the others have their turn. Agents that wait stay outside of a zone in front of the mouth; if there
-/// is traffic in the other direction, the zone contains a lane for those who come out.
+/// At most one direction at a time has the right of way in a passage. Agents of that direction are admitted in the
+/// order of their distance, as many at a time as fit side by side; the next one when an admitted one has entered. After
+/// BATCH_SIZE agents the others have their turn. Agents that wait stay outside of a zone in front of the mouth; if
+/// there is traffic in the other direction, the zone contains a lane for those who come out.
 ///
 /// Call contract: update() once per tick, after the agents have moved and waypoints were set.
 class RightOfWay {
@@ -29,10 +30,9 @@ class RightOfWay {
   /// @brief Agents take part from this distance along their path to the passage [m].
   static constexpr double LOOKAHEAD = 4.0;
 
-  /// @param radius radius of the largest agents [m]
-  RightOfWay(const FloorPlan& floor, double radius);
+  /// @param passages narrower than maxWidth() @param radius of the largest agents [m]
+  RightOfWay(std::shared_ptr<const Passages> passages, double radius);
 
-  const Passages& passages() const { return passages_; }
   /// @brief Holds agents that must wait (World::setYielding), and sends those that are in the way of others aside
   /// (World::setWaypoint). @param paths of all agents, by id; empty for those that have none
   void update(World& world, const std::vector<RemainingPath>& paths);
@@ -60,7 +60,7 @@ class RightOfWay {
   void guideWaiting(const Mouth& mouth, bool two_way, const Claim& claim, World& world) const;
   std::size_t nearestMouth(std::size_t passage, const Vector2& place) const;
 
-  Passages passages_;
+  std::shared_ptr<const Passages> passages_;
   double radius_;
   std::vector<PassageState> states_;  // by passage
 };

@@ -58,7 +58,8 @@ struct Scene {
   Order order = Order::SIMULTANEOUS;
   std::vector<AgentStart> agents;
   std::vector<Obstacle> obstacles;
-  std::vector<Segment> walls;  ///< including those of the map
+  std::vector<Segment> walls;  ///< those of the scenario file, then those of the map
+  std::size_t own_walls = 0;   ///< number of walls of the scenario file
   /// Agents whose goal is hidden by walls or obstacles at rest perceive a waypoint on the way to it instead.
   bool way_finding = true;
   std::shared_ptr<const OccupancyMap> map;      ///< the map that some of the walls come from; null: none

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "social_crowd/world/neighbour_grid.h"
+#include "social_crowd/world/wall_index.h"
 
 namespace crowd {
 
@@ -34,7 +35,7 @@ class SolidMotion {
   };
 
   /// @brief Returns the outcome for each disc, in their order; valid until the next call.
-  const std::vector<Outcome>& move(const std::vector<Disc>& discs, const std::vector<Segment>& walls);
+  const std::vector<Outcome>& move(const std::vector<Disc>& discs, const WallIndex& walls);
 
  private:
   using Index = std::uint32_t;
@@ -80,14 +81,15 @@ class SolidMotion {
   void stop(Index agent);
   void settle(double now);
 
-  const std::vector<Segment>* walls_ = nullptr;  // during move() only
+  const WallIndex* walls_ = nullptr;  // during move() only
   std::vector<Body> bodies_;
   NeighbourGrid grid_;
-  std::vector<Index> neighbours_;     // bodies that each agent may meet in this tick, agent by agent
-  std::vector<std::size_t> first_;    // index of the first neighbour of each body
-  std::vector<Impact> impacts_;       // heap, the earliest in front
-  std::vector<Impact> simultaneous_;  // impacts of one instant
-  std::vector<Index> judged_;         // bodies whose way these change
+  std::vector<Index> neighbours_;          // bodies that each agent may meet in this tick, agent by agent
+  std::vector<std::size_t> first_;         // index of the first neighbour of each body
+  std::vector<std::uint32_t> near_walls_;  // scratch
+  std::vector<Impact> impacts_;            // heap, the earliest in front
+  std::vector<Impact> simultaneous_;       // impacts of one instant
+  std::vector<Index> judged_;              // bodies whose way these change
   std::vector<Outcome> outcomes_;
 };
 

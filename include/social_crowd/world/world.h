@@ -13,6 +13,7 @@
 #include "social_crowd/world/relative_action.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/solid_motion.h"
+#include "social_crowd/world/wall_index.h"
 
 namespace crowd {
 
@@ -87,7 +88,8 @@ class World {
   /// @brief All agents, in the order of their ids, including those that have arrived or were removed.
   const std::vector<Agent>& agents() const { return agents_; }
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }
-  const std::vector<Segment>& walls() const { return walls_; }
+  const std::vector<Segment>& walls() const { return walls_.walls(); }
+  const WallIndex& wallIndex() const { return walls_; }
   /// @brief Number of agents on their way.
   std::size_t activeCount() const { return active_count_; }
   /// @brief Whether the agent exists and is on its way.
@@ -106,9 +108,10 @@ class World {
   struct PerceptionWorkspace {
     NeighbourSearch search;
     Occlusion occlusion;
-    NeighbourList near;                 ///< all neighbours of one agent, hidden ones included
-    std::vector<Neighbour> neighbours;  ///< the visible ones
-    std::vector<Segment> walls;         ///< of all agents so far
+    NeighbourList near;                     ///< all neighbours of one agent, hidden ones included
+    std::vector<Neighbour> neighbours;      ///< the visible ones
+    std::vector<Segment> walls;             ///< of all agents so far
+    std::vector<std::uint32_t> near_walls;  ///< of one agent
   };
 
   /// @brief Number of bodies in the grid: agents on their way and obstacles.
@@ -224,7 +227,7 @@ class World {
   std::uint64_t tick_ = 0;
   std::vector<Agent> agents_;
   std::vector<Obstacle> obstacles_;
-  std::vector<Segment> walls_;
+  WallIndex walls_;
   std::vector<std::size_t> wall_ids_;  // of these
   std::size_t next_wall_id_ = 0;
   std::uint64_t layout_changes_ = 0;

@@ -1,0 +1,49 @@
+#include "social_crowd/navigation/mesh_cache.h"
+
+#include <algorithm>
+#include <list>
+#include <mutex>
+
+namespace crowd {
+namespace {
+
+constexpr std::size_t MAX_KEPT = 8;
+
+struct Entry {
+  FloorPlan floor;
+  double radius;
+  double passage_width;
+  std::shared_ptr<const NavigationData> data;
+};
+
+bool isSame(const FloorPlan& a, const FloorPlan& b) {
+  const auto same_wall = [](const Segment& p, const Segment& q) { return p.from == q.from && p.to == q.to; };
+  const auto same_disc = [](const FloorPlan::Disc& p, const FloorPlan::Disc& q) {
+    return p.centre == q.centre && p.radius == q.radius;
+  };
+  return std::equal(a.walls.begin(), a.walls.end(), b.walls.begin(), b.walls.end(), same_wall) &&
+         std::equal(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(), b.obstacles.end(), same_disc);
+}
+
+}  // namespace
+
+std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, double passage_width) {
+  static std::mutex mutex;
+  static std::list<Entry> kept;  // the last used one in front
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto found = std::find_if(kept.begin(), kept.end(), [&](const Entry& entry) {
+    return entry.radius == radius && entry.passage_width == passage_width && isSame(entry.floor, floor);
+  });
+  if (found != kept.end()) {
+    kept.splice(kept.begin(), kept, found);
+    return found->data;
+  }
+  auto data = std::make_shared<const NavigationData>(NavigationData{NavigationMesh(floor, radius + COMFORTABLE_MARGIN),
+                                                                    NavigationMesh(floor, radius + TIGHT_MARGIN),
+                                                                    Passages(floor, radius, passage_width)});
+  kept.push_front({floor, radius, passage_width, data});
+  if (kept.size() > MAX_KEPT) kept.pop_back();
+  return data;
+}
+
+}  // namespace crowd

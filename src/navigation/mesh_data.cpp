@@ -1,0 +1,142 @@
+#include "navigation/mesh_data.h"
+
+#include <recastnavigation/DetourNavMeshBuilder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+
+#include "navigation/polygon_mesh.h"
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+namespace {
+
+constexpr double MIN_CELLS_OF_CLEARANCE = 4.0;
+/// Detour limits the rays of its search to 50 radii of an agent [cells].
+constexpr float UNLIMITED = 1e6F;
+/// A mesh with too many polygons is built again with cells that are larger by this factor.
+constexpr double COARSER = 1.5;
+
+void checkAboveZero(const std::string& name, double value) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw InputError("navigation mesh: " + name + " is " + toText(value) + ", expected a number above 0 [m]");
+}
+
+/// Size of cells of which at most MAX_CELLS cover the floor [m].
+double smallestCells(const FloorPlan::Bounds& bounds) {
+  const Vector2 size = bounds.high - bounds.low;
+  constexpr double MAX_SIDE = 65000.0;  // cells; Recast numbers them with 16 bits
+  return std::max(std::sqrt(size.x()) * std::sqrt(size.y() / FloorRaster::MAX_CELLS), size.maxCoeff() / MAX_SIDE);
+}
+
+[[noreturn]] void throwTooLarge(const FloorPlan::Bounds& bounds, double clearance) {
+  const Vector2 size = bounds.high - bounds.low;
+  throw InputError("navigation mesh: the floor of " + toText(size.x()) + " m x " + toText(size.y()) +
+                   " m is too large or has too many corners for a clearance of " + toText(clearance) +
+                   " m, expected a smaller floor");
+}
+
+}  // namespace
+
+NavigationMesh::Data::Data(const FloorPlan& plan, double clearance, double cell_size) : clearance_(clearance) {
+  checkAboveZero("clearance", clearance);
+  checkAboveZero("cell size", cell_size);
+  const FloorPlan::Bounds bounds = plan.checkedBounds();
+  origin_ = bounds.low;
+  cell_size_ = std::max(std::min(cell_size, clearance / MIN_CELLS_OF_CLEARANCE), smallestCells(bounds));
+  do {
+    if (cell_size_ > clearance) throwTooLarge(bounds, clearance);
+  } while (!build(FloorRaster(plan, bounds, clearance, cell_size_)) && (cell_size_ *= COARSER) > 0.0);
+  findComponents();
+}
+
+/// Returns false if there are too many polygons.
+bool NavigationMesh::Data::build(const FloorRaster& raster) {
+  const FloorRegions regions(raster);
+  if (regions.firstCells().empty()) return true;
+  const PolygonMesh polygons = buildPolygonMesh(regions);
+  if (!polygons) return false;
+  std::fill_n(polygons->flags, polygons->npolys, std::uint16_t{1});
+  dtNavMeshCreateParams params{};
+  params.verts = polygons->verts;
+  params.vertCount = polygons->nverts;
+  params.polys = polygons->polys;
+  params.polyFlags = polygons->flags;
+  params.polyAreas = polygons->areas;
+  params.polyCount = polygons->npolys;
+  params.nvp = polygons->nvp;
+  params.bmax[0] = static_cast<float>(raster.columns());
+  params.bmax[1] = 1.0F;
+  params.bmax[2] = static_cast<float>(raster.rows());
+  params.walkableHeight = 1.0F;
+  params.walkableClimb = 1.0F;
+  params.walkableRadius = UNLIMITED;
+  params.cs = 1.0F;
+  params.ch = 1.0F;
+  params.buildBvTree = true;
+  unsigned char* data = nullptr;
+  int size = 0;
+  if (!dtCreateNavMeshData(&params, &data, &size)) throw std::bad_alloc();
+  detour_.reset(dtAllocNavMesh());
+  if (!detour_ || dtStatusFailed(detour_->init(data, size, DT_TILE_FREE_DATA))) {
+    dtFree(data);
+    throw std::bad_alloc();
+  }
+  bytes_ = static_cast<std::size_t>(size);
+  return true;
+}
+
+void NavigationMesh::Data::findComponents() {
+  if (!detour_) return;
+  const dtMeshTile& mesh = tile();
+  const auto count = static_cast<std::size_t>(mesh.header->polyCount);
+  constexpr Component NONE = UINT32_MAX;
+  components_.assign(count, NONE);
+  std::vector<std::size_t> open;
+  for (std::size_t first = 0; first < count; ++first) {
+    if (components_[first] != NONE) continue;
+    const auto component = static_cast<Component>(component_count_++);
+    components_[first] = component;
+    open.push_back(first);
+    while (!open.empty()) {
+      const dtPoly& polygon = mesh.polys[open.back()];
+      open.pop_back();
+      for (std::size_t edge = 0; edge < polygon.vertCount; ++edge) {
+        if (polygon.neis[edge] == 0) continue;
+        const std::size_t neighbour = polygon.neis[edge] - 1U;
+        if (components_[neighbour] != NONE) continue;
+        components_[neighbour] = component;
+        open.push_back(neighbour);
+      }
+    }
+  }
+}
+
+NavigationMesh::NavigationMesh(const FloorPlan& plan, double clearance, double cell_size)
+    : data_(std::make_shared<const Data>(plan, clearance, cell_size)) {}
+
+double NavigationMesh::clearance() const { return data_->clearance(); }
+double NavigationMesh::cellSize() const { return data_->cellSize(); }
+double NavigationMesh::tolerance() const { return FloorRaster::TOLERANCE * data_->cellSize(); }
+std::size_t NavigationMesh::componentCount() const { return data_->componentCount(); }
+std::size_t NavigationMesh::bytes() const {
+  return data_->bytes() + data_->polygonCount() * sizeof(Component) + sizeof(Data);
+}
+
+std::vector<std::vector<Vector2>> NavigationMesh::polygons() const {
+  std::vector<std::vector<Vector2>> polygons(data_->polygonCount());
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const dtMeshTile& mesh = data_->tile();
+    for (std::size_t k = 0; k < mesh.polys[i].vertCount; ++k) {
+      const float* vertex = mesh.verts + 3U * mesh.polys[i].verts[k];
+      polygons[i].push_back(data_->toMetres({vertex[0], vertex[2]}));
+    }
+    std::reverse(polygons[i].begin(), polygons[i].end());
+  }
+  return polygons;
+}
+
+}  // namespace crowd

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <recastnavigation/DetourNavMesh.h>
+
+#include <memory>
+#include <vector>
+
+#include "navigation/floor_raster.h"
+#include "social_crowd/navigation/navigation_mesh.h"
+
+namespace crowd {
+
+/// The content of a NavigationMesh. Detour's x and z are the columns and rows of the raster [cells]; its y is 0.
+class NavigationMesh::Data {
+ public:
+  /// @throws InputError as NavigationMesh does
+  Data(const FloorPlan& plan, double clearance, double cell_size);
+
+  double clearance() const { return clearance_; }
+  double cellSize() const { return cell_size_; }
+  /// Detour's mesh; null if there is nowhere to walk.
+  const dtNavMesh* detour() const { return detour_.get(); }
+  const dtMeshTile& tile() const { return *detour()->getTile(0); }
+  std::size_t polygonCount() const { return components_.size(); }
+  /// The component of each polygon.
+  const std::vector<Component>& components() const { return components_; }
+  std::size_t componentCount() const { return component_count_; }
+  std::size_t bytes() const { return bytes_; }
+
+  Vector2 toCells(const Vector2& point) const { return (point - origin_) / cell_size_; }
+  Vector2 toMetres(const Vector2& cells) const { return origin_ + cell_size_ * cells; }
+
+ private:
+  struct FreeDetour {
+    void operator()(dtNavMesh* mesh) const { dtFreeNavMesh(mesh); }
+  };
+
+  bool build(const FloorRaster& raster);
+  void findComponents();
+
+  double clearance_ = 0.0;
+  double cell_size_ = 0.0;
+  Vector2 origin_ = Vector2::Zero();
+  std::unique_ptr<dtNavMesh, FreeDetour> detour_;
+  std::vector<Component> components_;
+  std::size_t component_count_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace crowd

@@ -1,0 +1,174 @@
+#include <recastnavigation/DetourNavMeshQuery.h>
+#include <recastnavigation/DetourNode.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <new>
+
+#include "navigation/mesh_data.h"
+#include "navigation/mesh_ray.h"
+
+namespace crowd {
+namespace {
+
+/// A point in Detour's coordinates.
+struct DetourPoint {
+  explicit DetourPoint(const Vector2& cells)
+      : coordinates{static_cast<float>(cells.x()), 0.0F, static_cast<float>(cells.y())} {}
+  DetourPoint() : DetourPoint(Vector2::Zero()) {}
+  const float* data() const { return coordinates; }
+  float* data() { return coordinates; }
+  Vector2 cells() const { return {coordinates[0], coordinates[2]}; }
+  float coordinates[3];
+};
+
+/// Differences of coordinates that are rounding [cells].
+constexpr double ROUNDING = 0.02;
+
+}  // namespace
+
+/// Detour's search and its memory.
+class NavigationMesh::Query::Search {
+ public:
+  /// A point on a polygon of the mesh.
+  struct Place {
+    dtPolyRef polygon = 0;
+    DetourPoint point;
+    Vector2 metres = Vector2::Zero();
+  };
+
+  explicit Search(std::shared_ptr<const Data> data) : data_(std::move(data)) {
+    if (data_->detour() == nullptr) return;
+    const auto nodes = static_cast<int>(std::min<std::size_t>(2 * data_->polygonCount() + 16, 65535));
+    if (dtStatusFailed(detour_.init(data_->detour(), nodes))) throw std::bad_alloc();
+    polygons_.resize(data_->polygonCount());
+  }
+
+  const Data& data() const { return *data_; }
+
+  std::optional<Place> nearest(const Vector2& p, double within) {
+    if (data_->detour() == nullptr || !p.allFinite() || !(within >= 0.0)) return std::nullopt;
+    const DetourPoint centre(data_->toCells(p));
+    const auto reach = static_cast<float>(within / data_->cellSize() + ROUNDING);
+    const float extents[3] = {reach, 1.0F, reach};
+    Place place;
+    detour_.findNearestPoly(centre.data(), extents, &filter_, &place.polygon, place.point.data());
+    if (place.polygon == 0) return std::nullopt;
+    const bool is_inside = (place.point.cells() - centre.cells()).norm() <= ROUNDING;
+    place.metres = is_inside ? p : data_->toMetres(place.point.cells());
+    if ((place.metres - p).norm() > within) return std::nullopt;
+    return place;
+  }
+
+  Component component(const Place& place) const { return data_->components()[index(place.polygon)]; }
+
+  /// The corners of a short way, without the start.
+  std::vector<Vector2> corners(const Place& from, const Place& to) {
+    int count = 0;
+    // With rays that shorten the way during the search.
+    detour_.initSlicedFindPath(from.polygon, to.polygon, from.point.data(), to.point.data(), &filter_,
+                               DT_FINDPATH_ANY_ANGLE);
+    detour_.updateSlicedFindPath(std::numeric_limits<int>::max(), nullptr);
+    detour_.finalizeSlicedFindPath(polygons_.data(), &count, static_cast<int>(polygons_.size()));
+    straight_.resize(3U * (static_cast<std::size_t>(count) + 2U));
+    int corner_count = 0;
+    detour_.findStraightPath(from.point.data(), to.point.data(), polygons_.data(), count, straight_.data(), nullptr,
+                             nullptr, &corner_count, count + 2);
+    std::vector<Vector2> corners;
+    for (int i = 1; i + 1 < corner_count; ++i) {
+      const float* corner = straight_.data() + static_cast<std::ptrdiff_t>(3) * i;
+      corners.push_back(data_->toMetres({corner[0], corner[2]}));
+    }
+    corners.push_back(to.metres);
+    return corners;
+  }
+
+  bool isStraight(const Place& from, const Place& to) const {
+    const Vector2 start = data_->toCells(from.metres);
+    const Vector2 end = data_->toCells(to.metres);
+    double share = followRay(*data_, index(from.polygon), start, end);
+    while (share < 1.0) {
+      const double farther = followFrom(share, start, end);
+      if (farther <= share) return false;
+      share = farther;
+    }
+    return true;
+  }
+
+  std::size_t bytes() const {
+    const dtNodePool* nodes = detour_.getNodePool();
+    return sizeof(Search) + (nodes != nullptr ? static_cast<std::size_t>(nodes->getMemUsed()) : 0) +
+           polygons_.capacity() * sizeof(dtPolyRef) + straight_.capacity() * sizeof(float);
+  }
+
+ private:
+  /// How far a line can be followed on all the polygons at one of its points.
+  double followFrom(double share, const Vector2& start, const Vector2& end) const {
+    constexpr int MAX_POLYGONS = 16;
+    std::array<dtPolyRef, MAX_POLYGONS> polygons{};
+    int count = 0;
+    const Vector2 point = start + share * (end - start);
+    const float extents[3] = {static_cast<float>(RAY_TOLERANCE), 1.0F, static_cast<float>(RAY_TOLERANCE)};
+    detour_.queryPolygons(DetourPoint(point).data(), extents, &filter_, polygons.data(), &count, MAX_POLYGONS);
+    for (int i = 0; i < count; ++i) {
+      const std::size_t polygon = index(polygons[static_cast<std::size_t>(i)]);
+      if (isOnPolygon(*data_, polygon, point)) share = std::max(share, followRay(*data_, polygon, start, end));
+    }
+    return share;
+  }
+
+  std::size_t index(dtPolyRef polygon) const { return data_->detour()->decodePolyIdPoly(polygon); }
+
+  std::shared_ptr<const Data> data_;
+  dtNavMeshQuery detour_;
+  dtQueryFilter filter_;
+  std::vector<dtPolyRef> polygons_;
+  std::vector<float> straight_;
+};
+
+NavigationMesh::Query::Query(const NavigationMesh& mesh) : search_(std::make_unique<Search>(mesh.data_)) {}
+NavigationMesh::Query::~Query() = default;
+NavigationMesh::Query::Query(Query&&) noexcept = default;
+NavigationMesh::Query& NavigationMesh::Query::operator=(Query&&) noexcept = default;
+
+std::optional<Vector2> NavigationMesh::Query::nearestPoint(const Vector2& p, double within) {
+  const auto place = search_->nearest(p, within);
+  if (!place) return std::nullopt;
+  return place->metres;
+}
+
+bool NavigationMesh::Query::contains(const Vector2& p) { return search_->nearest(p, 0.0).has_value(); }
+
+std::optional<NavigationMesh::Component> NavigationMesh::Query::component(const Vector2& p) {
+  const auto place = search_->nearest(p, clearance());
+  if (!place) return std::nullopt;
+  return search_->component(*place);
+}
+
+std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const Vector2& to) {
+  const auto start = search_->nearest(from, clearance());
+  const auto goal = search_->nearest(to, clearance());
+  if (!start || !goal || search_->component(*start) != search_->component(*goal)) return std::nullopt;
+  Path path;
+  if (start->metres != from) path.corners.push_back(start->metres);
+  for (const Vector2& corner : search_->corners(*start, *goal)) path.corners.push_back(corner);
+  if (goal->metres != to) path.corners.push_back(to);
+  Vector2 last = from;
+  for (const Vector2& corner : path.corners) {
+    path.length += (corner - last).norm();
+    last = corner;
+  }
+  return path;
+}
+
+bool NavigationMesh::Query::isStraight(const Vector2& from, const Vector2& to) {
+  const auto start = search_->nearest(from, 0.5 * clearance());
+  const auto end = search_->nearest(to, clearance());
+  return start && end && search_->isStraight(*start, *end);
+}
+
+double NavigationMesh::Query::clearance() const { return search_->data().clearance(); }
+std::size_t NavigationMesh::Query::bytes() const { return search_->bytes(); }
+
+}  // namespace crowd

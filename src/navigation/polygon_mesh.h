@@ -1,0 +1,20 @@
+#pragma once
+
+#include <recastnavigation/Recast.h>
+
+#include <memory>
+
+#include "navigation/floor_regions.h"
+
+namespace crowd {
+
+struct FreePolyMesh {
+  void operator()(rcPolyMesh* mesh) const { rcFreePolyMesh(mesh); }
+};
+/// Recast's mesh of convex polygons; x and z of its corners are columns and rows of the raster.
+using PolygonMesh = std::unique_ptr<rcPolyMesh, FreePolyMesh>;
+
+/// Makes convex polygons of the free cells. Null if Recast cannot count so many polygons.
+PolygonMesh buildPolygonMesh(const FloorRegions& regions);
+
+}  // namespace crowd

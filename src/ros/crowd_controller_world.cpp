@@ -1,0 +1,77 @@
+// Services of the crowd controller that change the world. Handlers access it through the main loop, between two ticks.
+
+#include <social_crowd/AddWall.h>
+#include <social_crowd/RemoveAgent.h>
+#include <social_crowd/RemoveObstacle.h>
+#include <social_crowd/RemoveWall.h>
+#include <social_crowd/SetGoal.h>
+#include <social_crowd/SpawnAgent.h>
+#include <social_crowd/SpawnObstacle.h>
+#include <social_crowd/Teleport.h>
+
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/crowd_controller.h"
+#include "social_crowd/ros/names.h"
+
+namespace crowd {
+
+void CrowdController::advertiseWorldServices() {
+  services_.serve<social_crowd::SpawnAgent>(names::SPAWN_AGENT, [this](const auto& request, auto& response) {
+    AgentStart start;
+    start.position = {request.pose.x, request.pose.y};
+    start.heading = request.pose.theta;
+    start.goals = {fromPoint(request.goal)};
+    start.max_speed = request.max_speed;
+    start.radius = request.radius;
+    loop_.ask<void>([&] {
+      response.agent = episode_->spawnAgent(start);
+      response.message = "agent " + std::to_string(response.agent) + " added at " + place();
+    });
+  });
+  services_.serve<social_crowd::RemoveAgent>(names::REMOVE_AGENT, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->removeAgent(request.agent);
+      response.message = "agent " + std::to_string(request.agent) + " removed at " + place();
+    });
+  });
+  services_.serve<social_crowd::SetGoal>(names::SET_GOAL, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->setGoal(request.agent, fromPoint(request.goal));
+      response.message = "agent " + std::to_string(request.agent) + " has a new goal since " + place();
+    });
+  });
+  services_.serve<social_crowd::SpawnObstacle>(names::SPAWN_OBSTACLE, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      response.obstacle = static_cast<std::uint32_t>(
+          episode_->spawnObstacle(fromPoint(request.position), fromVector3(request.velocity), request.radius));
+      response.message = "obstacle " + std::to_string(response.obstacle) + " added at " + place();
+    });
+  });
+  services_.serve<social_crowd::RemoveObstacle>(names::REMOVE_OBSTACLE, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->removeObstacle(request.obstacle);
+      response.message = "obstacle " + std::to_string(request.obstacle) + " removed at " + place();
+    });
+  });
+  services_.serve<social_crowd::Teleport>(names::TELEPORT, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->teleport(request.agent, {{request.pose.x, request.pose.y}, request.pose.theta});
+      response.message = "agent " + std::to_string(request.agent) + " moved at " + place();
+    });
+  });
+  services_.serve<social_crowd::AddWall>(names::ADD_WALL, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      response.wall =
+          static_cast<std::uint32_t>(episode_->addWall({fromPoint(request.wall.from), fromPoint(request.wall.to)}));
+      response.message = "wall " + std::to_string(response.wall) + " added at " + place();
+    });
+  });
+  services_.serve<social_crowd::RemoveWall>(names::REMOVE_WALL, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->removeWall(request.wall);
+      response.message = "wall " + std::to_string(request.wall) + " removed at " + place();
+    });
+  });
+}
+
+}  // namespace crowd
