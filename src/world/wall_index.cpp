@@ -27,11 +27,11 @@ double squaredDistance(const Segment& wall, const Vector2& point) {
 /// The x coordinates of the part of a segment between two y coordinates; if there is none, of its nearer end.
 std::pair<double, double> xsBetween(const Segment& segment, double low, double high) {
   const Vector2 along = segment.to - segment.from;
-  const auto xAt = [&](double y) {
+  const auto x_at = [&](double y) {
     return segment.from.x() + std::clamp((y - segment.from.y()) / along.y(), 0.0, 1.0) * along.x();
   };
   const bool is_level = along.y() == 0.0;
-  return std::minmax(is_level ? segment.from.x() : xAt(low), is_level ? segment.to.x() : xAt(high));
+  return std::minmax(is_level ? segment.from.x() : x_at(low), is_level ? segment.to.x() : x_at(high));
 }
 
 }  // namespace
@@ -118,18 +118,18 @@ std::size_t WallIndex::countEntries() const {
 
 void WallIndex::fillCells() {
   first_.assign(static_cast<std::size_t>(columns_ * rows_) + 2, 0);
-  const auto visitCells = [&](const Segment& wall, const auto& visit) {
+  const auto visit_cells = [&](const Segment& wall, const auto& visit) {
     visitRows(wall, 0.0, [&](std::int64_t r, std::int64_t left, std::int64_t right) {
       for (std::int64_t c = left; c <= right; ++c) visit(static_cast<std::size_t>(r * columns_ + c));
       return false;
     });
   };
-  for (const Segment& wall : walls_) visitCells(wall, [&](std::size_t cell) { ++first_[cell + 2]; });
+  for (const Segment& wall : walls_) visit_cells(wall, [&](std::size_t cell) { ++first_[cell + 2]; });
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   entries_.resize(first_.back());
   // first_[c + 1] is the start of cell c, and advances to its end.
   for (std::uint32_t i = 0; i < walls_.size(); ++i) {
-    visitCells(walls_[i], [&](std::size_t cell) { entries_[first_[cell + 1]++] = i; });
+    visit_cells(walls_[i], [&](std::size_t cell) { entries_[first_[cell + 1]++] = i; });
   }
 }
 
