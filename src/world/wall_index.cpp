@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "world/swept_disc.h"
@@ -14,18 +15,23 @@ constexpr std::size_t ENTRIES_PER_WALL = 64;  // more than that, and cells are m
 constexpr std::size_t FREE_ENTRIES = 65536;   // unless there are only so many
 constexpr double SLACK = 1e-6;                // [cells]; walls so near to a cell are also in it, against rounding
 
+/// The square of the distance to the point that nearestPoint() gives. It has no branches, because in a search they
+/// would be mispredicted often.
 double squaredDistance(const Segment& wall, const Vector2& point) {
-  return (nearestPoint(wall, point) - point).squaredNorm();
+  const Vector2 along = wall.to - wall.from;
+  const double length_squared = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
+  const double share = (point - wall.from).dot(along) / length_squared;
+  return (wall.from + std::min(std::max(share, 0.0), 1.0) * along - point).squaredNorm();
 }
 
 /// The x coordinates of the part of a segment between two y coordinates; if there is none, of its nearer end.
 std::pair<double, double> xsBetween(const Segment& segment, double low, double high) {
   const Vector2 along = segment.to - segment.from;
-  const auto xAt = [&](double y) {
+  const auto x_at = [&](double y) {
     return segment.from.x() + std::clamp((y - segment.from.y()) / along.y(), 0.0, 1.0) * along.x();
   };
   const bool is_level = along.y() == 0.0;
-  return std::minmax(is_level ? segment.from.x() : xAt(low), is_level ? segment.to.x() : xAt(high));
+  return std::minmax(is_level ? segment.from.x() : x_at(low), is_level ? segment.to.x() : x_at(high));
 }
 
 }  // namespace
@@ -58,14 +64,10 @@ bool WallIndex::visitRows(const Segment& segment, double margin, const Visit& vi
   return false;
 }
 
-template <typename Test>
-bool WallIndex::isAnyInRow(std::int64_t row, std::int64_t left, std::int64_t right, const Test& test) const {
-  const auto first = static_cast<std::size_t>(row * columns_);
-  const std::uint32_t end = first_[first + static_cast<std::size_t>(right) + 1];
-  for (std::uint32_t i = first_[first + static_cast<std::size_t>(left)]; i < end; ++i) {
-    if (test(entries_[i])) return true;
-  }
-  return false;
+Span<std::uint32_t> WallIndex::wallsInRow(std::int64_t row, std::int64_t left, std::int64_t right) const {
+  const auto cells = first_.begin() + row * columns_;
+  const std::uint32_t begin = *(cells + left);
+  return {entries_.data() + begin, *(cells + right + 1) - begin};
 }
 
 template <typename Test>
@@ -78,7 +80,8 @@ bool WallIndex::isAnyNear(const Vector2& point, double distance, const Test& tes
   }
   const Cells cells = cellsNear(point, distance);
   for (std::int64_t r = cells.bottom; r <= cells.top; ++r) {
-    if (isAnyInRow(r, cells.left, cells.right, test)) return true;
+    const Span<std::uint32_t> walls = wallsInRow(r, cells.left, cells.right);
+    if (std::any_of(walls.begin(), walls.end(), test)) return true;
   }
   return false;
 }
@@ -115,33 +118,45 @@ std::size_t WallIndex::countEntries() const {
 
 void WallIndex::fillCells() {
   first_.assign(static_cast<std::size_t>(columns_ * rows_) + 2, 0);
-  const auto visitCells = [&](const Segment& wall, const auto& visit) {
+  const auto visit_cells = [&](const Segment& wall, const auto& visit) {
     visitRows(wall, 0.0, [&](std::int64_t r, std::int64_t left, std::int64_t right) {
       for (std::int64_t c = left; c <= right; ++c) visit(static_cast<std::size_t>(r * columns_ + c));
       return false;
     });
   };
-  for (const Segment& wall : walls_) visitCells(wall, [&](std::size_t cell) { ++first_[cell + 2]; });
+  for (const Segment& wall : walls_) visit_cells(wall, [&](std::size_t cell) { ++first_[cell + 2]; });
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   entries_.resize(first_.back());
   // first_[c + 1] is the start of cell c, and advances to its end.
   for (std::uint32_t i = 0; i < walls_.size(); ++i) {
-    visitCells(walls_[i], [&](std::size_t cell) { entries_[first_[cell + 1]++] = i; });
+    visit_cells(walls_[i], [&](std::size_t cell) { entries_[first_[cell + 1]++] = i; });
   }
 }
 
 void WallIndex::findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const {
   if (!(distance >= 0.0)) return;
-  const std::size_t before = found.size();
   const double limit = distance * distance;
-  isAnyNear(point, distance, [&](std::uint32_t wall) {
-    if (squaredDistance(walls_[wall], point) <= limit) found.push_back(wall);
-    return false;
-  });
-  if (isList()) return;
+  if (isList()) {
+    for (std::uint32_t i = 0; i < walls_.size(); ++i) {
+      if (squaredDistance(walls_[i], point) <= limit) found.push_back(i);
+    }
+    return;
+  }
+  const std::size_t before = found.size();
+  std::size_t count = before;
+  const Cells cells = cellsNear(point, distance);
+  for (std::int64_t r = cells.bottom; r <= cells.top; ++r) {
+    const Span<std::uint32_t> walls = wallsInRow(r, cells.left, cells.right);
+    found.resize(count + walls.size());
+    for (const std::uint32_t wall : walls) {
+      found[count] = wall;  // stays if the wall is near
+      count += squaredDistance(walls_[wall], point) <= limit ? 1 : 0;
+    }
+  }
   const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);
-  std::sort(begin, found.end());
-  found.erase(std::unique(begin, found.end()), found.end());
+  const auto end = found.begin() + static_cast<std::ptrdiff_t>(count);
+  std::sort(begin, end);
+  found.erase(std::unique(begin, end), found.end());
 }
 
 bool WallIndex::isAnyWithin(const Vector2& point, double distance) const {
@@ -171,7 +186,8 @@ bool WallIndex::isClear(const Vector2& from, const Vector2& to, double radius) c
   const auto overlaps = [&](std::uint32_t wall) { return disc.overlaps(walls_[wall]); };
   if (isList()) return !isAnyNear(from, 0.0, overlaps);
   return !visitRows({from, to}, radius, [&](std::int64_t r, std::int64_t left, std::int64_t right) {
-    return isAnyInRow(r, left, right, overlaps);
+    const Span<std::uint32_t> walls = wallsInRow(r, left, right);
+    return std::any_of(walls.begin(), walls.end(), overlaps);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "social_crowd/world/geometry.h"
+#include "social_crowd/world/span.h"
 
 namespace crowd {
 
@@ -20,7 +21,7 @@ class WallIndex {
   WallIndex() = default;
   /// @param walls finite segments [m]
   /// @param cell_size wanted side of a cell [m], above 0
-  explicit WallIndex(std::vector<Segment> walls, double cell_size = 1.0);
+  explicit WallIndex(std::vector<Segment> walls, double cell_size = 0.5);
 
   /// @brief The walls in the order in which they were given; searches return indices into this list.
   const std::vector<Segment>& walls() const { return walls_; }
@@ -64,10 +65,10 @@ class WallIndex {
   /// Calls visit(row, left, right) for rows of cells that contain all points at most `margin` [m] from the segment.
   template <typename Visit>
   bool visitRows(const Segment& segment, double margin, const Visit& visit) const;
-  /// Calls test(wall index) for the walls in cells of a row until it returns true; returns whether it did.
-  template <typename Test>
-  bool isAnyInRow(std::int64_t row, std::int64_t left, std::int64_t right, const Test& test) const;
-  /// The same for the walls in cells near a point; some walls are tested several times.
+  /// The walls in cells of a row, some of them several times.
+  Span<std::uint32_t> wallsInRow(std::int64_t row, std::int64_t left, std::int64_t right) const;
+  /// Calls test(wall) for the walls in cells near a point, some of them several times, until it returns true; returns
+  /// whether it did.
   template <typename Test>
   bool isAnyNear(const Vector2& point, double distance, const Test& test) const;
 
