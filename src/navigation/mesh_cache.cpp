@@ -21,6 +21,8 @@ bool isSame(const FloorPlan& a, const FloorPlan& b) {
   const auto same_disc = [](const FloorPlan::Disc& p, const FloorPlan::Disc& q) {
     return p.centre == q.centre && p.radius == q.radius;
   };
+  if (a.bounds.has_value() != b.bounds.has_value()) return false;
+  if (a.bounds && (a.bounds->low != b.bounds->low || a.bounds->high != b.bounds->high)) return false;
   return std::equal(a.walls.begin(), a.walls.end(), b.walls.begin(), b.walls.end(), same_wall) &&
          std::equal(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(), b.obstacles.end(), same_disc);
 }

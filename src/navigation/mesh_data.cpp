@@ -15,8 +15,6 @@ namespace crowd {
 namespace {
 
 constexpr double MIN_CELLS_OF_CLEARANCE = 4.0;
-/// Detour limits the rays of its search to 50 radii of an agent [cells].
-constexpr float UNLIMITED = 1e6F;
 /// A mesh with too many polygons is built again with cells that are larger by this factor.
 constexpr double COARSER = 1.5;
 
@@ -50,7 +48,9 @@ NavigationMesh::Data::Data(const FloorPlan& plan, double clearance, double cell_
   do {
     if (cell_size_ > clearance) throwTooLarge(bounds, clearance);
   } while (!build(FloorRaster(plan, bounds, clearance, cell_size_)) && (cell_size_ *= COARSER) > 0.0);
+  if (!detour_) return;
   findComponents();
+  findTurningPoints();
 }
 
 /// Returns false if there are too many polygons.
@@ -73,7 +73,6 @@ bool NavigationMesh::Data::build(const FloorRaster& raster) {
   params.bmax[2] = static_cast<float>(raster.rows());
   params.walkableHeight = 1.0F;
   params.walkableClimb = 1.0F;
-  params.walkableRadius = UNLIMITED;
   params.cs = 1.0F;
   params.ch = 1.0F;
   params.buildBvTree = true;
@@ -90,7 +89,6 @@ bool NavigationMesh::Data::build(const FloorRaster& raster) {
 }
 
 void NavigationMesh::Data::findComponents() {
-  if (!detour_) return;
   const dtMeshTile& mesh = tile();
   const auto count = static_cast<std::size_t>(mesh.header->polyCount);
   constexpr Component NONE = UINT32_MAX;
@@ -115,6 +113,33 @@ void NavigationMesh::Data::findComponents() {
   }
 }
 
+void NavigationMesh::Data::findTurningPoints() {
+  const dtMeshTile& mesh = tile();
+  const auto count = static_cast<std::size_t>(mesh.header->vertCount);
+  std::vector<double> angles(count, 0.0);  // of all polygons at a vertex
+  is_turning_point_.assign(count, 0);
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    const dtPoly& polygon = mesh.polys[i];
+    const std::size_t corners = polygon.vertCount;
+    for (std::size_t k = 0; k < corners; ++k) {
+      const auto position = [&](std::size_t corner) -> Vector2 {
+        const float* coordinates = mesh.verts + std::size_t{3} * polygon.verts[corner % corners];
+        return {coordinates[0], coordinates[2]};
+      };
+      const Vector2 to_last = position(k + corners - 1) - position(k);
+      const Vector2 to_next = position(k + 1) - position(k);
+      angles[polygon.verts[k]] += std::atan2(std::abs(cross(to_last, to_next)), to_last.dot(to_next));
+      if (polygon.neis[k] == 0) {
+        is_turning_point_[polygon.verts[k]] = 1;
+        is_turning_point_[polygon.verts[(k + 1) % corners]] = 1;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (angles[i] <= PI + 1e-9) is_turning_point_[i] = 0;
+  }
+}
+
 NavigationMesh::NavigationMesh(const FloorPlan& plan, double clearance, double cell_size)
     : data_(std::make_shared<const Data>(plan, clearance, cell_size)) {}
 
@@ -123,7 +148,7 @@ double NavigationMesh::cellSize() const { return data_->cellSize(); }
 double NavigationMesh::tolerance() const { return FloorRaster::TOLERANCE * data_->cellSize(); }
 std::size_t NavigationMesh::componentCount() const { return data_->componentCount(); }
 std::size_t NavigationMesh::bytes() const {
-  return data_->bytes() + data_->polygonCount() * sizeof(Component) + sizeof(Data);
+  return data_->bytes() + data_->polygonCount() * sizeof(Component) + data_->isTurningPoint().size() + sizeof(Data);
 }
 
 std::vector<std::vector<Vector2>> NavigationMesh::polygons() const {

@@ -25,6 +25,8 @@ class NavigationMesh::Data {
   /// The component of each polygon.
   const std::vector<Component>& components() const { return components_; }
   std::size_t componentCount() const { return component_count_; }
+  /// Whether shortest paths can turn at a vertex: a corner of the mesh that sticks out into it. One for each vertex.
+  const std::vector<std::uint8_t>& isTurningPoint() const { return is_turning_point_; }
   std::size_t bytes() const { return bytes_; }
 
   Vector2 toCells(const Vector2& point) const { return (point - origin_) / cell_size_; }
@@ -37,6 +39,7 @@ class NavigationMesh::Data {
 
   bool build(const FloorRaster& raster);
   void findComponents();
+  void findTurningPoints();
 
   double clearance_ = 0.0;
   double cell_size_ = 0.0;
@@ -44,6 +47,7 @@ class NavigationMesh::Data {
   std::unique_ptr<dtNavMesh, FreeDetour> detour_;
   std::vector<Component> components_;
   std::size_t component_count_ = 0;
+  std::vector<std::uint8_t> is_turning_point_;
   std::size_t bytes_ = 0;
 };
 

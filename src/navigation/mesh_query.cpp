@@ -1,13 +1,12 @@
 #include <recastnavigation/DetourNavMeshQuery.h>
-#include <recastnavigation/DetourNode.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <new>
 
 #include "navigation/mesh_data.h"
 #include "navigation/mesh_ray.h"
+#include "navigation/path_search.h"
 
 namespace crowd {
 namespace {
@@ -38,11 +37,11 @@ class NavigationMesh::Query::Search {
     Vector2 metres = Vector2::Zero();
   };
 
-  explicit Search(std::shared_ptr<const Data> data) : data_(std::move(data)) {
-    if (data_->detour() == nullptr) return;
-    const auto nodes = static_cast<int>(std::min<std::size_t>(2 * data_->polygonCount() + 16, 65535));
-    if (dtStatusFailed(detour_.init(data_->detour(), nodes))) throw std::bad_alloc();
-    polygons_.resize(data_->polygonCount());
+  explicit Search(std::shared_ptr<const Data> data) : data_(std::move(data)), path_search_(*data_) {
+    constexpr int UNUSED_NODES = 4;  // of Detour's own search
+    if (data_->detour() != nullptr && dtStatusFailed(detour_.init(data_->detour(), UNUSED_NODES))) {
+      throw std::bad_alloc();
+    }
   }
 
   const Data& data() const { return *data_; }
@@ -63,25 +62,14 @@ class NavigationMesh::Query::Search {
 
   Component component(const Place& place) const { return data_->components()[index(place.polygon)]; }
 
-  /// The corners of a short way, without the start.
-  std::vector<Vector2> corners(const Place& from, const Place& to) {
-    int count = 0;
-    // With rays that shorten the way during the search.
-    detour_.initSlicedFindPath(from.polygon, to.polygon, from.point.data(), to.point.data(), &filter_,
-                               DT_FINDPATH_ANY_ANGLE);
-    detour_.updateSlicedFindPath(std::numeric_limits<int>::max(), nullptr);
-    detour_.finalizeSlicedFindPath(polygons_.data(), &count, static_cast<int>(polygons_.size()));
-    straight_.resize(3U * (static_cast<std::size_t>(count) + 2U));
-    int corner_count = 0;
-    detour_.findStraightPath(from.point.data(), to.point.data(), polygons_.data(), count, straight_.data(), nullptr,
-                             nullptr, &corner_count, count + 2);
-    std::vector<Vector2> corners;
-    for (int i = 1; i + 1 < corner_count; ++i) {
-      const float* corner = straight_.data() + static_cast<std::ptrdiff_t>(3) * i;
-      corners.push_back(data_->toMetres({corner[0], corner[2]}));
+  bool findCorners(const Place& from, const Place& to, std::vector<Vector2>& corners) {
+    if (!path_search_.find(index(from.polygon), data_->toCells(from.metres), index(to.polygon),
+                           data_->toCells(to.metres), corners)) {
+      return false;
     }
-    corners.push_back(to.metres);
-    return corners;
+    for (Vector2& corner : corners) corner = data_->toMetres(corner);
+    corners.back() = to.metres;
+    return true;
   }
 
   bool isStraight(const Place& from, const Place& to) const {
@@ -96,11 +84,7 @@ class NavigationMesh::Query::Search {
     return true;
   }
 
-  std::size_t bytes() const {
-    const dtNodePool* nodes = detour_.getNodePool();
-    return sizeof(Search) + (nodes != nullptr ? static_cast<std::size_t>(nodes->getMemUsed()) : 0) +
-           polygons_.capacity() * sizeof(dtPolyRef) + straight_.capacity() * sizeof(float);
-  }
+  std::size_t bytes() const { return sizeof(Search) + path_search_.bytes(); }
 
  private:
   /// How far a line can be followed on all the polygons at one of its points.
@@ -123,8 +107,7 @@ class NavigationMesh::Query::Search {
   std::shared_ptr<const Data> data_;
   dtNavMeshQuery detour_;
   dtQueryFilter filter_;
-  std::vector<dtPolyRef> polygons_;
-  std::vector<float> straight_;
+  PathSearch path_search_;
 };
 
 NavigationMesh::Query::Query(const NavigationMesh& mesh) : search_(std::make_unique<Search>(mesh.data_)) {}
@@ -151,8 +134,8 @@ std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const V
   const auto goal = search_->nearest(to, clearance());
   if (!start || !goal || search_->component(*start) != search_->component(*goal)) return std::nullopt;
   Path path;
-  if (start->metres != from) path.corners.push_back(start->metres);
-  for (const Vector2& corner : search_->corners(*start, *goal)) path.corners.push_back(corner);
+  if (!search_->findCorners(*start, *goal, path.corners)) return std::nullopt;
+  if (start->metres != from) path.corners.insert(path.corners.begin(), start->metres);
   if (goal->metres != to) path.corners.push_back(to);
   Vector2 last = from;
   for (const Vector2& corner : path.corners) {
@@ -164,7 +147,7 @@ std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const V
 
 bool NavigationMesh::Query::isStraight(const Vector2& from, const Vector2& to) {
   const auto start = search_->nearest(from, 0.5 * clearance());
-  const auto end = search_->nearest(to, clearance());
+  const auto end = search_->nearest(to, 0.5 * clearance());
   return start && end && search_->isStraight(*start, *end);
 }
 

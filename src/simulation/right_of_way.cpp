@@ -11,7 +11,8 @@ constexpr double SAMPLE = 0.15;       // distance between the points of a path t
 constexpr double LANE_MARGIN = 0.15;  // between an agent in the lane and agents beside it [m]
 constexpr double LANE_LENGTH = 3.0;   // [m]
 constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
-constexpr double ONE_WAY_ZONE = 0.5;  // radius of the zone without traffic in the other direction [m]
+constexpr double ONE_WAY_ZONE = 0.9;  // radius of the zone without traffic in the other direction [m]
+constexpr double ENTERED = 0.45;      // from this distance on the next agent may follow [m]
 
 bool contains(const std::vector<AgentId>& ids, AgentId id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -89,14 +90,14 @@ void RightOfWay::admit(std::size_t passage, PassageState& state) const {
   }
   if (state.admitted.empty()) chooseDirection(state);
   const auto waits_elsewhere = [&](const Claim& claim) {
-    return claim.mouth != state.direction && !contains(state.admitted, claim.agent);
+    return claim.distance > 0.0 && claim.mouth != state.direction && !contains(state.admitted, claim.agent);
   };
   const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), waits_elsewhere);
   const auto side_by_side =
       std::max<std::size_t>(1, static_cast<std::size_t>((*passages_)[passage].width / (2.0 * radius_ + LANE_MARGIN)));
   std::size_t entering = 0;
   for (const Claim& claim : state.claims) {
-    entering += claim.distance > 0.0 && contains(state.admitted, claim.agent) ? 1 : 0;
+    entering += claim.distance > ENTERED && contains(state.admitted, claim.agent) ? 1 : 0;
   }
   for (const Claim& claim : state.claims) {
     if (entering >= side_by_side || (two_way && state.served >= BATCH_SIZE)) return;
@@ -124,8 +125,11 @@ void RightOfWay::chooseDirection(PassageState& state) const {
 }
 
 void RightOfWay::guide(std::size_t passage, const PassageState& state, World& world) const {
-  const bool two_way = std::any_of(state.claims.begin(), state.claims.end(),
-                                   [&](const Claim& claim) { return claim.mouth != state.claims.front().mouth; });
+  // Inside, the nearest mouth may be the exit; all who are inside walk in the present direction.
+  const auto mouth_of = [&](const Claim& claim) { return claim.distance > 0.0 ? claim.mouth : state.direction; };
+  const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), [&](const Claim& claim) {
+    return mouth_of(claim) != mouth_of(state.claims.front());
+  });
   for (const Claim& claim : state.claims) {
     if (contains(state.admitted, claim.agent)) continue;
     guideWaiting((*passages_)[passage].mouths[claim.mouth], two_way, claim, world);

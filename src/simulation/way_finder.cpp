@@ -5,11 +5,37 @@
 namespace crowd {
 namespace {
 
+/// Bounds grow in steps of this length [m], so that episodes of a scenario have the same.
+constexpr double BOUNDS_STEP = 8.0;
+
+void includePoint(const Vector2& point, FloorPlan::Bounds& bounds) {
+  const Vector2 margin = Vector2::Constant(FloorPlan::MARGIN);
+  const Vector2 low = ((point - margin) / BOUNDS_STEP).array().floor() * BOUNDS_STEP;
+  const Vector2 high = ((point + margin) / BOUNDS_STEP).array().ceil() * BOUNDS_STEP;
+  bounds.low = bounds.low.cwiseMin(low);
+  bounds.high = bounds.high.cwiseMax(high);
+}
+
+bool contains(const FloorPlan::Bounds& bounds, const Vector2& point) {
+  return (point.array() >= bounds.low.array()).all() && (point.array() <= bounds.high.array()).all();
+}
+
+/// Walls, obstacles at rest, and bounds around them, all agents and their goals.
 FloorPlan floorOf(const World& world) {
   FloorPlan floor;
+  floor.bounds.emplace();
   floor.walls = world.walls();
   for (const Obstacle& obstacle : world.obstacles()) {
     if (!obstacle.path.moves()) floor.obstacles.push_back({obstacle.path.position(0.0), obstacle.radius});
+  }
+  for (const Segment& wall : floor.walls) {
+    includePoint(wall.from, *floor.bounds);
+    includePoint(wall.to, *floor.bounds);
+  }
+  for (const FloorPlan::Disc& disc : floor.obstacles) includePoint(disc.centre, *floor.bounds);
+  for (const Agent& agent : world.agents()) {
+    includePoint(agent.pose.position, *floor.bounds);
+    for (const Vector2& goal : agent.goals) includePoint(goal, *floor.bounds);
   }
   return floor;
 }
@@ -23,7 +49,11 @@ double largestRadius(const World& world) {
 }  // namespace
 
 void WayFinder::update(World& world) {
-  if (world.layoutChanges() != layout_changes_) adoptLayout(world);
+  const auto is_outside = [this](const Agent& agent) {
+    return agent.isWalking() && !(contains(bounds_, agent.pose.position) && contains(bounds_, agent.goal()));
+  };
+  const bool has_left = is_needed_ && std::any_of(world.agents().begin(), world.agents().end(), is_outside);
+  if (has_left || world.layoutChanges() != layout_changes_) adoptLayout(world);
   if (!is_needed_) return;
   agents_.resize(world.agents().size());
   paths_.resize(world.agents().size());
@@ -39,6 +69,7 @@ void WayFinder::adoptLayout(const World& world) {
   is_needed_ = !world.agents().empty() && (!floor.walls.empty() || !floor.obstacles.empty());
   agents_.clear();
   if (!is_needed_) return;
+  bounds_ = *floor.bounds;
   const double radius = largestRadius(world);
   data_ = navigationData(floor, radius, RightOfWay::maxWidth(radius));
   comfortable_.emplace(data_->comfortable);

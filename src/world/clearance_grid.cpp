@@ -21,9 +21,11 @@ Eigen::AlignedBox2d boxAround(const FloorPlan& floor) {
 ClearanceGrid::ClearanceGrid(const FloorPlan& floor, double spacing, double limit) : spacing_(spacing), limit_(limit) {
   const Eigen::AlignedBox2d bounds = boxAround(floor);
   if (bounds.isEmpty()) return;
-  const Vector2 size = bounds.sizes() + Vector2::Constant(2.0 * limit);
+  // Discs around the points within the limit of a wall, as large as their clearance, are on the grid.
+  const double margin = 2.0 * limit + 3.0 * spacing;
+  const Vector2 size = bounds.sizes() + Vector2::Constant(2.0 * margin);
   spacing_ = std::max(spacing, std::sqrt(size.x() * size.y() / static_cast<double>(MAX_POINTS)));
-  origin_ = bounds.min() - Vector2::Constant(limit);
+  origin_ = bounds.min() - Vector2::Constant(margin);
   columns_ = static_cast<Index>(std::ceil(size.x() / spacing_)) + 1;
   rows_ = static_cast<Index>(std::ceil(size.y() / spacing_)) + 1;
   distances_.assign(static_cast<std::size_t>(columns_) * rows_, static_cast<float>(limit));

@@ -33,6 +33,15 @@ TEST(Passages, ADoorIsAPassageWithTwoMouths) {
   EXPECT_EQ(passages.at({100.0, 0.0}), Passages::NONE);
 }
 
+TEST(Passages, ADoorInAWallThatStandsAloneHasTwoMouths) {
+  FloorPlan floor;
+  floor.walls = {{{0.0, -6.0}, {0.0, -0.4}}, {{0.0, 0.4}, {0.0, 6.0}}};
+  const Passages passages(floor, RADIUS, MAX_WIDTH);
+  ASSERT_EQ(passages.size(), 1U);
+  EXPECT_EQ(passages[0].mouths.size(), 2U);
+  EXPECT_NEAR(passages[0].width, 0.8, 2.0 * Passages::SPACING);
+}
+
 TEST(Passages, WideDoorsAndCornersAreNoPassages) { EXPECT_EQ(Passages(doorPlan(1.5), RADIUS, MAX_WIDTH).size(), 0U); }
 
 TEST(Passages, ADoorThatNoAgentFitsThroughIsNoPassage) {

@@ -69,16 +69,16 @@ class NavigationMesh::Query {
   ///
   /// Two points are connected by a way if they have the same component.
   std::optional<Component> component(const Vector2& p);
-  /// @brief A short way between two points that are on the mesh, or whose nearest points are at most clearance() away.
+  /// @brief The shortest way on the mesh between two points that are on it, or at most clearance() away from it.
   ///
-  /// On the mesh, its parts keep clearance() - tolerance() from walls and obstacles. At an end that is not on the mesh,
-  /// it goes straight between this end and the nearest point of the mesh, which does not cross a wall if the end is
-  /// more than tolerance() away from all walls.
+  /// On the mesh, it keeps clearance() - tolerance() from walls and obstacles. At an end that is not on the mesh,
+  /// the way is straight between this end and the nearest point of the mesh, and does not cross a wall there if the end
+  /// is more than tolerance() away from all walls.
   /// @return std::nullopt if the mesh does not connect them
   std::optional<Path> findPath(const Vector2& from, const Vector2& to);
   /// @brief Whether the straight line between two points is on the mesh (beyond rounding).
   ///
-  /// `from` may be off the mesh by half the clearance, `to` by the clearance; then the nearest points count.
+  /// Both may be off the mesh by up to half the clearance; then the nearest points count.
   bool isStraight(const Vector2& from, const Vector2& to);
   /// @brief Memory that it occupies [bytes].
   std::size_t bytes() const;

@@ -41,6 +41,7 @@ class WayFinder {
 
   std::uint64_t layout_changes_ = 0;  // of the world that `data_` belongs to
   bool is_needed_ = false;            // there is anything to walk round
+  FloorPlan::Bounds bounds_;          // of the floor of `data_`
   std::shared_ptr<const NavigationData> data_;
   std::optional<NavigationMesh::Query> comfortable_;
   std::optional<NavigationMesh::Query> tight_;

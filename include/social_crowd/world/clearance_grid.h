@@ -18,6 +18,7 @@ class ClearanceGrid {
   /// @brief Greatest number of grid points; larger floors get a larger spacing.
   static constexpr std::size_t MAX_POINTS = 16'000'000;
 
+  /// @brief Covers walls and obstacles and a margin around them of more than twice the limit.
   /// @param spacing distance between neighbouring grid points [m]; it grows for floors of more than MAX_POINTS
   /// @param limit larger distances are not needed and stored as `limit` [m]
   ClearanceGrid(const FloorPlan& floor, double spacing, double limit);

@@ -77,6 +77,11 @@ class World {
   /// @brief Cell size of the grid of bodies [m]; about the search radius at usual walking distances.
   static constexpr double CELL_SIZE = 2.0;
 
+  /// @brief In a world of more than MANY_WALLS, agents perceive the walls within this distance only [m]: there can be
+  /// hundreds within the radius of vision, and walls farther away are left to way-finding.
+  static constexpr double NEAR_WALLS = 1.2;
+  static constexpr std::size_t MANY_WALLS = 100;
+
   explicit World(const Scene& scene);
 
   std::uint64_t tick() const { return tick_; }
