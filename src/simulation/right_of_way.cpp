@@ -13,6 +13,7 @@ constexpr double LANE_LENGTH = 3.0;   // [m]
 constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
 constexpr double ONE_WAY_ZONE = 0.9;  // radius of the zone without traffic in the other direction [m]
 constexpr double ENTERED = 0.45;      // from this distance on the next agent may follow [m]
+constexpr double QUEUE_GAP = 0.2;     // between agents that wait: agents that touch each other block each other [m]
 
 bool contains(const std::vector<AgentId>& ids, AgentId id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -130,10 +131,23 @@ void RightOfWay::guide(std::size_t passage, const PassageState& state, World& wo
   const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), [&](const Claim& claim) {
     return mouth_of(claim) != mouth_of(state.claims.front());
   });
-  for (const Claim& claim : state.claims) {
-    if (contains(state.admitted, claim.agent)) continue;
-    guideWaiting((*passages_)[passage].mouths[claim.mouth], two_way, claim, world);
+  for (auto claim = state.claims.begin(); claim != state.claims.end(); ++claim) {
+    if (contains(state.admitted, claim->agent)) continue;
+    if (isBehindAnother(world, state.claims.begin(), claim)) world.setYielding(claim->agent, true);
+    guideWaiting((*passages_)[passage].mouths[claim->mouth], two_way, *claim, world);
   }
+}
+
+/// Whether an agent with an earlier claim is directly ahead.
+bool RightOfWay::isBehindAnother(const World& world, std::vector<Claim>::const_iterator first,
+                                 std::vector<Claim>::const_iterator claim) {
+  const Agent& agent = world.agents()[claim->agent];
+  const Vector2 onward = agent.perceivedGoal() - agent.pose.position;
+  return std::any_of(first, claim, [&](const Claim& earlier) {
+    const Agent& other = world.agents()[earlier.agent];
+    const Vector2 offset = other.pose.position - agent.pose.position;
+    return offset.norm() < agent.radius + other.radius + QUEUE_GAP && offset.dot(onward) > 0.0;
+  });
 }
 
 void RightOfWay::guideWaiting(const Mouth& mouth, bool two_way, const Claim& claim, World& world) const {

@@ -57,6 +57,8 @@ class RightOfWay {
   void admit(std::size_t passage, PassageState& state) const;
   void chooseDirection(PassageState& state) const;
   void guide(std::size_t passage, const PassageState& state, World& world) const;
+  static bool isBehindAnother(const World& world, std::vector<Claim>::const_iterator first,
+                              std::vector<Claim>::const_iterator claim);
   void guideWaiting(const Mouth& mouth, bool two_way, const Claim& claim, World& world) const;
   std::size_t nearestMouth(std::size_t passage, const Vector2& place) const;
 
