@@ -12,7 +12,7 @@ constexpr double LANE_MARGIN = 0.15;  // between an agent in the lane and agents
 constexpr double LANE_LENGTH = 3.0;   // [m]
 constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
 constexpr double ONE_WAY_ZONE = 0.9;  // radius of the zone without traffic in the other direction [m]
-constexpr double ENTERED = 0.45;      // from this distance on the next agent may follow [m]
+constexpr double HEADWAY = 0.55;       // between agents that are admitted one after the other [m]
 constexpr double QUEUE_GAP = 0.2;     // between agents that wait: agents that touch each other block each other [m]
 
 bool contains(const std::vector<AgentId>& ids, AgentId id) {
@@ -96,16 +96,16 @@ void RightOfWay::admit(std::size_t passage, PassageState& state) const {
   const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), waits_elsewhere);
   const auto side_by_side =
       std::max<std::size_t>(1, static_cast<std::size_t>((*passages_)[passage].width / (2.0 * radius_ + LANE_MARGIN)));
-  std::size_t entering = 0;
   for (const Claim& claim : state.claims) {
-    entering += claim.distance > ENTERED && contains(state.admitted, claim.agent) ? 1 : 0;
-  }
-  for (const Claim& claim : state.claims) {
-    if (entering >= side_by_side || (two_way && state.served >= BATCH_SIZE)) return;
+    if (two_way && state.served >= BATCH_SIZE) return;
     if (claim.mouth != state.direction || contains(state.admitted, claim.agent)) continue;
+    const auto is_too_near = [&](const Claim& other) {
+      return other.distance > claim.distance - HEADWAY && contains(state.admitted, other.agent);
+    };
+    const auto too_near = std::count_if(state.claims.begin(), state.claims.end(), is_too_near);
+    if (static_cast<std::size_t>(too_near) >= side_by_side) return;
     state.admitted.push_back(claim.agent);
     ++state.served;
-    ++entering;
   }
 }
 
