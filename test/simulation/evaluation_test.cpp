@@ -3,93 +3,23 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
-#include <stdexcept>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "social_crowd/common/errors.h"
 #include "social_crowd/world/scenario_reader.h"
-#include "support/error_of.h"
+#include "support/evaluations.h"
 
 namespace crowd {
 namespace {
 
-/// Scenarios of different length, so that threads overtake each other.
-const char* const SCENARIOS =
-    "name: long\n"
-    "duration: 12\n"
-    "goal_tolerance: 0.3\n"
-    "agents:\n"
-    "  - {count: 8, position: {box: [[-3, -3], [3, 3]]}, goal: {box: [[-3, -3], [3, 3]]}, speed: [0.8, 1.6],\n"
-    "     radius: 0.25}\n"
-    "obstacles:\n"
-    "  - {count: 2, position: {box: [[-3, -3], [3, 3]]}, radius: 0.3}\n"
-    "---\n"
-    "name: short\n"
-    "duration: 1\n"
-    "goal_tolerance: 0.3\n"
-    "agents:\n"
-    "  - {position: {ring: {centre: [0, 0], radius: 2}}, goal: {opposite: [0, 0]}, speed: 1, radius: 0.25}\n"
-    "---\n"
-    "name: middle\n"
-    "duration: 5\n"
-    "goal_tolerance: 0.3\n"
-    "agents:\n"
-    "  - {count: 3, position: {box: [[-2, -2], [2, 2]]}, goal: {opposite: [0, 0]}, speed: 1.3, radius: 0.25}\n";
-
-ScenarioList scenarios() { return parseScenarios(SCENARIOS, "scenarios.yaml"); }
-
-/// A table that makes agents do something else in every situation.
-TrainedTable restlessTable() {
-  TrainedTable trained{parseModel("state_set: {type: nearest_obstacle}\n"
-                                  "action_set: {type: kings_moves}\n"
-                                  "reward: {goal: cosine_cubed, obstacle_cost: 80}\n"),
-                       LearningParameters(), 1, 1, QTable(137, 8)};
-  KeyedRandom random(1, KeyedRandom::EXPLORATION, {});
-  for (Row row = 0; row < trained.table.rows(); ++row) {
-    for (Action action = 0; action < trained.table.actions(); ++action) {
-      trained.table.set(row, action, random.uniform(), 1);
-    }
-  }
-  return trained;
-}
-
-EvaluationPlan planOf(std::uint64_t episodes, unsigned threads, std::uint64_t seed = 1) {
-  EvaluationPlan plan;
-  plan.episodes = episodes;
-  plan.threads = threads;
-  plan.seed = seed;
-  plan.record = true;
-  return plan;
-}
-
-std::vector<EvaluatedEpisode> evaluateAll(const EvaluationPlan& plan) {
-  std::vector<EvaluatedEpisode> all;
-  evaluate(restlessTable(), scenarios(), plan, [&](EvaluatedEpisode& walked) {
-    all.push_back(std::move(walked));
-    return true;
-  });
-  return all;
-}
-
-void expectSame(const EvaluatedEpisode& walked, const EvaluatedEpisode& expected) {
-  SCOPED_TRACE("instance " + std::to_string(expected.instance));
-  EXPECT_EQ(walked.instance, expected.instance);
-  EXPECT_EQ(walked.trajectory, expected.trajectory);
-  EXPECT_EQ(walked.result.scenario, expected.result.scenario);
-  EXPECT_EQ(walked.result.ticks, expected.result.ticks);
-  ASSERT_EQ(walked.result.agents.size(), expected.result.agents.size());
-  for (std::size_t i = 0; i < expected.result.agents.size(); ++i) {
-    const AgentResult& agent = walked.result.agents[i];
-    const AgentResult& other = expected.result.agents[i];
-    EXPECT_EQ(agent.arrived, other.arrived);
-    EXPECT_EQ(agent.touched, other.touched);
-    EXPECT_EQ(agent.ticks, other.ticks);
-    EXPECT_EQ(agent.path_length, other.path_length);
-    EXPECT_EQ(agent.turn_per_metre, other.turn_per_metre);
-    EXPECT_EQ(agent.max_speed_ratio, other.max_speed_ratio);
-  }
-}
+using evaluations::evaluateAll;
+using evaluations::expectSame;
+using evaluations::planOf;
+using evaluations::restlessTable;
+using evaluations::scenarios;
 
 TEST(Evaluation, SameResultsInTheSameOrderForAnyNumberOfThreads) {
   const std::vector<EvaluatedEpisode> expected = evaluateAll(planOf(30, 1));
@@ -198,74 +128,6 @@ TEST(Evaluation, StopsWhenTold) {
     });
     EXPECT_EQ(delivered, (std::vector<std::uint64_t>{0, 1, 2, 3}));
   }
-}
-
-/// Takes part in an evaluation and checks that instances come one after the other, from 0 on.
-class InOrder {
- public:
-  bool operator()(EvaluatedEpisode& walked) {
-    EXPECT_EQ(walked.instance, count_);
-    ++count_;
-    return true;
-  }
-  std::uint64_t count() const { return count_; }
-
- private:
-  std::uint64_t count_ = 0;
-};
-
-TEST(Evaluation, SceneThatCannotBeMadeReachesTheCaller) {
-  // In the third scenario there is no room for that many agents; a reader would have refused it.
-  const ScenarioList read = scenarios();
-  std::vector<Scenario> crowded = {read[0], read[1], read[2]};
-  crowded[2].agents[0].count = 500;
-  for (const unsigned threads : {1U, 2U, 7U}) {
-    SCOPED_TRACE(std::to_string(threads) + " threads");
-    InOrder in_order;
-    const std::string message = errorOf<InputError>(
-        [&] { evaluate(restlessTable(), ScenarioList(crowded), planOf(12, threads), std::ref(in_order)); });
-    EXPECT_TRUE(contains(message, "scenarios.yaml: document 3")) << message;
-    EXPECT_LE(in_order.count(), 2U);
-  }
-}
-
-TEST(Evaluation, WhatIsWholeBeforeAnErrorIsDelivered) {
-  const ScenarioList read = scenarios();
-  std::vector<Scenario> crowded = {read[0], read[1], read[2]};
-  crowded[2].agents[0].count = 500;
-  InOrder in_order;
-  EXPECT_THROW(evaluate(restlessTable(), ScenarioList(crowded), planOf(12, 1), std::ref(in_order)), InputError);
-  EXPECT_EQ(in_order.count(), 2U);
-}
-
-TEST(Evaluation, TableOfTheWrongShapeReachesTheCaller) {
-  TrainedTable trained = restlessTable();
-  trained.table = QTable(5, 8);
-  for (const unsigned threads : {1U, 7U}) {
-    InOrder in_order;
-    EXPECT_THROW(evaluate(trained, scenarios(), planOf(12, threads), std::ref(in_order)), ShapeError);
-    EXPECT_EQ(in_order.count(), 0U);
-  }
-}
-
-TEST(Evaluation, ErrorOfTheReceiverReachesTheCaller) {
-  for (const unsigned threads : {1U, 2U, 7U}) {
-    SCOPED_TRACE(std::to_string(threads) + " threads");
-    int calls = 0;
-    const auto deliver = [&](EvaluatedEpisode&) -> bool {
-      if (++calls == 3) throw std::runtime_error("the disk is full");
-      return true;
-    };
-    EXPECT_THROW(evaluate(restlessTable(), scenarios(), planOf(30, threads), deliver), std::runtime_error);
-    EXPECT_EQ(calls, 3);  // and never again
-  }
-}
-
-TEST(Evaluation, NoScenarioNoEpisode) {
-  InOrder in_order;
-  evaluate(restlessTable(), ScenarioList(), planOf(0, 2), std::ref(in_order));
-  EXPECT_EQ(in_order.count(), 0U);
-  EXPECT_THROW(evaluate(restlessTable(), ScenarioList(), planOf(1, 2), std::ref(in_order)), InputError);
 }
 
 const char* const KEPT =

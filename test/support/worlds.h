@@ -34,12 +34,21 @@ inline std::vector<double> stateOf(const World& world) {
   return state;
 }
 
-/// The perceptions of all agents with unlimited vision.
-inline Perceptions lookAround(World& world) {
+/// The perceptions of all agents.
+inline Perceptions perceive(World& world, const Vision& vision = Vision()) {
   Perceptions perceptions;
-  world.perceive(FAR_SIGHT, perceptions);
+  world.perceive(vision, perceptions);
   return perceptions;
 }
+
+/// The perceptions of all agents at the start of a scene.
+inline Perceptions perceive(const Scene& scene, const Vision& vision = Vision()) {
+  World world(scene);
+  return perceive(world, vision);
+}
+
+/// The perceptions of all agents with unlimited vision.
+inline Perceptions lookAround(World& world) { return perceive(world, FAR_SIGHT); }
 
 /// Ahead at full speed, for an agent whose heading is right already.
 inline AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
