@@ -69,13 +69,13 @@ bool getsWarm(Mode mode, unsigned threads) {
   return quiet == ROW && !episode.isOver();
 }
 
-TEST(Allocations, AreCounted) {
+TEST(Allocations, CounterCountsAllocations) {
   const std::uint64_t before = allocations;
   const std::vector<int> something(100);
   EXPECT_EQ(allocations - before, 1U) << something.size();
 }
 
-TEST(Allocations, ATickMakesNoneOnceWarm) {
+TEST(Allocations, TicksEventuallyAllocateNothing) {
   for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
     for (const unsigned threads : {1U, 2U}) {
       EXPECT_TRUE(getsWarm(mode, threads)) << MODES.nameOf(mode) << ", " << threads << " threads";

@@ -18,13 +18,13 @@ TEST(Checksum, IsFnv1a) {
   EXPECT_EQ(checksumOf("foobar"), "85944171f73967e8");
 }
 
-TEST(Checksum, OfPiecesIsThatOfTheWhole) {
+TEST(Checksum, OfPiecesEqualsThatOfTheWholeText) {
   Checksum checksum;
   for (const char* piece : {"fo", "", "o", "bar"}) checksum.add(piece);
   EXPECT_EQ(checksum.text(), checksumOf("foobar"));
 }
 
-TEST(Checksum, TakesBytesAsTheyAre) {
+TEST(Checksum, TreatsBytesAsUnsigned) {
   EXPECT_EQ(checksumOf("\xff"), "af64724c8602eb6e");  // not taken for a negative number
   EXPECT_NE(checksumOf(std::string(1, '\0')), checksumOf(""));
 }

@@ -56,7 +56,7 @@ void expectShortest(double value) {
   EXPECT_NE(std::strtod(shorter.data(), nullptr), value) << toText(value) << " is longer than " << shorter.data();
 }
 
-TEST(ToText, WritesNumbersAsAPersonWould) {
+TEST(ToText, WritesTheShortestDecimal) {
   EXPECT_EQ(toText(0.0), "0");
   EXPECT_EQ(toText(-0.0), "-0");
   EXPECT_EQ(toText(1.0), "1");
@@ -68,13 +68,13 @@ TEST(ToText, WritesNumbersAsAPersonWould) {
   EXPECT_EQ(toText(1e22), "1e+22");
 }
 
-TEST(ToText, NamesWhatIsNotFinite) {
+TEST(ToText, WritesNonFiniteNumbers) {
   EXPECT_EQ(toText(Limits::quiet_NaN()), "nan");
   EXPECT_EQ(toText(Limits::infinity()), "inf");
   EXPECT_EQ(toText(-Limits::infinity()), "-inf");
 }
 
-TEST(ToText, ReadsBackBitForBitAtTheEndsOfTheRange) {
+TEST(ToText, ExtremeValuesReadBackBitForBit) {
   for (const double value : {0.0, Limits::denorm_min(), Limits::min(), Limits::epsilon(), Limits::max(), 1.0}) {
     for (const double neighbour : {value, std::nextafter(value, 0.0), std::nextafter(value, Limits::max())}) {
       expectRoundTrip(neighbour);
@@ -83,7 +83,7 @@ TEST(ToText, ReadsBackBitForBitAtTheEndsOfTheRange) {
   }
 }
 
-TEST(ToText, ReadsBackBitForBitWhateverTheBits) {
+TEST(ToText, RandomValuesReadBackBitForBit) {
   for (std::uint64_t seed = 0; seed < 20000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -95,7 +95,7 @@ TEST(ToText, ReadsBackBitForBitWhateverTheBits) {
   }
 }
 
-TEST(ToText, NeedsNoDigitThatItCouldSpare) {
+TEST(ToText, WritesNoUnnecessaryDigit) {
   expectShortest(Limits::max());
   expectShortest(Limits::min());
   expectShortest(Limits::denorm_min());
@@ -107,7 +107,7 @@ TEST(ToText, NeedsNoDigitThatItCouldSpare) {
   }
 }
 
-TEST(ToNumber, TakesEveryWayToWriteADecimal) {
+TEST(ToNumber, AcceptsAllDecimalNotations) {
   EXPECT_EQ(toNumber("1"), 1.0);
   EXPECT_EQ(toNumber("+1"), 1.0);
   EXPECT_EQ(toNumber("-1"), -1.0);
@@ -121,13 +121,13 @@ TEST(ToNumber, TakesEveryWayToWriteADecimal) {
   EXPECT_TRUE(std::signbit(toNumber("-0").value()));
 }
 
-TEST(ToNumber, TakesWhatIsNotFinite) {
+TEST(ToNumber, AcceptsNonFiniteNumbers) {
   EXPECT_TRUE(std::isnan(toNumber("nan").value()));
   EXPECT_EQ(toNumber("inf"), Limits::infinity());
   EXPECT_EQ(toNumber("-inf"), -Limits::infinity());
 }
 
-TEST(ToNumber, RefusesWhatIsNoNumberAsAWhole) {
+TEST(ToNumber, RefusesTextThatIsNotOneNumber) {
   for (const char* const text :
        {"",    "+",    "-",   ".",   "e5",   "one", "1x",    "x1",    " 1",    "1 ",      "\t1",   "1\n",
         "1 2", "0x10", "1,5", "1;",  "1e",   "1e+", "1e5.5", "1.2.3", "1_000", "1'000",   "--1",   "++1",
@@ -137,7 +137,7 @@ TEST(ToNumber, RefusesWhatIsNoNumberAsAWhole) {
   EXPECT_FALSE(toNumber(std::string_view("1\0", 2)).has_value());
 }
 
-TEST(ToNumber, ReadsNothingBeyondItsText) {
+TEST(ToNumber, ReadsOnlyItsText) {
   EXPECT_EQ(toNumber(std::string_view("12345").substr(0, 2)), 12.0);
   EXPECT_EQ(toNumber(std::string_view("1e5").substr(0, 1)), 1.0);
 }

@@ -61,7 +61,7 @@ std::vector<Row> rowsOf(const Model& model, const Perception& perception) {
   return rowsOf(*model.state_set, perception, movesOf(*model.action_set, perception));
 }
 
-TEST(Mirror, OfTheMirrorImageIsTheThingItself) {
+TEST(Mirror, IsItsOwnInverse) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.spec());
     const Mirror mirror = mirrorOf(model);
@@ -149,7 +149,7 @@ std::size_t countSelfImages(const Model& model) {
   return count;
 }
 
-TEST(Mirror, HasImageOfWhatIsNotSymmetric) {
+TEST(Mirror, HasImageIfRowAndActionAreNotSymmetric) {
   const Mirror thesis = mirrorOf(models()[0]);
   EXPECT_FALSE(thesis.hasImage(0, 0));  // goal ahead, straight on
   EXPECT_FALSE(thesis.hasImage(4, 0));  // goal behind
@@ -166,7 +166,7 @@ TEST(Mirror, HasImageOfWhatIsNotSymmetric) {
   EXPECT_EQ(countSelfImages(models()[2]), 2U * (2U * 243U + 1U));
 }
 
-TEST(Mirror, WithoutModelMirrorsNothing) {
+TEST(Mirror, WithoutAModelHasNoImages) {
   EXPECT_EQ(Mirror().row(43), 43U);
   EXPECT_EQ(Mirror().action(1), 1U);
   EXPECT_FALSE(Mirror().hasImage(43, 1));

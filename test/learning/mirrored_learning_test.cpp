@@ -21,7 +21,7 @@ using mirror_models::models;
 
 constexpr LearningParameters HALVES = {0.5, 0.5, 0.0, 0.0};
 
-TEST(MirroredLearning, TeachesTheMirrorImageTheSameTarget) {
+TEST(MirroredLearning, UpdatesTheMirrorImageWithTheSameTarget) {
   const Mirror mirror = mirrorOf(learners::model());
   QTable table = learners::emptyTable();
   table.set(2, 5, 8.0, 1);
@@ -42,7 +42,7 @@ TEST(MirroredLearning, TeachesTheMirrorImageTheSameTarget) {
   EXPECT_EQ(table, expected);
 }
 
-TEST(MirroredLearning, LearnsWhatIsItsOwnMirrorImageOnce) {
+TEST(MirroredLearning, UpdatesSymmetricEntriesOnce) {
   QTable table = learners::emptyTable();
   const Row ahead = 0;
   TdLearner learner;
@@ -53,7 +53,7 @@ TEST(MirroredLearning, LearnsWhatIsItsOwnMirrorImageOnce) {
   EXPECT_EQ(table, expected);
 }
 
-TEST(MirroredLearning, StepsOfTheMirrorImageShrinkWithItsOwnVisits) {
+TEST(MirroredLearning, LearningRateOfTheMirrorImageDependsOnItsOwnVisits) {
   const LearningParameters means = {0.01, 0.5, 0.0, 0.0, 1.0};
   QTable table = learners::emptyTable();
   table.set(3, 7, 2.0, 3);
@@ -66,7 +66,7 @@ TEST(MirroredLearning, StepsOfTheMirrorImageShrinkWithItsOwnVisits) {
   EXPECT_EQ(table.visits(3, 7), 4U);
 }
 
-TEST(MirroredLearning, CarriesStepsBackToMirrorImagesOfEarlierDecisions) {
+TEST(MirroredLearning, AppliesTracesToMirrorImagesOfEarlierDecisions) {
   const LearningParameters traces = {0.5, 0.5, 0.5, 0.0};  // gamma * lambda = 0.25
   const Mirror mirror = mirrorOf(learners::model());
   QTable table = learners::emptyTable();
@@ -114,7 +114,7 @@ QTable trainedTable(const Model& model, bool mirrored, double lambda) {
   return learner.tableOf(0);
 }
 
-TEST(MirroredLearning, LeavesASymmetricTableSymmetricBitForBit) {
+TEST(MirroredLearning, KeepsATableSymmetricBitForBit) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.spec());
     const Mirror mirror = mirrorOf(model);
@@ -127,7 +127,7 @@ TEST(MirroredLearning, LeavesASymmetricTableSymmetricBitForBit) {
   }
 }
 
-TEST(MirroredLearning, BeginsAndEndsWithTheParameters) {
+TEST(MirroredLearning, FollowsChangesOfTheParameters) {
   Learner::Options options = learners::options(Mode::TRAINING);
   Learner learner(learners::model(), options);
   const auto gain_in_row_one = [&](std::uint64_t tick) {
@@ -150,7 +150,7 @@ TEST(MirroredLearning, BeginsAndEndsWithTheParameters) {
   EXPECT_EQ(learner.tableOf(0).visits(1, 0), 3U);
 }
 
-TEST(MirroredLearning, IsAskedForInTheConfiguration) {
+TEST(MirroredLearning, IsReadFromTheConfiguration) {
   const auto read = [](const std::string& yaml) { return readLearningPlan(YAML::Load(yaml), {"f", 0, "learning"}); };
   EXPECT_FALSE(read("{}").parameters.mirrored);
   EXPECT_FALSE(read("{mirrored: false}").parameters.mirrored);
@@ -158,7 +158,7 @@ TEST(MirroredLearning, IsAskedForInTheConfiguration) {
   EXPECT_TRUE(contains(errorOf<InputError>([&] { read("{mirrored: left}"); }), "learning.mirrored: expected"));
 }
 
-TEST(MirroredLearning, StandsInTheTablesHeaderWhereItIsTrue) {
+TEST(MirroredLearning, IsWrittenInTheHeaderOfTheTable) {
   TrainedTable trained = {learners::model(), HALVES, 1, 1, learners::randomTable(1)};
   EXPECT_FALSE(contains(toText(trained), "mirrored"));
   EXPECT_FALSE(parseQTable(toText(trained), "f").parameters.mirrored);

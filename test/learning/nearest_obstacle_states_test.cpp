@@ -27,7 +27,7 @@ int classOfNeighbour(const Vector2& position, double radius) {
 
 int classOfWall(const Vector2& from, const Vector2& to) { return describe(agentAlone().wall(from, to)).distance_class; }
 
-TEST(NearestObstacleStates, HasTheEightGoalSectors) {
+TEST(NearestObstacleStates, HasEightGoalSectors) {
   struct Case {
     double degrees;
     int sector;
@@ -55,7 +55,7 @@ TEST(NearestObstacleStates, HasTheEightGoalSectors) {
   }
 }
 
-TEST(NearestObstacleStates, HasTheUnevenObstacleSectors) {
+TEST(NearestObstacleStates, HasUnevenObstacleSectors) {
   struct Case {
     double degrees;
     int sector;
@@ -84,7 +84,7 @@ TEST(NearestObstacleStates, HasTheUnevenObstacleSectors) {
   }
 }
 
-TEST(NearestObstacleStates, CountsBothLimitsInTheClassWithin) {
+TEST(NearestObstacleStates, LimitsBelongToTheNearerClass) {
   // 0.75 - 0.25 = 0.5 and 1.25 - 0.25 = 1, both exactly.
   EXPECT_EQ(classOfNeighbour({0.75, 0.0}, 0.25), 1);
   EXPECT_EQ(classOfNeighbour({std::nextafter(0.75, 1.0), 0.0}, 0.25), 2);
@@ -96,7 +96,7 @@ TEST(NearestObstacleStates, CountsBothLimitsInTheClassWithin) {
   EXPECT_EQ(classOfWall({-3.0, std::nextafter(1.0, 2.0)}, {3.0, std::nextafter(1.0, 2.0)}), 0);
 }
 
-TEST(NearestObstacleStates, CountsOverlapAsNear) {
+TEST(NearestObstacleStates, OverlapIsClassOne) {
   EXPECT_EQ(classOfNeighbour({0.2, 0.1}, 0.3), 1);  // the agent's centre lies within
   EXPECT_EQ(classOfNeighbour({0.0, 0.0}, 0.3), 1);
   EXPECT_EQ(classOfWall({-1.0, 0.0}, {1.0, 0.0}), 1);
@@ -114,14 +114,14 @@ TEST(NearestObstacleStates, PerceivesNothingBeyondItsRadius) {
   }
 }
 
-TEST(NearestObstacleStates, LooksAtTheNearestRimNotTheNearestCentre) {
+TEST(NearestObstacleStates, UsesTheNearestRim) {
   // Rims: 0.9 - 0.1 = 0.8 at the left, 1.5 - 1.1 = 0.4 at the right.
   const Situation situation = describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).neighbour(polar(-60.0, 1.5), 1.1));
   EXPECT_EQ(situation.obstacle_sector, 6);
   EXPECT_EQ(situation.distance_class, 1);
 }
 
-TEST(NearestObstacleStates, LooksAtBodiesAndWallsAlike) {
+TEST(NearestObstacleStates, TreatsBodiesAndWallsEqually) {
   const Situation wall = describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).wall({-2.0, -0.3}, {2.0, -0.3}));
   EXPECT_EQ(wall.obstacle_sector, 7);  // 0.3 at -90 degrees: a limit goes to the sector behind it
   EXPECT_EQ(wall.distance_class, 1);
@@ -135,7 +135,7 @@ TEST(NearestObstacleStates, LooksAtBodiesAndWallsAlike) {
             7);
 }
 
-TEST(NearestObstacleStates, FindsTheNearestOfManyInAnyOrder) {
+TEST(NearestObstacleStates, FindsTheNearestObstacleInAnyOrder) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -157,7 +157,7 @@ TEST(NearestObstacleStates, FindsTheNearestOfManyInAnyOrder) {
   }
 }
 
-TEST(NearestObstacleStates, NumbersItsStatesAsTheThesisDoes) {
+TEST(NearestObstacleStates, NumbersRowsAsTheThesisDoes) {
   const NearestObstacleStates states;
   EXPECT_EQ(states.rowCount(), 137U);
   EXPECT_EQ(states.terminal(), 136U);      // 8 * 8 * 2 + 8
@@ -171,7 +171,7 @@ TEST(NearestObstacleStates, NumbersItsStatesAsTheThesisDoes) {
   EXPECT_EQ(states.rowOf({7, 7, 2}), 135U);  // 7 + 7 * 16 + 7 * 2 + 2
 }
 
-TEST(NearestObstacleStates, NumbersOtherSectorsInTheSameWay) {
+TEST(NearestObstacleStates, NumbersRowsOfOtherSectors) {
   NearestObstacleStates::Parameters parameters;
   parameters.goal_sectors = 4;
   parameters.obstacle_sectors = {90.0, 180.0};
@@ -180,7 +180,7 @@ TEST(NearestObstacleStates, NumbersOtherSectorsInTheSameWay) {
   EXPECT_EQ(states.rowOf({2, 3, 1}), 26U);  // 3 + 2 * 8 + 3 * 2 + 1
 }
 
-TEST(NearestObstacleStates, NoTwoSituationsShareARowAndNoRowIsLeftOver) {
+TEST(NearestObstacleStates, MapsSituationsToRowsOneToOne) {
   const NearestObstacleStates states;
   std::set<Row> rows = {states.terminal()};
   std::size_t situations = 1;
@@ -202,7 +202,7 @@ TEST(NearestObstacleStates, NoTwoSituationsShareARowAndNoRowIsLeftOver) {
   EXPECT_EQ(states.distanceClasses(states.terminal()), std::vector<int>{});
 }
 
-TEST(NearestObstacleStates, EveryRowButTheTerminalOneCanBePerceived) {
+TEST(NearestObstacleStates, EachRowExceptTheTerminalOneCanBePerceived) {
   const NearestObstacleStates states;
   std::set<Row> rows;
   for (double goal = 0.0; goal < 360.0; goal += 45.0) {
@@ -220,7 +220,7 @@ TEST(NearestObstacleStates, EveryRowButTheTerminalOneCanBePerceived) {
   EXPECT_EQ(rows.count(states.terminal()), 0U);
 }
 
-TEST(NearestObstacleStates, TellsTheSectorForPictures) {
+TEST(NearestObstacleStates, ReturnsTheOccupiedSectorForPictures) {
   const NearestObstacleStates states;
   EXPECT_TRUE(states.occupiedSectors(agentAlone().neighbour({3.0, 0.0}, 0.5).perception()).empty());
   const auto occupied = states.occupiedSectors(agentAlone().neighbour(polar(-30.0, 0.8), 0.1).perception());
@@ -230,7 +230,7 @@ TEST(NearestObstacleStates, TellsTheSectorForPictures) {
   EXPECT_EQ(occupied[0].distance_class, 2);
 }
 
-TEST(NearestObstacleStates, KeepsToItsParameters) {
+TEST(NearestObstacleStates, UsesItsParameters) {
   NearestObstacleStates::Parameters parameters;
   parameters.goal_sectors = 4;
   parameters.obstacle_sectors = {22.5, 180.0};

@@ -15,7 +15,7 @@ struct Case {
   int sector;
 };
 
-TEST(EvenSectors, EightOfThemAreCentredOnTheEightRotations) {
+TEST(EvenSectors, EightSectorsAreCentredOnTheEightRotations) {
   const EvenSectors sectors(8);
   EXPECT_EQ(sectors.count(), 8);
   EXPECT_DOUBLE_EQ(sectors.width(), toRadians(45.0));
@@ -29,7 +29,7 @@ TEST(EvenSectors, EightOfThemAreCentredOnTheEightRotations) {
   }
 }
 
-TEST(EvenSectors, HoldTheirRightLimitAndNotTheirLeftOne) {
+TEST(EvenSectors, ContainTheirRightLimitButNotTheirLeftOne) {
   const EvenSectors sectors(8);
   for (int index = -3; index <= 4; ++index) {  // one turn, as bearings come: -157.5 to 157.5 degrees
     const int sector = index < 0 ? index + 8 : index;
@@ -38,7 +38,7 @@ TEST(EvenSectors, HoldTheirRightLimitAndNotTheirLeftOne) {
   }
 }
 
-TEST(EvenSectors, KnowTheirLimits) {
+TEST(EvenSectors, ReturnTheirLimits) {
   const EvenSectors sectors(8);
   EXPECT_NEAR(sectors.rightLimit(0), toRadians(-22.5), HAIR);
   EXPECT_NEAR(sectors.rightLimit(1), toRadians(22.5), HAIR);
@@ -46,7 +46,7 @@ TEST(EvenSectors, KnowTheirLimits) {
   EXPECT_NEAR(sectors.rightLimit(-1), toRadians(-67.5), HAIR);
 }
 
-TEST(EvenSectors, MayBeAnyNumber) {
+TEST(EvenSectors, AcceptAnyNumberOfSectors) {
   EXPECT_EQ(EvenSectors(1).indexOf(PI), 0);
   EXPECT_EQ(EvenSectors(1).indexOf(-3.0), 0);
   EXPECT_EQ(EvenSectors(2).indexOf(toRadians(89.9)), 0);
@@ -62,7 +62,7 @@ TEST(EvenSectors, MayBeAnyNumber) {
   EXPECT_EQ(EvenSectors(12).indexOf(toRadians(-15.1)), 11);
 }
 
-TEST(EvenSectors, CountOnOverSeveralTurns) {
+TEST(EvenSectors, NumberSectorsOverSeveralTurns) {
   const EvenSectors sectors(8);
   EXPECT_EQ(sectors.unwrappedIndexOf(toRadians(-22.6)), -1);
   EXPECT_EQ(sectors.unwrappedIndexOf(toRadians(-360.0)), -8);
@@ -102,7 +102,7 @@ TEST(MirroredSectors, AreFinerInFront) {
   }
 }
 
-TEST(MirroredSectors, GiveALimitToTheSectorBehindItAndStraightAheadToTheLeft) {
+TEST(MirroredSectors, AssignLimitsToTheRearSectorAndStraightAheadToTheLeft) {
   const MirroredSectors sectors = thesisSectors();
   EXPECT_EQ(sectors.indexOf(0.0), 0);
   EXPECT_EQ(sectors.indexOf(-0.0), 0);
@@ -115,7 +115,7 @@ TEST(MirroredSectors, GiveALimitToTheSectorBehindItAndStraightAheadToTheLeft) {
   EXPECT_EQ(sectors.indexOf(toRadians(-90.0)), 7);
 }
 
-TEST(MirroredSectors, KnowTheirLimits) {
+TEST(MirroredSectors, ReturnTheirLimits) {
   const MirroredSectors sectors = thesisSectors();
   const std::array<double, 8> right = {0.0, 15.0, 45.0, 90.0, -15.0, -45.0, -90.0, -180.0};
   const std::array<double, 8> left = {15.0, 45.0, 90.0, 180.0, 0.0, -15.0, -45.0, -90.0};
@@ -125,7 +125,7 @@ TEST(MirroredSectors, KnowTheirLimits) {
   }
 }
 
-TEST(MirroredSectors, MayBeLeftAndRightAlone) {
+TEST(MirroredSectors, CanBeOnlyLeftAndRight) {
   const MirroredSectors sectors({PI});
   EXPECT_EQ(sectors.count(), 2);
   EXPECT_EQ(sectors.indexOf(3.0), 0);

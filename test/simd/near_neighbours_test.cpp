@@ -31,7 +31,7 @@ struct Neighbours {
   }
 };
 
-TEST(FindNear, CountsThoseWhoComeNearWithinATick) {
+TEST(FindNear, FindsNeighboursThatComeNearWithinATick) {
   Neighbours neighbours;
   neighbours.add(0.7, 0.0, 0.0, 0.0, 0.25);   // within 0.5 and its radius
   neighbours.add(0.8, 0.0, 0.0, 0.0, 0.25);   // just not
@@ -45,7 +45,7 @@ TEST(FindNear, CountsThoseWhoComeNearWithinATick) {
   }
 }
 
-TEST(FindNear, IsTheSameOnEveryTarget) {
+TEST(FindNear, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     Neighbours neighbours;

@@ -51,7 +51,7 @@ Collected collect(const Kernels& kernels, const Discs& discs, const std::vector<
   return collected;
 }
 
-TEST(CollectNearby, WritesPlacesAndRimsInOrder) {
+TEST(CollectNearby, WritesIndicesAndRimDistancesInOrder) {
   Discs discs(4);
   discs.xs = {4.0, 1.0, 0.0, 10.0};
   discs.ys = {3.0, 0.0, 0.0, 0.0};
@@ -83,7 +83,7 @@ Discs anyDiscs(KeyedRandom& random, const Circle& circle) {
   return discs;
 }
 
-TEST(CollectNearby, IsTheSameOnEveryTarget) {
+TEST(CollectNearby, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const Circle circle{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 5.0),

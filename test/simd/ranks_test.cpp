@@ -37,7 +37,7 @@ TEST(RankAscending, ComparesInSinglePrecision) {
   }
 }
 
-TEST(RankAscending, IsTheSameOnEveryTarget) {
+TEST(RankAscending, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const std::size_t count = random.below(MAX_RANKED + 1);

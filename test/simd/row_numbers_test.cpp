@@ -46,7 +46,7 @@ TEST(FindRowNumbers, CombinesClasses) {
   }
 }
 
-TEST(FindRowNumbers, AreTheSameOnEveryTarget) {
+TEST(FindRowNumbers, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const std::size_t count = random.below(50);

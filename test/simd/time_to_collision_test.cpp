@@ -63,7 +63,7 @@ Case threeCandidates() {
   return one;
 }
 
-TEST(TimeToCollision, OfOneThatStands) {
+TEST(TimeToCollision, OfAStandingNeighbour) {
   Case one = threeCandidates();
   one.add({3.5, 0.0}, {0.0, 0.0}, 0.25);  // 3 m between the rims
   for (const Kernels& kernels : availableKernels()) {
@@ -79,7 +79,7 @@ TEST(TimeToCollision, OfOneThatStands) {
   }
 }
 
-TEST(TimeToCollision, OfOneThatComesAndOneThatTouches) {
+TEST(TimeToCollision, OfAnApproachingAndAnOverlappingNeighbour) {
   Case one = threeCandidates();
   one.add({2.5, 0.0}, {-1.0, 0.0}, 0.25);
   one.add({-0.3, 0.0}, {0.0, 0.0}, 0.25);
@@ -93,7 +93,7 @@ TEST(TimeToCollision, OfOneThatComesAndOneThatTouches) {
   }
 }
 
-TEST(TimeToCollision, LeavesWhatIsSoonerAndWhatIsNotWanted) {
+TEST(TimeToCollision, KeepsEarlierTimesAndUnrequestedResults) {
   Case one = threeCandidates();
   one.add({3.5, 0.0}, {0.0, 0.0}, 0.25);
   one.constant[0] = 2.0F;
@@ -105,7 +105,7 @@ TEST(TimeToCollision, LeavesWhatIsSoonerAndWhatIsNotWanted) {
   }
 }
 
-TEST(TimeToCollision, OfNobody) {
+TEST(TimeToCollision, WithoutNeighboursChangesNothing) {
   for (const Kernels& kernels : availableKernels()) {
     EXPECT_TRUE(areSame(threeCandidates().accumulated(kernels), threeCandidates())) << kernels.target;
   }
@@ -149,7 +149,7 @@ void addAnyCandidates(KeyedRandom& random, Case& one) {
   }
 }
 
-TEST(TimeToCollision, IsTheSameOnEveryTarget) {
+TEST(TimeToCollision, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     Case one;

@@ -55,7 +55,7 @@ TEST(AgentMetrics, StraightWalkAtFullSpeed) {
   EXPECT_DOUBLE_EQ(result.max_speed_ratio, 1.0);
 }
 
-TEST(AgentMetrics, PerfectWalkHasRatiosOfOne) {
+TEST(AgentMetrics, DirectWalkHasRatiosOfOne) {
   Scene line = scenes::halfSeconds(scene({agent({1.0, 1.0}, {1.0, 5.0}, 1.0)}));
   line.goal_tolerance = 0.5;
   const AgentResult result = walk(line, times(7, AHEAD));
@@ -64,7 +64,7 @@ TEST(AgentMetrics, PerfectWalkHasRatiosOfOne) {
   EXPECT_NEAR(result.time_ratio, 1.0, 1e-12);
 }
 
-TEST(AgentMetrics, SpeedAndTimeCountInTheAgentsOwnTopSpeed) {
+TEST(AgentMetrics, RatiosUseTheMaximumSpeedOfTheAgent) {
   // 0.8 m/s at most, walks at half of it: 0.2 m a tick. 2 m less 0.25 m: there after 9 ticks and 1.8 m.
   const AgentResult result = walk(agent({0.0, 0.0}, {2.0, 0.0}, 0.8), times(9, {0.0, 0.5}));
   EXPECT_TRUE(result.arrived);
@@ -73,13 +73,13 @@ TEST(AgentMetrics, SpeedAndTimeCountInTheAgentsOwnTopSpeed) {
   EXPECT_NEAR(result.max_speed_ratio, 0.5, 1e-12);
 }
 
-TEST(AgentMetrics, MaxSpeedRatioIsThatOfTheFastestTick) {
+TEST(AgentMetrics, MaxSpeedRatioIsTheRatioOfTheFastestTick) {
   const AgentResult result = walk(wanderer({0.0, 0.0}, 2.0), {{0.0, 0.25}, {0.0, 0.75}, {0.0, 0.5}});
   EXPECT_DOUBLE_EQ(result.max_speed_ratio, 0.75);
   EXPECT_DOUBLE_EQ(result.path_length, 1.5);  // 0.25, 0.75 and 0.5 m
 }
 
-TEST(AgentMetrics, SquareIsThreeQuarterTurns) {
+TEST(AgentMetrics, SquareHasThreeQuarterTurns) {
   // Once around a square of 2 m, to the goal 1 m south of the start: 9 m for 0.75 m.
   AgentStart start = agent({0.0, 0.0}, {0.0, -1.0}, 1.0);
   start.heading = -PI / 2;
@@ -114,7 +114,7 @@ TEST(AgentMetrics, TurningBackIsHalfATurn) {
   EXPECT_NEAR(result.turn_per_metre, PI, 1e-9);  // in 1 m
 }
 
-TEST(AgentMetrics, StandingStill) {
+TEST(AgentMetrics, StandingAgentHasNoPath) {
   const AgentResult result = walk(agent({0.0, 0.0}, {2.25, 0.0}, 1.0), times(10, {1.0, 0.0}));
   EXPECT_FALSE(result.arrived);
   EXPECT_EQ(result.ticks, 10U);
@@ -131,34 +131,34 @@ TEST(AgentMetrics, TurnsDuringAStopDoNotCount) {
   EXPECT_DOUBLE_EQ(result.path_length, 2.0);
 }
 
-TEST(AgentMetrics, TurnsCountAboveFiveCentimetresASecondOnly) {
+TEST(AgentMetrics, TurnsCountOnlyAboveFiveCentimetresPerSecond) {
   // Ten steps and nine quarter turns.
   const std::vector<RelativeAction> circling = times(10, {PI / 2, 1.0});
   EXPECT_EQ(walk(wanderer({0.0, 0.0}, 0.049), circling).turn_per_metre, 0.0);
   EXPECT_NEAR(walk(wanderer({0.0, 0.0}, 0.051), circling).turn_per_metre, 4.5 * PI / 0.255, 1e-9);
 }
 
-TEST(AgentMetrics, BothTicksOfATurnMustBeThatFast) {
+TEST(AgentMetrics, TurnsCountOnlyIfBothTicksAreFast) {
   const RelativeAction creep{PI / 2, 0.04};  // 0.04 m/s
   const RelativeAction turn{PI / 2, 1.0};
   EXPECT_EQ(walk(wanderer({0.0, 0.0}, 1.0), {AHEAD, creep, turn, creep}).turn_per_metre, 0.0);
   EXPECT_NEAR(walk(wanderer({0.0, 0.0}, 1.0), {creep, AHEAD, turn, creep}).turn_per_metre, PI / 2 / 1.04, 1e-9);
 }
 
-TEST(AgentMetrics, TurnIsPerTenCentimetresAtLeast) {
+TEST(AgentMetrics, TurnPerMetreAssumesAPathOfTenCentimetresOrMore) {
   // One quarter turn in 0.06 m.
   const AgentResult result = walk(wanderer({0.0, 0.0}, 0.06), {AHEAD, {PI / 2, 1.0}});
   EXPECT_NEAR(result.path_length, 0.06, 1e-12);
   EXPECT_NEAR(result.turn_per_metre, PI / 2 / 0.1, 1e-9);
 }
 
-TEST(AgentMetrics, StraightLengthGoesFromGoalToGoal) {
+TEST(AgentMetrics, StraightLengthIsSummedOverGoals) {
   AgentStart start = agent({0.0, 0.0}, {3.0, 4.0}, 1.0);
   start.goals.emplace_back(3.0, 10.0);
   EXPECT_DOUBLE_EQ(walk(start, {STAY}).straight_length, 10.75);  // 5 + 6 - 0.25
 }
 
-TEST(AgentMetrics, StraightLengthIsTenCentimetresAtLeast) {
+TEST(AgentMetrics, StraightLengthIsAtLeastTenCentimetres) {
   const AgentResult result = walk(agent({0.0, 0.0}, {0.3, 0.0}, 1.0), {AHEAD});
   EXPECT_TRUE(result.arrived);
   EXPECT_DOUBLE_EQ(result.straight_length, 0.1);
@@ -166,7 +166,7 @@ TEST(AgentMetrics, StraightLengthIsTenCentimetresAtLeast) {
   EXPECT_NEAR(result.time_ratio, 5.0, 1e-12);
 }
 
-TEST(AgentMetrics, WithoutATickNothingIsMeasured) {
+TEST(AgentMetrics, AreZeroWithoutATick) {
   const AgentResult result = walk(agent({0.0, 0.0}, {0.1, 0.0}, 1.0), {});
   EXPECT_FALSE(result.arrived);
   EXPECT_EQ(result.ticks, 0U);
@@ -175,7 +175,7 @@ TEST(AgentMetrics, WithoutATickNothingIsMeasured) {
   EXPECT_EQ(result.turn_per_metre, 0.0);
 }
 
-TEST(AgentMetrics, ContactOnTheWayStaysInTheResult) {
+TEST(AgentMetrics, ResultIncludesEarlierContacts) {
   // Through a pillar at 1 m; both ends of the walk are free.
   const Scene through = scenes::halfSeconds(scene({agent({0.0, 0.0}, {2.0, 0.0}, 1.0)}, {pillar({1.0, 0.0}, 0.2)}));
   EXPECT_FALSE(walk(through, {AHEAD}).touched);
@@ -185,7 +185,7 @@ TEST(AgentMetrics, ContactOnTheWayStaysInTheResult) {
   EXPECT_TRUE(result.touched);
 }
 
-TEST(AgentMetrics, AfterArrivalNothingCounts) {
+TEST(AgentMetrics, EndAtTheArrival) {
   // Agent 0 arrives at (1, 0) after 2 ticks; then agent 1 walks over that place.
   const Scene crossing = scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), wanderer({-1.5, 0.0}, 1.0)}));
   World world(crossing);
@@ -204,14 +204,14 @@ TEST(AgentMetrics, AfterArrivalNothingCounts) {
 }
 
 // The thesis's two ratios, on walks worked out by hand.
-TEST(DistanceGained, StraightOnEveryStepIsAGain) {
+TEST(DistanceGained, EqualsThePathOfAStraightWalk) {
   const AgentResult result = walk(agent({0.0, 0.0}, {4.0, 0.0}, 1.0), times(3, AHEAD));
   EXPECT_DOUBLE_EQ(result.distance_gained, 1.5);
   EXPECT_DOUBLE_EQ(result.gain_per_tick, 0.5);  // the speed, in metres a tick
   EXPECT_DOUBLE_EQ(result.path_per_gain, 1.0);
 }
 
-TEST(DistanceGained, AroundTheCornerOfATriangle) {
+TEST(DistanceGained, OfAWalkAlongTwoSidesOfATriangle) {
   // 3 m at right angles to a goal 4 m away: it is 5 m away then. After 4 m more it is 3 m away.
   AgentStart start = agent({0.0, 0.0}, {4.0, 0.0}, 1.0);
   start.heading = PI / 2;
@@ -228,14 +228,14 @@ TEST(DistanceGained, AroundTheCornerOfATriangle) {
   EXPECT_NEAR(around.path_per_gain, 7.0, 1e-9);
 }
 
-TEST(DistanceGained, WhoStandsGainsNothing) {
+TEST(DistanceGained, OfAStandingAgentIsZero) {
   const AgentResult result = walk(agent({0.0, 0.0}, {2.0, 0.0}, 1.0), times(5, STAY));
   EXPECT_EQ(result.distance_gained, 0.0);
   EXPECT_EQ(result.gain_per_tick, 0.0);
   EXPECT_TRUE(std::isnan(result.path_per_gain));
 }
 
-TEST(DistanceGained, IsSummedUpFromGoalToGoal) {
+TEST(DistanceGained, IsSummedOverGoals) {
   // 1 m to the first goal and 1.5 m towards the second: moving on to that is neither gain nor loss.
   AgentStart start = agent({0.0, 0.0}, {1.0, 0.0}, 1.0);
   start.goals.emplace_back(1.0, 2.0);
@@ -244,7 +244,7 @@ TEST(DistanceGained, IsSummedUpFromGoalToGoal) {
   EXPECT_NEAR(result.path_per_gain, 1.0, 1e-12);
 }
 
-TEST(DistanceGained, AGoalSetOnTheWayIsNoGainInItself) {
+TEST(DistanceGained, DoesNotChangeWithANewGoal) {
   // 1 m towards a goal in front, then 1 m away from one behind.
   const Scene scene = scenes::halfSeconds(scenes::scene({agent({0.0, 0.0}, {9.0, 0.0}, 1.0)}));
   World world(scene);
@@ -261,7 +261,7 @@ TEST(DistanceGained, AGoalSetOnTheWayIsNoGainInItself) {
   EXPECT_DOUBLE_EQ(monitor.result().agents[0].distance_gained, 0.0);
 }
 
-TEST(AgentMetrics, BlockedMovesAreCounted) {
+TEST(AgentMetrics, CountBlockedMoves) {
   // Two steps of 0.5 m lead up to the wall, two more lead nowhere.
   const Scene blocked_way =
       scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0)}, {}, {{{1.25, -1.0}, {1.25, 1.0}}})));
@@ -273,7 +273,7 @@ TEST(AgentMetrics, BlockedMovesAreCounted) {
   EXPECT_FALSE(walk(blocked_way, times(2, AHEAD)).touched);
 }
 
-TEST(AgentMetrics, WhoIsPushedTurnsThoughItLooksTheSameWay) {
+TEST(AgentMetrics, TurnsFollowTheMotionOfAPushedAgent) {
   // An obstacle pushes it 0.5 m to the side, then it walks 0.5 m ahead: a quarter turn in 1 m.
   Scene pushed = scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0, 0.25)})));
   pushed.obstacles.push_back(moving_obstacle({0.0, 0.5}, {0.0, -1.0}, 0.25));

@@ -28,7 +28,7 @@ Scene oneAndTwoMetres() {
   return scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), agent({0.0, 3.0}, {2.0, 3.0}, 1.0)}));
 }
 
-TEST(Episode, BeginsAtTickZeroWithEverybodyPerceived) {
+TEST(Episode, BeginsAtTickZeroWithPerceptionsOfAllAgents) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   EXPECT_EQ(episode.number(), NUMBER);
   EXPECT_EQ(episode.perceptions().episode, NUMBER);
@@ -38,7 +38,7 @@ TEST(Episode, BeginsAtTickZeroWithEverybodyPerceived) {
   EXPECT_EQ(episode.scene().agents.size(), 2U);
 }
 
-TEST(Episode, PerceptionsFollowEachStep) {
+TEST(Episode, UpdatesPerceptionsInEachStep) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(1)});
   const Perceptions& seen = episode.perceptions();
@@ -48,7 +48,7 @@ TEST(Episode, PerceptionsFollowEachStep) {
   EXPECT_EQ(seen.agents[1].goal, Vector2(1.5, 0.0));
 }
 
-TEST(Episode, PerceptionsStayAsTheyAreWhileSomebodyHoldsThem) {
+TEST(Episode, HeldPerceptionsDoNotChange) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   std::vector<std::shared_ptr<const Perceptions>> held;
   for (std::uint64_t tick = 0; tick < 3; ++tick) {
@@ -63,7 +63,7 @@ TEST(Episode, PerceptionsStayAsTheyAreWhileSomebodyHoldsThem) {
   }
 }
 
-TEST(Episode, ReadersInOtherThreadsSeePerceptionsUnchanged) {
+TEST(Episode, PerceptionsHeldByOtherThreadsDoNotChange) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   for (int tick = 0; tick < 100; ++tick) {
     const std::uint64_t expected = episode.world().tick();
@@ -79,12 +79,12 @@ TEST(Episode, ReadersInOtherThreadsSeePerceptionsUnchanged) {
   }
 }
 
-TEST(Episode, PerceivesAsFarAsItWasTold) {
+TEST(Episode, UsesTheGivenVision) {
   EXPECT_EQ(Episode(oneAndTwoMetres(), NUMBER, {2.7, 0}).perceptions().neighbours.size(), 0U);  // rims 2.75 m away
   EXPECT_EQ(Episode(oneAndTwoMetres(), NUMBER, {2.8, 0}).perceptions().neighbours.size(), 2U);
 }
 
-TEST(Episode, EndsWhenEverybodyHasArrived) {
+TEST(Episode, EndsWhenAllAgentsHaveArrived) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   for (int tick = 0; tick < 4; ++tick) {
     EXPECT_FALSE(episode.isOver()) << "tick " << tick;
@@ -104,7 +104,7 @@ TEST(Episode, EndsWhenEverybodyHasArrived) {
   EXPECT_TRUE(result.isClean());
 }
 
-TEST(Episode, EndsWhenTimeIsUp) {
+TEST(Episode, EndsAfterTheLargestNumberOfTicks) {
   Scene hurried = oneAndTwoMetres();
   hurried.max_ticks = 3;
   Episode episode(hurried, NUMBER, Vision());
@@ -127,7 +127,7 @@ TEST(Episode, ArrivalInTheLastTickCounts) {
   EXPECT_EQ(episode.result().arrivedCount(), 2U);
 }
 
-TEST(Episode, IllegalActionMovesNobody) {
+TEST(Episode, InvalidActionMovesNoAgent) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
   EXPECT_THROW(episode.step({ahead(0), {1, {0.0, 2.0}}}), InputError);
@@ -137,7 +137,7 @@ TEST(Episode, IllegalActionMovesNobody) {
   EXPECT_EQ(episode.result().agents[0].path_length, 0.5);
 }
 
-TEST(EpisodeChanges, SpawnedAgentIsPerceivedAtOnceAndMeasuredFromThenOn) {
+TEST(EpisodeChanges, SpawnedAgentIsPerceivedAndMeasuredAtOnce) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
   EXPECT_EQ(episode.spawnAgent(agent({0.0, -3.0}, {1.0, -3.0}, 1.0)), 2U);
@@ -153,7 +153,7 @@ TEST(EpisodeChanges, SpawnedAgentIsPerceivedAtOnceAndMeasuredFromThenOn) {
   EXPECT_EQ(result.agents[2].straight_length, 0.75);
 }
 
-TEST(EpisodeChanges, RemovedAgentIsPerceivedNoMoreAndHasNotArrived) {
+TEST(EpisodeChanges, RemovedAgentIsNotPerceivedAndHasNotArrived) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
   episode.removeAgent(1);
@@ -166,7 +166,7 @@ TEST(EpisodeChanges, RemovedAgentIsPerceivedNoMoreAndHasNotArrived) {
   EXPECT_EQ(episode.result().agents[1].ticks, 1U);
 }
 
-TEST(EpisodeChanges, EndsWithItsLastAgentAndGoesOnWithANewOne) {
+TEST(EpisodeChanges, EndsWithItsLastAgentAndContinuesWithANewOne) {
   Episode episode(scene({wanderer({0.0, 0.0})}), NUMBER, Vision());
   episode.removeAgent(0);
   EXPECT_TRUE(episode.isOver());
@@ -174,7 +174,7 @@ TEST(EpisodeChanges, EndsWithItsLastAgentAndGoesOnWithANewOne) {
   EXPECT_FALSE(episode.isOver());
 }
 
-TEST(EpisodeChanges, GoalAndObstaclesAreInThePerceptionsAtOnce) {
+TEST(EpisodeChanges, NewGoalAndObstaclesAreInThePerceptionsAtOnce) {
   Episode episode(scene({wanderer({0.0, 0.0})}, {pillar({2.0, 0.0}, 0.5)}), NUMBER, Vision());
   episode.setGoal(0, {0.0, 4.0});
   EXPECT_EQ(episode.perceptions().agents[0].goal, Vector2(0.0, 4.0));
@@ -186,7 +186,7 @@ TEST(EpisodeChanges, GoalAndObstaclesAreInThePerceptionsAtOnce) {
   EXPECT_EQ(episode.perceptions().neighbours[0].position, Vector2(0.0, 1.0));
 }
 
-TEST(EpisodeChanges, RefusedChangesChangeNothing) {
+TEST(EpisodeChanges, RefusedChangesHaveNoEffect) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   EXPECT_THROW(episode.spawnAgent(wanderer({0.1, 0.0})), InputError);
   EXPECT_THROW(episode.removeAgent(5), InputError);

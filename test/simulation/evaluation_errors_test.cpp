@@ -34,7 +34,7 @@ class InOrder {
   std::uint64_t count_ = 0;
 };
 
-TEST(Evaluation, SceneThatCannotBeMadeReachesTheCaller) {
+TEST(Evaluation, ErrorOfASceneReachesTheCaller) {
   // In the third scenario there is no room for that many agents; a reader would have refused it.
   const ScenarioList read = scenarios();
   std::vector<Scenario> crowded = {read[0], read[1], read[2]};
@@ -49,7 +49,7 @@ TEST(Evaluation, SceneThatCannotBeMadeReachesTheCaller) {
   }
 }
 
-TEST(Evaluation, WhatIsWholeBeforeAnErrorIsDelivered) {
+TEST(Evaluation, DeliversEpisodesBeforeAnError) {
   const ScenarioList read = scenarios();
   std::vector<Scenario> crowded = {read[0], read[1], read[2]};
   crowded[2].agents[0].count = 500;
@@ -58,7 +58,7 @@ TEST(Evaluation, WhatIsWholeBeforeAnErrorIsDelivered) {
   EXPECT_EQ(in_order.count(), 2U);
 }
 
-TEST(Evaluation, TableOfTheWrongShapeReachesTheCaller) {
+TEST(Evaluation, ErrorOfATableOfTheWrongShapeReachesTheCaller) {
   TrainedTable trained = restlessTable();
   trained.table = QTable(5, 8);
   for (const unsigned threads : {1U, 7U}) {
@@ -81,7 +81,7 @@ TEST(Evaluation, ErrorOfTheReceiverReachesTheCaller) {
   }
 }
 
-TEST(Evaluation, NoScenarioNoEpisode) {
+TEST(Evaluation, PlaysNoEpisodeWithoutScenarios) {
   InOrder in_order;
   evaluate(restlessTable(), ScenarioList(), planOf(0, 2), std::ref(in_order));
   EXPECT_EQ(in_order.count(), 0U);

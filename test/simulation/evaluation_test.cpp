@@ -21,7 +21,7 @@ using evaluations::planOf;
 using evaluations::restlessTable;
 using evaluations::scenarios;
 
-TEST(Evaluation, SameResultsInTheSameOrderForAnyNumberOfThreads) {
+TEST(Evaluation, ResultsDoNotDependOnTheNumberOfThreads) {
   const std::vector<EvaluatedEpisode> expected = evaluateAll(planOf(30, 1));
   ASSERT_EQ(expected.size(), 30U);
   for (const unsigned threads : {2U, 7U}) {
@@ -32,7 +32,7 @@ TEST(Evaluation, SameResultsInTheSameOrderForAnyNumberOfThreads) {
   }
 }
 
-TEST(Evaluation, EpisodesGoThroughTheScenariosInTurn) {
+TEST(Evaluation, PlaysTheScenariosInTurn) {
   const std::vector<EvaluatedEpisode> all = evaluateAll(planOf(7, 2));
   ASSERT_EQ(all.size(), 7U);
   const std::vector<std::string> names = {"long", "short", "middle"};
@@ -43,18 +43,18 @@ TEST(Evaluation, EpisodesGoThroughTheScenariosInTurn) {
   EXPECT_NE(all[1].trajectory.substr(2), all[4].trajectory.substr(2));  // drawn anew each time
 }
 
-TEST(Evaluation, WithoutANumberEveryScenarioOnce) {
+TEST(Evaluation, PlaysEachScenarioOnceByDefault) {
   EXPECT_EQ(evaluateAll(planOf(0, 1)).size(), 3U);
   EXPECT_EQ(evaluateAll(planOf(0, 7)).size(), 3U);  // more threads than work
 }
 
-TEST(Evaluation, SeedDecidesOnThePlaces) {
+TEST(Evaluation, DrawnPlacesDependOnTheSeed) {
   const std::vector<EvaluatedEpisode> one = evaluateAll(planOf(1, 1, 1));
   const std::vector<EvaluatedEpisode> other = evaluateAll(planOf(1, 1, 2));
   EXPECT_NE(one.at(0).trajectory, other.at(0).trajectory);
 }
 
-TEST(Evaluation, ScenesAreGivenOnRequest) {
+TEST(Evaluation, DeliversScenesOnRequest) {
   EvaluationPlan plan = planOf(6, 2);
   EXPECT_EQ(evaluateAll(plan).at(0).scene, "");
   plan.scenes = true;
@@ -85,13 +85,13 @@ TEST(Evaluation, TrajectoryHasARowForEveryAgentAndTick) {
   }
 }
 
-TEST(Evaluation, TrajectoriesOnRequestOnly) {
+TEST(Evaluation, DeliversTrajectoriesOnlyOnRequest) {
   EvaluationPlan plan = planOf(3, 1);
   plan.record = false;
   for (const EvaluatedEpisode& walked : evaluateAll(plan)) EXPECT_TRUE(walked.trajectory.empty());
 }
 
-TEST(Evaluation, AgentsDecideAsTheTableSays) {
+TEST(Evaluation, AgentsFollowTheTable) {
   // Nothing in sight and the goal ahead: an empty table walks straight on, that is action 0.
   TrainedTable trained = restlessTable();
   trained.table = QTable(137, 8);
@@ -118,7 +118,7 @@ TEST(Evaluation, AgentsDecideAsTheTableSays) {
   EXPECT_NEAR(back.agents.at(0).turn_per_metre, 99 * PI / 10.0, 1e-6);
 }
 
-TEST(Evaluation, StopsWhenTold) {
+TEST(Evaluation, StopsWhenTheReceiverReturnsFalse) {
   for (const unsigned threads : {1U, 2U, 7U}) {
     SCOPED_TRACE(std::to_string(threads) + " threads");
     std::vector<std::uint64_t> delivered;
@@ -150,7 +150,7 @@ std::vector<EvaluatedEpisode> evaluateKept(unsigned threads) {
   return all;
 }
 
-TEST(Evaluation, AgentsThatKeepTheirHeadingBeginWithThatOfTheEpisodeBefore) {
+TEST(Evaluation, KeptHeadingsComeFromThePreviousEpisode) {
   const std::vector<EvaluatedEpisode> all = evaluateKept(1);
   ASSERT_EQ(all.size(), 5U);
   for (std::size_t i = 1; i < all.size(); ++i) {

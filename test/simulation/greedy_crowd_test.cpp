@@ -130,7 +130,7 @@ TEST(GreedyCrowd, BreaksTiesAsTheLearnerDoes) {
   EXPECT_NE(decide(EPISODE, learner), decide(EPISODE, Learner(model, options)));
 }
 
-TEST(GreedyCrowd, AsksOnlyWhomTheLearnerServes) {
+TEST(GreedyCrowd, DecidesOnlyForAgentsThatTheLearnerServes) {
   Learner::Options options;
   options.agents = {0, 1, 7, 200, 201, 9999};
   const Model model = models()[2];
@@ -144,7 +144,7 @@ TEST(GreedyCrowd, AsksOnlyWhomTheLearnerServes) {
   EXPECT_EQ(answered, (std::vector<AgentId>{0, 1, 7, 200, 201}));
 }
 
-TEST(GreedyCrowd, LooksUpTheTablesOfTheirOwn) {
+TEST(GreedyCrowd, UsesOwnTables) {
   Learner::Options options;
   options.tables = TableUse::OWN;
   const Model model = models()[2];
@@ -171,7 +171,7 @@ TEST(GreedyCrowd, LooksUpTheTablesOfTheirOwn) {
   }
 }
 
-TEST(GreedyCrowd, ForgetsTheLastWorld) {
+TEST(GreedyCrowd, DoesNotDependOnThePreviousWorld) {
   const Model model = models()[2];
   const Learner learner = makeLearner(model);
   ThreadPool many(7);
@@ -187,7 +187,7 @@ TEST(GreedyCrowd, ForgetsTheLastWorld) {
   EXPECT_EQ(toDecisions(actions), toDecisions(expected));
 }
 
-TEST(GreedyCrowd, HasNothingToSayWhereNobodyWalks) {
+TEST(GreedyCrowd, DecidesNothingWithoutWalkingAgents) {
   const Model model = models()[2];
   std::vector<AgentAction> actions = {{1, {}}};
   GreedyCrowd().decide(World(scenes::scene({}, {scenes::pillar({0.0, 0.0}, 0.5)})), EPISODE, model.vision(),

@@ -15,7 +15,7 @@ using answers::LEARNER;
 using answers::MOVE;
 using answers::playTick;
 
-TEST(LockstepPresence, AbsentAfterSomeMissesInARow) {
+TEST(LockstepPresence, AgentIsAbsentAfterConsecutiveMisses) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0, 1}, {0, 1});
   for (std::uint64_t tick = 1; tick <= 3; ++tick) {
@@ -51,7 +51,7 @@ TEST(LockstepPresence, NamesAgentsOnceWhenTheyBecomeAbsent) {
   EXPECT_EQ(lockstep.giveUpOnNewcomers({0, 5, 6}), Ids{});
 }
 
-TEST(LockstepPresence, AnAnswerInBetweenStartsTheCountAnew) {
+TEST(LockstepPresence, AnAnswerResetsTheCountOfMisses) {
   Lockstep lockstep(2);
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
     lockstep.open(EPISODE, tick, {0});
@@ -62,7 +62,7 @@ TEST(LockstepPresence, AnAnswerInBetweenStartsTheCountAnew) {
   EXPECT_EQ(lockstep.missedCount(), 5U);
 }
 
-TEST(LockstepPresence, AbsentOneComesBackWithAnAnswer) {
+TEST(LockstepPresence, AnAnswerEndsTheAbsence) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0, 1});
@@ -77,7 +77,7 @@ TEST(LockstepPresence, AbsentOneComesBackWithAnAnswer) {
   EXPECT_FALSE(lockstep.isComplete());  // agent 1 is waited for again
 }
 
-TEST(LockstepPresence, LateAnswerShowsPresence) {
+TEST(LockstepPresence, ALateAnswerEndsTheAbsence) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0, 1});
@@ -91,7 +91,7 @@ TEST(LockstepPresence, LateAnswerShowsPresence) {
   EXPECT_TRUE(lockstep.isComplete());
 }
 
-TEST(LockstepPresence, LateAnswersBetweenTicksShowPresenceToo) {
+TEST(LockstepPresence, LateAnswersBetweenTicksPreventAbsence) {
   Lockstep lockstep(2);
   playTick(lockstep, 0, {0}, {0});
   for (std::uint64_t tick = 1; tick < 6; ++tick) {
@@ -105,7 +105,7 @@ TEST(LockstepPresence, LateAnswersBetweenTicksShowPresenceToo) {
   EXPECT_EQ(lockstep.droppedCount(), 5U);
 }
 
-TEST(LockstepPresence, DesertedWhenEverybodyIsAbsent) {
+TEST(LockstepPresence, IsDesertedWhenAllAgentsAreAbsent) {
   Lockstep lockstep(2);
   playTick(lockstep, 0, {0, 1}, {0, 1});
   playTick(lockstep, 1, {0, 1}, {1});
@@ -121,7 +121,7 @@ TEST(LockstepPresence, DesertedWhenEverybodyIsAbsent) {
   EXPECT_TRUE(lockstep.isComplete());
 }
 
-TEST(LockstepPresence, IsKeptFromEpisodeToEpisode) {
+TEST(LockstepPresence, IsKeptAcrossEpisodes) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE + 1, 0, {0, 1});
@@ -147,7 +147,7 @@ TEST(LockstepNewcomers, AreAwaitedUntilTheirFirstAnswer) {
   EXPECT_TRUE(lockstep.awaitsNewcomer());
 }
 
-TEST(LockstepNewcomers, AreAbsentOnceGivenUp) {
+TEST(LockstepNewcomers, AreAbsentAfterGivingUp) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0, 1}, {0, 1});
   lockstep.open(EPISODE, 1, {0, 1, 2, 3});
@@ -168,7 +168,7 @@ TEST(LockstepNewcomers, AreAbsentOnceGivenUp) {
   EXPECT_EQ(agentsOf(lockstep.answers()), (Ids{3, 0, 1}));
 }
 
-TEST(LockstepNewcomers, GivingUpOnAllOfThemLeavesADesert) {
+TEST(LockstepNewcomers, GivingUpOnAllAgentsIsDeserted) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
   EXPECT_FALSE(lockstep.isDeserted());
@@ -178,7 +178,7 @@ TEST(LockstepNewcomers, GivingUpOnAllOfThemLeavesADesert) {
 }
 
 // Sequential scenarios: a tick is opened for one agent after the other.
-TEST(LockstepTurns, GivingUpOnNewcomersCountsForTheirTurnsToCome) {
+TEST(LockstepTurns, GivingUpOnNewcomersAppliesToTheirNextTurns) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0});
   lockstep.giveUpOnNewcomers({0, 1, 2});
@@ -189,7 +189,7 @@ TEST(LockstepTurns, GivingUpOnNewcomersCountsForTheirTurnsToCome) {
   EXPECT_TRUE(lockstep.isComplete());
 }
 
-TEST(LockstepTurns, AnAnswerAfterTheTurnShowsThatALearnerIsThere) {
+TEST(LockstepTurns, AnAnswerAfterTheTurnEndsTheAbsence) {
   Lockstep lockstep(1);
   lockstep.open(EPISODE, 0, {0});
   lockstep.close();

@@ -132,7 +132,7 @@ class RandomPlay {
   std::uint64_t refused_ = 0;
 };
 
-TEST(LockstepProperty, BooksAreRightWhateverTheAnswers) {
+TEST(LockstepProperty, AgreesWithAReferenceForRandomAnswers) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomPlay play(seed);

@@ -47,7 +47,7 @@ TEST(LockstepDrops, AnswersWhileNoTickIsOpen) {
   EXPECT_EQ(agentsOf(lockstep.answers()), Ids{0});
 }
 
-TEST(LockstepDrops, SecondAnswersAndTheFirstHolds) {
+TEST(LockstepDrops, SecondAnswersAndKeepsTheFirst) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
   lockstep.take(answersOf(0, {0}), LEARNER);
@@ -87,7 +87,7 @@ TEST(LockstepDrops, InvalidAnswers) {
 }
 
 // Repeated answers: perceptions may be sent again to a learner that has answered, and its answer be sent again as well.
-TEST(LockstepRepetitions, AreIgnoredWhileTheTickIsOpenAndAfterIt) {
+TEST(LockstepRepetitions, AreIgnoredDuringAndAfterTheTick) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
   EXPECT_TRUE(lockstep.take(answersOf(0, {0, 0}), LEARNER).empty());
@@ -144,7 +144,7 @@ TEST(LockstepRefusals, NameBothLearnersOfAnAgent) {
   EXPECT_EQ(refused[0].other, LEARNER);
 }
 
-TEST(LockstepRefusals, NameBothLearnersAlsoWhenTheOtherAnswersLater) {
+TEST(LockstepRefusals, NameBothLearnersIfTheOtherAnswersLater) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0}, {0});
   EXPECT_EQ(causesOf(lockstep.take(answersOf(0, {0}), OTHER)), std::vector<Refusal>{Refusal::OTHER_LEARNER});
@@ -153,7 +153,7 @@ TEST(LockstepRefusals, NameBothLearnersAlsoWhenTheOtherAnswersLater) {
   EXPECT_EQ(causesOf(lockstep.take(answersOf(0, {0}), OTHER)), std::vector<Refusal>{Refusal::OTHER_LEARNER});
 }
 
-TEST(LockstepRefusals, ALearnerMayTakeOverFromOneThatHasStopped) {
+TEST(LockstepRefusals, AllowALearnerToReplaceAStoppedOne) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0}, {0});
   playTick(lockstep, 1, {0}, {});

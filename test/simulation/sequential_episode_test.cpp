@@ -36,7 +36,7 @@ std::vector<AgentId> asked(Episode& episode) {
 
 using Ids = std::vector<AgentId>;
 
-TEST(SequentialEpisode, ATickIsATurnForEachAgent) {
+TEST(SequentialEpisode, HasOneTurnPerAgentInEachTick) {
   Episode episode(oneAndTwoMetres(), 7, Vision());
   EXPECT_EQ(episode.turnsOfTick(), 2U);
   EXPECT_EQ(asked(episode), Ids{0});
@@ -50,7 +50,7 @@ TEST(SequentialEpisode, ATickIsATurnForEachAgent) {
   EXPECT_EQ(episode.perceptions().tick, 1U);
 }
 
-TEST(SequentialEpisode, AnAgentThatHasArrivedGetsItsLastPerceptionAtItsTurn) {
+TEST(SequentialEpisode, ArrivedAgentGetsItsLastPerceptionInItsTurn) {
   Episode episode(oneAndTwoMetres(), 7, Vision());
   for (int tick = 0; tick < 2; ++tick) {
     episode.step({ahead(0)});
@@ -65,7 +65,7 @@ TEST(SequentialEpisode, AnAgentThatHasArrivedGetsItsLastPerceptionAtItsTurn) {
   EXPECT_EQ(asked(episode), Ids{1});  // the other has no turn any more
 }
 
-TEST(SequentialEpisode, TheLastPerceptionsAreThoseOfAllAgents) {
+TEST(SequentialEpisode, LastPerceptionsIncludeAllAgents) {
   Scene scene = oneAndTwoMetres();
   scene.max_ticks = 1;
   Episode episode(scene, 7, Vision());
@@ -77,7 +77,7 @@ TEST(SequentialEpisode, TheLastPerceptionsAreThoseOfAllAgents) {
   EXPECT_EQ(asked(episode), (Ids{0, 1}));
 }
 
-TEST(SequentialEpisode, WatchesTheWorldTickByTick) {
+TEST(SequentialEpisode, MeasuresTheWorldOncePerTick) {
   Episode episode(oneAndTwoMetres(), 7, Vision());
   while (!episode.isOver()) episode.step({ahead(0), ahead(1)});
   const EpisodeResult result = episode.result();
@@ -86,7 +86,7 @@ TEST(SequentialEpisode, WatchesTheWorldTickByTick) {
   EXPECT_DOUBLE_EQ(result.agents[1].path_length, 2.0);
 }
 
-TEST(SequentialEpisode, ChangesBetweenTurns) {
+TEST(SequentialEpisode, AgentsCanBeRemovedAndSpawnedBetweenTurns) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})), 7, Vision());
   episode.step({});
   episode.removeAgent(1);  // it was to be next
@@ -98,7 +98,7 @@ TEST(SequentialEpisode, ChangesBetweenTurns) {
   EXPECT_EQ(asked(episode), Ids{0});
 }
 
-TEST(SequentialEpisode, ATickEndsWhenItsLastAgentsAreTakenAway) {
+TEST(SequentialEpisode, RemovingTheLastAgentsOfATickEndsIt) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0})})), 7, Vision());
   episode.step({});
   episode.removeAgent(1);
@@ -107,7 +107,7 @@ TEST(SequentialEpisode, ATickEndsWhenItsLastAgentsAreTakenAway) {
   EXPECT_EQ(episode.world().tick(), 1U);
 }
 
-TEST(SequentialEpisode, AnAgentTakenAwayInItsTurnDoesNotTakeThatOfTheNext) {
+TEST(SequentialEpisode, RemovingAnAgentInItsTurnKeepsTheNextTurn) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0})})), 7, Vision());
   ASSERT_EQ(asked(episode), Ids{0});
   episode.removeAgent(0);

@@ -48,7 +48,7 @@ Walked walk(const Scene& scene, Mode mode, unsigned threads, bool at_once = fals
   return walked;
 }
 
-TEST(ThreadPoolShare, AnEpisodeDoesNotDependOnTheirNumber) {
+TEST(ThreadPoolShare, EpisodesDoNotDependOnTheNumberOfThreads) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const Scene ghosts = crowd(seed);
     for (const Scene& scene : {ghosts, scenes::solid(ghosts)}) {
@@ -69,7 +69,7 @@ TEST(ThreadPoolShare, AnEpisodeDoesNotDependOnTheirNumber) {
   }
 }
 
-TEST(ThreadPoolShare, TheCrowdWalksAndLearns) {
+TEST(ThreadPoolShare, EpisodesDependOnLearning) {
   const Walked before = walk(crowd(1), Mode::DEMO, 1);
   const Walked learned = walk(crowd(1), Mode::TRAINING, 1);
   EXPECT_NE(before.state, learned.state);

@@ -58,7 +58,7 @@ TrainedTable train(const TrainingConfig& config) {
   return training.trained();
 }
 
-TEST(Training, SameSeedSameTableBitForBit) {
+TEST(Training, EqualSeedsGiveEqualTablesBitForBit) {
   const TemporaryFolder folder;
   folder.write("s.yaml", OBSTACLE_IN_THE_WAY);
   const TrainedTable first = train(configFor(folder, "s.yaml", 20, 3));
@@ -69,7 +69,7 @@ TEST(Training, SameSeedSameTableBitForBit) {
   EXPECT_EQ(toText(first), toText(again));
 }
 
-TEST(Training, AnotherSeedAnotherTable) {
+TEST(Training, TableDependsOnTheSeed) {
   const TemporaryFolder folder;
   folder.write("s.yaml", OBSTACLE_IN_THE_WAY);
   const TrainedTable one = train(configFor(folder, "s.yaml", 20, 3));
@@ -79,7 +79,7 @@ TEST(Training, AnotherSeedAnotherTable) {
   EXPECT_EQ(other.seed, 4U);
 }
 
-TEST(Training, SeedDecidesOnExplorationToo) {
+TEST(Training, ExplorationDependsOnTheSeed) {
   const TemporaryFolder folder;
   folder.write("s.yaml",
                "{name: fixed, duration: 5, goal_tolerance: 0.3,\n"
@@ -99,7 +99,7 @@ double successPercent(const TrainedTable& trained) {
   return metrics.successPercent();
 }
 
-TEST(Training, TrainedAgentsArriveFarMoreOften) {
+TEST(Training, TrainedAgentsArriveMoreOften) {
   const TemporaryFolder folder;
   folder.write("s.yaml", OBSTACLE_IN_THE_WAY);
   constexpr int SEEDS = 5;
@@ -116,7 +116,7 @@ TEST(Training, TrainedAgentsArriveFarMoreOften) {
   EXPECT_GT(sum / SEEDS, 70.0);
 }
 
-TEST(Training, TellsHowFarItIs) {
+TEST(Training, ReportsItsProgress) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   Training training(configFor(folder, "s.yaml", 2, 1));
@@ -135,7 +135,7 @@ TEST(Training, TellsHowFarItIs) {
   EXPECT_TRUE(training.isDone());
 }
 
-TEST(Training, PlaysAllScenariosRoundAndRound) {
+TEST(Training, RepeatsItsScenariosInOrder) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("first") + "---\n" + twoAgents("second"));
   folder.write("t.yaml", twoAgents("third"));
@@ -145,7 +145,7 @@ TEST(Training, PlaysAllScenariosRoundAndRound) {
   EXPECT_EQ(names, "first second third first second third first ");
 }
 
-TEST(Training, PlacesDependOnSeedAndEpisodeAlone) {
+TEST(Training, DrawnPlacesDependOnlyOnSeedAndEpisode) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair", "[1, 2]"));
   const auto lengths = [&](std::uint64_t seed) {
@@ -158,7 +158,7 @@ TEST(Training, PlacesDependOnSeedAndEpisodeAlone) {
   EXPECT_NE(lengths(1).first, lengths(2).first);
 }
 
-TEST(Training, WithOwnTablesEachAgentLearnsForItself) {
+TEST(Training, AgentsWithOwnTablesLearnSeparately) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   Training training(configFor(folder, "s.yaml", 5, 1, ", tables: own"));
@@ -170,7 +170,7 @@ TEST(Training, WithOwnTablesEachAgentLearnsForItself) {
   EXPECT_TRUE(shared.learner().tableOf(0) == shared.learner().tableOf(1));
 }
 
-TEST(Training, GoesOnFromATable) {
+TEST(Training, ContinuesFromATable) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   const TrainedTable first = train(configFor(folder, "s.yaml", 3, 1));
@@ -198,7 +198,7 @@ TEST(Training, GoesOnFromATable) {
   }
 }
 
-TEST(Training, GoesOnFromATableOfItsOwnStatesOnly) {
+TEST(Training, RefusesATableOfAnotherStateSet) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   TrainingConfig other = configFor(folder, "s.yaml", 1, 1);
@@ -209,7 +209,7 @@ TEST(Training, GoesOnFromATableOfItsOwnStatesOnly) {
   EXPECT_THROW(Training(configFor(folder, "s.yaml", 1, 1), begin), ShapeError);
 }
 
-TEST(Training, ResultSaysWhatItWasTrainedWith) {
+TEST(Training, ResultContainsModelSeedAndParameters) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   const TrainingConfig config = configFor(folder, "s.yaml", 1, 9);
@@ -221,14 +221,14 @@ TEST(Training, ResultSaysWhatItWasTrainedWith) {
   EXPECT_EQ(trained.parameters.epsilon, 0.1);
 }
 
-TEST(Training, ScenariosThatCannotBeRead) {
+TEST(Training, ReportsUnreadableScenarios) {
   const TemporaryFolder folder;
   folder.write("bad.yaml", "name: bad\n");
   EXPECT_THROW(configFor(folder, "nowhere.yaml", 1, 1), InputError);
   EXPECT_THROW(Training(configFor(folder, "bad.yaml", 1, 1)), InputError);
 }
 
-TEST(RunEpisode, PlaysToTheEndAndHandsTheNumberToTheLearner) {
+TEST(RunEpisode, PlaysToTheEndWithTheNumberOfTheEpisode) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   const TrainingConfig config = configFor(folder, "s.yaml", 1, 1);
@@ -247,7 +247,7 @@ TEST(RunEpisode, PlaysToTheEndAndHandsTheNumberToTheLearner) {
   EXPECT_NE(play(1), play(2));  // another episode explores otherwise
 }
 
-TEST(Training, AgentsThatKeepTheirHeadingLearnFromWhereTheEpisodeBeforeLeftThem) {
+TEST(Training, KeptHeadingsComeFromThePreviousEpisode) {
   const TemporaryFolder folder;
   const std::string agents =
       "name: pair\nduration: 2\ngoal_tolerance: 0.3\nagents:\n"

@@ -22,7 +22,7 @@ using scenes::wanderer;
 
 AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
 
-TEST(Trajectory, TinyRunAsText) {
+TEST(Trajectory, WritesASmallRun) {
   // Agent 0 arrives in tick 2, agent 1 in tick 3; agent 2 is taken away after tick 1.
   World world(scenes::halfSeconds(
       scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), agent({-1.25, 3.0}, {1.75, 3.0}, 2.0), wanderer({0.0, -3.0})})));
@@ -66,7 +66,7 @@ TEST(Trajectory, NumbersReadBackBitForBit) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
-TEST(TrajectoryFile, HoldsHeaderAndWhatWasAppended) {
+TEST(TrajectoryFile, ContainsHeaderAndAppendedRows) {
   const TemporaryFolder folder;
   TrajectoryFile file(folder.file("deep/down"), "circle6");  // makes the folders
   const std::string path = folder.file("deep/down/circle6.csv");
@@ -77,7 +77,7 @@ TEST(TrajectoryFile, HoldsHeaderAndWhatWasAppended) {
   EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n0,0,0,1.5,2\n1,0,0,3,4\n1,1,0,3,4\n");
 }
 
-TEST(TrajectoryFile, BeginsAnew) {
+TEST(TrajectoryFile, ReplacesAnOlderFile) {
   const TemporaryFolder folder;
   folder.write("line6.csv", "left over from a longer run, much longer than the header\n");
   const TrajectoryFile file(folder.path(), "line6");
@@ -93,7 +93,7 @@ void expectContains(const std::string& text, const std::string& part) {
   EXPECT_TRUE(contains(text, part)) << "'" << text << "' lacks '" << part << "'";
 }
 
-TEST(TrajectoryFile, FolderThatCannotBeMade) {
+TEST(TrajectoryFile, ReportsAFolderThatCannotBeCreated) {
   const TemporaryFolder folder;
   const std::string file = folder.write("a_file", "no folder");
   const std::string message = fileError(file + "/below", "line6");
@@ -101,7 +101,7 @@ TEST(TrajectoryFile, FolderThatCannotBeMade) {
   expectContains(message, "Not a directory");
 }
 
-TEST(TrajectoryFile, FileThatCannotBeOpened) {
+TEST(TrajectoryFile, ReportsAFileThatCannotBeOpened) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("line6.csv"));
   const std::string message = fileError(folder.path(), "line6");
@@ -109,7 +109,7 @@ TEST(TrajectoryFile, FileThatCannotBeOpened) {
   expectContains(message, "Is a directory");
 }
 
-TEST(TrajectoryFile, DiskThatIsFull) {
+TEST(TrajectoryFile, ReportsAFullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   const TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder.file("line6.csv"));

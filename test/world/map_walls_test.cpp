@@ -28,20 +28,20 @@ Numbers numbersOf(const std::vector<Segment>& walls) {
 
 Numbers wallsOf(const Rows& rows) { return numbersOf(traceWalls(maps::drawn(rows))); }
 
-TEST(MapWalls, FreeMapHasItsOuterEdge) {
+TEST(MapWalls, FreeMapHasWallsAtItsOuterEdge) {
   EXPECT_EQ(wallsOf({"...", "...", "..."}), (Numbers{{0, 0, 3, 0}, {0, 0, 0, 3}, {3, 0, 3, 3}, {0, 3, 3, 3}}));
 }
 
-TEST(MapWalls, MapWithoutFreeCellsHasNone) {
+TEST(MapWalls, MapWithoutFreeCellsHasNoWalls) {
   EXPECT_TRUE(wallsOf({"###", "#?#", "???"}).empty());
   EXPECT_TRUE(wallsOf({"?"}).empty());
 }
 
-TEST(MapWalls, FreeCellHasFour) {
+TEST(MapWalls, SingleFreeCellHasFourWalls) {
   EXPECT_EQ(wallsOf({"###", "#.#", "???"}), (Numbers{{1, 1, 2, 1}, {1, 1, 1, 2}, {2, 1, 2, 2}, {1, 2, 2, 2}}));
 }
 
-TEST(MapWalls, PillarHasFourWithinTheOuterEdge) {
+TEST(MapWalls, OccupiedCellHasFourWallsWithinTheOuterEdge) {
   EXPECT_EQ(wallsOf({"...", ".#.", "..."}), (Numbers{{0, 0, 3, 0},
                                                      {1, 1, 2, 1},
                                                      {1, 1, 1, 2},
@@ -52,7 +52,7 @@ TEST(MapWalls, PillarHasFourWithinTheOuterEdge) {
                                                      {0, 3, 3, 3}}));
 }
 
-TEST(MapWalls, UnknownIsAWallAndBordersNothingOccupied) {
+TEST(MapWalls, WallsSeparateFreeCellsFromUnknownAndOccupiedOnesOnly) {
   EXPECT_EQ(wallsOf({"?##", "??#", ".??"}), (Numbers{{0, 0, 1, 0}, {0, 0, 0, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}}));
 }
 
@@ -66,7 +66,7 @@ TEST(MapWalls, StraightWallContinuesWhereTheFreeSideChanges) {
                                             {1, 2, 2, 2}}));  // above it
 }
 
-TEST(MapWalls, OriginYawAndResolutionPlaceThem) {
+TEST(MapWalls, DependOnOriginYawAndResolution) {
   const std::vector<Segment> walls = traceWalls(maps::drawn({"#.#"}, 0.5, {{10.0, 20.0}, PI / 2.0}));
   ASSERT_EQ(walls.size(), 4U);
   // The free cell is 0.5 m to 1 m along +y, and its row 0.5 m wide along -x.
@@ -166,7 +166,7 @@ double distanceToBlocked(const OccupancyMap& map, const Vector2& point, double l
   return nearest;
 }
 
-TEST(MapWalls, AreAsNearAsTheNearestBlockedCell) {
+TEST(MapWalls, AreAsNearAsTheNearestCellThatIsNotFree) {
   int points = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

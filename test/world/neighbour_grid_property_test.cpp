@@ -25,7 +25,7 @@ using neighbour_grids::lookAtAll;
 using neighbour_grids::randomDiscs;
 using neighbour_grids::sorted;
 
-TEST(NeighbourGrid, FindsWhatLookingAtAllFinds) {
+TEST(NeighbourGrid, FindsTheSameAsASearchOfAllDiscs) {
   std::size_t found_discs = 0;
   checkManyPlaces([&](const std::vector<Disc>& discs, double extent, KeyedRandom& random) {
     compareWithAll(discs, random.uniform(0.1, 4.0), extent, random);
@@ -34,7 +34,7 @@ TEST(NeighbourGrid, FindsWhatLookingAtAllFinds) {
   EXPECT_GT(found_discs, 1000U);  // or there was nothing to compare
 }
 
-TEST(NeighbourGrid, AnyIsNearWhereSomeAreFound) {
+TEST(NeighbourGrid, IsAnyNearAgreesWithFindNear) {
   std::size_t times = 0;
   checkManyPlaces([&](const std::vector<Disc>& discs, double /*extent*/, KeyedRandom& random) {
     const NeighbourGrid grid = gridOf(discs, random.uniform(0.1, 4.0));
@@ -51,7 +51,7 @@ TEST(NeighbourGrid, AnyIsNearWhereSomeAreFound) {
   EXPECT_LT(times, 2700U);  // or always
 }
 
-TEST(NeighbourGrid, RunsHoldAllThatAreNearAndAreCounted) {
+TEST(NeighbourGrid, RunsContainAllNearDiscsAndCountThem) {
   std::size_t lists = 0;
   checkManyPlaces([&](const std::vector<Disc>& discs, double extent, KeyedRandom& random) {
     const NeighbourGrid grid = gridOf(discs, random.uniform(0.1, 4.0));
@@ -75,7 +75,7 @@ TEST(NeighbourGrid, RunsHoldAllThatAreNearAndAreCounted) {
   EXPECT_LT(lists, 60U);
 }
 
-TEST(NeighbourGrid, TellsWhetherAnybodyIsNear) {
+TEST(NeighbourGrid, IsAnyNearAgreesWithASearchOfAllDiscs) {
   std::size_t times = 0;
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -98,7 +98,7 @@ TEST(NeighbourGrid, TellsWhetherAnybodyIsNear) {
   EXPECT_LT(times, 1800U);  // or always
 }
 
-TEST(NeighbourGrid, MovedDiscsAreFoundAsIfAddedThere) {
+TEST(NeighbourGrid, FindsMovedDiscsAsIfAddedThere) {
   checkManyPlaces([](const std::vector<Disc>& discs, double extent, KeyedRandom& random) {
     NeighbourGrid moved = gridOf(discs, 2.0);
     std::vector<Disc> after = discs;
@@ -116,7 +116,7 @@ TEST(NeighbourGrid, MovedDiscsAreFoundAsIfAddedThere) {
   });
 }
 
-TEST(NeighbourGrid, DiscsStayWhatTheyAreWhereverTheyStand) {
+TEST(NeighbourGrid, KeepsTheDataOfEachDisc) {
   checkManyPlaces([](std::vector<Disc> discs, double /*extent*/, KeyedRandom& random) {
     NeighbourGrid grid;
     for (Disc& disc : discs) {
@@ -135,7 +135,7 @@ TEST(NeighbourGrid, DiscsStayWhatTheyAreWhereverTheyStand) {
   });
 }
 
-TEST(NeighbourGrid, HugeExtentsNeitherCostMemoryNorLoseDiscs) {
+TEST(NeighbourGrid, FindsAllDiscsInHugeExtents) {
   for (const double extent : {1e5, 1e7, 1e9}) {
     SCOPED_TRACE("extent " + std::to_string(extent));
     KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
@@ -143,7 +143,7 @@ TEST(NeighbourGrid, HugeExtentsNeitherCostMemoryNorLoseDiscs) {
   }
 }
 
-TEST(NeighbourGrid, OrderDependsOnTheDiscsAlone) {
+TEST(NeighbourGrid, OrderDependsOnlyOnTheDiscs) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -163,7 +163,7 @@ TEST(NeighbourGrid, OrderDependsOnTheDiscsAlone) {
   }
 }
 
-TEST(NeighbourGrid, AfterClearItIsAsNew) {
+TEST(NeighbourGrid, EqualsANewGridAfterClear) {
   KeyedRandom random(3, KeyedRandom::PLACEMENT, {});
   const std::vector<Disc> before = randomDiscs(random, 1e6);
   const std::vector<Disc> after = randomDiscs(random, 10.0);

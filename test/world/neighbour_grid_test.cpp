@@ -17,40 +17,40 @@ using neighbour_grids::Found;
 using neighbour_grids::gridOf;
 using neighbour_grids::sorted;
 
-TEST(NeighbourGrid, EmptyFindsNothing) {
+TEST(NeighbourGrid, EmptyGridFindsNothing) {
   EXPECT_TRUE(find(gridOf({}, 2.0), {0.0, 0.0}, 1e9).empty());
   EXPECT_TRUE(find(NeighbourGrid(), {0.0, 0.0}, 1e9).empty());
 }
 
-TEST(NeighbourGrid, RimCountsNotCentre) {
+TEST(NeighbourGrid, MeasuresDistancesToTheRim) {
   const NeighbourGrid grid = gridOf({{{3.0, 4.0}, 1.0, 42}}, 2.0);
   EXPECT_EQ(find(grid, {0.0, 0.0}, 4.0), Found{42});
   EXPECT_TRUE(find(grid, {0.0, 0.0}, 3.999999).empty());
   EXPECT_EQ(find(grid, {3.5, 4.0}, 0.0), Found{42});  // inside
 }
 
-TEST(NeighbourGrid, NegativeDistanceMeansSoDeepInside) {
+TEST(NeighbourGrid, NegativeDistanceIsADepthWithinTheDisc) {
   const NeighbourGrid grid = gridOf({{{0.0, 0.0}, 0.25, 42}}, 2.0);
   EXPECT_EQ(find(grid, {0.125, 0.0}, -0.125), Found{42});
   EXPECT_TRUE(find(grid, {0.126, 0.0}, -0.125).empty());
   EXPECT_TRUE(find(grid, {0.01, 0.0}, -0.3).empty());  // no point is as deep in this disc
 }
 
-TEST(NeighbourGrid, LargeDiscReachesFarBeyondItsCell) {
+TEST(NeighbourGrid, FindsLargeDiscsFarFromTheirCells) {
   const NeighbourGrid grid = gridOf({{{0.0, 0.0}, 0.1, 1}, {{50.0, 50.0}, 60.0, 2}, {{99.0, 99.0}, 0.1, 3}}, 1.0);
   EXPECT_EQ(find(grid, {8.0, 8.0}, 1.0), Found{2});
   EXPECT_EQ(find(grid, {92.0, 8.0}, 1.0), Found{2});
   EXPECT_TRUE(find(grid, {5.0, 5.0}, 1.0).empty());  // 63.6 m from the centre
 }
 
-TEST(NeighbourGrid, AppendsToWhatIsThere) {
+TEST(NeighbourGrid, AppendsToTheList) {
   const NeighbourGrid grid = gridOf({{{0.0, 0.0}, 0.5, 5}}, 2.0);
   Found found = {9};
   grid.findNear({0.0, 0.0}, 1.0, found);
   EXPECT_EQ(found, (Found{9, 5}));
 }
 
-TEST(NeighbourGrid, DiscsMove) {
+TEST(NeighbourGrid, FindsMovedDiscsAtTheirNewPositions) {
   NeighbourGrid grid = gridOf({{{0.0, 0.0}, 0.5, 5}, {{9.0, 0.0}, 0.5, 6}}, 2.0);
   grid.move(1, {-2.0, 1.0}, {0.5, -0.25});
   grid.update();
@@ -61,7 +61,7 @@ TEST(NeighbourGrid, DiscsMove) {
   EXPECT_EQ(grid.velocity(1), Vector2(0.5, -0.25));
 }
 
-TEST(NeighbourGrid, ManyDiscsMoveOneAfterTheOther) {
+TEST(NeighbourGrid, FindsManyDiscsMovedOneAfterTheOther) {
   for (const std::uint32_t count : {32U, 33U, 100U}) {
     SCOPED_TRACE(count);
     std::vector<Disc> discs;
@@ -81,7 +81,7 @@ TEST(NeighbourGrid, ManyDiscsMoveOneAfterTheOther) {
   }
 }
 
-TEST(NeighbourGrid, HugeExtentAlongOneAxisOnly) {
+TEST(NeighbourGrid, FindsDiscsInAHugeExtentAlongOneAxis) {
   for (const Vector2& unit : {Vector2(1.0, 0.0), Vector2(0.0, 1.0)}) {
     std::vector<Disc> discs;
     for (std::uint32_t i = 0; i < 40; ++i) discs.push_back({std::pow(10.0, i) * unit, 0.5, i});
@@ -91,14 +91,14 @@ TEST(NeighbourGrid, HugeExtentAlongOneAxisOnly) {
   }
 }
 
-TEST(NeighbourGrid, OutlierAtTheEndOfTheNumbers) {
+TEST(NeighbourGrid, FindsDiscsBesideAnExtremeOutlier) {
   std::vector<Disc> discs(40, {{50.0, 50.0}, 0.5, 4});
   discs.insert(discs.end(), {{{0.0, 0.0}, 0.5, 1}, {{1.0, 0.0}, 0.5, 2}, {{1e300, -1e300}, 0.5, 3}});
   const NeighbourGrid grid = gridOf(discs, 2.0);
   EXPECT_EQ(sorted(find(grid, {0.0, 0.0}, 6.0)), (Found{1, 2}));
 }
 
-TEST(NeighbourGrid, EveryDiscOnTheSameSpot) {
+TEST(NeighbourGrid, FindsDiscsAtTheSamePosition) {
   const std::vector<Disc> discs(100, {{1.0, 2.0}, 0.25, 4});
   EXPECT_EQ(find(gridOf(discs, 2.0), {1.0, 3.0}, 0.75), Found(100, 4));
   EXPECT_TRUE(find(gridOf(discs, 2.0), {1.0, 3.0}, 0.74).empty());

@@ -17,21 +17,21 @@ using sceneries::Scenery;
 using sceneries::sees;
 using sceneries::SIGHT;
 
-TEST(OcclusionOfBodies, BehindABiggerOne) {
+TEST(OcclusionOfBodies, LargerBodyHidesTheBodyBehindIt) {
   EXPECT_FALSE(sees({{BIG, neighbour({5.0, 0.0}, 1.0)}, {}}));
   EXPECT_TRUE(sees({{neighbour({5.0, 0.0}, 1.0), BIG}, {}}));
   EXPECT_TRUE(sees({{BIG, neighbour({5.0, 0.0}, 4.0)}, {}}));  // reaches beyond it to either side
   EXPECT_TRUE(sees({{BIG, neighbour({-5.0, 0.0}, 1.0)}, {}}));
 }
 
-TEST(OcclusionOfBodies, EndsAtTheLineOfSightThatTouchesTheOther) {
+TEST(OcclusionOfBodies, EndsAtTheTangentLineOfSight) {
   // 0.5 m to the right of that line.
   const Vector2 behind = 5.0 * SIGHT - 0.5 * LEFT;
   EXPECT_FALSE(sees({{BIG, neighbour(behind, 0.4999)}, {}}));
   EXPECT_TRUE(sees({{BIG, neighbour(behind, 0.5001)}, {}}));
 }
 
-TEST(OcclusionOfBodies, BehindAWall) {
+TEST(OcclusionOfBodies, WallHidesTheBodyBehindIt) {
   const Segment wall{{2.0, -1.0}, {2.0, 1.0}};  // hides all that is less than 1 m aside for 2 m ahead
   EXPECT_FALSE(sees({{neighbour({4.0, 0.0}, 0.5)}, {wall}}));
   EXPECT_FALSE(sees({{neighbour({4.0, 1.2}, 0.5)}, {wall}}));
@@ -41,7 +41,7 @@ TEST(OcclusionOfBodies, BehindAWall) {
   EXPECT_TRUE(sees({{neighbour({1.75, 0.0}, 0.25)}, {wall}}));   // and from before
 }
 
-TEST(OcclusionOfBodies, BehindTwoThatTouch) {
+TEST(OcclusionOfBodies, TwoTouchingBodiesHideTheBodyBehindThem) {
   const Neighbour left = neighbour({2.0, 0.25}, 0.25);
   const Neighbour right = neighbour({2.0, -0.25}, 0.25);
   EXPECT_TRUE(sees({{left, right}, {}}));
@@ -50,7 +50,7 @@ TEST(OcclusionOfBodies, BehindTwoThatTouch) {
   EXPECT_FALSE(sees({{left, right, neighbour({4.0, 0.4}, 0.2)}, {}}));
 }
 
-TEST(OcclusionOfBodies, ThroughAGap) {
+TEST(OcclusionOfBodies, BodyBehindAGapIsVisible) {
   // The gap of 0.1 m spans 1.4 degrees to either side.
   const Neighbour left = neighbour({2.0, 0.3}, 0.25);
   const Neighbour right = neighbour({2.0, -0.3}, 0.25);
@@ -59,7 +59,7 @@ TEST(OcclusionOfBodies, ThroughAGap) {
   EXPECT_FALSE(sees({{left, right, neighbour({4.0, 0.4}, 0.2)}, {}}));
 }
 
-TEST(OcclusionOfBodies, NearerRimIsNotAlwaysInFront) {
+TEST(OcclusionOfBodies, BodyWithAFartherRimCanBeInFront) {
   // The rim of the large one is 2 m away, but where the small one stands, it recedes: 3.2 m along the line of sight
   // that touches it, 0.06 m aside.
   const Neighbour large = neighbour({5.0, 0.0}, 3.0);
@@ -67,7 +67,7 @@ TEST(OcclusionOfBodies, NearerRimIsNotAlwaysInFront) {
   EXPECT_FALSE(sees({{large, neighbour(6.0 * SIGHT - 0.06 * LEFT, 0.04)}, {}}));
 }
 
-TEST(OcclusionOfBodies, TheFlankMayBeHiddenByOneWithAFurtherRim) {
+TEST(OcclusionOfBodies, BodyWithAFartherRimCanHideTheFlank) {
   // The large one spans 36.9 degrees to either side. The near one hides it from -41.9 to 31.9 degrees; the one at its
   // flank, with its rim 2.28 m away, from 29.5 to 39.5.
   const Neighbour near = neighbour(unitVector(toRadians(-5.0)), 0.6);
@@ -79,7 +79,7 @@ TEST(OcclusionOfBodies, TheFlankMayBeHiddenByOneWithAFurtherRim) {
   EXPECT_EQ(look({{near, large}, {}}).neighbours.size(), 2U);
 }
 
-TEST(OcclusionOfBodies, NobodyLooksFromInsideABody) {
+TEST(OcclusionOfBodies, OverlappingBodiesHideNothing) {
   EXPECT_TRUE(sees({{neighbour({0.1, 0.0}, 0.5), neighbour({4.0, 0.0}, 0.2)}, {}}));
   EXPECT_TRUE(sees({{BIG, neighbour({0.1, 0.0}, 0.5)}, {}}));
   EXPECT_TRUE(sees({{neighbour({0.5, 0.0}, 0.1), neighbour({0.0, 0.0}, 2.0)}, {}}));

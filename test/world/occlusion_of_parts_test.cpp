@@ -24,18 +24,18 @@ using sceneries::Scenery;
 using sceneries::sees;
 using sceneries::SIGHT;
 
-TEST(OcclusionOfParts, HalfBehindAnother) {
+TEST(OcclusionOfParts, ReducesAHalfHiddenBodyToItsVisibleHalf) {
   // The line of sight that touches the big one goes through the centre: the left half is seen.
   expectLast({{BIG, neighbour(5.0 * SIGHT, 0.5)}, {}}, 5.0 * SIGHT + 0.25 * LEFT, 0.25);
 }
 
-TEST(OcclusionOfParts, BehindTheEndOfAWall) {
+TEST(OcclusionOfParts, ReducesABodyBehindTheEndOfAWall) {
   expectLast({{LARGE}, {hiding(-0.1, 0.25)}}, {5.0, 0.75}, 2.25);
   expectLast({{LARGE}, {hiding(0.4, 1.1)}}, {5.0, -1.8}, 1.2);
   expectLast({{LARGE}, {hiding(-0.1, 0.2), hiding(0.6, 1.1)}}, {5.0, -0.6}, 1.2);
 }
 
-TEST(OcclusionOfParts, WholeWhereNeitherFlankIsHidden) {
+TEST(OcclusionOfParts, KeepsABodyWithBothFlanksVisible) {
   const std::vector<Scenery> sceneries = {{{LARGE}, {hiding(0.3, 0.6)}},
                                           {{LARGE}, {hiding(0.001, 0.4), hiding(0.5, 0.999)}},
                                           {{neighbour({1.0, 0.0}, 0.1), LARGE}, {}},  // a narrow post
@@ -48,18 +48,18 @@ TEST(OcclusionOfParts, WholeWhereNeitherFlankIsHidden) {
   }
 }
 
-TEST(OcclusionOfParts, JumpsToTheRestWithTheLastGlimpseBesideAPost) {
+TEST(OcclusionOfParts, ChangesStepwiseWhenAFlankBecomesHidden) {
   expectLast({{LARGE}, {hiding(0.001, 0.4)}}, LARGE.position, LARGE.radius);
   expectLast({{LARGE}, {hiding(-0.001, 0.4)}}, {5.0, 1.2}, 1.8);
 }
 
-TEST(OcclusionOfParts, ShrinksToNothing) {
+TEST(OcclusionOfParts, ShrinksToZeroAsTheBodyBecomesHidden) {
   expectLast({{LARGE}, {hiding(-0.1, 0.99)}}, {5.0, 2.97}, 0.03);
   expectLast({{LARGE}, {hiding(-0.1, 0.9999)}}, {5.0, 2.9997}, 0.0003);
   EXPECT_FALSE(sees({{LARGE}, {hiding(-0.1, 1.0001)}}));
 }
 
-TEST(OcclusionOfParts, HidesAsTheWholeBodyDoes) {
+TEST(OcclusionOfParts, PartlyHiddenBodyHidesAsMuchAsTheWholeOne) {
   // What is perceived of the large one ends 5 degrees before the line of sight that touches it; who is hidden there
   // touches that line.
   const Segment wall = hiding(-0.1, 0.9);
@@ -68,7 +68,7 @@ TEST(OcclusionOfParts, HidesAsTheWholeBodyDoes) {
   EXPECT_TRUE(sees({{LARGE, neighbour(6.0 * SIGHT - 0.06 * LEFT, 0.0601)}, {wall}}));
 }
 
-TEST(OcclusionOfParts, BeyondTheRadiusOfVisionIsLeftOut) {
+TEST(OcclusionOfParts, OmitsPartsBeyondTheRadiusOfVision) {
   const Scenery cut = {{LARGE}, {hiding(-0.1, 0.25)}};
   const double rim = std::hypot(5.0, 0.75) - 2.25;  // 2.8 m; of the whole body 2 m
   EXPECT_EQ(look(cut, rim + 1e-9).neighbours.size(), 1U);
@@ -76,7 +76,7 @@ TEST(OcclusionOfParts, BeyondTheRadiusOfVisionIsLeftOut) {
   EXPECT_EQ(look({{LARGE}, {hiding(0.3, 0.6)}}, 2.0).neighbours.size(), 1U);
 }
 
-TEST(OcclusionOfParts, StandInOrderOfWhatIsSeen) {
+TEST(OcclusionOfParts, OrdersBodiesByTheirVisibleParts) {
   // The rim of the large one goes from 2 to 2.8 m.
   const Scenery seen = look(numbered({{neighbour({-1.5, 0.0}, 0.5), LARGE, neighbour({-2.0, -2.0}, 0.3),
                                        neighbour({0.0, 3.0}, 0.3), neighbour({0.0, -4.0}, 0.5)},
@@ -86,7 +86,7 @@ TEST(OcclusionOfParts, StandInOrderOfWhatIsSeen) {
   EXPECT_EQ(order, (std::vector<std::size_t>{0, 2, 3, 1, 4}));
 }
 
-TEST(OcclusionOfParts, EqualOnesStayInOrder) {
+TEST(OcclusionOfParts, KeepsTheOrderOfEqualBodies) {
   // Bodies in the same place do not hide each other.
   const Scenery seen = look(numbered({{LARGE, LARGE, LARGE}, {hiding(-0.1, 0.25)}}));
   ASSERT_EQ(seen.neighbours.size(), 3U);

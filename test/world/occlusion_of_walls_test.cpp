@@ -16,7 +16,7 @@ using sceneries::look;
 using sceneries::neighbour;
 using sceneries::Scenery;
 
-TEST(OcclusionOfWalls, CutByABody) {
+TEST(OcclusionOfWalls, BodyCutsTheWallBehindIt) {
   const Segment wall{{4.0, -6.0}, {4.0, 6.0}};
   expectWalls(look({{BIG}, {wall}}), {{{4.0, -6.0}, {4.0, -3.0}}, {{4.0, 3.0}, {4.0, 6.0}}});
   expectWalls(look({{BIG}, {{wall.to, wall.from}}}), {{{4.0, -3.0}, {4.0, -6.0}}, {{4.0, 6.0}, {4.0, 3.0}}});
@@ -24,35 +24,35 @@ TEST(OcclusionOfWalls, CutByABody) {
   expectWalls(look({{BIG}, {{{0.5, -6.0}, {0.5, 6.0}}}}), {{{0.5, -6.0}, {0.5, 6.0}}});  // it is in front
 }
 
-TEST(OcclusionOfWalls, CutBehindTheAgentToo) {
+TEST(OcclusionOfWalls, BodyBehindTheAgentCutsTheWallBehindIt) {
   const Scenery seen = look({{neighbour({-2.0, 0.0}, 1.2)}, {{{-4.0, -6.0}, {-4.0, 6.0}}}});
   expectWalls(seen, {{{-4.0, 3.0}, {-4.0, 6.0}}, {{-4.0, -6.0}, {-4.0, -3.0}}});
 }
 
-TEST(OcclusionOfWalls, CutByAWall) {
+TEST(OcclusionOfWalls, WallCutsTheWallBehindIt) {
   const Segment front{{2.0, 0.0}, {2.0, 1.0}};
   const Segment back{{4.0, -2.0}, {4.0, 1.0}};
   expectWalls(look({{}, {front, back}}), {front, {{4.0, -2.0}, {4.0, 0.0}}});
 }
 
-TEST(OcclusionOfWalls, WallsThatCross) {
+TEST(OcclusionOfWalls, CrossingWallsCutEachOther) {
   // They cross straight ahead, at (3, 0). To the right the slanting one is in front, to the left the other.
   const Segment slanting{{2.0, -2.0}, {4.0, 2.0}};
   const Segment across{{3.0, -3.0}, {3.0, 3.0}};
   expectWalls(look({{}, {slanting, across}}), {{{2.0, -2.0}, {3.0, 0.0}}, {{3.0, 0.0}, {3.0, 3.0}}});
 }
 
-TEST(OcclusionOfWalls, CornersStayWhole) {
+TEST(OcclusionOfWalls, WallsOfACornerStayWhole) {
   const std::vector<Segment> corner = {{{2.0, -1.0}, {2.0, 1.0}}, {{2.0, 1.0}, {-1.0, 1.0}}};
   expectWalls(look({{}, corner}), corner);
 }
 
-TEST(OcclusionOfWalls, TwiceTheSameWallIsSeenTwice) {
+TEST(OcclusionOfWalls, EqualWallsAreBothVisible) {
   const std::vector<Segment> twice = {{{2.0, -1.0}, {2.0, 1.0}}, {{2.0, 1.0}, {2.0, -1.0}}};
   expectWalls(look({{}, twice}), twice);
 }
 
-TEST(OcclusionOfWalls, PartsBeyondTheRadiusOfVisionAreLeftOut) {
+TEST(OcclusionOfWalls, OmitsPartsBeyondTheRadiusOfVision) {
   // Of the wall beside the agent a disc hides what is near it, the rest is more than 2 m away.
   const Segment wall{{0.0, 1.0}, {8.0, 1.0}};
   const Neighbour hiding = neighbour({0.6, 0.7}, 0.28);

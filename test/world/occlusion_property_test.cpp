@@ -35,7 +35,7 @@ void checkSceneries(std::uint64_t count, const Check& check) {
   }
 }
 
-TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
+TEST(OcclusionProperty, AgreesWithLinesOfSightInAllDirections) {
   std::size_t hidden = 0;
   std::size_t in_sight = 0;
   double hidden_length = 0.0;
@@ -56,7 +56,7 @@ TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
   EXPECT_GT(hidden_length, 500.0);
 }
 
-TEST(OcclusionProperty, DiscsSpanWhatIsSeen) {
+TEST(OcclusionProperty, DiscsSpanTheVisibleParts) {
   std::size_t whole = 0;
   std::size_t cut = 0;
   checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
@@ -88,7 +88,7 @@ TEST(OcclusionProperty, DiscsSpanWhatIsSeen) {
   EXPECT_GT(whole, 500U);
 }
 
-TEST(OcclusionProperty, DiscsAreSeenWhereThePartsAre) {
+TEST(OcclusionProperty, DiscsCoverTheBearingsOfTheVisibleParts) {
   // The shares are those of the chord through the tangent points, the disc lies about the body's centre. A point at the
   // end of the chord is seen asin(R/d) aside, at the end of the diameter atan(R/d): about (R/d)^3 / 2 less. For R/d up
   // to 0.6 no share makes a larger difference, at 0.2 it is 0.23 degrees.
@@ -166,7 +166,7 @@ void expectChangesBelow(double most, std::size_t number, const Look& before, con
   }
 }
 
-TEST(OcclusionProperty, DiscsChangeLittleWhereBodiesMoveLittle) {
+TEST(OcclusionProperty, SmallMotionsOfBodiesChangeDiscsOnlySlightly) {
   // A line of sight that touches a body 1 m or more away turns by no more than the body moves. On a disc within 9.5 m
   // it moves by at most 9.5 / cos(asin(0.5)) = 11 times that, and the disc goes along with a body that moves.
   constexpr double STEP = 2e-3;
@@ -199,7 +199,7 @@ TEST(OcclusionProperty, DiscsChangeLittleWhereBodiesMoveLittle) {
   EXPECT_LT(count.glimpses, count.come_and_gone);
 }
 
-TEST(OcclusionProperty, TakingSomethingAwayHidesNobody) {
+TEST(OcclusionProperty, RemovingABodyOrWallHidesNoOther) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Scenery scenery = randomScenery(seed, seed % 2 == 0);
@@ -222,7 +222,7 @@ TEST(OcclusionProperty, TakingSomethingAwayHidesNobody) {
   }
 }
 
-TEST(OcclusionProperty, NearestBodyIsAlwaysSeen) {
+TEST(OcclusionProperty, NearestBodyIsAlwaysVisible) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Scenery scenery = randomScenery(seed, true);
@@ -232,7 +232,7 @@ TEST(OcclusionProperty, NearestBodyIsAlwaysSeen) {
   }
 }
 
-TEST(OcclusionProperty, WhatIsHiddenHidesNothing) {
+TEST(OcclusionProperty, HiddenBodiesHideNothing) {
   std::size_t hidden = 0;
   checkSceneries(200, [&](const Scenery& scenery, const Scenery& seen) {
     Scenery less = scenery;

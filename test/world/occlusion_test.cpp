@@ -17,7 +17,7 @@ using sceneries::LARGE;
 using sceneries::neighbour;
 using sceneries::SIGHT;
 
-TEST(OcclusionOfOthers, StaysAsItIs) {
+TEST(OcclusionOfOthers, KeepsTheFirstEntriesOfTheLists) {
   // Of those before, one would be hidden and one partly.
   std::vector<Neighbour> neighbours = {BIG, neighbour({9.0, 0.0}, 0.1),  neighbour(5.0 * SIGHT, 0.5),
                                        BIG, neighbour(5.0 * SIGHT, 0.5), neighbour({5.0, 0.0}, 0.1)};
@@ -33,7 +33,7 @@ TEST(OcclusionOfOthers, StaysAsItIs) {
   EXPECT_EQ(walls[0].from, Vector2(7.0, -0.1));
 }
 
-TEST(OcclusionInTheWorld, OnlyOnRequest) {
+TEST(OcclusionInTheWorld, AppliesOnlyOnRequest) {
   const Scene line = scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({2.0, 0.0}),
                                     scenes::wanderer({4.0, 0.0}), scenes::wanderer({0.0, 5.0})},
                                    {}, {{{5.0, -0.2}, {5.0, 0.2}}, {{-3.0, -1.0}, {-3.0, 1.0}}});
@@ -55,7 +55,7 @@ TEST(OcclusionInTheWorld, OnlyOnRequest) {
   EXPECT_EQ(seen.agents[0].neighbour_count, 1U);
 }
 
-TEST(OcclusionInTheWorld, MaxNeighboursCountsThoseThatAreSeen) {
+TEST(OcclusionInTheWorld, MaxNeighboursLimitsVisibleNeighbours) {
   World world(scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({2.0, 0.0}), scenes::wanderer({4.0, 0.0}),
                              scenes::wanderer({0.0, 5.0})}));
   Perceptions seen;
@@ -65,7 +65,7 @@ TEST(OcclusionInTheWorld, MaxNeighboursCountsThoseThatAreSeen) {
   EXPECT_EQ(first.neighbours[1].position, Vector2(0.0, 5.0));
 }
 
-TEST(OcclusionInTheWorld, MaxNeighboursCountsTheNearestPartsThatAreSeen) {
+TEST(OcclusionInTheWorld, MaxNeighboursKeepsTheNearestVisibleParts) {
   Scene scene = scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({0.0, 2.75})},
                               {scenes::pillar(LARGE.position, LARGE.radius)}, {hiding(-0.1, 0.25)});
   World world(scene);

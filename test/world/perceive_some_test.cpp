@@ -39,7 +39,7 @@ Ids agentsAmong(const World& world, std::size_t begin, std::size_t end) {
   return agentsOf(Eyes().look(world, FAR_SIGHT, begin, end));
 }
 
-TEST(PerceiveSome, TellsOfTheAgentsAmongTheBodies) {
+TEST(PerceiveSome, PerceivesForTheAgentsAmongTheBodies) {
   const World world(scenes::scene({wanderer({0.0, 0.0}), wanderer({3.0, 0.0}), wanderer({6.0, 0.0})},
                                   {pillar({0.0, 5.0}, 0.5), pillar({3.0, 5.0}, 0.5)}));
   ASSERT_EQ(world.bodyCount(), 5U);
@@ -74,7 +74,7 @@ TEST(PerceiveSome, ByHand) {
   expectVector(seen.walls[0].to, 4.5, 4.0);
 }
 
-TEST(PerceiveSome, LeavesOutWhoHasArrivedOrWasRemoved) {
+TEST(PerceiveSome, OmitsArrivedAndRemovedAgents) {
   World world(scenes::halfSeconds(
       scenes::scene({agent({0.0, 0.0}, {0.5, 0.0}, 1.0), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})));
   world.step({ahead(0)});
@@ -136,7 +136,7 @@ Everybody seenInBlocks(const World& world, const Vision& vision, std::size_t lon
   return everybody;
 }
 
-TEST(PerceiveSome, SeesTheSameAsPerceiveInWhateverBlocks) {
+TEST(PerceiveSome, AgreesWithPerceiveForAnyBlocks) {
   const std::array<Vision, 4> visions = {{{6.0, 0}, {6.0, 3}, {6.0, 0, true}, {3.0, 3, true}}};
   std::array<Count, 4> counts;
   std::array<Eyes, 3> eyes;

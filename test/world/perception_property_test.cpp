@@ -51,7 +51,7 @@ void expectSameNeighbour(const Neighbour& neighbour, const Neighbour& expected) 
   EXPECT_EQ(neighbour.kind, expected.kind);
 }
 
-TEST(PerceptionProperty, AgreesWithLookingAtEverything) {
+TEST(PerceptionProperty, AgreesWithASearchOfAllBodies) {
   std::size_t neighbours = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -75,7 +75,7 @@ TEST(PerceptionProperty, AgreesWithLookingAtEverything) {
   EXPECT_GT(neighbours, 10000U);
 }
 
-TEST(PerceptionProperty, FewerBodiesAreTheFirstOfMoreBitForBit) {
+TEST(PerceptionProperty, LimitedNeighboursAreTheFirstOfAllBitForBit) {
   std::size_t neighbours = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     World world(scenes::randomScene(seed, 60));
@@ -148,7 +148,7 @@ void expectSamePerceptions(const Perceptions& seen, const Perceptions& expected)
   }
 }
 
-TEST(PerceptionProperty, TurningAndMovingTheWholeWorldChangesNothing) {
+TEST(PerceptionProperty, IsInvariantUnderRotationAndTranslationOfTheWorld) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Scene crowd = scenes::randomScene(seed);

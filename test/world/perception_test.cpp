@@ -64,7 +64,7 @@ TEST(PerceptionFrame, VelocitiesByHand) {
   EXPECT_FALSE(seen.agents[2].acted);
 }
 
-TEST(PerceptionFrame, VelocityOfWhoStopsIsZeroAgain) {
+TEST(PerceptionFrame, VelocityOfAStoppedAgentIsZero) {
   World world(scene({wanderer({0.0, 0.0}), wanderer({3.0, 0.0})}));
   world.step({{0, {0.0, 1.0}}, {1, {0.0, 1.0}}});
   world.step({});
@@ -73,7 +73,7 @@ TEST(PerceptionFrame, VelocityOfWhoStopsIsZeroAgain) {
   expectVector(seen.neighbours[0].velocity, 0.0, 0.0);
 }
 
-TEST(PerceptionFrame, GoalIsTheNextOfSeveral) {
+TEST(PerceptionFrame, GoalIsTheNextOfSeveralGoals) {
   AgentStart rounder = agent({0.0, 0.0}, {0.5, 0.0}, 1.0);
   rounder.goals.emplace_back(0.5, 7.0);
   World world(scenes::halfSeconds(scene({rounder})));
@@ -82,7 +82,7 @@ TEST(PerceptionFrame, GoalIsTheNextOfSeveral) {
   expectVector(perceive(world).agents[0].goal, 0.0, 7.0);
 }
 
-TEST(PerceptionRange, ReachesToTheRim) {
+TEST(PerceptionRange, IsMeasuredToTheRim) {
   const auto count = [](double x, double radius) {
     return bodyCount(scene({wanderer({0.0, 0.0})}, {pillar({x, 0.0}, radius)}), 2.0);
   };
@@ -93,11 +93,11 @@ TEST(PerceptionRange, ReachesToTheRim) {
   EXPECT_EQ(count(0.1, 0.05), 1U);  // inside the own body
 }
 
-TEST(PerceptionRange, ZeroVisionStillPerceivesWhatOneStandsIn) {
+TEST(PerceptionRange, ZeroVisionPerceivesOverlappingBodies) {
   EXPECT_EQ(bodyCount(scene({wanderer({0.0, 0.0}), wanderer({0.2, 0.0}), wanderer({0.3, 0.0})}), 0.0), 1U);
 }
 
-TEST(PerceptionOrder, NearestRimFirst) {
+TEST(PerceptionOrder, SortsNeighboursByRimDistance) {
   // Centres at 3, 1.5, 5 and 2 m, rims at 2.9, 1.4, 0.5 and 1.75 m.
   const Perceptions seen =
       perceive(scene({wanderer({0.0, 0.0}), wanderer({0.0, 2.0})},
@@ -123,7 +123,7 @@ TEST(PerceptionOrder, MaxNeighboursKeepsTheNearestRims) {
   EXPECT_EQ(perceive(crowded, {6.0, 0}).agents[0].neighbour_count, 4U);  // 0: no limit
 }
 
-TEST(PerceptionWalls, InTheFrameOfTheAgentWithinItsVision) {
+TEST(PerceptionWalls, AreInTheFrameOfTheAgentAndWithinItsVision) {
   AgentStart north = wanderer({1.0, 1.0});
   north.heading = PI / 2;
   const std::vector<Segment> walls = {{{-1.0, 0.0}, {-1.0, 5.0}}, {{2.0, 8.0}, {4.0, 8.0}}, {{5.0, -9.0}, {5.0, 9.0}}};
@@ -136,7 +136,7 @@ TEST(PerceptionWalls, InTheFrameOfTheAgentWithinItsVision) {
   EXPECT_EQ(perceive(scene({north}, {}, walls), {7.2, 0}).agents[0].wall_count, 3U);
 }
 
-TEST(PerceptionList, SaysWhenItIsAndReplacesWhatStoodThere) {
+TEST(PerceptionList, SetsTheTimeAndReplacesOldPerceptions) {
   World world(scenes::halfSeconds(scene({wanderer({0.0, 0.0}), wanderer({1.0, 0.0})})));
   Perceptions perceptions = perceive(scenes::randomScene(1));
   perceptions.episode = 17;
@@ -153,7 +153,7 @@ TEST(PerceptionList, SaysWhenItIsAndReplacesWhatStoodThere) {
   EXPECT_TRUE(perceptions.last);
 }
 
-TEST(PerceptionList, LastPerceptionOfWhoArrivesTellsOfTheOthers) {
+TEST(PerceptionList, LastPerceptionOfAnArrivingAgentContainsItsNeighbours) {
   World world(scenes::halfSeconds(scene({agent({0.0, 0.0}, {0.5, 0.0}, 1.0), wanderer({2.5, 0.0})})));
   world.step({{0, {0.0, 1.0}}});
   const Perceptions seen = perceive(world);

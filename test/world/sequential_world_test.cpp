@@ -13,7 +13,6 @@ namespace crowd {
 namespace {
 
 using scenes::moving_obstacle;
-using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
 
@@ -28,7 +27,7 @@ Perceptions lookOf(World& world, AgentId id) {
   return perceptions;
 }
 
-TEST(SequentialWorld, TheNextAgentPerceivesWhereTheOneBeforeHasGone) {
+TEST(SequentialWorld, PerceptionContainsMovesOfEarlierTurns) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.moveAgent(0, {ahead(0)});
   const Perceptions seen = lookOf(world, 1);
@@ -40,7 +39,7 @@ TEST(SequentialWorld, TheNextAgentPerceivesWhereTheOneBeforeHasGone) {
   expectVector(seen.neighbours[0].velocity, 1.0, 0.0);
 }
 
-TEST(SequentialWorld, AnAgentPerceivesTheOthersOfTheTickBeforeUntilTheyMove) {
+TEST(SequentialWorld, PerceptionContainsThePreviousTickOfLaterTurns) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.moveAgent(0, {ahead(0)});
   world.moveAgent(1, {{1, {PI, 1.0}}});
@@ -59,7 +58,7 @@ TEST(SequentialWorld, ObstaclesMoveAtTheEndOfTheTick) {
   expectVector(lookOf(world, 0).neighbours[0].position, 3.0, 0.5);
 }
 
-TEST(SequentialWorld, AnAgentThatStaysInItsTurnIsPerceivedStanding) {
+TEST(SequentialWorld, AnAgentThatStaysInItsTurnIsPerceivedWithoutVelocity) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.step({ahead(0)});
   world.moveAgent(0, {});
@@ -78,7 +77,7 @@ TEST(SequentialWorld, AnAgentWithoutATurnStays) {
   expectVector(world.agents()[1].velocity, 0.0, 0.0);
 }
 
-TEST(SequentialWorld, TakesTheActionOfTheAgentOnly) {
+TEST(SequentialWorld, UsesOnlyTheActionOfTheAgent) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.moveAgent(0, {ahead(1), ahead(0)});
   expectVector(world.agents()[0].pose.position, 0.5, 0.0);
@@ -94,7 +93,7 @@ TEST(SequentialWorld, RefusesAnInvalidActionBeforeAnythingMoves) {
   expectVector(world.agents()[0].pose.position, 0.0, 0.0);
 }
 
-TEST(SequentialWorld, InASolidWorldEachStopsAtWhereTheOthersAreThen) {
+TEST(SequentialWorld, SolidAgentsStopAtThePresentPositionsOfOthers) {
   // Their bodies of 0.25 m are 0.25 m apart. The first walks up to the second, which then walks away.
   World world(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({0.75, 0.0}, 1.0)})));
   world.moveAgent(0, {ahead(0)});
@@ -113,7 +112,7 @@ TEST(SequentialWorld, InASolidWorldEachStopsAtWhereTheOthersAreThen) {
   EXPECT_FALSE(together.agents()[0].blocked);
 }
 
-TEST(SequentialWorld, InASolidWorldObstaclesPushAtTheEndOfTheTick) {
+TEST(SequentialWorld, SolidObstaclesPushAtTheEndOfTheTick) {
   // The obstacle comes with 1 m/s; after the agent's turn their rims are 0.25 m apart.
   World world(
       scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {moving_obstacle({0.75, 0.0}, {-1.0, 0.0}, 0.25)})));
@@ -133,7 +132,7 @@ void walkOneByOne(World& world, const std::vector<AgentAction>& actions) {
   world.endTick();
 }
 
-TEST(SequentialWorld, GhostsThatDoNotLookEndWhereTheyWouldTogether) {
+TEST(SequentialWorld, GhostsWithGivenActionsMoveAsInASimultaneousWorld) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Scene scene = seed % 4 == 3 ? scenes::randomCrowd(seed) : scenes::randomScene(seed);

@@ -50,7 +50,7 @@ std::vector<AgentAction> pressingActions(const World& world, KeyedRandom& random
   return actions;
 }
 
-TEST(SolidWorldProperty, NobodyEverOverlaps) {
+TEST(SolidWorldProperty, AgentsNeverOverlap) {
   std::uint64_t blocked = 0;
   std::uint64_t moves = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
@@ -121,7 +121,7 @@ void expectNoOverlapOnTheWay(const World& world, const std::vector<Walk>& walks,
   }
 }
 
-TEST(SolidWorldProperty, EverybodyWalksUpToWhatStopsItAndThroughNothing) {
+TEST(SolidWorldProperty, AgentsStopOnlyAtContactsAndPassThroughNothing) {
   constexpr int INSTANTS = 40;
   int blocked = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
@@ -180,7 +180,7 @@ TEST(SolidWorldProperty, OrderOfAgentsAndActionsDoesNotMatter) {
   }
 }
 
-TEST(SolidWorldProperty, WhereNothingTouchesItIsAGhostWorldBitForBit) {
+TEST(SolidWorldProperty, WithoutContactsEqualsAGhostWorldBitForBit) {
   Scene ghosts = scene({}, {pillar({50.0, 50.0}, 0.5), moving_obstacle({-50.0, 50.0}, {0.3, 0.1}, 0.5)},
                        {{{-50.0, -50.0}, {50.0, -50.0}}});
   for (int i = 0; i < 20; ++i) ghosts.agents.push_back(wanderer({10.0 * i, 0.37 * i}, 0.7 + 0.03 * i));
@@ -199,7 +199,7 @@ TEST(SolidWorldProperty, WhereNothingTouchesItIsAGhostWorldBitForBit) {
   }
 }
 
-TEST(SolidWorldProperty, SameMovesGiveTheSameWorldBitForBit) {
+TEST(SolidWorldProperty, EqualActionsGiveEqualWorldsBitForBit) {
   const Scene crowd = scenes::solidCrowd(3, 40, 5.0, 3);
   World world(crowd);
   World again(crowd);

@@ -14,7 +14,6 @@ namespace crowd {
 namespace {
 
 using scenes::moving_obstacle;
-using scenes::pillar;
 using scenes::scene;
 using scenes::solid;
 using scenes::wanderer;
@@ -61,14 +60,14 @@ TEST(SolidWorld, TurningIsNeverBlocked) {
   EXPECT_FALSE(world.agents()[0].in_contact);
 }
 
-TEST(SolidWorld, ToTouchWithoutWalkingInIsNoContact) {
+TEST(SolidWorld, TouchingWithoutBlockingIsNoContact) {
   World world(halfMetres({0.0, 0.0}, {1.0, 0.0}));
   world.step({{0, {0.0, 1.0}}});  // just up to the other
   EXPECT_DOUBLE_EQ(world.agents()[0].pose.position.x(), 0.5);
   EXPECT_FALSE(world.agents()[0].touched || world.agents()[1].touched);
 }
 
-TEST(SolidWorld, WhoArrivesLeavesTheWay) {
+TEST(SolidWorld, ArrivedAgentsDoNotBlock) {
   Scene line = halfMetres({0.0, 0.0}, {1.5, 0.0});
   line.agents[1].goals = {{1.5, 0.0}};
   World world(line);
@@ -79,7 +78,7 @@ TEST(SolidWorld, WhoArrivesLeavesTheWay) {
   EXPECT_FALSE(world.agents()[0].touched);
 }
 
-TEST(SolidWorld, MovingObstaclePushesAnAgentAlong) {
+TEST(SolidWorld, MovingObstaclePushesAnAgent) {
   // From 1 m away at 0.5 m a tick; radii sum up to 0.5 m: it pushes from the second tick on.
   World world(
       solid(scenes::halfSeconds(scene({wanderer({1.0, 0.0})}, {moving_obstacle({0.0, 0.0}, {1.0, 0.0}, 0.25)}))));
@@ -101,7 +100,7 @@ TEST(SolidWorld, MovingObstacleThatPassesOverAnAgentIsInContactWithIt) {
   EXPECT_TRUE(world.agents()[0].in_contact);
 }
 
-TEST(SolidWorld, TurningPointOfAMovingObstacleWithinATick) {
+TEST(SolidWorld, MovingObstacleTurnsWithinATick) {
   // It walks 0.75 m to and 0.25 m fro in a tick of 1 m: half a metre nearer, and it ends where its path says.
   Scene scene = solid(scenes::halfSeconds(scenes::scene({wanderer({9.0, 9.0})})));
   scene.obstacles.push_back({ObstaclePath::toAndFro({{0.0, 0.0}, {0.75, 0.0}}, 2.0), 0.25});
@@ -111,7 +110,7 @@ TEST(SolidWorld, TurningPointOfAMovingObstacleWithinATick) {
   EXPECT_DOUBLE_EQ(world.agents()[1].pose.position.x(), 1.0);  // pushed by 0.1 m, to 0.5 m from it
 }
 
-TEST(SolidWorld, SpawnedBodiesMustNotOverlapAtAll) {
+TEST(SolidWorld, RefusesSpawnedBodiesWithAnyOverlap) {
   World ghost(scene({wanderer({0.0, 0.0})}, {}, {{{-1.0, -2.0}, {1.0, -2.0}}}));
   World world(solid(scene({wanderer({0.0, 0.0})}, {}, {{{-1.0, -2.0}, {1.0, -2.0}}})));
   const AgentStart tight = wanderer({0.4995, 0.0});

@@ -15,7 +15,7 @@ using scenes::agent;
 using scenes::scene;
 using scenes::wanderer;
 
-TEST(WorldArrival, WithinTheTolerance) {
+TEST(WorldArrival, IsWithinTheTolerance) {
   Scene line = scenes::halfSeconds(scene({agent({0.0, 0.0}, {2.0, 0.0}, 1.0)}));
   line.goal_tolerance = 0.5;
   World world(line);
@@ -29,7 +29,7 @@ TEST(WorldArrival, WithinTheTolerance) {
   EXPECT_FALSE(world.isActive(0));
 }
 
-TEST(WorldArrival, JustOutsideTheToleranceIsNotThere) {
+TEST(WorldArrival, IsNotOutsideTheTolerance) {
   Scene line = scenes::halfSeconds(scene({agent({0.0, 0.0}, {2.0, 0.0}, 1.0)}));
   line.goal_tolerance = std::nextafter(0.5, 0.0);
   World world(line);
@@ -37,14 +37,14 @@ TEST(WorldArrival, JustOutsideTheToleranceIsNotThere) {
   EXPECT_TRUE(world.isActive(0));
 }
 
-TEST(WorldArrival, WhoBeginsAtItsGoalArrivesAtTheEndOfTheFirstTick) {
+TEST(WorldArrival, AtTheStartIsReportedAfterTheFirstTick) {
   World world(scene({agent({0.0, 0.0}, {0.1, 0.0}), wanderer({9.0, 9.0})}));
   EXPECT_TRUE(world.isActive(0));
   world.step({});
   EXPECT_EQ(world.agents()[0].arrival_tick, 1U);
 }
 
-TEST(WorldArrival, SeveralGoalsAreReachedInTheirOrder) {
+TEST(WorldArrival, ReachesSeveralGoalsInOrder) {
   AgentStart rounder = agent({0.0, 0.0}, {2.0, 0.0}, 1.0);
   rounder.goals = {{2.0, 0.0}, {1.0, 0.0}, {3.0, 0.0}};
   World world(scenes::halfSeconds(scene({rounder})));
@@ -94,7 +94,7 @@ TEST(WorldArrival, IsPerceivedExactlyOnce) {
   EXPECT_EQ(arrivals, 1);
 }
 
-TEST(WorldArrival, ContactsAtTheEndOfThatVeryTickCount) {
+TEST(WorldArrival, ContactsAtTheEndOfTheArrivalTickCount) {
   // Agent 0 arrives at (0.5, 0), 0.4 m from agent 1: they overlap by 0.1 m.
   World world(scenes::halfSeconds(scene({agent({0.0, 0.0}, {0.5, 0.0}, 1.0), wanderer({0.9, 0.0})})));
   world.step({ahead(0)});

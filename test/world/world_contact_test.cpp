@@ -26,7 +26,7 @@ bool isInContact(const Scene& scene) {
   return world.agents()[0].in_contact;
 }
 
-TEST(WorldContact, BeginsBeyondOneMillimetre) {
+TEST(WorldContact, BeginsAtAnOverlapOfOneMillimetre) {
   const auto beside = [](double gap) -> Vector2 { return Vector2(3.0, 4.0) + (0.5 + gap) * unitVector(2.0); };
   const AgentStart standing = wanderer({3.0, 4.0});
   EXPECT_FALSE(isInContact(scene({standing, wanderer(beside(0.001))})));
@@ -36,7 +36,7 @@ TEST(WorldContact, BeginsBeyondOneMillimetre) {
   EXPECT_TRUE(isInContact(scene({standing}, {pillar(beside(-0.00101), 0.25)})));
 }
 
-TEST(WorldContact, WallsCountLikeBodies) {
+TEST(WorldContact, IncludesWalls) {
   const auto wall = [](double x) { return std::vector<Segment>{{{x, -1.0}, {x, 1.0}}}; };
   EXPECT_FALSE(isInContact(scene({wanderer({0.0, 0.0})}, {}, wall(0.24901))));
   EXPECT_TRUE(isInContact(scene({wanderer({0.0, 0.0})}, {}, wall(0.24899))));
@@ -45,12 +45,12 @@ TEST(WorldContact, WallsCountLikeBodies) {
   EXPECT_FALSE(isInContact(scene({wanderer({0.2, 1.2})}, {}, wall(0.0))));  // 0.28 m
 }
 
-TEST(WorldContact, LargeObstacleReachesFar) {
+TEST(WorldContact, IncludesLargeObstaclesWithDistantCentres) {
   EXPECT_TRUE(isInContact(scene({wanderer({0.0, 0.0})}, {pillar({20.2, 0.0}, 20.0)})));
   EXPECT_FALSE(isInContact(scene({wanderer({0.0, 0.0})}, {pillar({20.3, 0.0}, 20.0)})));
 }
 
-TEST(WorldContact, MovingObstacleRunsIntoAnAgentAndOn) {
+TEST(WorldContact, MovingObstaclePassesThroughAnAgent) {
   // Centres are 1 - 0.1 k m apart after tick k, radii sum up to 0.5 m: contact from tick 6 to 14.
   World world(scene({wanderer({1.0, 0.0}, 1.0, 0.2)}, {moving_obstacle({0.0, 0.0}, {1.0, 0.0}, 0.3)}));
   for (int tick = 1; tick <= 20; ++tick) {
@@ -78,7 +78,7 @@ bool overlapsSomething(const World& world, const Agent& agent) {
   return contact;
 }
 
-TEST(WorldContact, AgreesWithLookingAtEverything) {
+TEST(WorldContact, AgreesWithASearchOfAllBodies) {
   std::size_t contacts = 0;
   std::size_t arrivals = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {

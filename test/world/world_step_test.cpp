@@ -26,7 +26,7 @@ using scenes::wanderer;
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
-TEST(WorldStep, TurnsFirstThenWalks) {
+TEST(WorldStep, TurnsBeforeMoving) {
   World world(scene({wanderer({1.0, 2.0}, 1.2)}));
   world.step({{0, {PI / 2, 0.5}}});
   const Agent& walker = world.agents()[0];
@@ -38,7 +38,7 @@ TEST(WorldStep, TurnsFirstThenWalks) {
   EXPECT_DOUBLE_EQ(world.time(), 0.1);
 }
 
-TEST(WorldStep, LastsAsLongAsTheSceneSays) {
+TEST(WorldStep, UsesTheTickDurationOfTheScene) {
   World world(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 3.0)})));
   for (int i = 0; i < 4; ++i) world.step({ahead(0)});
   expectVector(world.agents()[0].pose.position, 6.0, 0.0);
@@ -54,7 +54,7 @@ TEST(WorldStep, RotationsAddUpAndWrapAround) {
   expectVector(world.agents()[0].pose.position, -0.1 * std::cos(toRadians(30.0)), -0.05);
 }
 
-TEST(WorldStep, StayingIsAnAction) {
+TEST(WorldStep, AcceptsStayingAsAnAction) {
   World world(scene({wanderer({3.0, 4.0})}));
   world.step({{0, {1.0, 0.0}}});
   expectVector(world.agents()[0].pose.position, 3.0, 4.0);
@@ -62,7 +62,7 @@ TEST(WorldStep, StayingIsAnAction) {
   EXPECT_TRUE(world.agents()[0].acted);
 }
 
-TEST(WorldStep, NobodyMovesWithoutAnAction) {
+TEST(WorldStep, AgentsWithoutAnActionStay) {
   World world(scene({wanderer({0.0, 0.0}, 1.0), wanderer({0.0, 5.0}, 1.0)}));
   world.step({ahead(0), ahead(1)});
   world.step({ahead(1)});
@@ -74,7 +74,7 @@ TEST(WorldStep, NobodyMovesWithoutAnAction) {
   EXPECT_TRUE(world.agents()[1].acted);
 }
 
-TEST(WorldStep, SecondActionOfATickDoesNotMoveAnAgentAgain) {
+TEST(WorldStep, IgnoresASecondActionOfAnAgent) {
   World world(scene({wanderer({0.0, 0.0}, 1.0)}));
   world.step({ahead(0), ahead(0)});
   expectVector(world.agents()[0].pose.position, 0.1, 0.0);
@@ -110,7 +110,7 @@ TEST(WorldStep, IgnoresActionsOfUnknownAndArrivedAgents) {
   EXPECT_EQ(world.tick(), 2U);
 }
 
-TEST(WorldStep, IllegalActionsThrowAndNothingHasMoved) {
+TEST(WorldStep, RefusesInvalidActionsBeforeAnythingMoves) {
   const std::vector<RelativeAction> illegal = {{NOT_A_NUMBER, 1.0}, {INFINITE, 1.0}, {0.0, NOT_A_NUMBER},
                                                {0.0, INFINITE},     {0.0, -0.001},   {0.0, 1.0000001}};
   World world(scene({wanderer({0.0, 0.0}), wanderer({0.0, 5.0})}, {moving_obstacle({9.0, 9.0}, {1.0, 0.0}, 0.5)}));
