@@ -11,7 +11,7 @@ std::string checksumOf(std::string_view text) {
   return checksum.text();
 }
 
-// Values of the authors' test suite.
+// Values from the test suite of the authors of FNV.
 TEST(Checksum, IsFnv1a) {
   EXPECT_EQ(checksumOf(""), "cbf29ce484222325");
   EXPECT_EQ(checksumOf("a"), "af63dc4c8601ec8c");

@@ -18,7 +18,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// While it lives no file of this process can grow beyond so many bytes: stands for a full disk.
+/// During its lifetime, no file of this process can grow beyond a number of bytes; simulates a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {
@@ -127,7 +127,7 @@ TEST(ReplaceFile, RefusesAPathThroughAFile) {
   const TemporaryFolder folder;
   const std::string file = folder.write("file", "old") + "/below";
   const std::string message = errorOf<FileError>([&] { replaceFile(file, "new"); });
-  EXPECT_EQ(message, file + ": cannot be written: " + std::strerror(ENOTDIR));  // nothing of the temporary file
+  EXPECT_EQ(message, file + ": cannot be written: " + std::strerror(ENOTDIR));  // does not name the temporary file
   EXPECT_EQ(readFile(folder.file("file")), "old");
   EXPECT_EQ(folder.names(), Names{"file"});
 }
@@ -172,7 +172,7 @@ TEST(MakeFolder, CreatesParentFolders) {
   makeFolder(folder.file("a/b/c"));
   EXPECT_TRUE(std::filesystem::is_directory(folder.file("a/b/c")));
   folder.write("a/file", "old");
-  makeFolder(folder.file("a"));  // there already: nothing changes
+  makeFolder(folder.file("a"));  // exists already: nothing changes
   EXPECT_EQ(readFile(folder.file("a/file")), "old");
 }
 

@@ -31,7 +31,7 @@ double fromBits(std::uint64_t bits) {
   return value;
 }
 
-/// Digits of a number's text that count: those before the exponent, without zeros at either end.
+/// The significant digits of a number's text: those before the exponent, without zeros at either end.
 int significantDigits(const std::string& text) {
   std::string digits;
   for (const char letter : text.substr(0, text.find('e'))) {
@@ -52,7 +52,7 @@ void expectShortest(double value) {
   const int digits = significantDigits(toText(value));
   if (digits < 2) return;
   std::array<char, 64> shorter{};
-  std::snprintf(shorter.data(), shorter.size(), "%.*e", digits - 2, value);  // one digit less
+  std::snprintf(shorter.data(), shorter.size(), "%.*e", digits - 2, value);  // one digit fewer
   EXPECT_NE(std::strtod(shorter.data(), nullptr), value) << toText(value) << " is longer than " << shorter.data();
 }
 
@@ -90,8 +90,8 @@ TEST(ToText, RandomValuesReadBackBitForBit) {
     const std::uint64_t bits = random.next();
     const double value = fromBits(bits);
     if (std::isfinite(value)) expectRoundTrip(value);
-    expectRoundTrip(fromBits(bits & 0x800FFFFFFFFFFFFFULL));  // no exponent: below the normal numbers
-    expectRoundTrip(random.uniform(-100.0, 100.0));           // such as stand in a Q-table
+    expectRoundTrip(fromBits(bits & 0x800FFFFFFFFFFFFFULL));  // exponent 0: subnormal
+    expectRoundTrip(random.uniform(-100.0, 100.0));           // as in Q-tables
   }
 }
 
@@ -142,7 +142,7 @@ TEST(ToNumber, ReadsOnlyItsText) {
   EXPECT_EQ(toNumber(std::string_view("1e5").substr(0, 1)), 1.0);
 }
 
-/// Commas for points and points between thousands, as in large parts of the world.
+/// Decimal commas, and points between thousands.
 class GermanNumbers : public std::numpunct<char> {
  protected:
   char do_decimal_point() const override { return ','; }
@@ -150,7 +150,7 @@ class GermanNumbers : public std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// Sets the locale of C++ and, where the system has such a one, that of C; sets both back.
+/// Sets the locale of C++ and, if the system has a German one, that of C; restores both.
 class GermanLocale {
  public:
   GermanLocale() : before_(std::locale::global(std::locale(std::locale::classic(), new GermanNumbers))) {

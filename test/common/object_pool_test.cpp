@@ -54,7 +54,7 @@ TEST(ObjectPool, ReusesAnObjectReleasedByAnotherThread) {
       std::this_thread::yield();
       again = pool.next();
     }
-    again->assign(1000, -1);  // too early if the thread still reads
+    again->assign(1000, -1);  // an error if the thread still reads
     reader.join();
     EXPECT_EQ(sum, 1000 * i);
   }
@@ -76,7 +76,7 @@ TEST(ObjectPool, NeedsTwoObjectsForAReaderOneStepBehind) {
   EXPECT_EQ(places.size(), 2U);
 }
 
-/// Counts those of its kind.
+/// Counts its instances.
 class Counted {
  public:
   Counted() { ++count; }

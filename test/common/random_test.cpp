@@ -17,8 +17,8 @@ std::vector<std::uint64_t> firstNumbers(KeyedRandom random) {
   return numbers;
 }
 
-/// Mean and variance are those of even numbers in [0, 1), and each tenth gets its tenth; all within about five standard
-/// deviations of `draws.size()` = 100,000 independent draws.
+/// Requires mean and variance of uniform numbers in [0, 1), and a tenth of them in each tenth; within about five
+/// standard deviations of `draws.size()` = 100,000 independent draws.
 void expectEven(const std::vector<double>& draws) {
   ASSERT_EQ(draws.size(), 100000U);
   double sum = 0.0;
@@ -81,7 +81,7 @@ TEST(KeyedRandom, DependsOnEveryPartOfTheKey) {
 }
 
 TEST(KeyedRandom, DrawsTheReferenceNumbers) {
-  // From a second implementation of splitmix64, in Python. Recorded runs rest on these numbers.
+  // From a second implementation of splitmix64, in Python. Recorded runs depend on these numbers.
   KeyedRandom plain(0, KeyedRandom::PLACEMENT, {});
   EXPECT_EQ(plain.next(), 0x01D614F74E2A26C6U);
   EXPECT_EQ(plain.next(), 0x31ACE0C257119B01U);
@@ -111,7 +111,7 @@ TEST(KeyedRandom, IsUniformAlongASequence) {
 }
 
 TEST(KeyedRandom, IsUniformAndUncorrelatedOverNeighbouringKeys) {
-  // The learner draws once or twice for every (episode, tick, agent), so the first draws are what counts.
+  // The learner draws once or twice for each (episode, tick, agent), so the first draws matter most.
   std::vector<double> draws;
   double products = 0.0;
   for (std::uint64_t tick = 0; tick < 1000; ++tick) {

@@ -9,7 +9,7 @@ TEST(EditDistance, CountsInsertedOmittedReplacedAndExchangedLetters) {
   EXPECT_EQ(editDistance("", ""), 0U);
   EXPECT_EQ(editDistance("speed", "speed"), 0U);
   EXPECT_EQ(editDistance("", "abc"), 3U);
-  EXPECT_EQ(editDistance("sped", "speed"), 1U);     // one left out
+  EXPECT_EQ(editDistance("sped", "speed"), 1U);     // one omitted
   EXPECT_EQ(editDistance("speeed", "speed"), 1U);   // one inserted
   EXPECT_EQ(editDistance("raduis", "radius"), 1U);  // two exchanged
   EXPECT_EQ(editDistance("alfa", "alpha"), 2U);     // one replaced, one inserted
@@ -25,7 +25,7 @@ TEST(NearestName, IsAtMostTwoEditsAway) {
 }
 
 TEST(NearestName, IsEmptyIfEveryLetterDiffers) {
-  EXPECT_EQ(nearestName("a", {"b"}), "");    // one edit, and all of it is another one
+  EXPECT_EQ(nearestName("a", {"b"}), "");    // one edit of one letter
   EXPECT_EQ(nearestName("ab", {"cd"}), "");  // two edits of two
   EXPECT_EQ(nearestName("goa", {"goal"}), "goal");
 }

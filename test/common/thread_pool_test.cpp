@@ -72,7 +72,7 @@ TEST(ThreadPool, OtherThreadsProcessTheRestWhileOneIsBlocked) {
     bool others_came_first = false;
     thread_pool.run(100, [&](unsigned, std::size_t begin, std::size_t end) {
       std::unique_lock<std::mutex> lock(mutex);
-      // The first part ends when all others have.
+      // The first part ends after all others.
       if (begin == 0) {
         others_came_first = changed.wait_for(lock, std::chrono::minutes(1), [&] { return done == 100 - end; });
       }

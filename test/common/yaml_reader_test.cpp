@@ -12,7 +12,7 @@ namespace {
 
 const YamlPlace PLACE{"file.yaml", 2, "here"};
 
-/// What the error says that `action` throws; a note if it throws none.
+/// The message of the error that `action` throws; a note if it throws none.
 template <typename Action>
 std::string errorOf(Action action) {
   try {

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t NOBODY = std::numeric_limits<std::uint32_t>::max();
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 
-/// Discs, and behind them numbers that must not matter.
+/// Discs, followed by padding that must not affect the result.
 struct Discs {
   std::vector<double> xs, ys, radii;
   std::vector<std::uint32_t> bodies;
@@ -28,7 +28,7 @@ struct Discs {
   DiscArrays arrays() const { return {xs.data(), ys.data(), radii.data(), bodies.data()}; }
 };
 
-/// What a kernel collects: places and rims.
+/// The output of a kernel: indices and rim distances.
 struct Collected {
   std::vector<std::uint64_t> discs;
   std::vector<double> rims;
@@ -68,7 +68,7 @@ TEST(CollectNearby, WritesIndicesAndRimDistancesInOrder) {
   }
 }
 
-/// Discs at random, some on the rim of the circle.
+/// Random discs, some of which touch the circle.
 Discs anyDiscs(KeyedRandom& random, const Circle& circle) {
   Discs discs(random.below(40));
   for (std::size_t i = 0; i < discs.xs.size(); ++i) {

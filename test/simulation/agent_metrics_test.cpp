@@ -16,9 +16,9 @@ using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
 
-constexpr double TICK = 0.5;  // [s]; with 1 m/s a step is 0.5 m and binary fractions lose nothing
+constexpr double TICK = 0.5;  // [s]; at 1 m/s a step is 0.5 m, exactly
 
-/// What a monitor makes of agent 0 of a scene that does one move after the other.
+/// The result of agent 0 of a scene after a sequence of actions.
 AgentResult walk(const Scene& scene, const std::vector<RelativeAction>& moves) {
   World world(scene);
   EpisodeMonitor monitor(scene, world);
@@ -42,7 +42,7 @@ const RelativeAction AHEAD{0.0, 1.0};
 const RelativeAction STAY{0.0, 0.0};
 
 TEST(AgentMetrics, StraightWalkAtFullSpeed) {
-  // 4 m less the tolerance of 0.25 m are 3.75 m; it gets there in 8 steps of 0.5 m.
+  // 4 m less the tolerance of 0.25 m are 3.75 m; the agent arrives after 8 steps of 0.5 m.
   const AgentResult result = walk(agent({0.0, 0.0}, {4.0, 0.0}, 1.0), times(8, AHEAD));
   EXPECT_TRUE(result.arrived);
   EXPECT_FALSE(result.touched);
@@ -65,7 +65,7 @@ TEST(AgentMetrics, DirectWalkHasRatiosOfOne) {
 }
 
 TEST(AgentMetrics, RatiosUseTheMaximumSpeedOfTheAgent) {
-  // 0.8 m/s at most, walks at half of it: 0.2 m a tick. 2 m less 0.25 m: there after 9 ticks and 1.8 m.
+  // At half of 0.8 m/s it walks 0.2 m a tick. 2 m less 0.25 m: it arrives after 9 ticks and 1.8 m.
   const AgentResult result = walk(agent({0.0, 0.0}, {2.0, 0.0}, 0.8), times(9, {0.0, 0.5}));
   EXPECT_TRUE(result.arrived);
   EXPECT_NEAR(result.path_ratio, 1.8 / 1.75, 1e-12);
@@ -100,7 +100,7 @@ TEST(AgentMetrics, SquareHasThreeQuarterTurns) {
 }
 
 TEST(AgentMetrics, ZigzagTurnsWithEveryStep) {
-  // 8 steps of 0.5 m, 30 degrees to the left and to the right in turns: 7 turns of 60 degrees in 4 m.
+  // 8 steps of 0.5 m, alternately 30 degrees to the left and to the right: 7 turns of 60 degrees in 4 m.
   std::vector<RelativeAction> moves = {{PI / 6, 1.0}};
   for (int i = 1; i < 8; ++i) moves.push_back({i % 2 == 1 ? -PI / 3 : PI / 3, 1.0});
   const AgentResult result = walk(wanderer({0.0, 0.0}, 1.0), moves);
@@ -121,7 +121,7 @@ TEST(AgentMetrics, StandingAgentHasNoPath) {
   EXPECT_EQ(result.path_length, 0.0);
   EXPECT_EQ(result.path_ratio, 0.0);
   EXPECT_DOUBLE_EQ(result.time_ratio, 2.5);  // 5 s at 1 m/s for 2 m
-  EXPECT_EQ(result.turn_per_metre, 0.0);     // the heading turned, the motion did not
+  EXPECT_EQ(result.turn_per_metre, 0.0);     // turns without motion do not count
   EXPECT_EQ(result.max_speed_ratio, 0.0);
 }
 
@@ -176,7 +176,7 @@ TEST(AgentMetrics, AreZeroWithoutATick) {
 }
 
 TEST(AgentMetrics, ResultIncludesEarlierContacts) {
-  // Through a pillar at 1 m; both ends of the walk are free.
+  // The agent walks through a static obstacle at 1 m; start and end are free.
   const Scene through = scenes::halfSeconds(scene({agent({0.0, 0.0}, {2.0, 0.0}, 1.0)}, {pillar({1.0, 0.0}, 0.2)}));
   EXPECT_FALSE(walk(through, {AHEAD}).touched);
   EXPECT_TRUE(walk(through, {AHEAD, AHEAD}).touched);
@@ -186,7 +186,7 @@ TEST(AgentMetrics, ResultIncludesEarlierContacts) {
 }
 
 TEST(AgentMetrics, EndAtTheArrival) {
-  // Agent 0 arrives at (1, 0) after 2 ticks; then agent 1 walks over that place.
+  // Agent 0 arrives at (1, 0) after 2 ticks; then agent 1 walks through this position.
   const Scene crossing = scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), wanderer({-1.5, 0.0}, 1.0)}));
   World world(crossing);
   EpisodeMonitor monitor(crossing, world);
@@ -203,7 +203,7 @@ TEST(AgentMetrics, EndAtTheArrival) {
   EXPECT_EQ(result.touchedCount(), 0U);
 }
 
-// The thesis's two ratios, on walks worked out by hand.
+// The two ratios of the thesis for walks worked out by hand.
 TEST(DistanceGained, EqualsThePathOfAStraightWalk) {
   const AgentResult result = walk(agent({0.0, 0.0}, {4.0, 0.0}, 1.0), times(3, AHEAD));
   EXPECT_DOUBLE_EQ(result.distance_gained, 1.5);
@@ -212,7 +212,7 @@ TEST(DistanceGained, EqualsThePathOfAStraightWalk) {
 }
 
 TEST(DistanceGained, OfAWalkAlongTwoSidesOfATriangle) {
-  // 3 m at right angles to a goal 4 m away: it is 5 m away then. After 4 m more it is 3 m away.
+  // 3 m at a right angle to a goal 4 m away: 5 m remain. After 4 m more 3 m remain.
   AgentStart start = agent({0.0, 0.0}, {4.0, 0.0}, 1.0);
   start.heading = PI / 2;
   std::vector<RelativeAction> moves = times(6, AHEAD);
@@ -236,7 +236,7 @@ TEST(DistanceGained, OfAStandingAgentIsZero) {
 }
 
 TEST(DistanceGained, IsSummedOverGoals) {
-  // 1 m to the first goal and 1.5 m towards the second: moving on to that is neither gain nor loss.
+  // 1 m to the first goal and 1.5 m towards the second; the change of the goal is neither gain nor loss.
   AgentStart start = agent({0.0, 0.0}, {1.0, 0.0}, 1.0);
   start.goals.emplace_back(1.0, 2.0);
   const AgentResult result = walk(start, {AHEAD, AHEAD, {PI / 2, 1.0}, AHEAD, AHEAD});
@@ -262,11 +262,11 @@ TEST(DistanceGained, DoesNotChangeWithANewGoal) {
 }
 
 TEST(AgentMetrics, CountBlockedMoves) {
-  // Two steps of 0.5 m lead up to the wall, two more lead nowhere.
+  // Two steps of 0.5 m lead up to the wall; the next two are blocked.
   const Scene blocked_way =
       scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0)}, {}, {{{1.25, -1.0}, {1.25, 1.0}}})));
   const AgentResult result = walk(blocked_way, times(4, AHEAD));
-  EXPECT_EQ(result.blocked_moves, 2U);  // the second step ends where it touches the wall, and is whole
+  EXPECT_EQ(result.blocked_moves, 2U);  // the second step ends at the wall without being blocked
   EXPECT_TRUE(result.touched);
   EXPECT_DOUBLE_EQ(result.path_length, 1.0);
   EXPECT_EQ(walk(blocked_way, times(2, AHEAD)).blocked_moves, 0U);

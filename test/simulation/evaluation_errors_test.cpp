@@ -20,7 +20,7 @@ using evaluations::planOf;
 using evaluations::restlessTable;
 using evaluations::scenarios;
 
-/// Takes part in an evaluation and checks that instances come one after the other, from 0 on.
+/// Receives episodes and checks that instances arrive in order from 0.
 class InOrder {
  public:
   bool operator()(EvaluatedEpisode& walked) {
@@ -35,7 +35,7 @@ class InOrder {
 };
 
 TEST(Evaluation, ErrorOfASceneReachesTheCaller) {
-  // In the third scenario there is no room for that many agents; a reader would have refused it.
+  // The third scenario has no room for its agents; the scenario reader would refuse it.
   const ScenarioList read = scenarios();
   std::vector<Scenario> crowded = {read[0], read[1], read[2]};
   crowded[2].agents[0].count = 500;
@@ -77,7 +77,7 @@ TEST(Evaluation, ErrorOfTheReceiverReachesTheCaller) {
       return true;
     };
     EXPECT_THROW(evaluate(restlessTable(), scenarios(), planOf(30, threads), deliver), std::runtime_error);
-    EXPECT_EQ(calls, 3);  // and never again
+    EXPECT_EQ(calls, 3);  // not called again
   }
 }
 

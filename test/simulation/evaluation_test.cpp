@@ -40,7 +40,7 @@ TEST(Evaluation, PlaysTheScenariosInTurn) {
     EXPECT_EQ(all[i].instance, i);
     EXPECT_EQ(all[i].result.scenario, names[i % 3]);
   }
-  EXPECT_NE(all[1].trajectory.substr(2), all[4].trajectory.substr(2));  // drawn anew each time
+  EXPECT_NE(all[1].trajectory.substr(2), all[4].trajectory.substr(2));  // places differ between episodes
 }
 
 TEST(Evaluation, PlaysEachScenarioOnceByDefault) {
@@ -63,7 +63,7 @@ TEST(Evaluation, DeliversScenesOnRequest) {
   const ScenarioList drawn = parseScenarios(documents, "drawn.yaml");
   ASSERT_EQ(drawn.size(), 6U);
   for (std::uint64_t i = 0; i < drawn.size(); ++i) {
-    // Whatever the seed, every instance is as it was drawn, and in its place.
+    // The drawn scenes do not depend on the seed.
     const Scene scene = drawn.scene(1234, i);
     const Scene expected = scenarios().scene(plan.seed, i);
     EXPECT_EQ(scene.name, expected.name);
@@ -92,7 +92,7 @@ TEST(Evaluation, DeliversTrajectoriesOnlyOnRequest) {
 }
 
 TEST(Evaluation, AgentsFollowTheTable) {
-  // Nothing in sight and the goal ahead: an empty table walks straight on, that is action 0.
+  // Without obstacles and with the goal ahead, an empty table selects action 0, straight on.
   TrainedTable trained = restlessTable();
   trained.table = QTable(137, 8);
   const ScenarioList line = parseScenarios(
@@ -106,7 +106,7 @@ TEST(Evaluation, AgentsFollowTheTable) {
   });
   EXPECT_EQ(ahead.arrivedCount(), 1U);
   EXPECT_EQ(ahead.ticks, 28U);
-  // With action 4 the best of all it turns around with every tick, and gets nowhere.
+  // If action 4 is the best in all rows, the agent turns around in each tick.
   for (Row row = 0; row < trained.table.rows(); ++row) trained.table.set(row, 4, 1.0, 1);
   EpisodeResult back;
   evaluate(trained, line, planOf(1, 1), [&](EvaluatedEpisode& walked) {

@@ -28,11 +28,11 @@ TEST(LockstepPresence, AgentIsAbsentAfterConsecutiveMisses) {
   lockstep.open(EPISODE, 4, {0, 1});
   EXPECT_FALSE(lockstep.isComplete());
   lockstep.take(answersOf(4, {0}), LEARNER);
-  EXPECT_TRUE(lockstep.isComplete());  // agent 1 is not waited for
+  EXPECT_TRUE(lockstep.isComplete());  // agent 1 is not awaited
   EXPECT_FALSE(lockstep.isDeserted());
   EXPECT_EQ(lockstep.missing(), Ids{1});
   lockstep.close();
-  EXPECT_EQ(lockstep.missedCount(), 4U);  // but counted
+  EXPECT_EQ(lockstep.missedCount(), 4U);  // still counted
 }
 
 TEST(LockstepPresence, NamesAgentsOnceWhenTheyBecomeAbsent) {
@@ -55,7 +55,7 @@ TEST(LockstepPresence, AnAnswerResetsTheCountOfMisses) {
   Lockstep lockstep(2);
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
     lockstep.open(EPISODE, tick, {0});
-    EXPECT_FALSE(lockstep.isComplete()) << "tick " << tick;  // waited for: never two misses in a row
+    EXPECT_FALSE(lockstep.isComplete()) << "tick " << tick;  // awaited: never two consecutive misses
     if (tick % 2 == 0) lockstep.take(answersOf(tick, {0}), LEARNER);
     lockstep.close();
   }
@@ -67,14 +67,14 @@ TEST(LockstepPresence, AnAnswerEndsTheAbsence) {
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0, 1});
   lockstep.take(answersOf(1, {1}), LEARNER);
-  EXPECT_FALSE(lockstep.isComplete());  // agent 0 is waited for as before
+  EXPECT_FALSE(lockstep.isComplete());  // agent 0 is awaited as before
   EXPECT_EQ(agentsOf(lockstep.answers()), Ids{1});
   lockstep.take(answersOf(1, {0}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
   lockstep.close();
   lockstep.open(EPISODE, 2, {0, 1});
   lockstep.take(answersOf(2, {0}), LEARNER);
-  EXPECT_FALSE(lockstep.isComplete());  // agent 1 is waited for again
+  EXPECT_FALSE(lockstep.isComplete());  // agent 1 is awaited again
 }
 
 TEST(LockstepPresence, ALateAnswerEndsTheAbsence) {
@@ -85,7 +85,7 @@ TEST(LockstepPresence, ALateAnswerEndsTheAbsence) {
   ASSERT_TRUE(lockstep.isComplete());
   lockstep.take(answersOf(0, {1}), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 1U);
-  EXPECT_FALSE(lockstep.isComplete());  // it is there: wait for its answer to this tick
+  EXPECT_FALSE(lockstep.isComplete());  // its answer to this tick is awaited
   EXPECT_EQ(lockstep.missing(), Ids{1});
   lockstep.take(answersOf(1, {1}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
@@ -111,7 +111,7 @@ TEST(LockstepPresence, IsDesertedWhenAllAgentsAreAbsent) {
   playTick(lockstep, 1, {0, 1}, {1});
   playTick(lockstep, 2, {0, 1}, {});
   lockstep.open(EPISODE, 3, {0, 1});
-  EXPECT_FALSE(lockstep.isDeserted());  // agent 1 missed once only
+  EXPECT_FALSE(lockstep.isDeserted());  // agent 1 missed only once
   lockstep.close();
   lockstep.open(EPISODE, 4, {0, 1});
   EXPECT_TRUE(lockstep.isDeserted());
@@ -162,7 +162,7 @@ TEST(LockstepNewcomers, AreAbsentAfterGivingUp) {
   EXPECT_EQ(lockstep.missedCount(), 2U);
   lockstep.open(EPISODE, 2, {0, 1, 2, 3});
   EXPECT_FALSE(lockstep.awaitsNewcomer());
-  lockstep.take(answersOf(2, {3}), LEARNER);  // it comes after all
+  lockstep.take(answersOf(2, {3}), LEARNER);  // a late answer
   lockstep.take(answersOf(2, {0, 1}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
   EXPECT_EQ(agentsOf(lockstep.answers()), (Ids{3, 0, 1}));
@@ -201,7 +201,7 @@ TEST(LockstepTurns, AnAnswerAfterTheTurnEndsTheAbsence) {
   EXPECT_FALSE(lockstep.areAbsent({0, 1}));
   lockstep.close();
   lockstep.open(EPISODE, 1, {0});
-  EXPECT_FALSE(lockstep.isComplete());  // it is waited for again
+  EXPECT_FALSE(lockstep.isComplete());  // it is awaited again
 }
 
 }  // namespace

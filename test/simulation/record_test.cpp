@@ -9,7 +9,7 @@
 namespace crowd {
 namespace {
 
-/// Numbers that binary fractions hold exactly, all different.
+/// Different numbers that are exact in binary.
 AgentResult walked() {
   AgentResult agent;
   agent.arrived = true;

@@ -27,7 +27,7 @@ Scene oneAndTwoMetres() {
       scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), agent({0.0, 3.0}, {2.0, 3.0}, 1.0)})));
 }
 
-/// Numbers of the agents that are asked.
+/// The agents whose turn it is.
 std::vector<AgentId> asked(Episode& episode) {
   std::vector<AgentId> ids;
   for (const AgentPerception& self : episode.perceptions().agents) ids.push_back(self.agent);
@@ -60,9 +60,9 @@ TEST(SequentialEpisode, ArrivedAgentGetsItsLastPerceptionInItsTurn) {
   EXPECT_TRUE(episode.perceptions().agents[0].arrived);
   EXPECT_FALSE(episode.step({}));
   EXPECT_EQ(asked(episode), Ids{1});
-  EXPECT_EQ(episode.perceptions().agents[0].neighbour_count, 0U);  // the other has left
+  EXPECT_EQ(episode.perceptions().agents[0].neighbour_count, 0U);  // agent 0 has left
   EXPECT_TRUE(episode.step({}));
-  EXPECT_EQ(asked(episode), Ids{1});  // the other has no turn any more
+  EXPECT_EQ(asked(episode), Ids{1});  // agent 0 has no further turn
 }
 
 TEST(SequentialEpisode, LastPerceptionsIncludeAllAgents) {
@@ -89,7 +89,7 @@ TEST(SequentialEpisode, MeasuresTheWorldOncePerTick) {
 TEST(SequentialEpisode, AgentsCanBeRemovedAndSpawnedBetweenTurns) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})), 7, Vision());
   episode.step({});
-  episode.removeAgent(1);  // it was to be next
+  episode.removeAgent(1);  // it had the next turn
   EXPECT_EQ(asked(episode), Ids{2});
   const AgentId spawned = episode.spawnAgent(wanderer({0.0, 9.0}));
   EXPECT_FALSE(episode.step({ahead(2)}));

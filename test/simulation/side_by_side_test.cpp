@@ -105,7 +105,7 @@ TEST_F(SideBySide, TurnsMergeTheTablesOfAllLearners) {
   options.mode = Mode::TRAINING;
   options.seed = two.training.seed;
   options.plan = two.learning;
-  // Two turns by hand: episodes 0, 1 and 2, 3, then 4 and none.
+  // Turns by hand: learner 1 has episodes 0, 1 and then 4, learner 2 has episodes 2, 3.
   QTable expected(two.model.state_set->rowCount(), two.model.action_set->size());
   std::uint64_t decisions = 0;
   for (const auto& turn : std::vector<std::vector<std::vector<std::uint64_t>>>{{{0, 1}, {2, 3}}, {{4}, {}}}) {

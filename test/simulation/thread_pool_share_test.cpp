@@ -30,7 +30,7 @@ struct Walked {
   QTable table;
 };
 
-/// @param at_once for all agents of a tick, as for a node, or as the headless runs have it
+/// @param at_once whether all agents of a tick decide in one call, as in a node, or in parts, as in headless runs
 Walked walk(const Scene& scene, Mode mode, unsigned threads, bool at_once = false) {
   ThreadPool thread_pool(threads);
   Learner learner = makeLearner(mode);

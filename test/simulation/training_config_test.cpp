@@ -30,7 +30,7 @@ const char* const CONFIG =
     "  tables: own\n"                                                    // line 14
     "  save_every: 25\n";                                                // line 15
 
-/// A folder in which `learning/r.yaml` holds RECIPE, and all scenario files that it names are there.
+/// A folder that contains CONFIG as `learning/r.yaml`, and all scenario files that it names.
 class ConfigFolder {
  public:
   ConfigFolder() {

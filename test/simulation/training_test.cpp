@@ -14,7 +14,7 @@
 namespace crowd {
 namespace {
 
-/// One agent that looks anywhere, an obstacle half-way to its goal, 3 m from its start; the thesis's speeds.
+/// An agent with a random heading, and an obstacle half-way to its goal at 3 m; speeds of the thesis.
 const char* const OBSTACLE_IN_THE_WAY =
     "name: obstacle_in_the_way\n"
     "units: thesis\n"
@@ -39,7 +39,7 @@ std::string twoAgents(const std::string& name, const std::string& radius = "1") 
          "     radius: 0.2}\n";
 }
 
-/// A training configuration in the folder with the thesis's state set 1 and parameters.
+/// A training configuration in the folder, with state set 1 and the parameters of the thesis.
 TrainingConfig configFor(const TemporaryFolder& folder, const std::string& scenarios, std::uint64_t episodes,
                          std::uint64_t seed, const std::string& more = "") {
   return readTrainingConfig(folder.write("config.yaml",
@@ -87,7 +87,7 @@ TEST(Training, ExplorationDependsOnTheSeed) {
   EXPECT_TRUE(train(configFor(folder, "s.yaml", 10, 3)).table != train(configFor(folder, "s.yaml", 10, 4)).table);
 }
 
-/// The share of a hundred episodes, none of them met in training, in which the agent arrives [percent].
+/// The percentage of a hundred episodes, none of them used in training, in which the agent arrives.
 double successPercent(const TrainedTable& trained) {
   Metrics metrics;
   evaluate(trained, parseScenarios(OBSTACLE_IN_THE_WAY, "s.yaml"), {100, 1234, 1, false},
@@ -110,8 +110,8 @@ TEST(Training, TrainedAgentsArriveMoreOften) {
     sum += percent;
   }
   TrainedTable empty = Training(configFor(folder, "s.yaml", 1, 1)).trained();
-  // An empty table walks straight on in whatever direction it looks. Among trained ones there may be one that dances
-  // in front of the obstacle: with the thesis's gamma of 0.1 they look hardly further than a step ahead.
+  // An empty table walks straight on. A trained table may oscillate in front of the obstacle, because with the gamma of
+  // the thesis, 0.1, values contain hardly more than the next reward.
   EXPECT_LT(successPercent(empty), 20.0);
   EXPECT_GT(sum / SEEDS, 70.0);
 }
@@ -128,7 +128,7 @@ TEST(Training, ReportsItsProgress) {
   EXPECT_EQ(result.agents.size(), 2U);
   EXPECT_EQ(training.episode(), 1U);
   EXPECT_FALSE(training.isDone());
-  // Every decision is learned from: one per agent and tick until it arrives.
+  // The learner learns from each decision: one per agent and tick until the arrival.
   EXPECT_EQ(training.trained().decisions, result.agents[0].ticks + result.agents[1].ticks);
   EXPECT_GT(training.trained().table.visitedRows(), 0U);
   training.runNextTurn();
@@ -164,7 +164,7 @@ TEST(Training, AgentsWithOwnTablesLearnSeparately) {
   Training training(configFor(folder, "s.yaml", 5, 1, ", tables: own"));
   while (!training.isDone()) training.runNextTurn();
   EXPECT_TRUE(training.learner().tableOf(0) != training.learner().tableOf(1));
-  EXPECT_TRUE(training.trained().table == training.learner().tableOf(0));  // the pioneer's
+  EXPECT_TRUE(training.trained().table == training.learner().tableOf(0));  // of agent 0
   Training shared(configFor(folder, "s.yaml", 5, 1));
   shared.runNextTurn();
   EXPECT_TRUE(shared.learner().tableOf(0) == shared.learner().tableOf(1));
@@ -181,7 +181,7 @@ TEST(Training, ContinuesFromATable) {
   const EpisodeResult result = more.runNextTurn().at(0);
   EXPECT_EQ(more.decisions(), result.agents[0].ticks + result.agents[1].ticks);
   EXPECT_EQ(more.trained().decisions, first.decisions + more.decisions());
-  // Both went on from what was given, each for itself.
+  // Both agents continued from the given table, each with its own copy.
   EXPECT_TRUE(more.learner().tableOf(0) != first.table);
   EXPECT_TRUE(more.learner().tableOf(0) != more.learner().tableOf(1));
   for (const AgentId agent : {0U, 1U}) {
@@ -192,7 +192,7 @@ TEST(Training, ContinuesFromATable) {
       }
     }
     EXPECT_EQ(visits, result.agents[agent].ticks);
-    // What was given is known as such.
+    // The visits of the given table are not new.
     EXPECT_EQ(more.learner().tableOf(agent).newVisitsOf(first.table), 0U);
     EXPECT_EQ(first.table.newVisitsOf(more.learner().tableOf(agent)), visits);
   }
@@ -240,11 +240,11 @@ TEST(RunEpisode, PlaysToTheEndWithTheNumberOfTheEpisode) {
     Learner learner(config.model, options);
     const EpisodeResult result = runScene(scene, number, learner);
     EXPECT_EQ(result.scenario, "pair");
-    EXPECT_EQ(result.ticks, 20U);  // a random walk does not get there
+    EXPECT_EQ(result.ticks, 20U);  // a random walk does not arrive
     return result.agents[0].turn_per_metre;
   };
   EXPECT_EQ(play(1), play(1));
-  EXPECT_NE(play(1), play(2));  // another episode explores otherwise
+  EXPECT_NE(play(1), play(2));  // another episode has other random actions
 }
 
 TEST(Training, KeptHeadingsComeFromThePreviousEpisode) {

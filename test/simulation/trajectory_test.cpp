@@ -23,7 +23,7 @@ using scenes::wanderer;
 AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
 
 TEST(Trajectory, WritesASmallRun) {
-  // Agent 0 arrives in tick 2, agent 1 in tick 3; agent 2 is taken away after tick 1.
+  // Agent 0 arrives in tick 2, agent 1 in tick 3; agent 2 is removed after tick 1.
   World world(scenes::halfSeconds(
       scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), agent({-1.25, 3.0}, {1.75, 3.0}, 2.0), wanderer({0.0, -3.0})})));
   std::string rows;
@@ -68,11 +68,11 @@ TEST(Trajectory, NumbersReadBackBitForBit) {
 
 TEST(TrajectoryFile, ContainsHeaderAndAppendedRows) {
   const TemporaryFolder folder;
-  TrajectoryFile file(folder.file("deep/down"), "circle6");  // makes the folders
+  TrajectoryFile file(folder.file("deep/down"), "circle6");  // creates the folders
   const std::string path = folder.file("deep/down/circle6.csv");
   EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n");
   file.append("0,0,0,1.5,2\n");
-  EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n0,0,0,1.5,2\n");  // there at once, not when it is closed
+  EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n0,0,0,1.5,2\n");  // written at once, not when the file is closed
   file.append("1,0,0,3,4\n1,1,0,3,4\n");
   EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n0,0,0,1.5,2\n1,0,0,3,4\n1,1,0,3,4\n");
 }
@@ -84,7 +84,7 @@ TEST(TrajectoryFile, ReplacesAnOlderFile) {
   EXPECT_EQ(readFile(folder.file("line6.csv")), TRAJECTORY_HEADER);
 }
 
-/// The message of the FileError that beginning a file and appending to it brings.
+/// The message of the FileError of a trajectory file to which a row is appended.
 std::string fileError(const std::string& folder, const std::string& name) {
   return errorOf<FileError>([&] { TrajectoryFile(folder, name).append("0,0,0,0,0\n"); });
 }

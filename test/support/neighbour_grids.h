@@ -35,7 +35,7 @@ inline Found sorted(Found found) {
   return found;
 }
 
-/// What is to be found, by looking at every disc.
+/// Reference: a search of all discs.
 inline Found lookAtAll(const std::vector<Disc>& discs, const Vector2& point, double distance) {
   Found found;
   for (const Disc& disc : discs) {
@@ -45,8 +45,8 @@ inline Found lookAtAll(const std::vector<Disc>& discs, const Vector2& point, dou
   return found;
 }
 
-/// Discs all over the place, in clusters, and some very far away, a third of the times no more than about as many as
-/// make a list; bodies are numbered 7, 10, 13, ...
+/// Random discs, some in clusters and some very far away; in a third of the cases at most 40, so that the grid may be a
+/// list without cells. Bodies are numbered 7, 10, 13, ...
 inline std::vector<Disc> randomDiscs(KeyedRandom& random, double extent) {
   std::vector<Disc> discs(random.below(random.below(3) == 0 ? 41 : 501));
   Vector2 cluster = Vector2::Zero();
@@ -65,7 +65,7 @@ inline std::vector<Disc> randomDiscs(KeyedRandom& random, double extent) {
   return discs;
 }
 
-/// Looks from many points, in the middle of discs and outside of everything, near and far.
+/// Requires that searches from points among and outside the discs, near and far, agree with the reference.
 inline void compareWithAll(const std::vector<Disc>& discs, double cell_size, double extent, KeyedRandom& random) {
   const NeighbourGrid grid = gridOf(discs, cell_size);
   const auto compare = [&](const Vector2& point, double distance) {
@@ -80,7 +80,7 @@ inline void compareWithAll(const std::vector<Disc>& discs, double cell_size, dou
   }
 }
 
-/// Calls check(discs, extent, random) for discs of many kinds of places.
+/// Calls check(discs, extent, random) for random discs of 60 seeds.
 template <typename Check>
 void checkManyPlaces(const Check& check) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {

@@ -15,12 +15,12 @@ namespace {
 using map_texts::bytes;
 using map_texts::Keys;
 
-/// The cells of a map with this image; only its first bytes tell its format.
+/// The cells of a map with this image. The format is determined by the first bytes.
 std::string drawingOf(const std::string& image, const Keys& keys = Keys()) {
   return map_texts::drawingOf(map_texts::read(keys, image));
 }
 
-/// What is wrong with an image, without the names of files before it.
+/// The error message about an image, without file names.
 std::string problemOf(const std::string& image) {
   const std::string message = errorOf<InputError>([&] { map_texts::read(Keys(), image); });
   const std::size_t start = message.find("map.pgm: ");

@@ -154,7 +154,7 @@ TEST(NeighbourGrid, OrderDependsOnlyOnTheDiscs) {
     for (int i = 0; i < 10; ++i) {
       const Vector2 point = scenes::randomPoint(random, 20.0);
       const Found near = find(grid, point, 5.0);
-      // Wherever one looks from, discs come in the order in which looking at everything finds them.
+      // Discs are in the same order as in the list of all discs.
       Found expected;
       std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
                    [&](std::uint32_t body) { return std::find(near.begin(), near.end(), body) != near.end(); });

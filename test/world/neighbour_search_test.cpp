@@ -34,7 +34,7 @@ std::vector<Near> search(NeighbourSearch& search, const NeighbourGrid& grid, con
   return found;
 }
 
-/// What is to be found, by sorting all.
+/// Reference: sorts all discs.
 std::vector<Near> sortAll(const std::vector<Disc>& discs, const Vector2& point, double distance, std::size_t most,
                           std::uint32_t except = NOBODY) {
   std::vector<Near> all;
@@ -70,7 +70,7 @@ TEST(NeighbourSearch, ReturnsNothingFromAnEmptyGrid) {
   EXPECT_TRUE(search(looking, empty, {1.0, 2.0}, 6.0, 0).empty());
 }
 
-/// Searches of the same object, one after the other from anywhere.
+/// Requires that consecutive searches from random points agree with the reference.
 void compareWithAll(const std::vector<Disc>& discs, double extent, KeyedRandom& random) {
   const NeighbourGrid grid = gridOf(discs);
   NeighbourSearch looking;
@@ -89,11 +89,11 @@ TEST(NeighbourSearch, AgreesWithSortingAllDiscs) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
-    std::vector<Disc> discs(random.below(seed % 4 == 0 ? 9 : seed % 4 == 1 ? 41 : 400));  // now and then a mere list
+    std::vector<Disc> discs(random.below(seed % 4 == 0 ? 9 : seed % 4 == 1 ? 41 : 400));  // lists or cells
     const double extent = random.uniform(1.0, 40.0);
     for (std::uint32_t i = 0; i < discs.size(); ++i) {
       discs[i] = {scenes::randomPoint(random, extent), random.uniform(0.0, random.below(20) == 0 ? 5.0 : 0.4), i};
-      // On a lattice many are equally far.
+      // On a lattice, many discs have equal distances.
       if (seed % 3 == 0) discs[i].centre = (discs[i].centre * 2.0).array().round() / 2.0;
       if (seed % 3 == 0) discs[i].radius = 0.25;
     }
@@ -118,7 +118,7 @@ TEST(NeighbourSearch, AgreesWithSortingForClustersAndEqualPositions) {
   }
 }
 
-// Apart in double precision, equal in single: the order is that of the former.
+// Distances that differ in double precision but not in single precision.
 TEST(NeighbourSearch, OrdersByDistancesInDoublePrecision) {
   std::vector<Disc> discs;
   for (std::uint32_t i = 0; i < 40; ++i) discs.push_back({{1.0, 1e-9 * ((7 * i) % 40)}, 0.25, i});

@@ -20,25 +20,25 @@ using sceneries::SIGHT;
 TEST(OcclusionOfBodies, LargerBodyHidesTheBodyBehindIt) {
   EXPECT_FALSE(sees({{BIG, neighbour({5.0, 0.0}, 1.0)}, {}}));
   EXPECT_TRUE(sees({{neighbour({5.0, 0.0}, 1.0), BIG}, {}}));
-  EXPECT_TRUE(sees({{BIG, neighbour({5.0, 0.0}, 4.0)}, {}}));  // reaches beyond it to either side
+  EXPECT_TRUE(sees({{BIG, neighbour({5.0, 0.0}, 4.0)}, {}}));  // larger on both sides
   EXPECT_TRUE(sees({{BIG, neighbour({-5.0, 0.0}, 1.0)}, {}}));
 }
 
 TEST(OcclusionOfBodies, EndsAtTheTangentLineOfSight) {
-  // 0.5 m to the right of that line.
+  // 0.5 m to the right of the line of sight.
   const Vector2 behind = 5.0 * SIGHT - 0.5 * LEFT;
   EXPECT_FALSE(sees({{BIG, neighbour(behind, 0.4999)}, {}}));
   EXPECT_TRUE(sees({{BIG, neighbour(behind, 0.5001)}, {}}));
 }
 
 TEST(OcclusionOfBodies, WallHidesTheBodyBehindIt) {
-  const Segment wall{{2.0, -1.0}, {2.0, 1.0}};  // hides all that is less than 1 m aside for 2 m ahead
+  const Segment wall{{2.0, -1.0}, {2.0, 1.0}};  // spans 26.6 degrees to either side
   EXPECT_FALSE(sees({{neighbour({4.0, 0.0}, 0.5)}, {wall}}));
   EXPECT_FALSE(sees({{neighbour({4.0, 1.2}, 0.5)}, {wall}}));
   EXPECT_TRUE(sees({{neighbour({4.0, 1.6}, 0.5)}, {wall}}));
   EXPECT_TRUE(sees({{neighbour({1.0, 0.0}, 0.25)}, {wall}}));
-  EXPECT_FALSE(sees({{neighbour({2.25, 0.0}, 0.25)}, {wall}}));  // it touches the wall from behind
-  EXPECT_TRUE(sees({{neighbour({1.75, 0.0}, 0.25)}, {wall}}));   // and from before
+  EXPECT_FALSE(sees({{neighbour({2.25, 0.0}, 0.25)}, {wall}}));  // touches the wall from behind
+  EXPECT_TRUE(sees({{neighbour({1.75, 0.0}, 0.25)}, {wall}}));   // from the front
 }
 
 TEST(OcclusionOfBodies, TwoTouchingBodiesHideTheBodyBehindThem) {
@@ -60,15 +60,15 @@ TEST(OcclusionOfBodies, BodyBehindAGapIsVisible) {
 }
 
 TEST(OcclusionOfBodies, BodyWithAFartherRimCanBeInFront) {
-  // The rim of the large one is 2 m away, but where the small one stands, it recedes: 3.2 m along the line of sight
-  // that touches it, 0.06 m aside.
+  // The rim of the large body is 2 m away straight ahead, but 3.2 m away at the small body, along the line of sight
+  // that touches the large body.
   const Neighbour large = neighbour({5.0, 0.0}, 3.0);
   EXPECT_TRUE(sees({{large, neighbour(3.2 * SIGHT - 0.06 * LEFT, 0.04)}, {}}));
   EXPECT_FALSE(sees({{large, neighbour(6.0 * SIGHT - 0.06 * LEFT, 0.04)}, {}}));
 }
 
 TEST(OcclusionOfBodies, BodyWithAFartherRimCanHideTheFlank) {
-  // The large one spans 36.9 degrees to either side. The near one hides it from -41.9 to 31.9 degrees; the one at its
+  // The large body spans 36.9 degrees to either side. The near one hides it from -41.9 to 31.9 degrees; the one at its
   // flank, with its rim 2.28 m away, from 29.5 to 39.5.
   const Neighbour near = neighbour(unitVector(toRadians(-5.0)), 0.6);
   const Neighbour large = neighbour({5.0, 0.0}, 3.0);

@@ -25,7 +25,7 @@ using sceneries::sees;
 using sceneries::SIGHT;
 
 TEST(OcclusionOfParts, ReducesAHalfHiddenBodyToItsVisibleHalf) {
-  // The line of sight that touches the big one goes through the centre: the left half is seen.
+  // The line of sight that touches the first body passes through the centre of the second: its left half is visible.
   expectLast({{BIG, neighbour(5.0 * SIGHT, 0.5)}, {}}, 5.0 * SIGHT + 0.25 * LEFT, 0.25);
 }
 
@@ -60,8 +60,8 @@ TEST(OcclusionOfParts, ShrinksToZeroAsTheBodyBecomesHidden) {
 }
 
 TEST(OcclusionOfParts, PartlyHiddenBodyHidesAsMuchAsTheWholeOne) {
-  // What is perceived of the large one ends 5 degrees before the line of sight that touches it; who is hidden there
-  // touches that line.
+  // The perceived part of the large body ends 5 degrees before the line of sight that touches it; the hidden body
+  // touches this line.
   const Segment wall = hiding(-0.1, 0.9);
   EXPECT_TRUE(sees({{LARGE}, {wall}}));
   EXPECT_FALSE(sees({{LARGE, neighbour(6.0 * SIGHT - 0.06 * LEFT, 0.0599)}, {wall}}));
@@ -70,14 +70,14 @@ TEST(OcclusionOfParts, PartlyHiddenBodyHidesAsMuchAsTheWholeOne) {
 
 TEST(OcclusionOfParts, OmitsPartsBeyondTheRadiusOfVision) {
   const Scenery cut = {{LARGE}, {hiding(-0.1, 0.25)}};
-  const double rim = std::hypot(5.0, 0.75) - 2.25;  // 2.8 m; of the whole body 2 m
+  const double rim = std::hypot(5.0, 0.75) - 2.25;  // 2.8 m; the whole body has 2 m
   EXPECT_EQ(look(cut, rim + 1e-9).neighbours.size(), 1U);
   EXPECT_EQ(look(cut, rim - 1e-9).neighbours.size(), 0U);
   EXPECT_EQ(look({{LARGE}, {hiding(0.3, 0.6)}}, 2.0).neighbours.size(), 1U);
 }
 
 TEST(OcclusionOfParts, OrdersBodiesByTheirVisibleParts) {
-  // The rim of the large one goes from 2 to 2.8 m.
+  // Occlusion increases the rim distance of the large body from 2 m to 2.8 m.
   const Scenery seen = look(numbered({{neighbour({-1.5, 0.0}, 0.5), LARGE, neighbour({-2.0, -2.0}, 0.3),
                                        neighbour({0.0, 3.0}, 0.3), neighbour({0.0, -4.0}, 0.5)},
                                       {hiding(-0.1, 0.25)}}));
@@ -87,7 +87,7 @@ TEST(OcclusionOfParts, OrdersBodiesByTheirVisibleParts) {
 }
 
 TEST(OcclusionOfParts, KeepsTheOrderOfEqualBodies) {
-  // Bodies in the same place do not hide each other.
+  // Bodies at the same position do not hide each other.
   const Scenery seen = look(numbered({{LARGE, LARGE, LARGE}, {hiding(-0.1, 0.25)}}));
   ASSERT_EQ(seen.neighbours.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {

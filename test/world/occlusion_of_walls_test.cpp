@@ -36,7 +36,7 @@ TEST(OcclusionOfWalls, WallCutsTheWallBehindIt) {
 }
 
 TEST(OcclusionOfWalls, CrossingWallsCutEachOther) {
-  // They cross straight ahead, at (3, 0). To the right the slanting one is in front, to the left the other.
+  // They cross at (3, 0). The slanting wall is in front on the right, the other one on the left.
   const Segment slanting{{2.0, -2.0}, {4.0, 2.0}};
   const Segment across{{3.0, -3.0}, {3.0, 3.0}};
   expectWalls(look({{}, {slanting, across}}), {{{2.0, -2.0}, {3.0, 0.0}}, {{3.0, 0.0}, {3.0, 3.0}}});
@@ -53,7 +53,7 @@ TEST(OcclusionOfWalls, EqualWallsAreBothVisible) {
 }
 
 TEST(OcclusionOfWalls, OmitsPartsBeyondTheRadiusOfVision) {
-  // Of the wall beside the agent a disc hides what is near it, the rest is more than 2 m away.
+  // A disc hides a part of the wall beside the agent. The part behind it is more than 1.2 m away.
   const Segment wall{{0.0, 1.0}, {8.0, 1.0}};
   const Neighbour hiding = neighbour({0.6, 0.7}, 0.28);
   const Scenery seen = look({{hiding}, {wall}});

@@ -18,7 +18,7 @@ using sceneries::neighbour;
 using sceneries::SIGHT;
 
 TEST(OcclusionOfOthers, KeepsTheFirstEntriesOfTheLists) {
-  // Of those before, one would be hidden and one partly.
+  // Without the limits, one of the first entries would be hidden and one partly hidden.
   std::vector<Neighbour> neighbours = {BIG, neighbour({9.0, 0.0}, 0.1),  neighbour(5.0 * SIGHT, 0.5),
                                        BIG, neighbour(5.0 * SIGHT, 0.5), neighbour({5.0, 0.0}, 0.1)};
   std::vector<Segment> walls = {{{7.0, -0.1}, {7.0, 0.1}}, {{8.0, -0.1}, {8.0, 0.1}}};
@@ -50,7 +50,7 @@ TEST(OcclusionInTheWorld, AppliesOnlyOnRequest) {
   EXPECT_EQ(first.neighbours[1].position, Vector2(0.0, 5.0));
   ASSERT_EQ(first.walls.size(), 1U);
   EXPECT_EQ(first.walls[0].from, Vector2(-3.0, -1.0));
-  EXPECT_EQ(Perception(seen, 1).neighbours.size(), 3U);  // who stands in the middle sees both
+  EXPECT_EQ(Perception(seen, 1).neighbours.size(), 3U);  // the agent in the middle perceives both neighbours
   world.perceive({6.0, 1, true}, seen);
   EXPECT_EQ(seen.agents[0].neighbour_count, 1U);
 }
@@ -72,7 +72,7 @@ TEST(OcclusionInTheWorld, MaxNeighboursKeepsTheNearestVisibleParts) {
   Perceptions seen;
   world.perceive({6.0, 1, false}, seen);
   EXPECT_EQ(Perception(seen, 0).neighbours[0].position, LARGE.position);
-  world.perceive({6.0, 1, true}, seen);  // the rim that is left of the pillar is 2.8 m away, the agent's 2.5 m
+  world.perceive({6.0, 1, true}, seen);  // rim distances: 2.8 m of the visible part of the pillar, 2.5 m of the agent
   ASSERT_EQ(seen.agents[0].neighbour_count, 1U);
   EXPECT_EQ(Perception(seen, 0).neighbours[0].position, Vector2(0.0, 2.75));
 }

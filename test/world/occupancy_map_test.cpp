@@ -77,7 +77,7 @@ TEST(OccupancyMap, GridValuesHaveThreeStates) {
   EXPECT_EQ(map.resolution, layout.resolution);
 }
 
-/// The message about a map that a change made invalid.
+/// The error message about a map after an invalid change.
 template <typename Change>
 std::string problemAfter(const Change& change) {
   OccupancyMap map = smallMap();

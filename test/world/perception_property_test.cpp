@@ -16,13 +16,13 @@
 namespace crowd {
 namespace {
 
-/// A body as seen from outside: what an agent is to perceive.
+/// A neighbour that an agent must perceive.
 struct Expected {
   double rim_distance = 0.0;
   Neighbour neighbour;
 };
 
-/// What an agent is to perceive, by looking at everything.
+/// Reference: the neighbours of an agent, from a search of all bodies.
 std::vector<Expected> lookAtAll(const World& world, const Agent& agent, double vision) {
   const Eigen::Rotation2Dd turn(-agent.pose.heading);
   std::vector<Expected> all;
@@ -84,7 +84,7 @@ TEST(PerceptionProperty, LimitedNeighboursAreTheFirstOfAllBitForBit) {
       world.step(scenes::randomActions(world, random));
       const double radius = random.uniform(0.5, 8.0);
       const Perceptions all = perceive(world, {radius, 0});
-      for (const std::uint32_t most : {1U, 3U, 5U, 10U}) {  // one by one, four at a time, or both
+      for (const std::uint32_t most : {1U, 3U, 5U, 10U}) {  // kernels search with and without vector instructions
         const Perceptions some = perceive(world, {radius, most});
         ASSERT_EQ(some.agents.size(), all.agents.size());
         for (std::size_t i = 0; i < all.agents.size(); ++i) {
@@ -101,7 +101,7 @@ TEST(PerceptionProperty, LimitedNeighboursAreTheFirstOfAllBitForBit) {
   EXPECT_GT(neighbours, 10000U);
 }
 
-/// Turns and moves a whole scene.
+/// Rotates and translates a scene.
 class Motion {
  public:
   Motion(double angle, const Vector2& shift) : angle_(angle), turn_(angle), shift_(shift) {}

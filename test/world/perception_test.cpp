@@ -17,7 +17,7 @@ using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
 
-/// How many bodies agent 0 of a scene perceives.
+/// The number of bodies that agent 0 of a scene perceives.
 std::size_t bodyCount(const Scene& scene, double vision_radius) {
   return perceive(scene, {vision_radius, 0}).agents.at(0).neighbour_count;
 }
@@ -149,7 +149,7 @@ TEST(PerceptionList, SetsTheTimeAndReplacesOldPerceptions) {
   EXPECT_EQ(perceptions.agents.size(), 2U);
   EXPECT_EQ(perceptions.neighbours.size(), 2U);
   EXPECT_TRUE(perceptions.walls.empty());
-  EXPECT_EQ(perceptions.episode, 17U);  // these two are not the world's to say
+  EXPECT_EQ(perceptions.episode, 17U);  // the world does not set these two
   EXPECT_TRUE(perceptions.last);
 }
 
@@ -160,7 +160,7 @@ TEST(PerceptionList, LastPerceptionOfAnArrivingAgentContainsItsNeighbours) {
   ASSERT_EQ(seen.agents.size(), 2U);
   EXPECT_TRUE(seen.agents[0].arrived);
   EXPECT_TRUE(seen.agents[0].acted);
-  ASSERT_EQ(seen.agents[0].neighbour_count, 1U);  // but the other one does not perceive it any more
+  ASSERT_EQ(seen.agents[0].neighbour_count, 1U);  // the other agent does not perceive it any more
   EXPECT_EQ(seen.agents[1].neighbour_count, 0U);
   expectVector(Perception(seen, 0).neighbours[0].position, 2.0, 0.0);
 }

@@ -38,7 +38,7 @@ TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
       agentError("position: [0, 0], goal: [1, 1], speed: 1, radius: 0.2, sped: 1"),
       "s.yaml: document 1, line 5: agents[0]: unknown key 'sped', did you mean 'speed'? Known are position, goal, "
       "goals, speed, radius, heading, count");
-  // A required key that is misspelt is not told as missing, and all keys are known before the first is read.
+  // A misspelt required key is not reported as missing, because all keys are declared before the first is read.
   EXPECT_EQ(
       agentError("position: [0, 0], goal: [1, 1], speed: 1, raduis: 0.2"),
       "s.yaml: document 1, line 5: agents[0]: unknown key 'raduis', did you mean 'radius'? Known are position, goal, "

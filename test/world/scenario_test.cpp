@@ -15,7 +15,7 @@ const char* const HEAD = "name: n\nduration: 60\ngoal_tolerance: 0.3\n";
 
 ScenarioList parse(const std::string& text) { return parseScenarios(text, "s.yaml"); }
 
-/// The places where the scene begins, agents first.
+/// The start positions of a scene, agents first.
 std::vector<Vector2> places(const Scene& scene) {
   std::vector<Vector2> all;
   for (const AgentStart& agent : scene.agents) {
@@ -47,7 +47,7 @@ std::vector<Disc> discs(const Scene& scene) {
   return all;
 }
 
-/// A hall with everything that can be drawn, the drawn bodies before the fixed ones.
+/// A hall with all kinds of random places, the drawn bodies before the fixed ones.
 const char* const HALL =
     "agents:\n"
     "  - {count: 12, position: {box: [[-4, -4], [4, 4]]}, goal: {box: [[-4, -4], [4, 4]]}, speed: [0.8, "
@@ -65,7 +65,7 @@ const char* const HALL =
     "walls:\n"
     "  - [[-5, 0], [-1, 0]]\n";
 
-/// Calls `check` with scenes of the hall, and says which of them it is where something fails.
+/// Calls `check` with scenes of the hall; failures name the episode.
 template <typename Check>
 void forManyHalls(Check check) {
   const ScenarioList list = parse(std::string(HEAD) + HALL);
@@ -291,7 +291,7 @@ TEST(Scenario, KeptHeadingsComeFromThePreviousEpisode) {
   keepHeadings({1.0, 2.0}, scene);
   EXPECT_EQ(scene.agents[0].heading, 1.0);
   EXPECT_NEAR(scene.agents[1].heading, PI / 2.0, 1e-12);
-  EXPECT_NEAR(scene.agents[2].heading, PI / 2.0, 1e-12);  // it was not there
+  EXPECT_NEAR(scene.agents[2].heading, PI / 2.0, 1e-12);  // not in the previous episode
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(SequentialWorld, RefusesAnInvalidActionBeforeAnythingMoves) {
 }
 
 TEST(SequentialWorld, SolidAgentsStopAtThePresentPositionsOfOthers) {
-  // Their bodies of 0.25 m are 0.25 m apart. The first walks up to the second, which then walks away.
+  // Their rims are 0.25 m apart. The first agent walks up to the second, which then walks away.
   World world(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({0.75, 0.0}, 1.0)})));
   world.moveAgent(0, {ahead(0)});
   EXPECT_DOUBLE_EQ(world.agents()[0].pose.position.x(), 0.25);
@@ -103,17 +103,17 @@ TEST(SequentialWorld, SolidAgentsStopAtThePresentPositionsOfOthers) {
   world.endTick();
   EXPECT_TRUE(world.agents()[0].blocked);
   EXPECT_FALSE(world.agents()[1].blocked);
-  EXPECT_TRUE(world.agents()[0].in_contact && world.agents()[1].in_contact);  // one walked into the other
+  EXPECT_TRUE(world.agents()[0].in_contact && world.agents()[1].in_contact);  // the first walked into the second
   world.endTick();
   EXPECT_FALSE(world.agents()[0].in_contact || world.agents()[1].in_contact);
-  // Had both moved at the same time, they would have kept their distance.
+  // In a simultaneous step they keep their distance.
   World together(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({0.75, 0.0}, 1.0)})));
   together.step({ahead(0), ahead(1)});
   EXPECT_FALSE(together.agents()[0].blocked);
 }
 
 TEST(SequentialWorld, SolidObstaclesPushAtTheEndOfTheTick) {
-  // The obstacle comes with 1 m/s; after the agent's turn their rims are 0.25 m apart.
+  // The obstacle approaches at 1 m/s; after the agent's turn their rims are 0.25 m apart.
   World world(
       scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {moving_obstacle({0.75, 0.0}, {-1.0, 0.0}, 0.25)})));
   world.moveAgent(0, {{0, {PI / 2, 0.0}}});
@@ -124,7 +124,7 @@ TEST(SequentialWorld, SolidObstaclesPushAtTheEndOfTheTick) {
   EXPECT_TRUE(world.agents()[0].in_contact);
 }
 
-/// A tick in which all agents have a turn.
+/// A tick with a turn for each agent.
 void walkOneByOne(World& world, const std::vector<AgentAction>& actions) {
   for (AgentId id = 0; id < world.agents().size(); ++id) {
     if (world.isPerceiving(id)) world.moveAgent(id, actions);

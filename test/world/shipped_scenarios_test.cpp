@@ -31,7 +31,7 @@ std::vector<fs::path> scenarioFiles(const fs::path& folder) {
   return files;
 }
 
-/// The folder of the public benchmark's scenes: the environment's, else the build's; empty if there is none.
+/// The folder of the benchmark's scenes from the environment or the build; empty if there is none.
 fs::path benchmarkFolder() {
   if (const char* const folder = std::getenv("BENCHMARK_SCENARIOS_DIR")) {
     return folder;

@@ -26,7 +26,7 @@ void expectAt(const Outcome& outcome, double x, double y) {
   EXPECT_NEAR(outcome.position.y(), y, 1e-12);
 }
 
-/// Where it ends, whether it touched anything, and whether it did not go its way.
+/// The end of its motion, whether it touched anything, and whether it was blocked.
 void expectOutcome(const Outcome& outcome, double x, double y, bool touched, bool diverted) {
   expectAt(outcome, x, y);
   EXPECT_EQ(outcome.touched, touched);
@@ -78,7 +78,7 @@ TEST(SolidMotion, FastBodiesDoNotPassThroughWallsOrEachOther) {
 }
 
 TEST(SolidMotion, AnAgentCanTouchAnotherThatStoppedEarlierInTheTick) {
-  // The middle one stops at the stander after 0.25 of the tick, the fast one reaches it there after 0.5.
+  // The middle agent stops at the standing one after 0.25 of the tick; the fast agent reaches it there after 0.5.
   const auto outcomes = move({walker({-1.25, 0.0}, {2.0, 0.0}), walker({0.0, 0.0}, {1.0, 0.0}), stander({0.75, 0.0})});
   expectOutcome(outcomes[0], -0.25, 0.0, true, true);
   expectOutcome(outcomes[1], 0.25, 0.0, true, true);
@@ -86,7 +86,7 @@ TEST(SolidMotion, AnAgentCanTouchAnotherThatStoppedEarlierInTheTick) {
 }
 
 TEST(SolidMotion, AnAgentContinuesIfTheOtherStopsBeforeTheContact) {
-  // Without the wall the first would run into the second.
+  // Without the wall, the first agent would touch the second.
   const std::vector<Segment> walls = {{{1.0, -0.2}, {1.0, 0.2}}};
   const auto outcomes = move({walker({0.0, 0.0}, {2.0, 0.0}), walker({1.5, 2.0}, {0.0, -4.0})}, walls);
   expectOutcome(outcomes[0], 0.75, 0.0, true, true);
@@ -94,7 +94,7 @@ TEST(SolidMotion, AnAgentContinuesIfTheOtherStopsBeforeTheContact) {
 }
 
 TEST(SolidMotion, FourAgentsStopAtASimultaneousContact) {
-  // Neighbours are sqrt(2) * (1 - t) apart: they touch when each has 0.5 / sqrt(2) m left.
+  // Neighbours are sqrt(2) * (1 - t) apart: they touch when each agent is 0.5 / sqrt(2) m from the middle.
   const double left = 0.5 / std::sqrt(2.0);
   const auto outcomes = move({walker({1.0, 0.0}, {-1.0, 0.0}), walker({0.0, 1.0}, {0.0, -1.0}),
                               walker({-1.0, 0.0}, {1.0, 0.0}), walker({0.0, -1.0}, {0.0, 1.0})});
@@ -142,24 +142,24 @@ TEST(SolidObstacle, PushesAnAgentThatItRunsInto) {
   const auto outcomes = move({stander({0.5, 0.0}), obstacle({-1.0, 0.0}, {1.0, 0.0}, 0.5)});
   expectOutcome(outcomes[0], 0.75, 0.0, true, true);
   expectOutcome(outcomes[1], 0.0, 0.0, false, false);
-  // Who walks up to it is pushed back: they meet after half of the tick.
+  // An agent that walks towards it is pushed back: contact after half of the tick.
   expectOutcome(move({walker({0.5, 0.0}, {-0.5, 0.0}), obstacle({-1.0, 0.0}, {1.0, 0.0}, 0.5)})[0], 0.75, 0.0, true,
                 true);
 }
 
 TEST(SolidObstacle, PushesAwayFromItsCentre) {
-  // They touch along (0.8, 0.6); of the velocity (1, 0) the part 0.8 points that way.
+  // They touch along (0.8, 0.6); the velocity (1, 0) has the component 0.8 in this direction.
   const auto outcomes = move({stander({0.8, 0.6}), obstacle({0.0, 0.0}, {1.0, 0.0}, 0.75)});
   expectOutcome(outcomes[0], 0.8 + 0.64, 0.6 + 0.48, true, true);
 }
 
 TEST(SolidObstacle, PassesOverAnAgentPushedAgainstAWall) {
-  // Touches after 0.25 of the tick, pushes to the wall until 0.5, then goes on alone.
+  // It touches the agent after 0.25 of the tick, pushes it to the wall until 0.5, and then passes over it.
   const std::vector<Segment> walls = {{{0.5, -1.0}, {0.5, 1.0}}};
   const auto outcomes = move({stander({0.0, 0.0}), obstacle({-1.0, 0.0}, {1.0, 0.0}, 0.5)}, walls);
   expectOutcome(outcomes[0], 0.25, 0.0, true, true);
   expectOutcome(outcomes[1], 0.0, 0.0, false, false);
-  // It may even leave on its own when the obstacle has passed over it, but not deeper in.
+  // The agent may then leave the obstacle, but not move deeper into it.
   const Disc parked = obstacle({0.1, 0.0}, {0.0, 0.0}, 0.5);
   expectAt(move({walker({0.25, 0.0}, {0.0, 1.0}), parked}, walls)[0], 0.25, 1.0);
   expectAt(move({walker({0.25, 0.0}, {-0.1, 0.0}), parked}, walls)[0], 0.25, 0.0);
@@ -182,7 +182,7 @@ TEST(SolidObstacle, PushesAnAgentThatStoppedEarlierInTheTick) {
   const auto outcomes =
       move({walker({0.0, 0.0}, {1.0, 0.0}), stander({0.75, 0.0}), obstacle({0.25, -2.0}, {0.0, 3.0}, 0.25)});
   expectOutcome(outcomes[0], 0.25, 1.5, true, true);
-  expectOutcome(outcomes[1], 0.75, 0.0, true, false);  // the obstacle passes close by
+  expectOutcome(outcomes[1], 0.75, 0.0, true, false);  // the obstacle passes without contact
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using scenes::scene;
 using scenes::solid;
 using scenes::wanderer;
 
-/// How deep the deepest agent overlaps another one, a wall or an obstacle at rest, by looking at everything [m].
+/// The deepest overlap of an agent with another one, a wall or a static obstacle [m]; checks all pairs.
 double deepestOverlap(const World& world) {
   double deepest = 0.0;
   for (const Agent& agent : world.agents()) {
@@ -39,7 +39,7 @@ double deepestOverlap(const World& world) {
   return deepest;
 }
 
-/// Moves that press together: towards a point of the crowd's that changes every few ticks, or anywhere.
+/// Actions of a dense crowd: two thirds of them towards a common point, the others random.
 std::vector<AgentAction> pressingActions(const World& world, KeyedRandom& random, const Vector2& towards) {
   std::vector<AgentAction> actions = scenes::randomActions(world, random);
   for (AgentAction& given : actions) {
@@ -70,7 +70,7 @@ TEST(SolidWorldProperty, AgentsNeverOverlap) {
   EXPECT_LT(blocked, moves * 9 / 10);
 }
 
-/// Where a body is within a tick: it walks its way at a steady speed and stops where it is stopped.
+/// The motion of a body within a tick: constant velocity until it is stopped.
 struct Walk {
   Vector2 from = Vector2::Zero();
   Vector2 to = Vector2::Zero();
@@ -95,7 +95,7 @@ std::vector<Walk> walksOf(const World& before, const World& after, const std::ve
   return walks;
 }
 
-/// Whether something touches the agent from ahead at an instant.
+/// Whether something touches the agent from ahead at this time (fraction of the tick).
 bool isHeldUp(const World& world, const std::vector<Walk>& walks, std::size_t agent, double time) {
   const Vector2 at = walks[agent].at(time);
   const auto holds = [&](const Vector2& nearest, double reach) {
@@ -208,7 +208,7 @@ TEST(SolidWorldProperty, EqualActionsGiveEqualWorldsBitForBit) {
     const std::vector<AgentAction> actions = pressingActions(world, random, Vector2::Zero());
     world.step(actions);
     again.step(actions);
-    World copy = again;  // what a world has been through before does not matter, only how it stands
+    World copy = again;  // a copy continues like its original
     again = copy;
   }
   for (const Agent& agent : world.agents()) {

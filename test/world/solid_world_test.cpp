@@ -29,7 +29,7 @@ TEST(SolidWorld, BlockedMoveByHand) {
   const Agent& walker = world.agents()[0];
   const Agent& stander = world.agents()[1];
   EXPECT_DOUBLE_EQ(walker.pose.position.x(), 0.25);
-  EXPECT_DOUBLE_EQ(walker.velocity.x(), 0.5);  // over ground: 0.25 m in 0.5 s
+  EXPECT_DOUBLE_EQ(walker.velocity.x(), 0.5);  // 0.25 m in 0.5 s
   EXPECT_TRUE(walker.acted);
   EXPECT_TRUE(walker.blocked);
   EXPECT_EQ(walker.blocked_moves, 1U);
@@ -38,11 +38,11 @@ TEST(SolidWorld, BlockedMoveByHand) {
   EXPECT_EQ(stander.blocked_moves, 0U);
   EXPECT_TRUE(stander.in_contact && stander.touched);
 
-  world.step({{0, {0.0, 1.0}}});  // it stays where it touches
+  world.step({{0, {0.0, 1.0}}});  // it stays in contact
   EXPECT_DOUBLE_EQ(walker.pose.position.x(), 0.25);
   EXPECT_EQ(walker.blocked_moves, 2U);
 
-  world.step({{0, {PI / 2, 1.0}}});  // and is free to walk aside
+  world.step({{0, {PI / 2, 1.0}}});  // it can walk aside
   EXPECT_DOUBLE_EQ(walker.pose.position.y(), 0.5);
   EXPECT_FALSE(walker.blocked || walker.in_contact || stander.in_contact);
   EXPECT_EQ(walker.blocked_moves, 2U);
@@ -56,13 +56,13 @@ TEST(SolidWorld, TurningIsNeverBlocked) {
   EXPECT_DOUBLE_EQ(world.agents()[0].pose.position.x(), 0.0);
   world.step({{0, {-0.5, 0.0}}});
   EXPECT_DOUBLE_EQ(world.agents()[0].pose.heading, 0.0);
-  EXPECT_FALSE(world.agents()[0].blocked);  // it did not want to move
+  EXPECT_FALSE(world.agents()[0].blocked);  // its action was to stay
   EXPECT_FALSE(world.agents()[0].in_contact);
 }
 
 TEST(SolidWorld, TouchingWithoutBlockingIsNoContact) {
   World world(halfMetres({0.0, 0.0}, {1.0, 0.0}));
-  world.step({{0, {0.0, 1.0}}});  // just up to the other
+  world.step({{0, {0.0, 1.0}}});  // up to the other agent
   EXPECT_DOUBLE_EQ(world.agents()[0].pose.position.x(), 0.5);
   EXPECT_FALSE(world.agents()[0].touched || world.agents()[1].touched);
 }
@@ -101,13 +101,13 @@ TEST(SolidWorld, MovingObstacleThatPassesOverAnAgentIsInContactWithIt) {
 }
 
 TEST(SolidWorld, MovingObstacleTurnsWithinATick) {
-  // It walks 0.75 m to and 0.25 m fro in a tick of 1 m: half a metre nearer, and it ends where its path says.
+  // In one tick the obstacle moves 0.75 m forth and 0.25 m back: it ends 0.5 m nearer.
   Scene scene = solid(scenes::halfSeconds(scenes::scene({wanderer({9.0, 9.0})})));
   scene.obstacles.push_back({ObstaclePath::toAndFro({{0.0, 0.0}, {0.75, 0.0}}, 2.0), 0.25});
   scene.agents.push_back(wanderer({0.9, 0.0}, 1.0, 0.25));
   World world(scene);
   world.step({});
-  EXPECT_DOUBLE_EQ(world.agents()[1].pose.position.x(), 1.0);  // pushed by 0.1 m, to 0.5 m from it
+  EXPECT_DOUBLE_EQ(world.agents()[1].pose.position.x(), 1.0);  // pushed by 0.1 m, to 0.5 m from the obstacle
 }
 
 TEST(SolidWorld, RefusesSpawnedBodiesWithAnyOverlap) {

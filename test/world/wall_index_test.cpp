@@ -169,7 +169,7 @@ TEST(WallIndex, FindsTheSameAsASearchOfAllWalls) {
   EXPECT_GT(found_walls, 10000U);  // or there was nothing to compare
 }
 
-/// The least distance between a path and a wall, at most half of `step` [m] too great.
+/// The smallest distance between a path and a wall, too large by at most half of `step` [m].
 double sampledDistance(const Segment& path, const WallIndex& index, double step) {
   const double length = (path.to - path.from).norm();
   const int steps = static_cast<int>(length / step) + 1;

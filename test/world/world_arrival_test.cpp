@@ -50,7 +50,7 @@ TEST(WorldArrival, ReachesSeveralGoalsInOrder) {
   World world(scenes::halfSeconds(scene({rounder})));
   const Agent& walker = world.agents()[0];
   for (int i = 0; i < 3; ++i) world.step({ahead(0)});
-  expectVector(walker.goal(), 2.0, 0.0);  // it has passed (1, 0), but that is not its turn yet
+  expectVector(walker.goal(), 2.0, 0.0);  // it has passed (1, 0), which is not its present goal
   world.step({ahead(0)});
   expectVector(walker.goal(), 1.0, 0.0);
   world.step({{0, {PI, 1.0}}});
@@ -72,7 +72,7 @@ TEST(WorldArrival, ArrivedAgentsAreNeitherPerceivedNorTouched) {
   ASSERT_EQ(after.agents.size(), 2U);
   EXPECT_EQ(after.agents[1].neighbour_count, 0U);
   for (int i = 0; i < 4; ++i) {
-    world.step({ahead(1)});  // through (1, 0), where the other one stopped
+    world.step({ahead(1)});  // through (1, 0), where agent 0 arrived
     EXPECT_FALSE(world.agents()[0].in_contact);
     EXPECT_FALSE(world.agents()[1].touched);
   }
@@ -103,7 +103,7 @@ TEST(WorldArrival, ContactsAtTheEndOfTheArrivalTickCount) {
   EXPECT_TRUE(world.agents()[1].touched);
   world.step({});
   EXPECT_FALSE(world.agents()[1].in_contact);
-  EXPECT_TRUE(world.agents()[1].touched);  // once touched, always touched
+  EXPECT_TRUE(world.agents()[1].touched);  // stays true
 }
 
 }  // namespace

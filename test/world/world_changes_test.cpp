@@ -21,7 +21,7 @@ using scenes::wanderer;
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
-/// What the error says that the call throws; the world must be as it was before.
+/// Requires an InputError with a reason, and an unchanged world.
 template <typename Call>
 void expectRefused(World& world, const std::string& reason, const Call& call) {
   SCOPED_TRACE(reason);
@@ -59,7 +59,7 @@ TEST(WorldChanges, RefusesToSpawnAgentsOnOccupiedPlaces) {
   expectRefused(world, "obstacle 0", [&] { world.spawnAgent(wanderer({0.0, 2.3})); });
   expectRefused(world, "wall", [&] { world.spawnAgent(wanderer({3.0, -1.8})); });
   EXPECT_EQ(world.spawnAgent(wanderer({0.5, 0.0})), 2U);  // beside agent 0
-  EXPECT_EQ(world.spawnAgent(wanderer({5.0, 5.0})), 3U);  // where agent 1 has left the floor
+  EXPECT_EQ(world.spawnAgent(wanderer({5.0, 5.0})), 3U);  // where agent 1 arrived
 }
 
 TEST(WorldChanges, RefusesToSpawnInvalidAgents) {
@@ -100,9 +100,9 @@ TEST(WorldChanges, RemovedAgentIsNotPerceived) {
   EXPECT_EQ(seen.agents[0].neighbour_count, 0U);
   world.step({ahead(0), ahead(1)});
   expectVector(world.agents()[0].pose.position, 0.0, 0.0);
-  expectRefused(world, "0", [&] { world.removeAgent(0); });  // gone already
+  expectRefused(world, "0", [&] { world.removeAgent(0); });  // removed already
   expectRefused(world, "2", [&] { world.removeAgent(2); });  // arrived
-  expectRefused(world, "3", [&] { world.removeAgent(3); });  // never there
+  expectRefused(world, "3", [&] { world.removeAgent(3); });  // unknown
 }
 
 TEST(WorldChanges, NewGoalReplacesAllGoals) {
@@ -133,7 +133,7 @@ TEST(WorldChanges, RefusesInvalidGoals) {
   expectRefused(world, "goal", [&] { world.setGoal(0, {NOT_A_NUMBER, 0.0}); });
   expectRefused(world, "goal", [&] { world.setGoal(0, {0.0, -INFINITE}); });
   expectRefused(world, "1", [&] { world.setGoal(1, {0.0, 0.0}); });  // arrived
-  expectRefused(world, "2", [&] { world.setGoal(2, {0.0, 0.0}); });  // never there
+  expectRefused(world, "2", [&] { world.setGoal(2, {0.0, 0.0}); });  // unknown
 }
 
 TEST(WorldChanges, SpawnedObstacleBeginsItsPathAtThePresentTime) {
@@ -189,7 +189,7 @@ TEST(WorldChanges, EveryNewGoalHasANewNumber) {
   world.step({});
   EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{1, 0}));
   world.setGoal(0, {9.0, 0.0});
-  world.setGoal(1, scenes::FAR_AWAY);  // the same place is a new goal, too
+  world.setGoal(1, scenes::FAR_AWAY);  // the same position is a new goal, too
   EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{2, 1}));
 }
 

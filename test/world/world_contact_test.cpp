@@ -20,7 +20,7 @@ using scenes::wanderer;
 /// Whether the first agent of a scene is in contact after a tick without moves.
 bool isInContact(const Scene& scene) {
   World world(scene);
-  EXPECT_FALSE(world.agents()[0].in_contact);  // ticks count, not the start
+  EXPECT_FALSE(world.agents()[0].in_contact);  // contacts are determined by ticks
   world.step({});
   EXPECT_EQ(world.agents()[0].touched, world.agents()[0].in_contact);
   return world.agents()[0].in_contact;
@@ -60,7 +60,7 @@ TEST(WorldContact, MovingObstaclePassesThroughAnAgent) {
   }
 }
 
-/// Whether an agent overlaps anything by more than a millimetre, by looking at everything.
+/// Whether an agent overlaps anything by more than a millimetre; checks all bodies and walls.
 bool overlapsSomething(const World& world, const Agent& agent) {
   const Vector2& at = agent.pose.position;
   const auto overlaps = [&](const Vector2& centre, double radius) {

@@ -121,9 +121,9 @@ TEST(WorldStep, RefusesInvalidActionsBeforeAnythingMoves) {
     EXPECT_THROW(world.step({ahead(0), {1, action}}), InputError);
     EXPECT_EQ(stateOf(world), before);
   }
-  world.step({});  // what stood beside the illegal ones is forgotten
+  world.step({});  // the valid action beside the invalid one is not kept
   EXPECT_FALSE(world.agents()[0].acted);
-  world.step({{0, {0.0, 0.0}}, {1, {0.0, 1.0}}});  // both limits of the share are legal
+  world.step({{0, {0.0, 0.0}}, {1, {0.0, 1.0}}});  // both limits of the fraction are valid
   EXPECT_TRUE(world.agents()[0].acted);
   EXPECT_TRUE(world.agents()[1].acted);
   EXPECT_EQ(world.tick(), 3U);
