@@ -8,11 +8,13 @@
 #include "social_crowd/common/random.h"
 #include "support/perceptions.h"
 #include "support/rows.h"
+#include "support/sector_cases.h"
 
 namespace crowd {
 namespace {
 
 using Situation = NearestObstacleStates::Situation;
+using sector_cases::SectorCase;
 
 /// An agent whose goal lies 5 m straight ahead.
 PerceptionsBuilder agentAlone() { return PerceptionsBuilder().agent(0, {5.0, 0.0}); }
@@ -28,54 +30,14 @@ int classOfNeighbour(const Vector2& position, double radius) {
 int classOfWall(const Vector2& from, const Vector2& to) { return describe(agentAlone().wall(from, to)).distance_class; }
 
 TEST(NearestObstacleStates, HasEightGoalSectors) {
-  struct Case {
-    double degrees;
-    int sector;
-  };
-  for (const Case& edge : std::vector<Case>{{0.0, 0},
-                                            {22.4, 0},
-                                            {22.6, 1},
-                                            {67.4, 1},
-                                            {67.6, 2},
-                                            {112.4, 2},
-                                            {112.6, 3},
-                                            {157.4, 3},
-                                            {157.6, 4},
-                                            {180.0, 4},
-                                            {-157.6, 4},
-                                            {-157.4, 5},
-                                            {-112.6, 5},
-                                            {-112.4, 6},
-                                            {-67.6, 6},
-                                            {-67.4, 7},
-                                            {-22.6, 7},
-                                            {-22.4, 0}}) {
+  for (const SectorCase& edge : sector_cases::EVEN) {
     EXPECT_EQ(goalSectorOf(polar(edge.degrees, 0.01)), edge.sector) << edge.degrees << " degrees";
     EXPECT_EQ(goalSectorOf(polar(edge.degrees, 1e4)), edge.sector) << edge.degrees << " degrees";
   }
 }
 
 TEST(NearestObstacleStates, HasUnevenObstacleSectors) {
-  struct Case {
-    double degrees;
-    int sector;
-  };
-  for (const Case& edge : std::vector<Case>{{0.0, 0},
-                                            {14.9, 0},
-                                            {15.1, 1},
-                                            {44.9, 1},
-                                            {45.1, 2},
-                                            {89.9, 2},
-                                            {90.1, 3},
-                                            {179.9, 3},
-                                            {-0.1, 4},
-                                            {-14.9, 4},
-                                            {-15.1, 5},
-                                            {-44.9, 5},
-                                            {-45.1, 6},
-                                            {-89.9, 6},
-                                            {-90.1, 7},
-                                            {-179.9, 7}}) {
+  for (const SectorCase& edge : sector_cases::UNEVEN) {
     const Situation neighbour = describe(agentAlone().neighbour(polar(edge.degrees, 0.7), 0.1));
     EXPECT_EQ(neighbour.obstacle_sector, edge.sector) << edge.degrees << " degrees";
     // A wall with one end towards the agent.

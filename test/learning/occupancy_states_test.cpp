@@ -6,12 +6,14 @@
 
 #include "support/perceptions.h"
 #include "support/rows.h"
+#include "support/sector_cases.h"
 
 namespace crowd {
 namespace {
 
 using Classes = std::vector<int>;
 using Situation = OccupancyStates::Situation;
+using sector_cases::SectorCase;
 
 const Classes NOTHING = {0, 0, 0, 0, 0, 0, 0, 0};
 const Classes ALL_NEAR = {1, 1, 1, 1, 1, 1, 1, 1};
@@ -37,29 +39,8 @@ Classes classesOfWall(const Vector2& from, const Vector2& to) {
 }
 
 TEST(OccupancyStates, HasEightGoalSectors) {
-  struct Case {
-    double degrees;
-    int sector;
-  };
   const OccupancyStates states;
-  for (const Case& edge : std::vector<Case>{{0.0, 0},
-                                            {22.4, 0},
-                                            {22.6, 1},
-                                            {67.4, 1},
-                                            {67.6, 2},
-                                            {112.4, 2},
-                                            {112.6, 3},
-                                            {157.4, 3},
-                                            {157.6, 4},
-                                            {180.0, 4},
-                                            {-157.6, 4},
-                                            {-157.4, 5},
-                                            {-112.6, 5},
-                                            {-112.4, 6},
-                                            {-67.6, 6},
-                                            {-67.4, 7},
-                                            {-22.6, 7},
-                                            {-22.4, 0}}) {
+  for (const SectorCase& edge : sector_cases::EVEN) {
     const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(edge.degrees, 2.0));
     EXPECT_EQ(states.describe(scene.perception()).goal_sector, edge.sector) << edge.degrees << " degrees";
   }

@@ -5,21 +5,20 @@
 #include <array>
 #include <vector>
 
+#include "support/sector_cases.h"
+
 namespace crowd {
 namespace {
 
-constexpr double HAIR = 1e-9;  // [rad]
+using sector_cases::SectorCase;
 
-struct Case {
-  double degrees;
-  int sector;
-};
+constexpr double HAIR = 1e-9;  // [rad]
 
 TEST(EvenSectors, EightSectorsAreCentredOnTheEightRotations) {
   const EvenSectors sectors(8);
   EXPECT_EQ(sectors.count(), 8);
   EXPECT_DOUBLE_EQ(sectors.width(), toRadians(45.0));
-  for (const Case& edge : std::vector<Case>{
+  for (const SectorCase& edge : std::vector<SectorCase>{
            {0.0, 0},    {22.4, 0},   {22.6, 1},   {45.0, 1},    {67.4, 1},    {67.6, 2},   {90.0, 2},   {112.4, 2},
            {112.6, 3},  {135.0, 3},  {157.4, 3},  {157.6, 4},   {180.0, 4},   {-180.0, 4}, {-157.6, 4}, {-157.4, 5},
            {-135.0, 5}, {-112.6, 5}, {-112.4, 6}, {-90.0, 6},   {-67.6, 6},   {-67.4, 7},  {-45.0, 7},  {-22.6, 7},
@@ -76,28 +75,13 @@ TEST(EvenSectors, NumberSectorsOverSeveralTurns) {
   EXPECT_EQ(sectors.wrap(-17), 7);
 }
 
-/// Those of the thesis, figure 3.6: 15, 45, 90 and 180 degrees to either side.
+/// The sectors of the thesis, figure 3.6: 15, 45, 90 and 180 degrees to either side.
 MirroredSectors thesisSectors() { return MirroredSectors({toRadians(15.0), toRadians(45.0), toRadians(90.0), PI}); }
 
 TEST(MirroredSectors, AreFinerInFront) {
   const MirroredSectors sectors = thesisSectors();
   EXPECT_EQ(sectors.count(), 8);
-  for (const Case& edge : std::vector<Case>{{0.0, 0},
-                                            {14.9, 0},
-                                            {15.1, 1},
-                                            {44.9, 1},
-                                            {45.1, 2},
-                                            {89.9, 2},
-                                            {90.1, 3},
-                                            {179.9, 3},
-                                            {-0.1, 4},
-                                            {-14.9, 4},
-                                            {-15.1, 5},
-                                            {-44.9, 5},
-                                            {-45.1, 6},
-                                            {-89.9, 6},
-                                            {-90.1, 7},
-                                            {-179.9, 7}}) {
+  for (const SectorCase& edge : sector_cases::UNEVEN) {
     EXPECT_EQ(sectors.indexOf(toRadians(edge.degrees)), edge.sector) << edge.degrees << " degrees";
   }
 }

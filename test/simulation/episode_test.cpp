@@ -10,6 +10,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "support/scenes.h"
+#include "support/worlds.h"
 
 namespace crowd {
 namespace {
@@ -20,8 +21,6 @@ using scenes::scene;
 using scenes::wanderer;
 
 constexpr std::uint64_t NUMBER = 42;
-
-AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
 
 /// Ticks of 0.5 s; one agent walks 1 m in 2 ticks to its goal, the other has 2 m and 4 ticks to walk.
 Scene oneAndTwoMetres() {

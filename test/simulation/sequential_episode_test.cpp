@@ -6,6 +6,7 @@
 
 #include "social_crowd/simulation/episode.h"
 #include "support/scenes.h"
+#include "support/worlds.h"
 
 namespace crowd {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 using scenes::agent;
 using scenes::scene;
 using scenes::wanderer;
-
-AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
 
 Scene sequential(Scene scene) {
   scene.order = Order::SEQUENTIAL;

@@ -12,6 +12,7 @@
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
+#include "support/worlds.h"
 
 namespace crowd {
 namespace {
@@ -19,8 +20,6 @@ namespace {
 using scenes::agent;
 using scenes::scene;
 using scenes::wanderer;
-
-AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
 
 TEST(Trajectory, WritesASmallRun) {
   // Agent 0 arrives in tick 2, agent 1 in tick 3; agent 2 is removed after tick 1.
