@@ -88,6 +88,19 @@ void forRandomFloors(std::uint64_t count, const Check& check) {
   }
 }
 
+TEST(PathProperty, TheMeshKeepsItsClearance) {
+  forRandomFloors(FLOORS / 3, [](const FloorPlan& floor, KeyedRandom& random) {
+    const NavigationMesh mesh(floor, random.uniform(0.1, 0.4));
+    for (const auto& polygon : mesh.polygons()) {
+      Vector2 from = polygon.back();
+      for (const Vector2& corner : polygon) {
+        ASSERT_GE(floors::clearanceAlong(floor, from, corner), mesh.clearance() - mesh.tolerance() - 1e-6);
+        from = corner;
+      }
+    }
+  });
+}
+
 TEST(PathProperty, PathsKeepTheRadiusFromWallsAndObstacles) {
   std::size_t paths = 0;
   forRandomFloors(FLOORS, [&](const FloorPlan& floor, KeyedRandom& random) {
@@ -155,7 +168,7 @@ TEST(PathProperty, StraightMeansFree) {
 TEST(PathProperty, ReachAgreesWithAFloodFill) {
   std::size_t connected = 0;
   std::size_t separate = 0;
-  forRandomFloors(FLOORS / 3, [&](const FloorPlan& floor, KeyedRandom& random) {
+  forRandomFloors(FLOORS / 6, [&](const FloorPlan& floor, KeyedRandom& random) {
     const FineGrid grid(floor);
     const NavigationMesh mesh(floor, RADIUS + TIGHT_MARGIN);
     Query query(mesh);
@@ -184,7 +197,7 @@ TEST(PathProperty, ReachAgreesWithAFloodFill) {
       }
     }
   });
-  EXPECT_GT(connected, 100U);
+  EXPECT_GT(connected, 50U);
   EXPECT_GT(separate, 10U);
 }
 
