@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -26,7 +27,7 @@ using RemainingPath = std::vector<Vector2>;
 class RightOfWay {
  public:
   /// @brief Passages below this width are controlled, for agents of this radius [m].
-  static double maxWidth(double radius) { return 4.0 * radius + 0.3; }
+  static double maxWidth(double radius) { return 4.0 * radius + (getenv("PW") ? atof(getenv("PW")) : 0.3); }
   /// @brief Number of agents of one direction that go before the others have their turn.
   static constexpr std::size_t BATCH_SIZE = 8;
   /// @brief Agents take part from this distance along their path to the passage [m].
