@@ -9,10 +9,11 @@ namespace {
 /// Bounds grow in steps of this length [m], so that episodes of a scenario have the same.
 constexpr double BOUNDS_STEP = 8.0;
 
-constexpr double LANE_WIDTH = 2.4;    // of the floor beside a corner that is looked at [m]
-constexpr double LANE_STEP = 0.2;     // [m]
-constexpr double LANE_SHARE = 0.7;    // of this width, for the lane of those who turn left
-constexpr double LANE_REACHED = 0.4;  // [m]
+constexpr double LANE_WIDTH = 3.2;      // agents keep right where the floor is narrower, less their diameter [m]
+constexpr double LANE_STEP = 0.2;       // of the measurement of the width [m]
+constexpr double LANE_SHARE = 0.1;      // distance of the lane from the right side, as a share of the width
+constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
+constexpr double LANE_REACHED = 0.4;    // [m]
 
 void includePoint(const Vector2& point, FloorPlan::Bounds& bounds) {
   const Vector2 margin = Vector2::Constant(FloorPlan::MARGIN);
@@ -115,9 +116,9 @@ Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
   return keepRight(agent, next, way, *tight_);
 }
 
-/// Round a corner to the left, agents use the right half of the floor beside it, so that those who come from the other
-/// side, and turn right there, pass on the inside.
-Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) {
+/// In corridors, and round corners to the left, agents walk on the right, so that those who walk in opposite directions
+/// do not meet head-on.
+Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
   const Vector2& position = agent.pose.position;
   if (way.lane) {
     const Vector2 offset = way.lane->place - position;
@@ -126,24 +127,31 @@ Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, 
     way.lane.reset();
   }
   const Span<Vector2> corners = way.follower->corners();
-  if (corners.size() < 2) return next;
-  way.lane = laneAt(position, corners[0], corners[1], agent.radius, query);
-  return way.lane ? way.lane->place : next;
+  const double distance = (next - position).norm();
+  if (distance < LANE_REACHED || (corners.size() < 2 && distance < LANE_LOOKAHEAD)) return next;
+  const Vector2 direction = (next - position) / distance;
+  const bool is_corner = distance < LANE_LOOKAHEAD;
+  const Vector2 forward = is_corner ? Vector2((direction + (corners[1] - next).normalized()).normalized()) : direction;
+  const Vector2 ahead = position + std::min(distance, LANE_LOOKAHEAD) * direction;
+  const Vector2 place = laneBeside(ahead, forward, agent.radius);
+  if (place == ahead || !query.isStraight(position, place)) return next;
+  if (is_corner) way.lane = Lane{place, forward};
+  return place;
 }
 
-std::optional<WayFinder::Lane> WayFinder::laneAt(const Vector2& position, const Vector2& corner, const Vector2& after,
-                                                 double radius, NavigationMesh::Query& query) {
-  const Vector2 before = (corner - position).normalized();
-  const Vector2 behind = (after - corner).normalized();
-  if (cross(before, behind) <= 0.0 || (corner - position).norm() < LANE_REACHED) return std::nullopt;
-  const Vector2 forward = (before + behind).normalized();
+/// The place to the right, on the line across the floor, where those who walk in this direction pass.
+Vector2 WayFinder::laneBeside(const Vector2& place, const Vector2& forward, double radius) const {
   const Vector2 right(forward.y(), -forward.x());
-  double width = 0.0;
-  while (width < LANE_WIDTH && query.isStraight(corner, corner + (width + LANE_STEP) * right)) width += LANE_STEP;
-  if (width < 2.0 * radius + LANE_STEP) return std::nullopt;
-  const Vector2 place = corner + LANE_SHARE * width * right;
-  if (!query.isStraight(position, place) || !query.isStraight(place, after)) return std::nullopt;
-  return Lane{place, forward};
+  const auto room = [&](const Vector2& side) {
+    double width = 0.0;
+    while (width < LANE_WIDTH && data_->passages.fits(place + (width + LANE_STEP) * side, radius)) width += LANE_STEP;
+    return width;
+  };
+  const double on_right = room(right);
+  const double width = on_right + room(-right);
+  if (width > LANE_WIDTH || width < 2.0 * radius + LANE_STEP) return place;
+  const double shift = on_right - std::max(0.15, LANE_SHARE * width);
+  return shift > 0.0 ? Vector2(place + shift * right) : place;
 }
 
 }  // namespace crowd

@@ -45,9 +45,8 @@ class WayFinder {
   void adoptLayout(const World& world);
   void lead(const Agent& agent, World& world);
   Vector2 nextPoint(const Agent& agent, Way& way);
-  static Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query);
-  static std::optional<Lane> laneAt(const Vector2& position, const Vector2& corner, const Vector2& after, double radius,
-                                    NavigationMesh::Query& query);
+  Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
+  Vector2 laneBeside(const Vector2& place, const Vector2& forward, double radius) const;
 
   std::uint64_t layout_changes_ = 0;  // of the world that `data_` belongs to
   bool is_needed_ = false;            // there is anything to walk round
