@@ -16,19 +16,34 @@ Vector2 favouredDirection(double time) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-Vector2 onward(const Agent& agent) {
-  const Vector2 offset = agent.perceivedGoal() - agent.pose.position;
+/// Direction to the point of a path at LOOKAHEAD: agents in front of a door all walk in the same direction.
+Vector2 directionOf(const RemainingPath& path, const Agent& agent) {
+  constexpr double LOOKAHEAD = 3.0;  // [m]
+  Vector2 from = agent.pose.position;
+  double left = LOOKAHEAD;
+  for (const Vector2& corner : path) {
+    const double length = (corner - from).norm();
+    if (length > left) {
+      from += left / length * (corner - from);
+      break;
+    }
+    left -= length;
+    from = corner;
+  }
+  const Vector2 offset = from - agent.pose.position;
   const double length = offset.norm();
   return length > 0.0 ? Vector2(offset / length) : agent.ahead;
 }
 
 }  // namespace
 
-void DeadlockResolver::update(World& world) {
+void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& paths) {
   const double time = world.time();
   walks_.resize(world.agents().size());
   for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) follow(agent, time);
+    if (!agent.isWalking()) continue;
+    follow(agent, time);
+    if (time >= walks_[agent.id].retreat_until) walks_[agent.id].course = directionOf(paths[agent.id], agent);
   }
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
@@ -57,7 +72,7 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) const
   const double time = world.time();
   const bool is_stuck = time - walks_[agent.id].progress_time >= STUCK_TIME;
   if (!is_stuck && agent.velocity.norm() > 0.3 * agent.max_speed) return false;
-  const Vector2 direction = onward(agent);
+  const Vector2& direction = walks_[agent.id].course;
   const Vector2 axis = favouredDirection(time);
   for (const Agent& other : world.agents()) {
     if (!other.isWalking() || other.id == agent.id) continue;
@@ -65,7 +80,7 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) const
     const bool retreats = time < walks_[other.id].retreat_until;
     if (!is_stuck && !retreats) continue;
     if (offset.norm() > agent.radius + other.radius + REACH || offset.dot(direction) <= 0.0) continue;
-    const Vector2 course = onward(other);
+    const Vector2& course = walks_[other.id].course;
     if (course.dot(direction) < -0.3 && (retreats || axis.dot(course) > axis.dot(direction))) return true;
   }
   return false;
@@ -75,6 +90,8 @@ void DeadlockResolver::retreat(World& world, const Agent& agent) {
   std::deque<Vector2>& trail = walks_[agent.id].trail;
   while (trail.size() > 1 && (trail.back() - agent.pose.position).norm() < BACK) trail.pop_back();
   world.setWaypoint(agent.id, trail.back());
+  const Vector2 back = trail.back() - agent.pose.position;
+  if (back.norm() > 0.0) walks_[agent.id].course = back.normalized();
 }
 
 }  // namespace crowd

@@ -1,6 +1,7 @@
 #include "social_crowd/simulation/way_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace crowd {
@@ -12,6 +13,7 @@ constexpr double BOUNDS_STEP = 8.0;
 constexpr double LANE_WIDTH = 3.2;      // agents keep right where the floor is narrower, less their diameter [m]
 constexpr double LANE_STEP = 0.2;       // of the measurement of the width [m]
 constexpr double LANE_SHARE = 0.1;      // distance of the lane from the right side, as a share of the width
+constexpr double LANE_MARGIN = 0.15;    // and its smallest value [m]
 constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
 constexpr double LANE_REACHED = 0.4;    // [m]
 
@@ -68,7 +70,7 @@ void WayFinder::update(World& world) {
     if (agent.isWalking()) lead(agent, world);
   }
   if (!std::getenv("NOROW")) right_of_way_->update(world, paths_);
-  if (!std::getenv("NODR")) deadlocks_.update(world);
+  if (!std::getenv("NODR")) deadlocks_.update(world, paths_);
 }
 
 void WayFinder::adoptLayout(const World& world) {
@@ -116,8 +118,7 @@ Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
   return keepRight(agent, next, way, *tight_);
 }
 
-/// In corridors, and round corners to the left, agents walk on the right, so that those who walk in opposite directions
-/// do not meet head-on.
+/// In corridors agents walk on the right, so that those who walk in opposite directions do not meet head-on.
 Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
   const Vector2& position = agent.pose.position;
   if (way.lane) {
@@ -133,25 +134,37 @@ Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, 
   const bool is_corner = distance < LANE_LOOKAHEAD;
   const Vector2 forward = is_corner ? Vector2((direction + (corners[1] - next).normalized()).normalized()) : direction;
   const Vector2 ahead = position + std::min(distance, LANE_LOOKAHEAD) * direction;
+  if (!isCorridor(position, ahead, direction, agent.radius)) return next;
   const Vector2 place = laneBeside(ahead, forward, agent.radius);
   if (place == ahead || !query.isStraight(position, place)) return next;
   if (is_corner) way.lane = Lane{place, forward};
   return place;
 }
 
-/// The place to the right, on the line across the floor, where those who walk in this direction pass.
-Vector2 WayFinder::laneBeside(const Vector2& place, const Vector2& forward, double radius) const {
+/// Whether the floor is bounded on both sides all along this line.
+bool WayFinder::isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const {
+  constexpr std::array<double, 4> SHARES = {0.0, 0.33, 0.67, 1.0};
+  return std::all_of(SHARES.begin(), SHARES.end(), [&](double share) {
+    return floorBeside(from + share * (to - from), forward, radius).width() < LANE_WIDTH;
+  });
+}
+
+WayFinder::Sides WayFinder::floorBeside(const Vector2& place, const Vector2& forward, double radius) const {
   const Vector2 right(forward.y(), -forward.x());
   const auto room = [&](const Vector2& side) {
     double width = 0.0;
     while (width < LANE_WIDTH && data_->passages.fits(place + (width + LANE_STEP) * side, radius)) width += LANE_STEP;
     return width;
   };
-  const double on_right = room(right);
-  const double width = on_right + room(-right);
-  if (width > LANE_WIDTH || width < 2.0 * radius + LANE_STEP) return place;
-  const double shift = on_right - std::max(0.15, LANE_SHARE * width);
-  return shift > 0.0 ? Vector2(place + shift * right) : place;
+  return {room(-right), room(right)};
+}
+
+/// The place to the right, on the line across the floor, where those who walk in this direction pass.
+Vector2 WayFinder::laneBeside(const Vector2& place, const Vector2& forward, double radius) const {
+  const Sides room = floorBeside(place, forward, radius);
+  if (room.width() > LANE_WIDTH || room.width() < 2.0 * radius + LANE_STEP) return place;
+  const double shift = room.right - std::max(LANE_MARGIN, LANE_SHARE * room.width());
+  return shift > 0.0 ? Vector2(place + shift * Vector2(forward.y(), -forward.x())) : place;
 }
 
 }  // namespace crowd

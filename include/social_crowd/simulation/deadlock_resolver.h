@@ -4,6 +4,7 @@
 #include <deque>
 #include <vector>
 
+#include "social_crowd/simulation/right_of_way.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
@@ -24,7 +25,8 @@ class DeadlockResolver {
   static constexpr double RETREAT_TIME = 6.0;  ///< an agent walks back for this time [s]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
-  void update(World& world);
+  /// @param paths of all agents, by id; empty for those that have none
+  void update(World& world, const std::vector<RemainingPath>& paths);
 
  private:
   struct Walk {
@@ -32,6 +34,7 @@ class DeadlockResolver {
     Vector2 reference = Vector2::Zero();   // where it last made progress [m]
     double progress_time = 0.0;            // when [s]
     double retreat_until = 0.0;            // [s]
+    Vector2 course = Vector2::UnitX();     // direction of its path, or back [unit vector]
   };
 
   void follow(const Agent& agent, double time);

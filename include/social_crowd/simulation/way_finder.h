@@ -34,6 +34,12 @@ class WayFinder {
     Vector2 place;
     Vector2 forward;  // unit vector of the direction there
   };
+  /// Free floor beside a place [m].
+  struct Sides {
+    double left;
+    double right;
+    double width() const { return left + right; }
+  };
   /// Way of one agent.
   struct Way {
     std::optional<Lane> lane;  // present
@@ -46,6 +52,8 @@ class WayFinder {
   void lead(const Agent& agent, World& world);
   Vector2 nextPoint(const Agent& agent, Way& way);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
+  bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
+  Sides floorBeside(const Vector2& place, const Vector2& forward, double radius) const;
   Vector2 laneBeside(const Vector2& place, const Vector2& forward, double radius) const;
 
   std::uint64_t layout_changes_ = 0;  // of the world that `data_` belongs to
