@@ -1,9 +1,7 @@
 #include "social_crowd/navigation/mesh_cache.h"
 
-#include <algorithm>
 #include <Eigen/Geometry>
-#include <cstdio>
-#include <cstdlib>
+#include <algorithm>
 #include <list>
 #include <map>
 #include <mutex>
@@ -80,10 +78,9 @@ std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, dou
     kept.splice(kept.begin(), kept, found);
     return found->data;
   }
-  auto data = std::make_shared<const NavigationData>(NavigationData{NavigationMesh(floor, radius + COMFORTABLE_MARGIN),
-                                                                    NavigationMesh(floor, radius + TIGHT_MARGIN),
-                                                                    Passages(withoutSmallThings(floor), radius, passage_width)});
-  if (getenv("SHOWP")) fprintf(stderr, "%zu passages\n", data->passages.size());
+  auto data = std::make_shared<const NavigationData>(
+      NavigationData{NavigationMesh(floor, radius + COMFORTABLE_MARGIN), NavigationMesh(floor, radius + TIGHT_MARGIN),
+                     Passages(withoutSmallThings(floor), radius, passage_width)});
   kept.push_front({floor, radius, passage_width, data});
   if (kept.size() > MAX_KEPT) kept.pop_back();
   return data;

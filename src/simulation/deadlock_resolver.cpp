@@ -58,7 +58,8 @@ void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& pa
 void DeadlockResolver::follow(const Agent& agent, double time) {
   Walk& walk = walks_[agent.id];
   const Vector2& place = agent.pose.position;
-  if (agent.yielding || agent.held || agent.at_goal || walk.trail.empty() || (place - walk.reference).norm() > PROGRESS) {
+  if (agent.yielding || agent.held || agent.at_goal || walk.trail.empty() ||
+      (place - walk.reference).norm() > PROGRESS) {
     walk.reference = place;
     walk.progress_time = time;
   }

@@ -7,13 +7,15 @@
 namespace crowd {
 namespace {
 
-constexpr double SAMPLE = 0.15;       // distance between the points of a path that are looked up [m]
-constexpr double LANE_MARGIN = 0.15;  // between an agent in the lane and agents beside it [m]
-constexpr double LANE_LENGTH = 3.0;   // [m]
-constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
-constexpr double ONE_WAY_ZONE = 0.9;  // radius of the zone without traffic in the other direction [m]
-constexpr double HEADWAY = 0.55;      // between agents that are admitted one after the other [m]
-constexpr double QUEUE_GAP = 0.2;     // between agents that wait: agents that touch each other block each other [m]
+constexpr double SAMPLE = 0.15;           // distance between the points of a path that are looked up [m]
+constexpr double LANE_MARGIN = 0.15;      // between an agent in the lane and agents beside it [m]
+constexpr double LANE_LENGTH = 3.0;       // [m]
+constexpr double STOP_MARGIN = 0.15;      // agents are held this far outside of the zone [m]
+constexpr double ONE_WAY_ZONE = 0.9;      // radius of the zone without traffic in the other direction [m]
+constexpr double HEADWAY = 0.55;          // between agents that are admitted one after the other [m]
+constexpr double WAITING_DISTANCE = 1.2;  // from a mouth [m]
+constexpr double WAITING_WIDTH = 2.4;     // of the floor there, less the diameter of an agent [m]
+constexpr double QUEUE_GAP = 0.2;         // between agents that wait: agents that touch each other block each other [m]
 
 constexpr double ADVANCE = 0.3;  // an admitted agent makes progress when it has come this much closer [m]
 constexpr double STALL = 4.0;    // after this time without progress everybody may walk ... [s]
@@ -31,7 +33,26 @@ double lengthOf(const RemainingPath& path, Vector2 from) {
 }  // namespace
 
 RightOfWay::RightOfWay(std::shared_ptr<const Passages> passages, double radius)
-    : passages_(std::move(passages)), radius_(radius), states_(passages_->size()) {}
+    : passages_(std::move(passages)), radius_(radius), states_(passages_->size()) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const auto& mouths = (*passages_)[i].mouths;
+    states_[i].is_controlled =
+        std::all_of(mouths.begin(), mouths.end(), [this](const Mouth& mouth) { return hasRoomToWait(mouth); });
+  }
+}
+
+/// Whether agents can wait beside those who come out.
+bool RightOfWay::hasRoomToWait(const Mouth& mouth) const {
+  const Vector2 left(-mouth.outward.y(), mouth.outward.x());
+  double width = 0.0;
+  for (const Vector2& side : {left, Vector2(-left)}) {
+    const Vector2 place = mouth.centre + WAITING_DISTANCE * mouth.outward;
+    for (double aside = 0.0; width < WAITING_WIDTH && passages_->fits(place + aside * side, radius_); aside += SAMPLE) {
+      width += SAMPLE;
+    }
+  }
+  return width >= WAITING_WIDTH;
+}
 
 void RightOfWay::update(World& world, const std::vector<RemainingPath>& paths) {
   if (states_.empty()) return;
@@ -42,7 +63,7 @@ void RightOfWay::update(World& world, const std::vector<RemainingPath>& paths) {
     if (state.claims.empty()) continue;
     admit(passage, state);
     noteProgress(world, paths, state);
-    if (world.time() < state.progress_time + STALL) guide(passage, state, world);
+    if (state.is_controlled && world.time() < state.progress_time + STALL) guide(passage, state, world);
   }
 }
 

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <iterator>
 
 namespace crowd {
 namespace {
 
 /// Bounds grow in steps of this length [m], so that episodes of a scenario have the same.
 constexpr double BOUNDS_STEP = 8.0;
+
+constexpr double LARGE_OBSTACLE = 1.0;  // radius from which ways lead round an obstacle that stands alone [m]
 
 constexpr double LANE_WIDTH = 3.2;      // agents keep right where the floor is narrower, less their diameter [m]
 constexpr double LANE_STEP = 0.2;       // of the measurement of the width [m]
@@ -29,14 +31,30 @@ bool contains(const FloorPlan::Bounds& bounds, const Vector2& point) {
   return (point.array() >= bounds.low.array()).all() && (point.array() <= bounds.high.array()).all();
 }
 
-/// Walls, obstacles at rest, and bounds around them, all agents and their goals.
-FloorPlan floorOf(const World& world) {
+/// Whether agents of this radius can walk round an obstacle on both sides, one beside the other.
+bool standsAlone(const FloorPlan::Disc& disc, const FloorPlan& floor, double radius) {
+  const double room = RightOfWay::maxWidth(radius);
+  const auto is_near = [&](const FloorPlan::Disc& other) {
+    return &other != &disc && (other.centre - disc.centre).norm() < disc.radius + other.radius + room;
+  };
+  const auto is_near_wall = [&](const Segment& wall) { return distanceTo(wall, disc.centre) < disc.radius + room; };
+  return disc.radius <= LARGE_OBSTACLE && std::none_of(floor.obstacles.begin(), floor.obstacles.end(), is_near) &&
+         std::none_of(floor.walls.begin(), floor.walls.end(), is_near_wall);
+}
+
+/// Walls, obstacles at rest, and bounds around them, all agents and their goals. Small obstacles that stand alone are
+/// left to the learners, which walk round them with shorter paths.
+FloorPlan floorOf(const World& world, double radius) {
   FloorPlan floor;
   floor.bounds.emplace();
   floor.walls = world.walls();
   for (const Obstacle& obstacle : world.obstacles()) {
     if (!obstacle.path.moves()) floor.obstacles.push_back({obstacle.path.position(0.0), obstacle.radius});
   }
+  std::vector<FloorPlan::Disc> to_walk_round;
+  std::copy_if(floor.obstacles.begin(), floor.obstacles.end(), std::back_inserter(to_walk_round),
+               [&](const FloorPlan::Disc& disc) { return !standsAlone(disc, floor, radius); });
+  floor.obstacles = to_walk_round;
   for (const Segment& wall : floor.walls) {
     includePoint(wall.from, *floor.bounds);
     includePoint(wall.to, *floor.bounds);
@@ -69,13 +87,13 @@ void WayFinder::update(World& world) {
   for (const Agent& agent : world.agents()) {
     if (agent.isWalking()) lead(agent, world);
   }
-  if (!std::getenv("NOROW")) right_of_way_->update(world, paths_);
-  if (!std::getenv("NODR")) deadlocks_.update(world, paths_);
+  right_of_way_->update(world, paths_);
+  deadlocks_.update(world, paths_);
 }
 
 void WayFinder::adoptLayout(const World& world) {
   layout_changes_ = world.layoutChanges();
-  const FloorPlan floor = floorOf(world);
+  const FloorPlan floor = floorOf(world, largestRadius(world));
   is_needed_ = !world.agents().empty() && (!floor.walls.empty() || !floor.obstacles.empty());
   agents_.clear();
   if (!is_needed_) return;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -27,7 +26,7 @@ using RemainingPath = std::vector<Vector2>;
 class RightOfWay {
  public:
   /// @brief Passages below this width are controlled, for agents of this radius [m].
-  static double maxWidth(double radius) { return 4.0 * radius + (getenv("PW") ? atof(getenv("PW")) : 0.3); }
+  static double maxWidth(double radius) { return 4.0 * radius + 0.45; }
   /// @brief Number of agents of one direction that go before the others have their turn.
   static constexpr std::size_t BATCH_SIZE = 8;
   /// @brief Agents take part from this distance along their path to the passage [m].
@@ -56,11 +55,13 @@ class RightOfWay {
     std::vector<Admitted> admitted;
     std::size_t direction = 0;   // the mouth that admitted agents enter
     std::size_t served = 0;      // since the direction changed
+    bool is_controlled = true;   // there is room to wait
     double progress_time = 0.0;  // when an admitted agent last made progress [s]
 
     bool isAdmitted(AgentId agent) const;
   };
 
+  bool hasRoomToWait(const Mouth& mouth) const;
   void collectClaims(const World& world, const std::vector<RemainingPath>& paths);
   void addClaim(const Agent& agent, const RemainingPath& path);
   static void dropPassed(double time, PassageState& state);
