@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "social_crowd/world/region_geometry.h"
+#include "social_crowd/world/route_reach.h"
 
 namespace crowd {
 
@@ -51,6 +52,17 @@ std::optional<Vector2> PlacePicker::drawStart(const Region& region, double radiu
     if (world.isFree(place, radius + gap) && (region.isFixed() || fits(place, radius, world))) return place;
   }
   return std::nullopt;
+}
+
+bool PlacePicker::connects(const Vector2& place, const AgentGroup& group,
+                           const PopulationDescription& population) const {
+  if (group.position.kind != Region::Kind::FREE) return true;
+  if (group.route) return connectsRoute(*free_space_, population, *group.route, place);
+  const std::uint32_t home = free_space_->component(place);
+  return std::all_of(group.goals.begin(), group.goals.end(), [&](const Region& goal) {
+    const std::uint32_t component = goal.isFixed() ? free_space_->component(goal.first) : home;
+    return component == home || component == FreeSpace::NONE;
+  });
 }
 
 Vector2 PlacePicker::nearestIn(const Region& area, const Vector2& from, double radius, const World& world) const {
