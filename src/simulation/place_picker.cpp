@@ -67,9 +67,8 @@ bool PlacePicker::connects(const Vector2& place, const AgentGroup& group,
 
 Vector2 PlacePicker::nearestIn(const Region& area, const Vector2& from, double radius, const World& world) const {
   const Region inner = shrink(area, std::max(radius, goal_tolerance_));
-  const Vector2 nearest = nearestPoint(inner, from);
-  if (fits(nearest, radius, world)) return nearest;
-  Vector2 best = nearest;
+  Vector2 best = nearestPoint(inner, from);
+  if (fits(best, radius, world)) return best;
   double least = std::numeric_limits<double>::infinity();
   for (const Vector2& point : gridPoints(area, std::max(0.1, 0.5 * radius))) {
     const double distance = (point - from).squaredNorm();
