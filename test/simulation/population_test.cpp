@@ -328,5 +328,37 @@ TEST(Population, KeepsNothingOfAgentsThatHaveLeft) {
   EXPECT_EQ(episode.population().memberCount(), 0U);
 }
 
+/// What is kept for the present agents does not grow with those that were removed, and numbers never repeat.
+TEST(Population, ManyAgentsThatAreAddedAndRemoved) {
+  Episode episode = episodeOf(
+      "agents: [{position: [0, 5], route: rounds, speed: 1, radius: 0.2}]\n"
+      "routes: {rounds: {repeat: true, waypoints: [{place: [9, 5]}, {place: [0, 5]}]}}\n"
+      "gates: {door: {wall: [[0, 9], [1, 9]], open: true}}\n",
+      5000.0);
+  AgentStart start;
+  start.goals = {{9.0, 0.0}};
+  start.max_speed = 1.0;
+  start.radius = 0.2;
+  std::size_t capacity = 0;
+  for (AgentId cycle = 1; cycle <= 1000; ++cycle) {
+    ASSERT_EQ(episode.spawnAgent(start), cycle);
+    episode.setRoute(cycle, "rounds");
+    episode.setGate("door", cycle % 2 == 0);
+    step(episode);
+    const Perceptions& perceptions = episode.perceptions();
+    EXPECT_EQ(perceptions.agents.size(), 2U);
+    if (cycle == 10) capacity = perceptions.agents.capacity();
+    if (cycle > 10) {
+      ASSERT_EQ(perceptions.agents.capacity(), capacity);
+    }
+    episode.removeAgent(cycle);
+    step(episode);
+    ASSERT_EQ(episode.world().bodyCount(), 1U);
+    ASSERT_EQ(episode.population().memberCount(), 1U);
+    ASSERT_LE(episode.world().walls().size(), 1U);
+  }
+  EXPECT_EQ(episode.result().agentCount(), 1U);
+}
+
 }  // namespace
 }  // namespace crowd
