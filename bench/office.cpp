@@ -69,7 +69,7 @@ class Places {
 
   Vector2 drawStart(KeyedRandom& random) {
     for (int trial = 0; trial < 1000; ++trial) {
-      const Vector2 place = drawGoal(random);
+      Vector2 place = drawGoal(random);
       if (isTaken(place)) continue;
       starts_.push_back(place);
       return place;

@@ -16,10 +16,10 @@ struct DetourPoint {
   explicit DetourPoint(const Vector2& cells)
       : coordinates{static_cast<float>(cells.x()), 0.0F, static_cast<float>(cells.y())} {}
   DetourPoint() : DetourPoint(Vector2::Zero()) {}
-  const float* data() const { return coordinates; }
-  float* data() { return coordinates; }
+  const float* data() const { return coordinates.data(); }
+  float* data() { return coordinates.data(); }
   Vector2 cells() const { return {coordinates[0], coordinates[2]}; }
-  float coordinates[3];
+  std::array<float, 3> coordinates;
 };
 
 /// Differences of coordinates that are rounding [cells].
@@ -92,9 +92,9 @@ class NavigationMesh::Query::Search {
   /// The place nearest to a point among the polygons within a square around it; without a polygon if there are none.
   /// @param reach half of its side [cells]
   Place nearestInSquare(const DetourPoint& centre, double reach) const {
-    const float extents[3] = {static_cast<float>(reach), 1.0F, static_cast<float>(reach)};
+    const std::array<float, 3> extents{static_cast<float>(reach), 1.0F, static_cast<float>(reach)};
     Place place;
-    detour_.findNearestPoly(centre.data(), extents, &filter_, &place.polygon, place.point.data());
+    detour_.findNearestPoly(centre.data(), extents.data(), &filter_, &place.polygon, place.point.data());
     return place;
   }
 
@@ -108,8 +108,8 @@ class NavigationMesh::Query::Search {
     std::array<dtPolyRef, MAX_POLYGONS> polygons{};
     int count = 0;
     const Vector2 point = start + share * (end - start);
-    const float extents[3] = {static_cast<float>(RAY_TOLERANCE), 1.0F, static_cast<float>(RAY_TOLERANCE)};
-    detour_.queryPolygons(DetourPoint(point).data(), extents, &filter_, polygons.data(), &count, MAX_POLYGONS);
+    const std::array<float, 3> extents{static_cast<float>(RAY_TOLERANCE), 1.0F, static_cast<float>(RAY_TOLERANCE)};
+    detour_.queryPolygons(DetourPoint(point).data(), extents.data(), &filter_, polygons.data(), &count, MAX_POLYGONS);
     for (int i = 0; i < count; ++i) {
       const std::size_t polygon = index(polygons[static_cast<std::size_t>(i)]);
       if (isOnPolygon(*data_, polygon, point)) share = std::max(share, followRay(*data_, polygon, start, end));

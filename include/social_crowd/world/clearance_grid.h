@@ -33,7 +33,8 @@ class ClearanceGrid {
   double operator[](Index point) const { return distances_[point]; }
   /// @brief The place of a grid point [m], `map`.
   Vector2 place(Index point) const {
-    return origin_ + spacing_ * Vector2(static_cast<double>(point % columns_), static_cast<double>(point / columns_));
+    const Index row = point / columns_;
+    return origin_ + spacing_ * Vector2(static_cast<double>(point % columns_), static_cast<double>(row));
   }
   /// @brief The grid point nearest to a place [m], `map`; OUTSIDE if the place is more than half a cell off the grid.
   Index nearest(const Vector2& place) const;
