@@ -18,8 +18,8 @@ class Corridor:
     width: float  # [m]
     length: float  # of the filled part [m]
     window: float  # length of the measurement area, in the middle [m]
-    speeds: tuple  # lowest and highest free speed of a person [m/s]
-    two_way: bool
+    speeds: tuple  # lowest and highest free speed of a person [m/s]: their mean is that measured at low densities
+    direction: object  # function of y and a random generator: 1 or -1
     densities: tuple  # at the start, [1/m2], single file [1/m]
     edges: numpy.ndarray  # of the bins of densities
     begin: float  # measured from this time [s]
@@ -30,16 +30,39 @@ class Corridor:
         return density * (1.0 if self.density_column == 'density_per_m' else self.width)
 
 
-ONE_WAY = Corridor('one_way_corridor', 'one way, 1.8 m wide', 'one_way_corridor.csv', 'density_per_m2', 1.8, 70.0, 4.0,
-                   (0.97, 1.27), False, (0.3, 0.6, 0.9, 1.2, 1.5, 1.8, 2.1, 2.4, 2.7, 3.0, 3.5, 4.0, 4.5, 5.0),
-                   numpy.arange(0.0, 5.3, 0.25), 8.0, 20.0)
-TWO_WAY = Corridor('two_way_corridor', 'two ways, 3.6 m wide', 'two_way_corridor.csv', 'density_per_m2', 3.6, 80.0,
-                   4.0, (1.3, 1.8), True, (0.4, 0.7, 1.0, 1.3, 1.6, 1.9, 2.2, 2.5, 2.8, 3.2, 4.0),
-                   numpy.arange(0.0, 5.3, 0.25), 8.0, 20.0)
-SINGLE_FILE = Corridor('single_file', 'single file', 'single_file.csv', 'density_per_m', 0.5, 70.0, 4.0, (1.05, 1.4),
-                       False, (0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.2, 2.4),
-                       numpy.arange(0.0, 3.1, 0.2), 8.0, 20.0)
-CORRIDORS = (ONE_WAY, TWO_WAY, SINGLE_FILE)
+def one_way(_y, _random):
+    """Everybody walks ahead."""
+    return 1.0
+
+
+def in_lanes(y, _random):
+    """Both directions keep to the right."""
+    return 1.0 if y < 0.0 else -1.0
+
+
+def mixed(_y, random):
+    """Both directions are everywhere."""
+    return 1.0 if random.random() < 0.5 else -1.0
+
+
+ONE_WAY = Corridor(
+    name='one_way_corridor', title='one way, 1.8 m wide', data='one_way_corridor.csv',
+    density_column='density_per_m2', width=1.8, length=70.0, window=4.0, speeds=(0.95, 1.25), direction=one_way,
+    densities=(0.3, 0.6, 0.9, 1.2, 1.5, 1.8, 2.1, 2.4, 2.7, 3.0, 3.5, 4.0, 4.5, 5.0),
+    edges=numpy.arange(0.0, 5.3, 0.25), begin=8.0, end=20.0)
+TWO_WAY = Corridor(
+    name='two_way_corridor', title='two ways, 3.6 m wide, in lanes at the start', data='two_way_corridor.csv',
+    density_column='density_per_m2', width=3.6, length=80.0, window=4.0, speeds=(1.25, 1.75), direction=in_lanes,
+    densities=(0.4, 0.7, 1.0, 1.3, 1.6, 1.9, 2.2, 2.5, 2.8, 3.2, 4.0),
+    edges=numpy.arange(0.0, 5.3, 0.25), begin=8.0, end=20.0)
+TWO_WAY_MIXED = dataclasses.replace(
+    TWO_WAY, name='mixed_corridor', title='two ways, 3.6 m wide, mixed at the start', direction=mixed)
+SINGLE_FILE = Corridor(
+    name='single_file', title='single file', data='single_file.csv', density_column='density_per_m', width=0.42,
+    length=70.0, window=4.0, speeds=(1.05, 1.4), direction=one_way,
+    densities=(0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.2, 2.4),
+    edges=numpy.arange(0.0, 3.1, 0.2), begin=8.0, end=20.0)
+CORRIDORS = (ONE_WAY, TWO_WAY, TWO_WAY_MIXED, SINGLE_FILE)
 
 
 def places(corridor, density, random):
@@ -80,7 +103,7 @@ def document(corridor, density, seed):
     lines = [f'name: {corridor.name}', f'duration: {corridor.end:g}', 'goal_tolerance: 0.3', 'way_finding: false',
              'walls:'] + [f'  - [[{ends[0]}, {y:g}], [{ends[1]}, {y:g}]]' for y in (-half, half)] + ['agents:']
     for x, y in places(corridor, density, random):
-        ahead = -1.0 if corridor.two_way and random.random() < 0.5 else 1.0
+        ahead = corridor.direction(y, random)
         lines.append(f'  - {{position: [{x:.3f}, {y:.3f}], goal: [{x + ahead * BEYOND:.3f}, {y:.3f}], '
                      f'speed: {random.uniform(*corridor.speeds):.3f}, radius: {RADIUS}}}')
     return '\n'.join(lines) + '\n'

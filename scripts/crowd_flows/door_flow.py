@@ -5,11 +5,14 @@ first and the last person who cross the line of the wall).
 """
 import numpy
 
+from crowd_experiments import style
+
 from .evaluation import TICK, evaluate, read_tracks
-from .measurements import door_range, read_columns
+from .measurements import COLOURS, door_range, read_columns
 
 COUNT = 60
 WIDTHS = (0.8, 0.9, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.2, 2.4)  # [m]
+FIGURE = 'validation_door_flow.png'
 HEADER = ['width', 'flow', 'flow_low', 'flow_high', 'through', 'range_low', 'range_high', 'inside']
 SCENARIO = '''name: door
 duration: 150
@@ -38,10 +41,13 @@ def measure_door(program, table, folder, width, seeds):
     scenario = folder / f'door_{width:g}.yaml'
     scenario.write_text(SCENARIO.format(count=COUNT, half=width / 2.0), encoding='utf-8')
     evaluate(program, table, scenario, folder, '--episodes', seeds)
-    return numpy.array([flow_of(track) for track in read_tracks(folder / f'{scenario.stem}.csv')]).T
+    recording = folder / f'{scenario.stem}.csv'
+    flows = numpy.array([flow_of(track) for track in read_tracks(recording)]).T
+    recording.unlink()
+    return flows
 
 
-def run(program, table, folder, seeds, data, widths=WIDTHS):
+def measure_crowd(program, table, folder, seeds, data, widths=WIDTHS):
     """Returns rows of HEADER, one for each width."""
     folder.mkdir(parents=True, exist_ok=True)
     measured = read_columns(data / 'door_flow.csv', 'width_m', 'flow_per_s')
@@ -54,3 +60,26 @@ def run(program, table, folder, seeds, data, widths=WIDTHS):
             round(known[0], 2), round(known[1], 2), 'yes' if known[0] <= mean <= known[1] else 'no']
         rows.append([width, round(mean, 2), round(flows.min(), 2), round(flows.max(), 2), int(through.min()), *cells])
     return rows
+
+
+def run(evaluate_program, table, folder, seeds, data):
+    """Measures the crowd of a table. Returns rows of HEADER, and the file of a figure. data: folder of the
+    measurements of people."""
+    rows = measure_crowd(evaluate_program, table, folder, seeds, data)
+    return rows, plot({table.stem: rows}, data, folder / FIGURE)
+
+
+def plot(doors, data, file):
+    """Draws the flows of several crowds (rows by name) beside the experiments. Returns the file."""
+    figure, axes = style.new_figure(1, 1, 7, 4.5)
+    panel = axes[0][0]
+    measured = read_columns(data / 'door_flow.csv', 'width_m', 'flow_per_s')
+    panel.plot(*measured[measured[:, 0] <= max(WIDTHS) + 0.4].T, '.', color='0.55', label='experiments')
+    for (name, rows), colour in zip(doors.items(), COLOURS):
+        width, flow, low, high = numpy.array([row[:4] for row in rows], dtype=float).T
+        panel.errorbar(width, flow, (flow - low, high - flow), fmt='o-', capsize=3, color=colour, label=name)
+    panel.set_xlabel('width of the door [m]')
+    panel.set_ylabel('people per second')
+    panel.set_ylim(bottom=0.0)
+    panel.legend(loc='upper left')
+    return style.save(figure, file)

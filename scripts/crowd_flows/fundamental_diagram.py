@@ -7,11 +7,14 @@ direction of walking. Intervals from 8 to 20 s count: later, the ends of the fil
 """
 import numpy
 
+from crowd_experiments import style
+
 from .corridors import CORRIDORS, document
 from .evaluation import TICK, evaluate, read_tracks
-from .measurements import bands, read_columns, weidmann
+from .measurements import COLOURS, LEAST_IN_BIN, bands, read_columns, weidmann
 
 INTERVAL = round(1.0 / TICK)  # [ticks]
+FIGURE = 'validation_fundamental_diagram.png'
 HEADER = ['corridor', 'density', 'speed', 'intervals', 'measured_low', 'measured_median', 'measured_high', 'inside']
 
 
@@ -55,7 +58,7 @@ def rows_of(corridor, values, measured):
     bins = numpy.digitize(values[:, 0], corridor.edges) - 1
     for i, band in enumerate(bands(measured, corridor.edges)):
         speeds = values[bins == i, 1]
-        if len(speeds) < 5:
+        if len(speeds) < LEAST_IN_BIN:
             continue
         density = (corridor.edges[i] + corridor.edges[i + 1]) / 2.0
         band_cells = ['', '', '', ''] if band is None else [
@@ -65,8 +68,10 @@ def rows_of(corridor, values, measured):
     return rows
 
 
-def run(program, table, folder, seeds, data, corridors=CORRIDORS):
-    """Measures all corridors. Returns rows of HEADER, the values by corridor's name, and the highest contact rate."""
+def measure_crowd(program, table, folder, seeds, data, corridors=CORRIDORS):
+    """Measures a crowd in all corridors.
+
+    Returns rows of HEADER, the values by the name of the corridor, and the highest contact rate [%]."""
     folder.mkdir(parents=True, exist_ok=True)
     rows, values, contact = [], {}, 0.0
     for corridor in corridors:
@@ -76,3 +81,53 @@ def run(program, table, folder, seeds, data, corridors=CORRIDORS):
         rows += rows_of(corridor, found, measured)
         values[corridor.name] = found
     return rows, values, contact
+
+
+def run(evaluate_program, table, folder, seeds, data):
+    """Measures the crowd of a table. Returns rows of HEADER, and the file of a figure. data: folder of the
+    measurements of people."""
+    rows, values, _ = measure_crowd(evaluate_program, table, folder, seeds, data)
+    return rows, plot({table.stem: values}, data, folder / FIGURE)
+
+
+def plot(crowds, data, file, corridors=CORRIDORS):
+    """Draws the speeds of several crowds (results of run() by name) beside the measurements. Returns the file."""
+    figure, axes = style.new_figure(2, 2, 11, 8)
+    for panel, corridor in zip(axes.flat, corridors):
+        draw_measured(panel, corridor, read_columns(data / corridor.data, corridor.density_column,
+                                                    'speed_m_per_s'))
+        for (name, values), colour in zip(crowds.items(), COLOURS):
+            draw_means(panel, corridor, values[corridor.name], colour, name)
+        panel.set_title(corridor.title)
+        panel.set_xlim(0.0, corridor.edges[-1])
+        panel.set_ylim(0.0, 1.75)
+        panel.set_ylabel('speed [m/s]')
+        panel.set_xlabel('density [1/m]' if corridor.density_column == 'density_per_m' else 'density [1/m²]')
+    axes[0][0].legend(loc='upper right', fontsize=8)
+    return style.save(figure, file)
+
+
+def draw_measured(panel, corridor, measured):
+    """Draws the measurements, their band, and Weidmann's relation."""
+    panel.plot(*measured.T, '.', color='0.8', markersize=2, label='people')
+    known = [(middle, band) for middle, band in zip(middles(corridor), bands(measured, corridor.edges)) if band]
+    panel.fill_between([middle for middle, _ in known], [band.low for _, band in known],
+                       [band.high for _, band in known], color='0.5', alpha=0.35, linewidth=0,
+                       label='people, 10-90 %')
+    if corridor.density_column == 'density_per_m2':
+        densities = numpy.linspace(0.1, 5.4, 200)
+        panel.plot(densities, weidmann(densities), '--', color=style.REFERENCE, linewidth=1, label='Weidmann')
+
+
+def draw_means(panel, corridor, values, colour, name):
+    """Draws the values of a crowd and their means in the bins of densities."""
+    panel.plot(*values.T, '.', color=colour, markersize=2, alpha=0.3)
+    bins = numpy.digitize(values[:, 0], corridor.edges) - 1
+    means = [(middle, values[bins == i, 1].mean()) for i, middle in enumerate(middles(corridor))
+             if (bins == i).sum() >= LEAST_IN_BIN]
+    panel.plot(*zip(*means), 'o-', color=colour, markersize=4, label=name)
+
+
+def middles(corridor):
+    """Middles of the bins of densities."""
+    return (corridor.edges[:-1] + corridor.edges[1:]) / 2.0

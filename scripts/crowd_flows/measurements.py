@@ -4,7 +4,8 @@ import dataclasses
 
 import numpy
 
-LEAST_IN_BIN = 5  # measurements; bins with fewer have no band
+LEAST_IN_BIN = 5  # values; bins with fewer are left out
+COLOURS = ('#d55e00', '#0072b2', '#009e73', '#8e5ea2')  # of the crowds in figures
 
 
 @dataclasses.dataclass(frozen=True)

@@ -74,7 +74,7 @@ TEST(GoalRelativeActions, IsWhatItsSpecSays) {
       contains(error("{type: goal_relative, headings: [10, 0]}"), "headings[1]: expected a list of rising numbers"));
   EXPECT_TRUE(contains(error("{type: goal_relative, headings: [200]}"), "from 0 to 180, got '200'"));
   EXPECT_TRUE(contains(error("{type: goal_relative, headings: []}"), "headings: expected at least one"));
-  EXPECT_TRUE(contains(error("{type: goal_relative, time_gap: -1}"), "time_gap: expected a number of at least 0"));
+  EXPECT_TRUE(contains(error("{type: goal_relative, time_gap: -1}"), "time_gap: expected a number of 0 or more"));
   EXPECT_TRUE(
       contains(error("{type: goal_relative, gap_sharing: third}"), "expected none, half or moving, got 'third'"));
 }
