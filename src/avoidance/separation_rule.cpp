@@ -136,6 +136,11 @@ void SeparationRule::cut(const Perception& perception, MoveBlock* moves, std::si
   escape_planner.replaceUnsafe(moves, count);
 }
 
+bool SeparationRule::mustEscape(const Perception& perception) const {
+  if (!perception.neighbours.hasObstacles() || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return false;
+  return EscapePlanner(perception, lookout_).isNeeded();
+}
+
 void SeparationRule::cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const {
   admitAll(moves, count);
   if (sharing_ == GapSharing::NONE) return;

@@ -66,11 +66,15 @@ TEST(GoalRelativeActions, AgreesWithItsSpec) {
       "lookout: 1.5}";
   EXPECT_EQ(specOf(spec), spec);
   EXPECT_EQ(specOf("{type: goal_relative}"), GoalRelativeActions().spec());
+  const std::string with_time_gap = spec.substr(0, spec.size() - 1) + ", time_gap: 0.9, time_gap_width: 0.8}";
+  EXPECT_EQ(specOf(with_time_gap), with_time_gap);
+  EXPECT_EQ(specOf(spec.substr(0, spec.size() - 1) + ", time_gap: 0}"), spec);  // off
   const auto error = [](const std::string& yaml) { return errorOf<InputError>([&] { specOf(yaml); }); };
   EXPECT_TRUE(
       contains(error("{type: goal_relative, headings: [10, 0]}"), "headings[1]: expected a list of rising numbers"));
   EXPECT_TRUE(contains(error("{type: goal_relative, headings: [200]}"), "from 0 to 180, got '200'"));
   EXPECT_TRUE(contains(error("{type: goal_relative, headings: []}"), "headings: expected at least one"));
+  EXPECT_TRUE(contains(error("{type: goal_relative, time_gap: -1}"), "time_gap: expected a number of 0 or more"));
   EXPECT_TRUE(
       contains(error("{type: goal_relative, gap_sharing: third}"), "expected none, half or moving, got 'third'"));
 }

@@ -63,10 +63,13 @@ std::vector<Model> models() {
   const std::string thesis = "action_set: {type: kings_moves}, reward: {goal: distance_gained, obstacle_cost: 10}";
   const std::string goal_relative =
       "state_set: {type: anticipation}, action_set: {type: goal_relative, gap_sharing: moving}, ";
+  const std::string human =
+      "state_set: {type: anticipation}, action_set: {type: goal_relative, time_gap: 1, time_gap_width: 0.8}, ";
   return {
       parseModel("{state_set: {type: nearest_obstacle}, " + thesis + "}"),
       parseModel("{state_set: {type: occupancy}, " + thesis + "}"),
       parseModel("{" + goal_relative + "reward: {type: progress}}"),
+      parseModel("{" + human + "reward: {type: progress}}"),
       parseModel("{" + goal_relative + "reward: {type: progress}, vision: {occlusion: true}}"),
   };
 }

@@ -38,6 +38,8 @@ class SeparationRule {
   /// @param batch at most MAX_BATCH agents
   /// @param moves blocksOf(count) blocks per agent
   void cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;
+  /// @brief Whether a moving obstacle comes so near that cut() considers escapes from it.
+  bool mustEscape(const Perception& perception) const;
 
  private:
   void cutAmongAgents(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;

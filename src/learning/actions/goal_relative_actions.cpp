@@ -30,7 +30,9 @@ void turn(const MoveBlock& base_moves, const Vector2& bearing, std::size_t turne
 }  // namespace
 
 GoalRelativeActions::GoalRelativeActions(const Parameters& parameters)
-    : parameters_(parameters), rule_(parameters.gap_sharing, parameters.lookout) {
+    : parameters_(parameters),
+      rule_(parameters.gap_sharing, parameters.lookout),
+      time_gap_(parameters.time_gap, parameters.time_gap_width) {
   addBothSides(parameters.headings, 1.0);
   addBothSides(parameters.slow_headings, parameters.slow_fraction);
   turned_ = size();
@@ -63,6 +65,20 @@ void GoalRelativeActions::findMoves(const PerceptionBatch& batch, MoveBlock* mov
     }
   }
   rule_.cut(batch, moves, size());
+  if (time_gap_.isOn()) keepTimeGap(batch, moves);
+}
+
+/// Who must escape from a moving obstacle does not slow down.
+void GoalRelativeActions::keepTimeGap(const PerceptionBatch& batch, MoveBlock* moves) const {
+  for (std::size_t k = 0; k < batch.size(); ++k) {
+    if (!rule_.mustEscape(batch[k])) time_gap_.cut(batch[k], moves + k * base_moves_.size(), size());
+  }
+}
+
+/// Absent while it is off: headers of tables stay as they were.
+std::string GoalRelativeActions::timeGapSpec() const {
+  if (!time_gap_.isOn()) return "";
+  return ", time_gap: " + toText(parameters_.time_gap) + ", time_gap_width: " + toText(parameters_.time_gap_width);
 }
 
 std::string GoalRelativeActions::spec() const {
@@ -70,11 +86,12 @@ std::string GoalRelativeActions::spec() const {
          ", slow_headings: " + toText(parameters_.slow_headings) +
          ", slow_fraction: " + toText(parameters_.slow_fraction) + ", stay: " + (parameters_.stay ? "true" : "false") +
          ", gap_sharing: " + GAP_SHARINGS.nameOf(parameters_.gap_sharing) +
-         ", lookout: " + toText(parameters_.lookout) + "}";
+         ", lookout: " + toText(parameters_.lookout) + timeGapSpec() + "}";
 }
 
 std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
-  map.allow({"type", "headings", "slow_headings", "slow_fraction", "stay", "gap_sharing", "lookout"});
+  map.allow({"type", "headings", "slow_headings", "slow_fraction", "stay", "gap_sharing", "lookout", "time_gap",
+             "time_gap_width"});
   GoalRelativeActions::Parameters parameters;
   parameters.headings = map.risingNumbers("headings", 0.0, 180.0, parameters.headings);
   if (parameters.headings.empty()) throwExpected(map.placeOf("headings"), map.need("headings"), "at least one");
@@ -83,6 +100,8 @@ std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
   parameters.stay = map.flag("stay", parameters.stay);
   parameters.gap_sharing = GAP_SHARINGS.read(map, parameters.gap_sharing);
   parameters.lookout = map.number("lookout", NumberRule::NOT_NEGATIVE, parameters.lookout);
+  parameters.time_gap = map.number("time_gap", NumberRule::NOT_NEGATIVE, parameters.time_gap);
+  parameters.time_gap_width = map.number("time_gap_width", NumberRule::NOT_NEGATIVE, parameters.time_gap_width);
   return std::make_shared<GoalRelativeActions>(parameters);
 }
 

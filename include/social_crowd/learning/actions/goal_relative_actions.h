@@ -3,12 +3,13 @@
 #include <vector>
 
 #include "social_crowd/avoidance/separation_rule.h"
+#include "social_crowd/avoidance/time_gap.h"
 #include "social_crowd/learning/actions/action_set.h"
 
 namespace crowd {
 
 /// @brief Headings relative to the goal's bearing, at full speed and at a slower speed, and staying. The separation
-/// rule limits the moves (see SeparationRule).
+/// rule limits the moves (see SeparationRule), and so does the time gap, if one is set (see TimeGap).
 class GoalRelativeActions : public ActionSet {
  public:
   static constexpr const char* TYPE = "goal_relative";
@@ -19,7 +20,9 @@ class GoalRelativeActions : public ActionSet {
     double slow_fraction = 0.5;                                        ///< of the maximum speed
     bool stay = true;                                                  ///< whether staying is an action, the last one
     GapSharing gap_sharing = GapSharing::MOVING;                       ///< see SeparationRule
-    double lookout = 1.5;  ///< see SeparationRule [s]; 0: moving obstacles are ignored
+    double lookout = 1.5;         ///< see SeparationRule [s]; 0: moving obstacles are ignored
+    double time_gap = 0.0;        ///< see TimeGap [s]; 0: none is kept
+    double time_gap_width = 1.0;  ///< see TimeGap
   };
 
   GoalRelativeActions() : GoalRelativeActions(Parameters()) {}
@@ -33,9 +36,12 @@ class GoalRelativeActions : public ActionSet {
  private:
   void addBothSides(const std::vector<double>& headings, double fraction);
   void add(const Vector2& direction, double fraction, Action mirrored);
+  void keepTimeGap(const PerceptionBatch& batch, MoveBlock* moves) const;
+  std::string timeGapSpec() const;
 
   Parameters parameters_;
   SeparationRule rule_;
+  TimeGap time_gap_;
   std::vector<MoveBlock> base_moves_;  // relative to the heading
   std::size_t turned_ = 0;             // number of moves, from the first, that are relative to the goal's bearing
   std::vector<Action> mirrored_;

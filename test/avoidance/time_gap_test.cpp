@@ -1,0 +1,128 @@
+#include "social_crowd/avoidance/time_gap.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "social_crowd/common/random.h"
+#include "social_crowd/learning/actions/goal_relative_actions.h"
+#include "support/moves.h"
+#include "support/perceptions.h"
+
+namespace crowd {
+namespace {
+
+constexpr double REFERENCE = TimeGap::REFERENCE_SPEED;
+
+std::vector<CandidateMove> limited(const TimeGap& time_gap, const PerceptionsBuilder& scene,
+                                   std::vector<CandidateMove> moves) {
+  std::vector<MoveBlock> blocks = toBlocks(moves);
+  time_gap.cut(scene.perception(), blocks.data(), moves.size());
+  for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = moveAt(blocks.data(), i);
+  return moves;
+}
+
+/// The admissible fraction of a move at full speed at an angle to ahead [degrees].
+double fractionAt(double degrees, const TimeGap& time_gap, const PerceptionsBuilder& scene) {
+  return limited(time_gap, scene, {{unitVector(toRadians(degrees)), 1.0, 1.0}})[0].fraction;
+}
+
+/// An agent of radius 0.25 m, and another one of the same radius with a gap in between [m], at a bearing [degrees].
+PerceptionsBuilder facing(double gap, double bearing = 0.0) {
+  return PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour(polar(bearing, 0.5 + gap), 0.25);
+}
+
+TEST(TimeGap, TakesTheTimeGapToWalkTheGap) {
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, facing(0.5 * REFERENCE)), 0.5, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {0.5, 1.0}, facing(0.25 * REFERENCE)), 0.5, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {2.0, 1.0}, facing(0.5 * REFERENCE)), 0.25, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, facing(0.134)), 0.1, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, facing(0.0)), 0.0, 1e-9);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0}, facing(-0.1)), 0.0);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0}, facing(1.35)), 1.0);
+}
+
+TEST(TimeGap, IsForWhoIsAheadOfTheMoveWithinTheBodysWidth) {
+  // The other is 1 m away at 25 degrees: 0.42 m aside of straight ahead, less than 0.5 m, more than 0.8 of it.
+  const PerceptionsBuilder scene = facing(0.5, 25.0);
+  const double cut = 0.5 / REFERENCE;
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, scene), cut, 1e-9);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 0.8}, scene), 1.0);
+  EXPECT_NEAR(fractionAt(25.0, {1.0, 0.8}, scene), cut, 1e-9);
+  EXPECT_NEAR(fractionAt(50.0, {1.0, 1.0}, scene), cut, 1e-9);
+  EXPECT_EQ(fractionAt(60.0, {1.0, 1.0}, scene), 1.0);   // 35 degrees off: 0.57 m aside
+  EXPECT_EQ(fractionAt(205.0, {1.0, 1.0}, scene), 1.0);  // behind
+}
+
+TEST(TimeGap, IsKeptToTheNearestOfThoseAhead) {
+  auto scene = facing(1.0).neighbour({0.5 + 0.134, 0.0}, 0.25);
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, scene), 0.1, 1e-9);
+}
+
+TEST(TimeGap, IsNotForObstaclesAndWalls) {
+  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0}, facing(0.1).kind(NeighbourKind::OBSTACLE)), 1.0);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0}, PerceptionsBuilder().agent(0, {5.0, 0.0}).wall({0.3, -1}, {0.3, 1})), 1.0);
+}
+
+TEST(TimeGap, LeavesSlowerMovesAsTheyAre) {
+  const auto moves = limited({1.0, 1.0}, facing(0.5 * REFERENCE), {{Vector2::UnitX(), 0.4, 0.4}});
+  EXPECT_EQ(moves[0].fraction, 0.4);
+  EXPECT_EQ(moves[0].wanted, 0.4);
+}
+
+TEST(TimeGap, IsOffAtZero) {
+  EXPECT_FALSE(TimeGap(0.0, 1.0).isOn());
+  EXPECT_EQ(fractionAt(0.0, {0.0, 1.0}, facing(0.0)), 1.0);
+}
+
+PerceptionsBuilder randomScene(std::uint64_t seed) {
+  KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
+  const auto place = [&] { return polar(360.0 * random.uniform(), 0.4 + 2.6 * random.uniform()); };
+  PerceptionsBuilder scene;
+  scene.agent(0, place());
+  const std::uint32_t count = random.below(20);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    scene.neighbour(place(), 0.1 + 0.15 * random.uniform());
+    scene.kind(random.uniform() < 0.2 ? NeighbourKind::OBSTACLE : NeighbourKind::AGENT);
+  }
+  return scene;
+}
+
+GoalRelativeActions actionSet(double time_gap) {
+  GoalRelativeActions::Parameters parameters;
+  parameters.time_gap = time_gap;
+  return GoalRelativeActions(parameters);
+}
+
+TEST(TimeGap, NeverMakesAMoveFasterAndALongerOneNever) {
+  std::size_t slower = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const PerceptionsBuilder scene = randomScene(seed);
+    const auto free = movesOf(actionSet(0.0), scene.perception());
+    const auto shorter = movesOf(actionSet(0.7), scene.perception());
+    const auto longer = movesOf(actionSet(1.4), scene.perception());
+    for (std::size_t i = 0; i < actionSet(0.0).size(); ++i) {
+      const CandidateMove move = moveAt(free.data(), i);
+      EXPECT_LE(moveAt(shorter.data(), i).fraction, move.fraction) << "seed " << seed << ", move " << i;
+      EXPECT_LE(moveAt(longer.data(), i).fraction, moveAt(shorter.data(), i).fraction) << "seed " << seed;
+      EXPECT_GE(moveAt(longer.data(), i).fraction, 0.0) << "seed " << seed;
+      EXPECT_EQ(moveAt(longer.data(), i).direction, move.direction) << "seed " << seed;
+      slower += moveAt(longer.data(), i).fraction < move.fraction ? 1 : 0;
+    }
+  }
+  EXPECT_GT(slower, 1000U);  // of 3600
+}
+
+TEST(TimeGap, DoesNotHoldUpWhoEscapesFromAMovingObstacle) {
+  // Another agent is ahead; a moving obstacle comes from behind at 1 m/s and would touch in 0.5 s.
+  const auto fraction = [](double time_gap, bool chased) {
+    auto scene = facing(0.2);
+    if (chased) scene.neighbour({-1.0, 0.0}, 0.25).kind(NeighbourKind::OBSTACLE).velocity({0.0, 0.0}, {1.0, 0.0});
+    return moveAt(movesOf(actionSet(time_gap), scene.perception()).data(), 0).fraction;
+  };
+  EXPECT_LT(fraction(1.0, false), fraction(0.0, false));
+  EXPECT_EQ(fraction(1.0, true), fraction(0.0, true));
+}
+
+}  // namespace
+}  // namespace crowd
