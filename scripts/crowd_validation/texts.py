@@ -1,0 +1,47 @@
+"""Texts of results."""
+import math
+
+from crowd_experiments.records import Spread
+
+from .measures import left_over, nearest_of
+
+
+def spread(values, unit='', decimals=1):
+    """Returns the mean and the range over the seeds, such as `30.1 s (29.9-30.4)`. Infinite values are counted apart."""
+    values = list(values)
+    numbers = Spread.of_numbers(values)
+    unit = f' {unit}' if unit else ''
+    if math.isnan(numbers.mean):
+        return 'never'
+    text = f'{numbers.mean:.{decimals}f}{unit}'
+    if f'{numbers.low:.{decimals}f}' != f'{numbers.high:.{decimals}f}':
+        text += f' ({numbers.low:.{decimals}f}-{numbers.high:.{decimals}f})'
+    missing = len(values) - len(numbers.values)
+    return text + (f', never in {missing} of {len(values)} seeds' if missing else '')
+
+
+def counts(values):
+    """Returns whole numbers over the seeds, such as `20` or `18-20`."""
+    low, high = min(values), max(values)
+    return f'{low}' if low == high else f'{low}-{high}'
+
+
+def arrived(recordings):
+    """Returns how many arrived, such as `1000 of 1000 arrived`."""
+    numbers = [sum(map(math.isfinite, recording.arrivals)) for recording in recordings]
+    return f'{counts(numbers)} of {recordings[0].people()} arrived'
+
+
+def jams(recordings, landmarks, after=''):
+    """Returns a sentence about those who did not arrive, by the landmark that they are nearest to: points by names. An
+    empty text if everybody arrived in all seeds."""
+    parts = []
+    for seed, recording in enumerate(recordings, 1):
+        places, standing = left_over(recording)
+        if len(places) == 0:
+            continue
+        names = list(landmarks)
+        near = nearest_of(places, list(landmarks.values()))
+        at = ', '.join(f'{(near == i).sum()} at {name}' for i, name in enumerate(names) if (near == i).any())
+        parts.append(f'seed {seed}: {len(places)} left{after} ({at}), {standing} of them stand')
+    return '; '.join(parts)
