@@ -23,7 +23,7 @@ class Result:
 
 @dataclasses.dataclass(frozen=True)
 class Case:
-    """A test. `run(evaluation)` runs the tool with all seeds, draws pictures and returns a Result; see evaluation.py."""
+    """A test. `run(evaluation)` runs the tool with all seeds, draws pictures, returns a Result; see evaluation.py."""
     name: str  # on the command line
     title: str
     run: typing.Callable

@@ -73,7 +73,7 @@ def height_for(recordings, columns):
         extent = numpy.nanmax(points, axis=0) - numpy.nanmin(points, axis=0) + 2.0 * MARGIN
         ratios.append(extent[1] / extent[0])
     width = WIDTH if columns == 1 else 1.6 * WIDTH / columns
-    return min(9.0, (width - 0.6) * max(ratios) + 0.9)
+    return min(7.5, (width - 0.6) * max(ratios) + 0.9)
 
 
 def mark_stuck(axes, recording):

@@ -70,8 +70,8 @@ def starts(recording, distance=0.01):
 
 
 def mean_speeds(recording, axis, low, high):
-    """Returns the mean speed of each agent between two coordinates of an axis [m/s]: their distance by the time from the
-    first to the second; nan if an agent does not pass both."""
+    """Returns the mean speed of each agent between two coordinates of an axis [m/s]: their distance by the time from
+    the first to the second; nan if an agent does not pass both."""
     coordinates = recording.tracks[:, :, axis]
     times = [passing_times(coordinates, value) * recording.tick for value in (low, high)]
     with numpy.errstate(invalid='ignore'):

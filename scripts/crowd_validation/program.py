@@ -37,8 +37,8 @@ def parser():
     """Returns the parser of the command line."""
     found = argparse.ArgumentParser(
         prog='validate', formatter_class=argparse.RawDescriptionHelpFormatter, epilog=EXAMPLES,
-        description="Runs the field's standard tests of pedestrian models with a learned crowd, and prints a table: what "
-                    'was\nmeasured, what the guideline expects, and whether the test is passed.')
+        description="Runs the field's standard tests of pedestrian models with a learned crowd, and prints a table: "
+                    'what was\nmeasured, what the guideline expects, and whether the test is passed.')
     found.add_argument('cases', nargs='*', metavar='CASE', help='names of cases, see --list (default: all)')
     found.add_argument('--list', action='store_true', help='list the cases, and those left out with the reason')
     found.add_argument('--table', action='store_true', help='print the table of stored results; runs nothing')
@@ -72,16 +72,15 @@ def main(words=None):
     chosen = [case for case in cases.ALL if case.name in arguments.cases or not arguments.cases]
     output = arguments.output.absolute()
     try:
-        if not arguments.table:
-            run_cases(chosen, arguments, output)
-        report(output, [case.name for case in chosen], arguments.document)
+        failed = [] if arguments.table else run_cases(chosen, arguments, output)
+        report(output, [case.name for case in chosen if case.name not in failed], arguments.document)
     except KeyboardInterrupt:
         print(f'Interrupted; the finished runs are kept in {output}, and the same command continues from there.')
         return EXIT_INTERRUPTED
     except (RunError, OSError) as error:
         print(f'validate: {error}', file=sys.stderr)
         return EXIT_FAILED
-    return EXIT_FINE
+    return EXIT_FAILED if failed else EXIT_FINE
 
 
 def list_cases():
@@ -93,19 +92,27 @@ def list_cases():
 
 
 def run_cases(chosen, arguments, output):
-    """Runs the cases one after the other, and stores their results."""
+    """Runs the cases one after the other, and stores their results. Returns the names of those that could not be
+    run."""
     q_table = (arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute()
     if not q_table.is_file():
         raise RunError(f'{q_table}: there is no such Q-table')
     evaluate = find_tools(arguments.tools) / 'evaluate'
+    failed = []
     for number, case in enumerate(chosen, 1):
         print(f'[{number}/{len(chosen)}] {case.name}: {case.title}', file=sys.stderr, flush=True)
         start = time.monotonic()
         folder = output / case.name
         folder.mkdir(parents=True, exist_ok=True)
-        result = case.run(Evaluation(evaluate, q_table, folder, arguments.seeds, arguments.processes))
+        try:
+            result = case.run(Evaluation(evaluate, q_table, folder, arguments.seeds, arguments.processes))
+        except RunError as error:
+            print(f'validate: {case.name}: {error}', file=sys.stderr)
+            failed.append(case.name)
+            continue
         store(folder, result, arguments.seeds)
         print(f'    passed: {result.verdict()}, took {text_of(time.monotonic() - start)}', file=sys.stderr, flush=True)
+    return failed
 
 
 def report(output, chosen, document):
@@ -113,7 +120,7 @@ def report(output, chosen, document):
     chapter = chapter_of(output, [case.name for case in cases.ALL])
     table = chapter_of(output, chosen).tables()
     if not table:
-        raise RunError(f'{output}: has no results of {", ".join(chosen)}')
+        raise RunError(f'{output}: has no results of the chosen cases')
     for part in table:
         print_table(part)
     if document:

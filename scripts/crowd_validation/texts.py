@@ -7,7 +7,7 @@ from .measures import left_over, nearest_of
 
 
 def spread(values, unit='', decimals=1):
-    """Returns the mean and the range over the seeds, such as `30.1 s (29.9-30.4)`. Infinite values are counted apart."""
+    """Returns mean and range over the seeds, such as `30.1 s (29.9-30.4)`. Infinite values are counted apart."""
     values = list(values)
     numbers = Spread.of_numbers(values)
     unit = f' {unit}' if unit else ''

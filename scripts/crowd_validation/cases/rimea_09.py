@@ -49,21 +49,27 @@ def run(evaluation):
     two, four = recordings['two_exits'], recordings['four_exits']
     last = [[float(recording.arrivals.max()) for recording in of_plan] for of_plan in (two, four)]
     ratios = Spread(slow / fast if numpy.isfinite([slow, fast]).all() else numpy.inf for slow, fast in zip(*last))
-    pictures = (draw_moments([(recording[0], time, f'{name}, after {time} s')
-                              for recording, name in ((four, 'four exits'), (two, 'two exits'))
-                              for time in (20, DURATION // 4)], evaluation.folder / 'rimea_9.png', 2),
-                draw_departures([('four exits', '#1f77b4', four[0].arrivals), ('two exits', '#ff7f0e', two[0].arrivals)],
-                                evaluation.folder / 'rimea_9_departures.png', '1,000 people leave a room (seed 1)'))
+    panels = [(recording[0], time, f'{name}, after {time} s')
+              for recording, name in ((four, 'four exits'), (two, 'two exits')) for time in (20, DURATION // 4)]
+    series = [('four exits', '#1f77b4', four[0].arrivals), ('two exits', '#ff7f0e', two[0].arrivals)]
+    pictures = (draw_moments(panels, evaluation.folder / 'rimea_9.png', 2),
+                draw_departures(series, evaluation.folder / 'rimea_9_departures.png', '1,000 people leave a room'))
     passed = bool(EXPECTED[0] <= ratios.low and ratios.high <= EXPECTED[1])
-    remarks = [text for text in (named('two exits', texts.jams(two, LOWER)),
-                                 named('four exits', texts.jams(four, four_exits))) if text]
+    flows = [texts.spread((flow(recording, exits) for recording in of_plan), decimals=2)
+             for of_plan, exits in ((two, LOWER), (four, four_exits))]
+    remarks = [f'people per second and exit: {flows[0]} by two exits, {flows[1]} by four']
+    remarks += [f'{name}: {text}' for name, text in (('two exits', texts.jams(two, LOWER)),
+                                                     ('four exits', texts.jams(four, four_exits))) if text]
     return Result(f'two exits: {texts.arrived(two)}, the last after {texts.spread(last[0], "s", 0)}; four exits: '
                   f'{texts.arrived(four)}, the last after {texts.spread(last[1], "s", 0)}; ratio '
                   f'{texts.spread(ratios.values, "", 2)}', 'ratio 1.6-2.4', passed, '. '.join(remarks), pictures)
 
 
-def named(name, text):
-    return f'{name}: {text}' if text else ''
+def flow(recording, exits):
+    """Returns how many people leave per second by each of the exits: from the first tenth of the people to the last;
+    infinite if fewer than nine tenths leave."""
+    first, last = numpy.sort(recording.arrivals)[[PEOPLE // 10, PEOPLE - PEOPLE // 10 - 1]]
+    return (PEOPLE - 2 * (PEOPLE // 10) - 1) / (last - first) / len(exits) if numpy.isfinite(last) else numpy.inf
 
 
 CASE = Case('rimea_9', 'A crowd leaves a large room', run)

@@ -19,7 +19,8 @@ def people(seed, top, goal_of):
     draw = random.Random(seed)
     starts = places(PEOPLE, (0.1, -DEPTH), (WIDTH - 0.1, -0.1), RADIUS_IN_DENSE_CROWDS, draw)
     speeds = adult_speeds(PEOPLE, draw)
-    return [plan.agent((x, top + y), goal_of(x), speed, RADIUS_IN_DENSE_CROWDS) for (x, y), speed in zip(starts, speeds)]
+    return [plan.agent((x, top + y), goal_of(x), speed, RADIUS_IN_DENSE_CROWDS)
+            for (x, y), speed in zip(starts, speeds)]
 
 
 def straight(length):
@@ -33,8 +34,8 @@ def straight(length):
 def corner():
     """Returns the plan of the corner, a function of the seed, and its end. The outer corner is cut off."""
     def document(seed):
-        walls = [*plan.polyline((END + 2.0, 0.0), (CHAMFER, 0.0), (0.0, CHAMFER), (0.0, TOP), (WIDTH, TOP), (WIDTH, WIDTH),
-                                (END + 2.0, WIDTH))]
+        walls = plan.polyline((END + 2.0, 0.0), (CHAMFER, 0.0), (0.0, CHAMFER), (0.0, TOP), (WIDTH, TOP),
+                              (WIDTH, WIDTH), (END + 2.0, WIDTH))
         crowd = people(seed, TOP, lambda x: (END + 1.0, round(x, 3)))
         return plan.scenario('rimea_15', DURATION, crowd, walls, 0.8)
     return document, [[END, 0.0], [END, WIDTH]]
