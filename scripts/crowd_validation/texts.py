@@ -32,16 +32,27 @@ def arrived(recordings):
     return f'{counts(numbers)} of {recordings[0].people()} arrived'
 
 
-def jams(recordings, landmarks, after=''):
-    """Returns a sentence about those who did not arrive, by the landmark that they are nearest to: points by names. An
-    empty text if everybody arrived in all seeds."""
+def problems(recordings, landmarks):
+    """Returns a text about those who did not arrive, by the landmark that they are nearest to (points by names), and
+    about contacts; empty if there were none in any seed."""
     parts = []
     for seed, recording in enumerate(recordings, 1):
-        places, standing = left_over(recording)
-        if len(places) == 0:
-            continue
-        names = list(landmarks)
-        near = nearest_of(places, list(landmarks.values()))
-        at = ', '.join(f'{(near == i).sum()} at {name}' for i, name in enumerate(names) if (near == i).any())
-        parts.append(f'seed {seed}: {len(places)} left{after} ({at}), {standing} of them stand')
+        of_seed = [text for text in (left_over_text(recording, landmarks), contact_text(recording)) if text]
+        if of_seed:
+            parts.append(f'seed {seed}: {", ".join(of_seed)}')
     return '; '.join(parts)
+
+
+def left_over_text(recording, landmarks):
+    """Returns how many did not arrive, and where they are at the end."""
+    places, standing = left_over(recording)
+    if len(places) == 0:
+        return ''
+    near = nearest_of(places, list(landmarks.values()))
+    at = ', '.join(f'{(near == i).sum()} at {name}' for i, name in enumerate(landmarks) if (near == i).any())
+    return f'{len(places)} left ({at}), {standing} of them stand'
+
+
+def contact_text(recording):
+    """Returns how many were in contact."""
+    return f'{recording.touched.sum()} in contact' if recording.touched.any() else ''

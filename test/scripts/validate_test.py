@@ -114,9 +114,9 @@ class MeasuresTest:
         places, standing = measures.left_over(walk)
         assert standing == 1
         assert places.tolist() == [[3.0, 3.0], [pytest.approx(12.0), 0.0]]
-        text = texts.jams([walk], {'the door': (3.0, 2.0), 'the corner': (12.0, 1.0)})
+        text = texts.problems([walk], {'the door': (3.0, 2.0), 'the corner': (12.0, 1.0)})
         assert text == 'seed 1: 2 left (1 at the door, 1 at the corner), 1 of them stand'
-        assert texts.jams([recording([[[0, 0]]], arrivals=[0.1])], {'the door': (0, 0)}) == ''
+        assert texts.problems([recording([[[0, 0]]], arrivals=[0.1])], {'the door': (0, 0)}) == ''
 
     def test_slow_people(self):
         # At 1 m/s: one walks at full speed, one at 0.4 m/s, one stands outside of the box.

@@ -47,7 +47,7 @@ def run(evaluation):
     return Result(f'largest difference between start and reaction time {texts.spread(differences, "s", 2)}, '
                   f'{texts.arrived(recordings)}',
                   f'each person starts after its reaction time (10, 20, ... 100 s), within {TOLERANCE:g} s', passed,
-                  texts.jams(recordings, {'the exit': (2.5, LENGTH)}), (picture,))
+                  texts.problems(recordings, {'the exit': (2.5, LENGTH)}), (picture,))
 
 
 CASE = Case('rimea_5', 'Reaction times', run)

@@ -36,7 +36,7 @@ def run(evaluation):
     return Result(f'{texts.arrived(recordings)}, {texts.counts(through)} through walls, {texts.counts(touched)} in '
                   f'contact; the last after {texts.spread((max(recording.arrivals) for recording in recordings), "s")}',
                   'all arrive, none through a wall, none in contact', passed,
-                  texts.jams(recordings, {'the corner': (11.0, 1.0), 'the end': (11.0, 12.0)}), (picture,))
+                  texts.problems(recordings, {'the corner': (11.0, 1.0), 'the end': (11.0, 12.0)}), (picture,))
 
 
 CASE = Case('rimea_6', 'Movement around a corner', run)

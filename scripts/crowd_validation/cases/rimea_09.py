@@ -58,8 +58,8 @@ def run(evaluation):
     flows = [texts.spread((flow(recording, exits) for recording in of_plan), decimals=2)
              for of_plan, exits in ((two, LOWER), (four, four_exits))]
     remarks = [f'people per second and exit: {flows[0]} by two exits, {flows[1]} by four']
-    remarks += [f'{name}: {text}' for name, text in (('two exits', texts.jams(two, LOWER)),
-                                                     ('four exits', texts.jams(four, four_exits))) if text]
+    remarks += [f'{name}: {text}' for name, text in (('two exits', texts.problems(two, LOWER)),
+                                                     ('four exits', texts.problems(four, four_exits))) if text]
     return Result(f'two exits: {texts.arrived(two)}, the last after {texts.spread(last[0], "s", 0)}; four exits: '
                   f'{texts.arrived(four)}, the last after {texts.spread(last[1], "s", 0)}; ratio '
                   f'{texts.spread(ratios.values, "", 2)}', 'ratio 1.6-2.4', passed, '. '.join(remarks), pictures)

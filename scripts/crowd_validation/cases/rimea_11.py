@@ -40,7 +40,7 @@ def run(evaluation):
     landmarks = {name: gate[0] for name, gate in EXITS.items()}
     return Result(f'{texts.counts(by["exit 1"])} by exit 1, {texts.counts(by["exit 2"])} by exit 2, of {PEOPLE}; the '
                   f'last after {texts.spread((recording.arrivals.max() for recording in recordings), "s", 0)}',
-                  'most by exit 1, which is nearer, and some by exit 2', passed, texts.jams(recordings, landmarks),
+                  'most by exit 1, which is nearer, and some by exit 2', passed, texts.problems(recordings, landmarks),
                   (picture,))
 
 

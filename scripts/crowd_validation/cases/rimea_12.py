@@ -56,7 +56,7 @@ def run(evaluation):
                   f'the second; {texts.arrived(recordings)}, the last after '
                   f'{texts.spread((max(recording.arrivals) for recording in recordings), "s", 0)}',
                   f'a jam ({JAM} or more) in the first room, none in the second; all arrive', passed,
-                  texts.jams(recordings, landmarks), pictures)
+                  texts.problems(recordings, landmarks), pictures)
 
 
 CASE = Case('rimea_12', 'Two bottlenecks in a row', run)

@@ -36,7 +36,7 @@ def run(evaluation):
                   f'{texts.arrived(recordings)}, the last after '
                   f'{texts.spread((recording.arrivals.max() for recording in recordings), "s", 0)}',
                   'none: the choice is to be documented', None,
-                  texts.jams(recordings, {'the start': (7.0, 29.0), 'the short way': (11.0, 18.0),
+                  texts.problems(recordings, {'the start': (7.0, 29.0), 'the short way': (11.0, 18.0),
                                           'the goal': (0.0, 8.0)}),
                   (picture,))
 

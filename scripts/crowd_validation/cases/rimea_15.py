@@ -52,7 +52,7 @@ def run(evaluation):
     passed = all(short < round_it < long < float('inf') for short, round_it, long in
                  zip(last['short'], last['corner'], last['long']))
     remarks = '. '.join(f'{name}: {text}' for name in plans
-                        if (text := texts.jams(recordings[name], {'the start': plans[name][1][0]})))
+                        if (text := texts.problems(recordings[name], {'the start': plans[name][1][0]})))
     return Result('; '.join(f'{name} {texts.spread(times, "s", 1)}' for name, times in last.items()),
                   'short < corner < long', passed, remarks, (picture,))
 
