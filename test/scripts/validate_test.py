@@ -13,7 +13,7 @@ from crowd_validation.case import Result, load, store
 from crowd_validation.cases import rimea_05, rimea_07, rimea_09, rimea_10, rimea_11, rimea_12, rimea_15
 from crowd_validation.program import chapter_of
 from crowd_validation.recording import Recording, read_tracks
-from programs import assert_says, in_package, read_text, tools_folder
+from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
 NAN = [math.nan, math.nan]
 
@@ -287,6 +287,14 @@ class ValidateTest:
         refused = self.validate(runner, '--table')
         assert refused.wait() == 1, refused.output()
         assert_says(refused.output(), 'has no results')
+
+    def test_interrupted(self, runner):
+        running = self.validate(runner, 'rimea_11', '--seeds', '1')
+        log = runner.path('results/rimea_11/runs/room_1/log.txt')
+        wait_for(lambda: os.path.exists(log) and 'evaluate' in read_text(log), 'the first run')
+        assert running.stop() == 130, running.output()
+        assert_says(running.output(), 'Interrupted; the finished runs are kept in')
+        assert not os.path.exists(runner.path('results/rimea_11/result.json'))
 
     def test_a_tool_that_fails(self, runner):
         for tool in ('train', 'evaluate'):

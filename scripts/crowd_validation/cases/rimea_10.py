@@ -67,7 +67,8 @@ def run(evaluation):
     return Result(f'{texts.counts(right)} of 23 by the assigned exit, {texts.counts(wrong)} by the other; '
                   f'{texts.counts(through)} through walls', '23 of 23 by the assigned exit',
                   min(right) == len(to_main) and not any(wrong + through),
-                  texts.problems(recordings, {'the main exit': (6.6, 11.0), 'the secondary exit': (18.0, 5.5)}), (picture,))
+                  texts.problems(recordings, {'the main exit': (6.6, 11.0), 'the secondary exit': (18.0, 5.5)}),
+                  (picture,))
 
 
 CASE = Case('rimea_10', 'Assigned exits', run)

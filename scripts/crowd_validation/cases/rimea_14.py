@@ -12,6 +12,7 @@ from ..people import RADIUS, adult_speeds, places
 PEOPLE = 100
 SHORT = [[10.0, 18.0], [12.0, 18.0]]  # across the nearer of two parallel corridors
 LONG = [[16.0, 18.0], [18.0, 18.0]]
+LANDMARKS = {'the start': (7.0, 29.0), 'the short way': (11.0, 18.0), 'the goal': (0.0, 8.0)}
 
 
 def document(seed):
@@ -36,9 +37,7 @@ def run(evaluation):
                   f'{texts.arrived(recordings)}, the last after '
                   f'{texts.spread((recording.arrivals.max() for recording in recordings), "s", 0)}',
                   'none: the choice is to be documented', None,
-                  texts.problems(recordings, {'the start': (7.0, 29.0), 'the short way': (11.0, 18.0),
-                                          'the goal': (0.0, 8.0)}),
-                  (picture,))
+                  texts.problems(recordings, LANDMARKS), (picture,))
 
 
 CASE = Case('rimea_14', 'A short and a long way', run)
