@@ -11,6 +11,11 @@ MARGIN = 1.0  # [m]
 WIDTH = 8.0  # of a picture [inch]
 
 
+def shown(recordings):
+    """Returns the recording to draw: the one with the most people who did not arrive, the first if all are alike."""
+    return max(recordings, key=lambda recording: int(numpy.isinf(recording.arrivals).sum()))
+
+
 def frame(axes, recording):
     """Draws the walls and sets limits that include all places."""
     axes.add_collection(LineCollection([numpy.array(wall) for wall in recording.walls], colors='black', linewidths=2))
@@ -25,12 +30,13 @@ def frame(axes, recording):
     return high - low + 2.0 * MARGIN
 
 
-def bodies(axes, places, radii, colour, **style):
-    """Draws discs in metres; places that are nan are left out."""
+def bodies(axes, places, radii, colours, **style):
+    """Draws discs in metres, each in its colour; places that are nan are left out."""
     present = ~numpy.isnan(places[:, 0])
+    colours = [colour for colour, is_present in zip(colours, present) if is_present]
     widths = 2.0 * radii[present]
     axes.add_collection(EllipseCollection(widths, widths, numpy.zeros(len(widths)), units='xy',
-                                          offsets=places[present], offset_transform=axes.transData, facecolors=colour,
+                                          offsets=places[present], offset_transform=axes.transData, facecolors=colours,
                                           edgecolors='none', **style))
 
 
@@ -79,7 +85,8 @@ def height_for(recordings, columns):
 def mark_stuck(axes, recording):
     """Draws those that did not arrive at their last places."""
     stuck = ~numpy.isfinite(recording.arrivals)
-    bodies(axes, recording.last_places()[stuck], recording.radii[stuck], STUCK_COLOUR, zorder=4)
+    bodies(axes, recording.last_places()[stuck], recording.radii[stuck],
+           [STUCK_COLOUR] * int(stuck.sum()), zorder=4)
 
 
 def draw_departures(series, file, title):

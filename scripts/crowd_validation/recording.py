@@ -9,7 +9,7 @@ from crowd_experiments.records import read_csv
 LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, eq=False)
 class Recording:
     """The trajectories of an episode. Absent agents are nan."""
     tracks: numpy.ndarray  # (tick, agent, 2) [m]

@@ -3,7 +3,7 @@ import random
 
 from .. import plan, texts
 from ..case import Case, Result
-from ..drawing import draw_paths
+from ..drawing import draw_paths, shown
 from ..measures import largest_overlap, through_walls
 from ..people import RADIUS, adult_speeds, places
 
@@ -30,7 +30,7 @@ def run(evaluation):
     through = [through_walls(recording) for recording in recordings]
     touched = [int(recording.touched.sum()) for recording in recordings]
     overlaps = [largest_overlap(recording) for recording in recordings]
-    picture = draw_paths(recordings[0], evaluation.folder / 'rimea_6.png', '20 people around a corner')
+    picture = draw_paths(shown(recordings), evaluation.folder / 'rimea_6.png', '20 people around a corner')
     passed = not any(through) and not any(touched) and max(overlaps) <= OVERLAP and \
         all(recording.all_arrived() for recording in recordings)
     return Result(f'{texts.arrived(recordings)}, {texts.counts(through)} through walls, {texts.counts(touched)} in '

@@ -7,7 +7,7 @@ from crowd_experiments.records import Spread
 
 from .. import plan, texts
 from ..case import Case, Result
-from ..drawing import draw_departures, draw_moments
+from ..drawing import draw_departures, draw_moments, shown
 from ..measures import nearest_of
 from ..people import RADIUS, adult_speeds, places
 
@@ -49,9 +49,10 @@ def run(evaluation):
     two, four = recordings['two_exits'], recordings['four_exits']
     last = [[float(recording.arrivals.max()) for recording in of_plan] for of_plan in (two, four)]
     ratios = Spread(slow / fast if numpy.isfinite([slow, fast]).all() else numpy.inf for slow, fast in zip(*last))
-    panels = [(recording[0], time, f'{name}, after {time} s')
-              for recording, name in ((four, 'four exits'), (two, 'two exits')) for time in (20, DURATION // 4)]
-    series = [('four exits', '#1f77b4', four[0].arrivals), ('two exits', '#ff7f0e', two[0].arrivals)]
+    drawn = {'four exits': shown(four), 'two exits': shown(two)}
+    panels = [(recording, time, f'{name}, after {time} s')
+              for name, recording in drawn.items() for time in (20, DURATION // 4)]
+    series = [(name, colour, drawn[name].arrivals) for name, colour in zip(drawn, ('#1f77b4', '#ff7f0e'))]
     pictures = (draw_moments(panels, evaluation.folder / 'rimea_9.png', 2),
                 draw_departures(series, evaluation.folder / 'rimea_9_departures.png', '1,000 people leave a room'))
     passed = bool(EXPECTED[0] <= ratios.low and ratios.high <= EXPECTED[1])

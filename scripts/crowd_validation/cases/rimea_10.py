@@ -5,7 +5,7 @@ import numpy
 
 from .. import plan, texts
 from ..case import Case, Result
-from ..drawing import draw_paths
+from ..drawing import draw_paths, shown
 from ..measures import crossing_times, through_walls
 from ..people import RADIUS, adult_speeds, places
 
@@ -62,7 +62,7 @@ def run(evaluation):
     wrong = [int((numpy.isfinite(numpy.where(to_main, crossing_times(recording, SECOND_EXIT),
                                              crossing_times(recording, MAIN_EXIT)))).sum()) for recording in recordings]
     through = [through_walls(recording) for recording in recordings]
-    picture = draw_paths(recordings[0], evaluation.folder / 'rimea_10.png', '23 people with assigned exits',
+    picture = draw_paths(shown(recordings), evaluation.folder / 'rimea_10.png', '23 people with assigned exits',
                          [('#1f77b4' if main else '#ff7f0e') for main in to_main])
     return Result(f'{texts.counts(right)} of 23 by the assigned exit, {texts.counts(wrong)} by the other; '
                   f'{texts.counts(through)} through walls', '23 of 23 by the assigned exit',

@@ -5,7 +5,7 @@ import numpy
 
 from .. import plan, texts
 from ..case import Case, Result
-from ..drawing import draw_moments
+from ..drawing import draw_moments, shown
 from ..measures import crossing_times
 from ..people import RADIUS_IN_DENSE_CROWDS, adult_speeds, places
 
@@ -35,7 +35,9 @@ def run(evaluation):
     by = {name: [numbers[name] for numbers in left] for name in EXITS}
     passed = all(numbers['exit 1'] > numbers['exit 2'] > 0 for numbers in left) and \
         all(recording.all_arrived() for recording in recordings)
-    picture = draw_moments([(recordings[0], time, f'after {time} s') for time in (0, 20, 60, 240)],
+    recording = shown(recordings)
+    moments = (0, 20, 240, 500 if recording.all_arrived() else DURATION)
+    picture = draw_moments([(recording, time, f'after {time} s') for time in moments],
                            evaluation.folder / 'rimea_11.png', 2)
     landmarks = {name: gate[0] for name, gate in EXITS.items()}
     return Result(f'{texts.counts(by["exit 1"])} by exit 1, {texts.counts(by["exit 2"])} by exit 2, of {PEOPLE}; the '

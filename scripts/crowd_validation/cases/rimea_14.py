@@ -5,7 +5,7 @@ import numpy
 
 from .. import plan, texts
 from ..case import Case, Result
-from ..drawing import draw_paths
+from ..drawing import draw_paths, shown
 from ..measures import crossing_times
 from ..people import RADIUS, adult_speeds, places
 
@@ -32,7 +32,7 @@ def run(evaluation):
     recordings = evaluation.walk({'ways': document})['ways']
     short, long = ([int(numpy.isfinite(crossing_times(recording, gate)).sum()) for recording in recordings]
                    for gate in (SHORT, LONG))
-    picture = draw_paths(recordings[0], evaluation.folder / 'rimea_14.png', 'A short and a long way')
+    picture = draw_paths(shown(recordings), evaluation.folder / 'rimea_14.png', 'A short and a long way')
     return Result(f'{texts.counts(short)} of {PEOPLE} by the short way, {texts.counts(long)} by the long way; '
                   f'{texts.arrived(recordings)}, the last after '
                   f'{texts.spread((recording.arrivals.max() for recording in recordings), "s", 0)}',

@@ -3,7 +3,7 @@ import random
 
 from .. import plan, texts
 from ..case import Case, Result
-from ..drawing import draw_moments
+from ..drawing import draw_moments, shown
 from ..measures import crossing_times
 from ..people import RADIUS_IN_DENSE_CROWDS, adult_speeds, places
 
@@ -47,7 +47,7 @@ def run(evaluation):
     recordings = evaluation.walk({name: document for name, (document, _) in plans.items()})
     last = {name: [float(crossing_times(recording, end).max()) for recording in recordings[name]]
             for name, (_, end) in plans.items()}
-    panels = [(recordings[name][0], 30.0, f'{name}, after 30 s') for name in plans]
+    panels = [(shown(recordings[name]), 30.0, f'{name}, after 30 s') for name in plans]
     picture = draw_moments(panels, evaluation.folder / 'rimea_15.png', 3)
     passed = all(short < round_it < long < float('inf') for short, round_it, long in
                  zip(last['short'], last['corner'], last['long']))
