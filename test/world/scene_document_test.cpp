@@ -52,7 +52,7 @@ void expectSame(const Scene& got, const Scene& expected) {
   }
 }
 
-TEST(SceneDocument, TinySceneAsText) {
+TEST(SceneDocument, WritesASmallScene) {
   Scene scene = scenes::scene({{{1.0, -2.0}, PI / 2, {{1.0, 2.0}, {0.5, 2.0}}, 1.5, 0.25}},
                               {scenes::pillar({0.0, 3.0}, 0.5), scenes::moving_obstacle({4.0, 0.0}, {-0.5, 0.0}, 0.25)},
                               {{{0.0, 5.0}, {1.0, 5.0}}});
@@ -73,27 +73,27 @@ TEST(SceneDocument, TinySceneAsText) {
   expectSame(readBack(scene), scene);
 }
 
-TEST(SceneDocument, ObstaclesOnTheirWays) {
+TEST(SceneDocument, ReadsBackPathsOfObstacles) {
   Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
   scene.obstacles.push_back({ObstaclePath::toAndFro({{3.0, 0.0}, {3.0, 4.0}, {6.0, 4.0}}, 0.7), 0.3});
   scene.obstacles.push_back({ObstaclePath::loop({{-3.0, 0.0}, {-3.0, 4.0}, {-6.0, 4.0}}, 0.2), 0.4});
   expectSame(readBack(scene), scene);
 }
 
-TEST(SceneDocument, SolidWorldsStaySolid) {
+TEST(SceneDocument, ReadsBackTheContactModel) {
   Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
   scene.contact = Contact::SOLID;
   expectSame(readBack(scene), scene);
 }
 
-TEST(SceneDocument, OrderAndCollisionRadius) {
+TEST(SceneDocument, ReadsBackOrderAndCollisionRadius) {
   Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
   scene.order = Order::SEQUENTIAL;
   scene.collision_radius = 0.35;
   expectSame(readBack(scene), scene);
 }
 
-TEST(SceneDocument, WhatWasDrawnIsReadBack) {
+TEST(SceneDocument, ReadsBackDrawnScenes) {
   const ScenarioList drawn = parseScenarios(
       "name: drawn\n"
       "units: thesis\n"
@@ -111,6 +111,36 @@ TEST(SceneDocument, WhatWasDrawnIsReadBack) {
     const Scene scene = drawn.scene(seed, seed);
     expectSame(readBack(scene), scene);
   }
+}
+
+/// Routes, sources and the like are written as they are in the file.
+TEST(SceneDocument, Populations) {
+  const std::string keys = R"(duration: 60
+goal_tolerance: 0.3
+agents:
+  - {position: [0.5, 0.5], route: 'anna''s', reaction_time: 12.5, speed: 1, radius: 0.25, heading: 90}
+routes:
+  'anna''s': {repeat: true, waypoints: [{place: {box: [[0, 0], [4, 2]]}, wait: [5, 20]}, {place: [1, 2], wait: 0}]}
+  'out': {waypoints: [{one_of: [{queue: 'till'}, {place: {ring: {centre: [1, 2], radius: [0, 3]}}, wait: 1}]}, {sink: 'exit'}]}
+  'flight': {waypoints: [{sink: nearest}]}
+sources:
+  - {area: {box: [[0, 0], [1, 2]]}, rate: 0.5, interval: regular, from: 3, until: 60, count: 100, goals: [[9, 9]], speed: [1, 1.5], radius: 0.2}
+  - {area: [7, 7], times: [1, 2.5], route: 'out', speed: 1, radius: 0.2}
+  - {area: [7, 7], rate: 1, from: 0, goal: {opposite: [0, 0]}, speed: 1, radius: 0.2}
+sinks:
+  'exit': {area: {box: [[10, 0], [11, 2]]}}
+queues:
+  'till': {head: [3, 2], direction: 0, spacing: 0.5, service: [5, 20]}
+gates:
+  'door': {wall: [[2, 0], [3, 0]], open: true}
+  'bar': {wall: [[5, 0], [6, 0]], open: [[10, 20], [40, 60]]}
+)";
+  const Scene scene = parseScenarios("name: n\n" + keys, "s.yaml").scene(1, 0);
+  const std::string text = toDocument(scene);
+  EXPECT_EQ(toDocument(readBack(scene)), text);
+  const std::string sections = keys.substr(keys.find("routes:"));
+  EXPECT_EQ(text.substr(text.find("routes:")), sections);
+  EXPECT_NE(text.find("route: 'anna''s', reaction_time: 12.5, speed: 1"), std::string::npos) << text;
 }
 
 }  // namespace
