@@ -12,7 +12,7 @@ from ..people import RADIUS_IN_DENSE_CROWDS, adult_speeds, places
 PEOPLE = 1000
 WIDTH, HEIGHT = 30.0, 20.0  # of the room [m]
 EXITS = {'exit 1': [[21.0, HEIGHT], [22.0, HEIGHT]], 'exit 2': [[27.0, HEIGHT], [28.0, HEIGHT]]}
-DURATION = 900  # [s]
+DURATION = 1500  # [s]
 OUTSIDE, TOLERANCE = (24.5, HEIGHT + 3.0), 2.0  # the goal of all, as far from one exit as from the other [m]
 
 
