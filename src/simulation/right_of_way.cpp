@@ -12,10 +12,20 @@ constexpr double LANE_MARGIN = 0.15;  // between an agent in the lane and agents
 constexpr double LANE_LENGTH = 3.0;   // [m]
 constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
 constexpr double ONE_WAY_ZONE = 0.9;  // radius of the zone without traffic in the other direction [m]
-constexpr double ENTERED = 0.45;      // from this distance on the next agent may follow [m]
+constexpr double HEADWAY = 0.55;      // between agents that are admitted one after the other [m]
+constexpr double QUEUE_GAP = 0.2;     // between agents that wait: agents that touch each other block each other [m]
 
-bool contains(const std::vector<AgentId>& ids, AgentId id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
+constexpr double ADVANCE = 0.3;  // an admitted agent makes progress when it has come this much closer [m]
+constexpr double STALL = 4.0;    // after this time without progress everybody may walk ... [s]
+constexpr double RELEASE = 3.0;  // ... for this time [s]
+
+double lengthOf(const RemainingPath& path, Vector2 from) {
+  double length = 0.0;
+  for (const Vector2& corner : path) {
+    length += (corner - from).norm();
+    from = corner;
+  }
+  return length;
 }
 
 }  // namespace
@@ -28,10 +38,11 @@ void RightOfWay::update(World& world, const std::vector<RemainingPath>& paths) {
   collectClaims(world, paths);
   for (std::size_t passage = 0; passage < states_.size(); ++passage) {
     PassageState& state = states_[passage];
-    dropPassed(state);
+    dropPassed(world.time(), state);
     if (state.claims.empty()) continue;
     admit(passage, state);
-    guide(passage, state, world);
+    noteProgress(world, paths, state);
+    if (world.time() < state.progress_time + STALL) guide(passage, state, world);
   }
 }
 
@@ -74,37 +85,55 @@ std::size_t RightOfWay::nearestMouth(std::size_t passage, const Vector2& place) 
   return static_cast<std::size_t>(std::min_element(mouths.begin(), mouths.end(), nearer) - mouths.begin());
 }
 
+bool RightOfWay::PassageState::isAdmitted(AgentId agent) const {
+  return std::any_of(admitted.begin(), admitted.end(), [agent](const Admitted& other) { return other.agent == agent; });
+}
+
 /// Forgets admitted agents that have passed, have left, or have another path now.
-void RightOfWay::dropPassed(PassageState& state) const {
-  const auto passed = [&](AgentId agent) {
-    const auto is_its = [agent](const Claim& claim) { return claim.agent == agent; };
+void RightOfWay::dropPassed(double time, PassageState& state) {
+  const auto passed = [&](const Admitted& admitted) {
+    const auto is_its = [&](const Claim& claim) { return claim.agent == admitted.agent; };
     return std::none_of(state.claims.begin(), state.claims.end(), is_its);
   };
-  state.admitted.erase(std::remove_if(state.admitted.begin(), state.admitted.end(), passed), state.admitted.end());
+  const auto first_passed = std::remove_if(state.admitted.begin(), state.admitted.end(), passed);
+  if (first_passed != state.admitted.end() || state.admitted.empty()) state.progress_time = time;
+  state.admitted.erase(first_passed, state.admitted.end());
+}
+
+/// Agents may block each other, for example if one waits where another one must pass: then all are released for a
+/// while.
+void RightOfWay::noteProgress(const World& world, const std::vector<RemainingPath>& paths, PassageState& state) {
+  for (Admitted& admitted : state.admitted) {
+    const double remaining = lengthOf(paths[admitted.agent], world.agents()[admitted.agent].pose.position);
+    if (remaining > admitted.remaining - ADVANCE) continue;
+    admitted.remaining = remaining;
+    state.progress_time = world.time();
+  }
+  if (world.time() >= state.progress_time + STALL + RELEASE) state.progress_time = world.time();
 }
 
 void RightOfWay::admit(std::size_t passage, PassageState& state) const {
   // Whoever is inside walks on.
   for (const Claim& claim : state.claims) {
-    if (claim.distance == 0.0 && !contains(state.admitted, claim.agent)) state.admitted.push_back(claim.agent);
+    if (claim.distance == 0.0 && !state.isAdmitted(claim.agent)) state.admitted.push_back({claim.agent});
   }
   if (state.admitted.empty()) chooseDirection(state);
   const auto waits_elsewhere = [&](const Claim& claim) {
-    return claim.distance > 0.0 && claim.mouth != state.direction && !contains(state.admitted, claim.agent);
+    return claim.distance > 0.0 && claim.mouth != state.direction && !state.isAdmitted(claim.agent);
   };
   const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), waits_elsewhere);
   const auto side_by_side =
       std::max<std::size_t>(1, static_cast<std::size_t>((*passages_)[passage].width / (2.0 * radius_ + LANE_MARGIN)));
-  std::size_t entering = 0;
   for (const Claim& claim : state.claims) {
-    entering += claim.distance > ENTERED && contains(state.admitted, claim.agent) ? 1 : 0;
-  }
-  for (const Claim& claim : state.claims) {
-    if (entering >= side_by_side || (two_way && state.served >= BATCH_SIZE)) return;
-    if (claim.mouth != state.direction || contains(state.admitted, claim.agent)) continue;
-    state.admitted.push_back(claim.agent);
+    if (two_way && state.served >= BATCH_SIZE) return;
+    if (claim.mouth != state.direction || state.isAdmitted(claim.agent)) continue;
+    const auto is_too_near = [&](const Claim& other) {
+      return other.distance > claim.distance - HEADWAY && state.isAdmitted(other.agent);
+    };
+    const auto too_near = std::count_if(state.claims.begin(), state.claims.end(), is_too_near);
+    if (static_cast<std::size_t>(too_near) >= side_by_side) return;
+    state.admitted.push_back({claim.agent});
     ++state.served;
-    ++entering;
   }
 }
 
@@ -130,10 +159,23 @@ void RightOfWay::guide(std::size_t passage, const PassageState& state, World& wo
   const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), [&](const Claim& claim) {
     return mouth_of(claim) != mouth_of(state.claims.front());
   });
-  for (const Claim& claim : state.claims) {
-    if (contains(state.admitted, claim.agent)) continue;
-    guideWaiting((*passages_)[passage].mouths[claim.mouth], two_way, claim, world);
+  for (auto claim = state.claims.begin(); claim != state.claims.end(); ++claim) {
+    if (state.isAdmitted(claim->agent)) continue;
+    if (isBehindAnother(world, state.claims.begin(), claim)) world.setYielding(claim->agent, true);
+    guideWaiting((*passages_)[passage].mouths[claim->mouth], two_way, *claim, world);
   }
+}
+
+/// Whether an agent with an earlier claim is directly ahead.
+bool RightOfWay::isBehindAnother(const World& world, std::vector<Claim>::const_iterator first,
+                                 std::vector<Claim>::const_iterator claim) {
+  const Agent& agent = world.agents()[claim->agent];
+  const Vector2 onward = agent.perceivedGoal() - agent.pose.position;
+  return std::any_of(first, claim, [&](const Claim& earlier) {
+    const Agent& other = world.agents()[earlier.agent];
+    const Vector2 offset = other.pose.position - agent.pose.position;
+    return offset.norm() < agent.radius + other.radius + QUEUE_GAP && offset.dot(onward) > 0.0;
+  });
 }
 
 void RightOfWay::guideWaiting(const Mouth& mouth, bool two_way, const Claim& claim, World& world) const {

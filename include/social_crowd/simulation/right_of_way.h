@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -18,7 +19,8 @@ using RemainingPath = std::vector<Vector2>;
 /// At most one direction at a time has the right of way in a passage. Agents of that direction are admitted in the
 /// order of their distance, as many at a time as fit side by side; the next one when an admitted one has entered. After
 /// BATCH_SIZE agents the others have their turn. Agents that wait stay outside of a zone in front of the mouth; if
-/// there is traffic in the other direction, the zone contains a lane for those who come out.
+/// there is traffic in the other direction, the zone contains a lane for those who come out. If nobody makes progress,
+/// because agents that wait are in the way of others, all are released for some seconds.
 ///
 /// Call contract: update() once per tick, after the agents have moved and waypoints were set.
 class RightOfWay {
@@ -44,19 +46,29 @@ class RightOfWay {
     std::size_t mouth = 0;  // where it enters
     double distance = 0.0;  // along the path [m]; 0 inside
   };
+  struct Admitted {
+    AgentId agent = 0;
+    double remaining = std::numeric_limits<double>::infinity();  // length of its path when it last made progress [m]
+  };
   struct PassageState {
     std::vector<Claim> claims;  // of this tick, nearest first
-    std::vector<AgentId> admitted;
-    std::size_t direction = 0;  // the mouth that admitted agents enter
-    std::size_t served = 0;     // since the direction changed
+    std::vector<Admitted> admitted;
+    std::size_t direction = 0;   // the mouth that admitted agents enter
+    std::size_t served = 0;      // since the direction changed
+    double progress_time = 0.0;  // when an admitted agent last made progress [s]
+
+    bool isAdmitted(AgentId agent) const;
   };
 
   void collectClaims(const World& world, const std::vector<RemainingPath>& paths);
   void addClaim(const Agent& agent, const RemainingPath& path);
-  void dropPassed(PassageState& state) const;
+  static void dropPassed(double time, PassageState& state);
+  static void noteProgress(const World& world, const std::vector<RemainingPath>& paths, PassageState& state);
   void admit(std::size_t passage, PassageState& state) const;
   void chooseDirection(PassageState& state) const;
   void guide(std::size_t passage, const PassageState& state, World& world) const;
+  static bool isBehindAnother(const World& world, std::vector<Claim>::const_iterator first,
+                              std::vector<Claim>::const_iterator claim);
   void guideWaiting(const Mouth& mouth, bool two_way, const Claim& claim, World& world) const;
   std::size_t nearestMouth(std::size_t passage, const Vector2& place) const;
 
