@@ -35,6 +35,7 @@ class Picture:
         self.low = [math.inf, math.inf]
         self.high = [-math.inf, -math.inf]
         self.has_goals = self.has_obstacles = False
+        self.further_entries = []  # of the legend
 
     def show(self, point, radius=0.0):
         """Extends the limits of the picture to include a disc."""
@@ -99,10 +100,23 @@ class Picture:
         self.disc(places[0], radius, facecolor=colour, edgecolor='none', alpha=START_ALPHA, zorder=4)
         self.disc(places[-1], radius, fill=False, edgecolor=colour, linewidth=1.4, zorder=7)
 
-    def add_legend(self, scene):
+    def draw_moment(self, walk, tick, radius, colour):
+        """Draws the path up to a tick, and the body at that tick if the agent is in the world then."""
+        places = [(x, y) for at, x, y in walk if at <= tick]
+        for place in places:
+            self.show(place, radius)
+        if places:
+            self.axes.plot(*zip(*places), color=colour, linewidth=0.7, alpha=0.45, zorder=5)
+        if places and walk[-1][0] >= tick:
+            self.disc(places[-1], radius, facecolor=colour, edgecolor='black', linewidth=0.4, zorder=7)
+
+    def add_legend(self, scene, is_moment=False):
         """Adds a legend for the contents of the picture."""
         grey = '0.25'
         entries = [
+            Line2D([], [], linestyle='', marker='o', color=grey, markersize=7, label='person'),
+            Line2D([], [], color=grey, alpha=0.6, linewidth=0.9, label='path so far'),
+        ] if is_moment else [
             Line2D([], [], linestyle='', marker='o', color=grey, alpha=START_ALPHA, markersize=10, label='start'),
             Line2D([], [], marker='o', color=grey, markersize=3.2, linewidth=1.6, label='path, a dot each second'),
             Line2D([], [], linestyle='', marker='o', color=grey, fillstyle='none', markersize=10, label='end'),
@@ -115,6 +129,7 @@ class Picture:
                                   markersize=10, label='obstacle'))
         if scene.walls:
             entries.append(Line2D([], [], color='black', linewidth=3, label='wall'))
+        entries += self.further_entries
         below_labels = ScaledTranslation(0, -0.45, self.figure.dpi_scale_trans)  # [inch]
         self.axes.legend(handles=entries, loc='upper center', bbox_to_anchor=(0.5, 0), ncol=len(entries),
                          bbox_transform=self.axes.transAxes + below_labels, frameon=False, fontsize=9,

@@ -2,7 +2,7 @@
 from crowd_maps.floor import Floor
 
 GATES = 10
-FIRST_GATE, GATE_PITCH, GATE_BLOCK = 12.0, 2.5, 1.3  # [m] 1.2 m between the blocks
+FIRST_GATE, GATE_PITCH, GATE_BLOCK = 12.0, 2.5, 1.5  # [m] 1 m between the blocks
 BARRIER = (15.0, 16.6)
 PLATFORMS = [5.0, 17.0, 29.0, 41.0]  # left sides of the exits to the platforms, 4 m wide
 COLUMN = 0.8  # side [m]
