@@ -1,22 +1,46 @@
 #include "social_crowd/simulation/episode.h"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace crowd {
+namespace {
+
+Scene withFirstGoals(Scene scene) {
+  Population::chooseFirstGoals(scene);
+  return scene;
+}
+
+}  // namespace
 
 Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool)
-    : scene_(std::move(scene)),
+    : scene_(withFirstGoals(std::move(scene))),
       world_(scene_),
       vision_(vision),
       thread_pool_(&thread_pool),
       monitor_(scene_, world_),
+      population_(scene_),
       number_(number) {
+  population_.begin(world_, monitor_);
   noteChange();
 }
 
 void Episode::noteChange() {
-  if (scene_.way_finding) way_finder_.update(world_);
   are_current_ = false;
+  if (!scene_.way_finding) return;
+  // The ways are found for the largest agent of the time when the layout changed last.
+  const double before = largest_radius_;
+  for (; known_agents_ < world_.agents().size(); ++known_agents_) {
+    largest_radius_ = std::max(largest_radius_, world_.agents()[known_agents_].radius);
+  }
+  if (largest_radius_ > before) way_finder_ = WayFinder();
+  way_finder_.update(world_);
+}
+
+void Episode::noteWalls() {
+  population_.updateGates(world_);
+  noteChange();
 }
 
 void Episode::setVision(const Vision& vision) {
@@ -39,6 +63,7 @@ bool Episode::step(const std::vector<AgentAction>& actions) {
 }
 
 bool Episode::endTick() {
+  population_.update(world_, monitor_);
   monitor_.observe(world_, *thread_pool_);
   noteChange();
   return true;
@@ -50,7 +75,10 @@ bool Episode::findTurn() {
   return turn_ < agents;
 }
 
-bool Episode::isOver() const { return world_.activeCount() == 0 || world_.tick() >= scene_.max_ticks; }
+bool Episode::isOver() const {
+  const bool is_empty = world_.activeCount() == 0 && !population_.expectsAgents();
+  return is_empty || world_.tick() >= scene_.max_ticks;
+}
 
 const Perceptions& Episode::perceptions() {
   if (are_current_) return *perceptions_;
@@ -106,6 +134,7 @@ void Episode::removeAgent(AgentId id) {
 
 void Episode::setGoal(AgentId id, const Vector2& goal) {
   world_.setGoal(id, goal);
+  population_.dropRoute(id, world_, monitor_);
   monitor_.recordGoal(world_.agents()[id], goal);
   noteChange();
 }
@@ -134,11 +163,21 @@ std::size_t Episode::addWall(const Segment& wall) {
 
 void Episode::removeWall(std::size_t id) {
   world_.removeWall(id);
-  noteChange();
+  noteWalls();
 }
 
 void Episode::replaceWalls(std::vector<Segment> walls) {
   world_.replaceWalls(std::move(walls));
+  noteWalls();
+}
+
+void Episode::setRoute(AgentId id, const std::string& route) {
+  population_.setRoute(id, route, world_, monitor_);
+  noteChange();
+}
+
+void Episode::setGate(const std::string& gate, bool open) {
+  population_.setGate(gate, open, world_);
   noteChange();
 }
 

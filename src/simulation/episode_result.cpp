@@ -35,6 +35,11 @@ std::size_t EpisodeResult::agentCount() const {
 
 std::size_t EpisodeResult::arrivedCount() const { return countOf(agents, &AgentResult::arrived); }
 
+std::size_t EpisodeResult::expectedCount() const {
+  const auto counts = [](const AgentResult& agent) { return !agent.removed && (!agent.endless || agent.arrived); };
+  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
+}
+
 std::size_t EpisodeResult::touchedCount() const { return countOf(agents, &AgentResult::touched); }
 
 std::size_t EpisodeResult::collidedCount() const { return countOf(agents, &AgentResult::collided); }
@@ -76,6 +81,10 @@ void EpisodeMonitor::recordGoal(const Agent& agent, const Vector2& goal) {
   track.result.straight_length = std::max(MIN_LENGTH, length - goal_tolerance_);
   track.goal = goal;
   track.distance = (goal - track.position).norm();
+}
+
+void EpisodeMonitor::extendWay(const Agent& agent) {
+  tracks_[agent.id].result.straight_length += (agent.goal() - agent.pose.position).norm();
 }
 
 void EpisodeMonitor::observe(const World& world, ThreadPool& thread_pool) {
@@ -139,6 +148,7 @@ void Metrics::add(const EpisodeResult& result) {
   ++episodes_;
   clean_ += result.isClean() ? 1 : 0;
   agents_ += result.agentCount();
+  expected_ += result.expectedCount();
   touched_ += result.touchedCount();
   collided_ += result.collidedCount();
   blocked_moves_ += result.blockedMoves();

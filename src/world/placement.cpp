@@ -41,6 +41,7 @@ Scene emptyScene(const Scenario& scenario) {
   scene.way_finding = scenario.way_finding;
   scene.map = scenario.map;
   scene.free_space = scenario.free_space;
+  scene.population = scenario.population;
   if (scenario.map_walls) scene.walls.insert(scene.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
   return scene;
 }
@@ -53,7 +54,9 @@ class Placement {
       : scenario_(scenario),
         random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}),
         scene_(emptyScene(scenario)),
-        placed_(scene_.walls) {}
+        placed_(scene_.walls) {
+    scene_.population_seed = KeyedRandom(run_seed, KeyedRandom::POPULATION, {scenario.seed, episode}).next();
+  }
 
   Scene place();
 
@@ -195,14 +198,20 @@ void Placement::completeAgents() {
     AgentStart& agent = scene_.agents[index];
     completeAgent(group, label, agent, separate_goals);
     agent.max_speed = group.max_speed.draw(random_);
+    agent.route = group.route;
+    agent.faces_goal = group.route && !group.heading;
+    if (group.route) agent.goals = {agent.position};  // Episode draws the first goal of the route
     agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
     agent.heading = wrapAngle(agent.heading);
     agent.keeps_heading = group.keeps_heading;
+    const Range& reaction = group.reaction_time;
+    agent.reaction_time = reaction.isFixed() ? reaction.low : reaction.draw(random_);
   });
 }
 
 /// An agent that has arrived before it walks counts as a success. What is drawn is drawn so that this does not happen.
 void Placement::requireWay(const AgentGroup& group, const Label& label) const {
+  if (group.route) return;
   const bool goal_is_fixed = group.opposite || group.goals.front().isFixed();
   if (!group.position.isFixed() || !goal_is_fixed) return;
   const Vector2& start = group.position.first;

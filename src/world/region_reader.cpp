@@ -3,6 +3,11 @@
 #include "social_crowd/common/suggestions.h"
 
 namespace crowd {
+namespace {
+
+constexpr std::int64_t MAX_COUNT = 10000;
+
+}  // namespace
 
 Range readRange(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
   if (!node.IsSequence()) {
@@ -93,6 +98,25 @@ std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place) 
     regions.push_back(readRegion(element, place.element(regions.size())));
   }
   return regions;
+}
+
+Segment readWall(const YAML::Node& node, const YamlPlace& place) {
+  if (!node.IsSequence() || node.size() != 2) {
+    throwExpected(place, node, "two ends [[x1, y1], [x2, y2]]");
+  }
+  Segment wall{readVector(node[0], place.element(0)), readVector(node[1], place.element(1))};
+  if (wall.from == wall.to) {
+    throwProblem(place, node, "expected a wall with a length, got twice the same end");
+  }
+  return wall;
+}
+
+int readBodyCount(const YamlMap& map, bool is_fixed) {
+  const auto count = static_cast<int>(map.whole("count", 1, MAX_COUNT, 1));
+  if (count > 1 && is_fixed) {
+    throwProblem(map.placeOf("count"), map.need("count"), "more than one body needs a region as position");
+  }
+  return count;
 }
 
 }  // namespace crowd

@@ -19,6 +19,12 @@ Region readRegion(const YAML::Node& node, const YamlPlace& place,
 /// @brief Reads a list of one or more regions.
 std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place);
 
+/// @brief Reads a wall [[x1, y1], [x2, y2]].
+Segment readWall(const YAML::Node& node, const YamlPlace& place);
+
+/// @brief Reads `count` of an entry of bodies. @param is_fixed whether the position of a body is not drawn
+int readBodyCount(const YamlMap& map, bool is_fixed);
+
 /// @brief The value in {KEY: VALUE}; an undefined node (false) if the node is anything else.
 YAML::Node findOnly(const std::string& key, const YAML::Node& node, const YamlPlace& place);
 

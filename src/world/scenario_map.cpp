@@ -6,25 +6,45 @@
 
 #include "social_crowd/world/map_file.h"
 #include "social_crowd/world/map_walls.h"
+#include "social_crowd/world/population.h"
 
 namespace crowd {
 namespace {
 
+/// Calls work(group) for the agents of the scenario and of its sources.
+template <typename Work>
+void forEachGroup(const Scenario& scenario, const Work& work) {
+  for (const AgentGroup& group : scenario.agents) work(group);
+  if (!scenario.population) return;
+  for (const SourceDescription& source : scenario.population->sources) work(source.agents);
+}
+
 /// The radius of the largest agent [m].
 double largestRadius(const Scenario& scenario) {
   double radius = 0.0;
-  for (const AgentGroup& group : scenario.agents) radius = std::max(radius, group.radius.high);
+  forEachGroup(scenario, [&](const AgentGroup& group) { radius = std::max(radius, group.radius.high); });
   return radius;
 }
 
+bool isFree(const Region& region) { return region.kind == Region::Kind::FREE; }
+
+bool routeUsesFreeSpace(const std::vector<WaypointDescription>& waypoints) {
+  return std::any_of(waypoints.begin(), waypoints.end(), [](const WaypointDescription& waypoint) {
+    return isFree(waypoint.place) || routeUsesFreeSpace(waypoint.alternatives);
+  });
+}
+
 bool usesFreeSpace(const Scenario& scenario) {
-  const auto is_free = [](const Region& region) { return region.kind == Region::Kind::FREE; };
-  const auto agents_use = [&](const AgentGroup& group) {
-    return is_free(group.position) || std::any_of(group.goals.begin(), group.goals.end(), is_free);
-  };
-  const auto obstacles_use = [&](const ObstacleGroup& group) { return is_free(group.position); };
-  return std::any_of(scenario.agents.begin(), scenario.agents.end(), agents_use) ||
-         std::any_of(scenario.obstacles.begin(), scenario.obstacles.end(), obstacles_use);
+  bool uses = false;
+  forEachGroup(scenario, [&](const AgentGroup& group) {
+    uses = uses || isFree(group.position) || std::any_of(group.goals.begin(), group.goals.end(), isFree);
+  });
+  for (const ObstacleGroup& group : scenario.obstacles) uses = uses || isFree(group.position);
+  if (!scenario.population) return uses;
+  const auto& routes = scenario.population->routes;
+  return uses || std::any_of(routes.begin(), routes.end(), [](const RouteDescription& route) {
+           return routeUsesFreeSpace(route.waypoints);
+         });
 }
 
 }  // namespace

@@ -4,6 +4,10 @@
 #include <limits>
 #include <utility>
 
+#include "world/agent_reader.h"
+#include "world/list_reader.h"
+#include "world/population_checks.h"
+#include "world/population_reader.h"
 #include "world/region_reader.h"
 #include "world/scenario_map.h"
 
@@ -14,75 +18,8 @@ enum class UnitSystem { SI, THESIS };
 constexpr EnumNames<UnitSystem, 2> UNIT_SYSTEMS{"units", {"si", "thesis"}};
 
 constexpr double MAX_TICKS = 1e9;
-constexpr std::int64_t MAX_COUNT = 10000;
 constexpr std::int64_t MAX_AGENT = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t MAX_SEED = std::numeric_limits<std::int64_t>::max();
-
-/// Conversion from the units of a document (thesis: per tick, ticks) to SI.
-struct Units {
-  bool thesis = false;
-  double tick_duration = DEFAULT_TICK_DURATION;
-
-  double speed(double value) const { return thesis ? value / tick_duration : value; }
-  Range speed(const Range& range) const { return {speed(range.low), speed(range.high)}; }
-};
-
-int lineOf(const YAML::Node& node) { return node.Mark().line + 1; }
-
-void readGoals(const YamlMap& map, AgentGroup& group) {
-  const YAML::Node goals = map.find("goals");
-  if (goals && map.has("goal")) {
-    throwProblem(map.place(), goals, "expected either goal or goals, got both");
-  }
-  if (goals) {
-    group.goals = readRegions(goals, map.placeOf("goals"));
-    return;
-  }
-  const YAML::Node goal = map.need("goal");
-  const YamlPlace place = map.placeOf("goal");
-  if (const YAML::Node opposite = findOnly("opposite", goal, place)) {
-    group.opposite = readVector(opposite, place.child("opposite"));
-    return;
-  }
-  group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}")};
-}
-
-int readCount(const YamlMap& map, bool is_fixed) {
-  const auto count = static_cast<int>(map.whole("count", 1, MAX_COUNT, 1));
-  if (count > 1 && is_fixed) {
-    throwProblem(map.placeOf("count"), map.need("count"), "more than one body needs a region as position");
-  }
-  return count;
-}
-
-/// Reads `goal`, `random`, `kept`, or degrees.
-void readHeading(const YamlMap& map, AgentGroup& group) {
-  const YAML::Node node = map.find("heading");
-  const std::string word = node && node.IsScalar() ? node.Scalar() : "";
-  if (!node || word == "goal") return;
-  group.keeps_heading = word == "kept";
-  if (group.keeps_heading) return;
-  const YamlPlace place = map.placeOf("heading");
-  const bool is_number = word.find_first_of("0123456789") != std::string::npos;
-  if (node.IsScalar() && word != "random" && !is_number) {
-    throwExpected(place, node, "goal, random, kept, or degrees: a number or [low, high]");
-  }
-  const Range degrees = word == "random" ? Range{-180.0, 180.0} : readRange(node, place, NumberRule::ANY);
-  group.heading = Range{toRadians(degrees.low), toRadians(degrees.high)};
-}
-
-AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units) {
-  const YamlMap map(node, place, {"position", "goal", "goals", "speed", "radius", "heading", "count"});
-  AgentGroup group;
-  group.line = lineOf(node);
-  group.position = readRegion(map.need("position"), map.placeOf("position"));
-  readGoals(map, group);
-  group.max_speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
-  group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
-  readHeading(map, group);
-  group.count = readCount(map, group.position.isFixed());
-  return group;
-}
 
 /// Reads a point or region, or a list of them: [x, y] is one point, [[x, y], ...] is a list.
 std::vector<Region> readWaypoints(const YAML::Node& node, const YamlPlace& place) {
@@ -144,37 +81,9 @@ ObstacleGroup readObstacles(const YAML::Node& node, const YamlPlace& place, cons
   group.line = lineOf(node);
   readPosition(map, group);
   group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
-  group.count = readCount(map, group.between ? group.between->isFixed() : group.position.isFixed());
+  group.count = readBodyCount(map, group.between ? group.between->isFixed() : group.position.isFixed());
   readMotion(map, units, group);
   return group;
-}
-
-Segment readWall(const YAML::Node& node, const YamlPlace& place) {
-  if (!node.IsSequence() || node.size() != 2) {
-    throwExpected(place, node, "two ends [[x1, y1], [x2, y2]]");
-  }
-  Segment wall{readVector(node[0], place.element(0)), readVector(node[1], place.element(1))};
-  if (wall.from == wall.to) {
-    throwProblem(place, node, "expected a wall with a length, got twice the same end");
-  }
-  return wall;
-}
-
-/// Applies `read` to each element of a list; an absent or null list is empty.
-template <typename T, typename Read>
-std::vector<T> readList(const YAML::Node& node, const YamlPlace& place, Read read) {
-  std::vector<T> list;
-  if (!node || node.IsNull()) {
-    return list;
-  }
-  if (!node.IsSequence()) {
-    throwExpected(place, node, "a list");
-  }
-  list.reserve(node.size());
-  for (const YAML::Node& element : node) {
-    list.push_back(read(element, place.element(list.size())));
-  }
-  return list;
 }
 
 std::uint64_t readDuration(const YamlMap& map, const Units& units) {
@@ -187,10 +96,23 @@ std::uint64_t readDuration(const YamlMap& map, const Units& units) {
   return static_cast<std::uint64_t>(ticks);
 }
 
+/// Reads `agents`; a scenario with sources may have none.
+void readCrowd(const YamlMap& map, const Units& units, const PopulationDescription& population, Scenario& scenario) {
+  const auto read = [&](const YAML::Node& entry, const YamlPlace& at) {
+    return readAgents(entry, at, units, population);
+  };
+  const bool optional = !population.sources.empty();
+  scenario.agents = readList<AgentGroup>(optional ? map.find("agents") : map.need("agents"), map.placeOf("agents"), read);
+  if (scenario.agents.empty() && !optional) {
+    throwExpected(map.placeOf("agents"), map.need("agents"), "at least one agent");
+  }
+}
+
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place,
                     {"name", "units", "tick", "duration", "goal_tolerance", "collision_radius", "contact", "order",
-                     "seed", "agents", "obstacles", "walls", "map", "way_finding"});
+                     "seed", "agents", "obstacles", "walls", "map", "way_finding", "routes", "sources", "sinks", "queues",
+                     "gates"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -206,16 +128,16 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   scenario.contact = CONTACTS.read(map, Contact::GHOST);
   scenario.order = ORDERS.read(map, Order::SIMULTANEOUS);
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
-  const auto agents = [&](const YAML::Node& entry, const YamlPlace& at) { return readAgents(entry, at, units); };
-  scenario.agents = readList<AgentGroup>(map.need("agents"), map.placeOf("agents"), agents);
-  if (scenario.agents.empty()) {
-    throwExpected(map.placeOf("agents"), map.need("agents"), "at least one agent");
-  }
+  PopulationDescription population = readPopulation(map);
+  population.sources = readSources(map, units, population);
+  readCrowd(map, units, population, scenario);
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
   scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);
   scenario.walls = readList<Segment>(map.find("walls"), map.placeOf("walls"), readWall);
   scenario.way_finding = map.flag("way_finding", true);
+  if (!population.empty()) scenario.population = std::make_shared<const PopulationDescription>(std::move(population));
   readScenarioMap(map, scenario);
+  if (scenario.population) checkPopulation(scenario);
   return scenario;
 }
 

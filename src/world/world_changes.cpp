@@ -123,6 +123,8 @@ void World::clearWaypoint(AgentId id) {
 
 void World::hold(AgentId id, bool held) { findWalking(id).held = held; }
 
+void World::setLeaves(AgentId id, bool leaves) { findWalking(id).leaves = leaves; }
+
 void World::setYielding(AgentId id, bool yielding) { findWalking(id).yielding = yielding; }
 
 void World::teleport(AgentId id, const Pose& pose) {

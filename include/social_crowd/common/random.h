@@ -13,7 +13,14 @@ namespace crowd {
 class KeyedRandom {
  public:
   /// @brief Kind of random choice; choices of different streams are independent.
-  enum Stream : std::uint64_t { PLACEMENT = 1, EXPLORATION = 2, SCENARIO_CHOICE = 3, TIES = 4, CONTENT = 5 };
+  enum Stream : std::uint64_t {
+    PLACEMENT = 1,
+    EXPLORATION = 2,
+    SCENARIO_CHOICE = 3,
+    TIES = 4,
+    CONTENT = 5,
+    POPULATION = 6
+  };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)
       : state_(mix(mix(seed + GOLDEN_GAMMA) + stream)) {

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "social_crowd/common/object_pool.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/simulation/greedy_crowd.h"
+#include "social_crowd/simulation/population.h"
 #include "social_crowd/simulation/way_finder.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
@@ -44,7 +47,7 @@ class Episode {
   /// @throws InputError as World::step() does; the world is unchanged then.
   /// @return whether that was the last turn of the tick
   bool step(const std::vector<AgentAction>& actions);
-  /// @brief Whether no agent is on its way or the maximum number of ticks is reached. A step() changes this only at the
+  /// @brief Whether no agent is on its way and no source has any left, or the maximum number of ticks is reached. A step() changes this only at the
   /// end of a tick.
   bool isOver() const;
 
@@ -67,10 +70,16 @@ class Episode {
   std::size_t addWall(const Segment& wall);
   void removeWall(std::size_t id);
   void replaceWalls(std::vector<Segment> walls);
+  /// @brief Lets an agent begin a route of the scenario.
+  void setRoute(AgentId id, const std::string& route);
+  /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later.
+  void setGate(const std::string& gate, bool open);
 
  private:
   /// Notes a change of the world: waypoints are updated, and the perceptions are not current any more.
   void noteChange();
+  /// Notes a change of the walls by a user.
+  void noteWalls();
   bool isSequential() const { return scene_.order == Order::SEQUENTIAL; }
   void perceiveTurn();
   /// Advances `turn_` to the next agent that has a turn in this tick, starting with `turn_` itself; false if none.
@@ -82,7 +91,10 @@ class Episode {
   Vision vision_;
   ThreadPool* thread_pool_;
   EpisodeMonitor monitor_;
+  Population population_;
   WayFinder way_finder_;
+  std::size_t known_agents_ = 0;  // that `way_finder_` may have seen
+  double largest_radius_ = 0.0;   // of these [m]
   std::uint64_t number_;
   ObjectPool<std::shared_ptr<Perceptions>> buffers_;
   std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // latest

@@ -16,6 +16,8 @@ struct AgentResult {
   bool removed = false;             ///< was removed on its way; excluded from all metrics
   bool touched = false;             ///< in contact in any tick before it arrived
   bool collided = false;            ///< in collision in any tick before it arrived (thesis, 4.1), see World
+  bool endless = false;             ///< on a route that repeats: it never arrives, and has not failed
+  std::uint64_t waypoints = 0;      ///< waypoints of routes that it has left behind
   std::uint64_t blocked_moves = 0;  ///< moves that were cut short by an impact; solid worlds only
   std::uint64_t ticks = 0;          ///< until its arrival, or until the end
   double heading = 0.0;             ///< at its arrival, or at the end [rad], `map`
@@ -39,14 +41,16 @@ struct EpisodeResult {
   /// @brief Number of agents that count: those that were not removed.
   std::size_t agentCount() const;
   std::size_t arrivedCount() const;
+  /// @brief Number of agents that count and are to arrive: those that are not on a route that repeats.
+  std::size_t expectedCount() const;
   std::size_t touchedCount() const;
   std::size_t collidedCount() const;
   /// @brief Headings of all agents at the end [rad], for keepHeadings() of the next episode.
   std::vector<double> headings() const;
   /// @brief Sum of the blocked moves of all agents that count.
   std::uint64_t blockedMoves() const;
-  /// @brief Whether all agents arrived and none was in contact.
-  bool isClean() const { return arrivedCount() == agentCount() && touchedCount() == 0; }
+  /// @brief Whether all agents arrived that were to, and none was in contact.
+  bool isClean() const { return arrivedCount() == expectedCount() && touchedCount() == 0; }
 };
 
 /// @brief Measures the motion of each agent tick by tick, with the metrics of the steering benchmark.
@@ -61,6 +65,14 @@ class EpisodeMonitor {
   /// @brief Records a new goal of an agent [m]; its straight length is then that from its start via its present
   /// position to that goal.
   void recordGoal(const Agent& agent, const Vector2& goal);
+
+  /// @brief Adds the way from an agent's position to its goal, that of the next leg of its route, to its straight
+  /// length.
+  void extendWay(const Agent& agent);
+  /// @brief Counts a waypoint that an agent leaves behind.
+  void countWaypoint(AgentId id) { ++tracks_[id].result.waypoints; }
+  /// @brief Whether the agent is on a route that repeats.
+  void setEndless(AgentId id, bool endless) { tracks_[id].result.endless = endless; }
 
   /// @brief Measures one tick; call it after each tick. @param thread_pool its threads share the agents
   void observe(const World& world, ThreadPool& thread_pool = ThreadPool::callerOnly());
@@ -99,7 +111,8 @@ class Metrics {
   void add(const EpisodeResult& result);
 
   std::uint64_t episodes() const { return episodes_; }
-  double successPercent() const { return percent(arrived_, agents_); }
+  /// @brief Of the agents that were to arrive; 100 if all are on routes that repeat.
+  double successPercent() const { return expected_ == 0 && agents_ > 0 ? 100.0 : percent(arrived_, expected_); }
   double contactPercent() const { return percent(touched_, agents_); }
   double collisionPercent() const { return percent(collided_, agents_); }
   double cleanPercent() const { return percent(clean_, episodes_); }
@@ -122,6 +135,7 @@ class Metrics {
   std::uint64_t episodes_ = 0;
   std::uint64_t clean_ = 0;
   std::uint64_t agents_ = 0;
+  std::uint64_t expected_ = 0;
   std::uint64_t arrived_ = 0;
   std::uint64_t touched_ = 0;
   std::uint64_t collided_ = 0;

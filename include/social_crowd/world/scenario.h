@@ -41,12 +41,14 @@ struct AgentGroup {
   int line = 0;  ///< in the file, for messages
   int count = 1;
   Region position;
-  std::vector<Region> goals;        ///< one after the other; empty: the goal is the start mirrored at `opposite`
+  std::vector<Region> goals;        ///< one after the other; empty: the start mirrored at `opposite`, or a `route`
   std::optional<Vector2> opposite;  ///< [m]
   Range max_speed;                  ///< [m/s]
   Range radius;                     ///< [m]
   std::optional<Range> heading;     ///< [rad]; absent: towards the first goal
   bool keeps_heading = false;       ///< see AgentStart
+  std::optional<std::size_t> route;  ///< index of a route of the population, instead of goals
+  Range reaction_time;               ///< [s], see AgentStart
 };
 
 /// @brief A position relative to the straight line from an agent's start to its first goal.
@@ -72,6 +74,8 @@ struct ObstacleGroup {
   Range speed;                         ///< [m/s], for TO_AND_FRO and LOOP
 };
 
+struct PopulationDescription;
+
 /// @brief A scenario as its document describes it: fixed numbers, and ranges from which each episode draws.
 struct Scenario {
   std::string name;
@@ -90,6 +94,7 @@ struct Scenario {
   std::shared_ptr<const OccupancyMap> map;                ///< null: none
   std::shared_ptr<const std::vector<Segment>> map_walls;  ///< of the map; null: none
   std::shared_ptr<const FreeSpace> free_space;  ///< of the map, for the largest agent; null if no region is FREE
+  std::shared_ptr<const PopulationDescription> population;  ///< routes, sources, sinks, queues, gates; null: none
 
   /// @brief Creates the scene of one episode; depends only on scenario, seed and episode.
   ///

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct AgentStart {
   double radius = 0.0;                 ///< of the body [m]
   bool leaves = true;                  ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
+  std::optional<std::size_t> route;  ///< index of its route; `goals` are not used then
+  double reaction_time = 0.0;        ///< it stands until this time has passed since it appeared [s]
+  bool faces_goal = false;           ///< with a route: `heading` is to be towards the first goal
 };
 
 /// @brief A disc that follows its path and never yields.
@@ -44,6 +48,8 @@ struct Obstacle {
   ObstaclePath path;
   double radius = 0.0;  ///< [m]
 };
+
+struct PopulationDescription;
 
 /// @brief Initial state and settings of one episode. The ids of the agents are their indices.
 struct Scene {
@@ -64,6 +70,8 @@ struct Scene {
   bool way_finding = true;
   std::shared_ptr<const OccupancyMap> map;      ///< the map that some of the walls come from; null: none
   std::shared_ptr<const FreeSpace> free_space;  ///< see Scenario
+  std::shared_ptr<const PopulationDescription> population;  ///< see Scenario
+  std::uint64_t population_seed = 0;                        ///< for everything that is drawn during the episode
 };
 
 /// @brief Sets the heading of each agent with `keeps_heading` to last[id], its heading at the end of the previous

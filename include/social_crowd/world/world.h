@@ -156,6 +156,8 @@ class World {
   void hold(AgentId id, bool held);
   /// @brief The same, for agents that give way to others; both are independent.
   void setYielding(AgentId id, bool yielding);
+  /// @brief Whether the agent leaves the world at its last goal. @throws InputError unless it is on its way.
+  void setLeaves(AgentId id, bool leaves);
   /// @brief Lets an agent arrive now, as at its last goal. @throws InputError unless it is on its way.
   void leave(AgentId id);
   /// @brief Moves an agent to another place at once. @param pose in `map` @throws InputError unless it is on its way

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "social_crowd/simulation/place_picker.h"
+#include "social_crowd/simulation/source_schedule.h"
+
+namespace crowd {
+
+/// @brief A source of agents: those that are due appear as soon as a place is free for them, one after the other.
+class AgentSource {
+ public:
+  /// @param source must outlive it @param random of this source
+  AgentSource(const SourceDescription& source, const KeyedRandom& random)
+      : source_(&source), random_(random), schedule_(source, random.with(SCHEDULE)) {}
+
+  const SourceDescription& description() const { return *source_; }
+  /// @brief The next agent if it is due and there is a place for it now. Its goals are the description's, drawn; with a
+  /// route they are only its own position. The caller adds it to the world before it asks for the next one.
+  std::optional<AgentStart> next(const World& world, const PlacePicker& places);
+  /// @brief Whether all agents have appeared.
+  bool isOver() const { return schedule_.isOver(); }
+
+ private:
+  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3 };
+
+  const SourceDescription* source_;
+  KeyedRandom random_;
+  SourceSchedule schedule_;
+  std::uint64_t created_ = 0;
+};
+
+}  // namespace crowd

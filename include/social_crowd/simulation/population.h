@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "social_crowd/simulation/agent_source.h"
+#include "social_crowd/simulation/episode_result.h"
+#include "social_crowd/simulation/gate.h"
+#include "social_crowd/simulation/place_picker.h"
+#include "social_crowd/simulation/queue.h"
+#include "social_crowd/simulation/route_follower.h"
+#include "social_crowd/world/population.h"
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief Runs the sources, sinks, routes, queues, gates and reaction times of an episode.
+///
+/// Call contract: begin() before the first tick; update() after each tick, before the monitor observes it; the other
+/// functions between two ticks. Deterministic; depends only on the scene and the world. Not thread-safe.
+class Population {
+ public:
+  explicit Population(const Scene& scene);
+
+  /// @brief Sets the first goals, and headings towards them, of the agents of a scene that have routes.
+  static void chooseFirstGoals(Scene& scene);
+
+  void begin(World& world, EpisodeMonitor& monitor);
+  void update(World& world, EpisodeMonitor& monitor);
+  /// @brief Whether a source has agents left.
+  bool expectsAgents() const;
+
+  /// @brief Lets an agent begin a route. @throws InputError that lists the known names, or if the agent is not on its
+  /// way
+  void setRoute(AgentId id, const std::string& route, World& world, EpisodeMonitor& monitor);
+  /// @brief Lets an agent forget its route, as for a goal of a user. Does nothing for agents that are not on a route.
+  void dropRoute(AgentId id, World& world, EpisodeMonitor& monitor);
+  /// @brief Opens or closes a gate, see Gate. @throws InputError that lists the known names
+  void setGate(const std::string& gate, bool open, World& world);
+  /// @brief Adds or removes the walls of the gates, for changes of walls by others.
+  void updateGates(World& world);
+
+  /// @brief Number of agents whose route or reaction time it has to look after.
+  std::size_t memberCount() const { return members_.size(); }
+  const Queue& queue(std::size_t index) const { return queues_[index]; }
+
+ private:
+  /// An agent on a route, or one that has not reacted yet.
+  struct Member {
+    AgentId id = 0;
+    double reacts_at = 0.0;  // [s]
+    std::optional<RouteFollower> route;
+    std::size_t sink = 0;  // of the present leg
+  };
+
+  KeyedRandom randomOfRoute(AgentId id, std::uint64_t tick) const;
+  Member* find(AgentId id);
+  /// Adds an agent that has just appeared.
+  void admit(AgentId id, const AgentStart& start, World& world, EpisodeMonitor& monitor);
+  /// Returns the goal of an agent's present leg, and sets its sink.
+  Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) const;
+  void beginLeg(Member& member, World& world);
+  /// Goes on to the next waypoint, or lets the agent leave at the end of its route.
+  void advance(Member& member, World& world, EpisodeMonitor& monitor);
+  void walk(Member& member, World& world, EpisodeMonitor& monitor);
+  void hold(const Member& member, World& world) const;
+  void serveQueues(World& world, EpisodeMonitor& monitor);
+  void spawn(World& world, EpisodeMonitor& monitor);
+
+  std::shared_ptr<const PopulationDescription> description_;
+  std::uint64_t seed_;
+  PlacePicker places_;
+  std::vector<AgentStart> starts_;  // until begin()
+  std::vector<AgentSource> sources_;
+  std::vector<Queue> queues_;
+  std::vector<Gate> gates_;
+  std::vector<Member> members_;  // by ascending id
+};
+
+}  // namespace crowd

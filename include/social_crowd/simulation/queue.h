@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "social_crowd/common/random.h"
+#include "social_crowd/world/population.h"
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief A line of agents that wait to be served, one at a time, at its head.
+///
+/// An agent that joins walks to the end of the line. It is in line when it has come within the spacing of that place,
+/// nearest first. The line moves up when the first agent has been served or an agent has left it. Places that
+/// walls separate from the head are not used; agents without a place stay on the way to the last one.
+class Queue {
+ public:
+  /// @param queue must outlive it @param random of this queue
+  Queue(const QueueDescription& queue, const KeyedRandom& random) : queue_(&queue), random_(random) {}
+
+  /// @brief An agent begins to walk to the line.
+  void join(AgentId agent) { coming_.push_back(agent); }
+  /// @brief An agent is not to be served any more. Does nothing if it is neither in line nor on the way to it.
+  void leave(AgentId agent);
+  /// @brief Serves, lets agents that are on the way stand in line, and sets the goals of all of them.
+  /// Call it after each tick. @return the agents that have been served now, which are not in line any more
+  std::vector<AgentId> update(World& world);
+
+  /// @brief The place where an agent that joins now walks to [m].
+  Vector2 end() const;
+  /// @brief The agents in line, the first one is at the head.
+  const std::vector<AgentId>& line() const { return line_; }
+  /// @brief Number of agents on the way to the line.
+  std::size_t comingCount() const { return coming_.size(); }
+
+ private:
+  static constexpr std::size_t MAX_PLACES = 10000;
+
+  void measure(const World& world);
+  void admit(const World& world);
+  void serve(const World& world, std::vector<AgentId>& served);
+
+  const QueueDescription* queue_;
+  KeyedRandom random_;
+  std::vector<AgentId> line_;
+  std::vector<AgentId> coming_;  // in the order of joining
+  std::optional<double> service_end_;  // of the first agent [s]
+  std::uint64_t layout_ = 0;           // of the world that `places_` belongs to
+  std::size_t places_ = MAX_PLACES;    // that walls do not separate from the head
+};
+
+}  // namespace crowd

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "social_crowd/world/scenario.h"
+
+namespace crowd {
+
+/// @brief Whether a point [m] is in a box or ring, or is the point of the region. Not for FREE.
+bool contains(const Region& region, const Vector2& point);
+
+/// @brief The point of a point, box or ring that is nearest to another one [m]. Not for FREE.
+Vector2 nearestPoint(const Region& region, const Vector2& point);
+
+/// @brief A region without the margin along its edge [m]; at least the middle is left. Not for FREE.
+Region shrink(const Region& region, double margin);
+
+/// @brief Points of a square grid in a box or ring, or the point of the region [m]. Not for FREE.
+/// @param spacing wanted distance between them [m]; it grows for large regions, so that there are at most some 10000
+std::vector<Vector2> gridPoints(const Region& region, double spacing);
+
+}  // namespace crowd

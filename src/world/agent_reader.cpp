@@ -1,0 +1,84 @@
+#include "world/agent_reader.h"
+
+#include <string>
+
+#include "world/list_reader.h"
+#include "world/region_reader.h"
+
+namespace crowd {
+namespace {
+
+std::size_t readRoute(const YAML::Node& node, const YamlPlace& place, const PopulationDescription& population) {
+  const std::string name = readText(node, place);
+  const auto route = findName(population.routes, name);
+  if (!route) throwProblem(place, node, unknownNameText("route", name, namesOf(population.routes)));
+  return *route;
+}
+
+void readGoals(const YamlMap& map, const PopulationDescription& population, AgentGroup& group) {
+  if (const YAML::Node route = map.find("route")) {
+    if (map.has("goal") || map.has("goals")) {
+      throwProblem(map.place(), route, "expected only one of goal, goals and route");
+    }
+    group.route = readRoute(route, map.placeOf("route"), population);
+    return;
+  }
+  const YAML::Node goals = map.find("goals");
+  if (goals && map.has("goal")) {
+    throwProblem(map.place(), goals, "expected either goal or goals, got both");
+  }
+  if (goals) {
+    group.goals = readRegions(goals, map.placeOf("goals"));
+    return;
+  }
+  const YAML::Node goal = map.need("goal");
+  const YamlPlace place = map.placeOf("goal");
+  if (const YAML::Node opposite = findOnly("opposite", goal, place)) {
+    group.opposite = readVector(opposite, place.child("opposite"));
+    return;
+  }
+  group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}")};
+}
+
+/// Reads `goal`, `random`, `kept`, or degrees.
+void readHeading(const YamlMap& map, AgentGroup& group) {
+  const YAML::Node node = map.find("heading");
+  const std::string word = node && node.IsScalar() ? node.Scalar() : "";
+  if (!node || word == "goal") return;
+  group.keeps_heading = word == "kept";
+  if (group.keeps_heading) return;
+  const YamlPlace place = map.placeOf("heading");
+  const bool is_number = word.find_first_of("0123456789") != std::string::npos;
+  if (node.IsScalar() && word != "random" && !is_number) {
+    throwExpected(place, node, "goal, random, kept, or degrees: a number or [low, high]");
+  }
+  const Range degrees = word == "random" ? Range{-180.0, 180.0} : readRange(node, place, NumberRule::ANY);
+  group.heading = Range{toRadians(degrees.low), toRadians(degrees.high)};
+}
+
+}  // namespace
+
+void readWalk(const YamlMap& map, const Units& units, const PopulationDescription& population, AgentGroup& group) {
+  readGoals(map, population, group);
+  group.max_speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
+  group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
+}
+
+AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units,
+                      const PopulationDescription& population) {
+  const YamlMap map(
+      node, place,
+      {"position", "goal", "goals", "route", "speed", "radius", "heading", "reaction_time", "count"});
+  AgentGroup group;
+  group.line = lineOf(node);
+  group.position = readRegion(map.need("position"), map.placeOf("position"));
+  readWalk(map, units, population, group);
+  readHeading(map, group);
+  if (const YAML::Node reaction = map.find("reaction_time")) {
+    group.reaction_time = readRange(reaction, map.placeOf("reaction_time"), NumberRule::NOT_NEGATIVE);
+  }
+  group.count = readBodyCount(map, group.position.isFixed());
+  return group;
+}
+
+}  // namespace crowd

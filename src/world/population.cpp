@@ -1,0 +1,22 @@
+#include "social_crowd/world/population.h"
+
+#include <algorithm>
+
+#include "social_crowd/common/suggestions.h"
+
+namespace crowd {
+
+bool GateDescription::isOpen(double time) const {
+  if (!open_in) return open;
+  return std::any_of(open_in->begin(), open_in->end(),
+                     [time](const Period& period) { return time >= period.begin && time < period.end; });
+}
+
+std::string unknownNameText(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+  const std::string text = "there is no " + what + " '" + name + "'";
+  if (known.empty()) return text + "; the scenario has no " + what + "s";
+  const std::string hint = didYouMean(name, known);
+  return text + (hint.empty() ? "; known are " : hint + " Known are ") + joinNames(known);
+}
+
+}  // namespace crowd

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "social_crowd/world/scenario.h"
+
+namespace crowd {
+
+/// @brief Conversion from the units of a scenario document (thesis: per tick, ticks) to SI.
+struct Units {
+  bool thesis = false;
+  double tick_duration = DEFAULT_TICK_DURATION;
+
+  double speed(double value) const { return thesis ? value / tick_duration : value; }
+  Range speed(const Range& range) const { return {speed(range.low), speed(range.high)}; }
+};
+
+}  // namespace crowd
