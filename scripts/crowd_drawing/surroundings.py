@@ -35,7 +35,7 @@ def draw_map(picture, floor):
     """Draws the cells of a map."""
     for corner in floor.corners():
         picture.show(corner)
-    picture.axes.imshow(floor.pixels, extent=(0, floor.size[0], 0, floor.size[1]), interpolation='nearest', zorder=0.5,
+    picture.axes.imshow(floor.pixels, extent=(0, floor.size[0], 0, floor.size[1]), interpolation='nearest', zorder=0.6,
                         transform=floor.transform() + picture.axes.transData)
 
 

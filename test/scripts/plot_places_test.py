@@ -117,7 +117,7 @@ class PlaceTest:
     def test_legend(self, runner):
         labels = [f'<!-- {label} -->' for label in ('people come', 'people leave', 'queue', 'gate (dotted: open)')]
         assert_says(self.draw(runner), '<!-- start -->', *labels)
-        assert_says(self.draw(runner, '--moment', '1'), '<!-- person -->', '<!-- path so far -->', *labels)
+        assert_says(self.draw(runner, '--moment', '1'), '<!-- person -->', '<!-- path of the last 10 s -->', *labels)
 
     @pytest.mark.parametrize('moment, bodies', [('0.3', 3), ('1', 2), ('2.5', 1), ('9', 0)])
     def test_only_those_in_the_world_have_bodies(self, runner, moment, bodies):
