@@ -4,7 +4,9 @@
 #include <social_crowd/RemoveAgent.h>
 #include <social_crowd/RemoveObstacle.h>
 #include <social_crowd/RemoveWall.h>
+#include <social_crowd/SetGate.h>
 #include <social_crowd/SetGoal.h>
+#include <social_crowd/SetRoute.h>
 #include <social_crowd/SpawnAgent.h>
 #include <social_crowd/SpawnObstacle.h>
 #include <social_crowd/Teleport.h>
@@ -70,6 +72,27 @@ void CrowdController::advertiseWorldServices() {
     loop_.ask<void>([&] {
       episode_->removeWall(request.wall);
       response.message = "wall " + std::to_string(request.wall) + " removed at " + place();
+    });
+  });
+  advertisePopulationServices();
+}
+
+void CrowdController::advertisePopulationServices() {
+  services_.serve<social_crowd::SetRoute>(names::SET_ROUTE, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      episode_->setRoute(request.agent, request.route);
+      response.message =
+          "agent " + std::to_string(request.agent) + " is on the route " + request.route + " since " + place();
+    });
+  });
+  services_.serve<social_crowd::SetGate>(names::SET_GATE, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      const bool open = request.open != 0;
+      const bool is_open = episode_->setGate(request.gate, open);
+      response.message =
+          "gate " + request.gate +
+          (is_open == open ? (open ? " opened at " : " closed at ") : " closes when nobody stands in it, since ") +
+          place();
     });
   });
 }

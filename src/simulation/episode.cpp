@@ -176,9 +176,10 @@ void Episode::setRoute(AgentId id, const std::string& route) {
   noteChange();
 }
 
-void Episode::setGate(const std::string& gate, bool open) {
-  population_.setGate(gate, open, world_);
+bool Episode::setGate(const std::string& gate, bool open) {
+  const bool is_open = population_.setGate(gate, open, world_);
   noteChange();
+  return is_open;
 }
 
 }  // namespace crowd

@@ -87,7 +87,8 @@ void Population::admit(AgentId id, const AgentStart& start, World& world, Episod
 
 Vector2 Population::goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) const {
   const WaypointDescription& waypoint = member.route->waypoint();
-  if (waypoint.kind == Kind::PLACE) return places_.drawGoal(waypoint.place, from, radius, member.route->random(), world);
+  if (waypoint.kind == Kind::PLACE)
+    return places_.drawGoal(waypoint.place, from, radius, member.route->random(), world);
   if (waypoint.kind == Kind::QUEUE) return queues_[waypoint.target].end();
   member.sink = waypoint.target;
   if (waypoint.kind == Kind::SINK) return places_.nearestIn(description_->sinks[member.sink].area, from, radius, world);
@@ -218,11 +219,12 @@ void Population::dropRoute(AgentId id, World& world, EpisodeMonitor& monitor) {
   hold(*member, world);
 }
 
-void Population::setGate(const std::string& gate, bool open, World& world) {
+bool Population::setGate(const std::string& gate, bool open, World& world) {
   const auto index = findName(description_->gates, gate);
   if (!index) throw InputError(unknownNameText("gate", gate, namesOf(description_->gates)));
   gates_[*index].setOpen(open, world.time());
   gates_[*index].update(world);
+  return gates_[*index].isOpen();
 }
 
 }  // namespace crowd

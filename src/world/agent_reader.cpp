@@ -66,9 +66,8 @@ void readWalk(const YamlMap& map, const Units& units, const PopulationDescriptio
 
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units,
                       const PopulationDescription& population) {
-  const YamlMap map(
-      node, place,
-      {"position", "goal", "goals", "route", "speed", "radius", "heading", "reaction_time", "count"});
+  const YamlMap map(node, place,
+                    {"position", "goal", "goals", "route", "speed", "radius", "heading", "reaction_time", "count"});
   AgentGroup group;
   group.line = lineOf(node);
   group.position = readRegion(map.need("position"), map.placeOf("position"));

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = WaypointDescription::Kind;
 
-constexpr int TRIES = 1000;         // draws of a place in a region
+constexpr int TRIES = 1000;        // draws of a place in a region
 constexpr double GRID_STEP = 0.1;  // [m], if none of them fits
 
 class PopulationCheck {
@@ -71,8 +71,8 @@ bool PopulationCheck::hasRoom(const Region& region, double radius) const {
 
 void PopulationCheck::require(const Region& region, double radius, int line, const std::string& field) const {
   if (hasRoom(region, radius)) return;
-  throw InputError(scenario_.source + ", line " + std::to_string(line) + ": " + field + ": expected a place where an agent of radius " +
-                   toText(radius) + " m fits, got " +
+  throw InputError(scenario_.source + ", line " + std::to_string(line) + ": " + field +
+                   ": expected a place where an agent of radius " + toText(radius) + " m fits, got " +
                    (region.isFixed() ? "one in a wall or nearer to one" : "only such in walls or nearer to one"));
 }
 

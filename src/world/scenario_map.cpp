@@ -42,9 +42,8 @@ bool usesFreeSpace(const Scenario& scenario) {
   for (const ObstacleGroup& group : scenario.obstacles) uses = uses || isFree(group.position);
   if (!scenario.population) return uses;
   const auto& routes = scenario.population->routes;
-  return uses || std::any_of(routes.begin(), routes.end(), [](const RouteDescription& route) {
-           return routeUsesFreeSpace(route.waypoints);
-         });
+  return uses || std::any_of(routes.begin(), routes.end(),
+                             [](const RouteDescription& route) { return routeUsesFreeSpace(route.waypoints); });
 }
 
 }  // namespace

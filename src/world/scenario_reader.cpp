@@ -102,17 +102,18 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
     return readAgents(entry, at, units, population);
   };
   const bool optional = !population.sources.empty();
-  scenario.agents = readList<AgentGroup>(optional ? map.find("agents") : map.need("agents"), map.placeOf("agents"), read);
+  scenario.agents =
+      readList<AgentGroup>(optional ? map.find("agents") : map.need("agents"), map.placeOf("agents"), read);
   if (scenario.agents.empty() && !optional) {
     throwExpected(map.placeOf("agents"), map.need("agents"), "at least one agent");
   }
 }
 
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
-  const YamlMap map(node, place,
-                    {"name", "units", "tick", "duration", "goal_tolerance", "collision_radius", "contact", "order",
-                     "seed", "agents", "obstacles", "walls", "map", "way_finding", "routes", "sources", "sinks", "queues",
-                     "gates"});
+  const YamlMap map(
+      node, place,
+      {"name", "units", "tick", "duration", "goal_tolerance", "collision_radius", "contact", "order", "seed", "agents",
+       "obstacles", "walls", "map", "way_finding", "routes", "sources", "sinks", "queues", "gates"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");

@@ -38,8 +38,9 @@ void readRate(const YamlMap& map, SourceDescription& source) {
 void readSchedule(const YamlMap& map, SourceDescription& source) {
   const YAML::Node times = map.find("times");
   if (map.has("rate") == map.has("times")) {
-    throwProblem(map.place(), map.node(), map.has("rate") ? "expected either rate or times, got both"
-                                                          : "expected either rate or times, got neither");
+    throwProblem(
+        map.place(), map.node(),
+        map.has("rate") ? "expected either rate or times, got both" : "expected either rate or times, got neither");
   }
   if (!times) {
     readRate(map, source);
@@ -57,9 +58,9 @@ void readSchedule(const YamlMap& map, SourceDescription& source) {
 std::vector<SourceDescription> readSources(const YamlMap& map, const Units& units,
                                            const PopulationDescription& population) {
   const auto read = [&](const YAML::Node& node, const YamlPlace& place) {
-    const YamlMap entry(node, place,
-                        {"area", "rate", "times", "interval", "from", "until", "count", "goal", "goals", "route",
-                         "speed", "radius"});
+    const YamlMap entry(
+        node, place,
+        {"area", "rate", "times", "interval", "from", "until", "count", "goal", "goals", "route", "speed", "radius"});
     SourceDescription source;
     source.agents.line = lineOf(node);
     source.agents.position = readRegion(entry.need("area"), entry.placeOf("area"));

@@ -29,6 +29,8 @@ SERVICES = {
     'remove_agent': srv.RemoveAgent,
     'set_goal': srv.SetGoal,
     'teleport': srv.Teleport,
+    'set_route': srv.SetRoute,
+    'set_gate': srv.SetGate,
     'add_wall': srv.AddWall,
     'remove_wall': srv.RemoveWall,
     'spawn_obstacle': srv.SpawnObstacle,

@@ -44,6 +44,7 @@ class CrowdController {
 
   void advertiseServices();
   void advertiseWorldServices();
+  void advertisePopulationServices();
 
   void useScenarios(ScenarioList scenarios, const std::string& name);
   std::optional<TrajectoryFile> beginRecording(const std::string& name) const;

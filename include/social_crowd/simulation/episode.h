@@ -47,8 +47,8 @@ class Episode {
   /// @throws InputError as World::step() does; the world is unchanged then.
   /// @return whether that was the last turn of the tick
   bool step(const std::vector<AgentAction>& actions);
-  /// @brief Whether no agent is on its way and no source has any left, or the maximum number of ticks is reached. A step() changes this only at the
-  /// end of a tick.
+  /// @brief Whether no agent is on its way and no source has any left, or the maximum number of ticks is reached. A
+  /// step() changes this only at the end of a tick.
   bool isOver() const;
 
   /// @brief Number of turns in the present tick: one, or one for each agent on its way.
@@ -57,6 +57,7 @@ class Episode {
   std::uint64_t number() const { return number_; }
   const Scene& scene() const { return scene_; }
   const World& world() const { return world_; }
+  const Population& population() const { return population_; }
   EpisodeResult result() const { return monitor_.result(); }
 
   /// @brief Changes of the world between two ticks, see World; perceptions() reflect them.
@@ -72,8 +73,9 @@ class Episode {
   void replaceWalls(std::vector<Segment> walls);
   /// @brief Lets an agent begin a route of the scenario.
   void setRoute(AgentId id, const std::string& route);
-  /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later.
-  void setGate(const std::string& gate, bool open);
+  /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later. @return whether it is
+  /// open now
+  bool setGate(const std::string& gate, bool open);
 
  private:
   /// Notes a change of the world: waypoints are updated, and the perceptions are not current any more.

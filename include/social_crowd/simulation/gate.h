@@ -28,7 +28,7 @@ class Gate {
   void follow(double time);
 
   const GateDescription* gate_;
-  std::optional<bool> scheduled_;    // by the description, at the last update
+  std::optional<bool> scheduled_;  // by the description, at the last update
   bool wants_open_ = false;
   std::optional<std::size_t> wall_;  // id of the wall while it is closed
 };

@@ -16,7 +16,8 @@ class PlacePicker {
  public:
   explicit PlacePicker(const Scene& scene);
 
-  /// @brief Whether a disc [m] overlaps neither walls nor obstacles at rest, and its centre is in a free cell of the map.
+  /// @brief Whether a disc [m] overlaps neither walls nor obstacles at rest, and its centre is in a free cell of the
+  /// map.
   bool fits(const Vector2& place, double radius, const World& world) const;
   /// @brief Draws a place in a region where an agent fits and has not arrived yet, and that it can reach if {map: free}
   /// is used. If none is found in MAX_TRIES draws, the last one.

@@ -38,8 +38,9 @@ class Population {
   void setRoute(AgentId id, const std::string& route, World& world, EpisodeMonitor& monitor);
   /// @brief Lets an agent forget its route, as for a goal of a user. Does nothing for agents that are not on a route.
   void dropRoute(AgentId id, World& world, EpisodeMonitor& monitor);
-  /// @brief Opens or closes a gate, see Gate. @throws InputError that lists the known names
-  void setGate(const std::string& gate, bool open, World& world);
+  /// @brief Opens or closes a gate, see Gate. @return whether it is open now @throws InputError that lists the known
+  /// names
+  bool setGate(const std::string& gate, bool open, World& world);
   /// @brief Adds or removes the walls of the gates, for changes of walls by others.
   void updateGates(World& world);
 

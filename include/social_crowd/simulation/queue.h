@@ -45,7 +45,7 @@ class Queue {
   const QueueDescription* queue_;
   KeyedRandom random_;
   std::vector<AgentId> line_;
-  std::vector<AgentId> coming_;  // in the order of joining
+  std::vector<AgentId> coming_;        // in the order of joining
   std::optional<double> service_end_;  // of the first agent [s]
   std::uint64_t layout_ = 0;           // of the world that `places_` belongs to
   std::size_t places_ = MAX_PLACES;    // that walls do not separate from the head

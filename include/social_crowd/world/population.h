@@ -62,7 +62,7 @@ struct GateDescription {
   std::string name;
   int line = 0;  ///< in the file, for messages
   Segment wall;
-  bool open = false;                         ///< at the start, without periods
+  bool open = false;                           ///< at the start, without periods
   std::optional<std::vector<Period>> open_in;  ///< open in these ascending periods, closed otherwise
 
   /// @brief Whether the gate is open at a time [s] if no service changes that.
@@ -71,12 +71,12 @@ struct GateDescription {
 
 /// @brief One entry under `sources`: agents that appear during an episode.
 struct SourceDescription {
-  AgentGroup agents;  ///< what they are like; `position` is the area of the source, `count` is not used
-  std::optional<double> rate;             ///< agents per second; absent: `times`
-  bool regular = false;                   ///< intervals are equal; else exponential
-  std::vector<double> times;              ///< ascending [s]
-  double from = 0.0;                      ///< with a rate: the source is active from here on [s]
-  double until = std::numeric_limits<double>::infinity();                     ///< and before this time [s]
+  AgentGroup agents;           ///< what they are like; `position` is the area of the source, `count` is not used
+  std::optional<double> rate;  ///< agents per second; absent: `times`
+  bool regular = false;        ///< intervals are equal; else exponential
+  std::vector<double> times;   ///< ascending [s]
+  double from = 0.0;           ///< with a rate: the source is active from here on [s]
+  double until = std::numeric_limits<double>::infinity();           ///< and before this time [s]
   std::uint64_t count = std::numeric_limits<std::uint64_t>::max();  ///< largest number of agents
 };
 

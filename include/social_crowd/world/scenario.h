@@ -47,8 +47,8 @@ struct AgentGroup {
   Range radius;                     ///< [m]
   std::optional<Range> heading;     ///< [rad]; absent: towards the first goal
   bool keeps_heading = false;       ///< see AgentStart
-  std::optional<std::size_t> route;  ///< index of a route of the population, instead of goals
-  Range reaction_time;               ///< [s], see AgentStart
+  std::optional<std::size_t> route = std::nullopt;  ///< index of a route of the population, instead of goals
+  Range reaction_time;                              ///< [s], see AgentStart
 };
 
 /// @brief A position relative to the straight line from an agent's start to its first goal.

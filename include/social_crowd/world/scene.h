@@ -38,9 +38,9 @@ struct AgentStart {
   double radius = 0.0;                 ///< of the body [m]
   bool leaves = true;                  ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
-  std::optional<std::size_t> route;  ///< index of its route; `goals` are not used then
-  double reaction_time = 0.0;        ///< it stands until this time has passed since it appeared [s]
-  bool faces_goal = false;           ///< with a route: `heading` is to be towards the first goal
+  std::optional<std::size_t> route = std::nullopt;  ///< index of its route; `goals` are not used then
+  double reaction_time = 0.0;                       ///< it stands until this time has passed since it appeared [s]
+  bool faces_goal = false;                          ///< with a route: `heading` is to be towards the first goal
 };
 
 /// @brief A disc that follows its path and never yields.
@@ -68,8 +68,8 @@ struct Scene {
   std::size_t own_walls = 0;   ///< number of walls of the scenario file
   /// Agents whose goal is hidden by walls or obstacles at rest perceive a waypoint on the way to it instead.
   bool way_finding = true;
-  std::shared_ptr<const OccupancyMap> map;      ///< the map that some of the walls come from; null: none
-  std::shared_ptr<const FreeSpace> free_space;  ///< see Scenario
+  std::shared_ptr<const OccupancyMap> map;                  ///< the map that some of the walls come from; null: none
+  std::shared_ptr<const FreeSpace> free_space;              ///< see Scenario
   std::shared_ptr<const PopulationDescription> population;  ///< see Scenario
   std::uint64_t population_seed = 0;                        ///< for everything that is drawn during the episode
 };

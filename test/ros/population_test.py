@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+"""Sources, sinks, routes, queues, gates and reaction times through ROS, and the services set_route and set_gate."""
+import support
+from controlling import QUIET, ControllerTestCase
+from geometry_msgs.msg import Point, Pose2D
+from social_crowd.msg import AgentState, Walls
+from walking import WalkTestCase
+
+SHOP = """
+name: shop
+duration: 40
+goal_tolerance: 0.3
+contact: solid
+walls:
+  - [[0, 0], [12, 0]]
+  - [[12, 0], [12, 8]]
+  - [[12, 8], [0, 8]]
+  - [[0, 8], [0, 0]]
+  - [[6, 0], [6, 3.2]]
+  - [[6, 4.8], [6, 8]]
+AGENTS
+routes:
+  shopping:
+    waypoints:
+      - {place: {box: [[1, 1], [5, 3]]}, wait: [1, 4]}
+      - {queue: till}
+      - {one_of: [{sink: north}, {sink: south}]}
+  rounds: {repeat: true, waypoints: [{place: {box: [[1, 5], [5, 7]]}, wait: 2}, {place: [4, 4]}]}
+sources:
+  - {area: {box: [[0.5, 3], [1.5, 5]]}, rate: 0.5, from: 1, until: 30, route: shopping, speed: [1.0, 1.5], radius: 0.2}
+  - {area: [3, 3.5], times: [3, 3, 9], goal: [11, 4], speed: 1.3, radius: 0.25}
+sinks:
+  north: {area: {box: [[10, 7], [11.5, 8]]}}
+  south: {area: {box: [[10, 0], [11.5, 1]]}}
+queues:
+  till: {head: [8, 6], direction: 180, spacing: 0.6, service: [1, 3]}
+gates:
+  door: {wall: [[6, 3.2], [6, 4.8]], open: [[10, 20], [23, 40]]}
+"""
+WALKERS = """agents:
+  - {count: 4, position: {box: [[1, 5], [3, 7]]}, route: rounds, speed: 1.2, radius: 0.2, reaction_time: [0, 4]}"""
+
+ROUTES = QUIET + """
+routes:
+  back: {waypoints: [{place: [-2, 0]}, {place: [-1, 0]}]}
+gates:
+  door: {wall: [[50, 45], [50, 55]], open: false}
+  hatch: {wall: [[60, 50], [61, 50]], open: true}
+"""
+
+
+class WalkTest(WalkTestCase):
+    """The recording of a run through ROS is that of `evaluate`."""
+
+    def check(self, agents):
+        """Two episodes with one learner."""
+        scenario = self.write('shop.yaml', SHOP.replace('AGENTS', agents))
+        expected = self.headless(scenario, support.ANTICIPATION_TABLE, episodes=2, seed=5)
+        recorded = {int(line.split(',')[2]) for line in expected.decode().splitlines()[1:]}
+        self.assertGreater(len(recorded), 12, 'agents of the sources are to be in the recording')
+        self.start_learner(q_table=support.ANTICIPATION_TABLE)
+        self.assert_same_recording(self.walk(scenario, episodes=2), expected)
+
+    def test_agents_and_sources(self):
+        self.check(WALKERS)
+
+    def test_nobody_at_the_start(self):
+        self.check('')
+
+
+class ServicesTest(ControllerTestCase):
+    """set_route, set_gate."""
+
+    def test_a_route(self):
+        self.start_all(ROUTES)
+        self.step(2)
+        self.assert_says(self.do('set_route', agent=0, route='back').message, 'agent 0', 'back')
+        message = self.walk(2)  # turns on the spot and walks back
+        self.assertEqual((message.agents[0].goal.x, message.agents[0].goal.y), (-2, 0))
+        self.assert_place(message, 0, 0.0, 0.0)
+        message = self.walk(40)
+        self.assertEqual((message.agents[0].goal.x, message.agents[0].status), (-1, AgentState.WALKING))
+        message = self.walk(30)
+        self.assertEqual(message.agents[0].status, AgentState.ARRIVED)
+
+    def test_a_goal_ends_it(self):
+        self.start_all(ROUTES)
+        self.do('set_route', agent=0, route='back')
+        self.do('set_goal', agent=0, goal=Point(0.6, 0, 0))
+        message = self.walk(10)
+        self.assertEqual(message.agents[0].status, AgentState.ARRIVED)
+
+    def test_bad_routes_are_refused(self):
+        self.start_all(ROUTES)
+        self.refuse('set_route', 'bak', "did you mean 'back'", agent=0, route='bak')
+        self.refuse('set_route', 'agent 7', agent=7, route='back')
+        self.assert_place(self.walk(), 0, 0.05, 0.0)
+
+    def test_a_scenario_without_routes_and_gates(self):
+        self.start_all()
+        self.refuse('set_route', 'no routes', agent=0, route='back')
+        self.refuse('set_gate', 'no gates', gate='door', open=True)
+
+    def test_gates(self):
+        walls = self.listen('walls', Walls)
+        self.start_all(ROUTES)
+        walls.wait(lambda message: list(message.numbers) == [0])
+        self.assert_says(self.do('set_gate', gate='door', open=True).message, 'door', 'opened')
+        self.walk(1)
+        walls.wait(lambda message: not message.walls)
+        self.do('teleport', agent=0, pose=Pose2D(50, 50, 0))
+        self.assert_says(self.do('set_gate', gate='door', open=False).message, 'door', 'nobody stands in it')
+        self.walk(1)
+        self.assertFalse(walls.messages[-1].walls)
+        self.do('teleport', agent=0, pose=Pose2D(40, 50, 0))
+        self.walk(1)
+        walls.wait(lambda message: list(message.numbers) == [1])
+        self.refuse('set_gate', 'gate', 'door, hatch', gate='tunnel', open=True)
+
+
+if __name__ == '__main__':
+    support.run('population_test')
