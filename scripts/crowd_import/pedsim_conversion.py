@@ -17,10 +17,22 @@ REASONS = {
 }
 
 
+def share_within(other, cluster):
+    """Returns the share of the box of a cluster that is within the box of another one."""
+    share = 1.0
+    for axis in (0, 1):
+        low, high = other.middle[axis] - other.sides[axis] / 2, other.middle[axis] + other.sides[axis] / 2
+        least, most = (cluster.middle[axis] + sign * cluster.sides[axis] / 2 for sign in (-1, 1))
+        common = min(high, most) - max(low, least)
+        share *= (1.0 if common >= 0 else 0.0) if high == low else max(0.0, common) / (high - low)
+    return share
+
+
 class Conversion:
     """The keys of a scenario, as text, and notes about what is not carried over or is changed."""
 
     def __init__(self, scene, radius, spawn_period):
+        self.scene = scene
         self.radius = radius
         self.spawn_period = spawn_period  # [s]
         self.notes = []  # (line, text)
@@ -72,7 +84,8 @@ class Conversion:
     def area_of(self, cluster, radius):
         """Returns the region of a cluster at the start. It is enlarged where the bodies would overlap."""
         sides = cluster.sides
-        needed = cluster.count * math.pi * (radius + GAP / 2) ** 2 / DENSEST
+        count = sum(other.count * share_within(other, cluster) for other in self.scene.agents + self.scene.sources)
+        needed = count * math.pi * (radius + GAP / 2) ** 2 / DENSEST
         if cluster.count > 1 and (sides[0] + 2 * radius) * (sides[1] + 2 * radius) < needed:
             ratio = math.sqrt(sides[0] / sides[1]) if min(sides) > 0 else 1.0
             root = math.sqrt(needed)
@@ -80,7 +93,7 @@ class Conversion:
                      zip(sides, (root * ratio, root / ratio))]
             before, after = (' x '.join(map(number_text, lengths)) for lengths in (cluster.sides, sides))
             self.note(cluster.element,
-                      f'{cluster.count} bodies do not fit into {before} m; enlarged to {after} m')
+                      f'{round(count)} bodies do not fit into {before} m; enlarged to {after} m')
         return region(cluster.middle, sides) if cluster.count == 1 else box(cluster.middle, sides)
 
     def add_agents(self, cluster):

@@ -115,6 +115,14 @@ class ConversionTest:
         assert yaml.safe_load(scenario)['agents'][0]['position'] == {'box': [[2.55, 3.55], [5.45, 6.45]]}
         assert_says(messages, 'hall.xml:10: agent: 20 bodies do not fit into 1 x 1 m; enlarged to 2.9 x 2.9 m')
 
+    def test_boxes_of_several_agents(self, runner):
+        """40 and half of 20, of 0.2 m, in 4 x 4 m: 50 pi 0.225^2 / 0.4 = 19.88 m2, 4.46 m a side; there are 4.4."""
+        agent = '<agent x="{}" y="0" n="{}" dx="4" dy="4"><addwaypoint id="w"/></agent>'
+        scene = '<scenario><waypoint id="w" x="0" y="9" r="1"/>{}{}</scenario>'
+        for count, side in ((40, 4.5), (38, 4)):
+            scenario = scenario_of(runner, scene.format(agent.format(0, count), agent.format(2, 20)))
+            assert scenario['agents'][0]['position'] == {'box': [[-side / 2, -side / 2], [side / 2, side / 2]]}
+
     @pytest.mark.parametrize('name', ['yes', '7', 'a: b', '# "x"', 'Grüße'])
     def test_names(self, runner, name):
         quoted = name.replace('"', '&quot;')

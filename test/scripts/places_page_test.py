@@ -45,12 +45,26 @@ class PageTest:
 
 
 class PlacesTest:
-    """The shipped scenarios without sources."""
+    """The shipped scenarios."""
 
     @pytest.mark.parametrize('name, people', [('place_bottleneck', 60), ('place_corner', 20),
                                               ('place_t_junction', 30), ('place_two_way_door', 24)])
     def test_everybody_arrives(self, runner, name, people):
         assert_all_arrive(walk(runner, in_package('config', 'scenarios', f'{name}.yaml'), 5), 5 * people)
+
+    @pytest.mark.parametrize('name', ['place_station', 'place_supermarket'])
+    def test_everybody_who_comes_leaves(self, runner, name):
+        rows = walk(runner, in_package('config', 'scenarios', f'{name}.yaml'), 2)
+        assert len(rows) > 100
+        assert_all_arrive(rows, len(rows))
+
+    def test_the_office_keeps_walking(self, runner):
+        """24 people walk between rooms, at least 50 m; visitors leave."""
+        rows = walk(runner, in_package('config', 'scenarios', 'place_office.yaml'), 1)
+        assert {row['touched'] for row in rows} == {'0'}
+        assert min(float(row['path_length']) for row in rows[:24]) > 50
+        assert len(rows) > 24
+        assert {row['arrived'] for row in rows[24:]} == {'1'}
 
     def test_the_example_with_a_map(self, runner):
         """The page's scenario, on the map of the supermarket."""
