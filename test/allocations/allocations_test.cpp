@@ -19,7 +19,7 @@ void* allocate(std::size_t size) {
 
 }  // namespace
 
-// What this executable allocates is counted. Forms for arrays and without exceptions end up here, too.
+// All allocations of this executable are counted; new[] and the forms without exceptions call these operators.
 void* operator new(std::size_t size) { return allocate(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
@@ -38,7 +38,7 @@ Scene lattice() {
     scene.agents.push_back(scenes::agent(place, goal));
   }
   scene.walls.push_back({{-50.0, -1.0}, {80.0, -1.0}});
-  // Far corners, so that the floor does not grow.
+  // Distant obstacles, so that the extent of the world does not grow.
   scene.obstacles = {scenes::pillar({-40.0, -40.0}, 0.5), scenes::pillar({70.0, 70.0}, 0.5)};
   return scene;
 }
@@ -50,11 +50,11 @@ Learner makeLearner(Mode mode) {
           options};
 }
 
-/// Whether there comes a row of ticks that allocate nothing. When that is depends on who works when: a worker that had
-/// nothing to do so far needs its own space when it begins.
+/// Whether a sequence of ticks allocates nothing. Its beginning depends on the scheduling of threads: a thread that had
+/// no work before allocates its own workspace when it begins.
 bool getsWarm(Mode mode, unsigned threads) {
   constexpr int ROW = 50;
-  constexpr int MOST = 400;  // then they would leave the floor
+  constexpr int MOST = 400;  // later the agents leave the lattice
   ThreadPool thread_pool(threads);
   Learner learner = makeLearner(mode);
   Episode episode(lattice(), 0, learner.model().vision(), thread_pool);
@@ -69,13 +69,13 @@ bool getsWarm(Mode mode, unsigned threads) {
   return quiet == ROW && !episode.isOver();
 }
 
-TEST(Allocations, AreCounted) {
+TEST(Allocations, CounterCountsAllocations) {
   const std::uint64_t before = allocations;
   const std::vector<int> something(100);
   EXPECT_EQ(allocations - before, 1U) << something.size();
 }
 
-TEST(Allocations, ATickMakesNoneOnceWarm) {
+TEST(Allocations, TicksEventuallyAllocateNothing) {
   for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
     for (const unsigned threads : {1U, 2U}) {
       EXPECT_TRUE(getsWarm(mode, threads)) << MODES.nameOf(mode) << ", " << threads << " threads";

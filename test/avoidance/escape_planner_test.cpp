@@ -34,20 +34,20 @@ PerceptionsBuilder moving_obstacle(const Vector2& position, const Vector2& veloc
       .velocity({0, 0}, velocity);
 }
 
-TEST(EscapePlanner, LeavesMovesAsTheyAreWhereNoMovingObstacleCanCome) {
+TEST(EscapePlanner, KeepsMovesThatNoMovingObstacleCanReach) {
   // At 0.3 and 0.5 m/s the gap shrinks by 1.2 m within the lookout; it is 1.3 m.
   const Moves moves = movesIn(moving_obstacle({1.83, 0.0}, {-0.5, 0.0}));
   EXPECT_EQ(moves.ahead.fraction, 1.0);
   EXPECT_EQ(moves.stay.fraction, 0.0);
 }
 
-TEST(EscapePlanner, LeavesAnObstacleAtRestToTheSeparationRule) {
+TEST(EscapePlanner, IgnoresStaticObstacles) {
   const Moves moves = movesIn(moving_obstacle({0.515, 0.0}, {0.0, 0.0}));
   EXPECT_NEAR(moves.ahead.fraction, 0.5, 1e-6);  // 0.015 of the 0.03 of a tick
   EXPECT_EQ(moves.ahead.direction, Vector2::UnitX());
 }
 
-TEST(EscapePlanner, WhoStandsInAMovingObstaclesWayStaysUntilItMustGo) {
+TEST(EscapePlanner, LeavesThePathOfAMovingObstacleAtTheLastSafeTick) {
   // The agent is 0.45 m beside the axis of the obstacle's lane; they need 0.52 m. If the agent leaves the lane at once,
   // their least distance is 0.534 m; one tick later it would be 0.506 m.
   const Moves late = movesIn(moving_obstacle({0.36, 0.45}, {-1.0, 0.0}));
@@ -59,7 +59,7 @@ TEST(EscapePlanner, WhoStandsInAMovingObstaclesWayStaysUntilItMustGo) {
   EXPECT_EQ(early.stay.fraction, 0.0);
 }
 
-TEST(EscapePlanner, WhoIsTooLateMakesTheMostOfItsTime) {
+TEST(EscapePlanner, DelaysTheContactIfNoPathStaysClear) {
   // In the middle of the lane of a moving obstacle that arrives in 0.5 s; the agent needs 1.73 s to leave the lane. No
   // path stays clear, but walking away from the obstacle stays clear for longer than staying.
   const Moves moves = movesIn(moving_obstacle({1.0, 0.0}, {-1.0, 0.0}));
@@ -68,7 +68,7 @@ TEST(EscapePlanner, WhoIsTooLateMakesTheMostOfItsTime) {
   EXPECT_EQ(moves.stay.fraction, 1.0);
 }
 
-TEST(EscapePlanner, ReckonsWithAMovingObstacleThatTurnsRound) {
+TEST(EscapePlanner, AllowsForAReversalOfAMovingObstacle) {
   // 0.05 m behind a moving obstacle that leaves: if it reversed, contact would follow after 0.07 s, too soon to leave
   // its lane.
   const Moves moves = movesIn(moving_obstacle({0.55, 0.0}, {0.6, 0.0}));
@@ -108,11 +108,11 @@ int ticksInContact(double lookout, std::uint64_t seed) {
   return ticks;
 }
 
-TEST(EscapePlanner, AnAgentAloneIsNeverTouched) {
+TEST(EscapePlanner, KeepsASingleAgentFreeOfContacts) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) EXPECT_EQ(ticksInContact(LOOKOUT, seed), 0) << "seed " << seed;
 }
 
-TEST(EscapePlanner, WithoutItTheSameAgentIsRunOver) {
+TEST(EscapePlanner, TheSameAgentHasContactsWithoutIt) {
   int ticks = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) ticks += ticksInContact(0.0, seed);
   EXPECT_GT(ticks, 100);

@@ -25,26 +25,26 @@ PerceptionsBuilder facing(double gap, NeighbourKind kind = NeighbourKind::AGENT)
   return PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({0.5 + gap, 0.0}, 0.25).kind(kind);
 }
 
-TEST(SeparationRule, LeavesFreeMovesAsTheyAre) {
+TEST(SeparationRule, KeepsFreeMoves) {
   EXPECT_EQ(shareAhead(GapSharing::HALF, PerceptionsBuilder().agent(0, {5.0, 0.0})), 1.0);
   EXPECT_EQ(shareAhead(GapSharing::HALF, facing(0.07)), 1.0);  // half of it is more than 0.03
   EXPECT_EQ(shareAhead(GapSharing::NONE, facing(0.001)), 1.0);
   EXPECT_EQ(shareAhead(GapSharing::HALF, PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({-0.5, 0.0}, 0.25)), 1.0);
 }
 
-TEST(SeparationRule, GivesEachAgentHalfOfTheGap) {
+TEST(SeparationRule, AllowsEachAgentHalfOfTheGap) {
   EXPECT_NEAR(shareAhead(GapSharing::HALF, facing(0.03)), 0.5, 1e-6);
   EXPECT_NEAR(shareAhead(GapSharing::HALF, facing(0.006)), 0.1, 1e-6);
   EXPECT_EQ(shareAhead(GapSharing::HALF, facing(0.0)), 0.0);
 }
 
-TEST(SeparationRule, GivesTheWholeGapToAThingAtRest) {
+TEST(SeparationRule, AllowsTheWholeGapToStaticObstaclesAndWalls) {
   EXPECT_NEAR(shareAhead(GapSharing::HALF, facing(0.015, NeighbourKind::OBSTACLE)), 0.5, 1e-6);
   const auto before_wall = PerceptionsBuilder().agent(0, {5.0, 0.0}).wall({0.265, -1.0}, {0.265, 1.0});
   EXPECT_NEAR(shareAhead(GapSharing::HALF, before_wall), 0.5, 1e-6);
 }
 
-TEST(SeparationRule, CutsByTheComponentTowardsTheOther) {
+TEST(SeparationRule, LimitsTheComponentTowardsTheOtherAgent) {
   const auto moves = cut(SeparationRule(GapSharing::HALF, LOOKOUT), facing(0.006).perception(),
                          {{unitVector(toRadians(60.0)), 1.0, 1.0}, {unitVector(toRadians(90.0)), 1.0, 1.0}});
   EXPECT_NEAR(moves[0].fraction, 0.2,
@@ -52,7 +52,7 @@ TEST(SeparationRule, CutsByTheComponentTowardsTheOther) {
   EXPECT_EQ(moves[1].fraction, 1.0);
 }
 
-TEST(SeparationRule, GivesWhoFollowsWhatTheOtherLeaves) {
+TEST(SeparationRule, MovingSharesDependOnBothVelocities) {
   // Both walked ahead at 0.1 m/s: the line between them moves on by 0.01 m.
   auto following = facing(0.03).velocity({0.1, 0.0}, {0.1, 0.0});
   EXPECT_NEAR(shareAhead(GapSharing::MOVING, following), 0.025 / 0.03, 1e-6);
@@ -119,7 +119,7 @@ double worstOfRandomWalk(GapSharing sharing, std::uint64_t seed) {
   return worst;
 }
 
-TEST(SeparationRule, NobodyWhoFollowsItEverTouchesAnything) {
+TEST(SeparationRule, PreventsAllContactsInADenseCrowd) {
   for (const GapSharing sharing : {GapSharing::HALF, GapSharing::MOVING}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       EXPECT_LE(worstOfRandomWalk(sharing, seed), TOUCH_TOLERANCE) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;
@@ -127,7 +127,7 @@ TEST(SeparationRule, NobodyWhoFollowsItEverTouchesAnything) {
   }
 }
 
-TEST(SeparationRule, WithoutItTheSameCrowdBumps) { EXPECT_GT(worstOfRandomWalk(GapSharing::NONE, 1), 0.05); }
+TEST(SeparationRule, TheSameCrowdHasContactsWithoutIt) { EXPECT_GT(worstOfRandomWalk(GapSharing::NONE, 1), 0.05); }
 
 TEST(GapSharing, HasNames) {
   for (const char* name : {"none", "half", "moving"}) EXPECT_EQ(GAP_SHARINGS.nameOf(GAP_SHARINGS.parse(name)), name);

@@ -43,7 +43,7 @@ double walked(const Segment& wall, const Vector2& velocity, double radius) {
   return NEVER;
 }
 
-TEST(TimeToCollision, OfAWallIsWhatWalkingThereShows) {
+TEST(TimeToCollision, OfAWallAgreesWithASimulatedWalk) {
   KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
   int met = 0;
   for (int i = 0; i < 300; ++i) {
@@ -63,7 +63,7 @@ TEST(TimeToCollision, OfAWallIsWhatWalkingThereShows) {
   EXPECT_GT(met, 50);
 }
 
-TEST(TimeToCollision, OfAnAgentIsTheEarliestOfAll) {
+TEST(TimeToCollision, OfAPerceptionIsTheEarliestOfAllBodiesAndWalls) {
   auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).neighbour({4.5, 0.0}, 0.25).wall({2.25, -1.0}, {2.25, 1.0});
   EXPECT_DOUBLE_EQ(timeToCollision(scene.perception(), {1.0, 0.0}), 2.0);
   EXPECT_EQ(timeToCollision(scene.perception(), {-1.0, 0.0}), NEVER);
@@ -85,7 +85,7 @@ PerceptionsBuilder sceneOf(std::size_t neighbours, KeyedRandom& random) {
   return scene;
 }
 
-TEST(TimeToCollision, OfManyBodiesIsTheEarliestOfEachAlone) {
+TEST(TimeToCollision, OfManyBodiesEqualsTheMinimumOverTheBodies) {
   std::size_t never = 0;
   std::size_t at_once = 0;
   std::array<std::size_t, 3> met_first{};  // how often it is among the first 16 neighbours, the next 16, the rest

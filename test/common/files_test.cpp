@@ -18,7 +18,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// While it lives no file of this process can grow beyond so many bytes: stands for a full disk.
+/// During its lifetime, no file of this process can grow beyond a number of bytes; simulates a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {
@@ -44,7 +44,7 @@ void expectFileError(const std::string& message, const std::string& file, int re
   EXPECT_TRUE(contains(message, std::strerror(reason))) << message;
 }
 
-TEST(ReadFile, GivesEveryByte) {
+TEST(ReadFile, ReturnsEveryByte) {
   const TemporaryFolder folder;
   const std::string content("a\r\nb\0c\n\n\xFF", 9);
   EXPECT_EQ(readFile(folder.write("file", content)), content);
@@ -58,7 +58,7 @@ TEST(ReadFile, ReadsLargeFiles) {
   EXPECT_EQ(readFile(folder.write("file", content)), content);
 }
 
-TEST(ReadFile, NamesTheFileThatIsMissing) {
+TEST(ReadFile, NamesAMissingFile) {
   const TemporaryFolder folder;
   expectFileError(errorOf<FileError>([&] { readFile(folder.file("none")); }), folder.file("none"), ENOENT);
 }
@@ -69,14 +69,14 @@ TEST(ReadFile, RefusesAFolder) {
   EXPECT_TRUE(contains(message, folder.path() + ": is a folder")) << message;
 }
 
-TEST(ReadFile, TakesNoFileForEmptyThatCannotBeRead) {
+TEST(ReadFile, ReportsAReadError) {
   // Linux lets a process open its own memory, but address 0 holds nothing: reading fails with EIO.
   const std::string file = "/proc/self/mem";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs Linux";
   EXPECT_TRUE(contains(errorOf<FileError>([&] { readFile(file); }), file));
 }
 
-TEST(ReplaceFile, MakesAFileAndReplacesIt) {
+TEST(ReplaceFile, CreatesAndReplacesAFile) {
   const TemporaryFolder folder;
   const std::string content("a\r\nb\0c\n\n\xFF", 9);
   replaceFile(folder.file("file"), content);
@@ -95,7 +95,7 @@ TEST(ReplaceFile, WritesLargeFiles) {
   EXPECT_EQ(readFile(folder.file("file")), content);
 }
 
-TEST(ReplaceFile, NamesTheFolderThatIsMissing) {
+TEST(ReplaceFile, NamesAMissingFolder) {
   const TemporaryFolder folder;
   const std::string file = folder.file("none/file");
   const std::string message =
@@ -127,12 +127,12 @@ TEST(ReplaceFile, RefusesAPathThroughAFile) {
   const TemporaryFolder folder;
   const std::string file = folder.write("file", "old") + "/below";
   const std::string message = errorOf<FileError>([&] { replaceFile(file, "new"); });
-  EXPECT_EQ(message, file + ": cannot be written: " + std::strerror(ENOTDIR));  // nothing of the temporary file
+  EXPECT_EQ(message, file + ": cannot be written: " + std::strerror(ENOTDIR));  // does not name the temporary file
   EXPECT_EQ(readFile(folder.file("file")), "old");
   EXPECT_EQ(folder.names(), Names{"file"});
 }
 
-TEST(ReplaceFile, LeavesAFolderOfThatNameAsItIs) {
+TEST(ReplaceFile, KeepsAFolderOfThatName) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("taken"));
   folder.write("taken/file", "old");
@@ -155,7 +155,7 @@ TEST(ReplaceFile, KeepsTheOldFileWhenTheDiskIsFull) {
   EXPECT_EQ(folder.names(), Names{"file"});
 }
 
-TEST(ReplaceFile, KeepsTheOldFileInAFolderItMayNotWriteTo) {
+TEST(ReplaceFile, KeepsTheOldFileInAFolderWithoutWritePermission) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const TemporaryFolder folder;
   folder.write("file", "old");
@@ -167,16 +167,16 @@ TEST(ReplaceFile, KeepsTheOldFileInAFolderItMayNotWriteTo) {
   EXPECT_EQ(folder.names(), Names{"file"});
 }
 
-TEST(MakeFolder, MakesThoseAboveToo) {
+TEST(MakeFolder, CreatesParentFolders) {
   const TemporaryFolder folder;
   makeFolder(folder.file("a/b/c"));
   EXPECT_TRUE(std::filesystem::is_directory(folder.file("a/b/c")));
   folder.write("a/file", "old");
-  makeFolder(folder.file("a"));  // there already: nothing changes
+  makeFolder(folder.file("a"));  // exists already: nothing changes
   EXPECT_EQ(readFile(folder.file("a/file")), "old");
 }
 
-TEST(MakeFolder, RefusesAPlaceWhereAFileIs) {
+TEST(MakeFolder, RefusesThePathOfAFile) {
   const TemporaryFolder folder;
   folder.write("file", "old");
   for (const std::string& place : {folder.file("file"), folder.file("file/below")}) {
@@ -186,7 +186,7 @@ TEST(MakeFolder, RefusesAPlaceWhereAFileIs) {
   EXPECT_EQ(readFile(folder.file("file")), "old");
 }
 
-TEST(StemOf, IsTheNameWithoutFolderAndEnding) {
+TEST(StemOf, RemovesFolderAndExtension) {
   EXPECT_EQ(stemOf("a/b/circle6.yaml"), "circle6");
   EXPECT_EQ(stemOf("circle6.yaml"), "circle6");
   EXPECT_EQ(stemOf("/a.b/circle6"), "circle6");

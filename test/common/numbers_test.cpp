@@ -31,7 +31,7 @@ double fromBits(std::uint64_t bits) {
   return value;
 }
 
-/// Digits of a number's text that count: those before the exponent, without zeros at either end.
+/// The significant digits of a number's text: those before the exponent, without zeros at either end.
 int significantDigits(const std::string& text) {
   std::string digits;
   for (const char letter : text.substr(0, text.find('e'))) {
@@ -52,11 +52,11 @@ void expectShortest(double value) {
   const int digits = significantDigits(toText(value));
   if (digits < 2) return;
   std::array<char, 64> shorter{};
-  std::snprintf(shorter.data(), shorter.size(), "%.*e", digits - 2, value);  // one digit less
+  std::snprintf(shorter.data(), shorter.size(), "%.*e", digits - 2, value);  // one digit fewer
   EXPECT_NE(std::strtod(shorter.data(), nullptr), value) << toText(value) << " is longer than " << shorter.data();
 }
 
-TEST(ToText, WritesNumbersAsAPersonWould) {
+TEST(ToText, WritesTheShortestDecimal) {
   EXPECT_EQ(toText(0.0), "0");
   EXPECT_EQ(toText(-0.0), "-0");
   EXPECT_EQ(toText(1.0), "1");
@@ -68,13 +68,13 @@ TEST(ToText, WritesNumbersAsAPersonWould) {
   EXPECT_EQ(toText(1e22), "1e+22");
 }
 
-TEST(ToText, NamesWhatIsNotFinite) {
+TEST(ToText, WritesNonFiniteNumbers) {
   EXPECT_EQ(toText(Limits::quiet_NaN()), "nan");
   EXPECT_EQ(toText(Limits::infinity()), "inf");
   EXPECT_EQ(toText(-Limits::infinity()), "-inf");
 }
 
-TEST(ToText, ReadsBackBitForBitAtTheEndsOfTheRange) {
+TEST(ToText, ExtremeValuesReadBackBitForBit) {
   for (const double value : {0.0, Limits::denorm_min(), Limits::min(), Limits::epsilon(), Limits::max(), 1.0}) {
     for (const double neighbour : {value, std::nextafter(value, 0.0), std::nextafter(value, Limits::max())}) {
       expectRoundTrip(neighbour);
@@ -83,19 +83,19 @@ TEST(ToText, ReadsBackBitForBitAtTheEndsOfTheRange) {
   }
 }
 
-TEST(ToText, ReadsBackBitForBitWhateverTheBits) {
+TEST(ToText, RandomValuesReadBackBitForBit) {
   for (std::uint64_t seed = 0; seed < 20000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const std::uint64_t bits = random.next();
     const double value = fromBits(bits);
     if (std::isfinite(value)) expectRoundTrip(value);
-    expectRoundTrip(fromBits(bits & 0x800FFFFFFFFFFFFFULL));  // no exponent: below the normal numbers
-    expectRoundTrip(random.uniform(-100.0, 100.0));           // such as stand in a Q-table
+    expectRoundTrip(fromBits(bits & 0x800FFFFFFFFFFFFFULL));  // exponent 0: subnormal
+    expectRoundTrip(random.uniform(-100.0, 100.0));           // as in Q-tables
   }
 }
 
-TEST(ToText, NeedsNoDigitThatItCouldSpare) {
+TEST(ToText, WritesNoUnnecessaryDigit) {
   expectShortest(Limits::max());
   expectShortest(Limits::min());
   expectShortest(Limits::denorm_min());
@@ -107,7 +107,7 @@ TEST(ToText, NeedsNoDigitThatItCouldSpare) {
   }
 }
 
-TEST(ToNumber, TakesEveryWayToWriteADecimal) {
+TEST(ToNumber, AcceptsAllDecimalNotations) {
   EXPECT_EQ(toNumber("1"), 1.0);
   EXPECT_EQ(toNumber("+1"), 1.0);
   EXPECT_EQ(toNumber("-1"), -1.0);
@@ -121,13 +121,13 @@ TEST(ToNumber, TakesEveryWayToWriteADecimal) {
   EXPECT_TRUE(std::signbit(toNumber("-0").value()));
 }
 
-TEST(ToNumber, TakesWhatIsNotFinite) {
+TEST(ToNumber, AcceptsNonFiniteNumbers) {
   EXPECT_TRUE(std::isnan(toNumber("nan").value()));
   EXPECT_EQ(toNumber("inf"), Limits::infinity());
   EXPECT_EQ(toNumber("-inf"), -Limits::infinity());
 }
 
-TEST(ToNumber, RefusesWhatIsNoNumberAsAWhole) {
+TEST(ToNumber, RefusesTextThatIsNotOneNumber) {
   for (const char* const text :
        {"",    "+",    "-",   ".",   "e5",   "one", "1x",    "x1",    " 1",    "1 ",      "\t1",   "1\n",
         "1 2", "0x10", "1,5", "1;",  "1e",   "1e+", "1e5.5", "1.2.3", "1_000", "1'000",   "--1",   "++1",
@@ -137,12 +137,12 @@ TEST(ToNumber, RefusesWhatIsNoNumberAsAWhole) {
   EXPECT_FALSE(toNumber(std::string_view("1\0", 2)).has_value());
 }
 
-TEST(ToNumber, ReadsNothingBeyondItsText) {
+TEST(ToNumber, ReadsOnlyItsText) {
   EXPECT_EQ(toNumber(std::string_view("12345").substr(0, 2)), 12.0);
   EXPECT_EQ(toNumber(std::string_view("1e5").substr(0, 1)), 1.0);
 }
 
-/// Commas for points and points between thousands, as in large parts of the world.
+/// Decimal commas, and points between thousands.
 class GermanNumbers : public std::numpunct<char> {
  protected:
   char do_decimal_point() const override { return ','; }
@@ -150,7 +150,7 @@ class GermanNumbers : public std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// Sets the locale of C++ and, where the system has such a one, that of C; sets both back.
+/// Sets the locale of C++ and, if the system has a German one, that of C; restores both.
 class GermanLocale {
  public:
   GermanLocale() : before_(std::locale::global(std::locale(std::locale::classic(), new GermanNumbers))) {

@@ -14,7 +14,7 @@ namespace {
 
 using Pointer = std::shared_ptr<std::vector<int>>;
 
-TEST(ObjectPool, GivesTheSameAgainOnceItIsFree) {
+TEST(ObjectPool, ReusesAReleasedObject) {
   ObjectPool<Pointer> pool;
   Pointer held = pool.next();
   held->assign(100, 7);
@@ -27,7 +27,7 @@ TEST(ObjectPool, GivesTheSameAgainOnceItIsFree) {
   EXPECT_EQ(*again, std::vector<int>(100, 7)) << "what was in it stays, and so does its memory";
 }
 
-TEST(ObjectPool, NeverGivesWhatSomebodyHolds) {
+TEST(ObjectPool, DoesNotReuseAHeldObject) {
   ObjectPool<Pointer> pool;
   std::vector<Pointer> held;
   for (int i = 0; i < 100; ++i) {
@@ -37,7 +37,7 @@ TEST(ObjectPool, NeverGivesWhatSomebodyHolds) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(held[static_cast<std::size_t>(i)]->front(), i);
 }
 
-TEST(ObjectPool, TakesBackWhatAnotherThreadHasRead) {
+TEST(ObjectPool, ReusesAnObjectReleasedByAnotherThread) {
   ObjectPool<Pointer> pool;
   for (int i = 0; i < 200; ++i) {
     Pointer filled = pool.next();
@@ -54,13 +54,13 @@ TEST(ObjectPool, TakesBackWhatAnotherThreadHasRead) {
       std::this_thread::yield();
       again = pool.next();
     }
-    again->assign(1000, -1);  // too early if the thread still reads
+    again->assign(1000, -1);  // an error if the thread still reads
     reader.join();
     EXPECT_EQ(sum, 1000 * i);
   }
 }
 
-TEST(ObjectPool, TwoAreEnoughForOneReaderBehind) {
+TEST(ObjectPool, NeedsTwoObjectsForAReaderOneStepBehind) {
   ObjectPool<Pointer> pool;
   std::set<const std::vector<int>*> places;
   Pointer read;
@@ -76,7 +76,7 @@ TEST(ObjectPool, TwoAreEnoughForOneReaderBehind) {
   EXPECT_EQ(places.size(), 2U);
 }
 
-/// Counts those of its kind.
+/// Counts its instances.
 class Counted {
  public:
   Counted() { ++count; }
@@ -87,7 +87,7 @@ class Counted {
 };
 int Counted::count = 0;
 
-TEST(ObjectPool, KeepsAFewOnlyOfManyThatWereHeld) {
+TEST(ObjectPool, KeepsAtMostEightReleasedObjects) {
   ObjectPool<std::shared_ptr<Counted>> pool;
   std::vector<std::shared_ptr<Counted>> held;
   for (int i = 0; i < 20; ++i) held.push_back(pool.next());
@@ -96,7 +96,7 @@ TEST(ObjectPool, KeepsAFewOnlyOfManyThatWereHeld) {
   EXPECT_EQ(Counted::count, 8);
 }
 
-TEST(ObjectPool, WhatIsHeldOutlivesIt) {
+TEST(ObjectPool, HeldObjectsOutliveThePool) {
   auto pool = std::make_unique<ObjectPool<std::shared_ptr<Counted>>>();
   std::shared_ptr<Counted> held = pool->next();
   pool->next().reset();

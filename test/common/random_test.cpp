@@ -17,8 +17,8 @@ std::vector<std::uint64_t> firstNumbers(KeyedRandom random) {
   return numbers;
 }
 
-/// Mean and variance are those of even numbers in [0, 1), and each tenth gets its tenth; all within about five standard
-/// deviations of `draws.size()` = 100,000 independent draws.
+/// Requires mean and variance of uniform numbers in [0, 1), and a tenth of them in each tenth; within about five
+/// standard deviations of `draws.size()` = 100,000 independent draws.
 void expectEven(const std::vector<double>& draws) {
   ASSERT_EQ(draws.size(), 100000U);
   double sum = 0.0;
@@ -36,14 +36,14 @@ void expectEven(const std::vector<double>& draws) {
   for (const int count : tenths) EXPECT_NEAR(count, 10000, 500);
 }
 
-TEST(KeyedRandom, TakesItsKeyAtOnceOrPartByPart) {
+TEST(KeyedRandom, AcceptsItsKeyAtOnceOrPartByPart) {
   const KeyedRandom whole(7, KeyedRandom::EXPLORATION, {11, 12, 13});
   const KeyedRandom begun(7, KeyedRandom::EXPLORATION, {11});
   EXPECT_EQ(firstNumbers(begun.with(12).with(13)), firstNumbers(whole));
   EXPECT_NE(firstNumbers(begun.with(13).with(12)), firstNumbers(whole));
 }
 
-TEST(KeyedRandom, DrawsTheSameForTheSameKey) {
+TEST(KeyedRandom, DrawsTheSameNumbersForTheSameKey) {
   EXPECT_EQ(firstNumbers({1, KeyedRandom::PLACEMENT, {2, 3}}), firstNumbers({1, KeyedRandom::PLACEMENT, {2, 3}}));
 }
 
@@ -57,7 +57,7 @@ TEST(KeyedRandom, DoesNotDependOnOtherGenerators) {
   }
 }
 
-TEST(KeyedRandom, EveryPartOfTheKeyMatters) {
+TEST(KeyedRandom, DependsOnEveryPartOfTheKey) {
   std::set<std::uint64_t> firsts;
   std::size_t keys = 0;
   const std::array<std::uint64_t, 5> parts = {0, 1, 2, 1ULL << 32U, UINT64_MAX};
@@ -80,8 +80,8 @@ TEST(KeyedRandom, EveryPartOfTheKeyMatters) {
   EXPECT_EQ(firsts.size(), keys);  // the order of parts and their number included
 }
 
-TEST(KeyedRandom, DrawsTheNumbersItAlwaysDrew) {
-  // From a second implementation of splitmix64, in Python. Recorded runs rest on these numbers.
+TEST(KeyedRandom, DrawsTheReferenceNumbers) {
+  // From a second implementation of splitmix64, in Python. Recorded runs depend on these numbers.
   KeyedRandom plain(0, KeyedRandom::PLACEMENT, {});
   EXPECT_EQ(plain.next(), 0x01D614F74E2A26C6U);
   EXPECT_EQ(plain.next(), 0x31ACE0C257119B01U);
@@ -93,7 +93,7 @@ TEST(KeyedRandom, DrawsTheNumbersItAlwaysDrew) {
   EXPECT_EQ(extreme.next(), 0xD10F891E57A37348U);
 }
 
-TEST(KeyedRandom, MakesSharesAndChoicesOfTheHighBits) {
+TEST(KeyedRandom, ComputesFractionsAndChoicesFromTheHighBits) {
   // 0x7059DD930BA11571 / 2^64 = 0.43887..., times 8 = 3.51...
   KeyedRandom share(1, KeyedRandom::EXPLORATION, {3, 4, 5});
   EXPECT_NEAR(share.uniform(), 0.43887124, 1e-8);
@@ -103,15 +103,15 @@ TEST(KeyedRandom, MakesSharesAndChoicesOfTheHighBits) {
   EXPECT_NEAR(between.uniform(-1.0, 1.0), -0.12225752, 1e-8);
 }
 
-TEST(KeyedRandom, IsEvenAlongASequence) {
+TEST(KeyedRandom, IsUniformAlongASequence) {
   KeyedRandom random(7, KeyedRandom::PLACEMENT, {});
   std::vector<double> draws(100000);
   for (double& draw : draws) draw = random.uniform();
   expectEven(draws);
 }
 
-TEST(KeyedRandom, IsEvenAndIndependentOverNeighbouringKeys) {
-  // The learner draws once or twice for every (episode, tick, agent), so the first draws are what counts.
+TEST(KeyedRandom, IsUniformAndUncorrelatedOverNeighbouringKeys) {
+  // The learner draws once or twice for each (episode, tick, agent), so the first draws matter most.
   std::vector<double> draws;
   double products = 0.0;
   for (std::uint64_t tick = 0; tick < 1000; ++tick) {
@@ -126,7 +126,7 @@ TEST(KeyedRandom, IsEvenAndIndependentOverNeighbouringKeys) {
   EXPECT_NEAR(products / 1e5 * 12.0, 0.0, 0.016);  // correlation; five standard deviations
 }
 
-TEST(KeyedRandom, StaysBetweenItsLimits) {
+TEST(KeyedRandom, DrawsBetweenTheLimits) {
   KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
   double lowest = 1e9;
   double highest = -1e9;
@@ -147,12 +147,12 @@ TEST(KeyedRandom, NeverDrawsTheUpperLimitOfANarrowRange) {
   for (int i = 0; i < 100; ++i) ASSERT_LT(random.uniform(1.0, high), high);
 }
 
-TEST(KeyedRandom, DrawsTheLimitItselfWhereBothAreEqual) {
+TEST(KeyedRandom, DrawsTheLimitIfBothAreEqual) {
   KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
   for (const double limit : {0.1, -1e300, 0.0}) EXPECT_EQ(random.uniform(limit, limit), limit);
 }
 
-TEST(KeyedRandom, ChoosesEachOfAFew) {
+TEST(KeyedRandom, ChoosesEachNumberEquallyOften) {
   KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
   std::array<int, 7> counts{};
   for (int i = 0; i < 70000; ++i) ++counts.at(random.below(7));
@@ -160,7 +160,7 @@ TEST(KeyedRandom, ChoosesEachOfAFew) {
   for (int i = 0; i < 100; ++i) ASSERT_EQ(random.below(1), 0U);
 }
 
-TEST(KeyedRandom, ChoosesUpToTheLargestNumber) {
+TEST(KeyedRandom, ChoosesBelowTheLargestInteger) {
   KeyedRandom random(1, KeyedRandom::PLACEMENT, {});
   std::uint32_t highest = 0;
   for (int i = 0; i < 10000; ++i) {

@@ -5,11 +5,11 @@
 namespace crowd {
 namespace {
 
-TEST(EditDistance, CountsInsertedLeftOutReplacedAndExchangedLetters) {
+TEST(EditDistance, CountsInsertedOmittedReplacedAndExchangedLetters) {
   EXPECT_EQ(editDistance("", ""), 0U);
   EXPECT_EQ(editDistance("speed", "speed"), 0U);
   EXPECT_EQ(editDistance("", "abc"), 3U);
-  EXPECT_EQ(editDistance("sped", "speed"), 1U);     // one left out
+  EXPECT_EQ(editDistance("sped", "speed"), 1U);     // one omitted
   EXPECT_EQ(editDistance("speeed", "speed"), 1U);   // one inserted
   EXPECT_EQ(editDistance("raduis", "radius"), 1U);  // two exchanged
   EXPECT_EQ(editDistance("alfa", "alpha"), 2U);     // one replaced, one inserted
@@ -24,18 +24,18 @@ TEST(NearestName, IsAtMostTwoEditsAway) {
   EXPECT_EQ(nearestName("raduis", {}), "");
 }
 
-TEST(NearestName, IsNoOtherWord) {
-  EXPECT_EQ(nearestName("a", {"b"}), "");    // one edit, and all of it is another one
+TEST(NearestName, IsEmptyIfEveryLetterDiffers) {
+  EXPECT_EQ(nearestName("a", {"b"}), "");    // one edit of one letter
   EXPECT_EQ(nearestName("ab", {"cd"}), "");  // two edits of two
   EXPECT_EQ(nearestName("goa", {"goal"}), "goal");
 }
 
-TEST(DidYouMean, IsAQuestionOrNothing) {
+TEST(DidYouMean, IsAQuestionOrEmpty) {
   EXPECT_EQ(didYouMean("pacee", {"pace", "seed"}, "~"), ", did you mean '~pace'?");
   EXPECT_EQ(didYouMean("colour", {"pace", "seed"}), "");
 }
 
-TEST(SortedByNearness, KeepsTheOrderOfWhatIsEquallyNear) {
+TEST(SortedByNearness, KeepsTheOrderOfEquallyNearNames) {
   EXPECT_EQ(sortedByNearness("circel6", {"dummies", "line6", "circle6", "circle12"}).front(), "circle6");
   EXPECT_EQ(sortedByNearness("aa", {"ac", "ab", "aa"}), (std::vector<std::string>{"aa", "ac", "ab"}));
 }

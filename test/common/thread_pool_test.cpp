@@ -13,7 +13,7 @@
 namespace crowd {
 namespace {
 
-TEST(ThreadPool, DoEverythingOnceWhateverTheirNumber) {
+TEST(ThreadPool, ProcessesEachItemOnceForAnyNumberOfThreads) {
   for (const unsigned count : {0U, 1U, 2U, 7U}) {
     SCOPED_TRACE(count);
     ThreadPool thread_pool(count);
@@ -30,7 +30,7 @@ TEST(ThreadPool, DoEverythingOnceWhateverTheirNumber) {
   }
 }
 
-TEST(ThreadPool, PartsAreAsGoodAsEqualAndWithoutGaps) {
+TEST(ThreadPool, DividesItemsIntoNearlyEqualPartsWithoutGaps) {
   ThreadPool thread_pool(3);
   std::mutex mutex;
   std::map<std::size_t, std::size_t> parts;
@@ -50,7 +50,7 @@ TEST(ThreadPool, PartsAreAsGoodAsEqualAndWithoutGaps) {
   EXPECT_EQ(last, 1000U);
 }
 
-TEST(ThreadPool, SoFewAreOnePartOfTheCallers) {
+TEST(ThreadPool, ProcessesFewItemsOnTheCallingThread) {
   ThreadPool thread_pool(3);
   int calls = 0;
   const auto count = [&](unsigned worker, std::size_t begin, std::size_t end) {
@@ -63,7 +63,7 @@ TEST(ThreadPool, SoFewAreOnePartOfTheCallers) {
   EXPECT_EQ(calls, 1);
 }
 
-TEST(ThreadPool, OneWhoIsHeldUpHoldsUpNobody) {
+TEST(ThreadPool, OtherThreadsProcessTheRestWhileOneIsBlocked) {
   ThreadPool thread_pool(2);
   for (int round = 0; round < 20; ++round) {
     std::mutex mutex;
@@ -72,7 +72,7 @@ TEST(ThreadPool, OneWhoIsHeldUpHoldsUpNobody) {
     bool others_came_first = false;
     thread_pool.run(100, [&](unsigned, std::size_t begin, std::size_t end) {
       std::unique_lock<std::mutex> lock(mutex);
-      // The first part ends when all others have.
+      // The first part ends after all others.
       if (begin == 0) {
         others_came_first = changed.wait_for(lock, std::chrono::minutes(1), [&] { return done == 100 - end; });
       }
@@ -84,7 +84,7 @@ TEST(ThreadPool, OneWhoIsHeldUpHoldsUpNobody) {
   }
 }
 
-TEST(ThreadPool, HandOverTheFirstProblemAndGoOn) {
+TEST(ThreadPool, RethrowsTheFirstErrorAndStaysUsable) {
   ThreadPool thread_pool(4);
   const auto fail = [](unsigned, std::size_t begin, std::size_t) {
     if (begin >= 2) throw std::runtime_error("part " + std::to_string(begin));

@@ -12,7 +12,7 @@ namespace {
 
 const YamlPlace PLACE{"file.yaml", 2, "here"};
 
-/// What the error says that `action` throws; a note if it throws none.
+/// The message of the error that `action` throws; a note if it throws none.
 template <typename Action>
 std::string errorOf(Action action) {
   try {
@@ -36,21 +36,21 @@ TEST(YamlPlace, NamesKeysAndElements) {
   EXPECT_EQ(document.child("agents").element(3).child("goal").path, "agents[3].goal");
 }
 
-TEST(ReadNumber, TakesEveryWayToWriteAFiniteNumber) {
+TEST(ReadNumber, AcceptsAllNotationsOfFiniteNumbers) {
   EXPECT_EQ(readNumber(YAML::Load("-1.25"), PLACE), -1.25);
   EXPECT_EQ(readNumber(YAML::Load("+3"), PLACE), 3.0);
   EXPECT_EQ(readNumber(YAML::Load("2e-3"), PLACE), 0.002);
   EXPECT_EQ(readNumber(YAML::Load(".5"), PLACE), 0.5);
 }
 
-TEST(ReadNumber, RefusesWhatIsNoFiniteNumber) {
+TEST(ReadNumber, RefusesAnythingButFiniteNumbers) {
   for (const char* text : {"fast", "1.3m", "1,3", "0x10", "nan", ".nan", "inf", ".inf", "1e999", "true", "''"}) {
     SCOPED_TRACE(text);
     EXPECT_NE(numberError(text).find("here: expected a number, got "), std::string::npos) << numberError(text);
   }
 }
 
-TEST(ReadNumber, SaysWhereItStandsAndWhatItGot) {
+TEST(ReadNumber, ErrorsContainThePlaceAndTheValue) {
   EXPECT_EQ(numberError("fast"), "file.yaml: document 2, line 1: here: expected a number, got 'fast'");
   EXPECT_EQ(numberError("'1.3'"), "file.yaml: document 2, line 1: here: expected a number, got the text '1.3'");
   EXPECT_EQ(numberError("[1, 2, 3]"), "file.yaml: document 2, line 1: here: expected a number, got a list of 3");
@@ -60,9 +60,9 @@ TEST(ReadNumber, SaysWhereItStandsAndWhatItGot) {
   EXPECT_EQ(errorOf([&] { readNumber(absent, PLACE); }), "file.yaml: document 2: here: expected a number, got nothing");
 }
 
-TEST(ReadNumber, DoesNotQuoteWholeFiles) { EXPECT_LT(numberError(std::string(10000, 'x')).size(), 200U); }
+TEST(ReadNumber, ErrorsShortenLongValues) { EXPECT_LT(numberError(std::string(10000, 'x')).size(), 200U); }
 
-TEST(ReadNumber, FollowsItsRule) {
+TEST(ReadNumber, AppliesItsRule) {
   EXPECT_EQ(readNumber(YAML::Load("0"), PLACE, NumberRule::NOT_NEGATIVE), 0.0);
   EXPECT_EQ(readNumber(YAML::Load("1e-9"), PLACE, NumberRule::POSITIVE), 1e-9);
   EXPECT_EQ(readNumber(YAML::Load("1"), PLACE, NumberRule::FRACTION), 1.0);
@@ -71,7 +71,7 @@ TEST(ReadNumber, FollowsItsRule) {
   EXPECT_NE(numberError("1.01", NumberRule::FRACTION).find("a number from 0 to 1"), std::string::npos);
 }
 
-TEST(ReadWhole, TakesWholeNumbersWithinTheLimitsOnly) {
+TEST(ReadWhole, AcceptsOnlyWholeNumbersWithinTheLimits) {
   EXPECT_EQ(readWhole(YAML::Load("1"), PLACE, 1, 10), 1);
   EXPECT_EQ(readWhole(YAML::Load("10"), PLACE, 1, 10), 10);
   for (const char* text : {"0", "11", "2.0", "1e0", "two", "'2'", "99999999999999999999", "[2]"}) {
@@ -80,7 +80,7 @@ TEST(ReadWhole, TakesWholeNumbersWithinTheLimitsOnly) {
   }
 }
 
-TEST(ReadCount, TakesAllOf64BitsAndNothingElse) {
+TEST(ReadCount, AcceptsOnlyUnsigned64BitNumbers) {
   EXPECT_EQ(readCount(YAML::Load("0"), PLACE), 0U);
   EXPECT_EQ(readCount(YAML::Load("18446744073709551615"), PLACE), 18446744073709551615U);
   for (const char* text : {"-1", "18446744073709551616", "1.5", "many", "'3'"}) {
@@ -89,7 +89,7 @@ TEST(ReadCount, TakesAllOf64BitsAndNothingElse) {
   }
 }
 
-TEST(ReadVector, TakesTwoNumbers) {
+TEST(ReadVector, AcceptsOnlyTwoNumbers) {
   EXPECT_EQ(readVector(YAML::Load("[1, -2.5]"), PLACE), Eigen::Vector2d(1.0, -2.5));
   const auto error = [](const char* text) { return errorOf([&] { readVector(YAML::Load(text), PLACE); }); };
   EXPECT_NE(error("[1]").find("here: expected [x, y], got a list of 1"), std::string::npos);
@@ -98,7 +98,7 @@ TEST(ReadVector, TakesTwoNumbers) {
   EXPECT_NE(error("[1, up]").find("here[1]: expected a number, got 'up'"), std::string::npos);
 }
 
-TEST(ReadFlag, TakesTrueAndFalseOnly) {
+TEST(ReadFlag, AcceptsOnlyTrueAndFalse) {
   EXPECT_TRUE(readFlag(YAML::Load("true"), PLACE));
   EXPECT_FALSE(readFlag(YAML::Load("false"), PLACE));
   for (const char* text : {"yes", "1", "True", "'true'", "[]"}) {
@@ -107,13 +107,13 @@ TEST(ReadFlag, TakesTrueAndFalseOnly) {
   }
 }
 
-TEST(ReadText, TakesScalarsOnly) {
+TEST(ReadText, AcceptsOnlyScalars) {
   EXPECT_EQ(readText(YAML::Load("'two words'"), PLACE), "two words");
   EXPECT_NE(errorOf([] { readText(YAML::Load("[a]"), PLACE); }).find("expected a text"), std::string::npos);
   EXPECT_NE(errorOf([] { readText(YAML::Load("~"), PLACE); }).find("expected a text"), std::string::npos);
 }
 
-TEST(YamlMap, ReadsWhatIsThereAndFallsBackWhereAllowed) {
+TEST(YamlMap, ReadsValuesAndUsesDefaultsForMissingKeys) {
   YamlMap map(YAML::Load("{a: 0.5, b: 3, c: word, d: true}"), PLACE);
   EXPECT_EQ(map.number("a", NumberRule::FRACTION), 0.5);
   EXPECT_EQ(map.whole("b", 0, 9), 3);
@@ -133,7 +133,7 @@ TEST(YamlMap, NamesAMissingKeyWithTheLineOfTheMap) {
   EXPECT_EQ(errorOf([&] { map.need("c"); }), "file.yaml: document 2, line 3: here: the key 'c' is missing");
 }
 
-TEST(YamlMap, NamesAnUnknownKeyWithItsLineTheNearestAndAllKnownOnes) {
+TEST(YamlMap, NamesAnUnknownKeyWithLineSuggestionAndKnownKeys) {
   const auto error = [](const char* text) {
     return errorOf([&] { YamlMap(YAML::Load(text), PLACE, {"a", "speed", "tick"}); });
   };
@@ -144,7 +144,7 @@ TEST(YamlMap, NamesAnUnknownKeyWithItsLineTheNearestAndAllKnownOnes) {
   EXPECT_EQ(error("a: 1\ntick: 2\n"), "no InputError");
 }
 
-TEST(YamlMap, KeysMayBeDeclaredAfterAFirstLook) {
+TEST(YamlMap, KeysCanBeDeclaredAfterTheFirstRead) {
   YamlMap map(YAML::Load("type: x\nsped: 2\n"), PLACE);
   EXPECT_EQ(map.text("type"), "x");
   EXPECT_NE(errorOf([&] {
@@ -156,19 +156,19 @@ TEST(YamlMap, KeysMayBeDeclaredAfterAFirstLook) {
             "file.yaml: document 2, line 2: here: unknown key 'tpye', did you mean 'type'?");
 }
 
-TEST(YamlMap, ReadsDeclaredKeysOnly) {
+TEST(YamlMap, ReadsOnlyDeclaredKeys) {
   const YamlMap map(YAML::Load("a: 1"), PLACE, {"a"});
   EXPECT_THROW(map.find("b"), std::logic_error);
 }
 
-TEST(YamlMap, RefusesKeysThatStandTwiceAndWhatIsNoMap) {
+TEST(YamlMap, RefusesRepeatedKeysAndAnythingButMaps) {
   EXPECT_EQ(errorOf([] { YamlMap(YAML::Load("a: 1\nb: 2\na: 3\n"), PLACE); }),
             "file.yaml: document 2, line 3: here: the key 'a' stands twice");
   EXPECT_NE(errorOf([] { YamlMap(YAML::Load("[a]"), PLACE); }).find("expected a map"), std::string::npos);
   EXPECT_NE(errorOf([] { YamlMap(YAML::Load("? [a]\n: 1"), PLACE); }).find("a word as key"), std::string::npos);
 }
 
-TEST(YamlStream, HoldsEveryDocumentWithLinesOfTheWholeText) {
+TEST(YamlStream, ReadsAllDocumentsWithLineNumbersOfTheWholeText) {
   const std::vector<YAML::Node> documents = parseYamlStream("# note\n---\na: 1\n---\nb: x\n", "text");
   ASSERT_EQ(documents.size(), 2U);
   YamlMap second(documents[1], {"text", 2, ""});
@@ -194,7 +194,7 @@ TEST(YamlStream, ReadsFlowMapsAndUnusualLines) {
   EXPECT_EQ(parseYamlStream("{a: 1, b: [1, 2]}\n---\na: [1\n  , 2]\n", "text").size(), 2U);
 }
 
-TEST(YamlStream, NamesAFileThatCannotBeRead) {
+TEST(YamlStream, NamesAnUnreadableFile) {
   const auto error = [](const std::string& file) -> std::string {
     try {
       loadYamlStream(file);

@@ -64,7 +64,7 @@ std::vector<Row> rowsOf(const AnticipationStates& states, const ActionSet& actio
   return rowsOf(states, seen, movesOf(actions, seen));
 }
 
-TEST(AnticipationStates, NothingComesOfAFreeMove) {
+TEST(AnticipationStates, FreeMovesHaveNoTimesToCollision) {
   const auto move_features = ahead(PerceptionsBuilder().agent(0, {9.0, 0.0}));
   EXPECT_GE(move_features.reciprocal_time, NEVER);
   EXPECT_GE(move_features.constant_velocity_time, NEVER);
@@ -73,7 +73,7 @@ TEST(AnticipationStates, NothingComesOfAFreeMove) {
   EXPECT_EQ(move_features.turn_cosine, 1.0);
 }
 
-TEST(AnticipationStates, AnAgentMeetsAsItGoesOnOrDoesItsHalf) {
+TEST(AnticipationStates, AgentsHaveConstantVelocityAndReciprocalTimes) {
   // Gap 1.2 m; the other comes at 0.1 m/s, the agent moved sideways at 0.1 m/s: the relative speed is 0.4 m/s head on,
   // and the reciprocal one 0.7 m/s, slightly sideways.
   const auto scene =
@@ -85,7 +85,7 @@ TEST(AnticipationStates, AnAgentMeetsAsItGoesOnOrDoesItsHalf) {
   EXPECT_NEAR(move_features.turn_cosine, 1.0, ROUNDING);
 }
 
-TEST(AnticipationStates, ObstaclesAndWallsYieldToNobody) {
+TEST(AnticipationStates, StaticObstaclesAndWallsHaveStaticTimes) {
   auto scene = PerceptionsBuilder().agent(0, {9.0, 0.0}).neighbour({2.0, 0.0}, 0.25).kind(NeighbourKind::OBSTACLE);
   EXPECT_NEAR(ahead(scene).static_time, 5.0, ROUNDING);
   EXPECT_GE(ahead(scene).constant_velocity_time, NEVER);
@@ -93,7 +93,7 @@ TEST(AnticipationStates, ObstaclesAndWallsYieldToNobody) {
   EXPECT_NEAR(ahead(scene).static_time, 2.0, ROUNDING);
 }
 
-TEST(AnticipationStates, ABlockedMoveMeetsWhatStayingMeets) {
+TEST(AnticipationStates, BlockedMovesHaveTheTimesOfStaying) {
   // Gap 1.2 m; the other comes at 0.1 m/s: 12 s if the agent stays. The wall is never touched.
   const auto scene = PerceptionsBuilder()
                          .agent(0, {9.0, 0.0})
@@ -111,13 +111,13 @@ TEST(AnticipationStates, ABlockedMoveMeetsWhatStayingMeets) {
   EXPECT_NEAR(cut.static_time, 2.0, ROUNDING);
 }
 
-TEST(AnticipationStates, WhatLiesBehindTheGoalDoesNotCount) {
+TEST(AnticipationStates, IgnoresObstaclesBehindTheGoal) {
   const auto scene =
       PerceptionsBuilder().agent(0, {1.0, 0.0}).neighbour({2.0, 0.0}, 0.25).kind(NeighbourKind::OBSTACLE);
   EXPECT_GE(ahead(scene).static_time, NEVER);
 }
 
-TEST(AnticipationStates, EveryRowStandsForOneSetOfClasses) {
+TEST(AnticipationStates, EachRowIsOneCombinationOfClasses) {
   std::vector<bool> taken(states().rowCount(), false);
   const std::vector<double> late = {0.1, 0.5, 1.2, 1.7, 2.5, 3.5, 5, NEVER};
   const std::vector<double> constant_velocity = {0.1, 1, 3, NEVER};
@@ -154,7 +154,7 @@ TEST(AnticipationStates, FindsARowForEachMove) {
   EXPECT_NE(rows[0], rows[13]);  // backwards
 }
 
-TEST(AnticipationStates, ServesAnyActionSet) {
+TEST(AnticipationStates, AcceptsAnyActionSet) {
   for (const int count : {2, 4, 24, 25, 60}) {
     const KingsMoves kings(count);
     const AnticipationStates states({}, kings.size());
@@ -170,7 +170,7 @@ TEST(AnticipationStates, ServesAnyActionSet) {
   }
 }
 
-TEST(AnticipationStates, IsWhatItsSpecSays) {
+TEST(AnticipationStates, AgreesWithItsSpec) {
   const std::string spec =
       "{type: anticipation, vision_radius: 5, max_neighbours: 9, reciprocal_times: [1, 2], constant_velocity_times: "
       "[], static_times: "

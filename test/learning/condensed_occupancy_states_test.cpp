@@ -26,18 +26,18 @@ PerceptionsBuilder& addNeighbour(double degrees, double rim, PerceptionsBuilder&
   return scene.neighbour(polar(degrees, rim + 0.1), 0.1);
 }
 
-TEST(CondensedOccupancyStates, HasATwelfthOfTheRows) {
+TEST(CondensedOccupancyStates, Has4097Rows) {
   const CondensedOccupancyStates states;
   EXPECT_EQ(states.rowCount(), 4097U);  // 8 * 2 * 2^8 + 1
   EXPECT_EQ(states.terminal(), 4096U);
   EXPECT_EQ(states.rowsPerPerception(), 1U);
 }
 
-TEST(CondensedOccupancyStates, TellsTheSectorOfTheGoal) {
+TEST(CondensedOccupancyStates, EncodesTheSectorOfTheGoal) {
   for (int sector = 0; sector < 8; ++sector) EXPECT_EQ(rowOf(goalAt(45.0 * sector)), 512U * sector);
 }
 
-TEST(CondensedOccupancyStates, TellsWhichSectorsAreOccupied) {
+TEST(CondensedOccupancyStates, EncodesOccupiedSectors) {
   const Row digits[] = {128, 64, 32, 16, 8, 4, 2, 1};
   for (int sector = 0; sector < 8; ++sector) {
     PerceptionsBuilder scene = goalAt(0.0);
@@ -53,7 +53,7 @@ TEST(CondensedOccupancyStates, TellsWhichSectorsAreOccupied) {
   EXPECT_EQ(rowOf(goalAt(0.0).wall({0.8, -0.1}, {0.8, 0.1})), 128U);  // to 7.1 degrees on both sides
 }
 
-TEST(CondensedOccupancyStates, TellsWhetherAnythingIsNearAnywhere) {
+TEST(CondensedOccupancyStates, EncodesWhetherAnySectorIsNear) {
   PerceptionsBuilder near = goalAt(0.0);
   EXPECT_EQ(rowOf(addNeighbour(180.0, 0.4, near)), 256U + 8U);
   // The state does not contain which of them is near.
@@ -75,7 +75,7 @@ TEST(CondensedOccupancyStates, IsAFunctionOfStateSetTwo) {
   EXPECT_EQ(states.rowOf({7, {1, 1, 1, 1, 1, 1, 1, 1}}), 4095U);
 }
 
-TEST(CondensedOccupancyStates, TellsClassesForRewards) {
+TEST(CondensedOccupancyStates, ReturnsDistanceClassesForRewards) {
   const CondensedOccupancyStates states;
   EXPECT_EQ(states.distanceClasses(0), Classes{});
   EXPECT_EQ(states.distanceClasses(states.terminal()), Classes{});
@@ -98,7 +98,7 @@ TEST(CondensedOccupancyStates, MirrorsGoalAndSectors) {
   for (Row row = 0; row < states.rowCount(); ++row) ASSERT_EQ(states.mirrored(states.mirrored(row)), row);
 }
 
-TEST(CondensedOccupancyStates, TellsItsSectorsForPictures) {
+TEST(CondensedOccupancyStates, ReturnsOccupiedSectorsForPictures) {
   const CondensedOccupancyStates states;
   EXPECT_TRUE(states.occupiedSectors(goalAt(0.0).perception()).empty());
   PerceptionsBuilder scene = goalAt(0.0);
@@ -117,7 +117,7 @@ std::shared_ptr<const StateSet> make(const std::string& yaml) {
   return makeStateSet(YAML::Load(yaml), {"file.yaml", 0, "state_set"}, KingsMoves());
 }
 
-TEST(CondensedOccupancyStates, AreReadFromYamlAndWrittenAsSuch) {
+TEST(CondensedOccupancyStates, ReadBackTheirSpec) {
   EXPECT_EQ(make("{type: condensed_occupancy}")->spec(),
             "{type: condensed_occupancy, sectors: 8, collision_radius: 0.5, vision_radius: 1}");
   const auto four = make("{type: condensed_occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");

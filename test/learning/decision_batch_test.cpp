@@ -72,7 +72,7 @@ GoalRelativeActions anyActionSet(GapSharing sharing, bool wide) {
   return goal_relative;
 }
 
-TEST(DecisionBatch, FindTheSameMovesAndRowsTogetherAsAlone) {
+TEST(DecisionBatch, MovesAndRowsDoNotDependOnTheBatch) {
   for (const GapSharing sharing : ALL_SHARINGS) {
     const GoalRelativeActions actions = anyActionSet(sharing, sharing == GapSharing::HALF);
     const AnticipationStates states(AnticipationStates::Parameters(), actions.size());
@@ -97,7 +97,7 @@ TEST(DecisionBatch, FindTheSameMovesAndRowsTogetherAsAlone) {
   }
 }
 
-TEST(DecisionBatch, AreCutShortTogetherByEveryLimitThatOneAloneMeets) {
+TEST(DecisionBatch, SeparationLimitsDoNotDependOnTheBatch) {
   const std::vector<MoveBlock> goal_relative =
       movesOf(GoalRelativeActions(), PerceptionsBuilder().agent(0, {5.0, 0.0}).perception());
   const std::size_t count = GoalRelativeActions().size();

@@ -17,7 +17,7 @@ GoalRelativeActions smallActionSet() {
   return GoalRelativeActions(parameters);
 }
 
-TEST(GoalRelativeActions, MeasuresItsHeadingsFromTheGoalsBearing) {
+TEST(GoalRelativeActions, MeasuresHeadingsFromTheBearingOfTheGoal) {
   const GoalRelativeActions goal_relative = smallActionSet();
   const auto scene = PerceptionsBuilder().agent(0, polar(40.0, 5.0));
   ASSERT_EQ(goal_relative.size(), 6U);
@@ -28,18 +28,18 @@ TEST(GoalRelativeActions, MeasuresItsHeadingsFromTheGoalsBearing) {
   }
 }
 
-TEST(GoalRelativeActions, ToStayComesLastAndKeepsTheHeading) {
+TEST(GoalRelativeActions, StayingIsTheLastActionAndKeepsTheHeading) {
   const auto scene = PerceptionsBuilder().agent(0, polar(40.0, 5.0));
   EXPECT_EQ(relativeAction(smallActionSet(), scene.perception(), 5).rotation, 0.0);
   EXPECT_EQ(relativeAction(smallActionSet(), scene.perception(), 5).speed_fraction, 0.0);
 }
 
-TEST(GoalRelativeActions, LooksAheadAtTheGoalItself) {
+TEST(GoalRelativeActions, KeepsTheHeadingAtTheGoal) {
   const auto scene = PerceptionsBuilder().agent(0, {0.0, 0.0});
   EXPECT_EQ(relativeAction(smallActionSet(), scene.perception(), 0).rotation, 0.0);
 }
 
-TEST(GoalRelativeActions, RelativeActionsCarryOutTheAdmissibleMoves) {
+TEST(GoalRelativeActions, RelativeActionsEqualTheAdmissibleMoves) {
   const GoalRelativeActions goal_relative;
   const auto scene =
       PerceptionsBuilder().agent(0, polar(25.0, 5.0)).neighbour({0.51, 0.02}, 0.25).wall({-1, 0.26}, {1, 0.26});
@@ -59,7 +59,7 @@ std::string specOf(const std::string& yaml) {
   return makeActionSet(YAML::Load(yaml), {"file.yaml", 0, "action_set"})->spec();
 }
 
-TEST(GoalRelativeActions, IsWhatItsSpecSays) {
+TEST(GoalRelativeActions, AgreesWithItsSpec) {
   const std::string spec =
       "{type: goal_relative, headings: [0, 45], slow_headings: [], slow_fraction: 0.25, stay: false, gap_sharing: "
       "half, "

@@ -24,7 +24,7 @@ double rotationInDegrees(const ActionSet& actions, Action action) {
   return toDegrees(relativeAction(actions, scene.perception(), action).rotation);
 }
 
-TEST(KingsMoves, TurnByEighthsOfTheCircleAndWalkAtFullSpeed) {
+TEST(KingsMoves, TurnByMultiplesOf45DegreesAtFullSpeed) {
   const KingsMoves moves;
   ASSERT_EQ(moves.size(), 8U);
   const std::array<double, 8> expected = {0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0};
@@ -35,7 +35,7 @@ TEST(KingsMoves, TurnByEighthsOfTheCircleAndWalkAtFullSpeed) {
   }
 }
 
-TEST(KingsMoves, MeanTheSameWhateverIsPerceived) {
+TEST(KingsMoves, DoNotDependOnThePerception) {
   const KingsMoves moves;
   const PerceptionsBuilder free = PerceptionsBuilder().agent(0, {1.0, 0.0});
   const PerceptionsBuilder blocked =
@@ -48,7 +48,7 @@ TEST(KingsMoves, MeanTheSameWhateverIsPerceived) {
   }
 }
 
-TEST(KingsMoves, MayBeAnyNumber) {
+TEST(KingsMoves, AcceptAnyNumberOfRotations) {
   const KingsMoves moves(3);
   ASSERT_EQ(moves.size(), 3U);
   EXPECT_NEAR(rotationInDegrees(moves, 0), 0.0, 1e-9);
@@ -56,7 +56,7 @@ TEST(KingsMoves, MayBeAnyNumber) {
   EXPECT_NEAR(rotationInDegrees(moves, 2), 240.0, 1e-9);
 }
 
-TEST(KingsMoves, MayEndWithStaying) {
+TEST(KingsMoves, CanIncludeStayingAsTheLastAction) {
   const KingsMoves moves(8, true);
   ASSERT_EQ(moves.size(), 9U);
   const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(90.0, 3.0));
@@ -81,7 +81,7 @@ TEST(KingsMoves, StayingIsItsOwnMirrorImage) {
   EXPECT_EQ(three.mirrored(3), 3U);
 }
 
-TEST(KingsMoves, TellOfStayingWhereItIsAmongThem) {
+TEST(KingsMoves, WriteStayingInTheirSpec) {
   EXPECT_EQ(make("{type: kings_moves, stay: true}")->spec(), "{type: kings_moves, rotations: 8, stay: true}");
   EXPECT_EQ(make("{type: kings_moves, rotations: 4, stay: true}")->size(), 5U);
   EXPECT_EQ(make("{type: kings_moves, stay: false}")->spec(), "{type: kings_moves, rotations: 8}");
@@ -89,14 +89,14 @@ TEST(KingsMoves, TellOfStayingWhereItIsAmongThem) {
   EXPECT_TRUE(contains(errorIn("{type: kings_moves, stay: often}"), "action_set.stay: expected"));
 }
 
-TEST(KingsMoves, AreReadFromYamlAndWrittenAsSuch) {
+TEST(KingsMoves, ReadBackTheirSpec) {
   EXPECT_EQ(make("{type: kings_moves}")->spec(), "{type: kings_moves, rotations: 8}");
   EXPECT_EQ(make("{rotations: 16, type: kings_moves}")->spec(), "{type: kings_moves, rotations: 16}");
   EXPECT_EQ(make("{type: kings_moves, rotations: 2}")->size(), 2U);
   EXPECT_EQ(make("{type: kings_moves, rotations: 360}")->size(), 360U);
 }
 
-TEST(KingsMoves, AreRefusedWithWordsForWhatIsWrong) {
+TEST(KingsMoves, ErrorsNameWrongKeysAndValues) {
   EXPECT_TRUE(contains(errorIn("{type: queens_moves}"), "expected kings_moves or goal_relative, got 'queens_moves'"));
   EXPECT_TRUE(contains(errorIn("{rotations: 8}"), "'type' is missing"));
   EXPECT_TRUE(contains(errorIn("{type: kings_moves, rotation: 8}"), "unknown key 'rotation'"));

@@ -45,7 +45,7 @@ std::array<int, 8> countActions(Learner& learner, std::uint64_t episode, std::ui
   return counts;
 }
 
-TEST(Exploration, IsAsFrequentAsEpsilonAndEven) {
+TEST(Exploration, HasFrequencyEpsilonAndIsUniform) {
   // Of 8000 decisions 40 % are drawn, 400 for each action. Five standard deviations of a count of 400 are about 100.
   Learner learner(model(), exploring(0.4), bestIsFive());
   for (const std::uint64_t tick : {0U, 7U}) {
@@ -63,7 +63,7 @@ TEST(Exploration, NeverHappensWithEpsilonZeroAndAlwaysWithOne) {
   EXPECT_NEAR(countActions(always, 0, 0).at(BEST), 1000, 150);
 }
 
-TEST(Exploration, IsAnotherOneEveryTickAndEveryEpisode) {
+TEST(Exploration, DiffersInEachTickAndEpisode) {
   Learner learner(model(), exploring(1.0));
   const auto explore = [&](std::uint64_t episode, std::uint64_t first_tick) {
     std::vector<Action> actions;
@@ -95,7 +95,7 @@ TEST(Exploration, FollowsTheScheduleOverTheEpisodes) {
   EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.6);
 }
 
-TEST(Exploration, MayFallExponentially) {
+TEST(Exploration, CanFallExponentially) {
   Learner::Options falling = exploring(0.0);
   falling.plan.epsilon = {0.8, 0.2, 2, EpsilonSchedule::Shape::EXPONENTIAL};
   Learner learner(model(), falling, bestIsFive());
@@ -103,7 +103,7 @@ TEST(Exploration, MayFallExponentially) {
   EXPECT_DOUBLE_EQ(learner.parameters().epsilon, 0.4);
 }
 
-TEST(Exploration, StaysConstantOnceItWasSet) {
+TEST(Exploration, StaysConstantAfterItIsSet) {
   Learner::Options falling = exploring(0.0);
   falling.plan.epsilon = {0.8, 0.0, 4, EpsilonSchedule::Shape::LINEAR};
   Learner learner(model(), falling, bestIsFive());
@@ -114,7 +114,7 @@ TEST(Exploration, StaysConstantOnceItWasSet) {
   EXPECT_EQ(learner.parameters().epsilon, 0.4);
 }
 
-TEST(Exploration, GoesOnFallingWhereSomethingElseWasSet) {
+TEST(Exploration, KeepsFallingWhenAnotherParameterIsSet) {
   Learner::Options falling = exploring(0.0);
   falling.plan.epsilon = {0.8, 0.0, 4, EpsilonSchedule::Shape::LINEAR};
   Learner learner(model(), falling, bestIsFive());
@@ -175,7 +175,7 @@ TEST(Decisions, AreTheSameForTheSameSeed) {
   }
 }
 
-TEST(Decisions, DependOnTheSeedWhileExploringOnly) {
+TEST(Decisions, DependOnTheSeedOnlyWhileExploring) {
   EXPECT_NE(runOne(walking(Mode::TRAINING, TableUse::OWN, 1)), runOne(walking(Mode::TRAINING, TableUse::OWN, 2)));
   EXPECT_EQ(runOne(walking(Mode::DEMO, TableUse::OWN, 1)), runOne(walking(Mode::DEMO, TableUse::OWN, 2)));
 }
@@ -193,7 +193,7 @@ QTable learnFromOne(Learner& learner, std::vector<Action>& decisions) {
   return learner.tableOf(0);
 }
 
-TEST(Decisions, OfOneAgentAloneAreThoseOfOneOnAList) {
+TEST(Decisions, OfOneAgentAreThoseOfAListOfOneAgent) {
   for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
     const Learner::Options options = walking(Mode::TRAINING, tables);
     Learner::Options listed = options;
@@ -210,7 +210,7 @@ TEST(Decisions, OfOneAgentAloneAreThoseOfOneOnAList) {
   }
 }
 
-TEST(Decisions, DoNotDependOnWhichOtherAgentsTheLearnerServes) {
+TEST(Decisions, DoNotDependOnOtherAgentsOfTheLearner) {
   const Decisions learned_alone = runOne(walking(Mode::TRAINING, TableUse::OWN));
   ASSERT_EQ(learned_alone.size(), AGENTS);
   EXPECT_EQ(learned_alone.begin()->second.size(), 120U);
@@ -252,7 +252,7 @@ TEST(Decisions, DoNotDependOnAnEarlierUseOfTheWorkspace) {
   }
 }
 
-TEST(Decisions, LearningChangesThem) {
+TEST(Decisions, DifferForSharedAndOwnTables) {
   // Otherwise the comparisons above would prove little.
   EXPECT_NE(runOne(walking(Mode::TRAINING, TableUse::OWN)), runOne(walking(Mode::TRAINING, TableUse::SHARED)));
 }

@@ -17,7 +17,7 @@ using learners::model;
 using learners::options;
 using learners::tick;
 
-TEST(Learning, LearnsFromWhatItsDecisionLedTo) {
+TEST(Learning, UpdatesTheValueOfTheLastDecision) {
   QTable table = emptyTable();
   table.set(1, 6, 8.0, 1);
   Learner learner(model(), options(Mode::TRAINING), table);
@@ -33,7 +33,7 @@ TEST(Learning, LearnsFromWhatItsDecisionLedTo) {
   EXPECT_EQ(learner.decisions(), 2U);
 }
 
-TEST(Learning, LearnsWhatObstaclesCost) {
+TEST(Learning, IncludesTheCostOfObstacles) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
   decide(learner, tick(1, 0, 4.0).neighbour({1.0, 0.0}, 0.25));  // class 2: -0.8, half of it
@@ -42,7 +42,7 @@ TEST(Learning, LearnsWhatObstaclesCost) {
   EXPECT_DOUBLE_EQ(learner.tableOf(0).value(5, 0), -40.0);
 }
 
-TEST(Learning, LearnsThatArrivalIsWorthAHundred) {
+TEST(Learning, IncludesTheRewardOfArrival) {
   QTable table = emptyTable();
   for (Row row = 0; row < table.rows(); ++row) table.set(row, 3, 64.0, 1);
   Learner learner(model(), options(Mode::TRAINING), table);
@@ -53,7 +53,7 @@ TEST(Learning, LearnsThatArrivalIsWorthAHundred) {
   EXPECT_EQ(learner.decisions(), 1U);
 }
 
-TEST(Learning, WithoutExplorationDecidesGreedilyByTheTableAsItIsAndGoesOnLearning) {
+TEST(Learning, WithoutExplorationDecidesGreedilyAndLearns) {
   for (const Ties ties : {Ties::FIRST, Ties::RANDOM}) {
     Learner::Options training = options(Mode::TRAINING);
     training.plan.parameters.ties = ties;
@@ -77,7 +77,7 @@ TEST(Learning, WithoutExplorationDecidesGreedilyByTheTableAsItIsAndGoesOnLearnin
   }
 }
 
-TEST(Learning, LearnsFromTheLastTickToo) {
+TEST(Learning, LearnsFromTheLastTick) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
   decide(learner, tick(1, 0, 3.0).last());
@@ -85,7 +85,7 @@ TEST(Learning, LearnsFromTheLastTickToo) {
   EXPECT_EQ(learner.decisions(), 1U);
 }
 
-TEST(Learning, LearnsOnceFromATickThatIsToldTwice) {
+TEST(Learning, LearnsOnceFromARepeatedTick) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
   decide(learner, tick(1, 0, 3.0));
@@ -97,7 +97,7 @@ TEST(Learning, LearnsOnceFromATickThatIsToldTwice) {
   EXPECT_EQ(learner.decisions(), decisions);
 }
 
-TEST(Learning, LearnsNothingFromAnAnswerThatWasMissed) {
+TEST(Learning, LearnsNothingFromAMissedAnswer) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
   decide(learner, tick(1, 1, 3.0).missed());
@@ -109,7 +109,7 @@ TEST(Learning, LearnsNothingFromAnAnswerThatWasMissed) {
   EXPECT_EQ(learner.decisions(), 1U);
 }
 
-TEST(Learning, LearnsNothingAcrossAGap) {
+TEST(Learning, LearnsNothingAcrossAMissingTick) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
   decide(learner, tick(2, 1, 3.0));  // tick 1 is missing
@@ -143,7 +143,7 @@ TEST(Learning, LearnsNothingAcrossAChangeOfMode) {
   EXPECT_EQ(learner.decisions(), 1U);
 }
 
-TEST(Learning, EverybodyLearnsBeforeAnybodyDecides) {
+TEST(Learning, UpdatesAllAgentsBeforeDecisions) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, PerceptionsBuilder(0, 0).agent(0, goalIn(1, 4.0)).agent(1, goalIn(2, 3.0)));
   // Agent 1 comes last and found out that action 0 is bad in row 2; agent 0 comes first and is there now.
@@ -153,7 +153,7 @@ TEST(Learning, EverybodyLearnsBeforeAnybodyDecides) {
   EXPECT_EQ(actionOf(actions.agents.at(1)), 1U);
 }
 
-TEST(Learning, CarriesTracesAlongAnAgentsOwnWay) {
+TEST(Learning, KeepsTracesOfEachAgentSeparate) {
   Learner::Options traces = options(Mode::TRAINING);
   traces.plan.parameters.lambda = 0.5;  // gamma * lambda = 0.25
   Learner learner(model(), traces);

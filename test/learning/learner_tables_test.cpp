@@ -40,7 +40,7 @@ void walk(Learner& learner, const std::vector<double>& gained, std::uint64_t epi
 double valueOf(const Learner& learner, AgentId agent) { return learner.tableOf(agent).value(0, 0); }
 std::uint32_t visitsOf(const Learner& learner, AgentId agent) { return learner.tableOf(agent).visits(0, 0); }
 
-TEST(SharedTable, LearnsFromEverybody) {
+TEST(SharedTable, LearnsFromAllAgents) {
   Learner learner(model(), options(Mode::TRAINING), tableWith(0.0, 0));
   EXPECT_EQ(learner.tableUse(), TableUse::SHARED);
   walk(learner, {8.0, 2.0});
@@ -50,7 +50,7 @@ TEST(SharedTable, LearnsFromEverybody) {
   }
 }
 
-TEST(OwnTables, LearnFromTheirAgentAlone) {
+TEST(OwnTables, LearnOnlyFromTheirAgent) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 5));
   EXPECT_EQ(learner.tableUse(), TableUse::OWN);
   walk(learner, {8.0, 4.0});
@@ -63,7 +63,7 @@ TEST(OwnTables, LearnFromTheirAgentAlone) {
   EXPECT_EQ(learner.tableOf(2), tableWith(1.0, 6));
 }
 
-TEST(OwnTables, AreTheGivenOneWhileNobodyLearns) {
+TEST(OwnTables, AreTheGivenTableInDemoMode) {
   Learner learner(model(), options(Mode::DEMO, TableUse::OWN), tableWith(2.0, 5));
   walk(learner, {8.0, 4.0});
   EXPECT_EQ(&learner.tableOf(0), &learner.tableOf(1));  // no unnecessary copies
@@ -89,7 +89,7 @@ TEST(TakeTable, MergesIntoTheSharedTable) {
   EXPECT_EQ(learner.tableOf(0), tableWith(3.0, 4));  // (3 * 2 + 1 * 6) / 4
 }
 
-TEST(TakeTable, ForOneAgentIsForAllIfTheyShare) {
+TEST(TakeTable, ForOneAgentChangesASharedTableForAll) {
   Learner learner(model(), options(Mode::TRAINING), tableWith(2.0, 3));
   walk(learner, {2.0, 2.0});  // two visits more, at 2
   learner.takeTable(1, tableWith(6.0, 5), TakeMethod::MERGE);
@@ -98,7 +98,7 @@ TEST(TakeTable, ForOneAgentIsForAllIfTheyShare) {
   for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(7.0, 1));
 }
 
-TEST(TakeTable, ReplacesAllOwnTablesAndThatOfNewcomers) {
+TEST(TakeTable, ReplacesAllOwnTablesAndTheInitialTable) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
   walk(learner, {8.0, 4.0});
   learner.takeTable(tableWith(2.0, 1), TakeMethod::REPLACE);
@@ -118,7 +118,7 @@ TEST(TakeTable, MergesIntoEachOwnTable) {
   EXPECT_EQ(learner.tableOf(99), tableWith(8.0, 3));  // new agents had no experience
 }
 
-TEST(TakeTable, ForOneAgentLeavesTheOthersTheirs) {
+TEST(TakeTable, ForOneAgentKeepsOtherOwnTables) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 1));
   walk(learner, {2.0, 2.0});  // value 2 stays, two visits
   learner.takeTable(0, tableWith(5.0, 1), TakeMethod::REPLACE);
@@ -132,7 +132,7 @@ TEST(TakeTable, ForOneAgentLeavesTheOthersTheirs) {
   EXPECT_EQ(visitsOf(learner, 1), 3U);
 }
 
-TEST(TakeTable, SharesWhatOneAgentLearnedWithAll) {
+TEST(TakeTable, SharesTheTableOfOneAgentWithAll) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
   walk(learner, {8.0, 4.0, 2.0});  // values 4, 2, 1
   learner.takeTable(learner.tableToShare(0), TakeMethod::MERGE);
@@ -144,7 +144,7 @@ TEST(TakeTable, SharesWhatOneAgentLearnedWithAll) {
   for (const AgentId agent : {0U, 1U, 2U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(2.5, 2));
 }
 
-TEST(TakeTable, TellsHowManyVisitsAreNew) {
+TEST(TakeTable, ReturnsTheNumberOfNewVisits) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 5));
   walk(learner, {2.0, 2.0});
   walk(learner, {2.0}, 1);  // agent 0 has 7 visits, agent 1 has 6
@@ -160,7 +160,7 @@ TEST(TakeTable, TellsHowManyVisitsAreNew) {
   EXPECT_EQ(one.visits, 8U);
 }
 
-TEST(TakeTable, ReplacedThenMergedThreeTimesStaysWhatItIs) {
+TEST(TakeTable, RepeatedMergesOfAReplacedTableChangeNothing) {
   for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
     Learner giver(model(), options(Mode::TRAINING, tables), randomTable(1));
     Learner taker(model(), options(Mode::TRAINING, tables), tableWith(6.0, 4));
@@ -177,7 +177,7 @@ TEST(TakeTable, ReplacedThenMergedThreeTimesStaysWhatItIs) {
   }
 }
 
-TEST(TakeTable, KnowsItsOwnPastInAFile) {
+TEST(TakeTable, MergesASavedStateOfTheSameTableOnce) {
   Learner learner(model(), options(Mode::TRAINING));
   walk(learner, {8.0});
   const QTable saved = learner.tableToSave(0);
@@ -188,7 +188,7 @@ TEST(TakeTable, KnowsItsOwnPastInAFile) {
   EXPECT_EQ(learner.takeTable(saved, TakeMethod::MERGE).newcomers.new_visits, 0U);
 }
 
-TEST(TakeTable, RefusesAnotherShapeAndLeavesAllAsItIs) {
+TEST(TakeTable, RefusesAnotherShapeAndKeepsAllTables) {
   for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
     Learner learner(model(), options(Mode::TRAINING, tables));
     walk(learner, {8.0, 8.0});
@@ -214,7 +214,7 @@ TEST(TakeTable, RefusesAnotherShapeAndLeavesAllAsItIs) {
   std::exit(learner.tableOf(agent) == tableWith(5.0, 1) && learner.tableOf(0) == emptyTable() ? 0 : 1);
 }
 
-TEST(TakeTableDeathTest, AgentsMayHaveAnyNumber) {
+TEST(TakeTableDeathTest, AcceptsAnyAgentId) {
   for (const AgentId agent : {UINT32_MAX, UINT32_MAX - 1}) {
     EXPECT_EXIT(giveTableTo(agent), testing::ExitedWithCode(0), "") << agent;
   }

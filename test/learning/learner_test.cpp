@@ -32,7 +32,7 @@ QTable towardsGoal() {
   return table;
 }
 
-TEST(Learner, AnswersTheTickItWasAskedAbout) {
+TEST(Learner, AnswersThePerceivedTick) {
   Learner learner(model(), options(Mode::DEMO));
   RelativeActions actions;
   actions.agents.push_back({99, {}});  // of an earlier tick
@@ -42,7 +42,7 @@ TEST(Learner, AnswersTheTickItWasAskedAbout) {
   EXPECT_EQ(agentsOf(actions), (std::vector<AgentId>{5, 2}));
 }
 
-TEST(Learner, AnswersForItsOwnAgentsOnTheirWay) {
+TEST(Learner, AnswersForItsAgentsThatHaveNotArrived) {
   Learner::Options some = options(Mode::TRAINING);
   some.agents = {1, 2, 4};
   Learner learner(model(), some);
@@ -55,7 +55,7 @@ TEST(Learner, AnswersForItsOwnAgentsOnTheirWay) {
   EXPECT_EQ(learner.servedAgents(), (std::vector<AgentId>{1, 2, 4}));
 }
 
-TEST(Learner, ServesEverybodyUnlessToldOtherwise) {
+TEST(Learner, ServesAllAgentsByDefault) {
   Learner learner(model(), options(Mode::DEMO));
   EXPECT_TRUE(learner.servesAll());
   EXPECT_TRUE(learner.serves(12345));
@@ -66,12 +66,12 @@ TEST(Learner, ServesEverybodyUnlessToldOtherwise) {
   EXPECT_EQ(learner.servedAgents(), (std::vector<AgentId>{0, 3, 12, 70, 1000000}));
 }
 
-TEST(Learner, AnswersNobodyWhenTheEpisodeIsOver) {
+TEST(Learner, AnswersNothingAfterTheEpisode) {
   Learner learner(model(), options(Mode::TRAINING));
   EXPECT_TRUE(decide(learner, tick(5, 0, 1.0).last()).agents.empty());
 }
 
-TEST(Learner, DoesTheBestItKnowsInDemoMode) {
+TEST(Learner, DecidesGreedilyInDemoMode) {
   Learner learner(model(), options(Mode::DEMO), towardsGoal());
   for (Row row = 0; row < 4; ++row) EXPECT_EQ(decideOne(learner, tick(row, row, 2.0)), 2 * row);
 }
@@ -88,7 +88,7 @@ TEST(Learner, LearnsNothingInDemoMode) {
   EXPECT_EQ(learner.decisions(), 0U);
 }
 
-TEST(Learner, CountsDecisionsOnFromWhereItBegan) {
+TEST(Learner, ContinuesTheCountOfDecisions) {
   Learner learner(model(), options(Mode::TRAINING));
   learner.setDecisions(1000);
   decide(learner, tick(0, 0, 4.0));
@@ -96,7 +96,7 @@ TEST(Learner, CountsDecisionsOnFromWhereItBegan) {
   EXPECT_EQ(learner.decisions(), 1001U);
 }
 
-TEST(Learner, TakesNewParametersAtOnce) {
+TEST(Learner, AppliesNewParametersAtOnce) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));
   learner.setPlan({{0.25, 0.0, 0.0, 0.0}, EpsilonSchedule::constant(0.0)});
@@ -105,7 +105,7 @@ TEST(Learner, TakesNewParametersAtOnce) {
   EXPECT_EQ(learner.parameters().alpha, 0.25);
 }
 
-TEST(Learner, KeepsItsParametersIfTheNewOnesAreWrong) {
+TEST(Learner, KeepsItsParametersIfNewOnesAreInvalid) {
   Learner learner(model(), options(Mode::TRAINING));
   const std::string message = errorOf<InputError>([&] { learner.setPlan({{2.0, 0.25, 0.5, 0.75}, {}}); });
   EXPECT_TRUE(contains(message, "alpha: expected")) << message;
@@ -117,7 +117,7 @@ TEST(Learner, KeepsItsParametersIfTheNewOnesAreWrong) {
   EXPECT_EQ(learner.parameters().epsilon, 0.0);
 }
 
-TEST(Learner, RefusesToBeginWithWhatIsWrong) {
+TEST(Learner, RefusesInvalidParametersAndShapes) {
   Learner::Options wrong = options(Mode::DEMO);
   wrong.plan.parameters.gamma = 1.0;
   EXPECT_THROW(Learner(model(), wrong), InputError);
@@ -125,7 +125,7 @@ TEST(Learner, RefusesToBeginWithWhatIsWrong) {
   EXPECT_THROW(Learner(model(), options(Mode::DEMO), QTable(68, 8)), ShapeError);
 }
 
-TEST(LearnerNames, ReadBackWhatTheyWrite) {
+TEST(LearnerNames, ReadBackAllNames) {
   for (const Mode mode : {Mode::TRAINING, Mode::DEMO}) EXPECT_EQ(MODES.parse(MODES.nameOf(mode)), mode);
   for (const TableUse use : {TableUse::SHARED, TableUse::OWN}) EXPECT_EQ(TABLE_USES.parse(TABLE_USES.nameOf(use)), use);
   for (const TakeMethod method : {TakeMethod::REPLACE, TakeMethod::MERGE}) {
@@ -136,7 +136,7 @@ TEST(LearnerNames, ReadBackWhatTheyWrite) {
   EXPECT_EQ(TAKE_METHODS.parse("merge"), TakeMethod::MERGE);
 }
 
-TEST(LearnerNames, SayWhatWasExpected) {
+TEST(LearnerNames, ErrorsListExpectedNames) {
   EXPECT_EQ(errorOf<InputError>([] { MODES.parse("Demo"); }), "mode: expected training or demo, got 'Demo'");
   EXPECT_EQ(errorOf<InputError>([] { TABLE_USES.parse(""); }), "tables: expected shared or own, got ''");
   EXPECT_EQ(errorOf<InputError>([] { TAKE_METHODS.parse("add"); }), "method: expected replace or merge, got 'add'");
@@ -160,7 +160,7 @@ class RowPerAction : public StateSet, public RowDistanceClasses {
   std::string spec() const override { return "{type: row_per_action}"; }
 };
 
-TEST(Learner, LooksUpEveryActionInARowOfItsOwn) {
+TEST(Learner, LooksUpEachActionInItsOwnRow) {
   Model model = parseModel(
       "{state_set: {type: occupancy}, action_set: {type: kings_moves, rotations: 2}, "
       "reward: {goal: distance_gained, obstacle_cost: 10}}");
@@ -187,7 +187,7 @@ TEST(Learner, LooksUpEveryActionInARowOfItsOwn) {
   EXPECT_EQ(learner.tableOf(1).visits(3, 1), 1U);
 }
 
-TEST(Learner, LooksAtNoMoreThanItsModelsVision) {
+TEST(Learner, UsesOnlyWhatIsWithinTheVisionOfItsModel) {
   const Model two_within_three_metres = parseModel(
       "{state_set: {type: anticipation, vision_radius: 3, max_neighbours: 2}, action_set: {type: goal_relative}, "
       "reward: {type: progress}}");

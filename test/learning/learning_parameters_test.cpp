@@ -25,7 +25,7 @@ std::string problemsOf(double alpha, double gamma, double lambda, double epsilon
   return LearningParameters{alpha, gamma, lambda, epsilon}.problems();
 }
 
-TEST(LearningParameters, AreTheThesisOnesUnlessToldOtherwise) {
+TEST(LearningParameters, HaveTheDefaultsOfTheThesis) {
   const LearningParameters parameters;
   EXPECT_EQ(parameters.alpha, 0.1);
   EXPECT_EQ(parameters.gamma, 0.1);
@@ -33,12 +33,12 @@ TEST(LearningParameters, AreTheThesisOnesUnlessToldOtherwise) {
   EXPECT_EQ(parameters.problems(), "");
 }
 
-TEST(LearningParameters, MayLieOnTheirLimits) {
+TEST(LearningParameters, AcceptValuesAtTheLimits) {
   EXPECT_EQ(problemsOf(1.0, 0.0, 0.0, 0.0), "");
   EXPECT_EQ(problemsOf(1e-9, std::nextafter(1.0, 0.0), 1.0, 1.0), "");
 }
 
-TEST(LearningParameters, NameTheOneThatIsWrong) {
+TEST(LearningParameters, ErrorsNameTheInvalidParameter) {
   for (const double wrong : {0.0, -0.1, 1.1, NOT_A_NUMBER, INFINITE}) {
     EXPECT_EQ(problemsOf(wrong, 0.1, 0.1, 0.1).rfind("alpha: expected", 0), 0U) << wrong;
   }
@@ -51,20 +51,20 @@ TEST(LearningParameters, NameTheOneThatIsWrong) {
   }
 }
 
-TEST(LearningParameters, NameAllThatAreWrongTogether) {
+TEST(LearningParameters, ErrorsNameAllInvalidParameters) {
   const std::string problems = problemsOf(2.0, 1.0, -1.0, 1.5);
   for (const char* const part : {"alpha", "gamma", "lambda", "epsilon", "got 2", "got 1;", "got -1", "got 1.5"}) {
     EXPECT_TRUE(contains(problems, part)) << problems;
   }
 }
 
-TEST(EpsilonSchedule, MayBeConstant) {
+TEST(EpsilonSchedule, CanBeConstant) {
   const EpsilonSchedule schedule = EpsilonSchedule::constant(0.25);
   EXPECT_EQ(schedule.at(0), 0.25);
   EXPECT_EQ(schedule.at(1000000), 0.25);
 }
 
-TEST(EpsilonSchedule, FallsInALineThenStays) {
+TEST(EpsilonSchedule, FallsLinearlyThenStays) {
   const EpsilonSchedule schedule = {0.5, 0.1, 8, Shape::LINEAR};
   EXPECT_DOUBLE_EQ(schedule.at(0), 0.5);
   EXPECT_DOUBLE_EQ(schedule.at(2), 0.4);  // 0.5 - 2/8 * 0.4
@@ -73,7 +73,7 @@ TEST(EpsilonSchedule, FallsInALineThenStays) {
   EXPECT_DOUBLE_EQ(schedule.at(UINT64_MAX), 0.1);
 }
 
-TEST(EpsilonSchedule, FallsByTheSameShareEachEpisodeThenStays) {
+TEST(EpsilonSchedule, FallsExponentiallyThenStays) {
   // From 0.8 to 0.1 is three halvings: one every two episodes.
   const EpsilonSchedule schedule = {0.8, 0.1, 6, Shape::EXPONENTIAL};
   EXPECT_DOUBLE_EQ(schedule.at(0), 0.8);
@@ -84,14 +84,14 @@ TEST(EpsilonSchedule, FallsByTheSameShareEachEpisodeThenStays) {
   EXPECT_NEAR(schedule.at(1), 0.8 / std::sqrt(2.0), 1e-12);
 }
 
-TEST(EpsilonSchedule, MayRise) {
+TEST(EpsilonSchedule, CanRise) {
   const EpsilonSchedule schedule = {0.0, 1.0, 4, Shape::LINEAR};
   EXPECT_EQ(schedule.at(0), 0.0);
   EXPECT_DOUBLE_EQ(schedule.at(1), 0.25);
   EXPECT_EQ(schedule.at(4), 1.0);
 }
 
-TEST(ReadLearningPlan, TakesWhatIsThereAndTheDefaultsElse) {
+TEST(ReadLearningPlan, ReadsParametersAndUsesDefaults) {
   EXPECT_EQ(read("{alpha_decay: 0.6}").parameters.alpha_decay, 0.6);
   EXPECT_EQ(read("{}").parameters.alpha_decay, 0.0);
   EXPECT_TRUE(contains(errorIn("{alpha_decay: 2}"), "alpha_decay: expected a number from 0 to 1, got 2"));
@@ -109,7 +109,7 @@ TEST(ReadLearningPlan, TakesWhatIsThereAndTheDefaultsElse) {
   EXPECT_EQ(defaults.epsilon.at(0), LearningParameters().epsilon);
 }
 
-TEST(ReadLearningPlan, TakesHowTiesAreBroken) {
+TEST(ReadLearningPlan, ReadsTies) {
   EXPECT_EQ(read("{}").parameters.ties, Ties::FIRST);
   EXPECT_EQ(read("{ties: first}").parameters.ties, Ties::FIRST);
   EXPECT_EQ(read("{ties: random}").parameters.ties, Ties::RANDOM);
@@ -117,7 +117,7 @@ TEST(ReadLearningPlan, TakesHowTiesAreBroken) {
   EXPECT_TRUE(contains(errorIn("{ties: [random]}"), "learning.ties: expected"));
 }
 
-TEST(ReadLearningPlan, TakesASchedule) {
+TEST(ReadLearningPlan, ReadsSchedules) {
   const LearningPlan linear = read("{epsilon: {from: 0.5, to: 0.1, episodes: 8}}");
   EXPECT_DOUBLE_EQ(linear.epsilon.at(2), 0.4);
   EXPECT_EQ(linear.parameters.epsilon, 0.5);
@@ -126,7 +126,7 @@ TEST(ReadLearningPlan, TakesASchedule) {
   EXPECT_EQ(read("{epsilon: {from: 1, to: 0, episodes: 2, shape: linear}}").epsilon.at(2), 0.0);
 }
 
-TEST(ReadLearningPlan, SaysWhatIsWrong) {
+TEST(ReadLearningPlan, ErrorsNameWrongKeysAndValues) {
   EXPECT_TRUE(contains(errorIn("{alpha: 2}"), "alpha: expected a number above 0, at most 1, got 2"));
   EXPECT_TRUE(contains(errorIn("{gamma: 1}"), "gamma: expected"));
   EXPECT_TRUE(contains(errorIn("{lambda: -1}"), "lambda: expected"));
@@ -137,7 +137,7 @@ TEST(ReadLearningPlan, SaysWhatIsWrong) {
   EXPECT_TRUE(contains(errorIn("[0.1]"), "learning: expected a map"));
 }
 
-TEST(ReadLearningPlan, SaysWhatIsWrongWithASchedule) {
+TEST(ReadLearningPlan, ErrorsNameWrongKeysAndValuesOfASchedule) {
   EXPECT_TRUE(contains(errorIn("{epsilon: {to: 0.1, episodes: 8}}"), "'from' is missing"));
   EXPECT_TRUE(contains(errorIn("{epsilon: {from: 0.5, episodes: 8}}"), "'to' is missing"));
   EXPECT_TRUE(contains(errorIn("{epsilon: {from: 0.5, to: 0.1}}"), "'episodes' is missing"));
@@ -161,7 +161,7 @@ std::string errorInChange(const std::string& text) {
   return errorOf<InputError>([&] { changedPlan(somePlan(), text, "parameters"); });
 }
 
-TEST(ChangedPlan, LeavesWhatIsNotNamedAsItIs) {
+TEST(ChangedPlan, KeepsParametersThatAreNotNamed) {
   const LearningPlan plan = somePlan();
   EXPECT_EQ(toText(changedPlan(plan, "{}", "parameters")), toText(plan));
   LearningPlan expected = plan;
@@ -176,7 +176,7 @@ TEST(ChangedPlan, LeavesWhatIsNotNamedAsItIs) {
   EXPECT_EQ(toText(expected), all);
 }
 
-TEST(ChangedPlan, IsWrittenAsItIsRead) {
+TEST(ChangedPlan, ReadsBackItsText) {
   const std::string text =
       "{alpha: 0.25, alpha_decay: 0.5, gamma: 0.95, lambda: 0.5, mirrored: true, ties: random, "
       "epsilon: {from: 0.5, to: 0.25, episodes: 8, shape: linear}}";
@@ -184,7 +184,7 @@ TEST(ChangedPlan, IsWrittenAsItIsRead) {
   EXPECT_EQ(toText(changedPlan({}, text, "parameters")), text);
 }
 
-TEST(ChangedPlan, NamesWhatIsWrong) {
+TEST(ChangedPlan, ErrorsNameWrongKeysAndValues) {
   const std::string known = "Known are alpha, alpha_decay, gamma, lambda, mirrored, ties, epsilon";
   EXPECT_EQ(errorInChange("{alfa: 0.1}"), "parameters: line 1: unknown key 'alfa', did you mean 'alpha'? " + known);
   EXPECT_EQ(errorInChange("{alpha: 1, gama: 0.1}"),
@@ -200,7 +200,7 @@ TEST(ChangedPlan, NamesWhatIsWrong) {
   EXPECT_TRUE(contains(errorInChange("{alpha: "), "not YAML"));
 }
 
-TEST(Differences, AreToldByName) {
+TEST(Differences, NameTheChangedParameters) {
   const LearningPlan plan = somePlan();
   EXPECT_EQ(differences(plan, plan), "");
   EXPECT_EQ(differences(plan, changedPlan(plan, "{alpha: 0.05, mirrored: false, ties: random}", "f")),

@@ -22,7 +22,7 @@ TEST(LearningRateSchedule, ByHand) {
   EXPECT_EQ(LearningRateSchedule(decaying(0.1, 0.0)).at(1), 0.1);
 }
 
-TEST(LearningRateSchedule, AreThoseOfTheParametersToTheLastBit) {
+TEST(LearningRateSchedule, AgreesWithTheParametersBitForBit) {
   for (const double alpha : {1e-9, 0.005, 0.5, 1.0}) {
     for (const double alpha_decay : {0.0, 0.1, 0.6, 1.0}) {
       SCOPED_TRACE(testing::Message() << "alpha " << alpha << ", alpha_decay " << alpha_decay);

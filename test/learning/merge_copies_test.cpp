@@ -41,7 +41,7 @@ QTable tableOf(double value, std::uint32_t visits) {
 constexpr LearningParameters MEANS = {1e-6, 0.5, 0.0, 0.0, 1.0};  // a value is the mean of its targets
 constexpr LearningParameters HALVES = {0.5, 0.5, 0.0, 0.0, 0.0};
 
-TEST(RetainedWeight, IsTheProductOfWhatTheStepsLeave) {
+TEST(RetainedWeight, IsTheProductOfOneMinusEachLearningRate) {
   EXPECT_EQ(LearningRateSchedule(HALVES).retainedWeight(7, 7), 1.0);
   EXPECT_EQ(LearningRateSchedule(HALVES).retainedWeight(7, 10), 0.125);
   EXPECT_DOUBLE_EQ(LearningRateSchedule(MEANS).retainedWeight(2, 6), 2.0 / 6.0);  // 2/3 * 3/4 * 4/5 * 5/6
@@ -51,7 +51,7 @@ TEST(RetainedWeight, IsTheProductOfWhatTheStepsLeave) {
                    1.0 / 2 * 2 / 3 * 3 / 4 * 3 / 4 * 3 / 4);  // steps 1/2, 1/3, then 1/4
 }
 
-TEST(MergeCopies, MeansBecomeTheMeanOfEverythingWithThePastInItOnce) {
+TEST(MergeCopies, MeansIncludeCommonVisitsOnce) {
   const QTable past = learned(tableOf(0.0, 0), {1.0, 3.0, 0.0, 4.0}, MEANS);
   EXPECT_DOUBLE_EQ(past.value(0, 0), 2.0);
   const QTable one = learned(past, {6.0, 6.0}, MEANS);
@@ -61,7 +61,7 @@ TEST(MergeCopies, MeansBecomeTheMeanOfEverythingWithThePastInItOnce) {
   EXPECT_EQ(all.visits(0, 0), 7U);
 }
 
-TEST(MergeCopies, StepsOfOneSizeForgetThePastAsOneLearnerWould) {
+TEST(MergeCopies, ConstantRatesForgetOldValuesAsOneLearnerDoes) {
   const QTable past = tableOf(8.0, 100);
   // Both learned 0 with rate 1/2; one learner would get 8 -> 4 -> 2.
   const QTable same = merged(past, {learned(past, {0.0}, HALVES), learned(past, {0.0}, HALVES)}, HALVES);
@@ -74,7 +74,7 @@ TEST(MergeCopies, StepsOfOneSizeForgetThePastAsOneLearnerWould) {
   EXPECT_EQ(different.visits(0, 0), 103U);
 }
 
-TEST(MergeCopies, EqualTargetsMergeToWhatOneLearnerHolds) {
+TEST(MergeCopies, EqualTargetsGiveTheValueOfOneLearner) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     LearningParameters parameters = HALVES;
@@ -97,7 +97,7 @@ TEST(MergeCopies, EqualTargetsMergeToWhatOneLearnerHolds) {
   }
 }
 
-TEST(MergeCopies, NeverLeavesTheRangeOfWhatWasLearned) {
+TEST(MergeCopies, StaysInTheRangeOfOldValueAndTargets) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const LearningParameters parameters = {0.05, 0.5, 0.0, 0.0, random.uniform(0.0, 1.0)};
@@ -113,13 +113,13 @@ TEST(MergeCopies, NeverLeavesTheRangeOfWhatWasLearned) {
   }
 }
 
-TEST(MergeCopies, WhatOneCopyAloneLearnedIsTakenOverBitForBit) {
+TEST(MergeCopies, TakesOverTheOnlyChangedCopyBitForBit) {
   const QTable past = tableOf(0.1, 3);
   const QTable one = learned(past, {0.3, 0.7}, {0.1, 0.5, 0.0, 0.0, 0.6});
   EXPECT_EQ(merged(past, {past, one, past}, {0.1, 0.5, 0.0, 0.0, 0.6}), one);
 }
 
-TEST(MergeCopies, CopiesThatLearnedNothingChangeNothing) {
+TEST(MergeCopies, UnchangedCopiesChangeNothing) {
   const QTable past = tableOf(0.1, 3);
   EXPECT_EQ(merged(past, {past, past, past, past}, MEANS), past);
 }
@@ -130,7 +130,7 @@ TEST(MergeCopies, VisitsSaturate) {
   EXPECT_EQ(merged(past, {copy, copy, copy}, HALVES).visits(0, 0), UINT32_MAX);
 }
 
-TEST(MergeCopies, MergesTheRowsAskedForOnly) {
+TEST(MergeCopies, MergesOnlyTheRequestedRows) {
   QTable table(3, 2);
   QTable copy = table;
   for (Row row = 0; row < 3; ++row) copy.set(row, 1, 5.0, 2);

@@ -33,7 +33,7 @@ std::string errorInStateSet(const std::string& state_set) {
                  ", action_set: {type: kings_moves}, reward: {goal: cosine_cubed, obstacle_cost: 80}}");
 }
 
-TEST(Model, IsWhatItsSpecSays) {
+TEST(Model, AgreesWithItsSpec) {
   const Model nearest = parseModel(NEAREST);
   EXPECT_EQ(nearest.spec(), NEAREST);
   EXPECT_EQ(nearest.state_set->rowCount(), 137U);
@@ -44,7 +44,7 @@ TEST(Model, IsWhatItsSpecSays) {
   EXPECT_EQ(occupancy.action_set->size(), 5U);
 }
 
-TEST(Model, FillsInTheThesisDefaults) {
+TEST(Model, UsesTheDefaultsOfTheThesis) {
   EXPECT_EQ(parseModel("{state_set: {type: nearest_obstacle}, action_set: {type: kings_moves}, "
                        "reward: {goal: cosine_cubed, obstacle_cost: 80}}")
                 .spec(),
@@ -55,7 +55,7 @@ TEST(Model, FillsInTheThesisDefaults) {
             "{type: occupancy, sectors: 8, collision_radius: 0.5, vision_radius: 1}");
 }
 
-TEST(Model, SeesAsFarAsItsStateSetLooks) {
+TEST(Model, HasTheVisionOfItsStateSet) {
   // Slightly larger, so that the state set itself decides about bodies exactly at its limit.
   EXPECT_GT(parseModel(NEAREST).vision().radius, 1.0);
   EXPECT_LT(parseModel(NEAREST).vision().radius, 1.001);
@@ -64,7 +64,7 @@ TEST(Model, SeesAsFarAsItsStateSetLooks) {
   EXPECT_EQ(parseModel(OCCUPANCY).vision().max_neighbours, 0U);
 }
 
-TEST(Model, PerceivesWhatIsHiddenUnlessItSaysOtherwise) {
+TEST(Model, OcclusionIsOffByDefault) {
   EXPECT_FALSE(parseModel(NEAREST).vision().occlusion);
   const std::string spec = std::string(NEAREST) + "vision: {occlusion: true}\n";
   const Model model = parseModel(spec);
@@ -76,7 +76,7 @@ TEST(Model, PerceivesWhatIsHiddenUnlessItSaysOtherwise) {
   EXPECT_TRUE(contains(errorIn(std::string(NEAREST) + "vision: {radius: 2}\n"), "unknown key 'radius'"));
 }
 
-TEST(Model, FitsWhatHasTheSameStatesAndActionsWhateverTheReward) {
+TEST(Model, FitsModelsWithEqualStatesAndActions) {
   const Model model = parseModel(NEAREST);
   EXPECT_TRUE(model.fits(model));
   EXPECT_TRUE(model.fits(modelWith("obstacle_cost: 80", "obstacle_cost: 10")));
@@ -88,7 +88,7 @@ TEST(Model, FitsWhatHasTheSameStatesAndActionsWhateverTheReward) {
   EXPECT_FALSE(model.fits(parseModel(OCCUPANCY)));
 }
 
-TEST(Model, RefusesATableOfAnother) {
+TEST(Model, RefusesTheTableOfAnotherModel) {
   const Model model = parseModel(NEAREST);
   EXPECT_NO_THROW(requireFit(model, modelWith("obstacle_cost: 80", "obstacle_cost: 10"), "file.txt"));
   const Model other = parseModel(OCCUPANCY);
@@ -98,7 +98,7 @@ TEST(Model, RefusesATableOfAnother) {
   EXPECT_TRUE(contains(message, other.state_set->spec())) << message;
 }
 
-TEST(ParseModel, SaysWhatIsMissingOrUnknown) {
+TEST(ParseModel, ErrorsNameMissingAndUnknownKeys) {
   const std::string states = "state_set: {type: occupancy}";
   const std::string actions = "action_set: {type: kings_moves}";
   const std::string reward = "reward: {goal: cosine_cubed, obstacle_cost: 80}";
@@ -108,7 +108,7 @@ TEST(ParseModel, SaysWhatIsMissingOrUnknown) {
   EXPECT_TRUE(contains(errorIn("{" + states + ", " + actions + ", " + reward + ", a: 1}"), "unknown key 'a'"));
 }
 
-TEST(ParseModel, RefusesWhatIsNoYamlOrNoMap) {
+TEST(ParseModel, RefusesInvalidYamlAndAnythingButMaps) {
   EXPECT_NE(errorIn("state_set: {type: occupancy"), "no error");
   EXPECT_NE(errorIn("a: b: c"), "no error");
   EXPECT_NE(errorIn(""), "no error");
@@ -116,7 +116,7 @@ TEST(ParseModel, RefusesWhatIsNoYamlOrNoMap) {
   EXPECT_NE(errorIn("[1, 2]"), "no error");
 }
 
-TEST(ParseModel, RefusesStateSetsThatMakeNoSense) {
+TEST(ParseModel, RefusesInvalidStateSets) {
   EXPECT_TRUE(contains(errorInStateSet("{type: nearest}"),
                        "state_set.type: expected " + namesOf(stateSetTypes()) + ", got 'nearest'"));
   EXPECT_TRUE(contains(errorInStateSet("{sectors: 8}"), "'type' is missing"));
@@ -137,7 +137,7 @@ TEST(ParseModel, RefusesStateSetsThatMakeNoSense) {
   }
 }
 
-TEST(ParseModel, RefusesRadiiThatMakeNoSense) {
+TEST(ParseModel, RefusesInvalidRadii) {
   for (const char* const type : {"nearest_obstacle", "occupancy", "condensed_occupancy"}) {
     for (const char* const wrong : {"collision_radius: 0", "collision_radius: -1", "vision_radius: nan",
                                     "vision_radius: 0.5", "vision_radius: 0.25", "collision_radius: 1"}) {

@@ -70,7 +70,7 @@ Expected expect(const Perception& seen, const CandidateMove& move) {
 /// Whether two times are equal up to rounding. A grazing contact may be missed.
 bool agree(double a, double b) { return std::abs(a - b) <= 1e-3 * (1.0 + std::min(a, b)); }
 
-TEST(MoveFeatures, TellWhatEachMoveAloneComesTo) {
+TEST(MoveFeatures, AgreeWithAReferenceForEachMove) {
   std::size_t compared = 0;
   std::size_t apart = 0;
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
@@ -91,7 +91,7 @@ TEST(MoveFeatures, TellWhatEachMoveAloneComesTo) {
   EXPECT_LE(apart, compared / 10000);
 }
 
-TEST(MoveFeatures, TellOfTheFastestApproachOnTheWayToTheGoal) {
+TEST(MoveFeatures, OncomingIsTheFastestApproachOnTheWayToTheGoal) {
   // To the goal with 0.3 m/s; one comes with 0.15 m/s, one overtakes from behind with 0.9 m/s, an obstacle comes
   // faster.
   auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({2.0, 0.0}, 0.25).velocity({0.3, 0.0}, {-0.15, 0.0});

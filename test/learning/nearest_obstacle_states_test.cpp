@@ -8,11 +8,13 @@
 #include "social_crowd/common/random.h"
 #include "support/perceptions.h"
 #include "support/rows.h"
+#include "support/sector_cases.h"
 
 namespace crowd {
 namespace {
 
 using Situation = NearestObstacleStates::Situation;
+using sector_cases::SectorCase;
 
 /// An agent whose goal lies 5 m straight ahead.
 PerceptionsBuilder agentAlone() { return PerceptionsBuilder().agent(0, {5.0, 0.0}); }
@@ -27,55 +29,15 @@ int classOfNeighbour(const Vector2& position, double radius) {
 
 int classOfWall(const Vector2& from, const Vector2& to) { return describe(agentAlone().wall(from, to)).distance_class; }
 
-TEST(NearestObstacleStates, HasTheEightGoalSectors) {
-  struct Case {
-    double degrees;
-    int sector;
-  };
-  for (const Case& edge : std::vector<Case>{{0.0, 0},
-                                            {22.4, 0},
-                                            {22.6, 1},
-                                            {67.4, 1},
-                                            {67.6, 2},
-                                            {112.4, 2},
-                                            {112.6, 3},
-                                            {157.4, 3},
-                                            {157.6, 4},
-                                            {180.0, 4},
-                                            {-157.6, 4},
-                                            {-157.4, 5},
-                                            {-112.6, 5},
-                                            {-112.4, 6},
-                                            {-67.6, 6},
-                                            {-67.4, 7},
-                                            {-22.6, 7},
-                                            {-22.4, 0}}) {
+TEST(NearestObstacleStates, HasEightGoalSectors) {
+  for (const SectorCase& edge : sector_cases::EVEN) {
     EXPECT_EQ(goalSectorOf(polar(edge.degrees, 0.01)), edge.sector) << edge.degrees << " degrees";
     EXPECT_EQ(goalSectorOf(polar(edge.degrees, 1e4)), edge.sector) << edge.degrees << " degrees";
   }
 }
 
-TEST(NearestObstacleStates, HasTheUnevenObstacleSectors) {
-  struct Case {
-    double degrees;
-    int sector;
-  };
-  for (const Case& edge : std::vector<Case>{{0.0, 0},
-                                            {14.9, 0},
-                                            {15.1, 1},
-                                            {44.9, 1},
-                                            {45.1, 2},
-                                            {89.9, 2},
-                                            {90.1, 3},
-                                            {179.9, 3},
-                                            {-0.1, 4},
-                                            {-14.9, 4},
-                                            {-15.1, 5},
-                                            {-44.9, 5},
-                                            {-45.1, 6},
-                                            {-89.9, 6},
-                                            {-90.1, 7},
-                                            {-179.9, 7}}) {
+TEST(NearestObstacleStates, HasUnevenObstacleSectors) {
+  for (const SectorCase& edge : sector_cases::UNEVEN) {
     const Situation neighbour = describe(agentAlone().neighbour(polar(edge.degrees, 0.7), 0.1));
     EXPECT_EQ(neighbour.obstacle_sector, edge.sector) << edge.degrees << " degrees";
     // A wall with one end towards the agent.
@@ -84,7 +46,7 @@ TEST(NearestObstacleStates, HasTheUnevenObstacleSectors) {
   }
 }
 
-TEST(NearestObstacleStates, CountsBothLimitsInTheClassWithin) {
+TEST(NearestObstacleStates, LimitsBelongToTheNearerClass) {
   // 0.75 - 0.25 = 0.5 and 1.25 - 0.25 = 1, both exactly.
   EXPECT_EQ(classOfNeighbour({0.75, 0.0}, 0.25), 1);
   EXPECT_EQ(classOfNeighbour({std::nextafter(0.75, 1.0), 0.0}, 0.25), 2);
@@ -96,7 +58,7 @@ TEST(NearestObstacleStates, CountsBothLimitsInTheClassWithin) {
   EXPECT_EQ(classOfWall({-3.0, std::nextafter(1.0, 2.0)}, {3.0, std::nextafter(1.0, 2.0)}), 0);
 }
 
-TEST(NearestObstacleStates, CountsOverlapAsNear) {
+TEST(NearestObstacleStates, OverlapIsClassOne) {
   EXPECT_EQ(classOfNeighbour({0.2, 0.1}, 0.3), 1);  // the agent's centre lies within
   EXPECT_EQ(classOfNeighbour({0.0, 0.0}, 0.3), 1);
   EXPECT_EQ(classOfWall({-1.0, 0.0}, {1.0, 0.0}), 1);
@@ -114,14 +76,14 @@ TEST(NearestObstacleStates, PerceivesNothingBeyondItsRadius) {
   }
 }
 
-TEST(NearestObstacleStates, LooksAtTheNearestRimNotTheNearestCentre) {
+TEST(NearestObstacleStates, UsesTheNearestRim) {
   // Rims: 0.9 - 0.1 = 0.8 at the left, 1.5 - 1.1 = 0.4 at the right.
   const Situation situation = describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).neighbour(polar(-60.0, 1.5), 1.1));
   EXPECT_EQ(situation.obstacle_sector, 6);
   EXPECT_EQ(situation.distance_class, 1);
 }
 
-TEST(NearestObstacleStates, LooksAtBodiesAndWallsAlike) {
+TEST(NearestObstacleStates, TreatsBodiesAndWallsEqually) {
   const Situation wall = describe(agentAlone().neighbour(polar(60.0, 0.9), 0.1).wall({-2.0, -0.3}, {2.0, -0.3}));
   EXPECT_EQ(wall.obstacle_sector, 7);  // 0.3 at -90 degrees: a limit goes to the sector behind it
   EXPECT_EQ(wall.distance_class, 1);
@@ -135,7 +97,7 @@ TEST(NearestObstacleStates, LooksAtBodiesAndWallsAlike) {
             7);
 }
 
-TEST(NearestObstacleStates, FindsTheNearestOfManyInAnyOrder) {
+TEST(NearestObstacleStates, FindsTheNearestObstacleInAnyOrder) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -157,7 +119,7 @@ TEST(NearestObstacleStates, FindsTheNearestOfManyInAnyOrder) {
   }
 }
 
-TEST(NearestObstacleStates, NumbersItsStatesAsTheThesisDoes) {
+TEST(NearestObstacleStates, NumbersRowsAsTheThesisDoes) {
   const NearestObstacleStates states;
   EXPECT_EQ(states.rowCount(), 137U);
   EXPECT_EQ(states.terminal(), 136U);      // 8 * 8 * 2 + 8
@@ -171,7 +133,7 @@ TEST(NearestObstacleStates, NumbersItsStatesAsTheThesisDoes) {
   EXPECT_EQ(states.rowOf({7, 7, 2}), 135U);  // 7 + 7 * 16 + 7 * 2 + 2
 }
 
-TEST(NearestObstacleStates, NumbersOtherSectorsInTheSameWay) {
+TEST(NearestObstacleStates, NumbersRowsOfOtherSectors) {
   NearestObstacleStates::Parameters parameters;
   parameters.goal_sectors = 4;
   parameters.obstacle_sectors = {90.0, 180.0};
@@ -180,7 +142,7 @@ TEST(NearestObstacleStates, NumbersOtherSectorsInTheSameWay) {
   EXPECT_EQ(states.rowOf({2, 3, 1}), 26U);  // 3 + 2 * 8 + 3 * 2 + 1
 }
 
-TEST(NearestObstacleStates, NoTwoSituationsShareARowAndNoRowIsLeftOver) {
+TEST(NearestObstacleStates, MapsSituationsToRowsOneToOne) {
   const NearestObstacleStates states;
   std::set<Row> rows = {states.terminal()};
   std::size_t situations = 1;
@@ -202,7 +164,7 @@ TEST(NearestObstacleStates, NoTwoSituationsShareARowAndNoRowIsLeftOver) {
   EXPECT_EQ(states.distanceClasses(states.terminal()), std::vector<int>{});
 }
 
-TEST(NearestObstacleStates, EveryRowButTheTerminalOneCanBePerceived) {
+TEST(NearestObstacleStates, EachRowExceptTheTerminalOneCanBePerceived) {
   const NearestObstacleStates states;
   std::set<Row> rows;
   for (double goal = 0.0; goal < 360.0; goal += 45.0) {
@@ -220,7 +182,7 @@ TEST(NearestObstacleStates, EveryRowButTheTerminalOneCanBePerceived) {
   EXPECT_EQ(rows.count(states.terminal()), 0U);
 }
 
-TEST(NearestObstacleStates, TellsTheSectorForPictures) {
+TEST(NearestObstacleStates, ReturnsTheOccupiedSectorForPictures) {
   const NearestObstacleStates states;
   EXPECT_TRUE(states.occupiedSectors(agentAlone().neighbour({3.0, 0.0}, 0.5).perception()).empty());
   const auto occupied = states.occupiedSectors(agentAlone().neighbour(polar(-30.0, 0.8), 0.1).perception());
@@ -230,7 +192,7 @@ TEST(NearestObstacleStates, TellsTheSectorForPictures) {
   EXPECT_EQ(occupied[0].distance_class, 2);
 }
 
-TEST(NearestObstacleStates, KeepsToItsParameters) {
+TEST(NearestObstacleStates, UsesItsParameters) {
   NearestObstacleStates::Parameters parameters;
   parameters.goal_sectors = 4;
   parameters.obstacle_sectors = {22.5, 180.0};

@@ -6,12 +6,14 @@
 
 #include "support/perceptions.h"
 #include "support/rows.h"
+#include "support/sector_cases.h"
 
 namespace crowd {
 namespace {
 
 using Classes = std::vector<int>;
 using Situation = OccupancyStates::Situation;
+using sector_cases::SectorCase;
 
 const Classes NOTHING = {0, 0, 0, 0, 0, 0, 0, 0};
 const Classes ALL_NEAR = {1, 1, 1, 1, 1, 1, 1, 1};
@@ -36,36 +38,15 @@ Classes classesOfWall(const Vector2& from, const Vector2& to) {
   return classes;
 }
 
-TEST(OccupancyStates, HasTheEightGoalSectors) {
-  struct Case {
-    double degrees;
-    int sector;
-  };
+TEST(OccupancyStates, HasEightGoalSectors) {
   const OccupancyStates states;
-  for (const Case& edge : std::vector<Case>{{0.0, 0},
-                                            {22.4, 0},
-                                            {22.6, 1},
-                                            {67.4, 1},
-                                            {67.6, 2},
-                                            {112.4, 2},
-                                            {112.6, 3},
-                                            {157.4, 3},
-                                            {157.6, 4},
-                                            {180.0, 4},
-                                            {-157.6, 4},
-                                            {-157.4, 5},
-                                            {-112.6, 5},
-                                            {-112.4, 6},
-                                            {-67.6, 6},
-                                            {-67.4, 7},
-                                            {-22.6, 7},
-                                            {-22.4, 0}}) {
+  for (const SectorCase& edge : sector_cases::EVEN) {
     const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(edge.degrees, 2.0));
     EXPECT_EQ(states.describe(scene.perception()).goal_sector, edge.sector) << edge.degrees << " degrees";
   }
 }
 
-TEST(OccupancyStates, PutsABodyIntoTheSectorItLiesIn) {
+TEST(OccupancyStates, BodyOccupiesTheSectorOfItsCentre) {
   // Half the angle it spans is asin(0.1 / 0.7) = 8.2 degrees; its rim is 0.6 away.
   EXPECT_EQ(classesOfNeighbour(polar(0.0, 0.7), 0.1), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(classesOfNeighbour(polar(45.0, 0.7), 0.1), (Classes{0, 2, 0, 0, 0, 0, 0, 0}));
@@ -79,7 +60,7 @@ TEST(OccupancyStates, PutsABodyIntoTheSectorItLiesIn) {
 
 // Limiting vectors lie at 22.5, 67.5, ... degrees; sin 22.5 = 0.3827, cos 22.5 = 0.9239.
 
-TEST(OccupancyStates, ALimitThatIsCutPutsABodyIntoBothSectorsBesideIt) {
+TEST(OccupancyStates, BodyThatCutsALimitOccupiesBothAdjacentSectors) {
   // At 20 degrees the limit at 22.5 passes 0.7 sin 2.5 = 0.031 from the centre, at 14 degrees 0.7 sin 8.5 = 0.103. The
   // rim is 0.6 away, so the vector of length 0.5 does not reach it.
   EXPECT_EQ(classesOfNeighbour(polar(20.0, 0.7), 0.1), (Classes{2, 2, 0, 0, 0, 0, 0, 0}));
@@ -88,7 +69,7 @@ TEST(OccupancyStates, ALimitThatIsCutPutsABodyIntoBothSectorsBesideIt) {
   EXPECT_EQ(classesOfNeighbour(polar(110.0, 0.7), 0.1), (Classes{0, 0, 2, 2, 0, 0, 0, 0}));
 }
 
-TEST(OccupancyStates, EachLimitHasAClassOfItsOwn) {
+TEST(OccupancyStates, EachLimitHasItsOwnClass) {
   // The rim is 0.4 away: class 1 where the centre is. The limits beside it pass 0.7 * 0.3827 = 0.268 from the centre
   // and are cut from 0.7 * 0.9239 - sqrt(0.3^2 - 0.268^2) = 0.512 on: beyond the vector of length 0.5, so class 2.
   EXPECT_EQ(classesOfNeighbour(polar(0.0, 0.7), 0.3), (Classes{1, 2, 0, 0, 0, 0, 0, 2}));
@@ -97,19 +78,19 @@ TEST(OccupancyStates, EachLimitHasAClassOfItsOwn) {
   EXPECT_EQ(classesOfNeighbour(polar(0.0, 0.65), 0.3), (Classes{1, 1, 0, 0, 0, 0, 0, 1}));
 }
 
-TEST(OccupancyStates, LimitingVectorsAreNoLongerThanVision) {
+TEST(OccupancyStates, LimitingVectorsEndAtTheRadiusOfVision) {
   // The rim is 0.9 away. The limits pass 1.5 * 0.3827 = 0.574 from the centre, but are cut from 1.386 - sqrt(0.36 -
   // 0.33) = 1.21 on only.
   EXPECT_EQ(classesOfNeighbour(polar(0.0, 1.5), 0.6), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
 }
 
-TEST(OccupancyStates, ALargeBodyCutsFurtherLimits) {
+TEST(OccupancyStates, LargeBodyCutsMoreLimits) {
   // The limits at 67.5 degrees pass cos 22.5 = 0.924 from the centre, where they are sin 22.5 = 0.383 long. Those at
   // 112.5 degrees begin 1 m from the centre and lead away from it.
   EXPECT_EQ(classesOfNeighbour(polar(0.0, 1.0), 0.99), (Classes{1, 1, 1, 0, 0, 0, 1, 1}));
 }
 
-TEST(OccupancyStates, GoesOnBehindTheAgent) {
+TEST(OccupancyStates, SectorsContinueBehindTheAgent) {
   EXPECT_EQ(classesOfNeighbour(polar(180.0, 0.7), 0.3), (Classes{0, 0, 0, 2, 1, 2, 0, 0}));
   // The limit at 157.5 degrees passes 0.7 sin 7.5 = 0.091 from the centre, and is cut from 0.694 - sqrt(0.044 - 0.008)
   // = 0.505 on; that at 202.5 degrees passes 0.7 sin 37.5 = 0.426 from it. The rim is 0.49 away.
@@ -117,14 +98,14 @@ TEST(OccupancyStates, GoesOnBehindTheAgent) {
   EXPECT_EQ(classesOfNeighbour(polar(-165.0, 0.7), 0.21), (Classes{0, 0, 0, 0, 1, 2, 0, 0}));
 }
 
-TEST(OccupancyStates, ABodyAroundTheAgentIsEverywhere) {
+TEST(OccupancyStates, BodyAroundTheAgentOccupiesAllSectors) {
   EXPECT_EQ(classesOfNeighbour({0.1, 0.0}, 0.3), ALL_NEAR);
   EXPECT_EQ(classesOfNeighbour({0.0, 0.0}, 0.3), ALL_NEAR);
   EXPECT_EQ(classesOfNeighbour({0.0, -0.25}, 0.26), ALL_NEAR);
   EXPECT_EQ(classesOfNeighbour({0.0, 2.0}, 3.0), ALL_NEAR);
 }
 
-TEST(OccupancyStates, CountsBothLimitsInTheClassWithin) {
+TEST(OccupancyStates, LimitsBelongToTheNearerClass) {
   // 0.75 - 0.25 = 0.5 and 1.25 - 0.25 = 1, both exactly; asin(0.25 / 0.75) = 19.5 degrees stay within the sector.
   EXPECT_EQ(classesOfNeighbour({0.75, 0.0}, 0.25)[0], 1);
   EXPECT_EQ(classesOfNeighbour({std::nextafter(0.75, 1.0), 0.0}, 0.25)[0], 2);
@@ -133,7 +114,7 @@ TEST(OccupancyStates, CountsBothLimitsInTheClassWithin) {
   EXPECT_EQ(classesOfNeighbour({3.0, 0.0}, 0.25), NOTHING);
 }
 
-TEST(OccupancyStates, TheNearerOfTwoInASectorCounts) {
+TEST(OccupancyStates, NearerOfTwoBodiesDeterminesTheClass) {
   const Vector2 near = polar(5.0, 0.4);  // rim 0.3
   const Vector2 far = polar(-5.0, 0.9);  // rim 0.8
   const Classes expected = {1, 0, 0, 0, 0, 0, 0, 0};
@@ -141,7 +122,7 @@ TEST(OccupancyStates, TheNearerOfTwoInASectorCounts) {
   EXPECT_EQ(classesOf(agentAlone().neighbour(far, 0.1).neighbour(near, 0.1)), expected);
 }
 
-TEST(OccupancyStates, ANearBodyDoesNotBringAFarOneNearer) {
+TEST(OccupancyStates, NearBodyDoesNotChangeOtherSectors) {
   // The far one (90 degrees, rim 0.7, asin(0.3 / 1) = 17.5 degrees) shares no sector with the near one.
   EXPECT_EQ(classesOf(agentAlone().neighbour(polar(0.0, 0.4), 0.1).neighbour(polar(90.0, 1.0), 0.3)),
             (Classes{1, 0, 2, 0, 0, 0, 0, 0}));
@@ -153,7 +134,7 @@ TEST(OccupancyStates, ANearBodyDoesNotBringAFarOneNearer) {
             (Classes{2, 2, 0, 0, 1, 0, 0, 2}));
 }
 
-TEST(OccupancyStates, ALongWallIsNearInOneSectorAndFarInTheNext) {
+TEST(OccupancyStates, LongWallHasDifferentClassesInDifferentSectors) {
   // A wall across the way at 0.5: in the neighbours its nearest part lies at 22.5 degrees, 0.5 / cos(22.5) = 0.541
   // away; beyond them at 67.5 degrees, 0.5 / cos(67.5) = 1.307.
   EXPECT_EQ(classesOfWall({0.5, -3.0}, {0.5, 3.0}), (Classes{1, 2, 0, 0, 0, 0, 0, 2}));
@@ -164,11 +145,11 @@ TEST(OccupancyStates, ALongWallIsNearInOneSectorAndFarInTheNext) {
   EXPECT_EQ(classesOfWall({1.1, -3.0}, {1.1, 3.0}), NOTHING);
 }
 
-TEST(OccupancyStates, AWallBehindTheAgentGoesOnAcrossTheFullCircle) {
+TEST(OccupancyStates, WallBehindTheAgentContinuesAcross180Degrees) {
   EXPECT_EQ(classesOfWall({-0.5, -3.0}, {-0.5, 3.0}), (Classes{0, 0, 0, 2, 1, 2, 0, 0}));
 }
 
-TEST(OccupancyStates, AWallEndsWhereItEnds) {
+TEST(OccupancyStates, WallOccupiesSectorsUpToItsEnd) {
   // To the left at 0.4, from far behind to x = 0.1: that end is at atan(0.4 / 0.1) = 76 degrees, in sector 2. Sector 3
   // begins at 112.5 degrees: 0.4 / sin(112.5) = 0.433. Sector 4 at 157.5 degrees: 0.4 / sin(157.5) = 1.045.
   EXPECT_EQ(classesOfWall({-3.0, 0.4}, {0.1, 0.4}), (Classes{0, 0, 1, 1, 0, 0, 0, 0}));
@@ -178,29 +159,29 @@ TEST(OccupancyStates, AWallEndsWhereItEnds) {
   EXPECT_EQ(classesOfWall({-3.0, 0.4}, {-0.6, 0.4}), (Classes{0, 0, 0, 2, 0, 0, 0, 0}));
 }
 
-TEST(OccupancyStates, AWallThatPointsAtTheAgentIsInOneSector) {
+TEST(OccupancyStates, RadialWallOccupiesOneSector) {
   EXPECT_EQ(classesOfWall({0.6, 0.0}, {3.0, 0.0}), (Classes{2, 0, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(classesOfWall(polar(-120.0, 0.3), polar(-120.0, 3.0)), (Classes{0, 0, 0, 0, 0, 1, 0, 0}));
   EXPECT_EQ(classesOfWall({-0.6, 0.0}, {-3.0, 0.0}), (Classes{0, 0, 0, 0, 2, 0, 0, 0}));
 }
 
-TEST(OccupancyStates, AWallThroughTheAgentIsEverywhere) {
+TEST(OccupancyStates, WallThroughTheAgentOccupiesAllSectors) {
   EXPECT_EQ(classesOfWall({-1.0, 0.0}, {1.0, 0.0}), ALL_NEAR);
   EXPECT_EQ(classesOfWall({-1.0, -2.0}, {2.0, 4.0}), ALL_NEAR);
   EXPECT_EQ(classesOfWall({0.0, 0.0}, {1.0, 0.0}), ALL_NEAR);  // ends in the agent's centre
 }
 
-TEST(OccupancyStates, AWallCloseByFillsHalfTheCircle) {
+TEST(OccupancyStates, CloseWallOccupiesHalfOfTheCircle) {
   // At 0.001 to the left its ends are at 0.06 and 179.94 degrees.
   EXPECT_EQ(classesOfWall({-1.0, 0.001}, {1.0, 0.001}), (Classes{1, 1, 1, 1, 1, 0, 0, 0}));
 }
 
-TEST(OccupancyStates, AWallMayBeAPoint) {
+TEST(OccupancyStates, WallOfLengthZeroIsAPoint) {
   EXPECT_EQ(classesOfWall(polar(50.0, 0.6), polar(50.0, 0.6)), (Classes{0, 2, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(classesOfWall({0.0, 0.0}, {0.0, 0.0}), ALL_NEAR);
 }
 
-TEST(OccupancyStates, NumbersItsStatesAsTheThesisDoes) {
+TEST(OccupancyStates, NumbersRowsAsTheThesisDoes) {
   const OccupancyStates states;
   EXPECT_EQ(states.rowCount(), 52489U);
   EXPECT_EQ(states.terminal(), 52488U);  // 3^8 * 8 = 6561 * 8
@@ -212,7 +193,7 @@ TEST(OccupancyStates, NumbersItsStatesAsTheThesisDoes) {
   EXPECT_EQ(states.rowOf({7, {2, 2, 2, 2, 2, 2, 2, 2}}), 52487U);  // 7 * 6561 + 6560
 }
 
-TEST(OccupancyStates, NoTwoSituationsShareARowAndEachCanBePerceived) {
+TEST(OccupancyStates, MapsSituationsToRowsOneToOneAndEachCanBePerceived) {
   const OccupancyStates states;
   std::vector<int> found(states.rowCount(), 0);
   for (int goal = 0; goal < 8; ++goal) {
@@ -235,7 +216,7 @@ TEST(OccupancyStates, NoTwoSituationsShareARowAndEachCanBePerceived) {
   EXPECT_EQ(states.distanceClasses(states.terminal()), Classes{});
 }
 
-TEST(OccupancyStates, TellsItsSectorsForPictures) {
+TEST(OccupancyStates, ReturnsOccupiedSectorsForPictures) {
   const OccupancyStates states;
   EXPECT_TRUE(states.occupiedSectors(agentAlone().perception()).empty());
   const PerceptionsBuilder scene = agentAlone().neighbour(polar(0.0, 0.7), 0.1).neighbour(polar(90.0, 0.4), 0.1);
@@ -249,7 +230,7 @@ TEST(OccupancyStates, TellsItsSectorsForPictures) {
   EXPECT_EQ(occupied[1].distance_class, 1);
 }
 
-TEST(OccupancyStates, KeepsToItsParameters) {
+TEST(OccupancyStates, UsesItsParameters) {
   OccupancyStates::Parameters parameters;
   parameters.sectors = 4;
   parameters.distances = {0.25, 3.0};

@@ -41,7 +41,7 @@ TEST(PartTypes, HaveNamesAndSummaries) {
   expectDistinctNames(rewardTypes());
 }
 
-TEST(PartTypes, NamesAreListedInErrors) {
+TEST(PartTypes, ErrorsListTheNames) {
   const std::vector<ActionSetType> one = {{"first", "", nullptr}};
   EXPECT_EQ(namesOf(one), "first");
   const std::vector<ActionSetType> three = {{"first", "", nullptr}, {"second", "", nullptr}, {"third", "", nullptr}};
@@ -61,7 +61,7 @@ TEST(PartTypes, StateAndActionSetsHaveDefaultsAndReadBackTheirSpecs) {
   }
 }
 
-TEST(PartTypes, MirrorImagesOfMirrorImagesAreTheOriginals) {
+TEST(PartTypes, MirroringTwiceGivesTheOriginal) {
   for (const ActionSetType& action_type : actionSetTypes()) {
     const auto actions = makeActions(typed(action_type.name));
     for (Action action = 0; action < actions->size(); ++action) {
@@ -108,7 +108,7 @@ TEST(PartTypes, PicturesShowDistanceLimitsWithinTheVision) {
   }
 }
 
-TEST(PartTypes, ThesisRewardIsRefusedWhereRowsHaveNoDistanceClasses) {
+TEST(PartTypes, ThesisRewardRequiresDistanceClasses) {
   const std::string message = errorOf<InputError>([] {
     parseModel(
         "{state_set: {type: anticipation}, action_set: {type: goal_relative}, "

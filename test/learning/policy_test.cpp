@@ -16,7 +16,7 @@ TEST(Policy, ChoosesTheFirstOfEqualValues) {
   EXPECT_EQ(chooseGreedy(table, {&row, 0}), 1U);
 }
 
-TEST(Policy, ExploresWhereTheDrawIsBelowEpsilon) {
+TEST(Policy, ExploresIfTheDrawIsBelowEpsilon) {
   const Row row = 0;
   QTable table(1, 4);
   table.set(0, 2, 1.0, 1);
@@ -29,7 +29,7 @@ TEST(Policy, ExploresWhereTheDrawIsBelowEpsilon) {
   EXPECT_EQ(choose(1.0, std::nextafter(1.0, 0.0), 0.0), 0U);
 }
 
-TEST(Policy, ExploresEvenly) {
+TEST(Policy, ExploresUniformly) {
   const Row row = 0;
   const QTable table(1, 4);
   const auto explore = [&](double any) { return chooseEpsilonGreedy(table, {&row, 0}, 1.0, {0.0, any}); };

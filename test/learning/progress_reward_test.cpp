@@ -30,7 +30,7 @@ AgentPerception before(const Vector2& goal) {
 
 PerceptionsBuilder after(const Vector2& goal) { return PerceptionsBuilder().agent(0, goal); }
 
-TEST(ProgressReward, CountsTheTicksThatAreLost) {
+TEST(ProgressReward, IsTheNumberOfLostTicks) {
   const ProgressReward reward(free());
   EXPECT_NEAR(reward(before({5.0, 0.0}), after({4.97, 0.0}).perception(), 0), 0.0, 1e-9);
   EXPECT_NEAR(reward(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.0, 1e-9);
@@ -38,7 +38,7 @@ TEST(ProgressReward, CountsTheTicksThatAreLost) {
   EXPECT_NEAR(reward(before({5.0, 0.0}), after({4.985, 0.0}).arrived().perception(), 0), -0.5, 1e-9);
 }
 
-TEST(ProgressReward, PricesTurnsEitherWay) {
+TEST(ProgressReward, PenalisesTurnsInBothDirections) {
   ProgressReward::Parameters parameters = free();
   parameters.turn_penalty = 2.0;
   AgentPerception self = before({5.0, 0.0});
@@ -48,13 +48,13 @@ TEST(ProgressReward, PricesTurnsEitherWay) {
   EXPECT_NEAR(ProgressReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
 }
 
-TEST(ProgressReward, PricesStandingAbout) {
+TEST(ProgressReward, PenalisesStanding) {
   ProgressReward::Parameters parameters = free();
   parameters.rest_penalty = 0.5;
   EXPECT_NEAR(ProgressReward(parameters)(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.5, 1e-9);
 }
 
-TEST(ProgressReward, PricesACollisionCourseTheNearerTheMore) {
+TEST(ProgressReward, PenaltyOfACollisionCourseGrowsWithProximity) {
   ProgressReward::Parameters parameters = free();
   parameters.conflict_penalty = 3.0;
   parameters.conflict_time = 4.0;
@@ -68,7 +68,7 @@ TEST(ProgressReward, PricesACollisionCourseTheNearerTheMore) {
   EXPECT_NEAR(penalty(1.0, {0.2, 0.0}), 0.0, 1e-9);  // it arrives before the contact
 }
 
-TEST(ProgressReward, PricesContact) {
+TEST(ProgressReward, PenalisesContact) {
   ProgressReward::Parameters parameters = free();
   parameters.contact_penalty = 20.0;
   auto apart = after({5.0, 0.0}).neighbour({0.51, 0.0}, 0.25);
@@ -94,7 +94,7 @@ PerceptionsBuilder sceneOf(std::size_t neighbours, std::size_t touching, const V
   return scene;
 }
 
-TEST(ProgressReward, PricesContactWithWhomeverOfMany) {
+TEST(ProgressReward, PenalisesContactWithAnyNeighbour) {
   ProgressReward::Parameters parameters = free();
   parameters.contact_penalty = 20.0;
   const ProgressReward reward(parameters);
@@ -110,7 +110,7 @@ TEST(ProgressReward, PricesContactWithWhomeverOfMany) {
   }
 }
 
-TEST(ProgressReward, IsWhatItsSpecSays) {
+TEST(ProgressReward, AgreesWithItsSpec) {
   const std::string spec =
       "{type: progress, turn_penalty: 1.5, conflict_penalty: 2, conflict_time: 3, rest_penalty: 0.25, contact_penalty: "
       "7}";

@@ -36,7 +36,7 @@ void expectRefused(const std::string& damaged, int line, const std::string& word
   EXPECT_TRUE(contains(message, words)) << message << "\nshould say: " << words;
 }
 
-TEST(QTableDamage, TheUndamagedFileIsRead) {
+TEST(QTableDamage, UndamagedFileIsRead) {
   EXPECT_EQ(withChecksum(body()), text());
   EXPECT_EQ(errorIn(text()), "no error");
   EXPECT_EQ(errorIn(edited("seed: 7", "seed: 8")), "no error");
@@ -53,7 +53,7 @@ TEST(QTableDamage, InTheFirstLine) {
   expectRefused("", 1, "expected 'social_crowd Q-table 1'");
 }
 
-TEST(QTableDamage, NothingIsToldOfWhatIsNoQTable) {
+TEST(QTableDamage, ErrorsQuoteNothingOfOtherFiles) {
   const std::string expected =
       "table.txt: line 1: expected 'social_crowd Q-table 1': this is no Q-table of this package, or one of another "
       "version";
@@ -251,7 +251,7 @@ void cutShortAnywhere(const std::string& whole) {
   }
 }
 
-TEST(QTableDamage, CutShortAnywhere) {
+TEST(QTableDamage, TruncationAtAnyByte) {
   cutShortAnywhere(text());
   cutShortAnywhere(textWithSources());
 }
@@ -271,7 +271,7 @@ void oneByteChangedAnywhere(const std::string& whole) {
   }
 }
 
-TEST(QTableDamage, OneByteChangedAnywhere) {
+TEST(QTableDamage, ChangeOfAnyByte) {
   oneByteChangedAnywhere(text());
   oneByteChangedAnywhere(textWithSources());
 }
@@ -285,7 +285,7 @@ void oneByteMissingOrTooMuchAnywhere(const std::string& whole) {
   }
 }
 
-TEST(QTableDamage, OneByteMissingOrTooMuchAnywhere) {
+TEST(QTableDamage, RemovalOrInsertionOfAnyByte) {
   oneByteMissingOrTooMuchAnywhere(text());
   oneByteMissingOrTooMuchAnywhere(textWithSources());
 }

@@ -47,15 +47,13 @@ void expectRoundTrip(const TrainedTable& trained) {
   EXPECT_EQ(toText(read), text);
 }
 
-TEST(QTableText, IsReadableAndSaysWhatWasLearned) {
-  EXPECT_EQ(toText(q_table_texts::trained()), q_table_texts::text());
-}
+TEST(QTableText, WritesTheExpectedText) { EXPECT_EQ(toText(q_table_texts::trained()), q_table_texts::text()); }
 
-TEST(QTableText, ReadsBackWhatItSays) {
+TEST(QTableText, ReadsTheExpectedText) {
   expectSame(parseQTable(q_table_texts::text(), "table.txt"), q_table_texts::trained());
 }
 
-TEST(QTableText, TellsHowTiesAreBrokenWhereTheFirstIsNotTaken) {
+TEST(QTableText, WritesTiesUnlessTheyAreBrokenByTheFirst) {
   EXPECT_EQ(parseQTable(q_table_texts::text(), "table.txt").parameters.ties, Ties::FIRST);
   TrainedTable trained = q_table_texts::trained();
   trained.parameters.ties = Ties::RANDOM;
@@ -80,7 +78,7 @@ std::vector<std::pair<SourceId, std::vector<std::uint32_t>>> sourcesOf(const QTa
   return sources;
 }
 
-TEST(QTableSources, AreReadable) {
+TEST(QTableSources, AreWrittenAsExpected) {
   EXPECT_EQ(toText(q_table_texts::trainedBySources()), q_table_texts::textWithSources());
 }
 
@@ -92,7 +90,7 @@ TEST(QTableSources, AreReadBack) {
   expectRoundTrip(q_table_texts::trainedBySources());
 }
 
-TEST(QTableSources, AreNotToldWhereTheReaderKnowsThem) {
+TEST(QTableSources, AreOmittedIfTheReaderCanDeriveThem) {
   TrainedTable trained = q_table_texts::trained();
   trained.table.nameSource(trained.table.contentId());
   EXPECT_EQ(toText(trained), q_table_texts::text());
@@ -101,7 +99,7 @@ TEST(QTableSources, AreNotToldWhereTheReaderKnowsThem) {
   EXPECT_EQ(sourcesOf(parseQTable(toText(trained), "table.txt").table), sourcesOf(trained.table));
 }
 
-TEST(QTableSources, OneAloneIsAName) {
+TEST(QTableSources, SingleSourceIsWrittenAsAName) {
   TrainedTable trained = q_table_texts::trained();
   trained.table.nameSource(0x1234);
   const std::string text = toText(trained);
@@ -137,7 +135,7 @@ TEST(QTableText, ReadsBackBitForBit) {
   }
 }
 
-TEST(QTableText, ReadsBackTheEndsOfTheRange) {
+TEST(QTableText, ReadsBackExtremeValues) {
   TrainedTable trained = q_table_texts::trained();
   trained.table.set(0, 0, -0.0, 1);
   trained.table.set(1, 0, Limits::max(), UINT32_MAX);
@@ -156,7 +154,7 @@ TEST(QTableText, ReadsBackAnySeedAndNumberOfDecisions) {
   expectRoundTrip(trained);
 }
 
-TEST(QTableText, ReadsBackAValueThatNobodyVisited) {
+TEST(QTableText, ReadsBackValuesWithoutVisits) {
   TrainedTable trained = q_table_texts::trained();
   trained.table.set(5, 1, 2.5, 0);
   expectRoundTrip(trained);
@@ -164,7 +162,7 @@ TEST(QTableText, ReadsBackAValueThatNobodyVisited) {
   expectRoundTrip(trained);
 }
 
-TEST(QTableText, HoldsTheThesisTables) {
+TEST(QTableText, ReadsBackTablesOfTheThesis) {
   for (const char* const state_set : {"{type: nearest_obstacle}", "{type: occupancy}"}) {
     const Model model = parseModel("{state_set: " + std::string(state_set) +
                                    ", action_set: {type: kings_moves}, "
@@ -178,7 +176,7 @@ TEST(QTableText, HoldsTheThesisTables) {
   }
 }
 
-TEST(QTableText, WritesALineForVisitedRowsOnly) {
+TEST(QTableText, WritesOnlyVisitedRows) {
   TrainedTable trained = q_table_texts::trained();
   trained.table = QTable(11, 2);
   trained.table.set(4, 1, 0.0, 1);  // visited, and still zero
@@ -186,7 +184,7 @@ TEST(QTableText, WritesALineForVisitedRowsOnly) {
   EXPECT_TRUE(contains(toText(trained), "visited_rows: 2\n---\n4 0 0 1 0\n9 1 1 0 0\nchecksum: "));
 }
 
-TEST(QTableText, IsNotWrittenForValuesThatAreNotFinite) {
+TEST(QTableText, RefusesNonFiniteValues) {
   for (const double value : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
     TrainedTable trained = q_table_texts::trained();
     trained.table.set(3, 1, value, 1);
@@ -202,7 +200,7 @@ TEST(QTableFile, ReadsBackWhatWasSaved) {
   EXPECT_EQ(folder.names(), Names{"table.txt"});
 }
 
-TEST(QTableFile, ReplacesAnOlderOne) {
+TEST(QTableFile, ReplacesAnOlderFile) {
   const TemporaryFolder folder;
   const std::string file = folder.write("table.txt", "something much longer" + std::string(100000, '.'));
   saveQTable(file, q_table_texts::trained());
@@ -210,7 +208,7 @@ TEST(QTableFile, ReplacesAnOlderOne) {
   EXPECT_EQ(folder.names(), Names{"table.txt"});
 }
 
-TEST(QTableFile, KeepsTheOlderOneIfTheTableCannotBeWritten) {
+TEST(QTableFile, KeepsTheOlderFileIfTheTableIsInvalid) {
   const TemporaryFolder folder;
   saveQTable(folder.file("table.txt"), q_table_texts::trained());
   TrainedTable broken = q_table_texts::trained();
@@ -220,7 +218,7 @@ TEST(QTableFile, KeepsTheOlderOneIfTheTableCannotBeWritten) {
   EXPECT_EQ(folder.names(), Names{"table.txt"});
 }
 
-TEST(QTableFile, IsNotWrittenWhereItCannotBe) {
+TEST(QTableFile, ReportsPathsThatCannotBeWritten) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("taken"));
   for (const std::string& file : {folder.file("none/table.txt"), folder.file("taken")}) {
@@ -231,7 +229,7 @@ TEST(QTableFile, IsNotWrittenWhereItCannotBe) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.file("taken")));
 }
 
-TEST(QTableFile, IsNamedWhereItIsMissingOrDamaged) {
+TEST(QTableFile, ErrorsNameMissingAndDamagedFiles) {
   const TemporaryFolder folder;
   const std::string missing = folder.file("missing.txt");
   EXPECT_TRUE(contains(errorOf<FileError>([&] { loadQTable(missing); }), missing));

@@ -32,7 +32,7 @@ TEST(QTableMerge, IsTheMeanWeightedByVisits) {
   expectMerged(cell(10.0, 1), cell(0.0, 9), 1.0, 10);  // a visited zero counts
 }
 
-TEST(QTableMerge, TakesWhatOnlyOneOfThemKnows) {
+TEST(QTableMerge, TakesOverEntriesVisitedInOneTableOnly) {
   expectMerged(cell(0.0, 0), cell(0.1, 5), 0.1, 5);
   expectMerged(cell(0.1, 5), cell(0.0, 0), 0.1, 5);
   expectMerged(cell(7.0, 0), cell(0.1, 5), 0.1, 5);  // a value without visits has no weight
@@ -40,17 +40,17 @@ TEST(QTableMerge, TakesWhatOnlyOneOfThemKnows) {
   expectMerged(cell(7.0, 0), cell(8.0, 0), 7.0, 0);  // neither was visited: the value stays
 }
 
-TEST(QTableMerge, VisitsStopAtTheirLargestNumberButWeighInFull) {
+TEST(QTableMerge, VisitsSaturateButKeepTheirWeight) {
   expectMerged(cell(1.0, UINT32_MAX), cell(3.0, UINT32_MAX), 2.0, UINT32_MAX);
   expectMerged(cell(0.0, UINT32_MAX), cell(4.0, 1431655765), 1.0, UINT32_MAX);  // a third of it: 1/4 of the sum
 }
 
-TEST(QTableMerge, NeverLeavesTheRangeOfBothValues) {
+TEST(QTableMerge, StaysInTheRangeOfBothValues) {
   expectMerged(cell(-1.5e308, 1), cell(1.5e308, 1), 0.0, 2);
   expectMerged(cell(-1.5e308, 0), cell(1.5e308, 1), 1.5e308, 1);
 }
 
-TEST(QTableMerge, LeavesEqualValuesAsTheyAre) {
+TEST(QTableMerge, KeepsEqualValues) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -61,7 +61,7 @@ TEST(QTableMerge, LeavesEqualValuesAsTheyAre) {
   }
 }
 
-TEST(QTableMerge, GoesCellByCell) {
+TEST(QTableMerge, MergesEachEntrySeparately) {
   QTable a(2, 2);
   a.set(0, 0, 1.0, 1);
   a.set(0, 1, 2.0, 1);
@@ -76,7 +76,7 @@ TEST(QTableMerge, GoesCellByCell) {
   EXPECT_EQ(a, expected);
 }
 
-TEST(QTableMerge, TwoHalvesGiveTheMeanOfAllVisitsEitherWay) {
+TEST(QTableMerge, GivesTheMeanOfAllVisitsInBothDirections) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -123,7 +123,7 @@ QTable wentOn(QTable table, SourceId source, double value, std::uint32_t visits)
   return table;
 }
 
-TEST(QTableMerge, CountsTheSharedPastOnce) {
+TEST(QTableMerge, CountsCommonVisitsOnce) {
   const QTable past = sourced(1, 2.0, 100);
   // Two tables learned on from it: 3 and 1 visits that the other does not have.
   const QTable a = wentOn(past, 2, 4.0, 3);
@@ -134,7 +134,7 @@ TEST(QTableMerge, CountsTheSharedPastOnce) {
   expectMerged(a, past, 4.0, 103);
 }
 
-TEST(QTableMerge, OfTheSameTableAgainChangesNothing) {
+TEST(QTableMerge, RepeatedMergeChangesNothing) {
   QTable table = wentOn(sourced(1, 0.3, 100), 2, 0.1, 7);
   const QTable other = wentOn(sourced(3, 0.7, 11), 4, -0.2, 5);
   EXPECT_EQ(table.newVisitsOf(other), 16U);
@@ -148,7 +148,7 @@ TEST(QTableMerge, OfTheSameTableAgainChangesNothing) {
   EXPECT_EQ(table.foreign().size(), 3U);
 }
 
-TEST(QTableMerge, TakesTheLaterStateOfASourceThatGoesOn) {
+TEST(QTableMerge, MergesALaterStateOfASource) {
   QTable learner = sourced(1, 1.0, 10);
   QTable receiver = cell(3.0, 10);
   EXPECT_EQ(receiver.merge(learner), 10U);  // (10 * 3 + 10 * 1) / 2 = 2
@@ -160,7 +160,7 @@ TEST(QTableMerge, TakesTheLaterStateOfASourceThatGoesOn) {
   EXPECT_EQ(learner.visits(0, 0), 25U);
 }
 
-TEST(QTableMerge, KnowsAFileOfTheSameContent) {
+TEST(QTableMerge, RecognisesAFileOfTheSameContent) {
   const QTable file = cell(2.0, 100);
   QTable a = file;
   a.beginSource();
@@ -177,7 +177,7 @@ TEST(QTableMerge, KnowsAFileOfTheSameContent) {
   EXPECT_EQ(other.visits(0, 0), 200U);
 }
 
-TEST(QTableMerge, CountsDoNotDependOnTheOrder) {
+TEST(QTableMerge, VisitsDoNotDependOnTheOrder) {
   const QTable past = sourced(1, 0.0, 5);
   const std::array<QTable, 3> tables = {wentOn(past, 2, 1.0, 1), wentOn(past, 3, 2.0, 20), wentOn(past, 4, 3.0, 300)};
   for (const auto& order : {std::array<int, 3>{0, 1, 2}, {2, 1, 0}, {1, 2, 0}, {1, 0, 2}}) {
@@ -188,7 +188,7 @@ TEST(QTableMerge, CountsDoNotDependOnTheOrder) {
   }
 }
 
-TEST(QTableMerge, SharesWhatOthersContributed) {
+TEST(QTableMerge, SharesTheMemoryOfContributions) {
   QTable a = sourced(1, 1.0, 10);
   const QTable b = sourced(2, 2.0, 10);
   QTable c = wentOn(b, 3, 2.0, 1);
@@ -201,7 +201,7 @@ TEST(QTableMerge, SharesWhatOthersContributed) {
   EXPECT_EQ(a.foreign()[0].visits, before[0].visits);
 }
 
-TEST(QTableMerge, CountsAtTheirLargestNumberStayValid) {
+TEST(QTableMerge, SaturatedVisitsStayValid) {
   QTable a = sourced(1, 1.0, UINT32_MAX - 5);
   const QTable b = wentOn(sourced(2, 2.0, UINT32_MAX), 3, 2.0, 0);
   a.merge(b);
@@ -219,7 +219,7 @@ TEST(QTableMerge, CountsAtTheirLargestNumberStayValid) {
   EXPECT_EQ(receiver.merge(a), 0U);
 }
 
-TEST(QTableMerge, OfNumbersThatContradictEachOtherTakesTheLargerOfEach) {
+TEST(QTableMerge, TakesTheLargerOfContradictoryVisits) {
   // Two tables with visits of source 1, of which neither includes the other.
   const auto claiming = [](Row row, std::uint32_t visits) {
     QTable table(3, 1);
@@ -237,7 +237,7 @@ TEST(QTableMerge, OfNumbersThatContradictEachOtherTakesTheLargerOfEach) {
   EXPECT_FALSE(table.hasOwnVisits());
 }
 
-TEST(QTableSource, HasANameOnlyWhereThereAreVisits) {
+TEST(QTableSource, HasANameOnlyIfThereAreVisits) {
   QTable table(2, 2);
   EXPECT_EQ(table.source(), NO_SOURCE);
   table.nameSource(7);
@@ -261,7 +261,7 @@ TEST(QTableSource, HasANameOnlyWhereThereAreVisits) {
   EXPECT_EQ(both[0].visits->at(0)[1], 1U);
 }
 
-TEST(QTableSource, ChecksumTellsContentApart) {
+TEST(QTableSource, ChecksumDependsOnTheContent) {
   const QTable table = cell(0.5, 3);
   EXPECT_EQ(table.contentId(), cell(0.5, 3).contentId());
   EXPECT_NE(table.contentId(), cell(0.5, 4).contentId());
@@ -269,7 +269,7 @@ TEST(QTableSource, ChecksumTellsContentApart) {
   EXPECT_NE(QTable(2, 1).contentId(), QTable(1, 2).contentId());
 }
 
-TEST(QTableMerge, RefusesAnotherShapeAndLeavesAllAsItIs) {
+TEST(QTableMerge, RefusesAnotherShapeAndChangesNothing) {
   QTable table(2, 3);
   table.set(1, 2, 5.0, 1);
   const QTable before = table;

@@ -30,12 +30,12 @@ TEST(QTable, IsZeroAndUnvisitedAtFirst) {
   EXPECT_EQ(table.visitedRows(), 0U);
 }
 
-TEST(QTable, NeedsARowAndAnAction) {
+TEST(QTable, RequiresARowAndAnAction) {
   EXPECT_THROW(QTable(0, 2), ShapeError);
   EXPECT_THROW(QTable(2, 0), ShapeError);
 }
 
-TEST(QTable, KeepsEveryCellApart) {
+TEST(QTable, StoresEachEntrySeparately) {
   QTable table(3, 2);
   for (Row row = 0; row < 3; ++row) {
     for (Action action = 0; action < 2; ++action) table.set(row, action, row * 10.0 + action, row * 2 + action);
@@ -59,7 +59,7 @@ TEST(QTable, AddsToOneValueAndCountsOneVisit) {
   EXPECT_EQ(table.visits(1, 1), 0U);
 }
 
-TEST(QTable, VisitsStopAtTheirLargestNumber) {
+TEST(QTable, VisitsSaturate) {
   QTable table(1, 1);
   table.set(0, 0, 0.0, UINT32_MAX - 1);
   table.countVisit(0, 0);
@@ -68,7 +68,7 @@ TEST(QTable, VisitsStopAtTheirLargestNumber) {
   EXPECT_EQ(table.visits(0, 0), UINT32_MAX);
 }
 
-TEST(QTable, ARowIsVisitedIfAnyOfItsActionsIs) {
+TEST(QTable, RowIsVisitedIfAnyOfItsActionsIs) {
   QTable table(4, 3);
   table.countVisit(1, 2);
   table.countVisit(3, 0);
@@ -90,7 +90,7 @@ Action greedyOf(const std::vector<double>& values) {
   return table.greedyAction(sameRow(row));
 }
 
-TEST(QTable, TheGreedyActionHasTheHighestValueAndOfEqualOnesIsTheFirst) {
+TEST(QTable, GreedyActionIsTheFirstWithTheHighestValue) {
   EXPECT_EQ(greedyOf({0.0, 0.0, 0.0}), 0U);
   EXPECT_EQ(greedyOf({1.0, 3.0, 2.0}), 1U);
   EXPECT_EQ(greedyOf({1.0, 2.0, 3.0}), 2U);
@@ -110,7 +110,7 @@ Action greedyOf(const std::vector<double>& values, double tie) {
   return table.greedyAction(sameRow(row), tie);
 }
 
-TEST(QTable, ANumberTellsWhichOfEqualOnesIsTheGreedyAction) {
+TEST(QTable, ANumberSelectsAmongEqualGreedyActions) {
   const double last = std::nextafter(1.0, 0.0);
   const std::vector<double> three = {2.0, 1.0, 2.0, -5.0, 2.0};  // actions 0, 2 and 4, for a third each
   EXPECT_EQ(greedyOf(three, 0.0), 0U);
@@ -127,7 +127,7 @@ TEST(QTable, ANumberTellsWhichOfEqualOnesIsTheGreedyAction) {
   }
 }
 
-TEST(QTable, LooksUpEveryActionInARowOfItsOwn) {
+TEST(QTable, LooksUpEachActionInItsOwnRow) {
   // Actions 0, 1, 2 are in the situations 3, 0 and 3.
   const std::array<Row, 3> rows = {3, 0, 3};
   QTable table(4, 3);
@@ -143,7 +143,7 @@ TEST(QTable, LooksUpEveryActionInARowOfItsOwn) {
   EXPECT_EQ(table.greedyValue({rows.data(), 1}), 1.5);
 }
 
-TEST(QTable, FindsTheHighestOfRowsWhereverItStands) {
+TEST(QTable, FindsTheHighestValueAtAnyPosition) {
   const std::array<Row, 6> rows = {5, 1, 4, 0, 2, 3};
   for (Action actions = 1; actions <= 6; ++actions) {
     for (Action best = 0; best < actions; ++best) {
@@ -157,7 +157,7 @@ TEST(QTable, FindsTheHighestOfRowsWhereverItStands) {
   }
 }
 
-TEST(QTable, EqualMeansEveryBit) {
+TEST(QTable, EqualityComparesEveryBit) {
   QTable a(2, 2);
   QTable b(2, 2);
   EXPECT_EQ(a, b);

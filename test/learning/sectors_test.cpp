@@ -5,21 +5,20 @@
 #include <array>
 #include <vector>
 
+#include "support/sector_cases.h"
+
 namespace crowd {
 namespace {
 
+using sector_cases::SectorCase;
+
 constexpr double HAIR = 1e-9;  // [rad]
 
-struct Case {
-  double degrees;
-  int sector;
-};
-
-TEST(EvenSectors, EightOfThemAreCentredOnTheEightRotations) {
+TEST(EvenSectors, EightSectorsAreCentredOnTheEightRotations) {
   const EvenSectors sectors(8);
   EXPECT_EQ(sectors.count(), 8);
   EXPECT_DOUBLE_EQ(sectors.width(), toRadians(45.0));
-  for (const Case& edge : std::vector<Case>{
+  for (const SectorCase& edge : std::vector<SectorCase>{
            {0.0, 0},    {22.4, 0},   {22.6, 1},   {45.0, 1},    {67.4, 1},    {67.6, 2},   {90.0, 2},   {112.4, 2},
            {112.6, 3},  {135.0, 3},  {157.4, 3},  {157.6, 4},   {180.0, 4},   {-180.0, 4}, {-157.6, 4}, {-157.4, 5},
            {-135.0, 5}, {-112.6, 5}, {-112.4, 6}, {-90.0, 6},   {-67.6, 6},   {-67.4, 7},  {-45.0, 7},  {-22.6, 7},
@@ -29,7 +28,7 @@ TEST(EvenSectors, EightOfThemAreCentredOnTheEightRotations) {
   }
 }
 
-TEST(EvenSectors, HoldTheirRightLimitAndNotTheirLeftOne) {
+TEST(EvenSectors, ContainTheirRightLimitButNotTheirLeftOne) {
   const EvenSectors sectors(8);
   for (int index = -3; index <= 4; ++index) {  // one turn, as bearings come: -157.5 to 157.5 degrees
     const int sector = index < 0 ? index + 8 : index;
@@ -38,7 +37,7 @@ TEST(EvenSectors, HoldTheirRightLimitAndNotTheirLeftOne) {
   }
 }
 
-TEST(EvenSectors, KnowTheirLimits) {
+TEST(EvenSectors, ReturnTheirLimits) {
   const EvenSectors sectors(8);
   EXPECT_NEAR(sectors.rightLimit(0), toRadians(-22.5), HAIR);
   EXPECT_NEAR(sectors.rightLimit(1), toRadians(22.5), HAIR);
@@ -46,7 +45,7 @@ TEST(EvenSectors, KnowTheirLimits) {
   EXPECT_NEAR(sectors.rightLimit(-1), toRadians(-67.5), HAIR);
 }
 
-TEST(EvenSectors, MayBeAnyNumber) {
+TEST(EvenSectors, AcceptAnyNumberOfSectors) {
   EXPECT_EQ(EvenSectors(1).indexOf(PI), 0);
   EXPECT_EQ(EvenSectors(1).indexOf(-3.0), 0);
   EXPECT_EQ(EvenSectors(2).indexOf(toRadians(89.9)), 0);
@@ -62,7 +61,7 @@ TEST(EvenSectors, MayBeAnyNumber) {
   EXPECT_EQ(EvenSectors(12).indexOf(toRadians(-15.1)), 11);
 }
 
-TEST(EvenSectors, CountOnOverSeveralTurns) {
+TEST(EvenSectors, NumberSectorsOverSeveralTurns) {
   const EvenSectors sectors(8);
   EXPECT_EQ(sectors.unwrappedIndexOf(toRadians(-22.6)), -1);
   EXPECT_EQ(sectors.unwrappedIndexOf(toRadians(-360.0)), -8);
@@ -76,33 +75,18 @@ TEST(EvenSectors, CountOnOverSeveralTurns) {
   EXPECT_EQ(sectors.wrap(-17), 7);
 }
 
-/// Those of the thesis, figure 3.6: 15, 45, 90 and 180 degrees to either side.
+/// The sectors of the thesis, figure 3.6: 15, 45, 90 and 180 degrees to either side.
 MirroredSectors thesisSectors() { return MirroredSectors({toRadians(15.0), toRadians(45.0), toRadians(90.0), PI}); }
 
 TEST(MirroredSectors, AreFinerInFront) {
   const MirroredSectors sectors = thesisSectors();
   EXPECT_EQ(sectors.count(), 8);
-  for (const Case& edge : std::vector<Case>{{0.0, 0},
-                                            {14.9, 0},
-                                            {15.1, 1},
-                                            {44.9, 1},
-                                            {45.1, 2},
-                                            {89.9, 2},
-                                            {90.1, 3},
-                                            {179.9, 3},
-                                            {-0.1, 4},
-                                            {-14.9, 4},
-                                            {-15.1, 5},
-                                            {-44.9, 5},
-                                            {-45.1, 6},
-                                            {-89.9, 6},
-                                            {-90.1, 7},
-                                            {-179.9, 7}}) {
+  for (const SectorCase& edge : sector_cases::UNEVEN) {
     EXPECT_EQ(sectors.indexOf(toRadians(edge.degrees)), edge.sector) << edge.degrees << " degrees";
   }
 }
 
-TEST(MirroredSectors, GiveALimitToTheSectorBehindItAndStraightAheadToTheLeft) {
+TEST(MirroredSectors, AssignLimitsToTheRearSectorAndStraightAheadToTheLeft) {
   const MirroredSectors sectors = thesisSectors();
   EXPECT_EQ(sectors.indexOf(0.0), 0);
   EXPECT_EQ(sectors.indexOf(-0.0), 0);
@@ -115,7 +99,7 @@ TEST(MirroredSectors, GiveALimitToTheSectorBehindItAndStraightAheadToTheLeft) {
   EXPECT_EQ(sectors.indexOf(toRadians(-90.0)), 7);
 }
 
-TEST(MirroredSectors, KnowTheirLimits) {
+TEST(MirroredSectors, ReturnTheirLimits) {
   const MirroredSectors sectors = thesisSectors();
   const std::array<double, 8> right = {0.0, 15.0, 45.0, 90.0, -15.0, -45.0, -90.0, -180.0};
   const std::array<double, 8> left = {15.0, 45.0, 90.0, 180.0, 0.0, -15.0, -45.0, -90.0};
@@ -125,7 +109,7 @@ TEST(MirroredSectors, KnowTheirLimits) {
   }
 }
 
-TEST(MirroredSectors, MayBeLeftAndRightAlone) {
+TEST(MirroredSectors, CanBeOnlyLeftAndRight) {
   const MirroredSectors sectors({PI});
   EXPECT_EQ(sectors.count(), 2);
   EXPECT_EQ(sectors.indexOf(3.0), 0);

@@ -28,7 +28,7 @@ class LearnerAndTable {
 
 // --- (3.1) without traces ---
 
-TEST(QLearning, MovesAValueTowardsRewardAndBestValueOfTheNextState) {
+TEST(QLearning, MovesAValueTowardsRewardAndBestNextValue) {
   LearnerAndTable both(0.0);
   both.table.set(1, 0, 4.0, 1);
   both.table.set(1, 1, 8.0, 1);
@@ -45,7 +45,7 @@ TEST(QLearning, MovesAValueTowardsRewardAndBestValueOfTheNextState) {
   EXPECT_EQ(both.table.value(1, 1), 8.0);
 }
 
-TEST(QLearning, LearnsAtTheThesisRate) {
+TEST(QLearning, UsesTheLearningRateOfTheThesis) {
   QTable table(2, 1);
   table.set(1, 0, 50.0, 1);
   TdLearner learner;
@@ -57,7 +57,7 @@ TEST(QLearning, LearnsAtTheThesisRate) {
   EXPECT_DOUBLE_EQ(table.value(0, 0), 0.5125);  // 0.1 * (0.125 + 0.1 * 50)
 }
 
-TEST(QLearning, StepsShrinkWithTheVisitsDownToAlpha) {
+TEST(QLearning, LearningRateFallsWithVisitsToAlpha) {
   LearnerAndTable both(0.0);
   both.parameters.alpha = 0.25;
   both.parameters.alpha_decay = 1.0;  // steps 1, 1/2, 1/3, 1/4, 1/4: the mean of the rewards until then
@@ -70,7 +70,7 @@ TEST(QLearning, StepsShrinkWithTheVisitsDownToAlpha) {
   }
 }
 
-TEST(QLearning, ExpectsNothingBeyondTheEnd) {
+TEST(QLearning, TerminalUpdateHasNoNextValue) {
   LearnerAndTable both(0.0);
   for (Row row = 0; row < 4; ++row) {
     for (Action action = 0; action < 2; ++action) both.table.set(row, action, 64.0, 1);
@@ -81,7 +81,7 @@ TEST(QLearning, ExpectsNothingBeyondTheEnd) {
   EXPECT_FALSE(both.learner.hasDecision());
 }
 
-TEST(QLearning, ExpectsTheBestEvenIfThatIsBelowZero) {
+TEST(QLearning, UsesTheBestNextValueEvenIfNegative) {
   LearnerAndTable both(0.0);
   both.table.set(1, 0, -8.0, 1);
   both.table.set(1, 1, -4.0, 1);
@@ -90,7 +90,7 @@ TEST(QLearning, ExpectsTheBestEvenIfThatIsBelowZero) {
   EXPECT_EQ(both.table.value(0, 0), -1.0);  // 0.5 * (0 + 0.5 * -4)
 }
 
-TEST(QLearning, WithoutTracesOnlyTheLastDecisionChanges) {
+TEST(QLearning, WithoutTracesUpdatesOnlyTheLastDecision) {
   LearnerAndTable both(0.0);
   both.decide(0, 0);
   both.learn(8.0, 1);
@@ -101,7 +101,7 @@ TEST(QLearning, WithoutTracesOnlyTheLastDecisionChanges) {
   for (Row row = 0; row < 3; ++row) EXPECT_EQ(both.table.value(row, 0), 4.0) << row;
 }
 
-TEST(QLearning, CountsOneVisitADecision) {
+TEST(QLearning, CountsOneVisitPerDecision) {
   for (const double lambda : {0.0, 0.5}) {
     LearnerAndTable both(lambda);
     both.decide(0, 0);
@@ -118,7 +118,7 @@ TEST(QLearning, CountsOneVisitADecision) {
   }
 }
 
-TEST(QLearning, KnowsWhetherThereIsADecisionToLearnFrom) {
+TEST(QLearning, ReportsWhetherADecisionIsRecorded) {
   LearnerAndTable both(0.0);
   EXPECT_FALSE(both.learner.hasDecision());
   both.decide(0, 0);
@@ -129,7 +129,7 @@ TEST(QLearning, KnowsWhetherThereIsADecisionToLearnFrom) {
 
 // --- Watkins's traces; alpha 0.5, gamma * lambda = 0.25 ---
 
-TEST(WatkinsTraces, CarryEveryStepBackToEarlierDecisions) {
+TEST(WatkinsTraces, ApplyEachUpdateToEarlierDecisions) {
   LearnerAndTable both(0.5);
   both.decide(0, 0);
   both.learn(8.0, 1);  // error 8
@@ -145,7 +145,7 @@ TEST(WatkinsTraces, CarryEveryStepBackToEarlierDecisions) {
   EXPECT_EQ(both.table.value(0, 0), 5.0703125);  // 4.5 + 9.125 * 0.0625
 }
 
-TEST(WatkinsTraces, AreCutByAnExploringAction) {
+TEST(WatkinsTraces, AreCutByAnExploratoryAction) {
   LearnerAndTable both(0.5);
   both.decide(0, 0);
   both.learn(8.0, 1);
@@ -164,7 +164,7 @@ TEST(WatkinsTraces, AreCutByAnExploringAction) {
   EXPECT_EQ(both.table.value(0, 0), 4.75);
 }
 
-TEST(WatkinsTraces, AreNotCutByAnActionThatIsAsGoodAsTheGreedyOne) {
+TEST(WatkinsTraces, AreNotCutByAnActionOfEqualValue) {
   LearnerAndTable both(0.5);
   both.decide(0, 0);
   both.learn(8.0, 1);
@@ -173,7 +173,7 @@ TEST(WatkinsTraces, AreNotCutByAnActionThatIsAsGoodAsTheGreedyOne) {
   EXPECT_EQ(both.table.value(0, 0), 4.5);
 }
 
-TEST(WatkinsTraces, AddUpForADecisionThatIsRepeated) {
+TEST(WatkinsTraces, AccumulateForARepeatedDecision) {
   LearnerAndTable both(0.5);
   both.decide(0, 0);
   both.learn(8.0, 0);  // error 8 + 0.5 * 0
@@ -205,7 +205,7 @@ TEST(WatkinsTraces, CanBeReset) {
   EXPECT_EQ(both.table.value(1, 0), 4.0);
 }
 
-TEST(WatkinsTraces, AreGoneWhenLambdaBecomesZero) {
+TEST(WatkinsTraces, AreClearedWhenLambdaBecomesZero) {
   LearnerAndTable both(0.5);
   both.decide(0, 0);
   both.learn(8.0, 1);
@@ -218,7 +218,7 @@ TEST(WatkinsTraces, AreGoneWhenLambdaBecomesZero) {
   EXPECT_EQ(both.table.value(0, 0), 4.0);
 }
 
-TEST(WatkinsTraces, GoBackThroughLongEpisodes) {
+TEST(WatkinsTraces, ReachTheFirstDecisionOfALongEpisode) {
   // Lambda 1, gamma 0.5: a decision n steps back gets 0.5^n of the last step.
   QTable table(12, 1);
   TdLearner learner;
@@ -234,7 +234,7 @@ TEST(WatkinsTraces, GoBackThroughLongEpisodes) {
 
 // --- one row per action ---
 
-TEST(QLearning, LearnsInTheRowOfTheActionTaken) {
+TEST(QLearning, UpdatesTheRowOfTheChosenAction) {
   const std::array<Row, 2> here = {3, 1};
   const std::array<Row, 2> there = {2, 0};
   QTable table(4, 2);

@@ -59,7 +59,7 @@ TEST(ThesisReward, GoalPartIsTheDistanceGained) {
   EXPECT_DOUBLE_EQ(distanceReward({0.25, 0.0}, {0.0, 0.0}), 0.25);
 }
 
-TEST(ThesisReward, NothingIsGainedOrLostByAnotherGoal) {
+TEST(ThesisReward, DistanceGainedIsZeroForANewGoal) {
   const ThesisReward reward = nearestReward(ThesisReward::GoalPart::DISTANCE_GAINED);
   const AgentPerception before = withGoalAt({0.2, 0.0});
   AgentPerception after = withGoalAt({9.0, 0.0});
@@ -83,7 +83,7 @@ TEST(ThesisReward, GoalPartIsDefinedAtTheGoalItself) {
   EXPECT_EQ(worth(reward, withGoalAt({0.1, 0.0}), withGoalAt({0.0, 0.0}), 0), 1.0);
 }
 
-TEST(ThesisReward, TheNearestObstacleCosts80Then08) {
+TEST(ThesisReward, NearestObstacleCosts80Or08) {
   const ThesisReward reward = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
   const NearestObstacleStates states;
   for (int goal = 0; goal < 8; ++goal) {
@@ -96,7 +96,7 @@ TEST(ThesisReward, TheNearestObstacleCosts80Then08) {
   EXPECT_EQ(reward.obstaclePart(states.terminal()), 0.0);
 }
 
-TEST(ThesisReward, OccupiedSectorsCostTenThenATenthAndEmptyOnesNothing) {
+TEST(ThesisReward, OccupiedSectorsCost10Or01) {
   const ThesisReward reward = occupancyReward();
   const OccupancyStates states;
   const auto part_of = [&](const OccupancyStates::Situation& situation) {
@@ -132,7 +132,7 @@ TEST(ThesisReward, IsTheSumOfBothParts) {
               1e-12);  // 1 - 10 - 0.1
 }
 
-TEST(ThesisReward, ArrivalIsWorthAHundredWhateverIsAround) {
+TEST(ThesisReward, ArrivalGives100WithAnyObstacles) {
   for (const ThesisReward::GoalPart goal :
        {ThesisReward::GoalPart::DISTANCE_GAINED, ThesisReward::GoalPart::COSINE_CUBED}) {
     AgentPerception after = withGoalAt({-0.1, 0.2});
@@ -142,7 +142,7 @@ TEST(ThesisReward, ArrivalIsWorthAHundredWhateverIsAround) {
   }
 }
 
-TEST(ThesisReward, StayingHasItsPrice) {
+TEST(ThesisReward, IncludesTheCostOfStaying) {
   const NearestObstacleStates states;
   for (const ThesisReward::GoalPart goal :
        {ThesisReward::GoalPart::DISTANCE_GAINED, ThesisReward::GoalPart::COSINE_CUBED}) {
@@ -174,7 +174,7 @@ std::string errorIn(const std::string& yaml) {
   return errorOf<InputError>([&] { make(yaml); });
 }
 
-TEST(MakeReward, TakesWhatTheYamlSays) {
+TEST(MakeReward, ReadsAllParameters) {
   const auto made = make("{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
   const Reward& reward = *made;
   EXPECT_EQ(reward.spec(), "{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
@@ -186,12 +186,12 @@ TEST(MakeReward, TakesWhatTheYamlSays) {
   EXPECT_EQ(worth(reward, withGoalAt({0.1, 0.0}), after, 0), 50.0);
 }
 
-TEST(MakeReward, KnowsTheThesisArrival) {
+TEST(MakeReward, UsesTheArrivalRewardOfTheThesisByDefault) {
   EXPECT_EQ(make("{goal: cosine_cubed, obstacle_cost: 80}")->spec(),
             "{goal: cosine_cubed, arrival: 100, obstacle_cost: 80}");
 }
 
-TEST(MakeReward, TellsThePriceOfStayingWhereThereIsOne) {
+TEST(MakeReward, WritesTheCostOfStayingUnlessItIsZero) {
   const std::string rest = "goal: cosine_cubed, arrival: 100, obstacle_cost: 80";
   EXPECT_EQ(make("{" + rest + ", stay_cost: 0.5}")->spec(), "{" + rest + ", stay_cost: 0.5}");
   EXPECT_EQ(make("{" + rest + ", stay_cost: 0}")->spec(), "{" + rest + "}");
@@ -202,7 +202,7 @@ TEST(MakeReward, TellsThePriceOfStayingWhereThereIsOne) {
   EXPECT_TRUE(contains(errorIn("{" + rest + ", stay_cost: much}"), "reward.stay_cost: expected"));
 }
 
-TEST(MakeReward, SaysWhatIsWrong) {
+TEST(MakeReward, ErrorsNameWrongKeysAndValues) {
   EXPECT_TRUE(contains(errorIn("{goal: cosine, obstacle_cost: 80}"),
                        "reward.goal: expected distance_gained or cosine_cubed, got 'cosine'"));
   EXPECT_TRUE(contains(errorIn("{obstacle_cost: 80}"), "'goal' is missing"));

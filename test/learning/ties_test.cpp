@@ -78,7 +78,7 @@ Counts countOf(const std::vector<Action>& actions) {
   return counts;
 }
 
-TEST(Ties, GoToTheFirstUnlessToldOtherwise) {
+TEST(Ties, AreBrokenByTheFirstActionByDefault) {
   EXPECT_EQ(LearningParameters().ties, Ties::FIRST);
   for (const Mode mode : {Mode::TRAINING, Mode::DEMO}) {
     const std::vector<Action> expected(AGENTS * TICKS, 1);
@@ -87,7 +87,7 @@ TEST(Ties, GoToTheFirstUnlessToldOtherwise) {
   }
 }
 
-TEST(Ties, GoToEachOfTheEqualOnesAsOftenWhereChanceDecides) {
+TEST(Ties, RandomTiesSelectEqualActionsEquallyOften) {
   // Of 9000 decisions 3000 for each of the three. Five standard deviations of such a count are 224.
   for (const Mode mode : {Mode::TRAINING, Mode::DEMO}) {
     const Counts counts = countOf(chosen(breaking(Ties::RANDOM, mode)));
@@ -98,7 +98,7 @@ TEST(Ties, GoToEachOfTheEqualOnesAsOftenWhereChanceDecides) {
   }
 }
 
-TEST(Ties, AreBrokenTheSameWayInTrainingInDemoAndByWhoKeepsNothing) {
+TEST(Ties, AreEqualInTrainingModeDemoModeAndDecideGreedily) {
   for (const std::uint64_t episode : {0U, 9U}) {
     const std::vector<Action> actions = chosen(breaking(Ties::RANDOM, Mode::DEMO), episode);
     EXPECT_EQ(chosen(breaking(Ties::RANDOM, Mode::TRAINING), episode), actions);
@@ -106,7 +106,7 @@ TEST(Ties, AreBrokenTheSameWayInTrainingInDemoAndByWhoKeepsNothing) {
   }
 }
 
-TEST(Ties, ChoicesAreThoseBehindTheAnswers) {
+TEST(Ties, ReportedChoicesAgreeWithTheAnswers) {
   const Learner::Options options = breaking(Ties::RANDOM, Mode::DEMO);
   const std::vector<Action> actions = chosen(options, 9);
   const Learner learner(model(), options, threeAlike());
@@ -122,7 +122,7 @@ TEST(Ties, ChoicesAreThoseBehindTheAnswers) {
   }
 }
 
-TEST(Ties, AreBrokenBySeedEpisodeTickAndAgentAlone) {
+TEST(Ties, RandomTiesDependOnlyOnSeedEpisodeTickAndAgent) {
   const Learner::Options options = breaking(Ties::RANDOM, Mode::DEMO);
   const std::vector<Action> actions = chosen(options);
   EXPECT_EQ(chosen(options), actions);
@@ -140,7 +140,7 @@ TEST(Ties, AreBrokenBySeedEpisodeTickAndAgentAlone) {
   EXPECT_EQ(toActions(alone), std::vector<Action>{next_tick[17]});
 }
 
-TEST(Ties, DoNotMatterWhereOneActionIsTheBest) {
+TEST(Ties, DoNotChangeDecisionsWithASingleBestAction) {
   Learner::Options exploring = breaking(Ties::FIRST, Mode::TRAINING);
   exploring.plan.epsilon = EpsilonSchedule::constant(0.5);
   Learner first(model(), exploring, learners::randomTable(1));
@@ -153,7 +153,7 @@ TEST(Ties, DoNotMatterWhereOneActionIsTheBest) {
   EXPECT_TRUE(first.tableOf(0) == random.tableOf(0));
 }
 
-TEST(Ties, ExplorationIsNotOfTheSameDraw) {
+TEST(Ties, ExplorationUsesASeparateRandomNumber) {
   // Half of the decisions explore, evenly; the others go to the three: 9000 * (1/16 + 1/6) = 2062.5 for each of those,
   // 562.5 for each of the others. Five standard deviations are 200 and 116.
   Learner::Options exploring = breaking(Ties::RANDOM, Mode::TRAINING);
@@ -165,7 +165,7 @@ TEST(Ties, ExplorationIsNotOfTheSameDraw) {
   }
 }
 
-TEST(Ties, DoNotCutTraces) {
+TEST(Ties, RandomTiesDoNotCutTraces) {
   // Whichever of the equal actions was taken in the second tick, it is greedy: what it earns reaches the first.
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Learner::Options tracing = breaking(Ties::RANDOM, Mode::TRAINING, seed);

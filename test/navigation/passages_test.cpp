@@ -33,7 +33,7 @@ TEST(Passages, ADoorIsAPassageWithTwoMouths) {
   EXPECT_EQ(passages.at({100.0, 0.0}), Passages::NONE);
 }
 
-TEST(Passages, ADoorInAWallThatStandsAloneHasTwoMouths) {
+TEST(Passages, ADoorInAFreeStandingWallHasTwoMouths) {
   FloorPlan floor;
   floor.walls = {{{0.0, -6.0}, {0.0, -0.4}}, {{0.0, 0.4}, {0.0, 6.0}}};
   const Passages passages(floor, RADIUS, MAX_WIDTH);
@@ -42,9 +42,9 @@ TEST(Passages, ADoorInAWallThatStandsAloneHasTwoMouths) {
   EXPECT_NEAR(passages[0].width, 0.8, 2.0 * Passages::SPACING);
 }
 
-TEST(Passages, WideDoorsAndCornersAreNoPassages) { EXPECT_EQ(Passages(doorPlan(1.5), RADIUS, MAX_WIDTH).size(), 0U); }
+TEST(Passages, WideDoorsAndCornersAreNotPassages) { EXPECT_EQ(Passages(doorPlan(1.5), RADIUS, MAX_WIDTH).size(), 0U); }
 
-TEST(Passages, ADoorThatNoAgentFitsThroughIsNoPassage) {
+TEST(Passages, ADoorNarrowerThanAnAgentIsNotAPassage) {
   EXPECT_EQ(Passages(doorPlan(0.3), RADIUS, MAX_WIDTH).size(), 0U);
 }
 
@@ -67,7 +67,7 @@ TEST(Passages, GapsBetweenObstaclesArePassages) {
   EXPECT_NEAR(passages[0].width, 1.0, 2.0 * Passages::SPACING);
 }
 
-TEST(Passages, AnEmptyFloorHasNone) {
+TEST(Passages, AnEmptyFloorHasNoPassage) {
   const Passages passages(FloorPlan{}, RADIUS, MAX_WIDTH);
   EXPECT_EQ(passages.size(), 0U);
   EXPECT_EQ(passages.at({0.0, 0.0}), Passages::NONE);

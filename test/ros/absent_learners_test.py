@@ -13,7 +13,7 @@ from social_crowd.msg import Perceptions, RelativeActions
 class KilledLearnerTest(AbsenceTestCase):
     """A learner that is killed and comes back."""
 
-    def test_step_by_step(self):
+    def test_crowd_continues_when_stepped(self):
         self.start_quiet(paused=True, episodes=1, trajectories=self.path('ros'))
         self.start_pair()
         self.step(5)
@@ -35,11 +35,11 @@ class KilledLearnerTest(AbsenceTestCase):
         self.assertEqual(self.ticks_at_rest(0), 0)
 
     def second_walks(self):
-        """Walks a tick; whether agent 1 walked too."""
+        """Walks a tick. Returns whether agent 1 moved."""
         response = self.step(1)
         return self.agents.wait_at(0, response.tick).agents[1].velocity.x > 0.0
 
-    def test_while_everybody_walks(self):
+    def test_crowd_continues_while_walking(self):
         self.start_quiet(real_time_factor=30.0, episodes=1, trajectories=self.path('ros'))
         self.start_pair()
         self.agents.wait(lambda message: message.tick > 10)
@@ -56,7 +56,7 @@ class KilledLearnerTest(AbsenceTestCase):
         self.assertEqual(result.missed_answers, self.ticks_at_rest(1))
         self.assertEqual(self.ticks_at_rest(0), 0)
 
-    def test_the_only_learner(self):
+    def test_episode_ends_without_any_learner(self):
         """If all agents are absent, the episode continues in real time until its end."""
         self.start_quiet(seconds=2, episodes=1, trajectories=self.path('ros'), paused=True, misses_until_absent=1)
         learner = self.start_learner()
@@ -69,7 +69,7 @@ class KilledLearnerTest(AbsenceTestCase):
         self.assertEqual((result.tick, result.missed_answers), (20, 30))
         self.assertEqual(self.rows()[20], self.rows()[5])
 
-    def test_it_learns_nothing_from_the_gap(self):
+    def test_learner_learns_nothing_from_missed_ticks(self):
         """A learner that hangs for a while perceives that its late answer was not executed."""
         heard = self.listen('perceptions', Perceptions)
         self.start_quiet(paused=True)
@@ -87,7 +87,7 @@ class KilledLearnerTest(AbsenceTestCase):
 class NoLearnerTest(AbsenceTestCase):
     """No learner answers."""
 
-    def test_a_warning_and_no_hang(self):
+    def test_controller_warns_and_does_not_hang(self):
         log = self.listen('/rosout', Log)
         self.start_quiet(start_deadline=0.5)
         name = f'{self.namespace}/crowd_controller'
@@ -100,7 +100,7 @@ class NoLearnerTest(AbsenceTestCase):
         self.start_learner()
         self.agents.wait(lambda message: all(agent.pose.x > 0.0 for agent in message.agents), 'once a learner is there')
 
-    def test_services_answer_meanwhile(self):
+    def test_services_answer_while_waiting(self):
         self.start_quiet(start_deadline=300.0)
         spawned = self.succeed('crowd_controller/spawn_agent', pose=Pose2D(0, 20, 0), goal=Point(100, 20, 0),
                                max_speed=0.5, radius=0.25)
@@ -113,8 +113,8 @@ class NoLearnerTest(AbsenceTestCase):
         self.succeed('crowd_controller/pause', data=True)
         self.assertEqual(self.controller.stop(), 0)
 
-    def test_a_learner_for_only_some(self):
-        """The others are waited for no longer than the start deadline, together and once."""
+    def test_learner_for_some_agents_only(self):
+        """The controller waits once for all other agents together, up to the start deadline."""
         self.start_quiet(seconds=3, start_deadline=0.5, episodes=2, trajectories=self.path('ros'))
         self.start_learner(agents=[1])
         self.assertEqual(self.controller.wait(), 0)
@@ -125,10 +125,10 @@ class NoLearnerTest(AbsenceTestCase):
 
 
 class RestartedControllerTest(AbsenceTestCase):
-    """A controller that comes after another one, while the learner stays."""
+    """A controller that is restarted while its learner keeps running."""
 
-    def test_answers_to_the_one_before_are_not_taken(self):
-        """The learner's last answer is latched and may be for episode 0, tick 0 of the controller before."""
+    def test_answers_to_the_previous_controller_are_refused(self):
+        """The learner's last answer is latched and may be for episode 0, tick 0 of the previous controller."""
         self.start_learner(agents=[0, 1])
         before = Perceiver(self)
         message = add_agent(add_agent(perceptions(0, 0), 0, ahead(180, 5)), 1, ahead(180, 5))
@@ -142,7 +142,7 @@ class RestartedControllerTest(AbsenceTestCase):
 class LateLearnerTest(AbsenceTestCase):
     """A learner that joins during an episode."""
 
-    def test_it_answers_the_tick_that_is_waited_for(self):
+    def test_late_learner_answers_the_awaited_tick(self):
         self.start_quiet(answer_deadline=60.0, paused=True)
         later = self.call_later('crowd_controller/step', ticks=1)
         actions = self.listen('actions', RelativeActions)

@@ -4,7 +4,7 @@ import support
 from social_crowd.msg import AgentStates, EpisodeResult, Perceptions
 from tf2_msgs.msg import TFMessage
 
-NEVER = 0.0001  # [Hz], once in hours
+NEVER = 0.0001  # [Hz], less than once per test
 SCENE = """
 name: scene
 duration: 2
@@ -29,27 +29,27 @@ class AgentsRateTest(support.CrowdTestCase):
             ear.wait_connected()
 
     def published(self):
-        """Episodes and ticks that were published so far, without the start, which may come before the connection."""
+        """Returns the published episodes and ticks without the start, which may be published before the connection."""
         return [(message.episode, message.tick) for message in self.agents.messages
                 if (message.episode, message.tick) != (0, 0)]
 
     def published_frames(self):
-        """The messages of tf from the first tick on."""
+        """Returns the messages of tf from the first tick on."""
         began = self.perceptions.wait_at(0, 0).header.stamp
         return [message for message in list(self.frames.messages) if message.transforms[0].header.stamp > began]
 
     def wait_published(self, *expected):
-        """Waits until exactly these were published, in this order."""
+        """Waits until exactly these episodes and ticks are published, in this order."""
         support.wait_for(lambda: len(self.published()) >= len(expected), f'{expected}, got {self.published()}')
         self.assertEqual(self.published(), list(expected))
 
-    def test_each_tick(self):
+    def test_rate_zero_publishes_each_tick(self):
         self.start_all(agents_rate=0)
         self.step(20)
         self.wait_published(*((0, tick) for tick in range(1, 21)), (1, 0))
         support.wait_for(lambda: len(self.published_frames()) >= 21, 'frames of each tick')
 
-    def test_ticks_between_are_left_out(self):
+    def test_low_rate_publishes_only_pauses_and_ends(self):
         self.start_all(agents_rate=NEVER)
         self.step(7)
         self.wait_published((0, 7))
@@ -61,7 +61,7 @@ class AgentsRateTest(support.CrowdTestCase):
         support.wait_for(lambda: len(self.published_frames()) >= 4, 'frames')
         self.assertEqual(len(self.published_frames()), 4)
 
-    def test_the_last_states_are_those_at_rest(self):
+    def test_pause_publishes_the_states_of_the_last_tick(self):
         self.start_all(agents_rate=NEVER)
         self.step(5)
         state = self.agents.wait_at(0, 5).agents[0].pose

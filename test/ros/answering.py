@@ -1,4 +1,4 @@
-"""Helpers for tests of answers to the crowd controller: a quiet scene, and a learner with prepared answers."""
+"""Helpers for tests of answers to the crowd controller: a simple scene, and a learner with prepared answers."""
 import math
 
 import rospy
@@ -18,7 +18,7 @@ agents:
 
 
 class AbsenceTestCase(support.CrowdTestCase):
-    """A crowd controller that waits only a moment for answers."""
+    """A crowd controller with short deadlines for answers."""
 
     def start_quiet(self, seconds=1000, **parameters):
         """Starts the controller and listens to it."""
@@ -41,7 +41,7 @@ class AbsenceTestCase(support.CrowdTestCase):
             self.succeed('crowd_controller/remove_agent', agent=agent)
 
     def rows(self, instance=0):
-        """The recording of an instance: {tick: {agent: (x, y)}}."""
+        """Returns the recording of an instance: {tick: {agent: (x, y)}}."""
         rows = {}
         for (found, tick, agent), place in support.read_recording(self.path('ros/quiet.csv')).items():
             if found == instance:
@@ -49,18 +49,18 @@ class AbsenceTestCase(support.CrowdTestCase):
         return rows
 
     def ticks_at_rest(self, agent, instance=0):
-        """In how many ticks an agent stayed where it was."""
+        """Returns the number of ticks in which an agent did not move."""
         walk = [places[agent] for _, places in sorted(self.rows(instance).items()) if agent in places]
         return sum(before == after for before, after in zip(walk, walk[1:]))
 
 
 class Answers:
-    """A learner that sends all agents straight ahead, and adds the answers of a test."""
+    """A learner that lets all agents walk straight ahead, and sends additional answers of a test."""
 
     def __init__(self, test):
         self.silent = set()  # agents that get no answer
         self.before = lambda perceived: []  # answers sent before the right one
-        self.after = lambda perceived: []  # and after it
+        self.after = lambda perceived: []  # answers sent after it
         self.answered = set()  # (episode, tick); perceptions may come again
         self.publisher = rospy.Publisher(f'{test.namespace}/actions', RelativeActions, queue_size=1000)
         test.addCleanup(self.publisher.unregister)
@@ -87,7 +87,7 @@ class Answers:
 
 
 def actions_for(episode, tick, actions):
-    """An answer: {agent: (rotation, fraction of the maximum speed)}."""
+    """Returns a message with an answer: {agent: (rotation, fraction of the maximum speed)}."""
     message = RelativeActions(episode=episode, tick=tick)
     message.agents = [RelativeAction(agent, *action) for agent, action in actions.items()]
     return message

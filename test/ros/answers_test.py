@@ -16,7 +16,7 @@ class WrongAnswersTest(AbsenceTestCase):
         self.start_quiet(seconds=3, paused=True, trajectories=self.path('ros'))
         answers = Answers(self)
         self.step(30)
-        # Not in the last tick, of which the answers might come after the episode's end.
+        # Not in the last tick, because its answers might arrive after the end of the episode.
         setattr(answers, 'after' if after else 'before', lambda now: wrong(now) if now.tick < 29 else [])
         self.step(30)
         results = [self.results.wait_at(episode, 30) for episode in (0, 1)]
@@ -25,16 +25,16 @@ class WrongAnswersTest(AbsenceTestCase):
         self.assertEqual(self.rows(1), self.rows(0))
         self.assertAlmostEqual(self.rows(1)[30][0][0], 1.5)
 
-    def test_for_an_old_tick(self):
+    def test_drops_answers_to_an_old_tick(self):
         self.check(lambda now: [actions_for(now.episode, (now.tick - 1) % 2**64, {0: BACK})], 1)
 
-    def test_for_a_tick_to_come(self):
+    def test_drops_answers_to_a_future_tick(self):
         self.check(lambda now: [actions_for(now.episode, now.tick + 1, {0: BACK, 1: BACK})], 2)
 
-    def test_for_another_episode(self):
+    def test_drops_answers_to_another_episode(self):
         self.check(lambda now: [actions_for(episode, now.tick, {0: BACK}) for episode in (0, 2, 2**64 - 1)], 3)
 
-    def test_for_another_controller(self):
+    def test_drops_answers_to_another_controller(self):
         def to_another(now):
             message = actions_for(now.episode, now.tick, {0: BACK})
             message.run = now.run + 1
@@ -42,21 +42,21 @@ class WrongAnswersTest(AbsenceTestCase):
 
         self.check(to_another, 1)
 
-    def test_for_unknown_agents(self):
+    def test_drops_answers_for_unknown_agents(self):
         self.check(lambda now: [actions_for(now.episode, now.tick, {2: BACK, 9999: BACK, 2**32 - 1: BACK})], 3)
 
-    def test_that_are_no_numbers(self):
+    def test_drops_invalid_numbers(self):
         bad = [(NAN, 1.0), (0.0, NAN), (INFINITE, 1.0), (-INFINITE, 1.0), (0.0, INFINITE), (0.0, 1.001), (0.0, -0.001)]
         self.check(lambda now: [actions_for(now.episode, now.tick, {0: action}) for action in bad], len(bad))
 
-    def test_a_second_answer_before_the_tick_ends(self):
+    def test_drops_a_second_answer_during_the_tick(self):
         """The first answer to agent 0 is carried out; the second is dropped, the third repeats the first."""
         self.check(lambda now: [actions_for(now.episode, now.tick, {0: action}) for action in (AHEAD, BACK)], 1)
 
-    def test_a_second_answer_after_all_have_answered(self):
+    def test_drops_a_second_answer_after_all_answers(self):
         self.check(lambda now: [actions_for(now.episode, now.tick, {0: BACK, 1: BACK})], 2, after=True)
 
-    def test_a_second_answer_in_the_same_message(self):
+    def test_drops_a_second_answer_in_the_same_message(self):
         def twice(now):
             message = actions_for(now.episode, now.tick, {0: AHEAD})
             message.agents.append(RelativeAction(0, *BACK))
@@ -69,7 +69,7 @@ class NamedCausesTest(AbsenceTestCase):
     """A refused answer is named with its learner and its cause, once for each cause."""
 
     def refuse(self, change, warning='no answer for'):
-        """Lets a learner publish wrong answers only; the output of the controller up to a warning."""
+        """Lets a learner publish only wrong answers. Returns the output of the controller up to a warning."""
         self.start_quiet(start_deadline=300.0, answer_deadline=0.2, paused=True)
         answers = Answers(self)
         answers.silent = {0, 1}
@@ -86,13 +86,13 @@ class NamedCausesTest(AbsenceTestCase):
         self.assert_says(warnings[0], *words)
 
     def check(self, change, *words):
-        """Checks the warning of the cause, and that the learner is not called silent."""
+        """Checks the warning of the cause, and that the learner is not reported as silent."""
         output = self.refuse(change)
         self.check_cause(output, *words)
         silence = next(line for line in output.splitlines() if 'no answer for' in line)
         self.assert_says(silence, 'agents 0, 1', f"'{rospy.get_name()}' answers, but its answers are refused")
 
-    def test_no_run(self):
+    def test_missing_run(self):
         def without_run(message, now):
             message.run = 0
             return message
@@ -110,7 +110,7 @@ class NamedCausesTest(AbsenceTestCase):
 
         self.check(twice_as_fast, 'speed_fraction 2', 'expected 0 to 1')
 
-    def test_rotation_that_is_no_number(self):
+    def test_rotation_not_finite(self):
         def nowhere(message, now):
             for action in message.agents:
                 action.rotation = NAN
@@ -118,7 +118,7 @@ class NamedCausesTest(AbsenceTestCase):
 
         self.check(nowhere, 'rotation nan', 'finite')
 
-    def test_a_tick_to_come(self):
+    def test_future_tick(self):
         def too_early(message, now):
             message.tick = now.tick + 7
             return message
@@ -126,7 +126,7 @@ class NamedCausesTest(AbsenceTestCase):
         output = self.refuse(too_early, 'has not begun')
         self.check_cause(output, 'agents 0, 1', 'tick 7 of episode 0', 'expected episode and tick')
 
-    def test_agents_that_are_not_there(self):
+    def test_unknown_agents(self):
         def unknown(message, now):
             message.agents = [RelativeAction(12, *AHEAD)]
             return message
@@ -137,7 +137,7 @@ class NamedCausesTest(AbsenceTestCase):
 class TwoLearnersTest(AbsenceTestCase):
     """Two learners that serve the same agents."""
 
-    def test_both_are_named_when_it_begins(self):
+    def test_warning_names_both_learners_once(self):
         self.start_quiet(paused=True)
         self.start_learner('learner_a')
         self.start_learner('learner_b')
@@ -153,7 +153,7 @@ class TwoLearnersTest(AbsenceTestCase):
         self.assert_says(warnings[0], 'agents 0, 1', f"'{self.namespace}/learner_a'", f"'{self.namespace}/learner_b'",
                          '~agents')
 
-    def test_nothing_is_said_of_learners_with_agents_of_their_own(self):
+    def test_no_warning_for_learners_with_different_agents(self):
         self.start_quiet(seconds=3, paused=True)
         self.start_pair()
         self.step(30)
@@ -162,9 +162,9 @@ class TwoLearnersTest(AbsenceTestCase):
 
 
 class SentOnceTest(AbsenceTestCase):
-    """Perceptions are sent once, and once more to a learner that comes later; nothing of that counts as dropped."""
+    """Perceptions are sent once, and again to a learner that joins later; repeated answers do not count as dropped."""
 
-    def test_while_a_learner_is_waited_for(self):
+    def test_perceptions_are_sent_once_while_waiting(self):
         heard = self.listen('perceptions', Perceptions)
         self.start_quiet(seconds=3, answer_deadline=2.0, start_deadline=300.0, paused=True)
         heard.wait_connected()
@@ -178,7 +178,7 @@ class SentOnceTest(AbsenceTestCase):
         heard.wait_at(0, 30)
         self.assertEqual(len([message for message in heard.messages if message.tick > 0 and not message.episode]), 30)
 
-    def test_not_to_subscribers_that_come_when_no_answer_is_awaited(self):
+    def test_perceptions_are_not_repeated_if_no_answer_is_awaited(self):
         self.start_quiet(paused=True)
         self.start_learner()
         self.step(1)
@@ -186,7 +186,7 @@ class SentOnceTest(AbsenceTestCase):
         self.step(1)
         self.assertEqual([message.tick for message in [heard.wait_at(0, 1)] + heard.messages], [1, 1])
 
-    def test_how_long_no_answer_has_come_goes_on_after_the_deadline(self):
+    def test_reported_waiting_time_continues_after_the_deadline(self):
         self.start_quiet(start_deadline=0.1, answer_deadline=0.1)
         self.agents.wait(lambda message: message.tick >= 2)
 

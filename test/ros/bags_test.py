@@ -13,7 +13,7 @@ class BagTest(BroadcastTestCase):
     """An episode in a rosbag."""
 
     def record(self):
-        """Starts rosbag record; it listens to everything when this returns."""
+        """Starts rosbag record and waits until it has subscribed to all topics."""
         topics = [f'{self.namespace}/{name}' for name in TOPICS]
         command = find_node('rosbag', 'record')[:1] + ['--output-name', self.path('crowd.bag'), '__name:=recorder']
         recorder = self.start('recorder', command + topics)
@@ -24,22 +24,22 @@ class BagTest(BroadcastTestCase):
         return recorder
 
     def node(self, name):
-        """XML-RPC interface of a node."""
+        """Returns the XML-RPC interface of a node."""
         return xmlrpc.client.ServerProxy(rosgraph.Master('/social_crowd_test').lookupNode(f'{self.namespace}/{name}'))
 
     def is_heard(self, node, topic):
-        """Whether the recorder is connected to a node's topic."""
+        """Returns whether the recorder is connected to a node's topic."""
         connections = self.node(node).getBusInfo('/social_crowd_test')[2]
         return any('recorder' in str(connection[1]) and connection[2] == 'o' and connection[4] == topic
                    for connection in connections)
 
     def received(self):
-        """How many messages of each topic have reached the recorder."""
-        _, subscribed = self.node('recorder').getBusStats('/social_crowd_test')  # roscpp gives no status before it
+        """Returns the number of messages by topic that the recorder has received."""
+        _, subscribed = self.node('recorder').getBusStats('/social_crowd_test')  # roscpp has no status before
         return {topic.split('/')[-1]: sum(link[2] for link in links) for topic, links in subscribed}
 
     def recorded(self):
-        """The messages of episode 0 in the bag, by topic and tick."""
+        """Returns the messages of episode 0 in the bag, by topic and tick."""
         recorded = {name: {} for name in TOPICS}
         with rosbag.Bag(self.path('crowd.bag')) as bag:
             for topic, message, _ in bag.read_messages():
@@ -47,11 +47,11 @@ class BagTest(BroadcastTestCase):
                     recorded[topic.split('/')[-1]][message.tick] = message
         return recorded
 
-    def test_it_holds_the_episode(self):
+    def test_bag_contains_the_episode(self):
         self.start_all()
         recorder = self.record()
         self.walk_an_episode()
-        self.step(5)  # of the next episode, so that nothing of this one is on its way any more
+        self.step(5)  # of the next episode, so that all messages of this one are received
         heard = {name: len([m for m in ear.messages if not is_start_of(name, m)]) for name, ear in self.ears.items()}
         support.wait_for(lambda: all(self.received().get(name, 0) >= heard[name] for name in TOPICS),
                          'the messages to reach the recorder')
@@ -66,7 +66,7 @@ class BagTest(BroadcastTestCase):
 
 
 def is_start_of(topic, message):
-    """Whether it is the state at the start, which may be published before the recorder connects."""
+    """Returns whether a message is the state at the start, which may be published before the recorder connects."""
     return topic == 'agents' and (message.episode, message.tick) == (0, 0)
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The steering benchmark's scenes through ROS, where the benchmark lies beside the package."""
+"""The scenes of the steering benchmark through ROS, if the benchmark is beside the package."""
 import glob
 import os
 import subprocess
@@ -21,18 +21,18 @@ class BenchmarkTest(support.CrowdTestCase):
         self.assertEqual(len(self.scenarios), SCENARIOS)
 
     def first_instances(self):
-        """One file with the first instance of each scenario."""
+        """Returns a file with the first instance of each scenario."""
         first = [support.read_text(file).split('\n---\n')[0] for file in self.scenarios]
         return self.write('first.yaml', '\n'.join(text if text.startswith('---') else f'---\n{text}' for text in first))
 
     def walk(self, scenario, episodes):
-        """Walks a number of instances through ROS; the recording."""
+        """Walks a number of instances through ROS. Returns the recording."""
         controller = self.start_controller(scenario, episodes=episodes, trajectories=self.path('ros'))
         self.assertEqual(controller.wait(), 0)
         return support.read_bytes(self.path('ros/' + support.recording_of(scenario)))
 
     def check_first_instances(self, table):
-        """Each scenario's first instance is walked as without ROS."""
+        """The first instance of each scenario gives the same recording as without ROS."""
         scenario = self.first_instances()
         self.start_learner(q_table=table)
         got = by_instance(self.walk(scenario, SCENARIOS))
@@ -51,7 +51,7 @@ class BenchmarkTest(support.CrowdTestCase):
         self.check_first_instances(support.ANTICIPATION_TABLE)
 
     def check_score(self, name):
-        """All 50 instances of a scenario are walked as without ROS, and the scorer can read the recording."""
+        """All 50 instances of a scenario give the same recording as without ROS, and the scorer can read it."""
         scenario = os.path.join(BENCHMARK, 'scenarios', f'{name}.yaml')
         self.start_learner()
         self.assert_same_recording(self.walk(scenario, 50), self.headless(scenario))
@@ -64,7 +64,7 @@ class BenchmarkTest(support.CrowdTestCase):
         self.assertEqual(row.split(',')[:2], [name, '50'], header)
 
     def link(self, scenario):
-        """The scenario alone in a folder, so that the scorer looks for no others."""
+        """Returns a folder with this scenario only, so that the scorer expects no others."""
         os.mkdir(self.path('scenarios'))
         os.symlink(scenario, self.path(f'scenarios/{os.path.basename(scenario)}'))
         return self.path(f'scenarios/{os.path.basename(scenario)}')
@@ -77,7 +77,7 @@ class BenchmarkTest(support.CrowdTestCase):
 
 
 def by_instance(recording):
-    """Takes a recording apart: rows by instance."""
+    """Returns the rows of a recording by instance."""
     rows = {}
     for line in recording.decode().splitlines()[1:]:
         rows.setdefault(int(line.split(',')[0]), []).append(line)

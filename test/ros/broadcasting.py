@@ -30,7 +30,7 @@ class BroadcastTestCase(support.CrowdTestCase):
     """A paused controller with a learner."""
 
     def start_all(self, scene=SCENE, table=support.NEAREST_TABLE, **parameters):
-        """Starts both and listens to all topics. By the table of anticipation the agent of SCENE arrives in time."""
+        """Starts both and listens to all topics. With the table of anticipation, the agent of SCENE arrives in time."""
         self.ears = {name: self.listen(name, kind) for name, kind in TOPICS.items()}
         self.file = self.write('scene.yaml', scene)
         self.began = rospy.Time.now()
@@ -40,7 +40,7 @@ class BroadcastTestCase(support.CrowdTestCase):
             ear.wait_connected()
 
     def walk_an_episode(self):
-        """Walks an episode to its end and waits for all that belongs to it."""
+        """Walks an episode to its end and waits for all its messages."""
         self.step(30)
         self.ears['episode_results'].wait_at(0, 30)
         for name in ('agents', 'perceptions'):

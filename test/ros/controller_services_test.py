@@ -24,7 +24,7 @@ agents:
 class PauseAndStepTest(ControllerTestCase):
     """pause and step."""
 
-    def test_step_answers_when_it_is_done(self):
+    def test_step_answers_when_all_ticks_are_done(self):
         self.start_all()
         for ticks, tick in ((1, 1), (3, 4), (20, 24)):
             response = self.step(ticks)
@@ -33,7 +33,7 @@ class PauseAndStepTest(ControllerTestCase):
         message = self.agents.wait_at(0, 24)
         self.assert_place(message, 0, 24 * 0.05, 0)
 
-    def test_step_goes_on_into_the_next_episode(self):
+    def test_step_continues_in_the_next_episode(self):
         self.start_all()
         response = self.step(203)  # an episode lasts 200 ticks
         self.assertEqual((response.episode, response.tick), (1, 3))
@@ -46,7 +46,7 @@ class PauseAndStepTest(ControllerTestCase):
         response = later.result()
         self.assertEqual((response.episode, response.tick), (0, 200))
 
-    def test_bad_steps_are_refused(self):
+    def test_invalid_steps_are_refused(self):
         self.start_all(real_time_factor=1.0)
         self.refuse('step', 'at least 1', ticks=0)
         later = self.call_later('crowd_controller/step', ticks=20)
@@ -68,14 +68,14 @@ class PauseAndStepTest(ControllerTestCase):
             expected = (episode + 1, 0) if over else (episode, tick + 1)
             self.assertEqual((response.episode, response.tick), expected, 'the tick after the one that was paused at')
 
-    def test_pausing_twice_is_fine(self):
+    def test_pausing_twice_succeeds(self):
         self.start_all()
         self.do('pause', data=True)
         self.do('pause', data=True)
         self.assertEqual(self.step(1).tick, 1)
 
-    def test_going_on_ends_a_step(self):
-        """A call of 1000000 steps returns at the latest when another call ends the pause."""
+    def test_ending_the_pause_ends_a_step(self):
+        """A call of 1000000 ticks returns when another call ends the pause."""
         self.start_all(real_time_factor=5.0)
         later = self.call_later('crowd_controller/step', ticks=1000000)
         self.agents.wait(lambda message: message.tick >= 1)
@@ -87,14 +87,14 @@ class ResetTest(ControllerTestCase):
     """reset."""
 
     def record(self, ticks=50):
-        """Walks and returns all positions."""
+        """Walks a number of ticks. Returns all positions."""
         response = self.step(ticks)
         self.agents.wait_at(response.episode, response.tick)
         first = response.tick - ticks + 1
         messages = [self.agents.wait_at(response.episode, tick) for tick in range(first, response.tick + 1)]
         return [self.places(message) for message in messages]
 
-    def test_the_same_again(self):
+    def test_reset_repeats_the_episode(self):
         self.start_all(RANDOM)
         first = self.record(49)
         response = self.do('reset', keep_seed=True)
@@ -103,8 +103,8 @@ class ResetTest(ControllerTestCase):
         scenario = self.scenarios.wait_at(1, 0)
         self.assertEqual((scenario.name, scenario.instance), ('random', 0))
 
-    def test_from_a_later_instance(self):
-        """A reset goes back to the first document."""
+    def test_reset_returns_to_the_first_instance(self):
+        """A reset returns to the first document."""
         self.start_all(RANDOM)
         first = self.record(20)
         self.walk(40)  # 50 ticks an episode
@@ -112,7 +112,7 @@ class ResetTest(ControllerTestCase):
         self.do('reset', keep_seed=True)
         self.assertEqual(self.record(20), first)
 
-    def test_another_seed(self):
+    def test_reset_with_another_seed(self):
         self.start_all(RANDOM, seed=4)
         first = self.record(20)
         self.assert_says(self.do('reset', keep_seed=False, seed=5).message, 'seed 5')
@@ -121,7 +121,7 @@ class ResetTest(ControllerTestCase):
         self.do('reset', keep_seed=False, seed=4)
         self.assertEqual(self.record(20), first)
 
-    def test_the_recording_begins_anew(self):
+    def test_reset_starts_a_new_recording(self):
         self.start_all(RANDOM, trajectories=self.path('ros'), seed=4)
         self.step(60)
         self.do('reset', keep_seed=False, seed=9)
@@ -129,8 +129,8 @@ class ResetTest(ControllerTestCase):
         expected = self.headless(self.file, seed=9)
         self.assert_same_recording(support.read_bytes(self.path('ros/scene.csv')), expected)
 
-    def test_while_walking(self):
-        """Repeatedly, at any moment of a tick; the crowd continues to walk, and earlier answers are not used."""
+    def test_reset_while_walking(self):
+        """Resets at any time within a tick: the crowd continues to walk, and earlier answers are not used."""
         self.start_all(RANDOM)
         first = self.record(10)
         self.do('pause', data=False)
@@ -144,7 +144,7 @@ class ResetTest(ControllerTestCase):
 class LoadScenarioTest(ControllerTestCase):
     """load_scenario."""
 
-    def test_a_good_one(self):
+    def test_loads_a_file(self):
         self.start_all()
         self.step(3)
         file = self.write('random.yaml', RANDOM)
@@ -156,13 +156,13 @@ class LoadScenarioTest(ControllerTestCase):
         response = self.step(2)
         self.assertEqual((response.episode, response.tick), (1, 2))
 
-    def test_by_name(self):
+    def test_loads_a_shipped_scenario_by_name(self):
         self.start_all()
         self.do('load_scenario', scenario='circle6')
         self.scenarios.wait(lambda message: message.name == 'circle6')
         self.refuse('load_scenario', "did you mean 'circle12'?", scenario='circel12')
 
-    def test_its_recording(self):
+    def test_starts_a_new_recording(self):
         self.start_all(trajectories=self.path('ros'))
         self.step(3)
         file = self.write('random.yaml', RANDOM)
@@ -170,7 +170,7 @@ class LoadScenarioTest(ControllerTestCase):
         self.step(100)
         self.assert_same_recording(support.read_bytes(self.path('ros/random.csv')), self.headless(file))
 
-    def test_bad_ones_change_nothing(self):
+    def test_invalid_scenarios_change_nothing(self):
         self.start_all()
         self.step(3)
         wrong = RANDOM.replace('name: random_too', 'name: random_too\ncolour: red')
@@ -186,10 +186,10 @@ class LoadScenarioTest(ControllerTestCase):
         self.refuse('load_scenario', scenario='')
         response = self.step(1)
         self.assertEqual((response.episode, response.tick), (0, 4))
-        # A latched message may come twice to a subscriber that connects while it is published.
+        # A subscriber that connects during the publication may receive a latched message twice.
         self.assertEqual({(message.episode, message.name) for message in self.scenarios.messages}, {(0, 'quiet')})
 
-    def test_a_recording_that_cannot_be_written_changes_nothing(self):
+    def test_unwritable_recording_changes_nothing(self):
         self.start_all(trajectories=self.path('ros'))
         self.step(3)
         os.mkdir(self.path('ros/random.csv'))

@@ -18,7 +18,7 @@ obstacles:
 
 
 def place_in(message):
-    """Episode and tick in a message."""
+    """Returns episode and tick of a message."""
     return tuple(map(int, re.search(r'episode (\d+), tick (\d+)', message).groups()))
 
 
@@ -39,24 +39,24 @@ class ControllerTestCase(support.CrowdTestCase):
         self.scenarios.wait()
 
     def refuse(self, service, *words, **request):
-        """A service of the controller is to refuse."""
+        """Calls a service of the controller, which must refuse."""
         return super().refuse(f'crowd_controller/{service}', *words, **request)
 
     def do(self, service, **request):
-        """A service of the controller is to succeed."""
+        """Calls a service of the controller, which must succeed."""
         return self.succeed(f'crowd_controller/{service}', **request)
 
     def walk(self, ticks=1):
-        """Walks a number of ticks; the state after them."""
+        """Walks a number of ticks. Returns the state after them."""
         response = self.step(ticks)
         return self.agents.wait_at(response.episode, response.tick)
 
     def places(self, message):
-        """Positions by agent."""
+        """Returns positions by agent."""
         return {agent.agent: (agent.pose.x, agent.pose.y) for agent in message.agents}
 
     def assert_place(self, message, agent, x, y):
-        """Checks where an agent is."""
+        """Checks the position of an agent."""
         got = self.places(message)[agent]
         self.assertAlmostEqual(got[0], x, places=9)
         self.assertAlmostEqual(got[1], y, places=9)

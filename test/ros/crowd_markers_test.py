@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The node crowd_markers: hand-made messages, and the markers that RViz would show."""
+"""The node crowd_markers: messages written by hand, and the markers that RViz would show."""
 import math
 import subprocess
 import unittest
@@ -63,7 +63,7 @@ class CrowdMarkersTest(unittest.TestCase):
     def learn(self, state_set, **others):
         self.status.publish(LearnerStatus(serves_all=True, model=MODEL % state_set, **others))
 
-    def test_every_kind_is_shown_from_topics_alone(self):
+    def test_shows_all_kinds_of_markers_from_topics_only(self):
         wall, obstacle = Wall(to=Point(4.0, 0.0, 0.0)), ObstacleState(position=Point(2.0, 2.0, 0.0), radius=0.5)
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 1.0, 0.0), walls=[wall], obstacles=[obstacle])
         self.show(agent_at(0, 0.5, 0.0), agent_at(1, 1.0, 0.5), obstacles=[obstacle])
@@ -75,8 +75,8 @@ class CrowdMarkersTest(unittest.TestCase):
             self.assertEqual(len(marker.colors), len(marker.points), marker.ns)
         self.assertEqual(self.picture.points('walls'), [(0.0, 0.0), (4.0, 0.0)])
 
-    def test_a_frame_is_in_the_middle_of_the_scenario(self):
-        """RViz's view is bound to it; with no transform at all RViz doubts its fixed frame, too."""
+    def test_publishes_a_frame_in_the_middle_of_the_scenario(self):
+        """The view of RViz refers to it; without any transform RViz also reports an error of its fixed frame."""
         frames = []
         ear = rospy.Subscriber('/tf_static', TFMessage, lambda message: frames.extend(message.transforms))
         self.addCleanup(ear.unregister)
@@ -90,7 +90,7 @@ class CrowdMarkersTest(unittest.TestCase):
             return ('map', 'crowd', 103.0, 15.0) in moves  # the middle of x 100 to 106, y 8 to 22
         wait_for(is_there, 'the frame in the middle')
 
-    def test_radii_are_those_of_the_state_set(self):
+    def test_shows_the_radii_of_the_state_set(self):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 50.0, 0.0))
         self.learn('occupancy')
 
@@ -100,12 +100,12 @@ class CrowdMarkersTest(unittest.TestCase):
         self.assertEqual(self.colours_of_radii(), {COLLISION_RADIUS: 'red', VISION_RADIUS: 'amber'})
 
     def colours_of_radii(self):
-        """The colour of each circle, by its radius."""
+        """Returns the colour of each circle by its radius."""
         [marker] = self.picture.markers('radii')
         return {round(math.hypot(point.x, point.y), 3): 'red' if colour.g < 0.4 else 'amber'
                 for point, colour in zip(marker.points, marker.colors)}
 
-    def test_a_radius_of_vision_alone_is_not_red(self):
+    def test_radius_of_vision_is_not_red(self):
         """Anticipation has no collision radius."""
         self.begin(agent_at(0, 0.0, 0.0))
         model = (f'state_set: {{type: anticipation, vision_radius: {VISION_RADIUS}}}\n'
@@ -114,7 +114,7 @@ class CrowdMarkersTest(unittest.TestCase):
         wait_for(lambda: self.picture.markers('radii') and self.colours_of_radii() == {VISION_RADIUS: 'amber'},
                  'one amber circle')
 
-    def test_a_big_crowd_takes_few_markers(self):
+    def test_large_crowd_needs_few_markers(self):
         self.picture.most_markers = 0
         crowd = [agent_at(i, i % 25, i // 25, in_contact=i % 2 == 0) for i in range(500)]
         self.begin(*crowd)
@@ -123,7 +123,7 @@ class CrowdMarkersTest(unittest.TestCase):
                  '500 bodies and paths')
         self.assertLess(self.picture.most_markers, 15)
 
-    def test_who_has_arrived_vanishes_and_leaves_path_and_goal(self):
+    def test_arrived_agent_keeps_only_path_and_goal(self):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 0.0, 5.0))
         self.show(agent_at(0, 1.0, 0.0), agent_at(1, 1.0, 5.0))
         wait_for(lambda: self.picture.body_count() == 2, 'two bodies')
@@ -154,7 +154,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.assertEqual(self.picture.kinds() & {'walls', 'sectors'}, set())
         self.assertEqual(len(self.picture.colours('goals')), 1)
 
-    def test_an_episode_that_is_played_again_clears_paths(self):
+    def test_repeated_episode_clears_paths(self):
         self.begin(agent_at(0, 0.0, 0.0))
         self.show(agent_at(0, 1.0, 0.0))
         wait_for(lambda: self.picture.points('paths'), 'a path')
@@ -162,11 +162,11 @@ class CrowdMarkersTest(unittest.TestCase):
         self.show(agent_at(0, 0.0, 0.0))
         wait_for(lambda: not self.picture.points('paths'), 'no path')
 
-    def test_the_scenario_alone_is_shown(self):
+    def test_shows_the_scenario_before_the_first_tick(self):
         self.scenario.publish(Scenario(episode=self.episode, agents=[agent_at(0, 0.0, 0.0), agent_at(1, 3.0, 0.0)]))
         wait_for(lambda: self.picture.body_count() == 2, 'bodies before the first tick')
 
-    def test_paths_get_coarser_but_not_shorter(self):
+    def test_long_paths_become_coarser_but_not_shorter(self):
         plain = Picture('plain_markers')
         self.addCleanup(plain.close)
         wait_for(plain.markers, 'the plain node draws')
@@ -179,7 +179,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.assertLessEqual(len(points), 2 * 200)  # both ends of each line
         wait_for(lambda: len(self.picture.points('paths')) >= 2 * 160, 'the finer path of the other node')
 
-    def test_sectors_are_those_of_the_state_set(self):
+    def test_shows_the_sectors_of_the_state_set(self):
         pose = Pose2D(2.0, 1.0, math.pi / 2)
         self.begin(agent_at(0, 2.0, 1.0), agent_at(1, 9.0, 9.0))
         self.learn('occupancy')
@@ -197,7 +197,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.perceive(pose, [])
         wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector')
 
-    def test_sectors_of_another_episode_or_of_one_who_left_are_not_shown(self):
+    def test_hides_sectors_of_other_episodes_and_removed_agents(self):
         near = [Neighbour(x=0.5, radius=0.25)]
         self.begin(agent_at(0, 0.0, 0.0))
         self.learn('occupancy')
@@ -211,7 +211,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.begin(agent_at(0, 0.0, 0.0))
         wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector of the episode before')
 
-    def test_sectors_stay_while_other_agents_have_their_turns(self):
+    def test_sectors_stay_during_turns_of_other_agents(self):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 9.0, 9.0))
         self.learn('occupancy')
         self.perceive(Pose2D(), [Neighbour(x=0.5, radius=0.25)])
@@ -221,11 +221,11 @@ class CrowdMarkersTest(unittest.TestCase):
         self.show(agent_at(0, 0.0, 0.0), agent_at(1, 8.0, 9.0))
         wait_for(lambda: max(x for x, _ in self.picture.points('bodies')) < 8.5, 'what came after the turn')
         self.assertIn('sectors', self.picture.kinds())
-        turn.tick = 2  # and the chosen one has had no turn in tick 1
+        turn.tick = 2  # the selected agent had no turn in tick 1
         self.perceptions.publish(turn)
         wait_for(lambda: 'sectors' not in self.picture.kinds(), 'no sector of two ticks ago')
 
-    def test_nobody_chosen_means_no_sectors(self):
+    def test_shows_no_sectors_without_a_selected_agent(self):
         plain = Picture('plain_markers')
         self.addCleanup(plain.close)
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 40.0, 0.0))
@@ -236,15 +236,15 @@ class CrowdMarkersTest(unittest.TestCase):
         self.assertNotIn('sectors', plain.kinds())
         self.assertEqual(self.perceptions.get_num_connections(), 1)
 
-    def test_perceptions_are_left_alone_while_nobody_looks(self):
+    def test_subscribes_to_perceptions_only_if_markers_are_subscribed(self):
         self.picture.close()
         wait_for(lambda: self.perceptions.get_num_connections() == 0, 'no subscription to perceptions')
         self.picture = Picture('markers')
         self.addCleanup(self.picture.close)
         wait_for(lambda: self.perceptions.get_num_connections() == 1, 'a node subscribes to perceptions again')
-        wait_for(self.picture.markers, 'markers for the newcomer, though nothing has changed')
+        wait_for(self.picture.markers, 'markers for the new subscriber')
 
-    def test_damaged_messages_are_survived(self):
+    def test_ignores_invalid_messages(self):
         nan = float('nan')
         self.begin(agent_at(0, 0.0, 0.0), walls=[Wall(to=Point(nan, 0.0, 0.0)), Wall(to=Point(1.0, 0.0, 0.0))])
         self.status.publish(LearnerStatus(serves_all=True, model='state_set: {type: none}'))
@@ -257,7 +257,7 @@ class CrowdMarkersTest(unittest.TestCase):
         for kind in KINDS:
             self.assertTrue(all(math.isfinite(x + y) for x, y in self.picture.points(kind)), kind)
 
-    def test_bad_parameters_are_all_named(self):
+    def test_error_names_all_invalid_parameters(self):
         command = roslib.packages.find_node(PACKAGE, NODE)[0]
         arguments = ['__name:=bad_markers', '_rate:=-1', '_radii:=some', '_agent:=0.5', '_colour:=red']
         run = subprocess.run([command] + arguments, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

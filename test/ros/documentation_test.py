@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The example of docs/own_learner.md is run as it is printed there."""
+"""Runs the example of docs/own_learner.md."""
 import os
 
 import support
@@ -26,25 +26,25 @@ class OwnLearnerPageTest(support.CrowdTestCase):
         return self.start('my_learner', [file, *words])
 
     def arrivals(self, episodes):
-        """The arrivals of each episode; no answer may be missing."""
+        """Returns the number of arrivals in each episode; no answer may be missed."""
         results = self.listen('episode_results', EpisodeResult)
         self.start_controller(self.write('pair.yaml', PAIR), episodes=episodes)
         results.wait(lambda result: result.episode == episodes - 1, 'of the last episode')
         self.assertEqual({result.missed_answers for result in results.messages}, {0})
         return [[agent.arrived for agent in result.agents] for result in results.messages]
 
-    def test_it_learns_to_reach_its_goal(self):
+    def test_example_learns_to_reach_its_goal(self):
         self.start_example()
         arrived = self.arrivals(8)
         self.assertEqual(arrived[-1], [True, True], arrived)
 
-    def test_with_the_shipped_learner(self):
+    def test_example_shares_a_crowd_with_the_shipped_learner(self):
         self.start_learner(agents=[1], q_table=support.ANTICIPATION_TABLE)
         self.start_example(agents='[0]')
         arrived = self.arrivals(8)
         self.assertEqual(arrived[-1], [True, True], arrived)
 
-    def test_the_page_names_arguments_that_there_are(self):
+    def test_arguments_on_the_page_exist(self):
         page = support.read_text(support.in_package('docs', 'own_learner.md'))
         self.assertIn('demo.launch agents:="[1, 2, 3, 4, 5]"', page)
         served = self.start('roslaunch', ['roslaunch', 'social_crowd', 'demo.launch', 'rviz:=false',

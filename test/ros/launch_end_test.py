@@ -13,9 +13,9 @@ from launching import LaunchTestCase
 from learning_files import QTableFile
 from social_crowd.msg import AgentStates, EpisodeResult
 
-# A program in place of RViz; it is closed by making a file.
+# A substitute for RViz, which ends when a file is created.
 RVIZ = """#!/bin/bash
-trap exit INT TERM  # else bash goes on when the sleep just ended by itself
+trap exit INT TERM  # otherwise bash continues if the sleep has just ended
 touch "$0.open"
 until [[ -e $0.close ]]; do sleep 0.05; done
 """
@@ -27,19 +27,19 @@ INCLUDING = """
 
 
 class EndTest(LaunchTestCase):
-    """A launch that is done ends without an error; one that fails does not."""
+    """A completed launch ends without an error, a failed one with an error."""
 
     def test_nodelets_save_what_they_learned(self):
         self.assert_ends_well(self.demo(mode='training', nodelets='true', save_to=self.path('table.txt'), episodes=1))
         before = QTableFile(support.ANTICIPATION_TABLE).header['decisions']
         self.assertGreater(QTableFile(self.path('table.txt')).header['decisions'], before)
 
-    def test_a_controller_that_cannot_begin(self):
+    def test_controller_with_an_invalid_scenario(self):
         for nodelets in ('false', 'true'):
             launched = self.demo(scenario='wakers6', nodelets=nodelets)
             self.assert_ends_with(launched, "no scenario 'wakers6'", 'exit code')
 
-    def test_a_controller_that_crashes(self):
+    def test_crash_of_the_controller(self):
         launched = self.launch('demo.launch')
         self.listen('agents', AgentStates).wait(what='that they walk')
         name = f'{self.namespace[1:]}/crowd_controller'
@@ -47,18 +47,18 @@ class EndTest(LaunchTestCase):
         os.kill(int(process), signal.SIGKILL)
         self.assert_ends_with(launched, 'exit code -9')
 
-    def test_a_controller_that_roslaunch_did_not_start(self):
-        """It just exits; this process gets no signal."""
+    def test_controller_started_without_roslaunch(self):
+        """The controller exits; the process that started it gets no signal."""
         self.start_learner()
         controller = self.start_controller(support.CIRCLE6, episodes=1, ends_launch=True)
         self.assertEqual(controller.wait(), 0, controller.output())
 
 
 class RvizTest(LaunchTestCase):
-    """Launches with something in place of RViz."""
+    """Launches with a substitute for RViz."""
 
     def launch_with_rviz(self, file, **arguments):
-        """Starts a launch file and waits until RViz is there."""
+        """Starts a launch file and waits until RViz runs."""
         self.rviz = self.write('rviz', RVIZ)
         os.chmod(self.rviz, 0o755)
         environment = {'PATH': f'{self.folder}:{os.environ["PATH"]}', 'DISPLAY': ':0'}
@@ -67,25 +67,25 @@ class RvizTest(LaunchTestCase):
         return launched
 
     def close_rviz(self):
-        """Closes RViz as its user does."""
+        """Closes RViz as a user does."""
         self.write('rviz.close', '')
 
-    def test_closing_it_ends_a_demo(self):
+    def test_closing_rviz_ends_a_demo(self):
         launched = self.launch_with_rviz('demo.launch')
         self.close_rviz()
         self.assert_ends_well(launched)
 
-    def test_a_demo_closes_it(self):
+    def test_end_of_a_demo_closes_rviz(self):
         launched = self.launch_with_rviz('demo.launch', real_time_factor='fast', episodes=1, paused='true')
         self.call('crowd_controller/pause', data=False)
         self.assert_ends_well(launched)
 
-    def test_no_display(self):
+    def test_missing_display(self):
         launched = self.launch('demo.launch', {'DISPLAY': ''}, rviz='true')
         self.assert_ends_with(launched, 'there is no display', 'rviz:=false')
 
-    def test_closing_it_does_not_end_a_training(self):
-        """Also if it ended another launch before."""
+    def test_closing_rviz_does_not_end_training(self):
+        """This holds also if closing RViz ended another launch before."""
         rospy.set_param(f'{self.namespace}/rviz/ends_launch', True)
         launched = self.launch_with_rviz('train.launch', output=self.path('table.txt'), episodes=0,
                                          real_time_factor=100)
@@ -101,28 +101,28 @@ class ArgumentsTest(LaunchTestCase):
     """The arguments that roslaunch lists, and the meaning of their defaults."""
 
     def ask(self, *arguments):
-        """The output of roslaunch when nothing is started."""
+        """Returns the output of roslaunch when it starts nothing."""
         return subprocess.run(['roslaunch', *arguments], stdout=subprocess.PIPE, timeout=support.PATIENCE,
                               check=True).stdout.decode()
 
     def parameters(self, *arguments):
-        """Parameters that a launch sets."""
+        """Returns the parameters that a launch sets."""
         return yaml.safe_load(self.ask('--dump-params', *arguments))
 
     def words_of(self, file):
-        """Default words that stand for nothing, by argument."""
+        """Returns by argument the default words that mean "not set"."""
         tree = ElementTree.parse(support.in_package('launch', file))
         defaults = {argument.get('name'): argument.get('default') for argument in tree.findall('arg')}
         return {name: word for name, word in defaults.items() if word in ('none', 'table', 'config')}
 
-    def test_only_what_must_be_given_is_required(self):
+    def test_lists_only_required_arguments_as_required(self):
         for file, required in (('demo.launch', []), ('train.launch', ['output']), ('replay.launch', ['bag'])):
             told = self.ask('--ros-args', 'social_crowd', file).partition('Optional Arguments:')
             self.assertEqual(re.findall(r'^  (\w+): ', told[0], re.MULTILINE), required)
             self.assertIn('rviz (default', told[2])
 
-    def test_words_stand_for_nothing(self):
-        """No parameter has one for its value; an argument that is left empty does the same."""
+    def test_default_words_set_no_parameter(self):
+        """No parameter is set to such a word. An empty argument has the same effect."""
         for file, count in (('demo.launch', 3), ('train.launch', 6)):
             words = self.words_of(file)
             self.assertEqual(len(words), count, words)
@@ -131,7 +131,7 @@ class ArgumentsTest(LaunchTestCase):
             left_empty = self.parameters('social_crowd', file, 'output:=table.txt', *(f'{name}:=' for name in words))
             self.assertEqual(left_empty, parameters)
 
-    def test_empty_arguments_of_an_include(self):
+    def test_empty_arguments_set_no_parameter(self):
         for file in ('demo.launch', 'train.launch'):
             given = dict(dict.fromkeys(self.words_of(file), ''), **({'output': 't'} if file == 'train.launch' else {}))
             elements = ''.join(f'<arg name="{name}" value="{value}"/>' for name, value in given.items())

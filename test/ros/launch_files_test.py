@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The launch files: they end by themselves, write their files, and report errors."""
+"""Launch files: they end without intervention, write their files, and report errors."""
 import os
 
 import rosbag
@@ -18,7 +18,7 @@ class DemoTest(LaunchTestCase):
     """demo.launch."""
 
     def check(self, **arguments):
-        """The recording is that of a run without ROS."""
+        """Runs a demo that writes a recording. Returns the recording."""
         launched = self.demo(scenario=SCENARIO, trajectories=self.path('ros'), seed=5, **arguments)
         self.assert_ends_well(launched)
         self.assert_says(launched.output(), 'episode 0 (circle', 'episode 1 (walls_and_moving_obstacles',
@@ -38,7 +38,7 @@ class DemoTest(LaunchTestCase):
         recording = self.check(q_table=support.NEAREST_TABLE, nodelets='true')
         self.assert_same_recording(recording, self.headless(SCENARIO, episodes=EPISODES, seed=5))
 
-    def test_nodelets_stopped_by_hand(self):
+    def test_nodelets_interrupted(self):
         launched = self.launch('demo.launch', nodelets='true')
         rospy.wait_for_service(f'{self.namespace}/learner/set_mode', support.PATIENCE)
         self.listen('agents', AgentStates).wait(what='that they walk')
@@ -46,7 +46,7 @@ class DemoTest(LaunchTestCase):
         self.assert_no_complaint(launched, 'ERROR|FATAL')
 
     def test_training_with_simulated_time_and_frames(self):
-        """Everything else that it offers, at once."""
+        """All other arguments in one launch."""
         self.addCleanup(rospy.delete_param, '/use_sim_time')
         self.assert_ends_well(self.demo(scenario=SCENARIO, mode='training', tables='own', learners='per_agent',
                                         tf='true', clock='true', save_to=self.path('table.txt'), save_every=1,
@@ -54,10 +54,10 @@ class DemoTest(LaunchTestCase):
         self.assertEqual(self.tables(), [f'table_agent_{agent}.txt' for agent in range(6)])
 
     def tables(self):
-        """Names of the Q-table files that are there."""
+        """Returns the names of the existing Q-table files."""
         return sorted(name for name in os.listdir(self.folder) if name.startswith('table'))
 
-    def test_what_was_learned_is_saved_when_it_is_stopped_by_hand(self):
+    def test_table_is_saved_after_an_interrupt(self):
         launched = self.launch('demo.launch', mode='training', save_to=self.path('table.txt'))
         self.listen('agents', AgentStates).wait(lambda states: states.tick > 5, 'that they walk')
         self.assertEqual(launched.stop(), 0)
@@ -65,18 +65,18 @@ class DemoTest(LaunchTestCase):
         self.assertGreater(QTableFile(self.path('table.txt')).header['decisions'], before)
         self.assertNotIn('not be saved', launched.output())
 
-    def test_learners_of_one_agent_do_not_write_the_same_file(self):
+    def test_learners_per_agent_write_different_files(self):
         self.assert_ends_well(self.demo(mode='training', learners='per_agent', save_to=self.path('table.txt'),
                                         episodes=1))
         self.assertEqual(self.tables(), [f'table_agent_{agent}.txt' for agent in range(6)])
 
-    def test_that_nothing_is_saved_is_told(self):
+    def test_warns_if_nothing_is_saved(self):
         launched = self.demo(mode='training', episodes=1)
         self.assertEqual(launched.wait(), 0, launched.output())
         self.assert_says(launched.output(), 'what is learned will not be saved', 'save_to')
 
-    def test_some_agents_are_left_to_another_learner(self):
-        """It decides for the others, and all arrive."""
+    def test_some_agents_with_another_learner(self):
+        """The other learner decides for the other agents, and all agents arrive."""
         self.start_learner('my_learner', agents=[1, 4], q_table=support.ANTICIPATION_TABLE)
         for given in ({}, {'learners': 'per_agent'}):
             status = self.listen('learner_status', LearnerStatus)
@@ -86,11 +86,11 @@ class DemoTest(LaunchTestCase):
             served = [set(message.agents) for message in status.messages if 'my_learner' not in message.node]
             self.assertEqual(set.union(*served), {0, 2, 3, 5})
 
-    def test_on_share(self):
+    def test_passes_on_share_to_the_learner(self):
         self.assert_ends_with(self.demo(on_share='add'), '~on_share', "'add'")
 
-    def test_a_demo_that_keeps_learning(self):
-        """The argument reaches learners of either kind; without it epsilon is the table's, also after a run with it."""
+    def test_epsilon_argument_reaches_all_learners(self):
+        """The argument reaches one learner and learners per agent; without it, epsilon is that of the table."""
         status = self.listen('learner_status', LearnerStatus)
         header = QTableFile(support.ANTICIPATION_TABLE).header
         for given, expected in (({'epsilon': 0}, 0.0), ({'epsilon': 0.125, 'learners': 'per_agent'}, 0.125),
@@ -101,10 +101,10 @@ class DemoTest(LaunchTestCase):
             self.assertEqual((told.mode, told.epsilon), ('training', expected), given)
             self.assertEqual(launched.stop(), 0)
 
-    def test_by_name(self):
+    def test_scenario_by_name(self):
         self.assert_ends_well(self.demo(episodes=1))
 
-    def test_stopped_by_hand(self):
+    def test_interrupted(self):
         launched = self.launch('demo.launch', learners='per_agent')
         rospy.wait_for_service(f'{self.namespace}/learner_5/set_mode', support.PATIENCE)
         self.assertEqual(launched.stop(), 0)
@@ -113,15 +113,15 @@ class DemoTest(LaunchTestCase):
     def test_wrong_learners(self):
         self.assert_ends_with(self.demo(learners='two'), 'learners: expected one or per_agent', "'two'")
 
-    def test_no_such_scenario(self):
+    def test_missing_scenario(self):
         self.assert_ends_with(self.demo(scenario='wakers6'), support.in_package('config', 'scenarios'),
                               "no scenario 'wakers6', did you mean 'walkers6'?")
 
-    def test_no_such_q_table(self):
+    def test_missing_q_table(self):
         missing = self.path('missing.txt')
         self.assert_ends_with(self.demo(q_table=missing), f'~q_table: {missing}')
 
-    def test_no_such_q_table_for_a_learner_each(self):
+    def test_missing_q_table_with_a_learner_for_each_agent(self):
         missing = self.path('missing.txt')
         self.assert_ends_with(self.demo(q_table=missing, learners='per_agent'), f'~q_table: {missing}')
 
@@ -129,7 +129,7 @@ class DemoTest(LaunchTestCase):
 class TrainTest(LaunchTestCase):
     """train.launch."""
 
-    def test_it_leaves_a_table_that_can_be_used(self):
+    def test_writes_a_usable_table(self):
         file = self.path('trained.txt')
         config = self.write('config.yaml', config_text(SCENARIO, 1))
         self.assert_ends_well(self.launch('train.launch', output=file, config=config, episodes=3, seed=2))
@@ -138,8 +138,8 @@ class TrainTest(LaunchTestCase):
         self.assertEqual(table.header['seed'], 2)
         self.assertIn('circle6', self.tool('evaluate', '--q-table', file, '--episodes', 1, support.CIRCLE6))
 
-    def test_scenarios_episodes_and_seed_are_the_configs(self):
-        """Through ROS the same table comes of it as without, bit for bit."""
+    def test_uses_scenarios_episodes_and_seed_of_the_configuration(self):
+        """Training through ROS gives the same table as training without ROS, bit for bit."""
         text = config_text(f'{SCENARIO}, circle6', 3, seed=7, tables='own')
         config = self.write('config.yaml', text)
         launched = self.launch('train.launch', output=self.path('ros.txt'), config=config)
@@ -149,7 +149,7 @@ class TrainTest(LaunchTestCase):
         self.tool('train', config, '--output', self.path('headless.txt'))
         self.assertEqual(support.read_text(self.path('ros_agent_0.txt')), support.read_text(self.path('headless.txt')))
 
-    def test_arguments_win_over_the_config(self):
+    def test_arguments_override_the_configuration(self):
         config = self.write('config.yaml', config_text(SCENARIO, 3, seed=7))
         launched = self.launch('train.launch', output=self.path('table.txt'), config=config, scenario='circle6',
                                episodes=1, seed=5, tables='shared')
@@ -157,25 +157,25 @@ class TrainTest(LaunchTestCase):
         self.assert_says(launched.output(), 'episode 0 (circle6, instance 0)')
         self.assertEqual(QTableFile(self.path('table.txt')).header['seed'], 5)
 
-    def test_learners_side_by_side_are_not_for_ros(self):
+    def test_refuses_learners_side_by_side(self):
         config = self.write('config.yaml', config_text(SCENARIO, 1).replace('tables: shared', 'side_by_side: 4'))
         launched = self.launch('train.launch', output=self.path('table.txt'), config=config)
         self.assertEqual(launched.wait(), 0, launched.output())
         self.assert_says(launched.output(), '4 learners side by side', "differ from that of 'train'")
 
-    def test_it_goes_on_from_a_table(self):
+    def test_continues_from_a_table(self):
         file = self.path('trained.txt')
         self.assert_ends_well(self.launch('train.launch', output=file, q_table=support.NEAREST_TABLE, episodes=2,
                                           tables='own', save_every=1))
         before = QTableFile(support.NEAREST_TABLE).header['decisions']
         self.assertGreater(QTableFile(self.path('trained_agent_0.txt')).header['decisions'], before)
 
-    def test_output_must_be_given(self):
+    def test_requires_output(self):
         launched = self.launch('train.launch')
         self.assertNotEqual(launched.wait(), 0)
         self.assert_says(launched.output(), 'output')
 
-    def test_no_such_configuration(self):
+    def test_missing_configuration(self):
         missing = self.path('missing.yaml')
         launched = self.launch('train.launch', output=self.path('trained.txt'), config=missing, episodes=1)
         self.assert_ends_with(launched, f'~config: {missing}')
@@ -186,7 +186,7 @@ class ReplayTest(LaunchTestCase):
     """replay.launch."""
 
     def record(self):
-        """A bag of an agent that has walked 0.5 m, with another one beside it."""
+        """Returns a bag of an agent that walked 0.5 m, and of another agent beside it."""
         agents = [AgentState(agent=i, pose=Pose2D(0.0, i, 0.0), radius=0.25, goal=Point(3.0, i, 0.0)) for i in range(2)]
         with rosbag.Bag(self.path('walk.bag'), 'w') as bag:
             messages = [('scenario', Scenario(name='two', agents=agents))]
@@ -197,10 +197,10 @@ class ReplayTest(LaunchTestCase):
                 bag.write(f'{self.namespace}/{topic}', message, rospy.Time(1000.0 + 0.05 * i))
         return self.path('walk.bag')
 
-    def test_a_recording_becomes_markers(self):
-        """Without RViz it ends with the recording."""
+    def test_shows_a_recording_as_markers(self):
+        """Without RViz the launch ends with the recording."""
         markers = self.listen('markers', MarkerArray)
-        rospy.set_param(f'{self.namespace}/crowd_markers/rate', -1.0)  # an earlier launch's; does not count
+        rospy.set_param(f'{self.namespace}/crowd_markers/rate', -1.0)  # left over from an earlier launch; has no effect
         launched = self.launch('replay.launch', bag=self.record())
 
         def tip_of_a_path(array):
@@ -209,19 +209,19 @@ class ReplayTest(LaunchTestCase):
         markers.wait(tip_of_a_path, 'with a path to the place of the last tick')
         self.assert_ends_well(launched)
 
-    def test_the_bag_must_be_there(self):
+    def test_missing_bag(self):
         launched = self.launch('replay.launch', bag=self.path('missing.bag'))
         self.assert_ends_with(launched, f"there is no file {self.path('missing.bag')}")
 
-    def test_a_relative_path_is_told_in_full(self):
+    def test_relative_path_is_refused_with_the_absolute_path(self):
         launched = self.launch('replay.launch', bag='walk.bag')
         self.assert_ends_with(launched, 'there is no file /', '/walk.bag; give an absolute path')
 
-    def test_it_must_be_a_bag(self):
+    def test_file_of_another_format(self):
         launched = self.launch('replay.launch', bag=self.write('no.bag', 'no bag'))
         self.assert_ends_with(launched, f"{self.path('no.bag')} is not a bag")
 
-    def test_a_bag_must_be_given(self):
+    def test_requires_a_bag(self):
         launched = self.launch('replay.launch')
         self.assertNotEqual(launched.wait(), 0)
         self.assert_says(launched.output(), "requires the 'bag' arg to be set")

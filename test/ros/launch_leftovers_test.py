@@ -1,20 +1,20 @@
 #!/usr/bin/python3
-"""Launches after others, on the same parameter server."""
+"""Launches on a parameter server with parameters of earlier launches."""
 import rospy
 import support
 from launching import LaunchTestCase
 
 
 class LeftoverTest(LaunchTestCase):
-    """Parameters that an earlier launch has left on the parameter server do not count."""
+    """Parameters that an earlier launch left on the parameter server have no effect."""
 
     def leave(self, node, **parameters):
-        """Sets parameters of a node that is not there."""
+        """Sets parameters of a node that does not run."""
         for name, value in parameters.items():
             rospy.set_param(f'{self.namespace}/{node}/{name}', value)
 
     def check(self, **arguments):
-        """A demo sees nothing of them."""
+        """Checks that these parameters have no effect on a demo."""
         missing = self.path('missing.yaml')
         self.leave('crowd_controller', config=missing, no_such=1)
         self.leave('crowd_markers', rate=-1.0)

@@ -1,4 +1,4 @@
-"""Launch files under test."""
+"""Base of the tests of launch files."""
 import re
 
 import support
@@ -10,7 +10,7 @@ class LaunchTestCase(support.CrowdTestCase):
     """Runs roslaunch."""
 
     def launch(self, file, environment=None, **arguments):
-        """Starts a launch file without RViz; its nodes wait for answers as long as it takes on a busy machine."""
+        """Starts a launch file without RViz, with deadlines that suffice on a busy machine."""
         defaults = {'rviz': 'false', 'answer_deadline': 60.0}
         if file == 'replay.launch':
             del defaults['answer_deadline']
@@ -18,21 +18,21 @@ class LaunchTestCase(support.CrowdTestCase):
         return self.start('roslaunch', ['roslaunch', 'social_crowd', file, *words], environment)
 
     def demo(self, **arguments):
-        """Starts demo.launch as fast as it goes, for a few episodes."""
+        """Starts demo.launch for a few episodes, as fast as possible."""
         return self.launch('demo.launch', **dict({'real_time_factor': 'fast', 'episodes': EPISODES}, **arguments))
 
     def assert_ends_well(self, launched):
-        """Checks that a launch ends by itself, that nothing went wrong on the way, and that roslaunch agrees."""
+        """Checks that a launch ends without intervention and without errors, also according to roslaunch."""
         self.assertEqual(launched.wait(), 0, launched.output())
         self.assertNotRegex(launched.output(), 'REQUIRED process|has died')
         self.assert_no_complaint(launched, 'WARN|ERROR|FATAL')
 
     def assert_no_complaint(self, launched, levels):
-        """Checks that nodes said nothing of these levels, and that all ended as they should."""
+        """Checks that nodes logged no messages of these levels, and that all ended properly."""
         complaints = re.findall(rf'.*\[ ?(?:{levels})\].*|.*(?:exit code|escalating|Traceback).*', launched.output())
         self.assertEqual(complaints, [])
 
     def assert_ends_with(self, launched, *words):
-        """Checks that a launch ends by itself and prints the cause; roslaunch reports it as an error."""
+        """Checks that a launch ends without intervention and prints the cause, and that roslaunch reports an error."""
         launched.wait()
         self.assert_says(launched.output(), 'REQUIRED process', 'has died', *words)

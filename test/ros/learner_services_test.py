@@ -11,7 +11,7 @@ from teaching import LearnerTestCase
 class ModeTest(LearnerTestCase):
     """Training mode changes the table, demo mode does not."""
 
-    def test_training_learns_from_what_followed(self):
+    def test_training_updates_the_table(self):
         self.start_untrained(alpha=0.5)
         self.walk(0, 4)  # the outcome of the last decision is not known yet
         table = self.saved()
@@ -29,25 +29,25 @@ class ModeTest(LearnerTestCase):
         self.assertEqual(visits, 1)
         self.assertAlmostEqual(value, 0.5 * math.cos(math.radians(45))**3, places=12)
 
-    def test_arriving_is_learned_from(self):
+    def test_arrival_updates_the_table(self):
         self.start_untrained(alpha=0.5)
         self.walk(0, 1)
         self.perceiver.tell(add_agent(perceptions(0, 1, last=True), 0, ahead(45, 0.1), arrived=True))
         support.wait_for(lambda: self.saved().header['decisions'] == 1, 'the arrival to be learned from')
         self.assertEqual(self.saved().rows[1][0], (1, 50.0))
 
-    def test_what_was_not_carried_out_teaches_nothing(self):
+    def test_missed_answers_update_nothing(self):
         self.start_untrained()
         self.walk(0, 5, acted=False)
         self.assertEqual(self.saved().visits(), 0)
 
-    def test_a_gap_between_ticks_teaches_nothing(self):
+    def test_missing_ticks_update_nothing(self):
         self.start_untrained()
         for tick in (0, 2, 4, 5):
             self.perceiver.ask(add_agent(perceptions(0, tick), 0, ahead(45, 5)))
         self.assertEqual(self.saved().visits(), 1)
 
-    def test_demo_mode_learns_nothing(self):
+    def test_demo_mode_updates_nothing(self):
         self.start_one(mode='demo')
         before = support.read_text(support.NEAREST_TABLE)
         self.walk(0, 5)
@@ -56,7 +56,7 @@ class ModeTest(LearnerTestCase):
                 for text in (before, support.read_text(self.path('saved.txt')))]
         self.assertEqual(rows[0], rows[1])
 
-    def test_modes_can_be_switched(self):
+    def test_mode_can_be_changed(self):
         self.start_untrained()
         self.walk(0, 3)
         self.assertEqual(self.saved().visits(), 2)
@@ -69,7 +69,7 @@ class ModeTest(LearnerTestCase):
         self.assertEqual(self.saved().visits(), 4)
         support.wait_for(lambda: self.status.messages[-1].mode == 'training', 'a status in training mode')
 
-    def test_an_unknown_mode_is_refused(self):
+    def test_unknown_mode_is_refused(self):
         self.start_untrained()
         self.refuse('learner/set_mode', 'training or demo', 'walking', mode='walking')
         self.walk(0, 3)
@@ -77,14 +77,14 @@ class ModeTest(LearnerTestCase):
 
 
 class ResetTracesTest(LearnerTestCase):
-    """reset_traces: nothing is learned across the gap."""
+    """reset_traces: nothing is learned across a reset."""
 
     def perceive(self, episode, tick, degrees):
-        """A tick of an agent alone that has its goal at a bearing: row 0 straight ahead, row 1 at 45 degrees."""
+        """Publishes a tick of a single agent with its goal at a bearing: row 0 straight ahead, row 1 at 45 degrees."""
         self.perceiver.ask(add_agent(perceptions(episode, tick), 0, ahead(degrees, 5)))
 
     def value(self, row):
-        """Value of the first action."""
+        """Returns the value of the first action."""
         table = self.saved()
         return table.rows[row][0][1] if row in table.rows else 0.0
 
@@ -92,7 +92,7 @@ class ResetTracesTest(LearnerTestCase):
         """Calls the service."""
         self.assert_says(self.succeed('learner/reset_traces').message, 'traces', 'decisions', 'unchanged')
 
-    def test_the_decision_before_it_is_not_learned_from(self):
+    def test_last_decision_is_not_updated(self):
         self.start_untrained()
         self.perceive(0, 0, 45)
         self.perceive(0, 1, 45)
@@ -104,26 +104,26 @@ class ResetTracesTest(LearnerTestCase):
         self.assertEqual(self.saved().header['decisions'], 2)
         self.assertEqual(self.saved().visits(), 2)
 
-    def test_earlier_decisions_are_not_reached_by_what_comes_after_it(self):
-        """Corrections go half of the way; 0.9 * 0.5 = 0.45 of one reaches the decision before."""
+    def test_later_updates_do_not_reach_earlier_decisions(self):
+        """The learning rate is 0.5; 0.9 * 0.5 = 0.45 of an update reaches the previous decision."""
         self.start_untrained(alpha=0.5, **{'lambda': 0.5})
         self.perceive(0, 0, 45)
         self.perceive(0, 1, 0)  # cos(0)^3 = 1, half of it
         self.assertAlmostEqual(self.value(1), 0.5, places=12)
-        self.perceive(0, 2, 0)  # a correction of 0.5 in row 0
+        self.perceive(0, 2, 0)  # an update of 0.5 in row 0
         self.assertAlmostEqual(self.value(0), 0.5, places=12)
         self.assertAlmostEqual(self.value(1), 0.725, places=12)  # 0.5 + 0.45 * 0.5
         self.perceive(1, 0, 45)
-        self.perceive(1, 1, 0)  # 1 + 0.9 * 0.5 = 1.45, half of the way from 0.725
+        self.perceive(1, 1, 0)  # 1 + 0.9 * 0.5 = 1.45, half-way from 0.725
         self.assertAlmostEqual(self.value(1), 1.0875, places=12)
         self.reset()
         self.perceive(1, 2, 0)
-        self.perceive(1, 3, 0)  # half of the way from 0.5 to 1.45
+        self.perceive(1, 3, 0)  # half-way from 0.5 to 1.45
         self.assertAlmostEqual(self.value(0), 0.975, places=12)
         self.assertAlmostEqual(self.value(1), 1.0875, places=12)
         self.assertEqual(self.saved().header['decisions'], 4)
 
-    def test_it_does_no_harm_where_there_is_nothing_to_forget(self):
+    def test_reset_without_decisions_succeeds(self):
         self.start_one()
         self.reset()
         answer = self.walk(0, 1)
@@ -135,7 +135,7 @@ class ResetTracesTest(LearnerTestCase):
 class DemoThatLearnsTest(LearnerTestCase):
     """Training without exploration: agents walk greedily, and the table changes."""
 
-    def test_it_begins_by_services(self):
+    def test_started_by_services(self):
         """In row 1 the second action is the best one, until its rewards make the third one better."""
         table = self.write('table.txt', q_table_text({1: {1: (1, 2.0), 2: (1, 1.0)}}))
         self.start_one(q_table=table, mode='demo')
@@ -150,7 +150,7 @@ class DemoThatLearnsTest(LearnerTestCase):
         self.assertEqual(visits, 3)
         self.assertAlmostEqual(value, 0.5 + 0.75 * math.cos(math.radians(45))**3, places=12)
 
-    def test_it_begins_by_parameters(self):
+    def test_started_by_parameters(self):
         table = self.write('table.txt', q_table_text({1: {1: (1, 2.0), 2: (1, 1.0)}}))
         self.start_one(q_table=table, mode='training', epsilon=0.0, alpha=0.5, gamma=0.0)
         answers = [answer[0][0] for answer in self.walk(0, 3)]

@@ -12,15 +12,15 @@ class LearningParametersTest(LearnerTestCase):
     """set_learning_parameters and learner_status."""
 
     def in_force(self):
-        """The parameters in the last status."""
+        """Returns the parameters in the last status."""
         status = self.status.messages[-1]
         return status.alpha, status.gamma, status.trace_decay, status.epsilon
 
     def set_parameters(self, parameters):
-        """Sets some of the parameters; the answer."""
+        """Sets some of the parameters. Returns the message of the response."""
         return self.succeed('learner/set_learning_parameters', parameters=parameters).message
 
-    def test_what_is_not_named_stays_as_it_is(self):
+    def test_parameters_that_are_not_named_do_not_change(self):
         self.start_untrained()
         self.assertEqual(self.in_force(), (0.2, 0.9, 0.0, 0.0))
         self.assertEqual(self.set_parameters('{gamma: 0.5}'),
@@ -34,14 +34,14 @@ class LearningParametersTest(LearnerTestCase):
         self.assert_says(self.set_parameters('{}'), 'nothing changed', 'alpha: 0.25')
         self.assertEqual(self.in_force(), (0.25, 0.5, 0.75, 1.0))
 
-    def test_the_other_parameters_may_be_named_too(self):
+    def test_all_parameters_can_be_set(self):
         self.start_untrained()
         self.assert_says(self.set_parameters('{alpha_decay: 0.5, mirrored: true, ties: random}'),
                          'alpha_decay from 0 to 0.5', 'mirrored from false to true', 'ties from first to random')
         header = self.saved().header
         self.assertEqual((header['alpha_decay'], header['mirrored'], header['ties']), (0.5, True, 'random'))
 
-    def test_an_error_names_key_range_and_value_and_changes_nothing(self):
+    def test_errors_name_key_range_and_value_and_change_nothing(self):
         self.start_untrained()
         service = 'learner/set_learning_parameters'
         self.refuse(service, 'alpha: expected a number above 0, at most 1, got 0', parameters='{alpha: 0}')
@@ -49,13 +49,13 @@ class LearningParametersTest(LearnerTestCase):
                     parameters='{alfa: 0.1}')
         self.refuse(service, "gamma: expected a number, got '.nan'", parameters='{gamma: .nan}')
         self.refuse(service, 'expected a map', parameters='')
-        # One bad value spoils the whole request.
+        # One invalid value makes the whole request invalid.
         self.refuse(service, 'gamma: expected', 'got 1', parameters='{alpha: 0.5, gamma: 1}')
         self.set_parameters('{epsilon: 0.125}')
         self.status.wait(lambda status: status.epsilon == 0.125)
         self.assertEqual(self.in_force(), (0.2, 0.9, 0.0, 0.125))
 
-    def test_they_take_effect(self):
+    def test_new_parameters_take_effect(self):
         self.start_untrained()
         self.set_parameters('{alpha: 1, gamma: 0}')
         self.walk(0, 2)
@@ -80,7 +80,7 @@ class LearningParametersTest(LearnerTestCase):
 class StatusTest(LearnerTestCase):
     """learner_status."""
 
-    def test_it_tells_all(self):
+    def test_contains_model_parameters_and_counts(self):
         self.start_one(agents=[3, 1])
         status = self.status.messages[-1]
         self.assertEqual(status.header.frame_id, 'map')
@@ -94,7 +94,7 @@ class StatusTest(LearnerTestCase):
         self.assertEqual(status.decisions, table.header['decisions'])
         self.assert_says(status.model, 'state_set: {type: nearest_obstacle', 'action_set: {type: kings_moves', 'reward')
 
-    def test_it_tells_whom_a_learner_of_all_has_met(self):
+    def test_lists_agents_that_a_learner_of_all_has_served(self):
         self.start_one()
         self.assertEqual((self.status.messages[-1].serves_all, tuple(self.status.messages[-1].agents)), (True, ()))
         self.perceiver.ask(add_agent(add_agent(perceptions(7, 3), 5, ahead(0, 1)), 2, ahead(0, 1)))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs through ROS and runs without it give the same recordings and tables, bit for bit."""
+"""Runs with and without ROS give the same recordings and tables, bit for bit."""
 import math
 
 import rospy
@@ -10,13 +10,13 @@ from walking import EPISODES, SCENARIO, WalkTestCase
 
 
 class DemoTest(WalkTestCase):
-    """Agents that walk by a table: the recording of the run through ROS against that of `evaluate`."""
+    """Demo mode: compares the recording of the run through ROS with that of `evaluate`."""
 
     def check(self, table):
-        """Compares the recordings; learners are there already."""
+        """Compares the recordings; learners run already."""
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
         self.assert_same_recording(self.walk(), expected)
-        if table != support.ANTICIPATION_TABLE:  # agents that anticipate may get through
+        if table != support.ANTICIPATION_TABLE:  # agents that anticipate may have no blocked moves
             self.assertGreater(self.blocked, 0, 'the solid scenario should block some moves')
 
     def check_one_learner(self, table):
@@ -25,13 +25,13 @@ class DemoTest(WalkTestCase):
         self.check(table)
 
     def check_two_learners(self, table):
-        """Two learners share the agents among them."""
+        """Two learners serve three agents each."""
         self.start_learner('learner_a', q_table=table, agents=[0, 1, 2])
         self.start_learner('learner_b', q_table=table, agents=[3, 4, 5])
         self.check(table)
 
     def check_crew(self, table):
-        """Each agent has a learner of its own."""
+        """Each agent has its own learner."""
         self.start_node('learner_crew', 'learner_crew', {'learner/q_table': table})
         self.check(table)
 
@@ -59,8 +59,8 @@ class DemoTest(WalkTestCase):
     def test_crew_occupancy(self):
         self.check_crew(support.OCCUPANCY_TABLE)
 
-    def test_crew_in_a_name_space_of_its_command_line(self):
-        """Its learners are where it is."""
+    def test_crew_in_a_name_space_from_the_command_line(self):
+        """The learners are in the name space of the crew."""
         name = f'{self.namespace}/learner_crew'
         rospy.set_param(f'{name}/learner/q_table', support.NEAREST_TABLE)
         command = find_node('social_crowd', 'learner_crew')[:1] + [f'__ns:={self.namespace}']
@@ -68,11 +68,11 @@ class DemoTest(WalkTestCase):
         self.check(support.NEAREST_TABLE)
 
     def test_another_seed_gives_another_recording(self):
-        """Otherwise the tests above would not notice if the controller ignored its seed."""
+        """Otherwise the tests above would not detect that the controller ignores its seed."""
         recordings = [self.headless(SCENARIO, episodes=EPISODES, seed=seed) for seed in (5, 6)]
         self.assertNotEqual(*recordings)
 
-    def test_what_is_hidden(self):
+    def test_occlusion(self):
         """Occlusion, with at most 16 neighbours."""
         table = self.train_anticipation('vision: {occlusion: true}')
         expected = self.headless(SCENARIO, table, episodes=EPISODES, seed=5)
@@ -80,7 +80,7 @@ class DemoTest(WalkTestCase):
         self.assert_same_recording(self.walk(), expected)
 
     def test_ties_broken_at_random(self):
-        """A table that knows little, so that most values are equal: chance is that of the same seed."""
+        """A table with few visits, so that most values are equal; random numbers depend on the seed only."""
         config = self.write('config.yaml', config_text(support.CIRCLE6, 1, learning='{ties: random}'))
         table = self.path('table.txt')
         self.tool('train', config, '--output', table)
@@ -100,14 +100,14 @@ class DemoTest(WalkTestCase):
 
 
 class TrainingTest(support.CrowdTestCase):
-    """Agents that learn: the table learned through ROS against that of `train`."""
+    """Training mode: compares the table learned through ROS with that of `train`."""
 
     EPISODES = 7
     SEED = 3
     LEARNING = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
 
     def train_headless(self, scenario, tables):
-        """Trains without ROS; paths of the training configuration and of the table, and the number of decisions."""
+        """Trains without ROS. Returns the paths of configuration and table, and the number of decisions."""
         text = config_text(scenario, self.EPISODES, self.SEED, tables, self.LEARNING)
         config = self.write('config.yaml', text)
         table = self.path('headless.txt')
@@ -120,14 +120,14 @@ class TrainingTest(support.CrowdTestCase):
         self.assertEqual(controller.wait(), 0)
 
     def saved_after(self, learner, decisions):
-        """The table of agent 0, saved once that many decisions were learned from."""
+        """Returns the table of agent 0, saved after this number of decisions."""
         self.wait_until_learned(learner, decisions)
         file = self.path('ros.txt')
         self.succeed(f'{learner}/save_q_table', file=file)
         return file
 
     def check(self, scenario, tables, **parameters):
-        """One learner for all agents: tables are the same byte for byte, saved by service and at the end."""
+        """One learner for all agents: tables saved by service and at the end equal that of `train`, byte for byte."""
         config, headless, decisions = self.train_headless(scenario, tables)
         learner = self.start_learner(mode='training', config=config, tables=tables, seed=self.SEED,
                                      save_to=self.path('at_end.txt'), **parameters)
@@ -156,7 +156,7 @@ class TrainingTest(support.CrowdTestCase):
         self.LEARNING = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: 0, ties: random}'
         self.assertIn('\nties: random\n', self.check(SCENARIO, 'shared'))
 
-    def test_a_learner_each(self):
+    def test_a_learner_for_each_agent(self):
         """The rows are the same; each learner counts the decisions of its own agent only."""
         config, headless, _ = self.train_headless(SCENARIO, 'own')
         parameters = {'mode': 'training', 'config': config, 'tables': 'own', 'seed': self.SEED}
@@ -170,13 +170,13 @@ class TrainingTest(support.CrowdTestCase):
 
 
 def without_random_ties(text):
-    """The Q-table file with the first of equal values taken."""
+    """Returns the Q-table file with ties broken by the first action."""
     text = text.rpartition('checksum: ')[0].replace('\nties: random\n', '\n')
     return f'{text}checksum: {checksum_of(text)}\n'
 
 
 def edge_scenario():
-    """Agents that meet an obstacle exactly 1 m (to its rim) away, in many directions, far apart from each other."""
+    """Returns a scenario of distant agents, each with an obstacle whose rim is exactly 1 m away, in many directions."""
     lines = ['name: edge', 'duration: 1', 'goal_tolerance: 0.1', 'agents:']
     obstacles = ['obstacles:']
     for i in range(400):

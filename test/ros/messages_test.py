@@ -10,7 +10,7 @@ from rosgraph_msgs.msg import Clock
 from social_crowd.msg import Scenario
 from tf2_msgs.msg import TFMessage
 
-# An agent that no move leads out of its box, which it touches after 1 cm, for 2 ticks.
+# An agent in a closed box, whose walls it touches after 1 cm, for 2 ticks.
 BOX = """
 name: box
 duration: 0.2
@@ -29,7 +29,7 @@ walls:
 class HeadersTest(BroadcastTestCase):
     """Header, episode and tick of every message."""
 
-    def test_all_have_frame_stamp_episode_and_tick(self):
+    def test_all_messages_have_frame_stamp_episode_and_tick(self):
         self.start_all()
         self.walk_an_episode()
         now = rospy.Time.now()
@@ -39,14 +39,14 @@ class HeadersTest(BroadcastTestCase):
                 self.assertEqual(message.header.frame_id, 'map', where)
                 self.assertTrue(self.began <= message.header.stamp <= now, where)
 
-    def test_stamps_go_forward(self):
+    def test_stamps_increase(self):
         self.start_all()
         self.walk_an_episode()
         for name, ear in self.ears.items():
             stamps = [message.header.stamp for message in ear.messages]
             self.assertEqual(stamps, sorted(stamps), name)
 
-    def test_ticks_have_no_gap(self):
+    def test_no_tick_is_missing(self):
         self.start_all()
         self.walk_an_episode()
         ticks = {name: sorted({m.tick for m in self.ears[name].messages if m.episode == 0}) for name in self.ears}
@@ -56,14 +56,14 @@ class HeadersTest(BroadcastTestCase):
         self.assertEqual(ticks['scenario'], [0])
         self.assertEqual(ticks['episode_results'], [30])
 
-    def test_answers_have_the_stamp_of_what_they_answer(self):
+    def test_answers_have_the_stamp_of_their_perceptions(self):
         self.start_all()
         self.walk_an_episode()
         stamps = {(m.episode, m.tick): m.header.stamp for m in self.ears['perceptions'].messages}
         for answer in self.ears['actions'].messages:
             self.assertEqual(answer.header.stamp, stamps[answer.episode, answer.tick])
 
-    def test_the_scenario_tells_what_the_file_says(self):
+    def test_scenario_message_agrees_with_the_file(self):
         self.start_all()
         scenario = self.ears['scenario'].wait()
         self.assertEqual((scenario.name, scenario.instance, scenario.max_ticks), ('scene', 0, 30))
@@ -77,7 +77,7 @@ class HeadersTest(BroadcastTestCase):
         walls = [(wall.from_.x, wall.from_.y, wall.to.x, wall.to.y) for wall in scenario.walls]
         self.assertEqual(walls, [(2, -1, 4, -1)])
 
-    def test_the_result_agrees_with_the_recording(self):
+    def test_result_agrees_with_the_recording(self):
         self.start_all(table=support.ANTICIPATION_TABLE, trajectories=self.path('ros'))
         self.walk_an_episode()
         result = self.ears['episode_results'].messages[0]
@@ -95,7 +95,7 @@ class HeadersTest(BroadcastTestCase):
 class SolidTest(BroadcastTestCase):
     """Blocked moves."""
 
-    def test_they_are_told_and_counted(self):
+    def test_blocked_moves_are_published_and_counted(self):
         self.start_all(BOX)
         self.step(2)
         result = self.ears['episode_results'].wait_at(0, 2)
@@ -110,9 +110,9 @@ class SolidTest(BroadcastTestCase):
 
 
 class SequentialTest(BroadcastTestCase):
-    """Agents that take turns, and their collision radius."""
+    """Sequential scenarios, and the collision radius."""
 
-    def test_each_agent_is_asked_in_a_turn_of_its_own(self):
+    def test_each_agent_is_perceived_in_its_own_turn(self):
         self.start_all(SCENE + 'order: sequential\n', table=support.ANTICIPATION_TABLE)
         self.step(2)
         self.ears['agents'].wait_at(0, 2)
@@ -125,14 +125,14 @@ class SequentialTest(BroadcastTestCase):
                       if (m.tick, m.turn) == (0, 1)]
         self.assertNotEqual(velocities[0], 0.0, 'agent 1 should perceive that agent 0 has moved in this tick')
 
-    def test_states_are_those_of_the_end_of_a_tick(self):
+    def test_states_are_published_at_the_end_of_a_tick(self):
         self.start_all(SCENE + 'order: sequential\n', agents_rate=0.0)
         self.step(3)
         for tick in (1, 2, 3):
             state = self.ears['agents'].wait_at(0, tick)
             self.assertAlmostEqual(state.obstacles[0].position.x, 3 + 0.05 * tick)
 
-    def test_collisions_are_told_and_counted(self):
+    def test_collisions_are_published_and_counted(self):
         self.start_all(BOX)  # walls 0.26 m from the agent's centre
         self.step(2)
         result = self.ears['episode_results'].wait_at(0, 2)
@@ -142,7 +142,7 @@ class SequentialTest(BroadcastTestCase):
         self.assertEqual((agent.in_collision, agent.collided), (True, True))
         self.assertEqual((result.collision_percent, result.agents[0].collided), (100.0, True))
 
-    def test_nobody_collides_beyond_the_collision_radius(self):
+    def test_no_collision_beyond_the_collision_radius(self):
         self.start_all(BOX + 'collision_radius: 0.2\n')
         self.step(2)
         result = self.ears['episode_results'].wait_at(0, 2)
@@ -154,11 +154,11 @@ class FramesTest(BroadcastTestCase):
     """tf and clock on request."""
 
     def published(self):
-        """The topics that the controller publishes."""
+        """Returns the topics that the controller publishes."""
         publishers, _, _ = rosgraph.Master('/social_crowd_test').getSystemState()
         return {topic for topic, nodes in publishers if f'{self.namespace}/crowd_controller' in nodes}
 
-    def test_neither_unless_asked_for(self):
+    def test_neither_is_published_by_default(self):
         self.start_all()
         self.step(1)
         self.assertFalse({'/tf', '/clock'} & self.published())
@@ -178,7 +178,7 @@ class FramesTest(BroadcastTestCase):
                 self.check_frame(frame, state.pose)
 
     def transforms(self, frames, child):
-        """The transforms of an agent's frame, of episode 0 from tick 1 on; tick 0 may be missed."""
+        """Returns the transforms of an agent's frame in episode 0 from tick 1 on; tick 0 may be missed."""
         began = self.ears['perceptions'].wait_at(0, 0).header.stamp
         begun_again = self.ears['scenario'].wait_at(1, 0).header.stamp
         return [frame for message in list(frames.messages) for frame in message.transforms

@@ -19,7 +19,7 @@ PRELOAD = os.environ.get('CROWD_NODELET_PRELOAD')  # see scripts/test --sanitize
 
 
 def children(message):
-    """The child frames in a message of tf."""
+    """Returns the child frames in a message of tf."""
     return {frame.child_frame_id for frame in message.transforms}
 
 
@@ -40,23 +40,23 @@ class NodeletTestCase(support.CrowdTestCase):
         return self.start(f'load_{name}', NODELET + ['load', f'social_crowd/{kind}', 'manager', f'__name:={name}'])
 
     def load_controller(self, scenario=SCENARIO, **parameters):
-        """Loads a controller that is in no hurry with its learners."""
+        """Loads a controller with long deadlines."""
         patient = {'scenario': scenario, 'real_time_factor': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0}
         return self.load('crowd_controller', **dict(patient, **parameters))
 
     def wait_loaded(self, name):
-        """Waits until the process that loads a nodelet has done so: then it lets the manager know that it is alive."""
+        """Waits until a nodelet is loaded: then the loading process is connected to the manager."""
         signs = self.listen('manager/bond', rospy.AnyMsg)
         full_name = f'{self.namespace}/{name}'
         signs.wait(lambda sign: sign._connection_header['callerid'] == full_name, f'of {name}')
 
     def publishers(self, topic):
-        """Names of the nodes that publish a topic."""
+        """Returns the names of the nodes that publish a topic."""
         publishers = rosgraph.Master('/nodelets_test').getSystemState()[0]
         return [name for entry, names in publishers if entry == f'{self.namespace}/{topic}' for name in names]
 
     def assert_manager_is_well(self):
-        """Checks that the manager still runs, and that it ends as it should once all nodelets are unloaded."""
+        """Checks that the manager still runs, and that it ends properly after all nodelets are unloaded."""
         self.assertTrue(self.manager.is_running(), self.manager.output())
         for loader in self.processes[1:]:
             loader.stop()
@@ -64,9 +64,9 @@ class NodeletTestCase(support.CrowdTestCase):
 
 
 class DemoTest(NodeletTestCase):
-    """The recording of a run with nodelets against that of `evaluate`."""
+    """Compares the recording of a run with nodelets with that of `evaluate`."""
 
-    def test_the_same_recording_as_without_ros(self):
+    def test_recording_equals_that_of_a_run_without_ros(self):
         for table in (support.NEAREST_TABLE, support.ANTICIPATION_TABLE):
             folder = self.path(os.path.basename(table))
             learner = self.load('learner', q_table=table)
@@ -84,8 +84,8 @@ class DemoTest(NodeletTestCase):
         expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
 
-    def test_a_controller_alone_in_its_process(self):
-        """Without a manager it ends the process when it is done."""
+    def test_controller_without_a_manager(self):
+        """Without a manager the nodelet ends its process after the last episode."""
         self.start_learner()
         parameters = {'scenario': support.CIRCLE6, 'real_time_factor': 'fast', 'episodes': 1, 'answer_deadline': 60.0}
         for key, value in parameters.items():
@@ -106,7 +106,7 @@ class DemoTest(NodeletTestCase):
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
 
     def test_learners_with_different_visions(self):
-        """The learner of all agents sees 1 m; one that serves an agent which is not there sees 6 m."""
+        """The learner of all agents has a vision of 1 m, another one without agents has 6 m."""
         self.load('learner', 'learner_a', q_table=support.NEAREST_TABLE)
         self.load('learner', 'learner_b', q_table=support.ANTICIPATION_TABLE, agents=[99])
         perceptions = self.listen('perceptions', Perceptions)
@@ -118,7 +118,7 @@ class DemoTest(NodeletTestCase):
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
         self.assertGreater(perceptions.messages[-1].vision_radius, 6.0)
 
-    def test_ticks_go_by_pointer(self):
+    def test_ticks_are_passed_by_pointer(self):
         """roscpp counts the bytes of serialised messages; there are none for pointers."""
         self.load('learner', q_table=support.NEAREST_TABLE)
         self.load_controller(paused=True)
@@ -141,7 +141,7 @@ class DemoTest(NodeletTestCase):
         static_frames.wait(lambda message: children(message) == {'crowd'}, 'with the frame of the crowd')
 
     def received(self, topic):
-        """Messages and bytes of a topic that nodelets have received so far."""
+        """Returns the numbers of messages and bytes of a topic that nodelets have received."""
         master = rosgraph.Master('/nodelets_test')
         manager = xmlrpc.client.ServerProxy(master.lookupNode(f'{self.namespace}/manager'))
         subscriptions = manager.getBusStats('/nodelets_test')[1]
@@ -150,9 +150,9 @@ class DemoTest(NodeletTestCase):
 
 
 class TrainingTest(NodeletTestCase):
-    """The table learned in a nodelet against that of `train`."""
+    """Compares the table learned in a nodelet with that of `train`."""
 
-    def test_the_same_table_as_without_ros(self):
+    def test_table_equals_that_of_a_run_without_ros(self):
         learning = '{alpha: 0.2, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.6, to: 0.1, episodes: 4}}'
         config = self.write('config.yaml', config_text(SCENARIO, 7, 3, 'shared', learning))
         self.tool('train', config, '--output', self.path('headless.txt'))
@@ -171,9 +171,9 @@ class TrainingTest(NodeletTestCase):
 
 
 class LoadingTest(NodeletTestCase):
-    """Nodelets that come and go."""
+    """Loading and unloading of nodelets."""
 
-    def test_a_learner_that_goes_and_comes_again(self):
+    def test_learner_is_unloaded_and_loaded_again(self):
         agents = self.listen('agents', AgentStates)
         learner = self.load('learner', q_table=support.NEAREST_TABLE)
         self.load_controller(support.CIRCLE6, paused=True)
@@ -188,8 +188,8 @@ class LoadingTest(NodeletTestCase):
         self.assertNotEqual((moved.x, moved.y), (agents.wait_at(0, 3).agents[0].pose.x, moved.y))
         self.assert_manager_is_well()
 
-    def test_a_controller_that_is_unloaded_while_it_waits(self):
-        """For a learner that never comes; others in the manager are not disturbed."""
+    def test_controller_is_unloaded_while_it_waits(self):
+        """It waits for a learner that never answers; other nodelets of the manager are not affected."""
         self.load('crowd_markers')
         status = self.listen('learner_status', LearnerStatus)
         for _ in range(2):
@@ -201,7 +201,7 @@ class LoadingTest(NodeletTestCase):
         status.wait(what='of another nodelet')
         self.assert_manager_is_well()
 
-    def test_bad_parameters_are_named_and_the_manager_goes_on(self):
+    def test_error_names_invalid_parameters_and_the_manager_continues(self):
         refused = self.load_controller(real_time_factor='slow', no_such_name=1)
         self.assertNotEqual(refused.wait(), 0)
         support.wait_for(lambda: '~no_such_name' in self.manager.output(), 'a message of the manager')

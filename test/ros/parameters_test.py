@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Bad parameters and bad scenario files: a node names all that is wrong in one message and ends with status 1."""
+"""Invalid parameters and scenario files: a node reports all errors in one message and ends with status 1."""
 import os
 
 import support
@@ -20,7 +20,7 @@ class RefusalTestCase(support.CrowdTestCase):
     """A node that refuses to start."""
 
     def message_of(self, node):
-        """The message of a node that ends with an error: the last output."""
+        """Returns the message of a node that ends with an error: its last output."""
         self.assertEqual(node.wait(), 1, f'exit status of {node.name}; its output: {node.output()}')
         output = node.output()
         self.assertEqual(output.count('[FATAL]'), 1, output)
@@ -56,7 +56,7 @@ class ControllerParametersTest(RefusalTestCase):
         bad = {'real_time_factor': INFINITE, 'start_deadline': NAN, 'answer_deadline': INFINITE, 'agents_rate': NAN}
         self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
 
-    def test_of_a_wrong_type(self):
+    def test_wrong_type(self):
         bad = {'scenario': [1, 2], 'scenario_folder': {'a': 1}, 'seed': 'one', 'episodes': 2.5,
                'real_time_factor': 'quick', 'paused': 'yes', 'start_deadline': 'soon',
                'answer_deadline': True, 'misses_until_absent': 3.0,
@@ -69,7 +69,7 @@ class ControllerParametersTest(RefusalTestCase):
         self.assert_says(message, 'no such parameter', '~seed', '~answer_deadline')
 
     def test_misspelt(self):
-        """Each gets the most similar name; the lists of names do not contain misspelt ones."""
+        """The error suggests the most similar names; the lists of names do not contain misspelt ones."""
         message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, real_time_facter=3, epsiodes=1),
                                         'real_time_facter', 'epsiodes')
         self.assert_says(message, "~real_time_facter: there is no such parameter, did you mean '~real_time_factor'? "
@@ -78,35 +78,35 @@ class ControllerParametersTest(RefusalTestCase):
         for line in message.splitlines():
             self.assertNotIn('~real_time_facter', line.partition('There are')[2])
 
-    def test_left_from_an_earlier_start(self):
+    def test_left_over_from_an_earlier_start(self):
         """The message contains the command that removes it from the parameter server."""
         name = f'{self.namespace}/crowd_controller/paces'
         message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, paces=1), 'paces')
         self.assert_says(message, f'It may be left from an earlier start: rosparam delete {name}\n')
 
-    def test_a_required_one_is_misspelt(self):
+    def test_misspelt_required_parameter(self):
         """It is reported as misspelt, and not as missing as well."""
         message = self.assert_all_named(self.start_plain(scenaro=support.CIRCLE6), 'scenaro')
         self.assert_says(message, "did you mean '~scenario'?")
 
-    def test_a_configuration_that_cannot_be_read(self):
+    def test_unreadable_configuration(self):
         config = self.write('config.yaml', config_text('circel6', 1))
         message = self.assert_all_named(self.start_plain(config=config), 'config')
         self.assert_says(message, f'{config}: line 5: training.scenarios[0]', "did you mean 'circle6'?")
 
     def test_all_at_once(self):
-        """Missing, wrong, not finite and unknown ones in one message."""
+        """One message names missing, wrong, not finite and unknown parameters."""
         self.assert_all_named(self.start_plain(seed='x', agents_rate=NAN, no_such_name=1), 'scenario', 'seed',
                               'agents_rate', 'no_such_name')
 
-    def test_numbers_may_come_as_whole_ones_and_texts(self):
-        """As roslaunch and rosparam hand them on."""
+    def test_accepts_whole_numbers_and_texts_as_numbers(self):
+        """roslaunch and rosparam pass numbers in these forms."""
         node = self.start_controller(self.write('scene.yaml', SCENE), real_time_factor='2', answer_deadline=1,
                                      agents_rate=6, paused=True)
         self.succeed('crowd_controller/pause', data=True)
         self.assertTrue(node.is_running())
 
-    def test_a_folder_for_recordings_that_cannot_be_made(self):
+    def test_folder_for_recordings_that_cannot_be_created(self):
         file = self.write('file', '')
         node = self.start_plain(scenario=support.CIRCLE6, trajectories=file)
         self.assert_says(self.message_of(node), file)
@@ -116,41 +116,41 @@ class ScenarioFilesTest(RefusalTestCase):
     """Scenario files with errors, when crowd_controller starts."""
 
     def refusal(self, scenario, **parameters):
-        """Starts a controller with an invalid scenario; its message."""
+        """Starts a controller with an invalid scenario. Returns its message."""
         return self.message_of(self.start_controller(scenario, **parameters))
 
     def check(self, text, *words):
-        """The message names the file and these words."""
+        """Checks that the message contains the file and these words."""
         file = self.write('scene.yaml', text)
         self.assert_says(self.refusal(file), file, *words)
 
-    def test_an_unknown_key(self):
+    def test_unknown_key(self):
         self.check(f'{SCENE}---{SCENE}colour: red\n', 'document 2', 'line 13', 'colour')
 
-    def test_a_number_that_is_missing(self):
+    def test_missing_number(self):
         self.check(SCENE.replace('goal_tolerance: 0.3\n', ''), 'document 1', 'line 2', 'goal_tolerance')
 
-    def test_a_number_that_is_none(self):
+    def test_text_instead_of_a_number(self):
         self.check(SCENE.replace('speed: 0.5', 'speed: fast'), 'document 1', 'line 6', 'speed', "'fast'")
 
-    def test_a_number_that_is_not_finite(self):
+    def test_number_that_is_not_finite(self):
         self.check(SCENE.replace('radius: 0.25', 'radius: .nan'), 'document 1', 'line 6', 'radius')
 
-    def test_bodies_that_overlap(self):
+    def test_overlapping_bodies(self):
         again = '  - {position: [0.2, 0], goal: [20, 0], speed: 0.5, radius: 0.25}\n'
         self.check(f'{SCENE}---{SCENE}{again}', 'document 2', 'agents[0]', 'agents[1]', 'overlap')
 
-    def test_no_yaml(self):
+    def test_invalid_yaml(self):
         self.check(SCENE.replace(']', '', 1), 'line 6')
 
-    def test_an_empty_file(self):
+    def test_empty_file(self):
         self.check('', 'empty')
 
-    def test_no_file(self):
+    def test_missing_file(self):
         self.assert_says(self.refusal(self.path('no_such_file.yaml')), self.path('no_such_file.yaml'))
         self.assert_says(self.refusal('no_such_name', scenario_folder=self.folder), 'no_such_name', self.folder)
 
-    def test_a_name_of_none(self):
+    def test_unknown_name(self):
         """The message contains the folder and the existing names, the most similar first."""
         self.assert_says(self.refusal('circel6'), "no scenario 'circel6', did you mean 'circle6'? There is no file ",
                          os.path.join(os.getcwd(), 'circel6'), support.in_package('config', 'scenarios'),
@@ -175,7 +175,7 @@ class LearnerParametersTest(RefusalTestCase):
         bad = {'agents': [0, -1], 'seed': -1, 'save_every': -1}
         self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
 
-    def test_each_is_named_once(self):
+    def test_each_parameter_is_named_once(self):
         bad = {'mode': 'demos', 'tables': 'both', 'on_share': 'mix', 'alpha': 2, 'gamma': 1.0, 'epsilon': 'lots'}
         message = self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
         self.assert_says(message, "~mode: expected training or demo, got 'demos'", "~tables: expected shared or own, ",
@@ -184,14 +184,14 @@ class LearnerParametersTest(RefusalTestCase):
                          '~gamma: expected a number from 0 to below 1, got 1',
                          "~epsilon: expected a number, got 'lots'")
 
-    def test_a_list_of_the_command_line(self):
-        """roscpp sets it as a text."""
+    def test_list_from_the_command_line(self):
+        """roscpp sets a list from the command line as a text."""
         status = self.listen('learner_status', LearnerStatus)
         self.start_learner(arguments=['_agents:=[1, 2, 3]'])
         self.assertEqual(list(status.wait().agents), [1, 2, 3])
 
-    def test_lists_that_are_none(self):
-        """They are printed as they were set."""
+    def test_invalid_lists(self):
+        """The error quotes lists as they were set."""
         expected = '~agents: expected a list of whole numbers of at least 0, such as [0, 1, 2], got '
         for given in ('[1,x]', '[1, -2]', '[1, 2', '1 2', '{1: 2}', '[1.5]', '["1"]'):
             node = self.start_learner(arguments=[f'_agents:={given}'])
@@ -202,7 +202,7 @@ class LearnerParametersTest(RefusalTestCase):
         bad = {'alpha': NAN, 'gamma': INFINITE, 'lambda': -INFINITE, 'epsilon': NAN}
         self.assert_says(self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, **bad)), *bad)
 
-    def test_of_a_wrong_type(self):
+    def test_wrong_type(self):
         bad = {'mode': 3, 'tables': 'mine', 'on_share': True, 'agents': 'all', 'seed': 1.5, 'save_to': [1],
                'alpha': 'small', 'config': {'a': 1}}
         self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, **bad), *bad)
@@ -217,19 +217,19 @@ class LearnerParametersTest(RefusalTestCase):
         message = self.assert_all_named(self.start_plain(q_table=support.NEAREST_TABLE, agnets=[1]), 'agnets')
         self.assert_says(message, "did you mean '~agents'?")
 
-    def test_a_required_one_is_misspelt(self):
+    def test_misspelt_required_parameter(self):
         message = self.assert_all_named(self.start_plain(q_tabel=support.NEAREST_TABLE), 'q_tabel')
         self.assert_says(message, "did you mean '~q_table'?")
 
-    def test_an_empty_text_is_no_number(self):
-        """So a launch file leaves epsilon to the configuration, its schedule included."""
+    def test_empty_text_is_treated_as_unset(self):
+        """So a launch file can use epsilon and its schedule of the configuration."""
         config = config_text(support.CIRCLE6, 1, learning='{alpha: 0.2, epsilon: {from: 0.8, to: 0.2, episodes: 10}}')
         status = self.listen('learner_status', LearnerStatus)
         self.start_plain(mode='training', config=self.write('config.yaml', config), epsilon='', alpha='')
         message = status.wait()
         self.assertEqual((message.alpha, message.epsilon), (0.2, 0.8))
 
-    def test_files_that_cannot_be_read(self):
+    def test_unreadable_files(self):
         table = self.write('table.txt', 'no table')
         config = self.write('config.yaml', config_text(support.CIRCLE6, 1) + 'colour: red\n')
         message = self.assert_all_named(self.start_plain(mode='training', q_table=table, config=config), 'q_table',
@@ -238,14 +238,14 @@ class LearnerParametersTest(RefusalTestCase):
         missing = self.path('missing.txt')
         self.assert_says(self.assert_all_named(self.start_plain(q_table=missing), 'q_table'), missing)
 
-    def test_a_file_that_cannot_be_written(self):
+    def test_unwritable_file(self):
         """It is reported at the start, not after the training."""
         file = self.path('no_such_folder/table.txt')
         message = self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, mode='training', save_to=file))
         self.assert_says(message, f'~save_to: {file}: cannot be written',
                          f'there is no folder {self.path("no_such_folder")}')
 
-    def test_a_relative_file_that_cannot_be_written(self):
+    def test_unwritable_relative_file(self):
         file = self.path('no_such_folder/table.txt')
         message = self.message_of(self.start_plain(q_table=support.NEAREST_TABLE, save_to=os.path.relpath(file)))
         self.assert_says(message, f'~save_to: {file}: cannot be written')

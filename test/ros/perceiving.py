@@ -1,4 +1,4 @@
-"""Hand-made perceptions, for driving learners without a crowd controller."""
+"""Perceptions for tests of learners without a crowd controller."""
 import math
 
 import rospy
@@ -12,12 +12,12 @@ VISION = 10.0  # [m], more than the models of the tests need
 
 
 def ahead(degrees, distance):
-    """A point at a bearing, in the agent's frame."""
+    """Returns a point at a bearing, in the agent's frame."""
     return distance * math.cos(math.radians(degrees)), distance * math.sin(math.radians(degrees))
 
 
 def perceptions(episode, tick, last=False):
-    """Perceptions without agents."""
+    """Returns perceptions without agents."""
     message = Perceptions(episode=episode, tick=tick, tick_duration=support.TICK, last=last, vision_radius=VISION)
     message.header.frame_id = 'map'
     message.header.stamp = rospy.Time.now()
@@ -36,7 +36,7 @@ def add_agent(message, agent, goal, body=FREE, arrived=False, acted=True):
 
 
 def all_situations(episode=0, tick=0):
-    """As many agents as the thesis's first state set has states before arrival, 136, each in another one."""
+    """Returns perceptions of 136 agents, one in each state before arrival of the first state set of the thesis."""
     message = perceptions(episode, tick)
     for goal in range(0, 360, 45):
         bodies = [FREE] + [ahead(bearing, distance + RADIUS) for bearing in (7, 30, 70, 130, -130, -70, -30, -7)
@@ -61,11 +61,11 @@ class Perceiver:
         self.publisher.publish(message)
 
     def ask(self, message):
-        """Publishes perceptions and waits for the answer: {agent: (rotation, fraction of the maximum speed)}."""
+        """Publishes perceptions. Returns the answer: {agent: (rotation, fraction of the maximum speed)}."""
         self.tell(message)
         return answers_of(self.actions.wait_at(message.episode, message.tick))
 
 
 def answers_of(message):
-    """An answer as {agent: (rotation, fraction of the maximum speed)}."""
+    """Returns an answer as {agent: (rotation, fraction of the maximum speed)}."""
     return {action.agent: (action.rotation, action.speed_fraction) for action in message.agents}

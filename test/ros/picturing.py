@@ -1,4 +1,4 @@
-"""The markers of a topic as RViz would show them, and hand-made agents."""
+"""The markers of a topic as RViz would show them, and states of agents for tests."""
 import math
 import threading
 
@@ -14,7 +14,7 @@ class Picture:
     def __init__(self, topic):
         self._lock = threading.Lock()
         self._markers = {}
-        self.most_markers = 0  # of any message
+        self.most_markers = 0  # largest number of markers in a message
         self._subscriber = rospy.Subscriber(topic, MarkerArray, self._take, queue_size=100)
 
     def _take(self, array):
@@ -63,7 +63,7 @@ def sectors_of(points, centre):
 
 
 def fills(angles, limits):
-    """Whether the centres of triangles fill the sector between the limits [degrees]; None: there is none."""
+    """Returns whether the centres of triangles fill the sector between the limits [degrees]; None: no sector."""
     if angles is None or limits is None:
         return angles is limits
     slack = 6.0  # [degrees]; a triangle is narrower than twice that

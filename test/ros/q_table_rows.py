@@ -8,15 +8,15 @@ MERGED = {0: {0: (4, 2.0)}, 5: {2: (7, -2.5)}, 9: {1: (2, 0.25)}}  # means weigh
 
 
 def full(rows):
-    """Rows as a file holds them, with all actions."""
+    """Returns rows in the form of a file, with all actions."""
     return {row: [actions.get(action, (0, 0.0)) for action in range(8)] for row, actions in rows.items()}
 
 
 class TableTestCase(support.CrowdTestCase):
-    """Saves tables to look at them."""
+    """Reads tables of learners by saving them."""
 
     def saved(self, learner, agent=0):
-        """The rows of an agent's table."""
+        """Returns the rows of an agent's table."""
         file = self.path('saved.txt')
         self.succeed(f'{learner}/save_q_table', file=file, agent=agent)
         return QTableFile(file).rows

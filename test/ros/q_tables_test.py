@@ -14,13 +14,13 @@ class SaveAndLoadTest(TableTestCase):
     """save_q_table and load_q_table of one learner."""
 
     def trained_table(self):
-        """A table that decides otherwise than the thesis's."""
+        """Returns a table that gives other decisions than that of the thesis."""
         scenario = support.in_package('config', 'scenarios', 'training_single.yaml')
         config = self.write('config.yaml', config_text(scenario, 20))
         self.tool('train', config, '--output', self.path('trained.txt'))
         return self.path('trained.txt')
 
-    def test_a_saved_table_decides_alike_elsewhere(self):
+    def test_loaded_table_gives_the_same_decisions(self):
         self.start_learner('learner_a', q_table=self.trained_table(), agents=list(range(136)))
         by_a = Perceiver(self).ask(all_situations())
         self.assertEqual(len(by_a), 136)
@@ -35,8 +35,8 @@ class SaveAndLoadTest(TableTestCase):
         self.assertEqual(perceiver.ask(all_situations(tick=2)), by_a)
         self.assertEqual(self.saved('learner_b'), QTableFile(self.path('table.txt')).rows)
 
-    def test_saved_twice_is_the_same_file(self):
-        """A table read and written again loses no bit."""
+    def test_saving_a_loaded_table_gives_the_same_file(self):
+        """Loading and saving a table preserves every bit."""
         self.start_learner()
         self.succeed('learner/save_q_table', file=self.path('first.txt'))
         self.succeed('learner/load_q_table', file=self.path('first.txt'))
@@ -45,7 +45,7 @@ class SaveAndLoadTest(TableTestCase):
         self.assertEqual(QTableFile(self.path('first.txt')).rows, QTableFile(support.NEAREST_TABLE).rows)
 
     def bad_files(self):
-        """Files that are no tables for this learner: name, content."""
+        """Returns invalid files for this learner: name, content."""
         good = support.read_text(support.NEAREST_TABLE)
         lines = good.splitlines(keepends=True)
         changed = lines[20].replace(' ', ' 1', 1)
@@ -62,7 +62,7 @@ class SaveAndLoadTest(TableTestCase):
             'another_action_set.txt': other_actions,
         }
 
-    def test_bad_files_are_refused_and_the_table_stays(self):
+    def test_invalid_files_are_refused_and_the_table_does_not_change(self):
         self.start_learner()
         perceiver = Perceiver(self)
         before = perceiver.ask(all_situations()), self.saved('learner')
@@ -74,7 +74,7 @@ class SaveAndLoadTest(TableTestCase):
         after = perceiver.ask(all_situations(tick=1)), self.saved('learner')
         self.assertEqual(after, before)
 
-    def test_a_file_that_cannot_be_written_is_told(self):
+    def test_unwritable_file_is_reported(self):
         self.start_learner()
         self.refuse('learner/save_q_table', 'file', file='')
         self.refuse('learner/load_q_table', 'file', file='')
@@ -86,25 +86,25 @@ class SaveAndLoadTest(TableTestCase):
         self.refuse('learner/save_q_table', 'agent 3 is not served by', 'it serves agent 4',
                     file=self.path('saved.txt'), agent=3)
 
-    def test_the_only_agent_need_not_be_named(self):
+    def test_single_agent_need_not_be_named(self):
         self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4])
         response = self.succeed('learner/save_q_table', file=self.path('saved.txt'))
         self.assert_says(response.message, 'agent 4', self.path('saved.txt'))
         self.assertEqual(QTableFile(self.path('saved.txt')).rows, full(TABLE_A))
         self.assert_says(self.succeed('learner/share_q_table').message, 'the Q-table of agent 4')
 
-    def test_the_table_of_a_learner_of_one_agent_is_that_agents(self):
+    def test_reply_names_the_agent_of_a_learner_of_one_agent(self):
         self.start_learner(agents=[4])
         response = self.succeed('learner/save_q_table', file=self.path('saved.txt'))
         self.assert_says(response.message, 'of the table of agent 4 to ')
 
-    def test_one_of_many_must_be_named(self):
+    def test_one_of_several_agents_must_be_named(self):
         self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4, 5])
         for service in ('save_q_table', 'share_q_table'):
             request = {'file': self.path('saved.txt')} if service == 'save_q_table' else {}
             self.refuse(f'learner/{service}', 'agent 0 is not served by', 'it serves agents 4, 5', **request)
 
-    def test_replies_name_the_absolute_path(self):
+    def test_replies_contain_the_absolute_path(self):
         """A path is relative to the learner's working directory."""
         self.start_learner()
         file = os.path.relpath(self.path('table.txt'), os.getcwd())
@@ -112,7 +112,7 @@ class SaveAndLoadTest(TableTestCase):
         self.assert_says(self.succeed('learner/load_q_table', file=file).message, f' from {self.path("table.txt")}:')
         self.refuse('learner/load_q_table', f'{self.path("none.txt")}: ', file=os.path.relpath(self.path('none.txt')))
 
-    def test_nothing_is_told_of_files_that_are_no_q_tables(self):
+    def test_errors_quote_nothing_of_other_files(self):
         self.start_learner()
         for secret in ('password: secret\n', 'secret', 'social_crowd Q-table of secrets\n'):
             response = self.refuse('learner/load_q_table', 'no Q-table of this package', "'social_crowd Q-table 1'",
@@ -125,7 +125,7 @@ class SaveAndLoadTest(TableTestCase):
 class SaveToTest(support.CrowdTestCase):
     """~save_to and ~save_every."""
 
-    def test_tables_are_saved_on_the_way_and_at_the_end(self):
+    def test_table_is_saved_during_training_and_at_the_end(self):
         scenario = support.in_package('config', 'scenarios', 'training_single.yaml')
         file = self.path('table.txt')
         learner = self.start_learner(mode='training', save_to=file, save_every=2)
@@ -142,13 +142,13 @@ class SaveToTest(support.CrowdTestCase):
         self.assertGreater(on_the_way.header['decisions'], before.header['decisions'])
         self.assertGreater(at_the_end.header['decisions'], on_the_way.header['decisions'])
 
-    def test_the_message_names_the_absolute_path(self):
+    def test_message_contains_the_absolute_path(self):
         learner = self.start_learner(save_to=os.path.relpath(self.path('table.txt')))
         self.listen('learner_status', LearnerStatus).wait()
         self.assertEqual(learner.stop(), 0)
         self.assert_says(learner.output(), f' to {self.path("table.txt")}\n')
 
-    def test_that_it_cannot_be_saved_is_told_after_ctrl_c(self):
+    def test_failure_to_save_is_reported_after_an_interrupt(self):
         os.mkdir(self.path('folder'))
         learner = self.start_learner(save_to=self.path('folder/table.txt'))
         self.listen('learner_status', LearnerStatus).wait()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""RViz as the launch files start it, on a screen of its own: what a person would see of a running crowd.
+"""RViz on a separate screen, with the configuration of the launch files: the picture of a running crowd.
 
 The crowd is far from the origin, and has to be in view all the same.
 """
@@ -22,7 +22,7 @@ LIKE = 0.06  # difference of colour channels that still counts as the same colou
 
 
 def count_like(picture, colour):
-    """How many pixels of a picture [rows, columns, rgb] have about this colour."""
+    """Returns the number of pixels of a picture [rows, columns, rgb] with approximately this colour."""
     return int((abs(picture[:, :, :3] - colour).max(axis=2) < LIKE).sum())
 
 
@@ -51,14 +51,14 @@ class RvizTest(unittest.TestCase):
         self.folder.cleanup()
 
     def screenshot(self):
-        """The screen's pixels, or nothing if it cannot be taken yet."""
+        """Returns the pixels of the screen, or None if there is no picture yet."""
         file = os.path.join(self.folder.name, 'shot.png')
         command = ['import', '-window', 'root', 'png24:' + file]  # in colour, also while the screen is still grey
         taken = subprocess.run(command, env=self.environment, stderr=subprocess.DEVNULL, check=False)
         return imread(file) if taken.returncode == 0 else None
 
     def shows(self, colour, least):
-        """Whether the screen has a minimum number of pixels of a colour."""
+        """Returns whether the screen has a minimum number of pixels of a colour."""
         picture = self.screenshot()
         return picture is not None and count_like(picture, colour) >= least
 

@@ -13,7 +13,7 @@ class ShareTest(TableTestCase):
     """share_q_table between learner_a (agents 0 and 1) and learner_b (agents 2 and 3)."""
 
     def start_both(self, tables='own', **parameters):
-        """Starts both; they know each other then, and each has its table."""
+        """Starts both learners, and waits until they know each other and have their tables."""
         self.a = self.write('a.txt', q_table_text(TABLE_A))
         self.b = self.write('b.txt', q_table_text(TABLE_B))
         self.start_learner('learner_a', q_table=self.a, agents=[0, 1], tables=tables)
@@ -22,16 +22,16 @@ class ShareTest(TableTestCase):
         self.succeed('learner_b/load_q_table', file=self.b)
 
     def wait_until_known(self, learner, from_agent, to_agent):
-        """Waits until a learner can share with another one; that one has its table then."""
+        """Waits until a learner can share with another one, which then has its table."""
         support.wait_for(lambda: self.share(learner, from_agent, [to_agent], 'replace').success,
                          f'{learner} to know the learner of agent {to_agent}')
 
     def share(self, learner, from_agent, to_agents=(), method=''):
-        """Asks a learner to share."""
+        """Calls share_q_table of a learner. Returns the response."""
         return self.call(f'{learner}/share_q_table', from_agent=from_agent, to_agents=list(to_agents), method=method)
 
     def rows_of_all(self):
-        """Rows by agent."""
+        """Returns the rows by agent."""
         learners = {0: 'learner_a', 1: 'learner_a', 2: 'learner_b', 3: 'learner_b'}
         return {agent: self.saved(learner, agent) for agent, learner in learners.items()}
 
@@ -39,7 +39,7 @@ class ShareTest(TableTestCase):
         """Checks the tables of all agents, in order."""
         self.assertEqual(self.rows_of_all(), {agent: full(rows) for agent, rows in enumerate(expected)})
 
-    def test_to_everybody(self):
+    def test_shares_with_all_agents_by_default(self):
         self.start_both()
         response = self.share('learner_a', 0)
         self.assertTrue(response.success, response.message)
@@ -47,7 +47,7 @@ class ShareTest(TableTestCase):
         self.assert_says(response.message, '1', '2', '3')
         self.check_rows(TABLE_A, TABLE_A, TABLE_A, TABLE_A)
 
-    def test_to_a_list(self):
+    def test_shares_with_listed_agents(self):
         self.start_both()
         response = self.share('learner_a', 0, [3], 'replace')
         self.assertTrue(response.success, response.message)
@@ -62,27 +62,27 @@ class ShareTest(TableTestCase):
         self.assert_says(response.message, 'merged into the table of agent 2 (13 visits, 10 of them new)')
         self.check_rows(TABLE_A, TABLE_A, MERGED, TABLE_B)
 
-    def test_each_receiver_may_choose_the_method(self):
+    def test_request_overrides_the_method_of_the_receiver(self):
         self.start_both(on_share='merge')
         self.assertTrue(self.share('learner_a', 0, [2]).success)
         self.assertTrue(self.share('learner_a', 0, [3], 'replace').success)
         self.check_rows(TABLE_A, TABLE_A, MERGED, TABLE_A)
 
-    def test_shared_tables(self):
-        """A learner with a shared table takes it for all its agents."""
+    def test_shared_table_changes_for_all_agents(self):
+        """A learner with a shared table takes the given table for all its agents."""
         self.start_both(tables='shared')
         response = self.share('learner_a', 0, [2], 'merge')
         self.assertTrue(response.success, response.message)
         self.assertEqual(set(response.taken_by), {2, 3})
         self.check_rows(TABLE_A, TABLE_A, MERGED, MERGED)
 
-    def test_merging_within_a_shared_table_counts_nothing_twice(self):
+    def test_merging_within_a_shared_table_changes_nothing(self):
         self.start_both(tables='shared')
         response = self.share('learner_a', 0, [1], 'merge')
         self.assertTrue(response.success, response.message)
         self.check_rows(TABLE_A, TABLE_A, TABLE_B, TABLE_B)
 
-    def test_an_unknown_agent_is_told_and_the_others_take_it(self):
+    def test_unknown_agent_is_reported_and_others_take_the_table(self):
         self.start_both()
         response = self.share('learner_a', 0, [2, 77])
         self.assertFalse(response.success)
@@ -90,11 +90,11 @@ class ShareTest(TableTestCase):
         self.assertEqual(tuple(response.taken_by), (2,))
         self.check_rows(TABLE_A, TABLE_A, TABLE_A, TABLE_B)
 
-    def test_the_one_who_shares_need_not_be_given_it(self):
+    def test_source_is_refused_as_the_only_receiver(self):
         self.start_both()
         self.refuse('learner_a/share_q_table', 'agent 0 is the source', from_agent=0, to_agents=[0])
 
-    def test_bad_requests_change_nothing(self):
+    def test_invalid_requests_change_nothing(self):
         self.start_both()
         self.refuse('learner_a/share_q_table', 'agent 2', from_agent=2)
         self.refuse('learner_a/share_q_table', 'replace or merge', 'mix', from_agent=0, method='mix')
@@ -103,7 +103,7 @@ class ShareTest(TableTestCase):
         self.refuse('learner_b/take_q_table', 'agent 5', to_agents=[2, 5], q_table=support.read_text(self.a))
         self.check_rows(TABLE_A, TABLE_A, TABLE_B, TABLE_B)
 
-    def test_a_learner_that_was_killed_is_told_and_the_others_take_it(self):
+    def test_killed_learner_is_reported_and_others_take_the_table(self):
         self.start_both()
         killed = self.start_learner('learner_c', q_table=self.b, agents=[4])
         self.wait_until_known('learner_a', 0, 4)
@@ -117,7 +117,7 @@ class ShareTest(TableTestCase):
         support.wait_for(lambda: self.share('learner_a', 0).success, 'sharing with the learner that came back')
         self.assertEqual(self.saved('learner_c', 4), full(TABLE_A))
 
-    def test_a_learner_of_another_state_set_refuses(self):
+    def test_learner_with_another_state_set_refuses_the_table(self):
         self.start_both()
         self.start_learner('learner_c', q_table=support.OCCUPANCY_TABLE, agents=[4])
         status = self.listen('learner_status', LearnerStatus)
@@ -133,7 +133,7 @@ class ShareTest(TableTestCase):
         self.assertEqual(tuple(response.taken_by), ())
         self.assertEqual(self.saved('learner_c', 4), QTableFile(support.OCCUPANCY_TABLE).rows)
 
-    def test_many_share_with_each_other_at_the_same_time(self):
+    def test_concurrent_sharing_does_not_deadlock(self):
         """Each call waits for the other learner to take the table; there must be no deadlock."""
         # Large tables take some time, so that the calls overlap.
         self.start_learner('learner_a', q_table=support.OCCUPANCY_TABLE, agents=[0, 1])
@@ -148,7 +148,7 @@ class ShareTest(TableTestCase):
             self.assertTrue(response.success, response.message)
 
     def share_at_once(self, learner, agent, start):
-        """Shares in a thread of its own as soon as all threads are there."""
+        """Shares in a separate thread after all threads have started."""
         def share():
             start.wait(support.PATIENCE)
             return self.share(learner, agent)
@@ -162,7 +162,7 @@ class SharedPastTest(TableTestCase):
     TICKS = 6
 
     def start_both(self):
-        """Starts both, which learn; they know each other then, and learner_b has the table of learner_a."""
+        """Starts both learners in training mode, and gives learner_b the table of learner_a."""
         config = self.write('config.yaml', config_text(support.CIRCLE6, 1))
         self.start_learner('learner_a', q_table=support.NEAREST_TABLE, mode='training', agents=[0])
         self.start_learner('learner_b', config=config, mode='training', agents=[1])
@@ -172,17 +172,17 @@ class SharedPastTest(TableTestCase):
         support.wait_for(lambda: self.share('learner_b', [0], 'merge'), 'learner_b to know learner_a')
 
     def share(self, learner, to_agents, method):
-        """Shares with some agents; the message of the response, or None after a failure."""
+        """Shares with some agents. Returns the message of the response, or None after a failure."""
         response = self.call(f'{learner}/share_q_table', to_agents=to_agents, method=method)
         return response.message if response.success else None
 
     def visits(self, learner):
-        """All visits of a learner's table."""
+        """Returns the sum of visits of a learner's table."""
         self.succeed(f'{learner}/save_q_table', file=self.path('counted.txt'))
         return QTableFile(self.path('counted.txt')).visits()
 
     def walk(self, perceiver, episode):
-        """Both agents walk; each learns from one decision less than there are ticks."""
+        """Both agents walk; each learner learns from one decision fewer than there are ticks."""
         for tick in range(self.TICKS):
             message = add_agent(perceptions(episode, tick), 0, ahead(45, 5))
             perceiver.tell(add_agent(message, 1, ahead(-90, 5)))
@@ -190,11 +190,11 @@ class SharedPastTest(TableTestCase):
 
     @staticmethod
     def answered(perceiver, episode, tick):
-        """Agents that were answered for."""
+        """Returns the agents in all answers."""
         return {action.agent for message in list(perceiver.actions.messages)
                 if (message.episode, message.tick) == (episode, tick) for action in message.agents}
 
-    def test_replaced_then_merged_three_times(self):
+    def test_repeated_merges_change_nothing(self):
         """Without new decisions the visits do not change."""
         self.start_both()
         rows = self.saved('learner_a')
@@ -205,7 +205,7 @@ class SharedPastTest(TableTestCase):
         self.assertEqual((self.visits('learner_a'), self.visits('learner_b')), (self.past, self.past))
         self.assertEqual((self.saved('learner_a'), self.saved('learner_b', 1)), (rows, rows))
 
-    def test_what_each_learned_since_counts_once(self):
+    def test_new_visits_count_once(self):
         self.start_both()
         perceiver = Perceiver(self, 2)
         self.walk(perceiver, 0)
@@ -219,7 +219,7 @@ class SharedPastTest(TableTestCase):
         self.assertEqual(self.visits('learner_a'), self.past + 4 * news)
         self.assertEqual(self.visits('learner_b'), self.past + 4 * news)
 
-    def test_a_file_on_the_way_is_recognised(self):
+    def test_saved_and_loaded_table_is_recognised(self):
         self.start_both()
         perceiver = Perceiver(self, 2)
         self.walk(perceiver, 0)

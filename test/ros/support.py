@@ -1,4 +1,4 @@
-"""Base of the rostests: nodes, topics and services in a name space of their own. Includes the support of all tests."""
+"""Base of the rostests: nodes, topics and services in a separate name space. Includes the support of all tests."""
 import os
 import shutil
 import sys
@@ -19,7 +19,7 @@ from programs import (ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABL
                       ProgramRunner, assert_same_recording, assert_says, data, in_package, page_examples, read_bytes,
                       read_text, recording_of, wait_for)
 
-TICK = 0.1  # [s] of a scenario that does not say otherwise
+TICK = 0.1  # [s], default of scenarios
 SERVICES = {
     'pause': SetBool,
     'step': srv.Step,
@@ -48,7 +48,7 @@ skips = {}  # reasons, by test
 
 
 class Task:
-    """A call in a thread of its own, with a timeout."""
+    """A call in a separate thread, with a timeout."""
 
     def __init__(self, call):
         self.call = call
@@ -58,14 +58,14 @@ class Task:
         self.thread.start()
 
     def run(self):
-        """Body of the thread."""
+        """Runs the call in the thread."""
         try:
             self.value = self.call()
         except Exception as error:
             self.error = error
 
     def is_done(self):
-        """Whether the call has returned."""
+        """Returns whether the call has returned."""
         return not self.thread.is_alive()
 
     def result(self, what='an answer', seconds=PATIENCE):
@@ -90,7 +90,7 @@ class Listener:
         return self
 
     def wait(self, fits=lambda message: True, what='', seconds=PATIENCE):
-        """Waits for a message that fits; the first one."""
+        """Waits for a message that meets the condition. Returns the first one."""
         return wait_for(lambda: [message for message in list(self.messages) if fits(message)],
                         f'a message on {self.topic} {what}', seconds)[0]
 
@@ -101,7 +101,7 @@ class Listener:
 
 
 class CrowdTestCase(unittest.TestCase, ProgramRunner):
-    """A test with a name space and a folder of its own, in which it starts nodes."""
+    """A test that starts nodes in its own name space and folder."""
 
     longMessage = True
     maxDiff = None
@@ -125,13 +125,13 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
         self.addCleanup(self.check_ends)
 
     def check_ends(self):
-        """Ends all processes and looks how they end."""
+        """Ends all processes and checks that they end properly."""
         for listener in self.listeners:
             listener.subscriber.unregister()
         self.assertEqual(self.clean_up(), '', 'processes that ended badly')
 
     def skip(self, reason):
-        """Ends the test as one that could not run."""
+        """Marks the test as skipped and ends it."""
         skips[self.id()] = reason
         print(f'SKIPPED {self.id()}: {reason}', file=sys.stderr)
         self.skipTest(reason)
@@ -168,7 +168,7 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
         return listener
 
     def call_later(self, service, **request):
-        """Calls a service of a node, such as learner/set_mode, in a thread of its own."""
+        """Calls a service of a node, such as learner/set_mode, in a separate thread."""
         name = f'{self.namespace}/{service}'
         rospy.wait_for_service(name, PATIENCE)
         return Task(lambda: rospy.ServiceProxy(name, SERVICES[service.split('/')[-1]])(**request))
@@ -178,13 +178,13 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
         return self.call_later(service, **request).result(f'an answer of {service}', seconds)
 
     def succeed(self, service, **request):
-        """Calls a service that is to succeed."""
+        """Calls a service that must succeed."""
         response = self.call(service, **request)
         self.assertTrue(response.success, f'{service}: {response.message}')
         return response
 
     def refuse(self, service, *words, **request):
-        """Calls a service that is to refuse, with a message that holds these words."""
+        """Calls a service that must refuse, with a message that contains these words."""
         response = self.call(service, **request)
         self.assertFalse(response.success, f'{service} should have refused {request}')
         self.assert_says(response.message, *words)
@@ -212,13 +212,13 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
 
 
 def read_recording(file):
-    """Positions by (instance, tick, agent)."""
+    """Returns the positions of a recording by (instance, tick, agent)."""
     rows = [line.split(',') for line in read_text(file).splitlines()[1:]]
     return {(int(i), int(k), int(a)): (float(x), float(y)) for i, k, a, x, y in rows}
 
 
 def note_skips():
-    """Marks skipped tests in the results, which rosunit takes for passed ones."""
+    """Marks skipped tests in the results, because rosunit reports them as passed."""
     files = [word.partition(':xml:')[2] for word in sys.argv if word.startswith('--gtest_output=xml:')]
     if not skips or not files or not os.path.exists(files[0]):
         return

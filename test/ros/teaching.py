@@ -1,4 +1,4 @@
-"""A learner that is driven with hand-made perceptions."""
+"""A learner that gets its perceptions from a test."""
 import support
 from learning_files import QTableFile, config_text
 from perceiving import Perceiver, add_agent, ahead, perceptions
@@ -21,11 +21,11 @@ class LearnerTestCase(support.CrowdTestCase):
         self.start_one(config=config, mode='training', epsilon=0.0, **parameters)
 
     def saved(self):
-        """The learner's table."""
+        """Returns the learner's table."""
         self.succeed('learner/save_q_table', file=self.path('saved.txt'))
         return QTableFile(self.path('saved.txt'))
 
     def walk(self, episode, ticks, acted=True):
-        """An agent that has its goal 45 degrees to the left, tick for tick; its answers."""
+        """Publishes ticks of an agent whose goal is 45 degrees to the left. Returns the answers."""
         return [self.perceiver.ask(add_agent(perceptions(episode, tick), 0, ahead(45, 5), acted=acted))
                 for tick in range(ticks)]

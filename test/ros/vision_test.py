@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The crowd controller perceives with the widest vision that learners report, and each learner decides by its own."""
+"""The crowd controller uses the widest vision that learners report; each learner decides within its own vision."""
 import rospy
 import support
 from answering import Answers
@@ -9,8 +9,8 @@ from walking import EPISODES, SCENARIO, WalkTestCase
 
 MARGIN = 1e-6  # [m], by which a model's vision exceeds that of its state set
 DEFAULT = (6.0, 0, False)  # radius [m], maximum number of neighbours, occlusion
-NOT_THERE = 99  # number of an agent that no scenario has
-# Three agents in a row, which hardly move, the middle one in front of the last, as seen from the first; a wall behind.
+NOT_THERE = 99  # id of an agent that is in no scenario
+# Three slow agents in a row, so that the middle one hides the last from the first; a wall behind them.
 ROW = """
 name: row
 duration: 1000
@@ -22,7 +22,7 @@ agents:
 walls:
   - [[5, -0.1], [5, 0.1]]
 """
-# Two agents that perceive each other from 3.5 m, not from 1 m, and evade at once.
+# Two agents 3.5 m apart, which evade each other at once if their vision is larger.
 HEAD_ON = """
 name: head_on
 duration: 20
@@ -35,7 +35,7 @@ PROGRESS = 'reward: {type: progress}'
 
 
 def vision_of(message):
-    """The three fields of a message."""
+    """Returns radius, number of neighbours and occlusion of a message."""
     return message.vision_radius, message.max_neighbours, message.occlusion
 
 
@@ -43,12 +43,12 @@ class VisionTestCase(WalkTestCase):
     """Walks until the controller has received what learners report."""
 
     def perceived(self):
-        """The perceptions of the next tick."""
+        """Returns the perceptions of the next tick."""
         response = self.step()
         return self.perceptions.wait_at(response.episode, response.tick - 1)
 
     def expect(self, *vision):
-        """Walks until perceptions are made with a vision; the perceptions."""
+        """Walks until the controller uses a vision. Returns the perceptions."""
         def is_used():
             message = self.perceived()
             return message if vision_of(message) == vision else None
@@ -57,7 +57,7 @@ class VisionTestCase(WalkTestCase):
 
 
 class WidestVisionTest(VisionTestCase):
-    """The vision of the perceptions, by the reports of learners."""
+    """The vision of the perceptions depends on the reports of learners."""
 
     def start_row(self, **parameters):
         """Starts a controller and a learner that reports nothing."""
@@ -76,13 +76,13 @@ class WidestVisionTest(VisionTestCase):
         self.statuses[learner].publish(LearnerStatus(node=learner, vision_radius=radius, occlusion=occlusion,
                                                      max_neighbours=max_neighbours))
 
-    def test_the_default_before_any_report(self):
+    def test_default_before_any_report(self):
         self.start_row()
         message = self.perceived()
         self.assertEqual(vision_of(message), DEFAULT)
         self.assertEqual([(agent.neighbour_count, agent.wall_count) for agent in message.agents], [(2, 1)] * 3)
 
-    def test_the_largest_radius_and_number(self):
+    def test_largest_radius_and_number_of_neighbours(self):
         self.start_row()
         self.report('/a', 3.0, max_neighbours=4)
         message = self.expect(3.0, 4, False)
@@ -92,7 +92,7 @@ class WidestVisionTest(VisionTestCase):
         self.report('/b', 5.0)
         self.expect(5.0, 0, False)
 
-    def test_occlusion_if_all_learners_want_it_with_the_same_radius(self):
+    def test_occlusion_if_all_learners_request_it_with_the_same_radius(self):
         self.start_row()
         self.report('/a', 7.0, max_neighbours=5, occlusion=True)
         message = self.expect(7.0, 5, True)
@@ -101,12 +101,12 @@ class WidestVisionTest(VisionTestCase):
         self.report('/b', 7.0, max_neighbours=6, occlusion=True)
         self.expect(7.0, 6, True)
         self.report('/b', 5.0, max_neighbours=6, occlusion=True)
-        self.expect(7.0, 0, False)  # occlusion is then the learners' task; they need all bodies
+        self.expect(7.0, 0, False)  # learners then compute occlusion from all bodies
         self.report('/b', 7.0, max_neighbours=6)
         self.report('/c', 8.0, max_neighbours=2)
         self.expect(8.0, 0, False)
 
-    def test_a_new_report_replaces_the_previous_one(self):
+    def test_new_report_replaces_the_previous_one(self):
         self.start_row()
         self.report('/a', 9.0)
         self.expect(9.0, 0, False)
@@ -123,8 +123,8 @@ class WidestVisionTest(VisionTestCase):
         support.wait_for(lambda: self.controller.output().count('is ignored') == 2, 'two warnings')
         self.assert_says(self.controller.output(), "'/a' requests a vision radius of nan")
 
-    def test_a_wider_vision_while_answers_are_awaited(self):
-        """The tick is perceived again; answers that were taken before stay valid."""
+    def test_wider_vision_while_answers_are_awaited(self):
+        """The tick is perceived again; accepted answers stay valid."""
         self.start_row()
         self.answers.silent = {2}
         task = self.call_later('crowd_controller/step', ticks=1)
@@ -137,8 +137,8 @@ class WidestVisionTest(VisionTestCase):
         self.start_learner(agents=[2])
         self.assertTrue(task.result('the end of the tick').success)
 
-    def test_agents_that_come_and_go_before_the_wider_vision(self):
-        """The tick is asked anew, for the agents that are there then."""
+    def test_agents_spawned_and_removed_before_a_wider_vision(self):
+        """The tick is perceived again, for the agents of that time."""
         results = self.listen('episode_results', EpisodeResult)
         self.start_controller(self.write('row.yaml', ROW.replace('duration: 1000', 'duration: 0.5')), episodes=1)
         results.wait_connected()
@@ -151,7 +151,7 @@ class WidestVisionTest(VisionTestCase):
 
 
 class MixedLearnersTest(VisionTestCase):
-    """Learners with different visions: each decides and learns the same as without ROS."""
+    """Learners with different visions: each gives the same decisions and tables as without ROS."""
 
     def start_other(self, table):
         """Starts a learner that answers for no agent and only reports a vision."""
@@ -168,7 +168,7 @@ class MixedLearnersTest(VisionTestCase):
         self.succeed('crowd_controller/pause', data=False)
 
     def check(self, table, other, *vision):
-        """Compares the recording of a learner beside another one with that of `evaluate`."""
+        """Compares the recording of a learner, beside another one, with that of `evaluate`."""
         self.start_learner(q_table=table)
         self.start_other(other)
         self.start_paused()
@@ -180,15 +180,15 @@ class MixedLearnersTest(VisionTestCase):
         """Compares the recording with that of `evaluate`."""
         self.assert_same_recording(self.finish_walk(), self.headless(SCENARIO, table, episodes=EPISODES, seed=5))
 
-    def test_a_smaller_radius_and_fewer_neighbours(self):
+    def test_smaller_radius_and_fewer_neighbours(self):
         table = self.train_anticipation(vision_radius=2, max_neighbours=3)
         self.check(table, support.ANTICIPATION_TABLE, 6.0 + MARGIN, 16, False)
 
-    def test_a_smaller_radius_without_a_limit_of_neighbours(self):
+    def test_smaller_radius_without_a_limit_of_neighbours(self):
         table = self.train_anticipation(vision_radius=1.5, max_neighbours=0)
         self.check(table, support.ANTICIPATION_TABLE, 6.0 + MARGIN, 0, False)
 
-    def test_occlusion_beside_a_learner_without(self):
+    def test_occlusion_beside_a_learner_without_occlusion(self):
         table = self.train_anticipation('vision: {occlusion: true}')
         self.check(table, support.NEAREST_TABLE, 6.0 + MARGIN, 0, False)
 
@@ -197,7 +197,7 @@ class MixedLearnersTest(VisionTestCase):
         wide = self.train_anticipation('vision: {occlusion: true}', 'wide.txt')
         self.check(table, wide, 6.0 + MARGIN, 0, False)
 
-    def test_a_wider_learner_that_joins_late(self):
+    def test_learner_with_wider_vision_joins_late(self):
         table = self.train_anticipation(vision_radius=2, max_neighbours=3)
         self.start_learner(q_table=table)
         self.start_paused()
@@ -207,8 +207,8 @@ class MixedLearnersTest(VisionTestCase):
         self.go_on()
         self.check_recording(table)
 
-    def test_a_wider_learner_for_which_the_crowd_waits(self):
-        """Perceptions of the first tick are published with the smaller vision; it does not answer them."""
+    def test_crowd_waits_for_a_learner_with_wider_vision(self):
+        """The first perceptions have the smaller vision; the learner with the wider vision does not answer them."""
         scenario = self.write('head_on.yaml', HEAD_ON)
         narrow = self.start_learner('narrow')
         self.start_paused(scenario=scenario, episodes=1)
@@ -221,8 +221,8 @@ class MixedLearnersTest(VisionTestCase):
         self.start_learner(q_table=support.ANTICIPATION_TABLE)
         self.assert_same_recording(self.finish_walk(), self.headless(scenario, support.ANTICIPATION_TABLE))
 
-    def test_what_is_learned(self):
-        """The reward depends on all that is perceived."""
+    def test_training_beside_a_learner_with_wider_vision(self):
+        """The reward depends on all neighbours in the perceptions."""
         model = NEAREST_MODEL.replace('reward: {goal: cosine_cubed, arrival: 100, obstacle_cost: 80}', PROGRESS)
         config = self.write('config.yaml', config_text(SCENARIO, EPISODES, 5, model=model))
         expected = self.path('headless.txt')

@@ -2,8 +2,7 @@
 import support
 from social_crowd.msg import EpisodeResult
 
-# A circle, walls, moving obstacles, several goals, random places, solid bodies, agents that take turns, headings that
-# are kept.
+# A circle, walls, moving obstacles, several goals, random places, solid bodies, sequential order, kept headings.
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 12  # so that each of the six documents is walked twice
 
@@ -20,10 +19,10 @@ class WalkTestCase(support.CrowdTestCase):
         self.results.wait_connected()
 
     def finish_walk(self):
-        """Waits for the end of the episodes; the recording. No answer may be missed or dropped."""
+        """Waits for the end of the episodes. Returns the recording. No answer may be missed or dropped."""
         self.assertEqual(self.controller.wait(), 0)
         support.wait_for(lambda: len(self.results.messages) >= self.episodes, 'the results of all episodes')
-        # The very first answer may come twice: when it is given and, as it is latched, when the connection is made.
+        # The first answer may arrive twice: when it is published and, because it is latched, after the connection.
         counts = [(result.missed_answers, result.episode and result.dropped_answers)
                   for result in self.results.messages]
         self.assertEqual(counts, [(0, 0)] * self.episodes, 'missed and dropped answers')
@@ -31,12 +30,12 @@ class WalkTestCase(support.CrowdTestCase):
         return support.read_bytes(self.path('ros/' + support.recording_of(self.scenario)))
 
     def walk(self, *arguments, **parameters):
-        """Walks episodes; the recording."""
+        """Walks episodes. Returns the recording."""
         self.start_walk(*arguments, **parameters)
         return self.finish_walk()
 
     def train_anticipation(self, vision='', name='table.txt', **keys):
-        """Trains a table for a model with these keys of the state set `anticipation`; its file."""
+        """Trains a table of the state set `anticipation` with these keys. Returns its file."""
         config = support.read_text(support.in_package('config', 'learning', 'anticipation.yaml'))
         config = config.replace('../scenarios', support.in_package('config', 'scenarios'))
         state_set = ''.join(f'\n  {key}: {value}' for key, value in keys.items())

@@ -14,11 +14,11 @@ class AgentsTest(ControllerTestCase):
     """spawn_agent, remove_agent, set_goal."""
 
     def spawn(self, x, y, goal=(10.0, 20.0), theta=0.0, max_speed=0.4, radius=0.3):
-        """A request."""
+        """Returns a request."""
         return {'pose': Pose2D(x, y, theta), 'goal': Point(goal[0], goal[1], 0.0), 'max_speed': max_speed,
                 'radius': radius}
 
-    def test_a_new_agent_walks(self):
+    def test_spawned_agent_walks(self):
         self.start_all()
         self.step(2)
         response = self.do('spawn_agent', **self.spawn(0.0, 20.0))
@@ -32,7 +32,7 @@ class AgentsTest(ControllerTestCase):
         self.assert_place(message, 2, 0.04, 20.0)
         self.assert_place(self.walk(10), 2, 0.44, 20.0)
 
-    def test_it_counts_in_the_result(self):
+    def test_spawned_agent_counts_in_the_result(self):
         self.start_all()
         self.step(100)
         self.do('spawn_agent', **self.spawn(0.0, 20.0, goal=(0.7, 20.0)))
@@ -42,7 +42,7 @@ class AgentsTest(ControllerTestCase):
         self.assertTrue(agents[2].arrived)
         self.assertEqual(agents[2].ticks, 10)
 
-    def test_bad_ones_are_refused(self):
+    def test_invalid_agents_are_refused(self):
         self.start_all()
         for values, words in (
                 ({'x': NAN}, ['position']), ({'y': float('inf')}, ['position']), ({'theta': NAN}, ['heading']),
@@ -53,11 +53,11 @@ class AgentsTest(ControllerTestCase):
             self.refuse('spawn_agent', *words, **self.spawn(**dict({'x': 0.0, 'y': 20.0}, **values)))
         self.assertEqual(len(self.walk().agents), 2)
 
-    def test_a_wall_takes_places_too(self):
+    def test_agents_on_walls_are_refused(self):
         self.start_all(QUIET + 'walls:\n  - [[-5, 20], [5, 20]]\n')
         self.refuse('spawn_agent', 'wall', **self.spawn(0.0, 20.1))
 
-    def test_removing(self):
+    def test_removed_agent_is_not_perceived(self):
         self.start_all()
         self.step(2)
         self.assert_says(self.do('remove_agent', agent=0).message, 'agent 0')
@@ -73,7 +73,7 @@ class AgentsTest(ControllerTestCase):
         self.refuse('remove_agent', 'agent 4294967295', agent=2**32 - 1)
         self.refuse('set_goal', 'agent 0', agent=0, goal=Point(1, 1, 0))
 
-    def test_removing_the_last_one_ends_the_episode(self):
+    def test_removing_the_last_agent_ends_the_episode(self):
         self.start_all()
         self.step(2)
         self.do('remove_agent', agent=0)
@@ -81,16 +81,16 @@ class AgentsTest(ControllerTestCase):
         self.assertEqual(self.step(1).episode, 1)
         self.results.wait(lambda result: result.episode == 0)
 
-    def test_another_goal(self):
+    def test_agent_walks_to_a_new_goal(self):
         self.start_all()
         self.step(2)
         self.assert_says(self.do('set_goal', agent=1, goal=Point(-20, 10, 5)).message, 'agent 1')
-        message = self.walk(2)  # turns on the spot and walks back
+        message = self.walk(2)  # turns and walks back
         self.assertEqual((message.agents[1].goal.x, message.agents[1].goal.y), (-20, 10))
         self.assert_place(message, 1, 0.0, 10.0)
         self.assert_place(message, 0, 0.2, 0.0)
 
-    def test_a_goal_replaces_all_the_agent_had(self):
+    def test_new_goal_replaces_all_goals(self):
         self.start_all(QUIET.replace('goal: [20, 0]', 'goals: [[1, 0], [20, 0]]'))
         self.step(1)
         self.do('set_goal', agent=0, goal=Point(0.5, 0, 0))
@@ -99,7 +99,7 @@ class AgentsTest(ControllerTestCase):
         self.refuse('set_goal', 'agent 0', agent=0, goal=Point(1, 1, 0))
         self.refuse('remove_agent', 'agent 0', agent=0)
 
-    def test_bad_goals_are_refused(self):
+    def test_invalid_goals_are_refused(self):
         self.start_all()
         self.refuse('set_goal', 'goal', agent=0, goal=Point(NAN, 0, 0))
         self.refuse('set_goal', 'goal', agent=0, goal=Point(0, float('-inf'), 0))
@@ -111,7 +111,7 @@ class ObstaclesTest(ControllerTestCase):
     """spawn_obstacle, remove_obstacle."""
 
     def spawn(self, x, y, velocity=(0.0, 0.0), radius=0.5):
-        """A request."""
+        """Returns a request."""
         return {'position': Point(x, y, 0.0), 'velocity': Vector3(velocity[0], velocity[1], 0.0), 'radius': radius}
 
     def assert_obstacles(self, message, *expected):
@@ -119,7 +119,7 @@ class ObstaclesTest(ControllerTestCase):
         got = [(o.obstacle, round(o.position.x, 9), round(o.position.y, 9), o.radius) for o in message.obstacles]
         self.assertEqual(got, [(number, *values) for number, values in enumerate(expected)])
 
-    def test_at_rest_and_moving(self):
+    def test_spawns_static_and_moving_obstacles(self):
         self.start_all()
         self.step(10)
         self.assertEqual(self.do('spawn_obstacle', **self.spawn(5.0, 5.0)).obstacle, 1)
@@ -129,7 +129,7 @@ class ObstaclesTest(ControllerTestCase):
         velocity = message.obstacles[2].velocity
         self.assertEqual((velocity.x, velocity.y), (1.0, -2.0))
 
-    def test_agents_perceive_it(self):
+    def test_agents_perceive_a_spawned_obstacle(self):
         self.start_all()
         self.step(1)
         self.do('spawn_obstacle', **self.spawn(1.25, 0.0))
@@ -138,7 +138,7 @@ class ObstaclesTest(ControllerTestCase):
         bodies = [(body.x, body.y, body.radius) for body in perceived.neighbours]
         self.assertEqual(bodies, [(1.2, 0.0, 0.5)])
 
-    def test_removing(self):
+    def test_removed_obstacle_is_not_published(self):
         self.start_all()
         self.do('spawn_obstacle', **self.spawn(5.0, 5.0))
         self.do('remove_obstacle', obstacle=0)
@@ -148,7 +148,7 @@ class ObstaclesTest(ControllerTestCase):
         self.assert_obstacles(self.walk())
         self.refuse('remove_obstacle', 'obstacle 0', obstacle=0)
 
-    def test_bad_ones_are_refused(self):
+    def test_invalid_obstacles_are_refused(self):
         self.start_all()
         for values, words in (
                 ({'x': NAN}, ['position']), ({'velocity': (0.0, NAN)}, ['velocity']),
@@ -159,9 +159,9 @@ class ObstaclesTest(ControllerTestCase):
 
 
 class ManyCallersTest(ControllerTestCase):
-    """Services from many sides while the crowd walks."""
+    """Concurrent calls of services while the crowd walks."""
 
-    def test_nothing_is_lost(self):
+    def test_concurrent_requests_are_all_carried_out(self):
         self.start_all(paused=False)
         spawned = []
         threads = [threading.Thread(target=self.spawn_some, args=(10.0 * i, spawned), daemon=True) for i in range(1, 6)]
@@ -176,10 +176,10 @@ class ManyCallersTest(ControllerTestCase):
             self.assertEqual(sorted(agents), list(range(2, 2 + len(agents))), f'numbers given in episode {episode}')
 
     def spawn_some(self, x, spawned):
-        """One of the callers."""
+        """Body of the thread of a caller."""
         for i in range(5):
             y = 40.0 + 2.0 * i
-            # In an episode of 200 ticks it walks 6 m, past no other place.
+            # In an episode of 200 ticks the agent walks 6 m, away from all other places.
             response = self.do('spawn_agent', pose=Pose2D(x, y, 0.0), goal=Point(x + 60, y, 0), max_speed=0.3,
                                radius=0.25)
             spawned.append((response.agent, place_in(response.message)[0]))

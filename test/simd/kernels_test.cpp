@@ -11,7 +11,7 @@
 namespace crowd::simd {
 namespace {
 
-TEST(Kernels, AreNamedAndEndWithTheReference) {
+TEST(Kernels, HaveDistinctNamesAndEndWithTheReference) {
   std::set<std::string> names;
   for (const Kernels& kernels : availableKernels()) names.insert(kernels.target);
   EXPECT_EQ(names.size(), availableKernels().size());
@@ -29,7 +29,7 @@ TEST(Kernels, UseTheInstructionsOfThisProcessor) {
 }
 #endif
 
-TEST(Kernels, AreThoseThatTheEnvironmentNames) {
+TEST(Kernels, CanBeChosenByAnEnvironmentVariable) {
   for (const Kernels& wanted : availableKernels()) {
     ASSERT_EQ(setenv("SOCIAL_CROWD_SIMD", wanted.target, 1), 0);
     EXPECT_STREQ(chooseKernels().target, wanted.target);
@@ -39,7 +39,7 @@ TEST(Kernels, AreThoseThatTheEnvironmentNames) {
   EXPECT_STREQ(chooseKernels().target, availableKernels().front().target);
 }
 
-TEST(Kernels, AnUnknownNameIsAnError) {
+TEST(Kernels, RefuseAnUnknownName) {
   ASSERT_EQ(setenv("SOCIAL_CROWD_SIMD", "AVX7", 1), 0);
   try {
     chooseKernels();

@@ -31,21 +31,21 @@ struct Neighbours {
   }
 };
 
-TEST(FindNear, CountsThoseWhoComeNearWithinATick) {
+TEST(FindNear, FindsNeighboursThatComeNearWithinATick) {
   Neighbours neighbours;
   neighbours.add(0.7, 0.0, 0.0, 0.0, 0.25);   // within 0.5 and its radius
-  neighbours.add(0.8, 0.0, 0.0, 0.0, 0.25);   // just not
-  neighbours.add(-0.8, 0.0, 1.0, 0.0, 0.25);  // comes 0.1 m nearer
-  neighbours.add(0.8, 0.0, 1.0, 0.0, 0.25);   // parts
-  neighbours.add(0.7, 0.0, 10.0, 0.0, 0.25);  // parts, too, but that does not count
-  neighbours.add(0.0, 0.0, 0.0, 0.0, 0.25);   // in the same place
+  neighbours.add(0.8, 0.0, 0.0, 0.0, 0.25);   // beyond it
+  neighbours.add(-0.8, 0.0, 1.0, 0.0, 0.25);  // approaches by 0.1 m
+  neighbours.add(0.8, 0.0, 1.0, 0.0, 0.25);   // moves away
+  neighbours.add(0.7, 0.0, 10.0, 0.0, 0.25);  // moves away, but is within the distance at the start
+  neighbours.add(0.0, 0.0, 0.0, 0.0, 0.25);   // at the same position
   for (const Kernels& kernels : availableKernels()) {
     EXPECT_EQ(neighbours.findNear(kernels, {0.0, 0.0, 0.1, 0.5}), 0b110101U) << kernels.target;
     EXPECT_EQ(neighbours.findNear(kernels, {-1.0, 0.0, 0.1, 0.5}), 0b110011U) << kernels.target << ", walking back";
   }
 }
 
-TEST(FindNear, IsTheSameOnEveryTarget) {
+TEST(FindNear, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     Neighbours neighbours;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t NOBODY = std::numeric_limits<std::uint32_t>::max();
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 
-/// Discs, and behind them numbers that must not matter.
+/// Discs, followed by padding that must not affect the result.
 struct Discs {
   std::vector<double> xs, ys, radii;
   std::vector<std::uint32_t> bodies;
@@ -28,7 +28,7 @@ struct Discs {
   DiscArrays arrays() const { return {xs.data(), ys.data(), radii.data(), bodies.data()}; }
 };
 
-/// What a kernel collects: places and rims.
+/// The output of a kernel: indices and rim distances.
 struct Collected {
   std::vector<std::uint64_t> discs;
   std::vector<double> rims;
@@ -51,7 +51,7 @@ Collected collect(const Kernels& kernels, const Discs& discs, const std::vector<
   return collected;
 }
 
-TEST(CollectNearby, WritesPlacesAndRimsInOrder) {
+TEST(CollectNearby, WritesIndicesAndRimDistancesInOrder) {
   Discs discs(4);
   discs.xs = {4.0, 1.0, 0.0, 10.0};
   discs.ys = {3.0, 0.0, 0.0, 0.0};
@@ -68,7 +68,7 @@ TEST(CollectNearby, WritesPlacesAndRimsInOrder) {
   }
 }
 
-/// Discs at random, some on the rim of the circle.
+/// Random discs, some of which touch the circle.
 Discs anyDiscs(KeyedRandom& random, const Circle& circle) {
   Discs discs(random.below(40));
   for (std::size_t i = 0; i < discs.xs.size(); ++i) {
@@ -83,7 +83,7 @@ Discs anyDiscs(KeyedRandom& random, const Circle& circle) {
   return discs;
 }
 
-TEST(CollectNearby, IsTheSameOnEveryTarget) {
+TEST(CollectNearby, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const Circle circle{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 5.0),

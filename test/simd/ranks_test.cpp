@@ -12,7 +12,7 @@ namespace {
 
 using Numbers = std::array<double, MAX_RANKED>;
 
-/// Ranks of the first `count` numbers, and behind them their sum.
+/// Ranks of the first `count` numbers, followed by their sum.
 std::vector<std::uint32_t> rank(const Kernels& kernels, const Numbers& numbers, std::size_t count) {
   std::vector<std::uint32_t> ranks(MAX_RANKED);
   const std::uint32_t sum = kernels.rank_ascending(numbers.data(), count, ranks.data());
@@ -37,7 +37,7 @@ TEST(RankAscending, ComparesInSinglePrecision) {
   }
 }
 
-TEST(RankAscending, IsTheSameOnEveryTarget) {
+TEST(RankAscending, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const std::size_t count = random.below(MAX_RANKED + 1);

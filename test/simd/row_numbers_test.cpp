@@ -17,7 +17,7 @@ struct OwnedDigit {
   std::vector<float> limits;
 };
 
-/// Row numbers, and behind them one that is to stay.
+/// Row numbers, followed by one that must not change.
 std::vector<std::uint32_t> find(const Kernels& kernels, const std::vector<OwnedDigit>& owned, std::size_t count,
                                 LastDigit last = {1, 0}) {
   std::vector<ClassDigit> digits;
@@ -46,7 +46,7 @@ TEST(FindRowNumbers, CombinesClasses) {
   }
 }
 
-TEST(FindRowNumbers, AreTheSameOnEveryTarget) {
+TEST(FindRowNumbers, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const std::size_t count = random.below(50);

@@ -16,7 +16,7 @@ namespace {
 constexpr float NEVER = 1e-9F;  // [1/s]
 using Lanes = std::array<float, CandidateArrays::MAX>;
 
-/// Everything that a kernel reads and writes.
+/// Input and output of a kernel.
 struct Case {
   std::vector<double> xs, ys, vxs, vys, radii;
   Observer self{};
@@ -63,7 +63,7 @@ Case threeCandidates() {
   return one;
 }
 
-TEST(TimeToCollision, OfOneThatStands) {
+TEST(TimeToCollision, OfAStandingNeighbour) {
   Case one = threeCandidates();
   one.add({3.5, 0.0}, {0.0, 0.0}, 0.25);  // 3 m between the rims
   for (const Kernels& kernels : availableKernels()) {
@@ -79,7 +79,7 @@ TEST(TimeToCollision, OfOneThatStands) {
   }
 }
 
-TEST(TimeToCollision, OfOneThatComesAndOneThatTouches) {
+TEST(TimeToCollision, OfAnApproachingAndAnOverlappingNeighbour) {
   Case one = threeCandidates();
   one.add({2.5, 0.0}, {-1.0, 0.0}, 0.25);
   one.add({-0.3, 0.0}, {0.0, 0.0}, 0.25);
@@ -93,7 +93,7 @@ TEST(TimeToCollision, OfOneThatComesAndOneThatTouches) {
   }
 }
 
-TEST(TimeToCollision, LeavesWhatIsSoonerAndWhatIsNotWanted) {
+TEST(TimeToCollision, KeepsEarlierTimesAndUnrequestedResults) {
   Case one = threeCandidates();
   one.add({3.5, 0.0}, {0.0, 0.0}, 0.25);
   one.constant[0] = 2.0F;
@@ -105,7 +105,7 @@ TEST(TimeToCollision, LeavesWhatIsSoonerAndWhatIsNotWanted) {
   }
 }
 
-TEST(TimeToCollision, OfNobody) {
+TEST(TimeToCollision, WithoutNeighboursChangesNothing) {
   for (const Kernels& kernels : availableKernels()) {
     EXPECT_TRUE(areSame(threeCandidates().accumulated(kernels), threeCandidates())) << kernels.target;
   }
@@ -115,13 +115,13 @@ Vector2 anyVector(KeyedRandom& random, double longest) {
   return random.uniform(0.0, longest) * unitVector(random.uniform(-PI, PI));
 }
 
-/// A velocity of people, one that hardly is one, or none.
+/// A velocity of a pedestrian, a tiny one, or zero.
 Vector2 anyVelocity(KeyedRandom& random) {
   constexpr std::array<double, 8> LONGEST = {1.6, 1.6, 1.6, 0.3, 1e-6, 1e-13, 1e-22, 0.0};
   return anyVector(random, LONGEST[random.below(LONGEST.size())]);
 }
 
-/// Neighbours far and near, some touching or overlapping the agent or in its very place, some as fast as it.
+/// Neighbours near and far; some touch or overlap the agent, have its position, or have its velocity.
 void addAnyNeighbours(KeyedRandom& random, Case& one) {
   constexpr std::array<double, 6> FARTHEST = {6.0, 6.0, 2.0, 300.0, 1e-6, 0.0};
   for (std::uint32_t left = random.below(40); left > 0; --left) {
@@ -132,7 +132,7 @@ void addAnyNeighbours(KeyedRandom& random, Case& one) {
   }
 }
 
-/// Candidates ahead of some neighbour, along the edge of one, as fast as one, or anywhere.
+/// Candidates towards a neighbour, along its tangent, with its velocity, or random.
 void addAnyCandidates(KeyedRandom& random, Case& one) {
   one.count = 1 + random.below(CandidateArrays::MAX);
   for (std::size_t k = 0; k < CandidateArrays::MAX; ++k) {
@@ -149,7 +149,7 @@ void addAnyCandidates(KeyedRandom& random, Case& one) {
   }
 }
 
-TEST(TimeToCollision, IsTheSameOnEveryTarget) {
+TEST(TimeToCollision, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     Case one;

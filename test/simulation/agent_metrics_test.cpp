@@ -16,9 +16,9 @@ using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
 
-constexpr double TICK = 0.5;  // [s]; with 1 m/s a step is 0.5 m and binary fractions lose nothing
+constexpr double TICK = 0.5;  // [s]; at 1 m/s a step is 0.5 m, exactly
 
-/// What a monitor makes of agent 0 of a scene that does one move after the other.
+/// The result of agent 0 of a scene after a sequence of actions.
 AgentResult walk(const Scene& scene, const std::vector<RelativeAction>& moves) {
   World world(scene);
   EpisodeMonitor monitor(scene, world);
@@ -42,7 +42,7 @@ const RelativeAction AHEAD{0.0, 1.0};
 const RelativeAction STAY{0.0, 0.0};
 
 TEST(AgentMetrics, StraightWalkAtFullSpeed) {
-  // 4 m less the tolerance of 0.25 m are 3.75 m; it gets there in 8 steps of 0.5 m.
+  // 4 m less the tolerance of 0.25 m are 3.75 m; the agent arrives after 8 steps of 0.5 m.
   const AgentResult result = walk(agent({0.0, 0.0}, {4.0, 0.0}, 1.0), times(8, AHEAD));
   EXPECT_TRUE(result.arrived);
   EXPECT_FALSE(result.touched);
@@ -55,7 +55,7 @@ TEST(AgentMetrics, StraightWalkAtFullSpeed) {
   EXPECT_DOUBLE_EQ(result.max_speed_ratio, 1.0);
 }
 
-TEST(AgentMetrics, PerfectWalkHasRatiosOfOne) {
+TEST(AgentMetrics, DirectWalkHasRatiosOfOne) {
   Scene line = scenes::halfSeconds(scene({agent({1.0, 1.0}, {1.0, 5.0}, 1.0)}));
   line.goal_tolerance = 0.5;
   const AgentResult result = walk(line, times(7, AHEAD));
@@ -64,8 +64,8 @@ TEST(AgentMetrics, PerfectWalkHasRatiosOfOne) {
   EXPECT_NEAR(result.time_ratio, 1.0, 1e-12);
 }
 
-TEST(AgentMetrics, SpeedAndTimeCountInTheAgentsOwnTopSpeed) {
-  // 0.8 m/s at most, walks at half of it: 0.2 m a tick. 2 m less 0.25 m: there after 9 ticks and 1.8 m.
+TEST(AgentMetrics, RatiosUseTheMaximumSpeedOfTheAgent) {
+  // At half of 0.8 m/s it walks 0.2 m a tick. 2 m less 0.25 m: it arrives after 9 ticks and 1.8 m.
   const AgentResult result = walk(agent({0.0, 0.0}, {2.0, 0.0}, 0.8), times(9, {0.0, 0.5}));
   EXPECT_TRUE(result.arrived);
   EXPECT_NEAR(result.path_ratio, 1.8 / 1.75, 1e-12);
@@ -73,13 +73,13 @@ TEST(AgentMetrics, SpeedAndTimeCountInTheAgentsOwnTopSpeed) {
   EXPECT_NEAR(result.max_speed_ratio, 0.5, 1e-12);
 }
 
-TEST(AgentMetrics, MaxSpeedRatioIsThatOfTheFastestTick) {
+TEST(AgentMetrics, MaxSpeedRatioIsTheRatioOfTheFastestTick) {
   const AgentResult result = walk(wanderer({0.0, 0.0}, 2.0), {{0.0, 0.25}, {0.0, 0.75}, {0.0, 0.5}});
   EXPECT_DOUBLE_EQ(result.max_speed_ratio, 0.75);
   EXPECT_DOUBLE_EQ(result.path_length, 1.5);  // 0.25, 0.75 and 0.5 m
 }
 
-TEST(AgentMetrics, SquareIsThreeQuarterTurns) {
+TEST(AgentMetrics, SquareHasThreeQuarterTurns) {
   // Once around a square of 2 m, to the goal 1 m south of the start: 9 m for 0.75 m.
   AgentStart start = agent({0.0, 0.0}, {0.0, -1.0}, 1.0);
   start.heading = -PI / 2;
@@ -100,7 +100,7 @@ TEST(AgentMetrics, SquareIsThreeQuarterTurns) {
 }
 
 TEST(AgentMetrics, ZigzagTurnsWithEveryStep) {
-  // 8 steps of 0.5 m, 30 degrees to the left and to the right in turns: 7 turns of 60 degrees in 4 m.
+  // 8 steps of 0.5 m, alternately 30 degrees to the left and to the right: 7 turns of 60 degrees in 4 m.
   std::vector<RelativeAction> moves = {{PI / 6, 1.0}};
   for (int i = 1; i < 8; ++i) moves.push_back({i % 2 == 1 ? -PI / 3 : PI / 3, 1.0});
   const AgentResult result = walk(wanderer({0.0, 0.0}, 1.0), moves);
@@ -114,14 +114,14 @@ TEST(AgentMetrics, TurningBackIsHalfATurn) {
   EXPECT_NEAR(result.turn_per_metre, PI, 1e-9);  // in 1 m
 }
 
-TEST(AgentMetrics, StandingStill) {
+TEST(AgentMetrics, StandingAgentHasNoPath) {
   const AgentResult result = walk(agent({0.0, 0.0}, {2.25, 0.0}, 1.0), times(10, {1.0, 0.0}));
   EXPECT_FALSE(result.arrived);
   EXPECT_EQ(result.ticks, 10U);
   EXPECT_EQ(result.path_length, 0.0);
   EXPECT_EQ(result.path_ratio, 0.0);
   EXPECT_DOUBLE_EQ(result.time_ratio, 2.5);  // 5 s at 1 m/s for 2 m
-  EXPECT_EQ(result.turn_per_metre, 0.0);     // the heading turned, the motion did not
+  EXPECT_EQ(result.turn_per_metre, 0.0);     // turns without motion do not count
   EXPECT_EQ(result.max_speed_ratio, 0.0);
 }
 
@@ -131,34 +131,34 @@ TEST(AgentMetrics, TurnsDuringAStopDoNotCount) {
   EXPECT_DOUBLE_EQ(result.path_length, 2.0);
 }
 
-TEST(AgentMetrics, TurnsCountAboveFiveCentimetresASecondOnly) {
+TEST(AgentMetrics, TurnsCountOnlyAboveFiveCentimetresPerSecond) {
   // Ten steps and nine quarter turns.
   const std::vector<RelativeAction> circling = times(10, {PI / 2, 1.0});
   EXPECT_EQ(walk(wanderer({0.0, 0.0}, 0.049), circling).turn_per_metre, 0.0);
   EXPECT_NEAR(walk(wanderer({0.0, 0.0}, 0.051), circling).turn_per_metre, 4.5 * PI / 0.255, 1e-9);
 }
 
-TEST(AgentMetrics, BothTicksOfATurnMustBeThatFast) {
+TEST(AgentMetrics, TurnsCountOnlyIfBothTicksAreFast) {
   const RelativeAction creep{PI / 2, 0.04};  // 0.04 m/s
   const RelativeAction turn{PI / 2, 1.0};
   EXPECT_EQ(walk(wanderer({0.0, 0.0}, 1.0), {AHEAD, creep, turn, creep}).turn_per_metre, 0.0);
   EXPECT_NEAR(walk(wanderer({0.0, 0.0}, 1.0), {creep, AHEAD, turn, creep}).turn_per_metre, PI / 2 / 1.04, 1e-9);
 }
 
-TEST(AgentMetrics, TurnIsPerTenCentimetresAtLeast) {
+TEST(AgentMetrics, TurnPerMetreAssumesAPathOfTenCentimetresOrMore) {
   // One quarter turn in 0.06 m.
   const AgentResult result = walk(wanderer({0.0, 0.0}, 0.06), {AHEAD, {PI / 2, 1.0}});
   EXPECT_NEAR(result.path_length, 0.06, 1e-12);
   EXPECT_NEAR(result.turn_per_metre, PI / 2 / 0.1, 1e-9);
 }
 
-TEST(AgentMetrics, StraightLengthGoesFromGoalToGoal) {
+TEST(AgentMetrics, StraightLengthIsSummedOverGoals) {
   AgentStart start = agent({0.0, 0.0}, {3.0, 4.0}, 1.0);
   start.goals.emplace_back(3.0, 10.0);
   EXPECT_DOUBLE_EQ(walk(start, {STAY}).straight_length, 10.75);  // 5 + 6 - 0.25
 }
 
-TEST(AgentMetrics, StraightLengthIsTenCentimetresAtLeast) {
+TEST(AgentMetrics, StraightLengthIsAtLeastTenCentimetres) {
   const AgentResult result = walk(agent({0.0, 0.0}, {0.3, 0.0}, 1.0), {AHEAD});
   EXPECT_TRUE(result.arrived);
   EXPECT_DOUBLE_EQ(result.straight_length, 0.1);
@@ -166,7 +166,7 @@ TEST(AgentMetrics, StraightLengthIsTenCentimetresAtLeast) {
   EXPECT_NEAR(result.time_ratio, 5.0, 1e-12);
 }
 
-TEST(AgentMetrics, WithoutATickNothingIsMeasured) {
+TEST(AgentMetrics, AreZeroWithoutATick) {
   const AgentResult result = walk(agent({0.0, 0.0}, {0.1, 0.0}, 1.0), {});
   EXPECT_FALSE(result.arrived);
   EXPECT_EQ(result.ticks, 0U);
@@ -175,8 +175,8 @@ TEST(AgentMetrics, WithoutATickNothingIsMeasured) {
   EXPECT_EQ(result.turn_per_metre, 0.0);
 }
 
-TEST(AgentMetrics, ContactOnTheWayStaysInTheResult) {
-  // Through a pillar at 1 m; both ends of the walk are free.
+TEST(AgentMetrics, ResultIncludesEarlierContacts) {
+  // The agent walks through a static obstacle at 1 m; start and end are free.
   const Scene through = scenes::halfSeconds(scene({agent({0.0, 0.0}, {2.0, 0.0}, 1.0)}, {pillar({1.0, 0.0}, 0.2)}));
   EXPECT_FALSE(walk(through, {AHEAD}).touched);
   EXPECT_TRUE(walk(through, {AHEAD, AHEAD}).touched);
@@ -185,8 +185,8 @@ TEST(AgentMetrics, ContactOnTheWayStaysInTheResult) {
   EXPECT_TRUE(result.touched);
 }
 
-TEST(AgentMetrics, AfterArrivalNothingCounts) {
-  // Agent 0 arrives at (1, 0) after 2 ticks; then agent 1 walks over that place.
+TEST(AgentMetrics, EndAtTheArrival) {
+  // Agent 0 arrives at (1, 0) after 2 ticks; then agent 1 walks through this position.
   const Scene crossing = scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), wanderer({-1.5, 0.0}, 1.0)}));
   World world(crossing);
   EpisodeMonitor monitor(crossing, world);
@@ -203,16 +203,16 @@ TEST(AgentMetrics, AfterArrivalNothingCounts) {
   EXPECT_EQ(result.touchedCount(), 0U);
 }
 
-// The thesis's two ratios, on walks worked out by hand.
-TEST(DistanceGained, StraightOnEveryStepIsAGain) {
+// The two ratios of the thesis for walks worked out by hand.
+TEST(DistanceGained, EqualsThePathOfAStraightWalk) {
   const AgentResult result = walk(agent({0.0, 0.0}, {4.0, 0.0}, 1.0), times(3, AHEAD));
   EXPECT_DOUBLE_EQ(result.distance_gained, 1.5);
   EXPECT_DOUBLE_EQ(result.gain_per_tick, 0.5);  // the speed, in metres a tick
   EXPECT_DOUBLE_EQ(result.path_per_gain, 1.0);
 }
 
-TEST(DistanceGained, AroundTheCornerOfATriangle) {
-  // 3 m at right angles to a goal 4 m away: it is 5 m away then. After 4 m more it is 3 m away.
+TEST(DistanceGained, OfAWalkAlongTwoSidesOfATriangle) {
+  // 3 m at a right angle to a goal 4 m away: 5 m remain. After 4 m more 3 m remain.
   AgentStart start = agent({0.0, 0.0}, {4.0, 0.0}, 1.0);
   start.heading = PI / 2;
   std::vector<RelativeAction> moves = times(6, AHEAD);
@@ -228,15 +228,15 @@ TEST(DistanceGained, AroundTheCornerOfATriangle) {
   EXPECT_NEAR(around.path_per_gain, 7.0, 1e-9);
 }
 
-TEST(DistanceGained, WhoStandsGainsNothing) {
+TEST(DistanceGained, OfAStandingAgentIsZero) {
   const AgentResult result = walk(agent({0.0, 0.0}, {2.0, 0.0}, 1.0), times(5, STAY));
   EXPECT_EQ(result.distance_gained, 0.0);
   EXPECT_EQ(result.gain_per_tick, 0.0);
   EXPECT_TRUE(std::isnan(result.path_per_gain));
 }
 
-TEST(DistanceGained, IsSummedUpFromGoalToGoal) {
-  // 1 m to the first goal and 1.5 m towards the second: moving on to that is neither gain nor loss.
+TEST(DistanceGained, IsSummedOverGoals) {
+  // 1 m to the first goal and 1.5 m towards the second; the change of the goal is neither gain nor loss.
   AgentStart start = agent({0.0, 0.0}, {1.0, 0.0}, 1.0);
   start.goals.emplace_back(1.0, 2.0);
   const AgentResult result = walk(start, {AHEAD, AHEAD, {PI / 2, 1.0}, AHEAD, AHEAD});
@@ -244,7 +244,7 @@ TEST(DistanceGained, IsSummedUpFromGoalToGoal) {
   EXPECT_NEAR(result.path_per_gain, 1.0, 1e-12);
 }
 
-TEST(DistanceGained, AGoalSetOnTheWayIsNoGainInItself) {
+TEST(DistanceGained, DoesNotChangeWithANewGoal) {
   // 1 m towards a goal in front, then 1 m away from one behind.
   const Scene scene = scenes::halfSeconds(scenes::scene({agent({0.0, 0.0}, {9.0, 0.0}, 1.0)}));
   World world(scene);
@@ -261,19 +261,19 @@ TEST(DistanceGained, AGoalSetOnTheWayIsNoGainInItself) {
   EXPECT_DOUBLE_EQ(monitor.result().agents[0].distance_gained, 0.0);
 }
 
-TEST(AgentMetrics, BlockedMovesAreCounted) {
-  // Two steps of 0.5 m lead up to the wall, two more lead nowhere.
+TEST(AgentMetrics, CountBlockedMoves) {
+  // Two steps of 0.5 m lead up to the wall; the next two are blocked.
   const Scene blocked_way =
       scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0)}, {}, {{{1.25, -1.0}, {1.25, 1.0}}})));
   const AgentResult result = walk(blocked_way, times(4, AHEAD));
-  EXPECT_EQ(result.blocked_moves, 2U);  // the second step ends where it touches the wall, and is whole
+  EXPECT_EQ(result.blocked_moves, 2U);  // the second step ends at the wall without being blocked
   EXPECT_TRUE(result.touched);
   EXPECT_DOUBLE_EQ(result.path_length, 1.0);
   EXPECT_EQ(walk(blocked_way, times(2, AHEAD)).blocked_moves, 0U);
   EXPECT_FALSE(walk(blocked_way, times(2, AHEAD)).touched);
 }
 
-TEST(AgentMetrics, WhoIsPushedTurnsThoughItLooksTheSameWay) {
+TEST(AgentMetrics, TurnsFollowTheMotionOfAPushedAgent) {
   // An obstacle pushes it 0.5 m to the side, then it walks 0.5 m ahead: a quarter turn in 1 m.
   Scene pushed = scenes::solid(scenes::halfSeconds(scene({wanderer({0.0, 0.0}, 1.0, 0.25)})));
   pushed.obstacles.push_back(moving_obstacle({0.0, 0.5}, {0.0, -1.0}, 0.25));

@@ -36,7 +36,7 @@ const AgentResult CLEAN = agentResult(true, false, 1.0, 1.25, 0.5, 0.875);
 const AgentResult BUMPED = agentResult(true, true, 1.5, 2.0, 1.0, 0.75);
 const AgentResult LOST = agentResult(false, false, 7.0, 8.0, 9.0, 1.0);
 
-TEST(EpisodeResult, IsCleanIfAllArrivedAndNobodyTouched) {
+TEST(EpisodeResult, IsCleanIfAllArrivedWithoutContact) {
   EXPECT_TRUE(episodeResult({CLEAN, CLEAN}).isClean());
   EXPECT_FALSE(episodeResult({CLEAN, BUMPED}).isClean());
   EXPECT_FALSE(episodeResult({LOST, CLEAN}).isClean());
@@ -58,7 +58,7 @@ TEST(Metrics, OverTwoEpisodesByHand) {
   EXPECT_DOUBLE_EQ(metrics.maxSpeedRatio(), 1.0);  // of all, even if they did not arrive
 }
 
-TEST(Metrics, CollisionsAreAShareOfAllAgentsThatCount) {
+TEST(Metrics, CollisionPercentExcludesRemovedAgents) {
   AgentResult collided = LOST;
   collided.collided = true;
   AgentResult removed = collided;
@@ -71,7 +71,7 @@ TEST(Metrics, CollisionsAreAShareOfAllAgentsThatCount) {
   EXPECT_DOUBLE_EQ(metrics.contactPercent(), 0.0);
 }
 
-TEST(EpisodeMonitor, NotesACollisionThatIsNoContact) {
+TEST(EpisodeMonitor, RecordsACollisionWithoutContact) {
   // The agent passes an obstacle 0.45 m from its rim.
   Scene passing = scenes::scene({scenes::agent({0.0, 0.0}, {2.0, 0.0}, 1.0)}, {scenes::pillar({1.0, 0.7}, 0.25)});
   World world(passing);
@@ -86,7 +86,7 @@ TEST(EpisodeMonitor, NotesACollisionThatIsNoContact) {
   EXPECT_DOUBLE_EQ(agent.heading, 0.0);
 }
 
-TEST(Metrics, BlockedMovesAreAMeanOverAllAgents) {
+TEST(Metrics, BlockedMovesPerAgentIsAMeanOverAllAgents) {
   AgentResult removed = blocked(CLEAN, 100);
   removed.removed = true;
   const EpisodeResult crowded = episodeResult({blocked(BUMPED, 4), blocked(LOST, 5), removed});
@@ -97,7 +97,7 @@ TEST(Metrics, BlockedMovesAreAMeanOverAllAgents) {
   EXPECT_DOUBLE_EQ(metrics.blockedMovesPerAgent(), 9.0 / 4.0);
 }
 
-TEST(Metrics, WithoutArrivalsThereAreNoMeans) {
+TEST(Metrics, HaveNoMeansWithoutArrivals) {
   Metrics metrics;
   EXPECT_TRUE(std::isnan(metrics.blockedMovesPerAgent()));
   EXPECT_EQ(metrics.successPercent(), 0.0);

@@ -10,6 +10,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "support/scenes.h"
+#include "support/worlds.h"
 
 namespace crowd {
 namespace {
@@ -21,14 +22,12 @@ using scenes::wanderer;
 
 constexpr std::uint64_t NUMBER = 42;
 
-AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
-
 /// Ticks of 0.5 s; one agent walks 1 m in 2 ticks to its goal, the other has 2 m and 4 ticks to walk.
 Scene oneAndTwoMetres() {
   return scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), agent({0.0, 3.0}, {2.0, 3.0}, 1.0)}));
 }
 
-TEST(Episode, BeginsAtTickZeroWithEverybodyPerceived) {
+TEST(Episode, BeginsAtTickZeroWithPerceptionsOfAllAgents) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   EXPECT_EQ(episode.number(), NUMBER);
   EXPECT_EQ(episode.perceptions().episode, NUMBER);
@@ -38,7 +37,7 @@ TEST(Episode, BeginsAtTickZeroWithEverybodyPerceived) {
   EXPECT_EQ(episode.scene().agents.size(), 2U);
 }
 
-TEST(Episode, PerceptionsFollowEachStep) {
+TEST(Episode, UpdatesPerceptionsInEachStep) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(1)});
   const Perceptions& seen = episode.perceptions();
@@ -48,7 +47,7 @@ TEST(Episode, PerceptionsFollowEachStep) {
   EXPECT_EQ(seen.agents[1].goal, Vector2(1.5, 0.0));
 }
 
-TEST(Episode, PerceptionsStayAsTheyAreWhileSomebodyHoldsThem) {
+TEST(Episode, HeldPerceptionsDoNotChange) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   std::vector<std::shared_ptr<const Perceptions>> held;
   for (std::uint64_t tick = 0; tick < 3; ++tick) {
@@ -63,7 +62,7 @@ TEST(Episode, PerceptionsStayAsTheyAreWhileSomebodyHoldsThem) {
   }
 }
 
-TEST(Episode, ReadersInOtherThreadsSeePerceptionsUnchanged) {
+TEST(Episode, PerceptionsHeldByOtherThreadsDoNotChange) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   for (int tick = 0; tick < 100; ++tick) {
     const std::uint64_t expected = episode.world().tick();
@@ -79,12 +78,12 @@ TEST(Episode, ReadersInOtherThreadsSeePerceptionsUnchanged) {
   }
 }
 
-TEST(Episode, PerceivesAsFarAsItWasTold) {
+TEST(Episode, UsesTheGivenVision) {
   EXPECT_EQ(Episode(oneAndTwoMetres(), NUMBER, {2.7, 0}).perceptions().neighbours.size(), 0U);  // rims 2.75 m away
   EXPECT_EQ(Episode(oneAndTwoMetres(), NUMBER, {2.8, 0}).perceptions().neighbours.size(), 2U);
 }
 
-TEST(Episode, EndsWhenEverybodyHasArrived) {
+TEST(Episode, EndsWhenAllAgentsHaveArrived) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   for (int tick = 0; tick < 4; ++tick) {
     EXPECT_FALSE(episode.isOver()) << "tick " << tick;
@@ -104,7 +103,7 @@ TEST(Episode, EndsWhenEverybodyHasArrived) {
   EXPECT_TRUE(result.isClean());
 }
 
-TEST(Episode, EndsWhenTimeIsUp) {
+TEST(Episode, EndsAfterTheLargestNumberOfTicks) {
   Scene hurried = oneAndTwoMetres();
   hurried.max_ticks = 3;
   Episode episode(hurried, NUMBER, Vision());
@@ -127,7 +126,7 @@ TEST(Episode, ArrivalInTheLastTickCounts) {
   EXPECT_EQ(episode.result().arrivedCount(), 2U);
 }
 
-TEST(Episode, IllegalActionMovesNobody) {
+TEST(Episode, InvalidActionMovesNoAgent) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
   EXPECT_THROW(episode.step({ahead(0), {1, {0.0, 2.0}}}), InputError);
@@ -137,7 +136,7 @@ TEST(Episode, IllegalActionMovesNobody) {
   EXPECT_EQ(episode.result().agents[0].path_length, 0.5);
 }
 
-TEST(EpisodeChanges, SpawnedAgentIsPerceivedAtOnceAndMeasuredFromThenOn) {
+TEST(EpisodeChanges, SpawnedAgentIsPerceivedAndMeasuredAtOnce) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
   EXPECT_EQ(episode.spawnAgent(agent({0.0, -3.0}, {1.0, -3.0}, 1.0)), 2U);
@@ -153,7 +152,7 @@ TEST(EpisodeChanges, SpawnedAgentIsPerceivedAtOnceAndMeasuredFromThenOn) {
   EXPECT_EQ(result.agents[2].straight_length, 0.75);
 }
 
-TEST(EpisodeChanges, RemovedAgentIsPerceivedNoMoreAndHasNotArrived) {
+TEST(EpisodeChanges, RemovedAgentIsNotPerceivedAndHasNotArrived) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
   episode.removeAgent(1);
@@ -166,7 +165,7 @@ TEST(EpisodeChanges, RemovedAgentIsPerceivedNoMoreAndHasNotArrived) {
   EXPECT_EQ(episode.result().agents[1].ticks, 1U);
 }
 
-TEST(EpisodeChanges, EndsWithItsLastAgentAndGoesOnWithANewOne) {
+TEST(EpisodeChanges, EndsWithItsLastAgentAndContinuesWithANewOne) {
   Episode episode(scene({wanderer({0.0, 0.0})}), NUMBER, Vision());
   episode.removeAgent(0);
   EXPECT_TRUE(episode.isOver());
@@ -174,7 +173,7 @@ TEST(EpisodeChanges, EndsWithItsLastAgentAndGoesOnWithANewOne) {
   EXPECT_FALSE(episode.isOver());
 }
 
-TEST(EpisodeChanges, GoalAndObstaclesAreInThePerceptionsAtOnce) {
+TEST(EpisodeChanges, NewGoalAndObstaclesAreInThePerceptionsAtOnce) {
   Episode episode(scene({wanderer({0.0, 0.0})}, {pillar({2.0, 0.0}, 0.5)}), NUMBER, Vision());
   episode.setGoal(0, {0.0, 4.0});
   EXPECT_EQ(episode.perceptions().agents[0].goal, Vector2(0.0, 4.0));
@@ -186,7 +185,7 @@ TEST(EpisodeChanges, GoalAndObstaclesAreInThePerceptionsAtOnce) {
   EXPECT_EQ(episode.perceptions().neighbours[0].position, Vector2(0.0, 1.0));
 }
 
-TEST(EpisodeChanges, RefusedChangesChangeNothing) {
+TEST(EpisodeChanges, RefusedChangesHaveNoEffect) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   EXPECT_THROW(episode.spawnAgent(wanderer({0.1, 0.0})), InputError);
   EXPECT_THROW(episode.removeAgent(5), InputError);

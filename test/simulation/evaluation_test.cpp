@@ -3,95 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
-#include <stdexcept>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "social_crowd/common/errors.h"
 #include "social_crowd/world/scenario_reader.h"
-#include "support/error_of.h"
+#include "support/evaluations.h"
 
 namespace crowd {
 namespace {
 
-/// Scenarios of different length, so that threads overtake each other.
-const char* const SCENARIOS =
-    "name: long\n"
-    "duration: 12\n"
-    "goal_tolerance: 0.3\n"
-    "agents:\n"
-    "  - {count: 8, position: {box: [[-3, -3], [3, 3]]}, goal: {box: [[-3, -3], [3, 3]]}, speed: [0.8, 1.6],\n"
-    "     radius: 0.25}\n"
-    "obstacles:\n"
-    "  - {count: 2, position: {box: [[-3, -3], [3, 3]]}, radius: 0.3}\n"
-    "---\n"
-    "name: short\n"
-    "duration: 1\n"
-    "goal_tolerance: 0.3\n"
-    "agents:\n"
-    "  - {position: {ring: {centre: [0, 0], radius: 2}}, goal: {opposite: [0, 0]}, speed: 1, radius: 0.25}\n"
-    "---\n"
-    "name: middle\n"
-    "duration: 5\n"
-    "goal_tolerance: 0.3\n"
-    "agents:\n"
-    "  - {count: 3, position: {box: [[-2, -2], [2, 2]]}, goal: {opposite: [0, 0]}, speed: 1.3, radius: 0.25}\n";
+using evaluations::evaluateAll;
+using evaluations::expectSame;
+using evaluations::planOf;
+using evaluations::restlessTable;
+using evaluations::scenarios;
 
-ScenarioList scenarios() { return parseScenarios(SCENARIOS, "scenarios.yaml"); }
-
-/// A table that makes agents do something else in every situation.
-TrainedTable restlessTable() {
-  TrainedTable trained{parseModel("state_set: {type: nearest_obstacle}\n"
-                                  "action_set: {type: kings_moves}\n"
-                                  "reward: {goal: cosine_cubed, obstacle_cost: 80}\n"),
-                       LearningParameters(), 1, 1, QTable(137, 8)};
-  KeyedRandom random(1, KeyedRandom::EXPLORATION, {});
-  for (Row row = 0; row < trained.table.rows(); ++row) {
-    for (Action action = 0; action < trained.table.actions(); ++action) {
-      trained.table.set(row, action, random.uniform(), 1);
-    }
-  }
-  return trained;
-}
-
-EvaluationPlan planOf(std::uint64_t episodes, unsigned threads, std::uint64_t seed = 1) {
-  EvaluationPlan plan;
-  plan.episodes = episodes;
-  plan.threads = threads;
-  plan.seed = seed;
-  plan.record = true;
-  return plan;
-}
-
-std::vector<EvaluatedEpisode> evaluateAll(const EvaluationPlan& plan) {
-  std::vector<EvaluatedEpisode> all;
-  evaluate(restlessTable(), scenarios(), plan, [&](EvaluatedEpisode& walked) {
-    all.push_back(std::move(walked));
-    return true;
-  });
-  return all;
-}
-
-void expectSame(const EvaluatedEpisode& walked, const EvaluatedEpisode& expected) {
-  SCOPED_TRACE("instance " + std::to_string(expected.instance));
-  EXPECT_EQ(walked.instance, expected.instance);
-  EXPECT_EQ(walked.trajectory, expected.trajectory);
-  EXPECT_EQ(walked.result.scenario, expected.result.scenario);
-  EXPECT_EQ(walked.result.ticks, expected.result.ticks);
-  ASSERT_EQ(walked.result.agents.size(), expected.result.agents.size());
-  for (std::size_t i = 0; i < expected.result.agents.size(); ++i) {
-    const AgentResult& agent = walked.result.agents[i];
-    const AgentResult& other = expected.result.agents[i];
-    EXPECT_EQ(agent.arrived, other.arrived);
-    EXPECT_EQ(agent.touched, other.touched);
-    EXPECT_EQ(agent.ticks, other.ticks);
-    EXPECT_EQ(agent.path_length, other.path_length);
-    EXPECT_EQ(agent.turn_per_metre, other.turn_per_metre);
-    EXPECT_EQ(agent.max_speed_ratio, other.max_speed_ratio);
-  }
-}
-
-TEST(Evaluation, SameResultsInTheSameOrderForAnyNumberOfThreads) {
+TEST(Evaluation, ResultsDoNotDependOnTheNumberOfThreads) {
   const std::vector<EvaluatedEpisode> expected = evaluateAll(planOf(30, 1));
   ASSERT_EQ(expected.size(), 30U);
   for (const unsigned threads : {2U, 7U}) {
@@ -102,7 +32,7 @@ TEST(Evaluation, SameResultsInTheSameOrderForAnyNumberOfThreads) {
   }
 }
 
-TEST(Evaluation, EpisodesGoThroughTheScenariosInTurn) {
+TEST(Evaluation, PlaysTheScenariosInTurn) {
   const std::vector<EvaluatedEpisode> all = evaluateAll(planOf(7, 2));
   ASSERT_EQ(all.size(), 7U);
   const std::vector<std::string> names = {"long", "short", "middle"};
@@ -110,21 +40,21 @@ TEST(Evaluation, EpisodesGoThroughTheScenariosInTurn) {
     EXPECT_EQ(all[i].instance, i);
     EXPECT_EQ(all[i].result.scenario, names[i % 3]);
   }
-  EXPECT_NE(all[1].trajectory.substr(2), all[4].trajectory.substr(2));  // drawn anew each time
+  EXPECT_NE(all[1].trajectory.substr(2), all[4].trajectory.substr(2));  // places differ between episodes
 }
 
-TEST(Evaluation, WithoutANumberEveryScenarioOnce) {
+TEST(Evaluation, PlaysEachScenarioOnceByDefault) {
   EXPECT_EQ(evaluateAll(planOf(0, 1)).size(), 3U);
   EXPECT_EQ(evaluateAll(planOf(0, 7)).size(), 3U);  // more threads than work
 }
 
-TEST(Evaluation, SeedDecidesOnThePlaces) {
+TEST(Evaluation, DrawnPlacesDependOnTheSeed) {
   const std::vector<EvaluatedEpisode> one = evaluateAll(planOf(1, 1, 1));
   const std::vector<EvaluatedEpisode> other = evaluateAll(planOf(1, 1, 2));
   EXPECT_NE(one.at(0).trajectory, other.at(0).trajectory);
 }
 
-TEST(Evaluation, ScenesAreGivenOnRequest) {
+TEST(Evaluation, DeliversScenesOnRequest) {
   EvaluationPlan plan = planOf(6, 2);
   EXPECT_EQ(evaluateAll(plan).at(0).scene, "");
   plan.scenes = true;
@@ -133,7 +63,7 @@ TEST(Evaluation, ScenesAreGivenOnRequest) {
   const ScenarioList drawn = parseScenarios(documents, "drawn.yaml");
   ASSERT_EQ(drawn.size(), 6U);
   for (std::uint64_t i = 0; i < drawn.size(); ++i) {
-    // Whatever the seed, every instance is as it was drawn, and in its place.
+    // The drawn scenes do not depend on the seed.
     const Scene scene = drawn.scene(1234, i);
     const Scene expected = scenarios().scene(plan.seed, i);
     EXPECT_EQ(scene.name, expected.name);
@@ -155,14 +85,14 @@ TEST(Evaluation, TrajectoryHasARowForEveryAgentAndTick) {
   }
 }
 
-TEST(Evaluation, TrajectoriesOnRequestOnly) {
+TEST(Evaluation, DeliversTrajectoriesOnlyOnRequest) {
   EvaluationPlan plan = planOf(3, 1);
   plan.record = false;
   for (const EvaluatedEpisode& walked : evaluateAll(plan)) EXPECT_TRUE(walked.trajectory.empty());
 }
 
-TEST(Evaluation, AgentsDecideAsTheTableSays) {
-  // Nothing in sight and the goal ahead: an empty table walks straight on, that is action 0.
+TEST(Evaluation, AgentsFollowTheTable) {
+  // Without obstacles and with the goal ahead, an empty table selects action 0, straight on.
   TrainedTable trained = restlessTable();
   trained.table = QTable(137, 8);
   const ScenarioList line = parseScenarios(
@@ -176,7 +106,7 @@ TEST(Evaluation, AgentsDecideAsTheTableSays) {
   });
   EXPECT_EQ(ahead.arrivedCount(), 1U);
   EXPECT_EQ(ahead.ticks, 28U);
-  // With action 4 the best of all it turns around with every tick, and gets nowhere.
+  // If action 4 is the best in all rows, the agent turns around in each tick.
   for (Row row = 0; row < trained.table.rows(); ++row) trained.table.set(row, 4, 1.0, 1);
   EpisodeResult back;
   evaluate(trained, line, planOf(1, 1), [&](EvaluatedEpisode& walked) {
@@ -188,7 +118,7 @@ TEST(Evaluation, AgentsDecideAsTheTableSays) {
   EXPECT_NEAR(back.agents.at(0).turn_per_metre, 99 * PI / 10.0, 1e-6);
 }
 
-TEST(Evaluation, StopsWhenTold) {
+TEST(Evaluation, StopsWhenTheReceiverReturnsFalse) {
   for (const unsigned threads : {1U, 2U, 7U}) {
     SCOPED_TRACE(std::to_string(threads) + " threads");
     std::vector<std::uint64_t> delivered;
@@ -198,74 +128,6 @@ TEST(Evaluation, StopsWhenTold) {
     });
     EXPECT_EQ(delivered, (std::vector<std::uint64_t>{0, 1, 2, 3}));
   }
-}
-
-/// Takes part in an evaluation and checks that instances come one after the other, from 0 on.
-class InOrder {
- public:
-  bool operator()(EvaluatedEpisode& walked) {
-    EXPECT_EQ(walked.instance, count_);
-    ++count_;
-    return true;
-  }
-  std::uint64_t count() const { return count_; }
-
- private:
-  std::uint64_t count_ = 0;
-};
-
-TEST(Evaluation, SceneThatCannotBeMadeReachesTheCaller) {
-  // In the third scenario there is no room for that many agents; a reader would have refused it.
-  const ScenarioList read = scenarios();
-  std::vector<Scenario> crowded = {read[0], read[1], read[2]};
-  crowded[2].agents[0].count = 500;
-  for (const unsigned threads : {1U, 2U, 7U}) {
-    SCOPED_TRACE(std::to_string(threads) + " threads");
-    InOrder in_order;
-    const std::string message = errorOf<InputError>(
-        [&] { evaluate(restlessTable(), ScenarioList(crowded), planOf(12, threads), std::ref(in_order)); });
-    EXPECT_TRUE(contains(message, "scenarios.yaml: document 3")) << message;
-    EXPECT_LE(in_order.count(), 2U);
-  }
-}
-
-TEST(Evaluation, WhatIsWholeBeforeAnErrorIsDelivered) {
-  const ScenarioList read = scenarios();
-  std::vector<Scenario> crowded = {read[0], read[1], read[2]};
-  crowded[2].agents[0].count = 500;
-  InOrder in_order;
-  EXPECT_THROW(evaluate(restlessTable(), ScenarioList(crowded), planOf(12, 1), std::ref(in_order)), InputError);
-  EXPECT_EQ(in_order.count(), 2U);
-}
-
-TEST(Evaluation, TableOfTheWrongShapeReachesTheCaller) {
-  TrainedTable trained = restlessTable();
-  trained.table = QTable(5, 8);
-  for (const unsigned threads : {1U, 7U}) {
-    InOrder in_order;
-    EXPECT_THROW(evaluate(trained, scenarios(), planOf(12, threads), std::ref(in_order)), ShapeError);
-    EXPECT_EQ(in_order.count(), 0U);
-  }
-}
-
-TEST(Evaluation, ErrorOfTheReceiverReachesTheCaller) {
-  for (const unsigned threads : {1U, 2U, 7U}) {
-    SCOPED_TRACE(std::to_string(threads) + " threads");
-    int calls = 0;
-    const auto deliver = [&](EvaluatedEpisode&) -> bool {
-      if (++calls == 3) throw std::runtime_error("the disk is full");
-      return true;
-    };
-    EXPECT_THROW(evaluate(restlessTable(), scenarios(), planOf(30, threads), deliver), std::runtime_error);
-    EXPECT_EQ(calls, 3);  // and never again
-  }
-}
-
-TEST(Evaluation, NoScenarioNoEpisode) {
-  InOrder in_order;
-  evaluate(restlessTable(), ScenarioList(), planOf(0, 2), std::ref(in_order));
-  EXPECT_EQ(in_order.count(), 0U);
-  EXPECT_THROW(evaluate(restlessTable(), ScenarioList(), planOf(1, 2), std::ref(in_order)), InputError);
 }
 
 const char* const KEPT =
@@ -288,7 +150,7 @@ std::vector<EvaluatedEpisode> evaluateKept(unsigned threads) {
   return all;
 }
 
-TEST(Evaluation, AgentsThatKeepTheirHeadingBeginWithThatOfTheEpisodeBefore) {
+TEST(Evaluation, KeptHeadingsComeFromThePreviousEpisode) {
   const std::vector<EvaluatedEpisode> all = evaluateKept(1);
   ASSERT_EQ(all.size(), 5U);
   for (std::size_t i = 1; i < all.size(); ++i) {

@@ -27,7 +27,7 @@ std::vector<Decision> toDecisions(const std::vector<AgentAction>& actions) {
   return decisions;
 }
 
-/// What World::perceive() and Learner::decide() make of it; in order of the agents.
+/// Reference: decisions of World::perceive() and Learner::decide(), in order of the agents.
 std::vector<Decision> decideAtOnce(World& world, const Vision& vision, Learner& learner) {
   Perceptions perceptions;
   RelativeActions actions;
@@ -37,10 +37,10 @@ std::vector<Decision> decideAtOnce(World& world, const Vision& vision, Learner& 
   return toDecisions(actions.agents);
 }
 
-/// Crowds that are kept from tick to tick, of several numbers of threads.
+/// Crowds with 1, 2 and 7 threads, which are kept from tick to tick.
 class Crowds {
  public:
-  /// What they decide, in order of the agents; all of them alike.
+  /// Their decisions, in order of the agents. Requires equal decisions of all crowds.
   std::vector<Decision> decide(const World& world, const Vision& vision, const Learner& learner) {
     std::vector<Decision> first;
     for (std::size_t i = 0; i < crowds_.size(); ++i) {
@@ -58,7 +58,7 @@ class Crowds {
   std::array<ThreadPool, 3> thread_pool_ = {ThreadPool(1), ThreadPool(2), ThreadPool(7)};
 };
 
-/// With limits to what is perceived and without, with rows of their own for the actions and without.
+/// Models with and without limited vision, with one row for all actions and with one row per action.
 std::vector<Model> models() {
   const std::string thesis = "action_set: {type: kings_moves}, reward: {goal: distance_gained, obstacle_cost: 10}";
   const std::string goal_relative =
@@ -75,7 +75,7 @@ Learner makeLearner(const Model& model, Learner::Options options = {}) {
   return {model, std::move(options), learners::randomTable(model, 3)};
 }
 
-/// Walks a crowd some ticks and compares what is decided in each; how many decisions that were.
+/// Walks a crowd for some ticks and compares the decisions. Returns their number.
 std::size_t compareDecisions(std::uint64_t seed, Learner& asked, const Learner& unasked) {
   constexpr int TICKS = 12;
   const Vision vision = asked.model().vision();
@@ -112,10 +112,10 @@ TEST(GreedyCrowd, BreaksTiesAsTheLearnerDoes) {
   options.plan.parameters.ties = Ties::RANDOM;
   for (const Model& model : models()) {
     SCOPED_TRACE(model.spec());
-    Learner asked(model, options);  // knows nothing: all actions are worth the same
+    Learner asked(model, options);  // an empty table: all actions have equal values
     EXPECT_GT(compareDecisions(1, asked, Learner(model, options)), 1500U);
   }
-  // Of another episode, or with another seed, chance decides otherwise.
+  // Another episode or another seed gives other decisions.
   const Model model = models().front();
   const Learner learner(model, options);
   const World world(scenes::randomCrowd(1));
@@ -130,7 +130,7 @@ TEST(GreedyCrowd, BreaksTiesAsTheLearnerDoes) {
   EXPECT_NE(decide(EPISODE, learner), decide(EPISODE, Learner(model, options)));
 }
 
-TEST(GreedyCrowd, AsksOnlyWhomTheLearnerServes) {
+TEST(GreedyCrowd, DecidesOnlyForAgentsThatTheLearnerServes) {
   Learner::Options options;
   options.agents = {0, 1, 7, 200, 201, 9999};
   const Model model = models()[2];
@@ -144,7 +144,7 @@ TEST(GreedyCrowd, AsksOnlyWhomTheLearnerServes) {
   EXPECT_EQ(answered, (std::vector<AgentId>{0, 1, 7, 200, 201}));
 }
 
-TEST(GreedyCrowd, LooksUpTheTablesOfTheirOwn) {
+TEST(GreedyCrowd, UsesOwnTables) {
   Learner::Options options;
   options.tables = TableUse::OWN;
   const Model model = models()[2];
@@ -156,7 +156,7 @@ TEST(GreedyCrowd, LooksUpTheTablesOfTheirOwn) {
     unasked.takeTable(agent, table, TakeMethod::REPLACE);
   }
   compareDecisions(2, asked, unasked);
-  // With one table for all these three decide something else, at least in one of a few worlds.
+  // With a shared table, these three decide differently in at least one of some worlds.
   for (const AgentId agent : {3U, 4U, 100U}) {
     std::size_t different = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -171,7 +171,7 @@ TEST(GreedyCrowd, LooksUpTheTablesOfTheirOwn) {
   }
 }
 
-TEST(GreedyCrowd, ForgetsTheLastWorld) {
+TEST(GreedyCrowd, DoesNotDependOnThePreviousWorld) {
   const Model model = models()[2];
   const Learner learner = makeLearner(model);
   ThreadPool many(7);
@@ -187,7 +187,7 @@ TEST(GreedyCrowd, ForgetsTheLastWorld) {
   EXPECT_EQ(toDecisions(actions), toDecisions(expected));
 }
 
-TEST(GreedyCrowd, HasNothingToSayWhereNobodyWalks) {
+TEST(GreedyCrowd, DecidesNothingWithoutWalkingAgents) {
   const Model model = models()[2];
   std::vector<AgentAction> actions = {{1, {}}};
   GreedyCrowd().decide(World(scenes::scene({}, {scenes::pillar({0.0, 0.0}, 0.5)})), EPISODE, model.vision(),

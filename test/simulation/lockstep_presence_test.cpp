@@ -15,7 +15,7 @@ using answers::LEARNER;
 using answers::MOVE;
 using answers::playTick;
 
-TEST(LockstepPresence, AbsentAfterSomeMissesInARow) {
+TEST(LockstepPresence, AgentIsAbsentAfterConsecutiveMisses) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0, 1}, {0, 1});
   for (std::uint64_t tick = 1; tick <= 3; ++tick) {
@@ -28,11 +28,11 @@ TEST(LockstepPresence, AbsentAfterSomeMissesInARow) {
   lockstep.open(EPISODE, 4, {0, 1});
   EXPECT_FALSE(lockstep.isComplete());
   lockstep.take(answersOf(4, {0}), LEARNER);
-  EXPECT_TRUE(lockstep.isComplete());  // agent 1 is not waited for
+  EXPECT_TRUE(lockstep.isComplete());  // agent 1 is not awaited
   EXPECT_FALSE(lockstep.isDeserted());
   EXPECT_EQ(lockstep.missing(), Ids{1});
   lockstep.close();
-  EXPECT_EQ(lockstep.missedCount(), 4U);  // but counted
+  EXPECT_EQ(lockstep.missedCount(), 4U);  // still counted
 }
 
 TEST(LockstepPresence, NamesAgentsOnceWhenTheyBecomeAbsent) {
@@ -51,33 +51,33 @@ TEST(LockstepPresence, NamesAgentsOnceWhenTheyBecomeAbsent) {
   EXPECT_EQ(lockstep.giveUpOnNewcomers({0, 5, 6}), Ids{});
 }
 
-TEST(LockstepPresence, AnAnswerInBetweenStartsTheCountAnew) {
+TEST(LockstepPresence, AnAnswerResetsTheCountOfMisses) {
   Lockstep lockstep(2);
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
     lockstep.open(EPISODE, tick, {0});
-    EXPECT_FALSE(lockstep.isComplete()) << "tick " << tick;  // waited for: never two misses in a row
+    EXPECT_FALSE(lockstep.isComplete()) << "tick " << tick;  // awaited: never two consecutive misses
     if (tick % 2 == 0) lockstep.take(answersOf(tick, {0}), LEARNER);
     lockstep.close();
   }
   EXPECT_EQ(lockstep.missedCount(), 5U);
 }
 
-TEST(LockstepPresence, AbsentOneComesBackWithAnAnswer) {
+TEST(LockstepPresence, AnAnswerEndsTheAbsence) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0, 1});
   lockstep.take(answersOf(1, {1}), LEARNER);
-  EXPECT_FALSE(lockstep.isComplete());  // agent 0 is waited for as before
+  EXPECT_FALSE(lockstep.isComplete());  // agent 0 is awaited as before
   EXPECT_EQ(agentsOf(lockstep.answers()), Ids{1});
   lockstep.take(answersOf(1, {0}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
   lockstep.close();
   lockstep.open(EPISODE, 2, {0, 1});
   lockstep.take(answersOf(2, {0}), LEARNER);
-  EXPECT_FALSE(lockstep.isComplete());  // agent 1 is waited for again
+  EXPECT_FALSE(lockstep.isComplete());  // agent 1 is awaited again
 }
 
-TEST(LockstepPresence, LateAnswerShowsPresence) {
+TEST(LockstepPresence, ALateAnswerEndsTheAbsence) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0, 1});
@@ -85,13 +85,13 @@ TEST(LockstepPresence, LateAnswerShowsPresence) {
   ASSERT_TRUE(lockstep.isComplete());
   lockstep.take(answersOf(0, {1}), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 1U);
-  EXPECT_FALSE(lockstep.isComplete());  // it is there: wait for its answer to this tick
+  EXPECT_FALSE(lockstep.isComplete());  // its answer to this tick is awaited
   EXPECT_EQ(lockstep.missing(), Ids{1});
   lockstep.take(answersOf(1, {1}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
 }
 
-TEST(LockstepPresence, LateAnswersBetweenTicksShowPresenceToo) {
+TEST(LockstepPresence, LateAnswersBetweenTicksPreventAbsence) {
   Lockstep lockstep(2);
   playTick(lockstep, 0, {0}, {0});
   for (std::uint64_t tick = 1; tick < 6; ++tick) {
@@ -105,13 +105,13 @@ TEST(LockstepPresence, LateAnswersBetweenTicksShowPresenceToo) {
   EXPECT_EQ(lockstep.droppedCount(), 5U);
 }
 
-TEST(LockstepPresence, DesertedWhenEverybodyIsAbsent) {
+TEST(LockstepPresence, IsDesertedWhenAllAgentsAreAbsent) {
   Lockstep lockstep(2);
   playTick(lockstep, 0, {0, 1}, {0, 1});
   playTick(lockstep, 1, {0, 1}, {1});
   playTick(lockstep, 2, {0, 1}, {});
   lockstep.open(EPISODE, 3, {0, 1});
-  EXPECT_FALSE(lockstep.isDeserted());  // agent 1 missed once only
+  EXPECT_FALSE(lockstep.isDeserted());  // agent 1 missed only once
   lockstep.close();
   lockstep.open(EPISODE, 4, {0, 1});
   EXPECT_TRUE(lockstep.isDeserted());
@@ -121,7 +121,7 @@ TEST(LockstepPresence, DesertedWhenEverybodyIsAbsent) {
   EXPECT_TRUE(lockstep.isComplete());
 }
 
-TEST(LockstepPresence, IsKeptFromEpisodeToEpisode) {
+TEST(LockstepPresence, IsKeptAcrossEpisodes) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE + 1, 0, {0, 1});
@@ -147,7 +147,7 @@ TEST(LockstepNewcomers, AreAwaitedUntilTheirFirstAnswer) {
   EXPECT_TRUE(lockstep.awaitsNewcomer());
 }
 
-TEST(LockstepNewcomers, AreAbsentOnceGivenUp) {
+TEST(LockstepNewcomers, AreAbsentAfterGivingUp) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0, 1}, {0, 1});
   lockstep.open(EPISODE, 1, {0, 1, 2, 3});
@@ -162,13 +162,13 @@ TEST(LockstepNewcomers, AreAbsentOnceGivenUp) {
   EXPECT_EQ(lockstep.missedCount(), 2U);
   lockstep.open(EPISODE, 2, {0, 1, 2, 3});
   EXPECT_FALSE(lockstep.awaitsNewcomer());
-  lockstep.take(answersOf(2, {3}), LEARNER);  // it comes after all
+  lockstep.take(answersOf(2, {3}), LEARNER);  // a late answer
   lockstep.take(answersOf(2, {0, 1}), LEARNER);
   EXPECT_TRUE(lockstep.isComplete());
   EXPECT_EQ(agentsOf(lockstep.answers()), (Ids{3, 0, 1}));
 }
 
-TEST(LockstepNewcomers, GivingUpOnAllOfThemLeavesADesert) {
+TEST(LockstepNewcomers, GivingUpOnAllAgentsIsDeserted) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
   EXPECT_FALSE(lockstep.isDeserted());
@@ -178,7 +178,7 @@ TEST(LockstepNewcomers, GivingUpOnAllOfThemLeavesADesert) {
 }
 
 // Sequential scenarios: a tick is opened for one agent after the other.
-TEST(LockstepTurns, GivingUpOnNewcomersCountsForTheirTurnsToCome) {
+TEST(LockstepTurns, GivingUpOnNewcomersAppliesToTheirNextTurns) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0});
   lockstep.giveUpOnNewcomers({0, 1, 2});
@@ -189,7 +189,7 @@ TEST(LockstepTurns, GivingUpOnNewcomersCountsForTheirTurnsToCome) {
   EXPECT_TRUE(lockstep.isComplete());
 }
 
-TEST(LockstepTurns, AnAnswerAfterTheTurnShowsThatALearnerIsThere) {
+TEST(LockstepTurns, AnAnswerAfterTheTurnEndsTheAbsence) {
   Lockstep lockstep(1);
   lockstep.open(EPISODE, 0, {0});
   lockstep.close();
@@ -201,7 +201,7 @@ TEST(LockstepTurns, AnAnswerAfterTheTurnShowsThatALearnerIsThere) {
   EXPECT_FALSE(lockstep.areAbsent({0, 1}));
   lockstep.close();
   lockstep.open(EPISODE, 1, {0});
-  EXPECT_FALSE(lockstep.isComplete());  // it is waited for again
+  EXPECT_FALSE(lockstep.isComplete());  // it is awaited again
 }
 
 }  // namespace

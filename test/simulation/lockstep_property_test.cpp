@@ -16,7 +16,7 @@ using answers::agentsOf;
 using answers::answersOf;
 using answers::Ids;
 
-/// Plays at random and keeps the books by hand: what an agent did since it was last heard of.
+/// Plays random ticks, and computes the expected state of each agent independently.
 class RandomPlay {
   using Taken = std::tuple<LearnerId, std::uint64_t, std::uint64_t>;  // learner, episode, tick
 
@@ -123,16 +123,16 @@ class RandomPlay {
   std::uint64_t tick_ = 0;
   Ids asked_;
   Ids answered_;
-  std::map<AgentId, bool> known_;  // was ever asked
+  std::map<AgentId, bool> known_;  // has been asked
   std::map<AgentId, bool> heard_;
   std::map<AgentId, bool> given_up_;
-  std::map<AgentId, int> misses_;  // in a row
+  std::map<AgentId, int> misses_;  // consecutive
   std::uint64_t missed_ = 0;
   std::map<AgentId, Taken> last_;  // answer that was taken
   std::uint64_t refused_ = 0;
 };
 
-TEST(LockstepProperty, BooksAreRightWhateverTheAnswers) {
+TEST(LockstepProperty, AgreesWithAReferenceForRandomAnswers) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomPlay play(seed);

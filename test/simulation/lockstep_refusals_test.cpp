@@ -47,7 +47,7 @@ TEST(LockstepDrops, AnswersWhileNoTickIsOpen) {
   EXPECT_EQ(agentsOf(lockstep.answers()), Ids{0});
 }
 
-TEST(LockstepDrops, SecondAnswersAndTheFirstHolds) {
+TEST(LockstepDrops, SecondAnswersAndKeepsTheFirst) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
   lockstep.take(answersOf(0, {0}), LEARNER);
@@ -55,7 +55,7 @@ TEST(LockstepDrops, SecondAnswersAndTheFirstHolds) {
   EXPECT_EQ(lockstep.droppedCount(), 1U);
   ASSERT_EQ(lockstep.answers().size(), 1U);
   EXPECT_EQ(lockstep.answers()[0].action.rotation, 0.5);
-  EXPECT_FALSE(lockstep.isComplete());  // the second answer does not stand for agent 1
+  EXPECT_FALSE(lockstep.isComplete());  // the second answer does not count for agent 1
   lockstep.take(answersOf(0, {1}), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), 1U);
   EXPECT_TRUE(lockstep.isComplete());
@@ -65,7 +65,7 @@ TEST(LockstepDrops, UnknownAgents) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0, 1}, {0});
   lockstep.open(EPISODE, 1, {0});
-  lockstep.take(answersOf(1, {1, 7, UINT32_MAX}), LEARNER);  // not asked any more, never asked, never asked
+  lockstep.take(answersOf(1, {1, 7, UINT32_MAX}), LEARNER);  // not asked in this tick, never asked, never asked
   EXPECT_EQ(lockstep.droppedCount(), 3U);
   EXPECT_FALSE(lockstep.isComplete());
   EXPECT_TRUE(lockstep.answers().empty());
@@ -81,13 +81,13 @@ TEST(LockstepDrops, InvalidAnswers) {
   for (const RelativeAction& action : invalid) lockstep.take(answersOf(0, {0}, action), LEARNER);
   EXPECT_EQ(lockstep.droppedCount(), invalid.size());
   EXPECT_EQ(lockstep.missing(), Ids{0});
-  lockstep.take(answersOf(0, {0}, {-100.0, 0.0}), LEARNER);  // the next valid one is as good as ever
+  lockstep.take(answersOf(0, {0}, {-100.0, 0.0}), LEARNER);  // a later valid answer is accepted
   EXPECT_TRUE(lockstep.isComplete());
   EXPECT_EQ(lockstep.droppedCount(), invalid.size());
 }
 
 // Repeated answers: perceptions may be sent again to a learner that has answered, and its answer be sent again as well.
-TEST(LockstepRepetitions, AreIgnoredWhileTheTickIsOpenAndAfterIt) {
+TEST(LockstepRepetitions, AreIgnoredDuringAndAfterTheTick) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1});
   EXPECT_TRUE(lockstep.take(answersOf(0, {0, 0}), LEARNER).empty());
@@ -103,7 +103,7 @@ TEST(LockstepRepetitions, AreIgnoredWhileTheTickIsOpenAndAfterIt) {
 TEST(LockstepRepetitions, AnswersToAnAbandonedTickAreIgnored) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 4, {0, 1});
-  lockstep.open(EPISODE + 1, 0, {0, 1});  // a reset came between
+  lockstep.open(EPISODE + 1, 0, {0, 1});  // after a reset
   EXPECT_TRUE(lockstep.take(answersOf(4, {0, 1}), LEARNER).empty());
   EXPECT_EQ(lockstep.droppedCount(), 0U);
   EXPECT_EQ(lockstep.missing(), (Ids{0, 1}));
@@ -144,7 +144,7 @@ TEST(LockstepRefusals, NameBothLearnersOfAnAgent) {
   EXPECT_EQ(refused[0].other, LEARNER);
 }
 
-TEST(LockstepRefusals, NameBothLearnersAlsoWhenTheOtherAnswersLater) {
+TEST(LockstepRefusals, NameBothLearnersIfTheOtherAnswersLater) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0}, {0});
   EXPECT_EQ(causesOf(lockstep.take(answersOf(0, {0}), OTHER)), std::vector<Refusal>{Refusal::OTHER_LEARNER});
@@ -153,7 +153,7 @@ TEST(LockstepRefusals, NameBothLearnersAlsoWhenTheOtherAnswersLater) {
   EXPECT_EQ(causesOf(lockstep.take(answersOf(0, {0}), OTHER)), std::vector<Refusal>{Refusal::OTHER_LEARNER});
 }
 
-TEST(LockstepRefusals, ALearnerMayTakeOverFromOneThatHasStopped) {
+TEST(LockstepRefusals, AllowALearnerToReplaceAStoppedOne) {
   Lockstep lockstep(1);
   playTick(lockstep, 0, {0}, {0});
   playTick(lockstep, 1, {0}, {});

@@ -14,7 +14,7 @@ using answers::Ids;
 using answers::LEARNER;
 using answers::playTick;
 
-TEST(Lockstep, CompleteOnceEverybodyHasAnswered) {
+TEST(Lockstep, IsCompleteWhenAllAgentsHaveAnswered) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {0, 1, 2});
   EXPECT_FALSE(lockstep.isComplete());
@@ -35,7 +35,7 @@ TEST(Lockstep, CompleteOnceEverybodyHasAnswered) {
   EXPECT_EQ(lockstep.droppedCount(), 0U);
 }
 
-TEST(Lockstep, NobodyAskedIsCompleteAndNotDeserted) {
+TEST(Lockstep, IsCompleteAndNotDesertedWithoutAgents) {
   Lockstep lockstep(3);
   lockstep.open(EPISODE, 0, {});
   EXPECT_TRUE(lockstep.isComplete());
@@ -54,7 +54,7 @@ TEST(Lockstep, EachTickBeginsWithoutAnswers) {
   EXPECT_FALSE(lockstep.isComplete());
 }
 
-TEST(LockstepCounts, BeginAnewOnReset) {
+TEST(LockstepCounts, ResetSetsThemToZero) {
   Lockstep lockstep(3);
   playTick(lockstep, 0, {0, 1}, {0, 7});
   EXPECT_EQ(lockstep.missedCount(), 1U);

@@ -9,7 +9,7 @@
 namespace crowd {
 namespace {
 
-/// Numbers that binary fractions hold exactly, all different.
+/// Different numbers that are exact in binary.
 AgentResult walked() {
   AgentResult agent;
   agent.arrived = true;
@@ -35,7 +35,7 @@ std::string rowsOf(const std::string& scenario, std::vector<AgentResult> agents)
   return rows;
 }
 
-TEST(Record, ARowAnAgent) {
+TEST(Record, HasOneRowPerAgent) {
   AgentResult lost;
   lost.touched = true;
   lost.ticks = 20;
@@ -52,13 +52,13 @@ TEST(Record, HeaderNamesEveryField) {
   EXPECT_EQ(header.back(), '\n');
 }
 
-TEST(Record, WhoWasRemovedDoesNotCount) {
+TEST(Record, OmitsRemovedAgents) {
   AgentResult removed = walked();
   removed.removed = true;
   EXPECT_EQ(rowsOf("pair", {removed, walked()}), "41,pair,1,1,0,1,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
 }
 
-TEST(Record, NamesWithCommasStayOneField) {
+TEST(Record, QuotesNamesWithCommas) {
   EXPECT_EQ(rowsOf("a \"wide\", long door", {walked()}),
             "41,\"a \"\"wide\"\", long door\",0,1,0,1,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
 }

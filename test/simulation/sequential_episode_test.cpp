@@ -6,6 +6,7 @@
 
 #include "social_crowd/simulation/episode.h"
 #include "support/scenes.h"
+#include "support/worlds.h"
 
 namespace crowd {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 using scenes::agent;
 using scenes::scene;
 using scenes::wanderer;
-
-AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
 
 Scene sequential(Scene scene) {
   scene.order = Order::SEQUENTIAL;
@@ -27,7 +26,7 @@ Scene oneAndTwoMetres() {
       scenes::halfSeconds(scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), agent({0.0, 3.0}, {2.0, 3.0}, 1.0)})));
 }
 
-/// Numbers of the agents that are asked.
+/// The agents whose turn it is.
 std::vector<AgentId> asked(Episode& episode) {
   std::vector<AgentId> ids;
   for (const AgentPerception& self : episode.perceptions().agents) ids.push_back(self.agent);
@@ -36,7 +35,7 @@ std::vector<AgentId> asked(Episode& episode) {
 
 using Ids = std::vector<AgentId>;
 
-TEST(SequentialEpisode, ATickIsATurnForEachAgent) {
+TEST(SequentialEpisode, HasOneTurnPerAgentInEachTick) {
   Episode episode(oneAndTwoMetres(), 7, Vision());
   EXPECT_EQ(episode.turnsOfTick(), 2U);
   EXPECT_EQ(asked(episode), Ids{0});
@@ -50,7 +49,7 @@ TEST(SequentialEpisode, ATickIsATurnForEachAgent) {
   EXPECT_EQ(episode.perceptions().tick, 1U);
 }
 
-TEST(SequentialEpisode, AnAgentThatHasArrivedGetsItsLastPerceptionAtItsTurn) {
+TEST(SequentialEpisode, ArrivedAgentGetsItsLastPerceptionInItsTurn) {
   Episode episode(oneAndTwoMetres(), 7, Vision());
   for (int tick = 0; tick < 2; ++tick) {
     episode.step({ahead(0)});
@@ -60,12 +59,12 @@ TEST(SequentialEpisode, AnAgentThatHasArrivedGetsItsLastPerceptionAtItsTurn) {
   EXPECT_TRUE(episode.perceptions().agents[0].arrived);
   EXPECT_FALSE(episode.step({}));
   EXPECT_EQ(asked(episode), Ids{1});
-  EXPECT_EQ(episode.perceptions().agents[0].neighbour_count, 0U);  // the other has left
+  EXPECT_EQ(episode.perceptions().agents[0].neighbour_count, 0U);  // agent 0 has left
   EXPECT_TRUE(episode.step({}));
-  EXPECT_EQ(asked(episode), Ids{1});  // the other has no turn any more
+  EXPECT_EQ(asked(episode), Ids{1});  // agent 0 has no further turn
 }
 
-TEST(SequentialEpisode, TheLastPerceptionsAreThoseOfAllAgents) {
+TEST(SequentialEpisode, LastPerceptionsIncludeAllAgents) {
   Scene scene = oneAndTwoMetres();
   scene.max_ticks = 1;
   Episode episode(scene, 7, Vision());
@@ -77,7 +76,7 @@ TEST(SequentialEpisode, TheLastPerceptionsAreThoseOfAllAgents) {
   EXPECT_EQ(asked(episode), (Ids{0, 1}));
 }
 
-TEST(SequentialEpisode, WatchesTheWorldTickByTick) {
+TEST(SequentialEpisode, MeasuresTheWorldOncePerTick) {
   Episode episode(oneAndTwoMetres(), 7, Vision());
   while (!episode.isOver()) episode.step({ahead(0), ahead(1)});
   const EpisodeResult result = episode.result();
@@ -86,10 +85,10 @@ TEST(SequentialEpisode, WatchesTheWorldTickByTick) {
   EXPECT_DOUBLE_EQ(result.agents[1].path_length, 2.0);
 }
 
-TEST(SequentialEpisode, ChangesBetweenTurns) {
+TEST(SequentialEpisode, AgentsCanBeRemovedAndSpawnedBetweenTurns) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})), 7, Vision());
   episode.step({});
-  episode.removeAgent(1);  // it was to be next
+  episode.removeAgent(1);  // it had the next turn
   EXPECT_EQ(asked(episode), Ids{2});
   const AgentId spawned = episode.spawnAgent(wanderer({0.0, 9.0}));
   EXPECT_FALSE(episode.step({ahead(2)}));
@@ -98,7 +97,7 @@ TEST(SequentialEpisode, ChangesBetweenTurns) {
   EXPECT_EQ(asked(episode), Ids{0});
 }
 
-TEST(SequentialEpisode, ATickEndsWhenItsLastAgentsAreTakenAway) {
+TEST(SequentialEpisode, RemovingTheLastAgentsOfATickEndsIt) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0})})), 7, Vision());
   episode.step({});
   episode.removeAgent(1);
@@ -107,7 +106,7 @@ TEST(SequentialEpisode, ATickEndsWhenItsLastAgentsAreTakenAway) {
   EXPECT_EQ(episode.world().tick(), 1U);
 }
 
-TEST(SequentialEpisode, AnAgentTakenAwayInItsTurnDoesNotTakeThatOfTheNext) {
+TEST(SequentialEpisode, RemovingAnAgentInItsTurnKeepsTheNextTurn) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0})})), 7, Vision());
   ASSERT_EQ(asked(episode), Ids{0});
   episode.removeAgent(0);

@@ -65,7 +65,7 @@ TEST_F(SideBySide, ResultDoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST_F(SideBySide, SeedAndNumberOfLearnersMatter) {
+TEST_F(SideBySide, ResultDependsOnSeedAndNumberOfLearners) {
   const auto train = [&](const std::string& plan, std::uint64_t seed) {
     TrainingConfig changed = config(24, plan);
     changed.training.seed = seed;
@@ -80,7 +80,7 @@ TEST_F(SideBySide, SeedAndNumberOfLearnersMatter) {
   EXPECT_NE(train("side_by_side: 4, turn: 2", 1), table);
 }
 
-TEST_F(SideBySide, OneLearnerLearnsEpisodeByEpisodeInOneTable) {
+TEST_F(SideBySide, OneLearnerAgreesWithSequentialTraining) {
   const TrainingConfig plain = config(12, "save_every: 0");
   Training training(config(12, "side_by_side: 1, turn: 3"), 7);
   EXPECT_EQ(training.runNextTurn().size(), 1U);
@@ -97,7 +97,7 @@ TEST_F(SideBySide, OneLearnerLearnsEpisodeByEpisodeInOneTable) {
   EXPECT_EQ(training.trained().parameters.epsilon, learner.parameters().epsilon);
 }
 
-TEST_F(SideBySide, ATurnMergesWhatEachLearnsFromItsOwnEpisodes) {
+TEST_F(SideBySide, TurnsMergeTheTablesOfAllLearners) {
   const TrainingConfig two = config(5, "side_by_side: 2, turn: 2");
   Training training(two, 2);
   const ScenarioList list = parseScenarios(scenarios(), "s.yaml");
@@ -105,7 +105,7 @@ TEST_F(SideBySide, ATurnMergesWhatEachLearnsFromItsOwnEpisodes) {
   options.mode = Mode::TRAINING;
   options.seed = two.training.seed;
   options.plan = two.learning;
-  // Two turns by hand: episodes 0, 1 and 2, 3, then 4 and none.
+  // Turns by hand: learner 1 has episodes 0, 1 and then 4, learner 2 has episodes 2, 3.
   QTable expected(two.model.state_set->rowCount(), two.model.action_set->size());
   std::uint64_t decisions = 0;
   for (const auto& turn : std::vector<std::vector<std::vector<std::uint64_t>>>{{{0, 1}, {2, 3}}, {{4}, {}}}) {
@@ -126,7 +126,7 @@ TEST_F(SideBySide, ATurnMergesWhatEachLearnsFromItsOwnEpisodes) {
   EXPECT_EQ(training.trained().parameters.epsilon, two.learning.epsilon.at(4));
 }
 
-TEST_F(SideBySide, ResultsComeInTheOrderOfTheEpisodes) {
+TEST_F(SideBySide, ReturnsResultsInTheOrderOfTheEpisodes) {
   Training training(config(11, "side_by_side: 3, turn: 3"), 2);
   std::string names;
   for (const EpisodeResult& result : finish(training)) names += result.scenario + " ";
@@ -134,7 +134,7 @@ TEST_F(SideBySide, ResultsComeInTheOrderOfTheEpisodes) {
   EXPECT_EQ(training.episode(), 11U);
 }
 
-TEST_F(SideBySide, EveryDecisionIsCountedInTheVisitsOnce) {
+TEST_F(SideBySide, CountsOneVisitPerDecision) {
   Training training(config(24, "side_by_side: 4, turn: 2"), 2);
   finish(training);
   const TrainedTable trained = training.trained();
@@ -146,7 +146,7 @@ TEST_F(SideBySide, EveryDecisionIsCountedInTheVisitsOnce) {
   EXPECT_GT(visits, 24U);
 }
 
-TEST_F(SideBySide, GoesOnFromATable) {
+TEST_F(SideBySide, ContinuesFromATable) {
   Training first(config(4, "side_by_side: 2, turn: 2"), 1);
   finish(first);
   const TrainedTable begin = first.trained();
@@ -158,7 +158,7 @@ TEST_F(SideBySide, GoesOnFromATable) {
   EXPECT_NE(more.trained().table, begin.table);
 }
 
-TEST_F(SideBySide, WithTracesOrOwnTablesIsRefused) {
+TEST_F(SideBySide, RefusesTracesAndOwnTables) {
   const auto error = [&](const std::string& training, const std::string& learning) {
     return errorOf<InputError>([&] { Training(config(4, training, learning)); });
   };
@@ -169,7 +169,7 @@ TEST_F(SideBySide, WithTracesOrOwnTablesIsRefused) {
   EXPECT_EQ(error("side_by_side: 1, tables: own", "lambda: 0.5"), "no error");
 }
 
-TEST_F(SideBySide, IsOneLearnerUnlessToldOtherwise) {
+TEST_F(SideBySide, UsesOneLearnerByDefault) {
   EXPECT_EQ(config(1, "tables: shared").training.side_by_side, 1U);
   EXPECT_EQ(config(1, "side_by_side: 6, turn: 7").training.side_by_side, 6U);
   EXPECT_EQ(config(1, "side_by_side: 6, turn: 7").training.turn, 7U);

@@ -24,21 +24,21 @@ PerceptionsBuilder agentBeforeADisc() {
   return PerceptionsBuilder(3, 4).agent(6, {5.0, 0.0}).neighbour({0.7, 0.0}, 0.3);
 }
 
-TEST(StateRecord, OfSet2) {
+TEST(StateRecord, WritesStatesOfSet2) {
   std::string rows;
   appendStateRows(1, agentBeforeADisc().all(), learnerOf("occupancy", 52489), rows);
   // Class 1 ahead, class 2 on either side: 3^7 + 2 * 3^6 + 2 = 2187 + 1458 + 2.
   EXPECT_EQ(rows, "1,4,6,0,0,0,3647,2,-22.5:22.5:1 22.5:67.5:2 292.5:337.5:2\n");
 }
 
-TEST(StateRecord, OfSet1) {
+TEST(StateRecord, WritesStatesOfSet1) {
   std::string rows;
   appendStateRows(1, agentBeforeADisc().all(), learnerOf("nearest_obstacle", 137), rows);
   // (3.3): goal sector 0, obstacle sector 0, class 1: (8 - 1) + 0 + 0 + 1.
   EXPECT_EQ(rows, "1,4,6,0,0,0,8,2,0:15:1\n");
 }
 
-TEST(StateRecord, NothingInSight) {
+TEST(StateRecord, WritesNoSectorsWithoutObstacles) {
   std::string rows;
   appendStateRows(0, PerceptionsBuilder(0, 0).agent(0, {-5.0, 0.0}).all(), learnerOf("nearest_obstacle", 137), rows);
   EXPECT_EQ(rows, "0,0,0,0,0,0,4,2,\n");

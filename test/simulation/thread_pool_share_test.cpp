@@ -30,7 +30,7 @@ struct Walked {
   QTable table;
 };
 
-/// @param at_once for all agents of a tick, as for a node, or as the headless runs have it
+/// @param at_once whether all agents of a tick decide in one call, as in a node, or in parts, as in headless runs
 Walked walk(const Scene& scene, Mode mode, unsigned threads, bool at_once = false) {
   ThreadPool thread_pool(threads);
   Learner learner = makeLearner(mode);
@@ -48,7 +48,7 @@ Walked walk(const Scene& scene, Mode mode, unsigned threads, bool at_once = fals
   return walked;
 }
 
-TEST(ThreadPoolShare, AnEpisodeDoesNotDependOnTheirNumber) {
+TEST(ThreadPoolShare, EpisodesDoNotDependOnTheNumberOfThreads) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const Scene ghosts = crowd(seed);
     for (const Scene& scene : {ghosts, scenes::solid(ghosts)}) {
@@ -69,7 +69,7 @@ TEST(ThreadPoolShare, AnEpisodeDoesNotDependOnTheirNumber) {
   }
 }
 
-TEST(ThreadPoolShare, TheCrowdWalksAndLearns) {
+TEST(ThreadPoolShare, EpisodesDependOnLearning) {
   const Walked before = walk(crowd(1), Mode::DEMO, 1);
   const Walked learned = walk(crowd(1), Mode::TRAINING, 1);
   EXPECT_NE(before.state, learned.state);

@@ -30,7 +30,7 @@ const char* const CONFIG =
     "  tables: own\n"                                                    // line 14
     "  save_every: 25\n";                                                // line 15
 
-/// A folder in which `learning/r.yaml` holds RECIPE, and all scenario files that it names are there.
+/// A folder that contains CONFIG as `learning/r.yaml`, and all scenario files that it names.
 class ConfigFolder {
  public:
   ConfigFolder() {
@@ -54,7 +54,7 @@ std::string replaced(const std::string& from, const std::string& to) {
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-TEST(TrainingConfig, SaysModelLearningAndTraining) {
+TEST(TrainingConfig, ReadsModelLearningAndTraining) {
   const TrainingConfig config = readTrainingConfig(ConfigFolder().config());
   EXPECT_EQ(config.model.action_set->size(), 6U);
   EXPECT_EQ(config.model.state_set->rowCount(), 4U * 8U * 2U + 4U + 1U);  // sectors, classes, none, arrived
@@ -71,7 +71,7 @@ TEST(TrainingConfig, SaysModelLearningAndTraining) {
   EXPECT_EQ(config.training.save_every, 25U);
 }
 
-TEST(TrainingConfig, ScenariosAreFilesRelativeToItOrNames) {
+TEST(TrainingConfig, ScenariosAreRelativePathsOrNames) {
   const ConfigFolder folder;
   const TrainingConfig config = readTrainingConfig(folder.config());
   const std::vector<std::string> expected = {folder.file("learning/a.yaml"), folder.file("b.yaml"),
@@ -80,7 +80,7 @@ TEST(TrainingConfig, ScenariosAreFilesRelativeToItOrNames) {
   EXPECT_EQ(config.training.scenarios, expected);
 }
 
-TEST(TrainingConfig, LeavesOutWhatHasADefault) {
+TEST(TrainingConfig, UsesDefaultsForMissingKeys) {
   const TemporaryFolder folder;
   folder.write("s.yaml", "");
   const TrainingConfig config = readTrainingConfig(folder.write("r.yaml",
@@ -118,7 +118,7 @@ void expectRefused(const Mistake& mistake) {
   }
 }
 
-TEST(TrainingConfig, MistakesAreNamedWithFileLineAndWhatWasExpected) {
+TEST(TrainingConfig, ErrorsContainFileLineAndExpectation) {
   const std::vector<Mistake> mistakes = {
       {"state_set: {type: nearest_obstacle, goal_sectors: 4}\n", "", {"state_set"}},
       {"nearest_obstacle", "farthest", {"line 2", "state_set.type", namesOf(stateSetTypes()), "farthest"}},
@@ -159,12 +159,12 @@ TEST(TrainingConfig, MistakesAreNamedWithFileLineAndWhatWasExpected) {
   for (const Mistake& mistake : mistakes) expectRefused(mistake);
 }
 
-TEST(TrainingConfig, LineOfALearningParameterIsItsOwn) {
+TEST(TrainingConfig, ErrorsContainTheLineOfALearningParameter) {
   expectRefused({"gamma: 0.5", "gamma: 1", {"line 7", "gamma", "from 0 to below 1", "1"}});
   expectRefused({"lambda: 0.25", "lambda: -1", {"line 8", "lambda", "from 0 to 1", "-1"}});
 }
 
-TEST(TrainingConfig, AScenarioThatIsNotThereIsToldWithThoseThatAre) {
+TEST(TrainingConfig, ErrorOfAMissingScenarioListsAlternatives) {
   const TemporaryFolder folder;
   std::string text = CONFIG;
   const std::string all = "[a.yaml, ../b.yaml, sub/./c.yaml, circle6]";
@@ -179,7 +179,7 @@ TEST(TrainingConfig, AScenarioThatIsNotThereIsToldWithThoseThatAre) {
       << message;
 }
 
-TEST(TrainingConfig, IsOneDocument) {
+TEST(TrainingConfig, RequiresOneDocument) {
   const TemporaryFolder folder;
   const auto refused = [&](const std::string& text, const std::string& reason) {
     const std::string file = folder.write("wrong.yaml", text);
@@ -191,7 +191,7 @@ TEST(TrainingConfig, IsOneDocument) {
   EXPECT_TRUE(refused("[1, 2]\n", "expected a map"));
 }
 
-TEST(TrainingConfig, FileThatIsNotThere) {
+TEST(TrainingConfig, ReportsAMissingFile) {
   const TemporaryFolder folder;
   const std::string message = errorOf<FileError>([&] { readTrainingConfig(folder.file("nowhere.yaml")); });
   EXPECT_TRUE(contains(message, folder.file("nowhere.yaml"))) << message;

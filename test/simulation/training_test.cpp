@@ -14,7 +14,7 @@
 namespace crowd {
 namespace {
 
-/// One agent that looks anywhere, an obstacle half-way to its goal, 3 m from its start; the thesis's speeds.
+/// An agent with a random heading, and an obstacle half-way to its goal at 3 m; speeds of the thesis.
 const char* const OBSTACLE_IN_THE_WAY =
     "name: obstacle_in_the_way\n"
     "units: thesis\n"
@@ -39,7 +39,7 @@ std::string twoAgents(const std::string& name, const std::string& radius = "1") 
          "     radius: 0.2}\n";
 }
 
-/// A training configuration in the folder with the thesis's state set 1 and parameters.
+/// A training configuration in the folder, with state set 1 and the parameters of the thesis.
 TrainingConfig configFor(const TemporaryFolder& folder, const std::string& scenarios, std::uint64_t episodes,
                          std::uint64_t seed, const std::string& more = "") {
   return readTrainingConfig(folder.write("config.yaml",
@@ -58,7 +58,7 @@ TrainedTable train(const TrainingConfig& config) {
   return training.trained();
 }
 
-TEST(Training, SameSeedSameTableBitForBit) {
+TEST(Training, EqualSeedsGiveEqualTablesBitForBit) {
   const TemporaryFolder folder;
   folder.write("s.yaml", OBSTACLE_IN_THE_WAY);
   const TrainedTable first = train(configFor(folder, "s.yaml", 20, 3));
@@ -69,7 +69,7 @@ TEST(Training, SameSeedSameTableBitForBit) {
   EXPECT_EQ(toText(first), toText(again));
 }
 
-TEST(Training, AnotherSeedAnotherTable) {
+TEST(Training, TableDependsOnTheSeed) {
   const TemporaryFolder folder;
   folder.write("s.yaml", OBSTACLE_IN_THE_WAY);
   const TrainedTable one = train(configFor(folder, "s.yaml", 20, 3));
@@ -79,7 +79,7 @@ TEST(Training, AnotherSeedAnotherTable) {
   EXPECT_EQ(other.seed, 4U);
 }
 
-TEST(Training, SeedDecidesOnExplorationToo) {
+TEST(Training, ExplorationDependsOnTheSeed) {
   const TemporaryFolder folder;
   folder.write("s.yaml",
                "{name: fixed, duration: 5, goal_tolerance: 0.3,\n"
@@ -87,7 +87,7 @@ TEST(Training, SeedDecidesOnExplorationToo) {
   EXPECT_TRUE(train(configFor(folder, "s.yaml", 10, 3)).table != train(configFor(folder, "s.yaml", 10, 4)).table);
 }
 
-/// The share of a hundred episodes, none of them met in training, in which the agent arrives [percent].
+/// The percentage of a hundred episodes, none of them used in training, in which the agent arrives.
 double successPercent(const TrainedTable& trained) {
   Metrics metrics;
   evaluate(trained, parseScenarios(OBSTACLE_IN_THE_WAY, "s.yaml"), {100, 1234, 1, false},
@@ -99,7 +99,7 @@ double successPercent(const TrainedTable& trained) {
   return metrics.successPercent();
 }
 
-TEST(Training, TrainedAgentsArriveFarMoreOften) {
+TEST(Training, TrainedAgentsArriveMoreOften) {
   const TemporaryFolder folder;
   folder.write("s.yaml", OBSTACLE_IN_THE_WAY);
   constexpr int SEEDS = 5;
@@ -110,13 +110,13 @@ TEST(Training, TrainedAgentsArriveFarMoreOften) {
     sum += percent;
   }
   TrainedTable empty = Training(configFor(folder, "s.yaml", 1, 1)).trained();
-  // An empty table walks straight on in whatever direction it looks. Among trained ones there may be one that dances
-  // in front of the obstacle: with the thesis's gamma of 0.1 they look hardly further than a step ahead.
+  // An empty table walks straight on. A trained table may oscillate in front of the obstacle, because with the gamma of
+  // the thesis, 0.1, values contain hardly more than the next reward.
   EXPECT_LT(successPercent(empty), 20.0);
   EXPECT_GT(sum / SEEDS, 70.0);
 }
 
-TEST(Training, TellsHowFarItIs) {
+TEST(Training, ReportsItsProgress) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   Training training(configFor(folder, "s.yaml", 2, 1));
@@ -128,14 +128,14 @@ TEST(Training, TellsHowFarItIs) {
   EXPECT_EQ(result.agents.size(), 2U);
   EXPECT_EQ(training.episode(), 1U);
   EXPECT_FALSE(training.isDone());
-  // Every decision is learned from: one per agent and tick until it arrives.
+  // The learner learns from each decision: one per agent and tick until the arrival.
   EXPECT_EQ(training.trained().decisions, result.agents[0].ticks + result.agents[1].ticks);
   EXPECT_GT(training.trained().table.visitedRows(), 0U);
   training.runNextTurn();
   EXPECT_TRUE(training.isDone());
 }
 
-TEST(Training, PlaysAllScenariosRoundAndRound) {
+TEST(Training, RepeatsItsScenariosInOrder) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("first") + "---\n" + twoAgents("second"));
   folder.write("t.yaml", twoAgents("third"));
@@ -145,7 +145,7 @@ TEST(Training, PlaysAllScenariosRoundAndRound) {
   EXPECT_EQ(names, "first second third first second third first ");
 }
 
-TEST(Training, PlacesDependOnSeedAndEpisodeAlone) {
+TEST(Training, DrawnPlacesDependOnlyOnSeedAndEpisode) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair", "[1, 2]"));
   const auto lengths = [&](std::uint64_t seed) {
@@ -158,19 +158,19 @@ TEST(Training, PlacesDependOnSeedAndEpisodeAlone) {
   EXPECT_NE(lengths(1).first, lengths(2).first);
 }
 
-TEST(Training, WithOwnTablesEachAgentLearnsForItself) {
+TEST(Training, AgentsWithOwnTablesLearnSeparately) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   Training training(configFor(folder, "s.yaml", 5, 1, ", tables: own"));
   while (!training.isDone()) training.runNextTurn();
   EXPECT_TRUE(training.learner().tableOf(0) != training.learner().tableOf(1));
-  EXPECT_TRUE(training.trained().table == training.learner().tableOf(0));  // the pioneer's
+  EXPECT_TRUE(training.trained().table == training.learner().tableOf(0));  // of agent 0
   Training shared(configFor(folder, "s.yaml", 5, 1));
   shared.runNextTurn();
   EXPECT_TRUE(shared.learner().tableOf(0) == shared.learner().tableOf(1));
 }
 
-TEST(Training, GoesOnFromATable) {
+TEST(Training, ContinuesFromATable) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   const TrainedTable first = train(configFor(folder, "s.yaml", 3, 1));
@@ -181,7 +181,7 @@ TEST(Training, GoesOnFromATable) {
   const EpisodeResult result = more.runNextTurn().at(0);
   EXPECT_EQ(more.decisions(), result.agents[0].ticks + result.agents[1].ticks);
   EXPECT_EQ(more.trained().decisions, first.decisions + more.decisions());
-  // Both went on from what was given, each for itself.
+  // Both agents continued from the given table, each with its own copy.
   EXPECT_TRUE(more.learner().tableOf(0) != first.table);
   EXPECT_TRUE(more.learner().tableOf(0) != more.learner().tableOf(1));
   for (const AgentId agent : {0U, 1U}) {
@@ -192,13 +192,13 @@ TEST(Training, GoesOnFromATable) {
       }
     }
     EXPECT_EQ(visits, result.agents[agent].ticks);
-    // What was given is known as such.
+    // The visits of the given table are not new.
     EXPECT_EQ(more.learner().tableOf(agent).newVisitsOf(first.table), 0U);
     EXPECT_EQ(first.table.newVisitsOf(more.learner().tableOf(agent)), visits);
   }
 }
 
-TEST(Training, GoesOnFromATableOfItsOwnStatesOnly) {
+TEST(Training, RefusesATableOfAnotherStateSet) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   TrainingConfig other = configFor(folder, "s.yaml", 1, 1);
@@ -209,7 +209,7 @@ TEST(Training, GoesOnFromATableOfItsOwnStatesOnly) {
   EXPECT_THROW(Training(configFor(folder, "s.yaml", 1, 1), begin), ShapeError);
 }
 
-TEST(Training, ResultSaysWhatItWasTrainedWith) {
+TEST(Training, ResultContainsModelSeedAndParameters) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   const TrainingConfig config = configFor(folder, "s.yaml", 1, 9);
@@ -221,14 +221,14 @@ TEST(Training, ResultSaysWhatItWasTrainedWith) {
   EXPECT_EQ(trained.parameters.epsilon, 0.1);
 }
 
-TEST(Training, ScenariosThatCannotBeRead) {
+TEST(Training, ReportsUnreadableScenarios) {
   const TemporaryFolder folder;
   folder.write("bad.yaml", "name: bad\n");
   EXPECT_THROW(configFor(folder, "nowhere.yaml", 1, 1), InputError);
   EXPECT_THROW(Training(configFor(folder, "bad.yaml", 1, 1)), InputError);
 }
 
-TEST(RunEpisode, PlaysToTheEndAndHandsTheNumberToTheLearner) {
+TEST(RunEpisode, PlaysToTheEndWithTheNumberOfTheEpisode) {
   const TemporaryFolder folder;
   folder.write("s.yaml", twoAgents("pair"));
   const TrainingConfig config = configFor(folder, "s.yaml", 1, 1);
@@ -240,14 +240,14 @@ TEST(RunEpisode, PlaysToTheEndAndHandsTheNumberToTheLearner) {
     Learner learner(config.model, options);
     const EpisodeResult result = runScene(scene, number, learner);
     EXPECT_EQ(result.scenario, "pair");
-    EXPECT_EQ(result.ticks, 20U);  // a random walk does not get there
+    EXPECT_EQ(result.ticks, 20U);  // a random walk does not arrive
     return result.agents[0].turn_per_metre;
   };
   EXPECT_EQ(play(1), play(1));
-  EXPECT_NE(play(1), play(2));  // another episode explores otherwise
+  EXPECT_NE(play(1), play(2));  // another episode has other random actions
 }
 
-TEST(Training, AgentsThatKeepTheirHeadingLearnFromWhereTheEpisodeBeforeLeftThem) {
+TEST(Training, KeptHeadingsComeFromThePreviousEpisode) {
   const TemporaryFolder folder;
   const std::string agents =
       "name: pair\nduration: 2\ngoal_tolerance: 0.3\nagents:\n"

@@ -12,6 +12,7 @@
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
+#include "support/worlds.h"
 
 namespace crowd {
 namespace {
@@ -20,10 +21,8 @@ using scenes::agent;
 using scenes::scene;
 using scenes::wanderer;
 
-AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
-
-TEST(Trajectory, TinyRunAsText) {
-  // Agent 0 arrives in tick 2, agent 1 in tick 3; agent 2 is taken away after tick 1.
+TEST(Trajectory, WritesASmallRun) {
+  // Agent 0 arrives in tick 2, agent 1 in tick 3; agent 2 is removed after tick 1.
   World world(scenes::halfSeconds(
       scene({agent({0.0, 0.0}, {1.0, 0.0}, 1.0), agent({-1.25, 3.0}, {1.75, 3.0}, 2.0), wanderer({0.0, -3.0})})));
   std::string rows;
@@ -66,25 +65,25 @@ TEST(Trajectory, NumbersReadBackBitForBit) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
-TEST(TrajectoryFile, HoldsHeaderAndWhatWasAppended) {
+TEST(TrajectoryFile, ContainsHeaderAndAppendedRows) {
   const TemporaryFolder folder;
-  TrajectoryFile file(folder.file("deep/down"), "circle6");  // makes the folders
+  TrajectoryFile file(folder.file("deep/down"), "circle6");  // creates the folders
   const std::string path = folder.file("deep/down/circle6.csv");
   EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n");
   file.append("0,0,0,1.5,2\n");
-  EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n0,0,0,1.5,2\n");  // there at once, not when it is closed
+  EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n0,0,0,1.5,2\n");  // written at once, not when the file is closed
   file.append("1,0,0,3,4\n1,1,0,3,4\n");
   EXPECT_EQ(readFile(path), "instance,tick,agent,x,y\n0,0,0,1.5,2\n1,0,0,3,4\n1,1,0,3,4\n");
 }
 
-TEST(TrajectoryFile, BeginsAnew) {
+TEST(TrajectoryFile, ReplacesAnOlderFile) {
   const TemporaryFolder folder;
   folder.write("line6.csv", "left over from a longer run, much longer than the header\n");
   const TrajectoryFile file(folder.path(), "line6");
   EXPECT_EQ(readFile(folder.file("line6.csv")), TRAJECTORY_HEADER);
 }
 
-/// The message of the FileError that beginning a file and appending to it brings.
+/// The message of the FileError of a trajectory file to which a row is appended.
 std::string fileError(const std::string& folder, const std::string& name) {
   return errorOf<FileError>([&] { TrajectoryFile(folder, name).append("0,0,0,0,0\n"); });
 }
@@ -93,7 +92,7 @@ void expectContains(const std::string& text, const std::string& part) {
   EXPECT_TRUE(contains(text, part)) << "'" << text << "' lacks '" << part << "'";
 }
 
-TEST(TrajectoryFile, FolderThatCannotBeMade) {
+TEST(TrajectoryFile, ReportsAFolderThatCannotBeCreated) {
   const TemporaryFolder folder;
   const std::string file = folder.write("a_file", "no folder");
   const std::string message = fileError(file + "/below", "line6");
@@ -101,7 +100,7 @@ TEST(TrajectoryFile, FolderThatCannotBeMade) {
   expectContains(message, "Not a directory");
 }
 
-TEST(TrajectoryFile, FileThatCannotBeOpened) {
+TEST(TrajectoryFile, ReportsAFileThatCannotBeOpened) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("line6.csv"));
   const std::string message = fileError(folder.path(), "line6");
@@ -109,7 +108,7 @@ TEST(TrajectoryFile, FileThatCannotBeOpened) {
   expectContains(message, "Is a directory");
 }
 
-TEST(TrajectoryFile, DiskThatIsFull) {
+TEST(TrajectoryFile, ReportsAFullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   const TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder.file("line6.csv"));

@@ -24,7 +24,7 @@ inline RelativeActions answersOf(std::uint64_t tick, const Ids& agents, const Re
   return answers;
 }
 
-/// Opens a tick, takes the answers of some and closes it.
+/// Opens a tick, takes the answers of some agents and closes it.
 inline void playTick(Lockstep& lockstep, std::uint64_t tick, const Ids& asked, const Ids& answering) {
   lockstep.open(EPISODE, tick, asked);
   lockstep.take(answersOf(tick, answering), LEARNER);

@@ -4,7 +4,7 @@
 
 namespace crowd {
 
-/// @brief What the error of this type says that an action throws; a note if it throws none.
+/// @brief The message of the error of this type that an action throws; a note if it throws none.
 template <typename Error, typename Action>
 std::string errorOf(Action action) {
   try {
@@ -15,7 +15,7 @@ std::string errorOf(Action action) {
   return "no error";
 }
 
-/// @brief Whether a text holds another.
+/// @brief Whether a text contains another.
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace crowd

@@ -57,7 +57,7 @@ inline Action decideOne(Learner& learner, const PerceptionsBuilder& perceptions)
   return actionOf(decide(learner, perceptions).agents.at(0));
 }
 
-/// Any values and visits, for any model.
+/// Random values and visits for a model.
 inline QTable randomTable(const Model& model, std::uint64_t seed) {
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
   QTable table(model.state_set->rowCount(), model.action_set->size());

@@ -8,12 +8,12 @@
 
 #include "support/sceneries.h"
 
-/// What is seen of a scenery without overlaps, found the long way: along lines of sight in all directions that matter.
+/// Reference for the visible parts of a scenery without overlaps: lines of sight between all critical bearings.
 namespace crowd::sceneries {
 
 constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 
-/// How far a line of sight goes until it meets the body [m].
+/// The distance at which a line of sight meets the body [m].
 inline double sightTo(const Neighbour& neighbour, const Vector2& sight) {
   const double along = neighbour.position.dot(sight);
   const double aside = cross(sight, neighbour.position);
@@ -49,23 +49,23 @@ inline std::vector<double> criticalBearings(const Scenery& scenery) {
   return bearings;
 }
 
-/// Bearings from the right to the left, measured from the bearing of a body's centre.
+/// A range of bearings from right to left, relative to the bearing of a body's centre.
 struct Range {
   double from;
   double to;
 };
 
-/// What is seen, by looking in the middle between all bearings at which anything changes: of each body the ranges in
-/// which it is in front, from the right, and how long the seen parts of the walls are together [m].
+/// The visible parts, from lines of sight in the middle between critical bearings: of each body the ranges in
+/// which it is in front, from the right, and the total length of the visible parts of walls [m].
 struct Seen {
   std::vector<std::vector<Range>> neighbours;
   double wall_length = 0.0;
 };
 
-/// Ranges less wide than this may be rounding.
+/// Narrower ranges may be rounding errors.
 constexpr double NARROW = 1e-7;
 
-/// The same ranges, from the right, with those that meet made one.
+/// The same ranges from the right; adjacent ones are joined.
 inline std::vector<Range> joined(std::vector<Range> ranges) {
   std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.from < b.from; });
   std::vector<Range> made;
@@ -89,7 +89,7 @@ inline double lengthBetween(const Segment& wall, double right, double left) {
   return (meet(left) - meet(right)).norm();
 }
 
-/// The thing that a line of sight meets first, or null.
+/// The body or wall that a line of sight meets first, or null.
 template <typename Thing>
 const Thing* firstMet(const std::vector<Thing>& things, const Vector2& sight, double& nearest) {
   const Thing* first = nullptr;
@@ -102,7 +102,7 @@ const Thing* firstMet(const std::vector<Thing>& things, const Vector2& sight, do
   return first;
 }
 
-/// Of numbered bodies.
+/// The visible parts of a scenery with numbered bodies.
 inline Seen lookEverywhere(const Scenery& scenery) {
   Seen seen;
   seen.neighbours.resize(scenery.neighbours.size());

@@ -8,7 +8,7 @@
 
 namespace crowd {
 
-/// Numbers to the last bit.
+/// The bits of numbers, for exact comparison.
 using Bits = std::vector<std::uint64_t>;
 
 inline Bits bitsOf(const std::vector<double>& numbers) {

@@ -18,7 +18,7 @@ class PerceptionsBuilder {
     all_.tick_duration = 0.1;
   }
 
-  /// @brief An agent on its way whose last answer was carried out; goal in its own frame [m].
+  /// @brief An agent that has not arrived and whose last answer was carried out; goal in its own frame [m].
   PerceptionsBuilder& agent(AgentId id, const Vector2& goal) {
     AgentPerception self;
     self.agent = id;

@@ -13,7 +13,7 @@
 /// A small Q-table file for tests: its text and its table.
 namespace crowd::q_table_texts {
 
-/// FNV-1a of 64 bits, in 16 hexadecimal digits: a second implementation, to make damaged files with a valid checksum.
+/// 64-bit FNV-1a in 16 hexadecimal digits; a second implementation, for damaged files with a valid checksum.
 inline std::string checksumOf(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const char letter : text) {
@@ -25,11 +25,11 @@ inline std::string checksumOf(const std::string& text) {
   return digits;
 }
 
-/// The text with the line of its checksum behind it.
+/// The text followed by the line of its checksum.
 inline std::string withChecksum(const std::string& text) { return text + "checksum: " + checksumOf(text) + "\n"; }
 
-/// Goal ahead or behind, obstacle left or right at two distances: 2 * 2 * 2 + 2 + 1 = 11 rows. The checksum was worked
-/// out by another program.
+/// Goal ahead or behind, obstacle left or right at two distances: 2 * 2 * 2 + 2 + 1 = 11 rows. The checksum is from
+/// another program.
 inline std::string text() {
   return "social_crowd Q-table 1\n"
          "state_set: {type: nearest_obstacle, goal_sectors: 2, obstacle_sectors: [180], collision_radius: 0.5, "
@@ -56,7 +56,7 @@ inline std::string text() {
 inline std::string bodyOf(const std::string& text) { return text.substr(0, text.find("checksum: ")); }
 inline std::string body() { return bodyOf(text()); }
 
-/// The same table with what it has of two other sources, and the name of its own.
+/// The same table with visits of two other sources, and the name of its own source.
 inline std::string textWithSources() {
   std::string all = body() +
                     "source 0000000000000011 2\n"
@@ -68,7 +68,7 @@ inline std::string textWithSources() {
   return withChecksum(all);
 }
 
-/// The table that text() stands for.
+/// The table of text().
 inline TrainedTable trained() {
   QTable table(11, 2);
   table.set(0, 0, 0.5, 1);
@@ -84,7 +84,7 @@ inline TrainedTable trained() {
           table};
 }
 
-/// The table that textWithSources() stands for.
+/// The table of textWithSources().
 inline TrainedTable trainedBySources() {
   TrainedTable all = trained();
   const auto visits = [&](std::initializer_list<std::pair<Row, std::array<std::uint32_t, 2>>> rows) {

@@ -7,7 +7,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/world/scenario_reader.h"
 
-/// Texts of scenarios, and what the reader makes of them.
+/// Texts of scenarios, and the scenes and errors of the reader.
 namespace crowd::scenario_texts {
 
 const char* const HEAD = "name: n\nduration: 60\ngoal_tolerance: 0.3\n";  // lines 1 to 3
@@ -23,7 +23,7 @@ inline std::string errorOf(const std::string& text) {
   return "no InputError";
 }
 
-/// What is said of a scenario whose only agent has these entries changed or added.
+/// The error message about a scenario whose only agent has these entries.
 inline std::string agentError(const std::string& entries) {
   return errorOf(std::string(HEAD) + "agents:\n  - {" + entries + "}\n");
 }

@@ -27,7 +27,7 @@ inline Neighbour neighbour(const Vector2& position, double radius) {
   return made;
 }
 
-/// The number is kept where occlusion changes nothing.
+/// Stores the number in the velocity, which occlusion does not change.
 inline void setNumber(Neighbour& neighbour, std::size_t number) {
   neighbour.velocity.x() = static_cast<double>(number);
 }
@@ -46,7 +46,7 @@ inline const Neighbour* find(const Scenery& scenery, std::size_t number) {
   return found == scenery.neighbours.end() ? nullptr : &*found;
 }
 
-/// What is left to be seen.
+/// The visible parts.
 inline Scenery look(Scenery scenery, double radius = FAR) {
   Occlusion occlusion;
   occlusion.apply(scenery.neighbours, 0, scenery.walls, 0, radius);
@@ -62,7 +62,7 @@ inline bool overlap(const Neighbour& a, const Neighbour& b) {
   return (a.position - b.position).norm() < a.radius + b.radius;
 }
 
-/// Whether a body overlaps any thing of the scenery but the body of that number.
+/// Whether a body overlaps a wall or a body of the scenery other than the one of that number.
 inline bool overlapsAny(const Neighbour& neighbour, const Scenery& scenery, std::size_t but) {
   return std::any_of(scenery.neighbours.begin(), scenery.neighbours.end(),
                      [&](const Neighbour& other) { return numberOf(other) != but && overlap(neighbour, other); }) ||
@@ -70,8 +70,8 @@ inline bool overlapsAny(const Neighbour& neighbour, const Scenery& scenery, std:
                      [&](const Segment& wall) { return distanceTo(wall, neighbour.position) < neighbour.radius; });
 }
 
-/// Random bodies in order of their rims, and walls; on request none of them overlap, but for walls that cross. No rim
-/// is nearer than `clearance`.
+/// Random bodies in order of their rims, and walls. With `apart`, bodies overlap neither each other nor walls, and no
+/// rim is nearer than `clearance`.
 inline Scenery randomScenery(std::uint64_t seed, bool apart, double clearance = 0.1) {
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
   Scenery made;

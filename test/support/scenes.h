@@ -20,13 +20,13 @@ constexpr std::uint64_t MAX_TICKS = 1000;
 /// A goal that no test reaches [m].
 inline const Vector2 FAR_AWAY(1000.0, 0.0);
 
-/// An agent that looks towards its goal.
+/// An agent that faces its goal.
 inline AgentStart agent(const Vector2& position, const Vector2& goal, double max_speed = SPEED,
                         double radius = RADIUS) {
   return {position, bearingOf(goal - position), {goal}, max_speed, radius};
 }
 
-/// An agent that looks along x and never arrives.
+/// An agent that faces along x and never arrives.
 inline AgentStart wanderer(const Vector2& position, double max_speed = SPEED, double radius = RADIUS) {
   return {position, 0.0, {FAR_AWAY}, max_speed, radius};
 }
@@ -43,14 +43,14 @@ inline Scene scene(std::vector<AgentStart> agents, std::vector<Obstacle> obstacl
   return scene;
 }
 
-/// The same scene with numbers of which binary fractions lose nothing: ticks of 0.5 s, so that an agent of 1
-/// m/s walks 0.5 m a tick.
+/// The same scene with a tick duration that is exact in binary: 0.5 s, so that an agent of
+/// 1 m/s walks 0.5 m per tick.
 inline Scene halfSeconds(Scene scene) {
   scene.tick_duration = 0.5;
   return scene;
 }
 
-/// The same scene where bodies stop where they touch.
+/// The same scene as a solid world: bodies stop at contacts.
 inline Scene solid(Scene scene) {
   scene.contact = Contact::SOLID;
   return scene;
@@ -97,7 +97,7 @@ inline Scene randomScene(std::uint64_t seed, std::uint32_t max_agents = 30, doub
   return made;
 }
 
-/// The same with enough agents for several worker threads.
+/// A random scene with enough agents for several threads.
 inline Scene randomCrowd(std::uint64_t seed) {
   Scene made = randomScene(seed, 500, 20.0);
   while (made.agents.size() <= 2 * ThreadPool::FEW_SHORT_ITEMS) {
@@ -129,7 +129,7 @@ inline Scene solidCrowd(std::uint64_t seed, std::size_t agents, double max_speed
   return made;
 }
 
-/// Any move for about nine tenths of the agents.
+/// Random actions of about nine tenths of the agents.
 inline std::vector<AgentAction> randomActions(const World& world, KeyedRandom& random) {
   std::vector<AgentAction> actions;
   for (const Agent& agent : world.agents()) {

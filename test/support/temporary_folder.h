@@ -12,7 +12,7 @@
 
 namespace crowd {
 
-/// @brief An empty folder of its own for a test; gone with all in it when the test ends.
+/// @brief An empty folder for a test; the destructor removes it with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "social_crowd_test_XXXXXX").string()) {
@@ -34,7 +34,7 @@ class TemporaryFolder {
     return file(name);
   }
 
-  /// @brief Names of all that is in the folder, sorted.
+  /// @brief Sorted names of all files and folders in it.
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) {

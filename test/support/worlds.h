@@ -17,7 +17,7 @@ inline void expectVector(const Vector2& v, double x, double y) {
   EXPECT_NEAR(v.y(), y, 1e-12);
 }
 
-/// Everything that a step changes, for comparing worlds bit for bit.
+/// All values that a step changes, for comparing worlds bit for bit.
 inline std::vector<double> stateOf(const World& world) {
   std::vector<double> state = {static_cast<double>(world.tick()), static_cast<double>(world.activeCount())};
   for (const Agent& agent : world.agents()) {
@@ -34,14 +34,23 @@ inline std::vector<double> stateOf(const World& world) {
   return state;
 }
 
-/// The perceptions of all agents with unlimited vision.
-inline Perceptions lookAround(World& world) {
+/// The perceptions of all agents.
+inline Perceptions perceive(World& world, const Vision& vision = Vision()) {
   Perceptions perceptions;
-  world.perceive(FAR_SIGHT, perceptions);
+  world.perceive(vision, perceptions);
   return perceptions;
 }
 
-/// Ahead at full speed, for an agent whose heading is right already.
+/// The perceptions of all agents at the start of a scene.
+inline Perceptions perceive(const Scene& scene, const Vision& vision = Vision()) {
+  World world(scene);
+  return perceive(world, vision);
+}
+
+/// The perceptions of all agents with unlimited vision.
+inline Perceptions lookAround(World& world) { return perceive(world, FAR_SIGHT); }
+
+/// Straight ahead at full speed.
 inline AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }
 
 }  // namespace crowd

@@ -23,14 +23,14 @@ World afterATick(std::vector<Obstacle> obstacles, std::vector<Segment> walls = {
   return world;
 }
 
-TEST(Collision, ARimWithinTheInnerRadius) {
+TEST(Collision, BeginsWhenARimIsWithinTheInnerRadius) {
   EXPECT_TRUE(afterATick({pillar({0.75, 0.0}, 0.25)}).agents()[0].in_collision);  // the rim is 0.5 away, exactly
   EXPECT_FALSE(afterATick({pillar({std::nextafter(0.75, 1.0), 0.0}, 0.25)}).agents()[0].in_collision);
   EXPECT_TRUE(afterATick({pillar({0.0, -0.8}, 0.4)}).agents()[0].in_collision);   // 0.4
   EXPECT_FALSE(afterATick({pillar({0.0, -0.8}, 0.2)}).agents()[0].in_collision);  // 0.6
 }
 
-TEST(Collision, IsNotYetAContact) {
+TEST(Collision, DoesNotImplyAContact) {
   const World near = afterATick({pillar({0.7, 0.0}, 0.4)});  // the rim is 0.3 away, the bodies 0.05 apart
   EXPECT_TRUE(near.agents()[0].in_collision && near.agents()[0].collided);
   EXPECT_FALSE(near.agents()[0].in_contact || near.agents()[0].touched);
@@ -38,28 +38,28 @@ TEST(Collision, IsNotYetAContact) {
   EXPECT_TRUE(overlapping.agents()[0].in_collision && overlapping.agents()[0].in_contact);
 }
 
-TEST(Collision, InsideABodyCounts) { EXPECT_TRUE(afterATick({pillar({0.0, 1.0}, 3.0)}).agents()[0].in_collision); }
+TEST(Collision, IncludesOverlaps) { EXPECT_TRUE(afterATick({pillar({0.0, 1.0}, 3.0)}).agents()[0].in_collision); }
 
-TEST(Collision, WallsCount) {
+TEST(Collision, IncludesWalls) {
   EXPECT_TRUE(afterATick({}, {{{0.5, -1.0}, {0.5, 1.0}}}).agents()[0].in_collision);
   EXPECT_FALSE(afterATick({}, {{{0.51, -1.0}, {0.51, 1.0}}}).agents()[0].in_collision);
 }
 
-TEST(Collision, OfTwoAgentsDependsOnTheRadiusOfTheOther) {
+TEST(Collision, DependsOnTheRadiusOfTheOtherAgent) {
   World world(scene({wanderer({0.0, 0.0}, 1.0, 0.1), wanderer({0.7, 0.0}, 1.0, 0.3)}));
   world.step({});
   EXPECT_TRUE(world.agents()[0].in_collision);   // 0.7 - 0.3 = 0.4
   EXPECT_FALSE(world.agents()[1].in_collision);  // 0.7 - 0.1 = 0.6
 }
 
-TEST(Collision, AWideAgentIsInContactOutsideItsInnerRadius) {
+TEST(Collision, AWideAgentCanBeInContactWithoutACollision) {
   World world(scene({wanderer({0.0, 0.0}, 1.0, 1.0)}, {pillar({1.0, 0.0}, 0.25)}));  // the rim is 0.75 away
   world.step({});
   EXPECT_FALSE(world.agents()[0].in_collision);
   EXPECT_TRUE(world.agents()[0].in_contact);
 }
 
-TEST(Collision, TheSceneMaySetTheRadius) {
+TEST(Collision, UsesTheRadiusOfTheScene) {
   Scene narrow = scene({wanderer({0.0, 0.0})}, {pillar({0.75, 0.0}, 0.25)});
   narrow.collision_radius = 0.4;
   World world(narrow);
@@ -67,7 +67,7 @@ TEST(Collision, TheSceneMaySetTheRadius) {
   EXPECT_FALSE(world.agents()[0].in_collision);
 }
 
-TEST(Collision, StaysInTheBooksWhenItIsOver) {
+TEST(Collision, IsRecordedAfterItHasEnded) {
   // The obstacle passes at 5 m/s: its rim is 0.5 away after the first tick and 1 m after the second.
   World world(scene({wanderer({0.0, 0.0})}, {moving_obstacle({0.5, 0.75}, {-5.0, 0.0}, 0.25)}));
   EXPECT_FALSE(world.agents()[0].collided);
@@ -79,7 +79,7 @@ TEST(Collision, StaysInTheBooksWhenItIsOver) {
   EXPECT_TRUE(world.agents()[0].collided);
 }
 
-TEST(Collision, EndsWithTheArrival) {
+TEST(Collision, EndsWhenTheAgentHasArrived) {
   World world(scene({agent({0.0, 0.0}, {0.3, 0.0}, 1.0), wanderer({0.6, 0.0}, 1.0)}));
   world.step({ahead(0)});
   ASSERT_TRUE(world.agents()[0].hasArrived());

@@ -24,7 +24,7 @@ void expectWrapped(double angle) {
   ASSERT_LT(wrapAngle(angle), PI);
 }
 
-TEST(WrapAngle, IsTheExactRestOfWholeTurns) {
+TEST(WrapAngle, IsTheExactRemainderOfWholeTurns) {
   for (int i = -4000; i <= 4000; ++i) {
     const double angle = i * 0.00321;
     const double rest = std::remainder(angle, 2.0 * PI);  // never rounded
@@ -32,13 +32,13 @@ TEST(WrapAngle, IsTheExactRestOfWholeTurns) {
   }
 }
 
-TEST(WrapAngle, LeavesAloneWhatIsInRange) {
+TEST(WrapAngle, KeepsAnglesInRange) {
   for (const double angle : {0.0, 1.0, -1.0, PI / 2, -PI, std::nextafter(PI, 0.0), std::nextafter(-PI, 0.0)}) {
     EXPECT_EQ(wrapAngle(angle), angle);
   }
 }
 
-TEST(WrapAngle, TakesAwayWholeTurns) {
+TEST(WrapAngle, SubtractsWholeTurns) {
   EXPECT_EQ(wrapAngle(PI), -PI);
   EXPECT_NEAR(wrapAngle(1.5 * PI), -0.5 * PI, 1e-12);
   EXPECT_NEAR(wrapAngle(-1.5 * PI), 0.5 * PI, 1e-12);
@@ -58,7 +58,7 @@ TEST(WrapAngle, StaysInRangeAroundOddMultiplesOfPi) {
   }
 }
 
-TEST(WrapAngle, IsTheSameDirectionWhateverTheAngle) {
+TEST(WrapAngle, KeepsTheDirection) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -70,14 +70,14 @@ TEST(WrapAngle, IsTheSameDirectionWhateverTheAngle) {
   }
 }
 
-TEST(WrapAngle, StaysInRangeWhereDoublesAreCoarserThanATurn) {
+TEST(WrapAngle, StaysInRangeForHugeAngles) {
   for (double angle = 1e12; angle < 1e300; angle *= 1.7) {
     ASSERT_NO_FATAL_FAILURE(expectWrapped(angle));
     ASSERT_NO_FATAL_FAILURE(expectWrapped(-angle));
   }
 }
 
-TEST(Angles, DegreesAndRadians) {
+TEST(Angles, ConvertDegreesAndRadians) {
   EXPECT_DOUBLE_EQ(toRadians(180.0), PI);
   EXPECT_DOUBLE_EQ(toRadians(-45.0), -PI / 4);
   EXPECT_DOUBLE_EQ(toDegrees(PI / 2), 90.0);
@@ -117,7 +117,7 @@ TEST(Rotation, ThirtyDegreesByHand) {
   expectVector(frame.intoFrame({0.0, 2.0}), 1.0, std::sqrt(3.0));
 }
 
-TEST(Rotation, ThereAndBack) {
+TEST(Rotation, IntoAndOutOfTheFrameAreInverse) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -131,7 +131,7 @@ TEST(Rotation, ThereAndBack) {
   }
 }
 
-TEST(NearestPoint, FootOrEndOfTheSegment) {
+TEST(NearestPoint, IsTheFootOrAnEndOfTheSegment) {
   const Segment segment{{1.0, 1.0}, {5.0, 1.0}};
   expectVector(nearestPoint(segment, {2.0, 4.0}), 2.0, 1.0);
   expectVector(nearestPoint(segment, {2.0, -4.0}), 2.0, 1.0);

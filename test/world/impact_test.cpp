@@ -19,24 +19,24 @@ TEST(FirstTouchOfDiscs, ByHand) {
   EXPECT_EQ(firstTouch(Vector2(0.0, -3.0), {0.0, -2.0}, 1.0, 1.0), NEVER);  // just up to it
 }
 
-TEST(FirstTouchOfDiscs, OnlyWithinTheRestOfTheTick) {
+TEST(FirstTouchOfDiscs, IsLimitedToTheRestOfTheTick) {
   EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {4.0, 0.0}, 1.0, 0.49), NEVER);
   EXPECT_DOUBLE_EQ(firstTouch(Vector2(3.0, 0.0), {4.0, 0.0}, 1.0, 0.51), 0.5);
 }
 
-TEST(FirstTouchOfDiscs, WhoPassesOrGrazesDoesNotTouch) {
+TEST(FirstTouchOfDiscs, PassingOrGrazingIsNoTouch) {
   EXPECT_EQ(firstTouch(Vector2(3.0, 1.1), {9.0, 0.0}, 1.0, 1.0), NEVER);
   EXPECT_EQ(firstTouch(Vector2(3.0, 1.0), {9.0, 0.0}, 1.0, 1.0), NEVER);
   EXPECT_EQ(firstTouch(Vector2(3.0, 1.0 - 0.5e-10), {9.0, 0.0}, 1.0, 1.0), NEVER);
   EXPECT_NEAR(firstTouch(Vector2(3.0, 1.0 - 2e-10), {9.0, 0.0}, 1.0, 1.0), 1.0 / 3.0, 1e-4);
 }
 
-TEST(FirstTouchOfDiscs, WhoStandsOrWalksAwayDoesNotTouch) {
+TEST(FirstTouchOfDiscs, StandingOrMovingAwayIsNoTouch) {
   EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {0.0, 0.0}, 1.0, 1.0), NEVER);
   EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {-4.0, 0.0}, 1.0, 1.0), NEVER);
 }
 
-TEST(FirstTouchOfDiscs, WhoTouchesAlreadyMayLeaveButNotEnter) {
+TEST(FirstTouchOfDiscs, TouchingDiscsMaySeparateButNotApproach) {
   EXPECT_EQ(firstTouch(Vector2(1.0, 0.0), {1e-3, 0.0}, 1.0, 1.0), 0.0);
   EXPECT_EQ(firstTouch(Vector2(0.7, 0.0), {1e-3, 0.0}, 1.0, 1.0), 0.0);  // overlaps by 0.3 m
   EXPECT_EQ(firstTouch(Vector2(1.0, 0.0), {0.0, 1.0}, 1.0, 1.0), NEVER);
@@ -44,14 +44,14 @@ TEST(FirstTouchOfDiscs, WhoTouchesAlreadyMayLeaveButNotEnter) {
   EXPECT_EQ(firstTouch(Vector2(0.7, 0.0), {-1.0, 0.0}, 1.0, 1.0), NEVER);
 }
 
-TEST(FirstTouchOfWalls, SideByHand) {
+TEST(FirstTouchOfWalls, OfTheSideByHand) {
   EXPECT_DOUBLE_EQ(firstTouch(ACROSS, {4.0, 0.0}, 0.5, 1.0), 0.375);
   EXPECT_DOUBLE_EQ(firstTouch(Segment{ACROSS.to, ACROSS.from}, {4.0, 1.0}, 0.5, 1.0), 0.375);
   EXPECT_EQ(firstTouch(ACROSS, {4.0, 0.0}, 0.5, 0.37), NEVER);
   EXPECT_EQ(firstTouch(ACROSS, {-4.0, 0.0}, 0.5, 1.0), NEVER);
 }
 
-TEST(FirstTouchOfWalls, EndsByHand) {
+TEST(FirstTouchOfWalls, OfTheEndsByHand) {
   const Segment above{{2.0, 0.3}, {2.0, 5.0}};
   EXPECT_DOUBLE_EQ(firstTouch(above, {4.0, 0.0}, 0.5, 1.0), 0.4);  // the end is 0.4 m ahead then
   const Segment along{{2.0, 0.0}, {5.0, 0.0}};
@@ -69,7 +69,7 @@ TEST(FirstTouchOfWalls, WalkingAlongIsNoTouch) {
 /// Distance of a wall from the disc's centre after a share of the way.
 double distanceAfter(const Segment& wall, const Vector2& way, double time) { return distanceTo(wall, time * way); }
 
-TEST(FirstTouchProperty, WallsAgreeWithLookingAtEveryInstant) {
+TEST(FirstTouchProperty, OfWallsAgreesWithSampledTimes) {
   constexpr int STEPS = 2000;
   int touches = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {

@@ -33,7 +33,7 @@ TEST(MapFile, ReadsSizeOriginAndRowsFromTheBottom) {
   EXPECT_EQ(drawingOf(map), ".?##..");
 }
 
-TEST(MapFile, ThresholdsDivideDarkness) {
+TEST(MapFile, ThresholdsClassifyDarkness) {
   // Darkness: 1, 0.686, 0.502, 0.19608, 0.176, 0.
   EXPECT_EQ(drawing(Keys(), GRAYS), "##??..");
   EXPECT_EQ(drawing(Keys().set("occupied_thresh", "0.69"), GRAYS), "#???..");
@@ -41,7 +41,7 @@ TEST(MapFile, ThresholdsDivideDarkness) {
   EXPECT_EQ(drawing(Keys().set("mode", "trinary"), GRAYS), "##??..");
 }
 
-TEST(MapFile, DarknessEqualToAThresholdIsNeither) {
+TEST(MapFile, DarknessEqualToAThresholdIsUnknown) {
   // 204 and 51 of 255 have darkness 0.2 and 0.8, computed as (255 - 204) / 255 and (255 - 51) / 255.
   EXPECT_EQ(drawing(Keys().set("free_thresh", "0.2").set("occupied_thresh", "0.8"), {50, 51, 204, 205}), "#??.");
   EXPECT_EQ(drawing(Keys().set("free_thresh", "0").set("occupied_thresh", "1"), {0, 255}), "??");
@@ -54,14 +54,14 @@ TEST(MapFile, NegateExchangesBlackAndWhite) {
   EXPECT_EQ(drawing(Keys().set("negate", "false"), GRAYS), "##??..");
 }
 
-TEST(MapFile, ScaleGivesOccupanciesBetweenTheThresholds) {
+TEST(MapFile, ScaleModeInterpolatesBetweenTheThresholds) {
   // Thresholds 0.2 and 0.6: darkness 0.2 becomes 1 %, 0.298 25.01 %, 0.302 25.97 %, 0.306 26.9 %, 0.459 64.4 %,
   // 0.463 65.3 % and 0.6 99 %. Up to 25 % is free, and 65 % and more is occupied.
   const Keys keys = Keys().set("mode", "scale").set("free_thresh", "0.2").set("occupied_thresh", "0.6");
   EXPECT_EQ(drawing(keys, {205, 204, 179, 178, 177, 138, 137, 102, 101}), "....??###");
 }
 
-TEST(MapFile, RawTakesPixelsAsOccupancies) {
+TEST(MapFile, RawModeUsesPixelsAsOccupancies) {
   const Keys keys = Keys().set("mode", "raw");
   EXPECT_EQ(drawing(keys, {0, 25, 26, 64, 65, 100, 255, 205}), "..??##??");
   EXPECT_EQ(drawing(Keys().set("mode", "raw").set("negate", "1"), {255, 230, 229, 155, 0}), "..?#?");
@@ -95,7 +95,7 @@ TEST(MapFileRefusals, SeveralDocuments) {
   EXPECT_EQ(errorOf<InputError>([&] { readMap(file); }), file + ": expected one YAML document, got 2");
 }
 
-TEST(MapFileRefusals, KeysAreMissing) {
+TEST(MapFileRefusals, MissingKeys) {
   for (const char* key : {"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh"}) {
     EXPECT_EQ(problemOf(Keys().set(key, "")), "line 1: the key '" + std::string(key) + "' is missing");
   }

@@ -15,19 +15,19 @@ namespace {
 using map_texts::bytes;
 using map_texts::Keys;
 
-/// The cells of a map with this image; only its first bytes tell its format.
+/// The cells of a map with this image. The format is determined by the first bytes.
 std::string drawingOf(const std::string& image, const Keys& keys = Keys()) {
   return map_texts::drawingOf(map_texts::read(keys, image));
 }
 
-/// What is wrong with an image, without the names of files before it.
+/// The error message about an image, without file names.
 std::string problemOf(const std::string& image) {
   const std::string message = errorOf<InputError>([&] { map_texts::read(Keys(), image); });
   const std::size_t start = message.find("map.pgm: ");
   return start == std::string::npos ? message : message.substr(start + std::string("map.pgm: ").size());
 }
 
-TEST(PgmImage, TextAndBytesGiveTheSame) {
+TEST(PgmImage, TextAndBinaryFormatsGiveTheSameCells) {
   EXPECT_EQ(drawingOf("P2\n3 2\n255\n0 255 205\n255 0 0\n"), ".###.?");
   EXPECT_EQ(drawingOf("P5\n3 2\n255\n" + bytes({0, 255, 205, 255, 0, 0})), ".###.?");
 }
@@ -37,7 +37,7 @@ TEST(PgmImage, CommentsAndBlanksAreSkipped) {
   EXPECT_EQ(drawingOf("P5\n# CREATOR: a scanner 0.050 m/pix\n2 1\n255\n" + bytes({'#', ' '})), "##");
 }
 
-TEST(PgmImage, BytesMayLookLikeBlanks) { EXPECT_EQ(drawingOf("P5 3 1 255\n" + bytes({'\n', ' ', 255})), "##."); }
+TEST(PgmImage, BinarySamplesCanEqualBlanks) { EXPECT_EQ(drawingOf("P5 3 1 255\n" + bytes({'\n', ' ', 255})), "##."); }
 
 TEST(PgmImage, SamplesAreScaled) {
   // 0, 5, 12 and 15 of 15 are 0, 85, 204 and 255 of 255.
@@ -84,12 +84,12 @@ TEST(PgmImageRefusals, Truncated) {
             "pixel 6 of 6: expected a whole number from 0 to 255, got the end of the file");
 }
 
-TEST(PgmImageRefusals, TooMuch) {
+TEST(PgmImageRefusals, TooManySamples) {
   EXPECT_EQ(problemOf("P5 3 2 255\nabcdefg"), "expected 6 bytes for 3 x 2 pixels, got 7");
   EXPECT_EQ(problemOf("P2 2 1 255\n1 2 3"), "expected the end of the file after 2 x 1 pixels");
 }
 
-TEST(PgmImageRefusals, SamplesAboveTheGreatest) {
+TEST(PgmImageRefusals, SamplesAboveTheGreatestValue) {
   EXPECT_EQ(problemOf("P2 2 1 100\n100 101"), "pixel 2 of 2: expected a whole number from 0 to 100, got '101'");
   EXPECT_EQ(problemOf("P5 2 1 100\n" + bytes({100, 101})), "pixel 2 of 2: expected a value from 0 to 100, got 101");
 }
@@ -132,7 +132,7 @@ TEST(PngImage, PaletteGivesColours) {
   EXPECT_EQ(drawingOf(png::file(3, {bytes({0, 1, 2})}, png::PALETTE, 8, palette)), ".#?");
 }
 
-TEST(PngImage, TrinaryAveragesTransparencyWithColours) {
+TEST(PngImage, TrinaryModeAveragesTransparencyWithColours) {
   // Means of red, green, blue and opacity: 255, 191.25, 63.75 and 0; darkness 0, 0.25, 0.75 and 1.
   const std::string row = bytes({255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 0, 255, 0, 0, 0, 0});
   EXPECT_EQ(drawingOf(png::file(4, {row}, png::RGBA)), ".?##");
@@ -140,14 +140,14 @@ TEST(PngImage, TrinaryAveragesTransparencyWithColours) {
   EXPECT_EQ(drawingOf(png::file(4, {bytes({255, 255, 255, 0, 0, 255, 0, 0})}, png::GRAY_ALPHA)), ".?##");
 }
 
-TEST(PngImage, ScaleHasNoValueForTransparentPixels) {
+TEST(PngImage, ScaleModeLeavesTransparentGrayUnknown) {
   // Opaque or transparent white is free and black is occupied. Gray 190, darkness 0.255, is 13 % if it is not
   // transparent.
   const std::string row = bytes({255, 255, 255, 0, 0, 0, 0, 0, 190, 190, 190, 1, 190, 190, 190, 0});
   EXPECT_EQ(drawingOf(png::file(4, {row}, png::RGBA), Keys().set("mode", "scale")), ".#.?");
 }
 
-TEST(PngImage, RawIgnoresTransparency) {
+TEST(PngImage, RawModeIgnoresTransparency) {
   const std::string row = bytes({20, 21, 22, 0, 70, 71, 72, 255});
   EXPECT_EQ(drawingOf(png::file(2, {row}, png::RGBA), Keys().set("mode", "raw")), ".#");
 }

@@ -28,20 +28,20 @@ Numbers numbersOf(const std::vector<Segment>& walls) {
 
 Numbers wallsOf(const Rows& rows) { return numbersOf(traceWalls(maps::drawn(rows))); }
 
-TEST(MapWalls, FreeMapHasItsOuterEdge) {
+TEST(MapWalls, FreeMapHasWallsAtItsOuterEdge) {
   EXPECT_EQ(wallsOf({"...", "...", "..."}), (Numbers{{0, 0, 3, 0}, {0, 0, 0, 3}, {3, 0, 3, 3}, {0, 3, 3, 3}}));
 }
 
-TEST(MapWalls, MapWithoutFreeCellsHasNone) {
+TEST(MapWalls, MapWithoutFreeCellsHasNoWalls) {
   EXPECT_TRUE(wallsOf({"###", "#?#", "???"}).empty());
   EXPECT_TRUE(wallsOf({"?"}).empty());
 }
 
-TEST(MapWalls, FreeCellHasFour) {
+TEST(MapWalls, SingleFreeCellHasFourWalls) {
   EXPECT_EQ(wallsOf({"###", "#.#", "???"}), (Numbers{{1, 1, 2, 1}, {1, 1, 1, 2}, {2, 1, 2, 2}, {1, 2, 2, 2}}));
 }
 
-TEST(MapWalls, PillarHasFourWithinTheOuterEdge) {
+TEST(MapWalls, OccupiedCellHasFourWallsWithinTheOuterEdge) {
   EXPECT_EQ(wallsOf({"...", ".#.", "..."}), (Numbers{{0, 0, 3, 0},
                                                      {1, 1, 2, 1},
                                                      {1, 1, 1, 2},
@@ -52,7 +52,7 @@ TEST(MapWalls, PillarHasFourWithinTheOuterEdge) {
                                                      {0, 3, 3, 3}}));
 }
 
-TEST(MapWalls, UnknownIsAWallAndBordersNothingOccupied) {
+TEST(MapWalls, WallsSeparateFreeCellsFromUnknownAndOccupiedOnesOnly) {
   EXPECT_EQ(wallsOf({"?##", "??#", ".??"}), (Numbers{{0, 0, 1, 0}, {0, 0, 0, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}}));
 }
 
@@ -66,7 +66,7 @@ TEST(MapWalls, StraightWallContinuesWhereTheFreeSideChanges) {
                                             {1, 2, 2, 2}}));  // above it
 }
 
-TEST(MapWalls, OriginYawAndResolutionPlaceThem) {
+TEST(MapWalls, DependOnOriginYawAndResolution) {
   const std::vector<Segment> walls = traceWalls(maps::drawn({"#.#"}, 0.5, {{10.0, 20.0}, PI / 2.0}));
   ASSERT_EQ(walls.size(), 4U);
   // The free cell is 0.5 m to 1 m along +y, and its row 0.5 m wide along -x.
@@ -82,7 +82,7 @@ TEST(MapWalls, InvalidMapIsRefused) {
   EXPECT_TRUE(contains(errorOf<InputError>([&] { traceWalls(map); }), "resolution: expected"));
 }
 
-/// An edge of a cell: its lower left end, and whether it is upright.
+/// An edge of a cell: its lower left end and its direction.
 struct Edge {
   Cell start;
   bool is_upright;
@@ -94,7 +94,7 @@ bool operator<(const Edge& a, const Edge& b) {
 }
 using EdgeCounts = std::map<Edge, int>;
 
-/// Every edge between a free cell and another one, found by looking at each cell.
+/// All edges between a free cell and a cell that is not free; a reference that checks each cell.
 EdgeCounts boundaryOf(const OccupancyMap& map) {
   EdgeCounts edges;
   for (std::int32_t row = 0; row < static_cast<std::int32_t>(map.height); ++row) {
@@ -113,7 +113,7 @@ Cell roundedCell(const Vector2& cells) {
   return {static_cast<std::int32_t>(std::lround(cells.x())), static_cast<std::int32_t>(std::lround(cells.y()))};
 }
 
-/// Checks that a wall ends on corners of cells, and counts the edges that it covers.
+/// Requires that a wall ends at corners of cells, and counts the edges that it covers.
 void countEdges(const Segment& wall, const CellFrame& frame, EdgeCounts& covered) {
   Cell from = roundedCell(frame.toCells(wall.from));
   const Cell to = roundedCell(frame.toCells(wall.to));
@@ -124,7 +124,7 @@ void countEdges(const Segment& wall, const CellFrame& frame, EdgeCounts& covered
   for (std::int32_t& place = is_upright ? from.row : from.column; from != to; ++place) ++covered[{from, is_upright}];
 }
 
-/// Whether a wall continues one that it should have been part of.
+/// Whether a wall continues another one, so that both should be one wall.
 bool areMergeable(const Segment& a, const Segment& b) {
   const double turn = cross((a.to - a.from).normalized(), (b.to - b.from).normalized());
   return (a.to - b.from).norm() < 1e-9 && std::abs(turn) < 1e-9;
@@ -166,7 +166,7 @@ double distanceToBlocked(const OccupancyMap& map, const Vector2& point, double l
   return nearest;
 }
 
-TEST(MapWalls, AreAsNearAsTheNearestBlockedCell) {
+TEST(MapWalls, AreAsNearAsTheNearestCellThatIsNotFree) {
   int points = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -34,7 +34,7 @@ std::vector<Near> search(NeighbourSearch& search, const NeighbourGrid& grid, con
   return found;
 }
 
-/// What is to be found, by sorting all.
+/// Reference: sorts all discs.
 std::vector<Near> sortAll(const std::vector<Disc>& discs, const Vector2& point, double distance, std::size_t most,
                           std::uint32_t except = NOBODY) {
   std::vector<Near> all;
@@ -47,7 +47,7 @@ std::vector<Near> sortAll(const std::vector<Disc>& discs, const Vector2& point, 
   return all;
 }
 
-TEST(NeighbourSearch, NearestRimFirst) {
+TEST(NeighbourSearch, ReturnsNeighboursNearestRimFirst) {
   const NeighbourGrid grid = gridOf({{{3.0, 0.0}, 0.5, 1}, {{0.0, 4.0}, 2.0, 2}, {{-1.0, 0.0}, 0.25, 3}});
   NeighbourSearch looking;
   EXPECT_EQ(search(looking, grid, {0.0, 0.0}, 6.0, 0), (std::vector<Near>{{0.75, 3}, {2.0, 2}, {2.5, 1}}));
@@ -55,7 +55,7 @@ TEST(NeighbourSearch, NearestRimFirst) {
   EXPECT_EQ(search(looking, grid, {0.0, 0.0}, 2.0, 2, 3), (std::vector<Near>{{2.0, 2}}));
 }
 
-TEST(NeighbourSearch, EquallyNearOnesByTheirNumbers) {
+TEST(NeighbourSearch, OrdersEquallyNearNeighboursByNumber) {
   const NeighbourGrid grid =
       gridOf({{{0.0, 1.0}, 0.25, 9}, {{1.0, 0.0}, 0.25, 4}, {{0.0, -1.0}, 0.25, 7}, {{-2.0, 0.0}, 0.25, 1}});
   NeighbourSearch looking;
@@ -63,14 +63,14 @@ TEST(NeighbourSearch, EquallyNearOnesByTheirNumbers) {
   EXPECT_EQ(search(looking, grid, {0.0, 0.0}, 6.0, 2), (std::vector<Near>{{0.75, 4}, {0.75, 7}}));
 }
 
-TEST(NeighbourSearch, NobodyThere) {
+TEST(NeighbourSearch, ReturnsNothingFromAnEmptyGrid) {
   const NeighbourGrid empty;
   NeighbourSearch looking;
   EXPECT_TRUE(search(looking, empty, {1.0, 2.0}, 6.0, 16).empty());
   EXPECT_TRUE(search(looking, empty, {1.0, 2.0}, 6.0, 0).empty());
 }
 
-/// Searches of the same object, one after the other from anywhere.
+/// Requires that consecutive searches from random points agree with the reference.
 void compareWithAll(const std::vector<Disc>& discs, double extent, KeyedRandom& random) {
   const NeighbourGrid grid = gridOf(discs);
   NeighbourSearch looking;
@@ -85,15 +85,15 @@ void compareWithAll(const std::vector<Disc>& discs, double extent, KeyedRandom& 
   }
 }
 
-TEST(NeighbourSearch, FindsTheFirstOfAllSorted) {
+TEST(NeighbourSearch, AgreesWithSortingAllDiscs) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
-    std::vector<Disc> discs(random.below(seed % 4 == 0 ? 9 : seed % 4 == 1 ? 41 : 400));  // now and then a mere list
+    std::vector<Disc> discs(random.below(seed % 4 == 0 ? 9 : seed % 4 == 1 ? 41 : 400));  // lists or cells
     const double extent = random.uniform(1.0, 40.0);
     for (std::uint32_t i = 0; i < discs.size(); ++i) {
       discs[i] = {scenes::randomPoint(random, extent), random.uniform(0.0, random.below(20) == 0 ? 5.0 : 0.4), i};
-      // On a lattice many are equally far.
+      // On a lattice, many discs have equal distances.
       if (seed % 3 == 0) discs[i].centre = (discs[i].centre * 2.0).array().round() / 2.0;
       if (seed % 3 == 0) discs[i].radius = 0.25;
     }
@@ -101,7 +101,7 @@ TEST(NeighbourSearch, FindsTheFirstOfAllSorted) {
   }
 }
 
-TEST(NeighbourSearch, InClustersAndOnTheSameSpot) {
+TEST(NeighbourSearch, AgreesWithSortingForClustersAndEqualPositions) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
@@ -118,8 +118,8 @@ TEST(NeighbourSearch, InClustersAndOnTheSameSpot) {
   }
 }
 
-// Apart in double precision, equal in single: the order is that of the former.
-TEST(NeighbourSearch, NearlyEquallyNear) {
+// Distances that differ in double precision but not in single precision.
+TEST(NeighbourSearch, OrdersByDistancesInDoublePrecision) {
   std::vector<Disc> discs;
   for (std::uint32_t i = 0; i < 40; ++i) discs.push_back({{1.0, 1e-9 * ((7 * i) % 40)}, 0.25, i});
   const NeighbourGrid grid = gridOf(discs);
@@ -129,7 +129,7 @@ TEST(NeighbourSearch, NearlyEquallyNear) {
 }
 
 // In order of the grid's cells, each search begins where the last one ended.
-TEST(NeighbourSearch, EverybodyOfACrowdThatGrowsDenser) {
+TEST(NeighbourSearch, AgreesWithSortingForEachAgentOfACrowdOfVaryingDensity) {
   for (const std::size_t most : {1U, 5U, 15U, 16U, 17U, 31U, 32U, 33U, 47U, 48U, 49U, 70U}) {
     SCOPED_TRACE(testing::Message() << "most " << most);
     KeyedRandom random(most, KeyedRandom::PLACEMENT, {});

@@ -82,13 +82,13 @@ TEST(Neighbour, RimDistanceByHand) {
   EXPECT_EQ(rimDistance({{3.0, 4.0}, {}, 7.5, AGENT}), -2.5);  // from within
 }
 
-TEST(NeighbourList, BeginEmpty) {
+TEST(NeighbourList, IsEmptyAtFirst) {
   const NeighbourList neighbours;
   EXPECT_TRUE(neighbours.empty());
   EXPECT_EQ(neighbours.size(), 0U);
 }
 
-TEST(NeighbourList, HoldWhatAnOrdinaryListHolds) {
+TEST(NeighbourList, AgreesWithAStandardVector) {
   std::size_t longest = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -119,7 +119,7 @@ TEST(NeighbourList, HoldWhatAnOrdinaryListHolds) {
   EXPECT_GT(longest, 100U);
 }
 
-TEST(NeighbourList, HaveAMarginBehindTheLast) {
+TEST(NeighbourList, HasPaddingBehindTheLastNeighbour) {
   NeighbourList growing;
   for (std::size_t size = 0; size <= 200; ++size) {
     NeighbourList neighbours;
@@ -130,7 +130,7 @@ TEST(NeighbourList, HaveAMarginBehindTheLast) {
   }
 }
 
-TEST(NeighbourList, KeepTheirMemoryWhenCleared) {
+TEST(NeighbourList, KeepsItsMemoryWhenCleared) {
   NeighbourList neighbours = listOf(rowOf(std::vector<NeighbourKind>(100, OBSTACLE)));
   const double* const xs = neighbours.xs();
   const NeighbourKind* const kinds = neighbours.kinds();
@@ -143,7 +143,7 @@ TEST(NeighbourList, KeepTheirMemoryWhenCleared) {
   EXPECT_EQ(neighbours.kinds(), kinds);
 }
 
-TEST(NeighbourList, OfACopyAreItsOwn) {
+TEST(NeighbourList, CopiesAreIndependent) {
   const std::vector<Neighbour> row = rowOf({AGENT, OBSTACLE});
   NeighbourList neighbours = listOf(row);
   const NeighbourList copy = neighbours;
@@ -151,7 +151,7 @@ TEST(NeighbourList, OfACopyAreItsOwn) {
   expectAll(copy, row);
 }
 
-TEST(NeighbourSpan, IsAPartOfTheList) {
+TEST(NeighbourSpan, ShowsAPartOfTheList) {
   const std::vector<Neighbour> row = rowOf({AGENT, OBSTACLE, AGENT, AGENT, OBSTACLE});
   const NeighbourList neighbours = listOf(row);
   for (std::size_t first = 0; first <= row.size(); ++first) {
@@ -168,7 +168,7 @@ TEST(NeighbourSpan, IsAPartOfTheList) {
   }
 }
 
-TEST(NeighbourSpan, FrontIsTheFirstOfIt) {
+TEST(NeighbourSpan, FrontReturnsTheFirstNeighbours) {
   const std::vector<Neighbour> row = rowOf({AGENT, OBSTACLE, AGENT, AGENT, OBSTACLE});
   const NeighbourList neighbours = listOf(row);
   const NeighbourSpan view(neighbours, 1, 3);
@@ -178,7 +178,7 @@ TEST(NeighbourSpan, FrontIsTheFirstOfIt) {
   EXPECT_TRUE(view.front(0).empty());
 }
 
-TEST(NeighbourSpan, HasObstaclesOfItsOwnAlone) {
+TEST(NeighbourSpan, HasObstaclesChecksItsOwnPartOnly) {
   const NeighbourList neighbours = listOf(rowOf({AGENT, AGENT, OBSTACLE, AGENT, AGENT, OBSTACLE}));
   const auto has = [&](std::size_t first, std::size_t count) {
     return NeighbourSpan(neighbours, first, count).hasObstacles();
@@ -194,7 +194,7 @@ TEST(NeighbourSpan, HasObstaclesOfItsOwnAlone) {
   EXPECT_FALSE(NeighbourSpan(neighbours, 1, 3).front(1).hasObstacles());
 }
 
-TEST(NeighbourSpan, HasAnObstacleWhereverItStands) {
+TEST(NeighbourSpan, FindsAnObstacleAtAnyPosition) {
   for (std::size_t count = 0; count <= 20; ++count) {
     for (std::size_t place = 0; place < 24; ++place) {
       std::vector<NeighbourKind> kinds(24, AGENT);
@@ -208,7 +208,7 @@ TEST(NeighbourSpan, HasAnObstacleWhereverItStands) {
   }
 }
 
-TEST(NeighbourSpan, ObstaclesThatWereClearedAreForgotten) {
+TEST(NeighbourSpan, ForgetsClearedObstacles) {
   NeighbourList neighbours = listOf(rowOf(std::vector<NeighbourKind>(20, OBSTACLE)));
   neighbours.clear();
   EXPECT_FALSE(NeighbourSpan(neighbours, 0, 0).hasObstacles());

@@ -16,14 +16,14 @@ void expectAt(const ObstaclePath& path, double t, const Vector2& position, const
   EXPECT_NEAR(path.velocity(t).y(), velocity.y(), 1e-12);
 }
 
-TEST(ObstaclePath, AtRestStaysWhereItIs) {
+TEST(ObstaclePath, AtRestStays) {
   const ObstaclePath path = ObstaclePath::atRest({1.0, 2.0});
   EXPECT_FALSE(path.moves());
   expectAt(path, 0.0, {1.0, 2.0}, {0.0, 0.0});
   expectAt(path, 1e6, {1.0, 2.0}, {0.0, 0.0});
 }
 
-TEST(ObstaclePath, StraightGoesOnForEver) {
+TEST(ObstaclePath, StraightContinuesWithoutEnd) {
   const ObstaclePath path = ObstaclePath::straight({0.0, -5.0}, {0.25, 0.5});
   EXPECT_TRUE(path.moves());
   expectAt(path, 0.0, {0.0, -5.0}, {0.25, 0.5});
@@ -45,7 +45,7 @@ TEST(ObstaclePath, ToAndFroTurnsAtTheEnds) {
   expectAt(path, 18.0, {0.0, 0.0}, {0.0, 0.5});
 }
 
-TEST(ObstaclePath, ToAndFroGoesBackThroughAllItsPoints) {
+TEST(ObstaclePath, ToAndFroReturnsThroughAllItsPoints) {
   // Legs of 3 m and 4 m at 1 m/s: 7 s there, 7 s back.
   const ObstaclePath path = ObstaclePath::toAndFro({{0.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}}, 1.0);
   expectAt(path, 3.0, {3.0, 0.0}, {0.0, 1.0});
@@ -64,20 +64,20 @@ TEST(ObstaclePath, LoopReturnsFromTheLastPointToTheFirst) {
   expectAt(path, 7.0, {2.0, 0.0}, {2.0, 0.0});
 }
 
-TEST(ObstaclePath, PassesOverPointsThatStandTwice) {
+TEST(ObstaclePath, SkipsRepeatedPoints) {
   const ObstaclePath path = ObstaclePath::loop({{0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}}, 1.0);
   expectAt(path, 0.5, {0.5, 0.0}, {1.0, 0.0});
   expectAt(path, 1.5, {0.5, 0.0}, {-1.0, 0.0});
 }
 
-TEST(ObstaclePath, NeedsTwoDifferentPointsAndASpeed) {
+TEST(ObstaclePath, RequiresTwoDifferentPointsAndASpeed) {
   EXPECT_THROW(ObstaclePath::toAndFro({}, 1.0), InputError);
   EXPECT_THROW(ObstaclePath::toAndFro({{1.0, 1.0}}, 1.0), InputError);
   EXPECT_THROW(ObstaclePath::loop({{1.0, 1.0}, {1.0, 1.0}}, 1.0), InputError);
   EXPECT_THROW(ObstaclePath::loop({{0.0, 0.0}, {1.0, 1.0}}, 0.0), InputError);
 }
 
-TEST(ObstaclePath, NeverOutrunsItsSpeedAndMovesAsItsVelocitySays) {
+TEST(ObstaclePath, MovesWithItsVelocityAndAtMostAtItsSpeed) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});

@@ -22,10 +22,10 @@ using sceneries::Range;
 using sceneries::Scenery;
 using sceneries::Seen;
 
-/// Half of what a body spans [rad].
+/// Half of the angle that a body spans [rad].
 double halfWidth(const Neighbour& neighbour) { return std::asin(neighbour.radius / neighbour.position.norm()); }
 
-/// Calls check(scenery, what is seen of it) for so many sceneries without overlaps.
+/// Calls check(scenery, its visible parts) for a number of sceneries without overlaps.
 template <typename Check>
 void checkSceneries(std::uint64_t count, const Check& check) {
   for (std::uint64_t seed = 0; seed < count; ++seed) {
@@ -35,7 +35,7 @@ void checkSceneries(std::uint64_t count, const Check& check) {
   }
 }
 
-TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
+TEST(OcclusionProperty, AgreesWithLinesOfSightInAllDirections) {
   std::size_t hidden = 0;
   std::size_t in_sight = 0;
   double hidden_length = 0.0;
@@ -56,7 +56,7 @@ TEST(OcclusionProperty, AgreesWithLookingEverywhere) {
   EXPECT_GT(hidden_length, 500.0);
 }
 
-TEST(OcclusionProperty, DiscsSpanWhatIsSeen) {
+TEST(OcclusionProperty, DiscsSpanTheVisibleParts) {
   std::size_t whole = 0;
   std::size_t cut = 0;
   checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
@@ -65,7 +65,7 @@ TEST(OcclusionProperty, DiscsSpanWhatIsSeen) {
       const Neighbour& neighbour = scenery.neighbours[numberOf(disc)];
       const std::vector<Range>& ranges = expected.neighbours[numberOf(disc)];
       ASSERT_FALSE(ranges.empty());
-      // Where a line of sight meets the chord, from -1 at its right to 1 at its left end.
+      // Where a line of sight meets the chord, from -1 at the right end to 1 at the left end.
       const double slope = std::tan(halfWidth(neighbour));
       const double right = std::tan(ranges.front().from) / slope;
       const double left = std::tan(ranges.back().to) / slope;
@@ -88,10 +88,10 @@ TEST(OcclusionProperty, DiscsSpanWhatIsSeen) {
   EXPECT_GT(whole, 500U);
 }
 
-TEST(OcclusionProperty, DiscsAreSeenWhereThePartsAre) {
-  // The shares are those of the chord through the tangent points, the disc lies about the body's centre. A point at the
-  // end of the chord is seen asin(R/d) aside, at the end of the diameter atan(R/d): about (R/d)^3 / 2 less. For R/d up
-  // to 0.6 no share makes a larger difference, at 0.2 it is 0.23 degrees.
+TEST(OcclusionProperty, DiscsCoverTheBearingsOfTheVisibleParts) {
+  // Fractions refer to the chord through the tangent points, but the disc is around the body's centre. The end of the
+  // chord has the bearing asin(R/d), the end of the diameter atan(R/d): about (R/d)^3 / 2 less. For R/d up to 0.6 no
+  // other fraction has a larger difference; for R/d = 0.2 it is 0.23 degrees.
   std::size_t looked_at = 0;
   checkSceneries(500, [&](const Scenery& scenery, const Scenery& seen) {
     const Seen expected = lookEverywhere(scenery);
@@ -130,7 +130,7 @@ TEST(OcclusionProperty, DiscsLieWithinTheBodiesInOrderOfTheirRims) {
   }
 }
 
-/// What is seen at one place of a body that moves.
+/// The visible parts for one position of the moving body.
 struct Look {
   Scenery seen;
   Seen ranges;
@@ -141,7 +141,7 @@ struct Look {
   }
 };
 
-/// How often what was compared.
+/// Numbers of comparisons by kind.
 struct Count {
   std::size_t compared = 0;
   std::size_t come_and_gone = 0;
@@ -153,7 +153,7 @@ void expectChangesBelow(double most, std::size_t number, const Look& before, con
   const Neighbour* const disc = find(now.seen, number);
   ++count.compared;
   if (then != nullptr && disc != nullptr) {
-    // A part that comes or goes beside another one may do so with a jump: the disc spans both.
+    // The disc spans all visible parts of a body, so it may jump when the number of parts changes.
     if (before.ranges.neighbours[number].size() != now.ranges.neighbours[number].size()) {
       ++count.glimpses;
       return;
@@ -166,9 +166,9 @@ void expectChangesBelow(double most, std::size_t number, const Look& before, con
   }
 }
 
-TEST(OcclusionProperty, DiscsChangeLittleWhereBodiesMoveLittle) {
+TEST(OcclusionProperty, SmallMotionsOfBodiesChangeDiscsOnlySlightly) {
   // A line of sight that touches a body 1 m or more away turns by no more than the body moves. On a disc within 9.5 m
-  // it moves by at most 9.5 / cos(asin(0.5)) = 11 times that, and the disc goes along with a body that moves.
+  // it moves by at most 9.5 / cos(asin(0.5)) = 11 times as much, and the disc moves with its body.
   constexpr double STEP = 2e-3;
   constexpr double MOST = 12.0 * STEP;
   Count count;
@@ -199,7 +199,7 @@ TEST(OcclusionProperty, DiscsChangeLittleWhereBodiesMoveLittle) {
   EXPECT_LT(count.glimpses, count.come_and_gone);
 }
 
-TEST(OcclusionProperty, TakingSomethingAwayHidesNobody) {
+TEST(OcclusionProperty, RemovingABodyOrWallHidesNoOther) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Scenery scenery = randomScenery(seed, seed % 2 == 0);
@@ -222,7 +222,7 @@ TEST(OcclusionProperty, TakingSomethingAwayHidesNobody) {
   }
 }
 
-TEST(OcclusionProperty, NearestBodyIsAlwaysSeen) {
+TEST(OcclusionProperty, NearestBodyIsAlwaysVisible) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Scenery scenery = randomScenery(seed, true);
@@ -232,7 +232,7 @@ TEST(OcclusionProperty, NearestBodyIsAlwaysSeen) {
   }
 }
 
-TEST(OcclusionProperty, WhatIsHiddenHidesNothing) {
+TEST(OcclusionProperty, HiddenBodiesHideNothing) {
   std::size_t hidden = 0;
   checkSceneries(200, [&](const Scenery& scenery, const Scenery& seen) {
     Scenery less = scenery;

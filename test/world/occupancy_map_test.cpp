@@ -46,7 +46,7 @@ TEST(OccupancyMap, PointsOutsideAreInNoCell) {
   EXPECT_FALSE(map.contains(frame.cellAt({std::nan(""), 20.25})));
 }
 
-TEST(OccupancyMap, YawTurnsTheRows) {
+TEST(OccupancyMap, YawRotatesTheRows) {
   const CellFrame frame(smallMap(PI / 2.0));  // rows lead to +y, columns to -x
   EXPECT_TRUE(frame.cornerOf({3, 2}).isApprox(Vector2(9.0, 21.5)));
   EXPECT_TRUE(frame.centreOf({2, 0}).isApprox(Vector2(9.75, 21.25)));
@@ -54,7 +54,7 @@ TEST(OccupancyMap, YawTurnsTheRows) {
   EXPECT_EQ(frame.cellAt({9.25, 20.25}), (Cell{0, 1}));
 }
 
-TEST(OccupancyMap, CentresAreInTheirCells) {
+TEST(OccupancyMap, CentresOfCellsAreInTheCells) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::CONTENT, {});
@@ -77,7 +77,7 @@ TEST(OccupancyMap, GridValuesHaveThreeStates) {
   EXPECT_EQ(map.resolution, layout.resolution);
 }
 
-/// The message about a map that a change made invalid.
+/// The error message about a map after an invalid change.
 template <typename Change>
 std::string problemAfter(const Change& change) {
   OccupancyMap map = smallMap();

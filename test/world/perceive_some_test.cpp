@@ -17,7 +17,7 @@ using scenes::pillar;
 using scenes::wanderer;
 using Ids = std::vector<AgentId>;
 
-/// What perceiveSome() needs, and what it perceived before.
+/// Workspace and output of perceiveSome().
 struct Eyes {
   World::PerceptionWorkspace workspace;
   Perceptions perceptions;
@@ -34,19 +34,19 @@ Ids agentsOf(const Perceptions& perceptions) {
   return ids;
 }
 
-/// The bodies of a list stand in order of their numbers.
+/// Bodies of a small scene are in the order of their numbers.
 Ids agentsAmong(const World& world, std::size_t begin, std::size_t end) {
   return agentsOf(Eyes().look(world, FAR_SIGHT, begin, end));
 }
 
-TEST(PerceiveSome, TellsOfTheAgentsAmongTheBodies) {
+TEST(PerceiveSome, PerceivesForTheAgentsAmongTheBodies) {
   const World world(scenes::scene({wanderer({0.0, 0.0}), wanderer({3.0, 0.0}), wanderer({6.0, 0.0})},
                                   {pillar({0.0, 5.0}, 0.5), pillar({3.0, 5.0}, 0.5)}));
   ASSERT_EQ(world.bodyCount(), 5U);
   EXPECT_EQ(agentsAmong(world, 0, 5), (Ids{0, 1, 2}));
   EXPECT_EQ(agentsAmong(world, 1, 2), Ids{1});
   EXPECT_EQ(agentsAmong(world, 2, 4), Ids{2});
-  EXPECT_EQ(agentsAmong(world, 3, 5), Ids{});  // obstacles look at nothing
+  EXPECT_EQ(agentsAmong(world, 3, 5), Ids{});  // obstacles have no perceptions
   EXPECT_EQ(agentsAmong(world, 2, 2), Ids{});
 }
 
@@ -64,7 +64,7 @@ TEST(PerceiveSome, ByHand) {
   expectVector(seen.self.velocity, 1.0, 0.0);
   EXPECT_TRUE(seen.self.acted);
   ASSERT_EQ(seen.neighbours.size(), 2U);
-  expectVector(seen.neighbours[0].position, -4.5, 2.5);  // it looks north: south is behind, west is left
+  expectVector(seen.neighbours[0].position, -4.5, 2.5);  // heading north: south is behind, west is left
   expectVector(seen.neighbours[0].velocity, 0.0, -1.0);
   EXPECT_EQ(seen.neighbours[0].kind, NeighbourKind::AGENT);
   expectVector(seen.neighbours[1].position, -6.5, 3.0);
@@ -74,11 +74,11 @@ TEST(PerceiveSome, ByHand) {
   expectVector(seen.walls[0].to, 4.5, 4.0);
 }
 
-TEST(PerceiveSome, LeavesOutWhoHasArrivedOrWasRemoved) {
+TEST(PerceiveSome, OmitsArrivedAndRemovedAgents) {
   World world(scenes::halfSeconds(
       scenes::scene({agent({0.0, 0.0}, {0.5, 0.0}, 1.0), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})));
   world.step({ahead(0)});
-  ASSERT_TRUE(lookAround(world).agents.at(0).arrived);  // perceive() tells of it once more
+  ASSERT_TRUE(lookAround(world).agents.at(0).arrived);  // perceive() includes it once more
   ASSERT_EQ(world.bodyCount(), 2U);
   EXPECT_EQ(agentsAmong(world, 0, 2), (Ids{1, 2}));
   world.removeAgent(1);
@@ -86,10 +86,10 @@ TEST(PerceiveSome, LeavesOutWhoHasArrivedOrWasRemoved) {
   EXPECT_EQ(agentsAmong(world, 0, 1), Ids{2});
 }
 
-/// What everybody perceives who is still on its way.
+/// The perceptions of all agents that have not arrived.
 using Everybody = std::map<AgentId, Bits>;
 
-/// How much of what was compared.
+/// Numbers of compared items.
 struct Count {
   std::size_t neighbours = 0;
   std::size_t walls = 0;
@@ -115,7 +115,7 @@ Everybody seenAtOnce(World& world, const Vision& vision, Count& count) {
   return everybody;
 }
 
-/// In blocks of up to so many bodies, some of them of none, by several eyes in turn.
+/// Perceives in random blocks of up to `longest` bodies (some are empty), with a random workspace for each block.
 Everybody seenInBlocks(const World& world, const Vision& vision, std::size_t longest, KeyedRandom& random,
                        std::array<Eyes, 3>& eyes) {
   Everybody everybody;
@@ -136,14 +136,14 @@ Everybody seenInBlocks(const World& world, const Vision& vision, std::size_t lon
   return everybody;
 }
 
-TEST(PerceiveSome, SeesTheSameAsPerceiveInWhateverBlocks) {
+TEST(PerceiveSome, AgreesWithPerceiveForAnyBlocks) {
   const std::array<Vision, 4> visions = {{{6.0, 0}, {6.0, 3}, {6.0, 0, true}, {3.0, 3, true}}};
   std::array<Count, 4> counts;
   std::array<Eyes, 3> eyes;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
     World world(scenes::randomScene(seed, seed % 4 == 0 ? 3 : 40));
-    world.perceive(visions[0], eyes[0].perceptions);  // what is there before does not matter
+    world.perceive(visions[0], eyes[0].perceptions);  // old content is replaced
     for (int tick = 0; tick < 25; ++tick) {
       if (tick == 10 && world.isActive(1)) world.removeAgent(1);
       for (std::size_t i = 0; i < visions.size(); ++i) {
@@ -160,7 +160,7 @@ TEST(PerceiveSome, SeesTheSameAsPerceiveInWhateverBlocks) {
     EXPECT_GT(count.walls, 1000U);
     EXPECT_GT(count.arrived, 100U);
     EXPECT_GT(count.lists, 100U);
-    EXPECT_LT(count.lists, 2400U);  // of 2500: not all worlds were so small
+    EXPECT_LT(count.lists, 2400U);  // of 2500: some worlds are larger
   }
   EXPECT_LT(counts[1].neighbours, counts[0].neighbours);  // some perceived more than 3
   EXPECT_LT(counts[2].neighbours, counts[0].neighbours);  // some were hidden

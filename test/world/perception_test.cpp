@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <string>
+#include <cstddef>
+#include <vector>
 
-#include "support/perception_bits.h"
 #include "support/scenes.h"
+#include "support/worlds.h"
 
 namespace crowd {
 namespace {
@@ -18,23 +17,7 @@ using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
 
-void expectVector(const Vector2& v, double x, double y, double tolerance = 1e-12) {
-  EXPECT_NEAR(v.x(), x, tolerance);
-  EXPECT_NEAR(v.y(), y, tolerance);
-}
-
-Perceptions perceive(World& world, const Vision& vision = Vision()) {
-  Perceptions perceptions;
-  world.perceive(vision, perceptions);
-  return perceptions;
-}
-
-Perceptions perceive(const Scene& scene, const Vision& vision = Vision()) {
-  World world(scene);
-  return perceive(world, vision);
-}
-
-/// How many bodies agent 0 of a scene perceives.
+/// The number of bodies that agent 0 of a scene perceives.
 std::size_t bodyCount(const Scene& scene, double vision_radius) {
   return perceive(scene, {vision_radius, 0}).agents.at(0).neighbour_count;
 }
@@ -81,7 +64,7 @@ TEST(PerceptionFrame, VelocitiesByHand) {
   EXPECT_FALSE(seen.agents[2].acted);
 }
 
-TEST(PerceptionFrame, VelocityOfWhoStopsIsZeroAgain) {
+TEST(PerceptionFrame, VelocityOfAStoppedAgentIsZero) {
   World world(scene({wanderer({0.0, 0.0}), wanderer({3.0, 0.0})}));
   world.step({{0, {0.0, 1.0}}, {1, {0.0, 1.0}}});
   world.step({});
@@ -90,7 +73,7 @@ TEST(PerceptionFrame, VelocityOfWhoStopsIsZeroAgain) {
   expectVector(seen.neighbours[0].velocity, 0.0, 0.0);
 }
 
-TEST(PerceptionFrame, GoalIsTheNextOfSeveral) {
+TEST(PerceptionFrame, GoalIsTheNextOfSeveralGoals) {
   AgentStart rounder = agent({0.0, 0.0}, {0.5, 0.0}, 1.0);
   rounder.goals.emplace_back(0.5, 7.0);
   World world(scenes::halfSeconds(scene({rounder})));
@@ -99,7 +82,7 @@ TEST(PerceptionFrame, GoalIsTheNextOfSeveral) {
   expectVector(perceive(world).agents[0].goal, 0.0, 7.0);
 }
 
-TEST(PerceptionRange, ReachesToTheRim) {
+TEST(PerceptionRange, IsMeasuredToTheRim) {
   const auto count = [](double x, double radius) {
     return bodyCount(scene({wanderer({0.0, 0.0})}, {pillar({x, 0.0}, radius)}), 2.0);
   };
@@ -110,11 +93,11 @@ TEST(PerceptionRange, ReachesToTheRim) {
   EXPECT_EQ(count(0.1, 0.05), 1U);  // inside the own body
 }
 
-TEST(PerceptionRange, ZeroVisionStillPerceivesWhatOneStandsIn) {
+TEST(PerceptionRange, ZeroVisionPerceivesOverlappingBodies) {
   EXPECT_EQ(bodyCount(scene({wanderer({0.0, 0.0}), wanderer({0.2, 0.0}), wanderer({0.3, 0.0})}), 0.0), 1U);
 }
 
-TEST(PerceptionOrder, NearestRimFirst) {
+TEST(PerceptionOrder, SortsNeighboursByRimDistance) {
   // Centres at 3, 1.5, 5 and 2 m, rims at 2.9, 1.4, 0.5 and 1.75 m.
   const Perceptions seen =
       perceive(scene({wanderer({0.0, 0.0}), wanderer({0.0, 2.0})},
@@ -140,7 +123,7 @@ TEST(PerceptionOrder, MaxNeighboursKeepsTheNearestRims) {
   EXPECT_EQ(perceive(crowded, {6.0, 0}).agents[0].neighbour_count, 4U);  // 0: no limit
 }
 
-TEST(PerceptionWalls, InTheFrameOfTheAgentWithinItsVision) {
+TEST(PerceptionWalls, AreInTheFrameOfTheAgentAndWithinItsVision) {
   AgentStart north = wanderer({1.0, 1.0});
   north.heading = PI / 2;
   const std::vector<Segment> walls = {{{-1.0, 0.0}, {-1.0, 5.0}}, {{2.0, 8.0}, {4.0, 8.0}}, {{5.0, -9.0}, {5.0, 9.0}}};
@@ -153,7 +136,7 @@ TEST(PerceptionWalls, InTheFrameOfTheAgentWithinItsVision) {
   EXPECT_EQ(perceive(scene({north}, {}, walls), {7.2, 0}).agents[0].wall_count, 3U);
 }
 
-TEST(PerceptionList, SaysWhenItIsAndReplacesWhatStoodThere) {
+TEST(PerceptionList, SetsTheTimeAndReplacesOldPerceptions) {
   World world(scenes::halfSeconds(scene({wanderer({0.0, 0.0}), wanderer({1.0, 0.0})})));
   Perceptions perceptions = perceive(scenes::randomScene(1));
   perceptions.episode = 17;
@@ -166,171 +149,20 @@ TEST(PerceptionList, SaysWhenItIsAndReplacesWhatStoodThere) {
   EXPECT_EQ(perceptions.agents.size(), 2U);
   EXPECT_EQ(perceptions.neighbours.size(), 2U);
   EXPECT_TRUE(perceptions.walls.empty());
-  EXPECT_EQ(perceptions.episode, 17U);  // these two are not the world's to say
+  EXPECT_EQ(perceptions.episode, 17U);  // the world does not set these two
   EXPECT_TRUE(perceptions.last);
 }
 
-TEST(PerceptionList, LastPerceptionOfWhoArrivesTellsOfTheOthers) {
+TEST(PerceptionList, LastPerceptionOfAnArrivingAgentContainsItsNeighbours) {
   World world(scenes::halfSeconds(scene({agent({0.0, 0.0}, {0.5, 0.0}, 1.0), wanderer({2.5, 0.0})})));
   world.step({{0, {0.0, 1.0}}});
   const Perceptions seen = perceive(world);
   ASSERT_EQ(seen.agents.size(), 2U);
   EXPECT_TRUE(seen.agents[0].arrived);
   EXPECT_TRUE(seen.agents[0].acted);
-  ASSERT_EQ(seen.agents[0].neighbour_count, 1U);  // but the other one does not perceive it any more
+  ASSERT_EQ(seen.agents[0].neighbour_count, 1U);  // the other agent does not perceive it any more
   EXPECT_EQ(seen.agents[1].neighbour_count, 0U);
   expectVector(Perception(seen, 0).neighbours[0].position, 2.0, 0.0);
-}
-
-/// A body as seen from outside: what an agent is to perceive.
-struct Expected {
-  double rim_distance = 0.0;
-  Neighbour neighbour;
-};
-
-/// What an agent is to perceive, by looking at everything.
-std::vector<Expected> lookAtAll(const World& world, const Agent& agent, double vision) {
-  const Eigen::Rotation2Dd turn(-agent.pose.heading);
-  std::vector<Expected> all;
-  const auto look = [&](const Vector2& position, const Vector2& velocity, double radius, NeighbourKind kind) {
-    const Vector2 to_other = position - agent.pose.position;
-    const double rim_distance = to_other.norm() - radius;
-    if (rim_distance <= vision) all.push_back({rim_distance, {turn * to_other, turn * velocity, radius, kind}});
-  };
-  for (const Agent& other : world.agents()) {
-    if (!other.isWalking() || other.id == agent.id) continue;
-    look(other.pose.position, other.velocity, other.radius, NeighbourKind::AGENT);
-  }
-  for (const Obstacle& obstacle : world.obstacles()) {
-    const double t = world.time();
-    look(obstacle.path.position(t), obstacle.path.velocity(t), obstacle.radius, NeighbourKind::OBSTACLE);
-  }
-  std::sort(all.begin(), all.end(),
-            [](const Expected& a, const Expected& b) { return a.rim_distance < b.rim_distance; });
-  return all;
-}
-
-void expectSameNeighbour(const Neighbour& neighbour, const Neighbour& expected) {
-  EXPECT_LT((neighbour.position - expected.position).norm(), 1e-9);
-  EXPECT_LT((neighbour.velocity - expected.velocity).norm(), 1e-9);
-  EXPECT_EQ(neighbour.radius, expected.radius);
-  EXPECT_EQ(neighbour.kind, expected.kind);
-}
-
-TEST(PerceptionProperty, AgreesWithLookingAtEverything) {
-  std::size_t neighbours = 0;
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    World world(scenes::randomScene(seed, 60));
-    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
-    for (int tick = 0; tick < 10; ++tick) {
-      world.step(scenes::randomActions(world, random));
-      const Vision vision{random.uniform(0.5, 8.0), random.below(12)};
-      const Perceptions seen = perceive(world, vision);
-      for (std::size_t i = 0; i < seen.agents.size(); ++i) {
-        SCOPED_TRACE("tick " + std::to_string(tick) + ", agent " + std::to_string(seen.agents[i].agent));
-        const Perception perception(seen, i);
-        std::vector<Expected> all = lookAtAll(world, world.agents()[seen.agents[i].agent], vision.radius);
-        if (vision.max_neighbours > 0 && all.size() > vision.max_neighbours) all.resize(vision.max_neighbours);
-        ASSERT_EQ(perception.neighbours.size(), all.size());
-        for (std::size_t k = 0; k < all.size(); ++k) expectSameNeighbour(perception.neighbours[k], all[k].neighbour);
-        neighbours += all.size();
-      }
-    }
-  }
-  EXPECT_GT(neighbours, 10000U);
-}
-
-TEST(PerceptionProperty, FewerBodiesAreTheFirstOfMoreBitForBit) {
-  std::size_t neighbours = 0;
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    World world(scenes::randomScene(seed, 60));
-    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
-    for (int tick = 0; tick < 10; ++tick) {
-      world.step(scenes::randomActions(world, random));
-      const double radius = random.uniform(0.5, 8.0);
-      const Perceptions all = perceive(world, {radius, 0});
-      for (const std::uint32_t most : {1U, 3U, 5U, 10U}) {  // one by one, four at a time, or both
-        const Perceptions some = perceive(world, {radius, most});
-        ASSERT_EQ(some.agents.size(), all.agents.size());
-        for (std::size_t i = 0; i < all.agents.size(); ++i) {
-          const Perception fewer(some, i);
-          Perception first(all, i);
-          ASSERT_EQ(fewer.neighbours.size(), std::min<std::size_t>(most, first.neighbours.size()));
-          first.neighbours = first.neighbours.front(fewer.neighbours.size());
-          EXPECT_EQ(bitsOf(fewer), bitsOf(first)) << "seed " << seed << ", tick " << tick << ", most " << most;
-          neighbours += fewer.neighbours.size();
-        }
-      }
-    }
-  }
-  EXPECT_GT(neighbours, 10000U);
-}
-
-/// Turns and moves a whole scene.
-class Motion {
- public:
-  Motion(double angle, const Vector2& shift) : angle_(angle), turn_(angle), shift_(shift) {}
-
-  Vector2 operator()(const Vector2& point) const { return turn_ * point + shift_; }
-  Scene operator()(Scene scene) const {
-    for (AgentStart& start : scene.agents) {
-      start.position = (*this)(start.position);
-      start.heading += angle_;
-      for (Vector2& goal : start.goals) goal = (*this)(goal);
-    }
-    for (Obstacle& obstacle : scene.obstacles) {
-      const Vector2 position = (*this)(obstacle.path.position(0.0));
-      obstacle.path = ObstaclePath::straight(position, turn_ * obstacle.path.velocity(0.0));
-    }
-    for (Segment& wall : scene.walls) wall = {(*this)(wall.from), (*this)(wall.to)};
-    return scene;
-  }
-
- private:
-  double angle_;
-  Eigen::Rotation2Dd turn_;
-  Vector2 shift_;
-};
-
-void expectSamePerceptions(const Perceptions& seen, const Perceptions& expected) {
-  ASSERT_EQ(seen.agents.size(), expected.agents.size());
-  ASSERT_EQ(seen.neighbours.size(), expected.neighbours.size());
-  ASSERT_EQ(seen.walls.size(), expected.walls.size());
-  for (std::size_t i = 0; i < seen.agents.size(); ++i) {
-    EXPECT_EQ(seen.agents[i].agent, expected.agents[i].agent);
-    EXPECT_EQ(seen.agents[i].arrived, expected.agents[i].arrived);
-    EXPECT_EQ(seen.agents[i].neighbour_count, expected.agents[i].neighbour_count);
-    EXPECT_EQ(seen.agents[i].wall_count, expected.agents[i].wall_count);
-    EXPECT_LT((seen.agents[i].velocity - expected.agents[i].velocity).norm(), 1e-9);
-    EXPECT_LT((seen.agents[i].goal - expected.agents[i].goal).norm(), 1e-9);
-    const Perception one(seen, i);
-    const Perception other(expected, i);
-    for (std::size_t k = 0; k < one.neighbours.size(); ++k) expectSameNeighbour(one.neighbours[k], other.neighbours[k]);
-    for (std::size_t k = 0; k < one.walls.size(); ++k) {
-      EXPECT_LT((one.walls[k].from - other.walls[k].from).norm(), 1e-9);
-      EXPECT_LT((one.walls[k].to - other.walls[k].to).norm(), 1e-9);
-    }
-  }
-}
-
-TEST(PerceptionProperty, TurningAndMovingTheWholeWorldChangesNothing) {
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scene crowd = scenes::randomScene(seed);
-    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
-    const double angle = random.uniform(-PI, PI);
-    World world(crowd);
-    World moved_world(Motion(angle, scenes::randomPoint(random, 100.0))(crowd));
-    for (int tick = 0; tick < 20; ++tick) {
-      SCOPED_TRACE("tick " + std::to_string(tick));
-      expectSamePerceptions(perceive(moved_world, {3.0, 5}), perceive(world, {3.0, 5}));
-      if (HasFailure()) return;
-      const std::vector<AgentAction> actions = scenes::randomActions(world, random);
-      world.step(actions);
-      moved_world.step(actions);
-    }
-  }
 }
 
 }  // namespace

@@ -13,14 +13,14 @@ namespace {
 
 const std::string SHIPPED = std::string(SOURCE_DIR) + "/config/scenarios";
 
-TEST(ScenarioFiles, ShippedOnesAreThoseOfTheSourceTreeUntilInstalled) { EXPECT_EQ(shippedScenarios(), SHIPPED); }
+TEST(ScenarioFiles, ShippedScenariosAreInTheSourceTreeBeforeInstallation) { EXPECT_EQ(shippedScenarios(), SHIPPED); }
 
-TEST(ScenarioFiles, ANameIsAShippedScenario) {
+TEST(ScenarioFiles, FindsShippedScenariosByName) {
   EXPECT_EQ(findScenario("circle6"), SHIPPED + "/circle6.yaml");
   EXPECT_EQ(findScenario("circle6.yaml"), SHIPPED + "/circle6.yaml");
 }
 
-TEST(ScenarioFiles, AFileWinsOverAName) {
+TEST(ScenarioFiles, PrefersAFileToAName) {
   const TemporaryFolder folder;
   const std::string file = folder.write("circle6", "");
   EXPECT_EQ(findScenario("circle6", folder.path()), file);
@@ -29,7 +29,7 @@ TEST(ScenarioFiles, AFileWinsOverAName) {
   EXPECT_EQ(findScenario("line6", folder.path()), SHIPPED + "/line6.yaml");
 }
 
-TEST(ScenarioFiles, RelativePathsBeginAtTheBase) {
+TEST(ScenarioFiles, RelativePathsStartAtTheBaseFolder) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("sub"));
   const std::string file = folder.write("sub/mine.yaml", "");
@@ -37,7 +37,7 @@ TEST(ScenarioFiles, RelativePathsBeginAtTheBase) {
   EXPECT_EQ(findScenario("../sub/mine.yaml", folder.file("sub")), file);
 }
 
-TEST(ScenarioFiles, NamesMayBeThoseOfAnotherFolder) {
+TEST(ScenarioFiles, FindsNamesInAnotherFolder) {
   const TemporaryFolder folder;
   const std::string file = folder.write("mine.yaml", "");
   EXPECT_EQ(findScenario("mine", "", folder.path()), file);
@@ -46,7 +46,7 @@ TEST(ScenarioFiles, NamesMayBeThoseOfAnotherFolder) {
                 " none of that name; there is mine");
 }
 
-TEST(ScenarioFiles, WhatIsNotThereIsToldWithThePlacesAndTheAlternatives) {
+TEST(ScenarioFiles, ErrorNamesSearchedPlacesAndAlternatives) {
   const TemporaryFolder folder;
   const std::string bare = errorOf<InputError>([&] { findScenario("circel12"); });
   const std::string here = std::filesystem::current_path().string();

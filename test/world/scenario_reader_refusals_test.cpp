@@ -18,14 +18,14 @@ using scenario_texts::errorOf;
 using scenario_texts::HEAD;
 using scenario_texts::obstacleError;
 
-TEST(ScenarioReader, SaysFileDocumentLineAndWhatWasExpected) {
+TEST(ScenarioReader, ErrorsContainFileDocumentLineAndExpectation) {
   const std::string document = std::string(HEAD) + "agents:\n  - " + AGENT + "\n";
   EXPECT_EQ(errorOf(document + "---\n" + HEAD + "agents:\n  - " + AGENT +
                     "\n  - position: [2, 2]\n    goal: [3, 3]\n    speed: fast\n    radius: 0.2\n"),
             "s.yaml: document 2, line 14: agents[1].speed: expected a number above 0, got 'fast'");
 }
 
-TEST(ScenarioReader, RefusesUnknownMissingAndDoubleKeys) {
+TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
   EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
             "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
             "tick, duration, "
@@ -38,7 +38,7 @@ TEST(ScenarioReader, RefusesUnknownMissingAndDoubleKeys) {
       agentError("position: [0, 0], goal: [1, 1], speed: 1, radius: 0.2, sped: 1"),
       "s.yaml: document 1, line 5: agents[0]: unknown key 'sped', did you mean 'speed'? Known are position, goal, "
       "goals, speed, radius, heading, count");
-  // A required key that is misspelt is not told as missing, and all keys are known before the first is read.
+  // A misspelt required key is not reported as missing, because all keys are declared before the first is read.
   EXPECT_EQ(
       agentError("position: [0, 0], goal: [1, 1], speed: 1, raduis: 0.2"),
       "s.yaml: document 1, line 5: agents[0]: unknown key 'raduis', did you mean 'radius'? Known are position, goal, "
@@ -154,7 +154,7 @@ TEST(ScenarioReader, RefusesAgentsThatStartAtTheirGoal) {
   EXPECT_EQ(problem("position: [1, 0], goals: [[4, 0], [4, 0.25]]"), "no InputError");
 }
 
-TEST(ScenarioReader, LetsBodiesTouchAndFixturesOverlap) {
+TEST(ScenarioReader, AcceptsTouchingBodiesAndOverlappingObstaclesAndWalls) {
   const std::string agents = std::string(HEAD) + "agents:\n  - " + AGENT + "\n";
   EXPECT_NO_THROW(parseScenarios(agents + "obstacles:\n  - {position: [0.3, 0.4], radius: 0.25}\n", "s.yaml"));
   EXPECT_NO_THROW(parseScenarios(agents + "obstacles:\n  - {position: [3, 0], radius: 0.5}\n"

@@ -57,7 +57,7 @@ TEST(ScenarioReader, ReadsEveryDocumentOfAStream) {
   EXPECT_EQ(list.size(), 2U);
 }
 
-TEST(ScenarioReader, TurnsThesisUnitsIntoSI) {
+TEST(ScenarioReader, ConvertsThesisUnitsToSI) {
   const Scene scene = sceneOf(
       "name: n\nunits: thesis\ntick: 0.2\nduration: 2000\ngoal_tolerance: 0.3\n"
       "agents: [{position: [0, 0], goal: [4, 0], speed: 0.03, radius: 0.25}]\n"
@@ -95,7 +95,7 @@ TEST(ScenarioReader, ReadsHeadingsAsDegrees) {
   EXPECT_LE(scene.agents[2].heading, toRadians(60.0));
 }
 
-TEST(ScenarioReader, ReadsGoalsThatFollowOneAnother) {
+TEST(ScenarioReader, ReadsSequencesOfGoals) {
   const Scene scene = sceneOf(std::string(HEAD) +
                               "agents: [{position: [0, 0], goals: [[0, 2], {box: [[5, 5], [6, 6]]}, [1, 1]], "
                               "speed: 1, radius: 0.2}]\n");
@@ -113,7 +113,7 @@ TEST(ScenarioReader, MirrorsTheStartForAnOppositeGoal) {
   expectNear(scene.agents[0].goals.at(0), {-1.0, 3.0});
 }
 
-TEST(ScenarioReader, ReadsTheWaysObstaclesMove) {
+TEST(ScenarioReader, ReadsPathsOfObstacles) {
   const Obstacle to_and_fro = obstacleOf("position: [5, 0], radius: 0.3, to_and_fro: [5, 4], speed: 0.5");
   EXPECT_EQ(to_and_fro.path.kind(), ObstaclePath::Kind::TO_AND_FRO);
   expectNear(to_and_fro.path.position(10.0), {5.0, 3.0});  // 5 m: 4 there, 1 back
@@ -136,11 +136,11 @@ TEST(ScenarioReader, ReadsTheWaysObstaclesMove) {
   EXPECT_FALSE(resting.path.moves());
 }
 
-TEST(ScenarioReader, TakesEmptyListsOfObstaclesAndWalls) {
+TEST(ScenarioReader, AcceptsEmptyListsOfObstaclesAndWalls) {
   EXPECT_TRUE(sceneOf(std::string(HEAD) + AGENTS + "obstacles: []\nwalls:\n").obstacles.empty());
 }
 
-TEST(ScenarioReader, ReadsWhatHappensAtContacts) {
+TEST(ScenarioReader, ReadsTheContactModel) {
   const auto contact = [](const std::string& entry) { return sceneOf(std::string(HEAD) + AGENTS + entry).contact; };
   EXPECT_EQ(contact(""), Contact::GHOST);
   EXPECT_EQ(contact("contact: ghost\n"), Contact::GHOST);
@@ -149,7 +149,7 @@ TEST(ScenarioReader, ReadsWhatHappensAtContacts) {
             "s.yaml: document 1, line 5: contact: expected ghost or solid, got 'soft'");
 }
 
-TEST(ScenarioReader, ReadsFilesAndNamesThemInMessages) {
+TEST(ScenarioReader, ReadsFilesAndNamesThemInErrors) {
   EXPECT_THROW(readScenarios("no/such/scenario.yaml"), FileError);
   const std::string file = testing::TempDir() + "social_crowd_scenario_reader_test.yaml";
   std::ofstream(file) << HEAD << AGENTS;

@@ -15,7 +15,7 @@ const char* const HEAD = "name: n\nduration: 60\ngoal_tolerance: 0.3\n";
 
 ScenarioList parse(const std::string& text) { return parseScenarios(text, "s.yaml"); }
 
-/// The places where the scene begins, agents first.
+/// The start positions of a scene, agents first.
 std::vector<Vector2> places(const Scene& scene) {
   std::vector<Vector2> all;
   for (const AgentStart& agent : scene.agents) {
@@ -47,7 +47,7 @@ std::vector<Disc> discs(const Scene& scene) {
   return all;
 }
 
-/// A hall with everything that can be drawn, the drawn bodies before the fixed ones.
+/// A hall with all kinds of random places, the drawn bodies before the fixed ones.
 const char* const HALL =
     "agents:\n"
     "  - {count: 12, position: {box: [[-4, -4], [4, 4]]}, goal: {box: [[-4, -4], [4, 4]]}, speed: [0.8, "
@@ -65,7 +65,7 @@ const char* const HALL =
     "walls:\n"
     "  - [[-5, 0], [-1, 0]]\n";
 
-/// Calls `check` with scenes of the hall, and says which of them it is where something fails.
+/// Calls `check` with scenes of the hall; failures name the episode.
 template <typename Check>
 void forManyHalls(Check check) {
   const ScenarioList list = parse(std::string(HEAD) + HALL);
@@ -77,7 +77,7 @@ void forManyHalls(Check check) {
   }
 }
 
-TEST(Region, DrawsEvenlyWithinABox) {
+TEST(Region, DrawsUniformlyWithinABox) {
   Region box;
   box.kind = Region::Kind::BOX;
   box.first = {-1.0, 2.0};
@@ -93,7 +93,7 @@ TEST(Region, DrawsEvenlyWithinABox) {
   EXPECT_NEAR(sum.y() / 10000.0, 3.0, 0.03);
 }
 
-TEST(Region, DrawsEvenlyOverTheAreaOfARing) {
+TEST(Region, DrawsUniformlyOverTheAreaOfARing) {
   Region ring;
   ring.kind = Region::Kind::RING;
   ring.first = {1.0, 1.0};
@@ -121,14 +121,14 @@ TEST(Region, DrawsOnTheCircleOfARingWithOneRadius) {
   }
 }
 
-TEST(Scenario, GivesTheSameSceneEachTimeIfNothingIsDrawn) {
+TEST(Scenario, WithoutRandomPlacesAlwaysGivesTheSameScene) {
   const ScenarioList list = parse(std::string(HEAD) +
                                   "agents: [{position: [0, 0], goal: [4, 0], speed: 1, radius: 0.25}]\n"
                                   "obstacles: [{position: [2, 0], radius: 0.5}]\n");
   EXPECT_EQ(places(list.scene(1, 0)), places(list.scene(99, 12345)));
 }
 
-TEST(Scenario, DependsOnRunSeedScenarioSeedAndEpisodeAlone) {
+TEST(Scenario, DependsOnlyOnRunSeedScenarioSeedAndEpisode) {
   const ScenarioList list = parse(std::string(HEAD) + HALL);
   const ScenarioList again = parse(std::string(HEAD) + HALL);
   const ScenarioList other = parse(std::string(HEAD) + "seed: 5\n" + HALL);
@@ -180,7 +180,7 @@ TEST(Scenario, DrawnNumbersLieInTheirRanges) {
   });
 }
 
-TEST(Scenario, DrawnGoalsCanBeStoodAtAndLieAwayFromTheStart) {
+TEST(Scenario, DrawnGoalsAreFreeAndAwayFromTheStart) {
   forManyHalls([](const Scene& scene) {
     for (const AgentStart& agent : scene.agents) {
       const Vector2& goal = agent.goals.back();
@@ -206,14 +206,14 @@ TEST(Scenario, DrawnGoalsKeepClearOfEachOther) {
   });
 }
 
-TEST(Scenario, GoalsMayCrowdWhereThereIsNoRoom) {
+TEST(Scenario, DrawnGoalsMayOverlapIfThereIsNoRoom) {
   const ScenarioList list = parse(std::string(HEAD) +
                                   "agents: [{count: 20, position: {box: [[-5, -5], [0, 5]]},\n"
                                   "          goal: {box: [[4, 0], [4.5, 0.5]]}, speed: 1, radius: 0.25}]\n");
   EXPECT_EQ(list.scene(1, 0).agents.size(), 20U);
 }
 
-TEST(Scenario, DrawnObstaclesLeaveFixedGoalsAndStartsFree) {
+TEST(Scenario, DrawnObstaclesKeepClearOfFixedGoalsAndStarts) {
   const ScenarioList list = parse(std::string(HEAD) +
                                   "agents: [{position: [0, 0], goal: [2, 0], speed: 1, radius: 0.25}]\n"
                                   "obstacles: [{position: {box: [[-1, -1], [3, 1]]}, radius: 0.4}]\n");
@@ -225,7 +225,7 @@ TEST(Scenario, DrawnObstaclesLeaveFixedGoalsAndStartsFree) {
   }
 }
 
-TEST(Scenario, SaysWhichBodyFindsNoPlace) {
+TEST(Scenario, ErrorNamesTheBodyWithoutAPlace) {
   const std::string text = std::string(HEAD) +
                            "agents:\n"
                            "  - {position: [5, 5], goal: [6, 6], speed: 1, radius: 0.25}\n"
@@ -240,7 +240,7 @@ TEST(Scenario, SaysWhichBodyFindsNoPlace) {
   }
 }
 
-TEST(ScenarioList, PlaysItsScenariosRoundAndRound) {
+TEST(ScenarioList, RepeatsItsScenariosInOrder) {
   const auto document = [](const std::string& name) {
     return "---\nname: " + name +
            "\nduration: 60\ngoal_tolerance: 0.3\n"
@@ -265,7 +265,7 @@ TEST(Scenario, RandomHeadingsDifferAndCoverTheCircle) {
   for (const int count : quarters) EXPECT_NEAR(count, 100, 40);
 }
 
-TEST(Scenario, ObstaclesBetweenLieOnTheWay) {
+TEST(Scenario, ObstaclesBetweenLieBetweenStartAndGoal) {
   const ScenarioList list = parse(
       std::string(HEAD) +
       "agents: [{position: {ring: {centre: [0, 0], radius: [0, 0.2]}}, goal: {ring: {centre: [0, 0], radius: 3}},\n"
@@ -281,7 +281,7 @@ TEST(Scenario, ObstaclesBetweenLieOnTheWay) {
   }
 }
 
-TEST(Scenario, KeptHeadingsComeFromTheEpisodeBefore) {
+TEST(Scenario, KeptHeadingsComeFromThePreviousEpisode) {
   Scene scene = parse(std::string(HEAD) +
                       "agents:\n"
                       "  - {position: [0, 0], goal: [0, 3], speed: 1, radius: 0.2, heading: kept}\n"
@@ -291,7 +291,7 @@ TEST(Scenario, KeptHeadingsComeFromTheEpisodeBefore) {
   keepHeadings({1.0, 2.0}, scene);
   EXPECT_EQ(scene.agents[0].heading, 1.0);
   EXPECT_NEAR(scene.agents[1].heading, PI / 2.0, 1e-12);
-  EXPECT_NEAR(scene.agents[2].heading, PI / 2.0, 1e-12);  // it was not there
+  EXPECT_NEAR(scene.agents[2].heading, PI / 2.0, 1e-12);  // not in the previous episode
 }
 
 }  // namespace

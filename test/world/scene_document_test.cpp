@@ -52,7 +52,7 @@ void expectSame(const Scene& got, const Scene& expected) {
   }
 }
 
-TEST(SceneDocument, TinySceneAsText) {
+TEST(SceneDocument, WritesASmallScene) {
   Scene scene = scenes::scene({{{1.0, -2.0}, PI / 2, {{1.0, 2.0}, {0.5, 2.0}}, 1.5, 0.25}},
                               {scenes::pillar({0.0, 3.0}, 0.5), scenes::moving_obstacle({4.0, 0.0}, {-0.5, 0.0}, 0.25)},
                               {{{0.0, 5.0}, {1.0, 5.0}}});
@@ -73,27 +73,27 @@ TEST(SceneDocument, TinySceneAsText) {
   expectSame(readBack(scene), scene);
 }
 
-TEST(SceneDocument, ObstaclesOnTheirWays) {
+TEST(SceneDocument, ReadsBackPathsOfObstacles) {
   Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
   scene.obstacles.push_back({ObstaclePath::toAndFro({{3.0, 0.0}, {3.0, 4.0}, {6.0, 4.0}}, 0.7), 0.3});
   scene.obstacles.push_back({ObstaclePath::loop({{-3.0, 0.0}, {-3.0, 4.0}, {-6.0, 4.0}}, 0.2), 0.4});
   expectSame(readBack(scene), scene);
 }
 
-TEST(SceneDocument, SolidWorldsStaySolid) {
+TEST(SceneDocument, ReadsBackTheContactModel) {
   Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
   scene.contact = Contact::SOLID;
   expectSame(readBack(scene), scene);
 }
 
-TEST(SceneDocument, OrderAndCollisionRadius) {
+TEST(SceneDocument, ReadsBackOrderAndCollisionRadius) {
   Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
   scene.order = Order::SEQUENTIAL;
   scene.collision_radius = 0.35;
   expectSame(readBack(scene), scene);
 }
 
-TEST(SceneDocument, WhatWasDrawnIsReadBack) {
+TEST(SceneDocument, ReadsBackDrawnScenes) {
   const ScenarioList drawn = parseScenarios(
       "name: drawn\n"
       "units: thesis\n"

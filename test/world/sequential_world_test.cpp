@@ -13,7 +13,6 @@ namespace crowd {
 namespace {
 
 using scenes::moving_obstacle;
-using scenes::pillar;
 using scenes::scene;
 using scenes::wanderer;
 
@@ -28,7 +27,7 @@ Perceptions lookOf(World& world, AgentId id) {
   return perceptions;
 }
 
-TEST(SequentialWorld, TheNextAgentPerceivesWhereTheOneBeforeHasGone) {
+TEST(SequentialWorld, PerceptionContainsMovesOfEarlierTurns) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.moveAgent(0, {ahead(0)});
   const Perceptions seen = lookOf(world, 1);
@@ -40,7 +39,7 @@ TEST(SequentialWorld, TheNextAgentPerceivesWhereTheOneBeforeHasGone) {
   expectVector(seen.neighbours[0].velocity, 1.0, 0.0);
 }
 
-TEST(SequentialWorld, AnAgentPerceivesTheOthersOfTheTickBeforeUntilTheyMove) {
+TEST(SequentialWorld, PerceptionContainsThePreviousTickOfLaterTurns) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.moveAgent(0, {ahead(0)});
   world.moveAgent(1, {{1, {PI, 1.0}}});
@@ -59,7 +58,7 @@ TEST(SequentialWorld, ObstaclesMoveAtTheEndOfTheTick) {
   expectVector(lookOf(world, 0).neighbours[0].position, 3.0, 0.5);
 }
 
-TEST(SequentialWorld, AnAgentThatStaysInItsTurnIsPerceivedStanding) {
+TEST(SequentialWorld, AnAgentThatStaysInItsTurnIsPerceivedWithoutVelocity) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.step({ahead(0)});
   world.moveAgent(0, {});
@@ -78,7 +77,7 @@ TEST(SequentialWorld, AnAgentWithoutATurnStays) {
   expectVector(world.agents()[1].velocity, 0.0, 0.0);
 }
 
-TEST(SequentialWorld, TakesTheActionOfTheAgentOnly) {
+TEST(SequentialWorld, UsesOnlyTheActionOfTheAgent) {
   World world(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({2.0, 0.0}, 1.0)}));
   world.moveAgent(0, {ahead(1), ahead(0)});
   expectVector(world.agents()[0].pose.position, 0.5, 0.0);
@@ -94,8 +93,8 @@ TEST(SequentialWorld, RefusesAnInvalidActionBeforeAnythingMoves) {
   expectVector(world.agents()[0].pose.position, 0.0, 0.0);
 }
 
-TEST(SequentialWorld, InASolidWorldEachStopsAtWhereTheOthersAreThen) {
-  // Their bodies of 0.25 m are 0.25 m apart. The first walks up to the second, which then walks away.
+TEST(SequentialWorld, SolidAgentsStopAtThePresentPositionsOfOthers) {
+  // Their rims are 0.25 m apart. The first agent walks up to the second, which then walks away.
   World world(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({0.75, 0.0}, 1.0)})));
   world.moveAgent(0, {ahead(0)});
   EXPECT_DOUBLE_EQ(world.agents()[0].pose.position.x(), 0.25);
@@ -104,17 +103,17 @@ TEST(SequentialWorld, InASolidWorldEachStopsAtWhereTheOthersAreThen) {
   world.endTick();
   EXPECT_TRUE(world.agents()[0].blocked);
   EXPECT_FALSE(world.agents()[1].blocked);
-  EXPECT_TRUE(world.agents()[0].in_contact && world.agents()[1].in_contact);  // one walked into the other
+  EXPECT_TRUE(world.agents()[0].in_contact && world.agents()[1].in_contact);  // the first walked into the second
   world.endTick();
   EXPECT_FALSE(world.agents()[0].in_contact || world.agents()[1].in_contact);
-  // Had both moved at the same time, they would have kept their distance.
+  // In a simultaneous step they keep their distance.
   World together(scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0), wanderer({0.75, 0.0}, 1.0)})));
   together.step({ahead(0), ahead(1)});
   EXPECT_FALSE(together.agents()[0].blocked);
 }
 
-TEST(SequentialWorld, InASolidWorldObstaclesPushAtTheEndOfTheTick) {
-  // The obstacle comes with 1 m/s; after the agent's turn their rims are 0.25 m apart.
+TEST(SequentialWorld, SolidObstaclesPushAtTheEndOfTheTick) {
+  // The obstacle approaches at 1 m/s; after the agent's turn their rims are 0.25 m apart.
   World world(
       scenes::solid(halfMetres({wanderer({0.0, 0.0}, 1.0)}, {moving_obstacle({0.75, 0.0}, {-1.0, 0.0}, 0.25)})));
   world.moveAgent(0, {{0, {PI / 2, 0.0}}});
@@ -125,7 +124,7 @@ TEST(SequentialWorld, InASolidWorldObstaclesPushAtTheEndOfTheTick) {
   EXPECT_TRUE(world.agents()[0].in_contact);
 }
 
-/// A tick in which all agents have a turn.
+/// A tick with a turn for each agent.
 void walkOneByOne(World& world, const std::vector<AgentAction>& actions) {
   for (AgentId id = 0; id < world.agents().size(); ++id) {
     if (world.isPerceiving(id)) world.moveAgent(id, actions);
@@ -133,7 +132,7 @@ void walkOneByOne(World& world, const std::vector<AgentAction>& actions) {
   world.endTick();
 }
 
-TEST(SequentialWorld, GhostsThatDoNotLookEndWhereTheyWouldTogether) {
+TEST(SequentialWorld, GhostsWithGivenActionsMoveAsInASimultaneousWorld) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Scene scene = seed % 4 == 3 ? scenes::randomCrowd(seed) : scenes::randomScene(seed);

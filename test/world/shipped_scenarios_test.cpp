@@ -31,7 +31,7 @@ std::vector<fs::path> scenarioFiles(const fs::path& folder) {
   return files;
 }
 
-/// The folder of the public benchmark's scenes: the environment's, else the build's; empty if there is none.
+/// The folder of the benchmark's scenes from the environment or the build; empty if there is none.
 fs::path benchmarkFolder() {
   if (const char* const folder = std::getenv("BENCHMARK_SCENARIOS_DIR")) {
     return folder;
@@ -60,7 +60,7 @@ std::vector<fs::path> thesisFiles() {
   return files;
 }
 
-TEST(ShippedScenarios, HoldAllOfTheThesis) {
+TEST(ShippedScenarios, IncludeAllScenariosOfTheThesis) {
   std::vector<std::string> names;
   for (const fs::path& file : thesisFiles()) {
     names.push_back(file.stem().string());
@@ -72,7 +72,7 @@ TEST(ShippedScenarios, HoldAllOfTheThesis) {
   }
 }
 
-TEST(ShippedScenarios, BearTheNamesOfTheirFiles) {
+TEST(ShippedScenarios, HaveTheNamesOfTheirFiles) {
   for (const fs::path& file : shippedFiles()) {
     SCOPED_TRACE(file.string());
     const ScenarioList list = readScenarios(file.string());
@@ -98,7 +98,7 @@ TEST(ShippedScenarios, BeginWithoutOverlapInEveryEpisode) {
   }
 }
 
-TEST(ShippedScenarios, WalkAsTheThesisDoes) {
+TEST(ShippedScenarios, UseSpeedsRadiiAndDurationsOfTheThesis) {
   for (const fs::path& file : thesisFiles()) {
     SCOPED_TRACE(file.string());
     const Scene scene = readScenarios(file.string()).scene(1, 0);
@@ -111,7 +111,7 @@ TEST(ShippedScenarios, WalkAsTheThesisDoes) {
   }
 }
 
-TEST(BenchmarkScenarios, AreAllRead) {
+TEST(BenchmarkScenarios, CanAllBeRead) {
   const fs::path folder = benchmarkFolder();
   if (folder.empty() || !fs::is_directory(folder)) {
     GTEST_SKIP() << "BENCHMARK_SCENARIOS_DIR names no folder";

@@ -34,7 +34,7 @@ std::vector<WallIndex> indicesOfOneNearWall() {
   return {WallIndex({near}), WallIndex(walls)};
 }
 
-TEST(WallIndex, EmptyFindsNothing) {
+TEST(WallIndex, EmptyIndexFindsNothing) {
   const WallIndex index;
   EXPECT_TRUE(find(index, {0.0, 0.0}, 1e9).empty());
   EXPECT_FALSE(index.isAnyWithin({0.0, 0.0}, 1e9));
@@ -43,7 +43,7 @@ TEST(WallIndex, EmptyFindsNothing) {
   EXPECT_TRUE(index.isClear({0.0, 0.0}, {1e6, 0.0}, 10.0));
 }
 
-TEST(WallIndex, DistanceOfAPoint) {
+TEST(WallIndex, FindsWallsWithinADistance) {
   for (const WallIndex& index : indicesOfOneNearWall()) {
     SCOPED_TRACE(index.walls().size());
     EXPECT_EQ(find(index, {2.0, 0.5}, 0.5), Found{0});
@@ -60,7 +60,7 @@ TEST(WallIndex, DistanceOfAPoint) {
   }
 }
 
-TEST(WallIndex, FoundWallsAreAppended) {
+TEST(WallIndex, AppendsFoundWalls) {
   for (const WallIndex& index : indicesOfOneNearWall()) {
     Found found = {9, 3, 3};
     index.findNear({2.0, 0.5}, 1.0, found);
@@ -68,7 +68,7 @@ TEST(WallIndex, FoundWallsAreAppended) {
   }
 }
 
-TEST(WallIndex, DiscOnAPath) {
+TEST(WallIndex, ChecksThePathOfADisc) {
   for (const WallIndex& index : indicesOfOneNearWall()) {
     SCOPED_TRACE(index.walls().size());
     EXPECT_FALSE(index.isClear({2.0, -3.0}, {2.0, 3.0}, 0.25));   // through it
@@ -83,7 +83,7 @@ TEST(WallIndex, DiscOnAPath) {
   }
 }
 
-TEST(WallIndex, PointOnAPath) {
+TEST(WallIndex, ChecksThePathOfAPoint) {
   for (const WallIndex& index : indicesOfOneNearWall()) {
     SCOPED_TRACE(index.walls().size());
     EXPECT_FALSE(index.isClear({2.0, -3.0}, {2.0, 3.0}, 0.0));
@@ -95,7 +95,7 @@ TEST(WallIndex, PointOnAPath) {
   }
 }
 
-TEST(WallIndex, UnboundedSizeIsSearched) {
+TEST(WallIndex, SearchesExtremeExtents) {
   Walls walls(20, {{0.0, 0.0}, {1.0, 0.0}});
   walls.push_back({{-1.5e308, 0.0}, {-1.5e308, 1.0}});
   walls.push_back({{1.5e308, 5.0}, {1.5e308, 6.0}});
@@ -146,7 +146,7 @@ Vector2 pointAmong(const Walls& walls, double extent, KeyedRandom& random) {
   return wall.from + scenes::randomPoint(random, random.below(2) == 0 ? 2.0 : 1e-3);
 }
 
-TEST(WallIndex, FindsWhatLookingAtAllFinds) {
+TEST(WallIndex, FindsTheSameAsASearchOfAllWalls) {
   std::size_t found_walls = 0;
   checkManyPlaces([&](const Walls& walls, double extent, KeyedRandom& random) {
     const WallIndex index(walls, random.uniform(0.1, 4.0));
@@ -169,7 +169,7 @@ TEST(WallIndex, FindsWhatLookingAtAllFinds) {
   EXPECT_GT(found_walls, 10000U);  // or there was nothing to compare
 }
 
-/// The least distance between a path and a wall, at most half of `step` [m] too great.
+/// The smallest distance between a path and a wall, too large by at most half of `step` [m].
 double sampledDistance(const Segment& path, const WallIndex& index, double step) {
   const double length = (path.to - path.from).norm();
   const int steps = static_cast<int>(length / step) + 1;

@@ -21,7 +21,7 @@ using scenes::wanderer;
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
-/// What the error says that the call throws; the world must be as it was before.
+/// Requires an InputError with a reason, and an unchanged world.
 template <typename Call>
 void expectRefused(World& world, const std::string& reason, const Call& call) {
   SCOPED_TRACE(reason);
@@ -33,7 +33,7 @@ void expectRefused(World& world, const std::string& reason, const Call& call) {
   EXPECT_EQ(lookAround(world).neighbours.size(), bodies);
 }
 
-TEST(WorldChanges, SpawnedAgentIsThereAtOnceAndWalks) {
+TEST(WorldChanges, SpawnedAgentIsPerceivedAtOnceAndWalks) {
   World world(scene({wanderer({0.0, 0.0})}, {pillar({0.0, 3.0}, 0.5)}));
   world.step({});
   EXPECT_EQ(world.spawnAgent(agent({3.0, 0.0}, {3.0, 1.0}, 1.0, 0.4)), 1U);
@@ -50,7 +50,7 @@ TEST(WorldChanges, SpawnedAgentIsThereAtOnceAndWalks) {
   expectVector(world.agents()[1].pose.position, 3.0, 0.1);
 }
 
-TEST(WorldChanges, SpawnedAgentNeedsAFreePlace) {
+TEST(WorldChanges, RefusesToSpawnAgentsOnOccupiedPlaces) {
   World world(scene({wanderer({0.0, 0.0}), agent({5.0, 5.0}, {5.1, 5.0})}, {pillar({0.0, 3.0}, 0.5)},
                     {{{-9.0, -2.0}, {9.0, -2.0}}}));
   world.step({});
@@ -59,10 +59,10 @@ TEST(WorldChanges, SpawnedAgentNeedsAFreePlace) {
   expectRefused(world, "obstacle 0", [&] { world.spawnAgent(wanderer({0.0, 2.3})); });
   expectRefused(world, "wall", [&] { world.spawnAgent(wanderer({3.0, -1.8})); });
   EXPECT_EQ(world.spawnAgent(wanderer({0.5, 0.0})), 2U);  // beside agent 0
-  EXPECT_EQ(world.spawnAgent(wanderer({5.0, 5.0})), 3U);  // where agent 1 has left the floor
+  EXPECT_EQ(world.spawnAgent(wanderer({5.0, 5.0})), 3U);  // where agent 1 arrived
 }
 
-TEST(WorldChanges, SpawnedAgentMustBeValid) {
+TEST(WorldChanges, RefusesToSpawnInvalidAgents) {
   World world(scene({wanderer({0.0, 0.0})}));
   const auto refuse = [&](const std::string& what, const AgentStart& start) {
     expectRefused(world, what, [&] { world.spawnAgent(start); });
@@ -80,14 +80,14 @@ TEST(WorldChanges, SpawnedAgentMustBeValid) {
   refuse("heading", dizzy);
 }
 
-TEST(WorldChanges, SpawnedAgentNeedsAGoal) {
+TEST(WorldChanges, RefusesToSpawnAgentsWithoutAGoal) {
   World world(scene({wanderer({0.0, 0.0})}));
   AgentStart aimless = wanderer({3.0, 0.0});
   aimless.goals.clear();
   EXPECT_THROW(world.spawnAgent(aimless), InputError);
 }
 
-TEST(WorldChanges, RemovedAgentIsGone) {
+TEST(WorldChanges, RemovedAgentIsNotPerceived) {
   World world(scene({wanderer({0.0, 0.0}), wanderer({2.0, 0.0}), agent({9.0, 9.0}, {9.1, 9.0})}));
   world.step({});
   world.removeAgent(0);
@@ -100,12 +100,12 @@ TEST(WorldChanges, RemovedAgentIsGone) {
   EXPECT_EQ(seen.agents[0].neighbour_count, 0U);
   world.step({ahead(0), ahead(1)});
   expectVector(world.agents()[0].pose.position, 0.0, 0.0);
-  expectRefused(world, "0", [&] { world.removeAgent(0); });  // gone already
+  expectRefused(world, "0", [&] { world.removeAgent(0); });  // removed already
   expectRefused(world, "2", [&] { world.removeAgent(2); });  // arrived
-  expectRefused(world, "3", [&] { world.removeAgent(3); });  // never there
+  expectRefused(world, "3", [&] { world.removeAgent(3); });  // unknown
 }
 
-TEST(WorldChanges, NewGoalTakesThePlaceOfAllOthers) {
+TEST(WorldChanges, NewGoalReplacesAllGoals) {
   AgentStart start = agent({0.0, 0.0}, {5.0, 0.0}, 1.0);
   start.goals.emplace_back(0.0, 5.0);
   World world(scenes::halfSeconds(scene({start, agent({9.0, 9.0}, {9.1, 9.0})})));
@@ -115,7 +115,7 @@ TEST(WorldChanges, NewGoalTakesThePlaceOfAllOthers) {
   EXPECT_TRUE(world.agents()[0].hasArrived());
 }
 
-TEST(WorldChanges, NewGoalAfterTheFirstOfSeveralIsTheOnlyOneLeft) {
+TEST(WorldChanges, NewGoalAfterTheFirstArrivalReplacesTheRest) {
   AgentStart start = agent({0.0, 0.0}, {0.5, 0.0}, 1.0);
   start.goals.emplace_back(8.0, 0.0);
   World world(scenes::halfSeconds(scene({start})));
@@ -127,16 +127,16 @@ TEST(WorldChanges, NewGoalAfterTheFirstOfSeveralIsTheOnlyOneLeft) {
   EXPECT_TRUE(world.agents()[0].hasArrived());
 }
 
-TEST(WorldChanges, BadGoalsAreRefused) {
+TEST(WorldChanges, RefusesInvalidGoals) {
   World world(scene({agent({0.0, 0.0}, {5.0, 0.0}), agent({9.0, 9.0}, {9.1, 9.0})}));
   world.step({});
   expectRefused(world, "goal", [&] { world.setGoal(0, {NOT_A_NUMBER, 0.0}); });
   expectRefused(world, "goal", [&] { world.setGoal(0, {0.0, -INFINITE}); });
   expectRefused(world, "1", [&] { world.setGoal(1, {0.0, 0.0}); });  // arrived
-  expectRefused(world, "2", [&] { world.setGoal(2, {0.0, 0.0}); });  // never there
+  expectRefused(world, "2", [&] { world.setGoal(2, {0.0, 0.0}); });  // unknown
 }
 
-TEST(WorldChanges, SpawnedObstacleBeginsItsPathNow) {
+TEST(WorldChanges, SpawnedObstacleBeginsItsPathAtThePresentTime) {
   World world(scenes::halfSeconds(scene({wanderer({0.0, 0.0})}, {}, {{{0.0, -4.0}, {8.0, -4.0}}})));
   for (int i = 0; i < 3; ++i) world.step({});
   EXPECT_EQ(world.spawnObstacle({4.0, -4.0}, {0.0, 1.0}, 0.5), 0U);   // obstacles may overlap walls
@@ -153,7 +153,7 @@ TEST(WorldChanges, SpawnedObstacleBeginsItsPathNow) {
   expectVector(later.neighbours[1].position, 4.0, -4.0);
 }
 
-TEST(WorldChanges, BadObstaclesAreRefused) {
+TEST(WorldChanges, RefusesInvalidObstacles) {
   World world(scene({wanderer({0.0, 0.0})}));
   const Vector2 rest(0.0, 0.0);
   expectRefused(world, "agent 0", [&] { world.spawnObstacle({0.7, 0.0}, rest, 0.5); });
@@ -163,7 +163,7 @@ TEST(WorldChanges, BadObstaclesAreRefused) {
   expectRefused(world, "velocity", [&] { world.spawnObstacle({3.0, 0.0}, {INFINITE, 0.0}, 0.5); });
 }
 
-TEST(WorldChanges, RemovedObstacleIsGoneAndTheOthersMoveUp) {
+TEST(WorldChanges, RemovingAnObstacleRenumbersTheFollowingOnes) {
   World world(scene({wanderer({0.0, 0.0})}, {pillar({2.0, 0.0}, 0.5), moving_obstacle({4.0, 0.0}, {0.0, 1.0}, 0.25)}));
   world.removeObstacle(0);
   ASSERT_EQ(world.obstacles().size(), 1U);
@@ -175,7 +175,7 @@ TEST(WorldChanges, RemovedObstacleIsGoneAndTheOthersMoveUp) {
   expectRefused(world, "obstacle 1", [&] { world.removeObstacle(1); });
 }
 
-TEST(WorldChanges, EveryNewGoalHasAnotherNumber) {
+TEST(WorldChanges, EveryNewGoalHasANewNumber) {
   AgentStart start = agent({0.0, 0.0}, {0.5, 0.0}, 1.0);
   start.goals.emplace_back(8.0, 0.0);
   World world(scenes::halfSeconds(scene({start, wanderer({0.0, 3.0})})));
@@ -189,7 +189,7 @@ TEST(WorldChanges, EveryNewGoalHasAnotherNumber) {
   world.step({});
   EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{1, 0}));
   world.setGoal(0, {9.0, 0.0});
-  world.setGoal(1, scenes::FAR_AWAY);  // the same place is a new goal, too
+  world.setGoal(1, scenes::FAR_AWAY);  // the same position is a new goal, too
   EXPECT_EQ(numbers(), (std::vector<std::uint32_t>{2, 1}));
 }
 
