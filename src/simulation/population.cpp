@@ -137,8 +137,11 @@ void Population::walk(Member& member, World& world, EpisodeMonitor& monitor) {
 void Population::hold(const Member& member, World& world) const {
   const Agent& agent = world.agents()[member.id];
   const bool has_reacted = world.time() >= member.reacts_at;
-  const bool is_in_queue = member.route && member.route->waypoint().kind == Kind::QUEUE;
-  const bool stands = member.route && (is_in_queue ? agent.at_goal : member.route->isWaiting());
+  const auto stands_on_route = [&](const RouteFollower& route) {
+    if (route.waypoint().kind != Kind::QUEUE) return route.isWaiting();
+    return queues_[route.waypoint().target].stands(member.id, world);
+  };
+  const bool stands = member.route && stands_on_route(*member.route);
   if (agent.held != (stands || !has_reacted)) world.hold(member.id, !agent.held);
 }
 

@@ -1,6 +1,7 @@
 #include "social_crowd/simulation/queue.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace crowd {
 namespace {
@@ -23,6 +24,16 @@ void Queue::leave(AgentId agent) {
   if (!line_.empty() && line_.front() == agent) service_end_.reset();
   erase(agent, line_);
   erase(agent, coming_);
+}
+
+bool Queue::stands(AgentId id, const World& world) const {
+  const Agent& agent = world.agents()[id];
+  if (agent.at_goal) return true;
+  const bool is_coming = std::find(coming_.begin(), coming_.end(), id) != coming_.end();
+  if (!is_coming || line_.size() < places_) return false;
+  // They take about as much room each as in line.
+  const double reach = queue_->spacing * (1.0 + std::sqrt(static_cast<double>(coming_.size())));
+  return (agent.pose.position - end()).norm() < reach;
 }
 
 void Queue::measure(const World& world) {
@@ -63,8 +74,8 @@ void Queue::admit(const World& world) {
 std::vector<AgentId> Queue::update(World& world) {
   std::vector<AgentId> served;
   measure(world);
-  serve(world, served);
   admit(world);
+  serve(world, served);
   for (std::size_t i = 0; i < line_.size(); ++i) send(line_[i], queue_->place(i), world);
   for (const AgentId agent : coming_) send(agent, end(), world);
   return served;

@@ -1,11 +1,10 @@
 #include "social_crowd/world/scene_document.h"
 
 #include "social_crowd/common/numbers.h"
+#include "world/population_document.h"
 
 namespace crowd {
 namespace {
-
-std::string pointText(const Vector2& point) { return "[" + toText(point.x()) + ", " + toText(point.y()) + "]"; }
 
 std::string listText(std::vector<Vector2>::const_iterator begin, std::vector<Vector2>::const_iterator end) {
   std::string text;
@@ -13,17 +12,16 @@ std::string listText(std::vector<Vector2>::const_iterator begin, std::vector<Vec
   return "[" + text + "]";
 }
 
-/// A text as a single-quoted YAML scalar.
-std::string quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char letter : text) quoted += letter == '\'' ? "''" : std::string(1, letter);
-  return quoted + "'";
+std::string goalText(const AgentStart& agent, const Scene& scene) {
+  if (agent.route) return "route: " + quoted(scene.population->routes[*agent.route].name);
+  return "goals: " + listText(agent.goals.begin(), agent.goals.end());
 }
 
-std::string entryOf(const AgentStart& agent) {
-  return "  - {position: " + pointText(agent.position) +
-         ", goals: " + listText(agent.goals.begin(), agent.goals.end()) + ", speed: " + toText(agent.max_speed) +
-         ", radius: " + toText(agent.radius) + ", heading: " + toText(toDegrees(agent.heading)) + "}\n";
+std::string entryOf(const AgentStart& agent, const Scene& scene) {
+  return "  - {position: " + pointText(agent.position) + ", " + goalText(agent, scene) +
+         (agent.reaction_time > 0.0 ? ", reaction_time: " + toText(agent.reaction_time) : "") +
+         ", speed: " + toText(agent.max_speed) + ", radius: " + toText(agent.radius) +
+         (agent.faces_goal ? "" : ", heading: " + toText(toDegrees(agent.heading))) + "}\n";
 }
 
 std::string motionOf(const ObstaclePath& path) {
@@ -40,6 +38,12 @@ std::string entryOf(const Obstacle& obstacle) {
 }
 
 std::string entryOf(const Segment& wall) { return "  - [" + pointText(wall.from) + ", " + pointText(wall.to) + "]\n"; }
+
+std::string agentsText(const Scene& scene) {
+  std::string text;
+  for (const AgentStart& agent : scene.agents) text += entryOf(agent, scene);
+  return text.empty() ? "" : "agents:\n" + text;
+}
 
 template <typename Bodies>
 std::string section(const std::string& key, const Bodies& bodies) {
@@ -59,7 +63,8 @@ std::string toDocument(const Scene& scene) {
          (scene.collision_radius != DEFAULT_COLLISION_RADIUS
               ? "collision_radius: " + toText(scene.collision_radius) + "\n"
               : "") +
-         section("agents", scene.agents) + section("obstacles", scene.obstacles) + section("walls", scene.walls);
+         agentsText(scene) + section("obstacles", scene.obstacles) + section("walls", scene.walls) +
+         (scene.population ? populationText(*scene.population) : "");
 }
 
 }  // namespace crowd

@@ -220,7 +220,6 @@ TEST(Population, UnknownNamesAndAgentsAreRefused) {
 }
 
 const char* const BUSY = R"(
-contact: solid
 walls: [[[0, 0], [10, 0]], [[10, 0], [10, 8]], [[10, 8], [0, 8]], [[0, 8], [0, 0]]]
 agents: [{count: 5, position: {box: [[1, 1], [9, 7]]}, route: rounds, speed: [1, 1.5], radius: 0.2, reaction_time: [0, 5]}]
 routes:

@@ -63,7 +63,9 @@ TEST(Queue, ServesOneAfterTheOther) {
   std::vector<std::pair<double, AgentId>> served;
   while (world.time() < 10.0) {
     for (const AgentId agent : queue.update(world)) served.emplace_back(world.time(), agent);
-    if (world.time() == 2.5) EXPECT_EQ(world.agents()[1].goal(), Vector2(0.0, 0.0));
+    if (world.time() == 2.5) {
+      EXPECT_EQ(world.agents()[1].goal(), Vector2(0.0, 0.0));
+    }
     step(world);
   }
   EXPECT_EQ(served, (std::vector<std::pair<double, AgentId>>{{2.5, 0}, {5.5, 1}}));
@@ -111,6 +113,7 @@ TEST(Queue, WallsEndTheLine) {
   queue.update(world);
   EXPECT_EQ(queue.line(), (std::vector<AgentId>{0, 1}));
   EXPECT_EQ(world.agents()[2].goal(), Vector2(1.0, 0.0));
+  EXPECT_TRUE(queue.stands(2, world));  // 0.7 m from the last place, where others may wait, too
   world.removeWall(0);
   queue.update(world);
   EXPECT_EQ(queue.line(), (std::vector<AgentId>{0, 1, 2}));

@@ -29,7 +29,8 @@ TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
   EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
             "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
             "tick, duration, "
-            "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls");
+            "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, way_finding, routes, "
+            "sources, sinks, queues, gates");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),
@@ -37,12 +38,12 @@ TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
   EXPECT_EQ(
       agentError("position: [0, 0], goal: [1, 1], speed: 1, radius: 0.2, sped: 1"),
       "s.yaml: document 1, line 5: agents[0]: unknown key 'sped', did you mean 'speed'? Known are position, goal, "
-      "goals, speed, radius, heading, count");
+      "goals, route, speed, radius, heading, reaction_time, count");
   // A misspelt required key is not reported as missing, because all keys are declared before the first is read.
   EXPECT_EQ(
       agentError("position: [0, 0], goal: [1, 1], speed: 1, raduis: 0.2"),
       "s.yaml: document 1, line 5: agents[0]: unknown key 'raduis', did you mean 'radius'? Known are position, goal, "
-      "goals, speed, radius, heading, count");
+      "goals, route, speed, radius, heading, reaction_time, count");
   EXPECT_EQ(errorOf("nmae: n\n" + std::string(AGENTS))
                 .find("s.yaml: document 1, line 1: unknown key 'nmae', did you mean "
                       "'name'? Known are name, units, tick, duration"),
@@ -88,9 +89,9 @@ TEST(ScenarioReader, RefusesWrongAgents) {
   says("position: [0, 0], goals: [], speed: 1, radius: 0.2", "agents[0].goals: expected a list of one or more points");
   says("position: [0, .nan], goal: [1, 1], speed: 1, radius: 0.2", "agents[0].position[1]: expected a number");
   says("position: {opposite: [0, 0]}, goal: [1, 1], speed: 1, radius: 0.2",
-       "agents[0].position: expected [x, y], {box: ...} or {ring: ...}");
+       "agents[0].position: expected [x, y], {box: ...}, {ring: ...} or {map: free}");
   says("position: [0, 0], goal: {disc: 3}, speed: 1, radius: 0.2",
-       "agents[0].goal: expected [x, y], {box: ...}, {ring: ...} or {opposite: [x, y]}");
+       "agents[0].goal: expected [x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}");
   says("position: {box: [[0, 1], [1, 0]]}, goal: [1, 1], speed: 1, radius: 0.2",
        "agents[0].position.box: expected the lower left corner, then the upper right one");
   says("position: {ring: {centre: [0, 0], radius: [2, 1]}}, goal: [1, 1], speed: 1, radius: 0.2",
@@ -100,9 +101,9 @@ TEST(ScenarioReader, RefusesWrongAgents) {
   says("position: {ring: {center: [0, 0], radius: 1}}, goal: [1, 1], speed: 1, radius: 0.2",
        "agents[0].position.ring: unknown key 'center', did you mean 'centre'? Known are centre, radius");
   says("position: {rign: {centre: [0, 0], radius: 1}}, goal: [1, 1], speed: 1, radius: 0.2",
-       "agents[0].position: expected [x, y], {box: ...} or {ring: ...}, got 'rign', did you mean 'ring'?");
+       "agents[0].position: expected [x, y], {box: ...}, {ring: ...} or {map: free}, got 'rign', did you mean 'ring'?");
   says("position: [0, 0], goal: {opposit: [0, 0]}, speed: 1, radius: 0.2",
-       "agents[0].goal: expected [x, y], {box: ...}, {ring: ...} or {opposite: [x, y]}, got 'opposit', did you mean "
+       "agents[0].goal: expected [x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}, got 'opposit', did you mean "
        "'opposite'?");
   EXPECT_NE(errorOf(std::string(HEAD) + "agents: []\n").find("line 4: agents: expected at least one agent"),
             std::string::npos);

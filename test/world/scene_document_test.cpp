@@ -113,5 +113,35 @@ TEST(SceneDocument, ReadsBackDrawnScenes) {
   }
 }
 
+/// Routes, sources and the like are written as they are in the file.
+TEST(SceneDocument, Populations) {
+  const std::string keys = R"(duration: 60
+goal_tolerance: 0.3
+agents:
+  - {position: [0.5, 0.5], route: 'anna''s', reaction_time: 12.5, speed: 1, radius: 0.25, heading: 90}
+routes:
+  'anna''s': {repeat: true, waypoints: [{place: {box: [[0, 0], [4, 2]]}, wait: [5, 20]}, {place: [1, 2], wait: 0}]}
+  'out': {waypoints: [{one_of: [{queue: 'till'}, {place: {ring: {centre: [1, 2], radius: [0, 3]}}, wait: 1}]}, {sink: 'exit'}]}
+  'flight': {waypoints: [{sink: nearest}]}
+sources:
+  - {area: {box: [[0, 0], [1, 2]]}, rate: 0.5, interval: regular, from: 3, until: 60, count: 100, goals: [[9, 9]], speed: [1, 1.5], radius: 0.2}
+  - {area: [7, 7], times: [1, 2.5], route: 'out', speed: 1, radius: 0.2}
+  - {area: [7, 7], rate: 1, from: 0, goal: {opposite: [0, 0]}, speed: 1, radius: 0.2}
+sinks:
+  'exit': {area: {box: [[10, 0], [11, 2]]}}
+queues:
+  'till': {head: [3, 2], direction: 0, spacing: 0.5, service: [5, 20]}
+gates:
+  'door': {wall: [[2, 0], [3, 0]], open: true}
+  'bar': {wall: [[5, 0], [6, 0]], open: [[10, 20], [40, 60]]}
+)";
+  const Scene scene = parseScenarios("name: n\n" + keys, "s.yaml").scene(1, 0);
+  const std::string text = toDocument(scene);
+  EXPECT_EQ(toDocument(readBack(scene)), text);
+  const std::string sections = keys.substr(keys.find("routes:"));
+  EXPECT_EQ(text.substr(text.find("routes:")), sections);
+  EXPECT_NE(text.find("route: 'anna''s', reaction_time: 12.5, speed: 1"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace crowd

@@ -14,7 +14,7 @@ namespace crowd {
 ///
 /// An agent that joins walks to the end of the line. It is in line when it has come within the spacing of that place,
 /// nearest first. The line moves up when the first agent has been served or an agent has left it. Places that
-/// walls separate from the head are not used; agents without a place stay on the way to the last one.
+/// walls separate from the head are not used; agents for which there is no place wait near the last one.
 class Queue {
  public:
   /// @param queue must outlive it @param random of this queue
@@ -28,6 +28,9 @@ class Queue {
   /// Call it after each tick. @return the agents that have been served now, which are not in line any more
   std::vector<AgentId> update(World& world);
 
+  /// @brief Whether an agent is to stand where it is: it has reached its place in line, or the line has no place for it
+  /// and it is near others that wait for one.
+  bool stands(AgentId agent, const World& world) const;
   /// @brief The place where an agent that joins now walks to [m].
   Vector2 end() const;
   /// @brief The agents in line, the first one is at the head.
