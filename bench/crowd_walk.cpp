@@ -67,14 +67,18 @@ Scene makeCrowd(const CrowdPlan& plan) {
   return scene;
 }
 
-CrowdWalk::CrowdWalk(const CrowdPlan& plan)
-    : world_(makeCrowd(plan)), learner_(makeWalker()), vision_(learner_.model().vision()), thread_pool_(plan.threads) {
-  vision_.radius = plan.vision_radius;
+CrowdWalk::CrowdWalk(const CrowdPlan& plan) : CrowdWalk(makeCrowd(plan), plan.vision_radius, plan.threads) {}
+
+CrowdWalk::CrowdWalk(const Scene& scene, double vision_radius, unsigned threads)
+    : world_(scene), learner_(makeWalker()), vision_(learner_.model().vision()), thread_pool_(threads) {
+  vision_.radius = vision_radius;
+  way_finder_.update(world_);
 }
 
 std::size_t CrowdWalk::step() {
   crowd_.decide(world_, 0, vision_, learner_, actions_, thread_pool_);
   world_.step(actions_, thread_pool_);
+  way_finder_.update(world_);
   return actions_.size();
 }
 

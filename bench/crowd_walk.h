@@ -5,6 +5,7 @@
 #include "social_crowd/common/thread_pool.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/greedy_crowd.h"
+#include "social_crowd/simulation/way_finder.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
@@ -25,14 +26,17 @@ Scene makeCrowd(const CrowdPlan& plan);
 class CrowdWalk {
  public:
   explicit CrowdWalk(const CrowdPlan& plan);
+  /// @param vision_radius [m]
+  explicit CrowdWalk(const Scene& scene, double vision_radius = 6.0, unsigned threads = 1);
 
-  /// @brief One crowd step: all agents perceive, decide and move. @return number of agents
+  /// @brief One crowd step: all agents perceive, decide and move, and find their ways. @return number of agents
   std::size_t step();
   const World& world() const { return world_; }
   const Vision& vision() const { return vision_; }
 
  private:
   World world_;
+  WayFinder way_finder_;
   Learner learner_;
   Vision vision_;
   ThreadPool thread_pool_;

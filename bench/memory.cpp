@@ -25,7 +25,7 @@ void walkLargeCrowd(benchmark::State& state) {
   plan.agents = 100'000;
   CrowdWalk crowd(plan);
   for (auto _ : state) crowd.step();
-  state.counters["resident_megabytes"] = peakResidentMegabytes();
+  state.counters["megabytes"] = peakResidentMegabytes();
 }
 
 }  // namespace

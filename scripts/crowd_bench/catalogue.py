@@ -62,5 +62,10 @@ BENCHMARKS = (
     Benchmark('q_table_load', 'loading a Q-table of 52,489 rows, all visited', MILLISECONDS, 50,
               'reading as many bytes'),
     Benchmark('q_table_save', 'saving it', MILLISECONDS, 100, 'writing as many bytes and flushing them to the disk'),
+    Benchmark('crowd_step_map_1000', 'crowd step with way-finding, 1,000 agents on a map of an office of 50 m x 40 m, '
+              'one thread', AGENT_STEPS, None, 'the same crowd without walls', ratio_bar=1.5),
+    Benchmark('way_to_goal', 'way to a new goal on this map', MILLISECONDS, 2),
+    Benchmark('way_preparation', 'preparing this map for that: meshes, narrow passages', MILLISECONDS, 1000),
+    Benchmark('way_memory', 'memory of that, and of the searches', MEGABYTES, 50, repetitions=1),
     Benchmark('memory_100000', 'most memory of a walking crowd of 100,000 agents', MEGABYTES, 200, repetitions=1),
 )

@@ -1,5 +1,6 @@
 """Runs the benchmarks of the core, a program of Google Benchmark."""
 import json
+import os
 import re
 import statistics
 import subprocess
@@ -13,16 +14,20 @@ PROGRAM = 'core_benchmarks'
 # Suffixes that Google Benchmark appends to a name.
 SUFFIX = re.compile(r'(/(iterations:\d+|repeats:\d+|min_time:[\d.]+|real_time|manual_time))+$')
 # Counters with the value of a run, and with the rate of its yardstick.
-VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', MEGABYTES: 'resident_megabytes', MILLISECONDS: 'real_time'}
+VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', MEGABYTES: 'megabytes', MILLISECONDS: 'real_time'}
 YARDSTICK = 'yardstick_rate'
+MAP_VARIABLE = 'SOCIAL_CROWD_BENCH_MAP'
 
 
 class CoreBenchmarks:
-    """The program and the number of repetitions."""
+    """The program and the number of repetitions.
 
-    def __init__(self, folder, repetitions):
+    @param map_file file of the map for the benchmarks on a map; None: the program draws one"""
+
+    def __init__(self, folder, repetitions, map_file=None):
         self.program = folder / PROGRAM
         self.repetitions = repetitions
+        self.environment = {**os.environ, MAP_VARIABLE: str(map_file.resolve())} if map_file else None
 
     def measure(self, benchmark):
         """Runs a benchmark and its yardstick alternately. Returns the result. The ratio is the median of the ratios of
@@ -61,7 +66,8 @@ class CoreBenchmarks:
                 [self.program, filter_of(pattern), f'--benchmark_repetitions={repetitions}',
                  '--benchmark_enable_random_interleaving=true', '--benchmark_out_format=json',
                  f'--benchmark_out={output}'],
-                cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+                cwd=folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                check=False)
             if done.returncode != 0:
                 raise RunError(f'{self.program} failed:\n{done.stdout}')
             with open(output, encoding='utf-8') as stream:

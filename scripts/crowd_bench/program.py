@@ -43,6 +43,8 @@ def parse_arguments(words):
     parser.add_argument('--repetitions', type=positive, default=5, metavar='N',
                         help='number of repetitions; the result is their median, for sweeps the fastest (default: '
                              '%(default)s)')
+    parser.add_argument('--map', type=pathlib.Path, metavar='FILE.yaml',
+                        help="map for the benchmarks on a map, in map_server's format (default: an office, drawn)")
     parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER',
                         help=f'folder of {PROGRAM} (default: the package is built)')
     return parser.parse_args(words)
@@ -66,7 +68,7 @@ class Measuring:
     """Measures benchmarks, sweeps and profiles one after the other, prints each result, and stores them all."""
 
     def __init__(self, arguments, folder):
-        self.core = CoreBenchmarks(folder, arguments.repetitions)
+        self.core = CoreBenchmarks(folder, arguments.repetitions, arguments.map)
         self.folder = folder
         self.json = arguments.json
         self.plots = arguments.plots

@@ -49,13 +49,15 @@ class NavigationMesh::Query::Search {
   std::optional<Place> nearest(const Vector2& p, double within) {
     if (data_->detour() == nullptr || !p.allFinite() || !(within >= 0.0)) return std::nullopt;
     const DetourPoint centre(data_->toCells(p));
-    const auto reach = static_cast<float>(within / data_->cellSize() + ROUNDING);
-    const float extents[3] = {reach, 1.0F, reach};
-    Place place;
-    detour_.findNearestPoly(centre.data(), extents, &filter_, &place.polygon, place.point.data());
+    // Most points are on the mesh: only what is close to them is searched at first.
+    Place place = nearestInSquare(centre, ROUNDING);
+    if (isInside(place, centre)) {
+      place.metres = p;
+      return place;
+    }
+    place = nearestInSquare(centre, within / data_->cellSize() + ROUNDING);
     if (place.polygon == 0) return std::nullopt;
-    const bool is_inside = (place.point.cells() - centre.cells()).norm() <= ROUNDING;
-    place.metres = is_inside ? p : data_->toMetres(place.point.cells());
+    place.metres = isInside(place, centre) ? p : data_->toMetres(place.point.cells());
     if ((place.metres - p).norm() > within) return std::nullopt;
     return place;
   }
@@ -87,6 +89,19 @@ class NavigationMesh::Query::Search {
   std::size_t bytes() const { return sizeof(Search) + path_search_.bytes(); }
 
  private:
+  /// The place nearest to a point among the polygons within a square around it; without a polygon if there are none.
+  /// @param reach half of its side [cells]
+  Place nearestInSquare(const DetourPoint& centre, double reach) const {
+    const float extents[3] = {static_cast<float>(reach), 1.0F, static_cast<float>(reach)};
+    Place place;
+    detour_.findNearestPoly(centre.data(), extents, &filter_, &place.polygon, place.point.data());
+    return place;
+  }
+
+  static bool isInside(const Place& place, const DetourPoint& point) {
+    return place.polygon != 0 && (place.point.cells() - point.cells()).norm() <= ROUNDING;
+  }
+
   /// How far a line can be followed on all the polygons at one of its points.
   double followFrom(double share, const Vector2& start, const Vector2& end) const {
     constexpr int MAX_POLYGONS = 16;

@@ -12,8 +12,10 @@
 namespace crowd {
 namespace {
 
-/// Recast and Detour number corners, polygons and nodes of the search with 16 bits.
-constexpr std::size_t MAX_NUMBER = 65000;
+/// Recast and Detour number corners with 16 bits; some values are reserved.
+constexpr std::size_t MAX_CORNERS = 65000;
+/// The same with 15 bits for polygons: Detour takes a neighbour with a higher number for the edge of a tile.
+constexpr std::size_t MAX_POLYGONS = 0x7FFF;
 
 struct FreeContours {
   void operator()(rcContourSet* contours) const { rcFreeContourSet(contours); }
@@ -43,7 +45,7 @@ void setContour(rcContour& contour, const std::vector<Corner>& outline) {
 class MeshParts {
  public:
   void add(const std::vector<Corner>& outline) {
-    if (corner_count_ + outline.size() > MAX_NUMBER) finish();
+    if (corner_count_ + outline.size() > MAX_CORNERS) finish();
     corner_count_ += outline.size();
     outlines_.push_back(outline);
   }
@@ -59,7 +61,7 @@ class MeshParts {
       polygons += static_cast<std::size_t>(part->npolys);
       parts.push_back(part.get());
     }
-    if (corners > MAX_NUMBER || polygons > MAX_NUMBER) return nullptr;
+    if (corners > MAX_CORNERS || polygons > MAX_POLYGONS) return nullptr;
     if (parts_.size() == 1) return std::move(parts_.front());
     PolygonMesh whole(rcAllocPolyMesh());
     rcContext silent(false);

@@ -18,7 +18,6 @@ namespace crowd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Singles = hn::CappedTag<float, 16>;
-using SingleVector = hn::Vec<Singles>;
 using HalfSingles = hn::Half<Singles>;
 using Doubles = hn::Rebind<double, HalfSingles>;
 
@@ -79,8 +78,8 @@ HWY_INLINE hn::Vec<HalfSingles> writeBlock(const NeighbourArrays& from, std::siz
 }
 
 /// See inverseTime() in the reference.
-HWY_INLINE SingleVector inverseTimes(SingleVector x, SingleVector y, SingleVector vx, SingleVector vy, SingleVector gap,
-                                     SingleVector per_root) {
+template <typename V>
+HWY_INLINE V inverseTimes(V x, V y, V vx, V vy, V gap, V per_root) {
   const auto closing = hn::Add(hn::Mul(x, vx), hn::Mul(y, vy));
   const auto square = hn::Add(hn::Mul(vx, vx), hn::Mul(vy, vy));
   const auto root = hn::Sqrt(hn::Sub(hn::Mul(closing, closing), hn::Mul(square, gap)));
@@ -88,10 +87,9 @@ HWY_INLINE SingleVector inverseTimes(SingleVector x, SingleVector y, SingleVecto
 }
 
 /// Vectorized over candidates: iterates over the neighbours for a register of candidates.
-template <bool RECIPROCAL>
-HWY_INLINE void accumulateOverNeighbours(const NeighbourBlock& block, std::size_t count, std::size_t candidate,
+template <bool RECIPROCAL, typename D>
+HWY_INLINE void accumulateOverNeighbours(D d, const NeighbourBlock& block, std::size_t count, std::size_t candidate,
                                          const CandidateArrays& candidates) {
-  const Singles d;
   const auto ux = hn::LoadU(d, candidates.xs + candidate);
   const auto uy = hn::LoadU(d, candidates.ys + candidate);
   auto constant = hn::LoadU(d, candidates.constant_velocity + candidate);
@@ -128,22 +126,31 @@ HWY_INLINE void accumulateForCandidate(const NeighbourBlock& block, std::size_t 
   soonest = std::max(soonest, hn::GetLane(hn::MaxOfLanes(d, highest)));
 }
 
+/// Processes registers of candidates from number `k` on, as long as the remaining candidates fill enough of a register
+/// that fits into the arrays. @return number of the first candidate that is left
+template <bool RECIPROCAL, typename D>
+HWY_INLINE std::size_t accumulateRegisters(D d, const NeighbourBlock& block, std::size_t count, std::size_t k,
+                                           const CandidateArrays& candidates) {
+  const std::size_t lanes = hn::Lanes(d);
+  const std::size_t one_by_one = (count + hn::Lanes(Singles()) - 1) / hn::Lanes(Singles());  // registers per candidate
+  const auto is_filled = [&](std::size_t left) { return left >= lanes || left * one_by_one >= count; };
+  while (k < candidates.count && k + lanes <= CandidateArrays::MAX && is_filled(candidates.count - k)) {
+    accumulateOverNeighbours<RECIPROCAL>(d, block, count, k, candidates);
+    k += lanes;
+  }
+  return k;
+}
+
 template <bool RECIPROCAL>
 HWY_INLINE float accumulate(const NeighbourArrays& neighbours, const Observer& self,
                             const CandidateArrays& candidates) {
-  const std::size_t lanes = hn::Lanes(Singles());
   NeighbourBlock block;
   auto fastest = hn::Zero(HalfSingles());
   for (std::size_t first = 0; first < neighbours.count; first += NeighbourBlock::SIZE) {
     const std::size_t count = std::min(NeighbourBlock::SIZE, neighbours.count - first);
     fastest = greater(HalfSingles(), writeBlock(neighbours, first, count, self, block), fastest);
-    std::size_t k = 0;
-    // The remaining candidates are processed one by one, unless they fill enough of a register.
-    const std::size_t registers = (count + lanes - 1) / lanes;
-    for (; k < candidates.count && (candidates.count - k >= lanes || (candidates.count - k) * registers >= count);
-         k += lanes) {
-      accumulateOverNeighbours<RECIPROCAL>(block, count, k, candidates);
-    }
+    std::size_t k = accumulateRegisters<RECIPROCAL>(Singles(), block, count, 0, candidates);
+    k = accumulateRegisters<RECIPROCAL>(HalfSingles(), block, count, k, candidates);
     for (; k < candidates.count; ++k) {
       accumulateForCandidate(block, count, block.vx, block.vy, candidates.xs[k], candidates.ys[k],
                              candidates.constant_velocity[k]);

@@ -1,12 +1,18 @@
 #include "social_crowd/simulation/way_finder.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace crowd {
 namespace {
 
 /// Bounds grow in steps of this length [m], so that episodes of a scenario have the same.
 constexpr double BOUNDS_STEP = 8.0;
+
+constexpr double LANE_WIDTH = 2.4;    // of the floor beside a corner that is looked at [m]
+constexpr double LANE_STEP = 0.2;     // [m]
+constexpr double LANE_SHARE = 0.7;    // of this width, for the lane of those who turn left
+constexpr double LANE_REACHED = 0.4;  // [m]
 
 void includePoint(const Vector2& point, FloorPlan::Bounds& bounds) {
   const Vector2 margin = Vector2::Constant(FloorPlan::MARGIN);
@@ -60,7 +66,8 @@ void WayFinder::update(World& world) {
   for (const Agent& agent : world.agents()) {
     if (agent.isWalking()) lead(agent, world);
   }
-  right_of_way_->update(world, paths_);
+  if (!std::getenv("NOROW")) right_of_way_->update(world, paths_);
+  if (!std::getenv("NODR")) deadlocks_.update(world);
 }
 
 void WayFinder::adoptLayout(const World& world) {
@@ -99,11 +106,44 @@ void WayFinder::lead(const Agent& agent, World& world) {
 Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
   if (!way.is_tight) {
     const Vector2 next = way.follower->next(agent.pose.position, *comfortable_);
-    if (way.follower->state() == PathFollower::State::ON_THE_WAY) return next;
+    if (way.follower->state() == PathFollower::State::ON_THE_WAY) return keepRight(agent, next, way, *comfortable_);
     way.is_tight = true;
     way.follower->replan();
   }
-  return way.follower->next(agent.pose.position, *tight_);
+  const Vector2 next = way.follower->next(agent.pose.position, *tight_);
+  if (way.follower->state() == PathFollower::State::UNREACHABLE) return next;
+  return keepRight(agent, next, way, *tight_);
+}
+
+/// Round a corner to the left, agents use the right half of the floor beside it, so that those who come from the other
+/// side, and turn right there, pass on the inside.
+Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) {
+  const Vector2& position = agent.pose.position;
+  if (way.lane) {
+    const Vector2 offset = way.lane->place - position;
+    const bool is_passed = offset.dot(way.lane->forward) <= 0.0 || offset.norm() < LANE_REACHED;
+    if (!is_passed && query.isStraight(position, way.lane->place)) return way.lane->place;
+    way.lane.reset();
+  }
+  const Span<Vector2> corners = way.follower->corners();
+  if (corners.size() < 2) return next;
+  way.lane = laneAt(position, corners[0], corners[1], agent.radius, query);
+  return way.lane ? way.lane->place : next;
+}
+
+std::optional<WayFinder::Lane> WayFinder::laneAt(const Vector2& position, const Vector2& corner, const Vector2& after,
+                                                 double radius, NavigationMesh::Query& query) {
+  const Vector2 before = (corner - position).normalized();
+  const Vector2 behind = (after - corner).normalized();
+  if (cross(before, behind) <= 0.0 || (corner - position).norm() < LANE_REACHED) return std::nullopt;
+  const Vector2 forward = (before + behind).normalized();
+  const Vector2 right(forward.y(), -forward.x());
+  double width = 0.0;
+  while (width < LANE_WIDTH && query.isStraight(corner, corner + (width + LANE_STEP) * right)) width += LANE_STEP;
+  if (width < 2.0 * radius + LANE_STEP) return std::nullopt;
+  const Vector2 place = corner + LANE_SHARE * width * right;
+  if (!query.isStraight(position, place) || !query.isStraight(place, after)) return std::nullopt;
+  return Lane{place, forward};
 }
 
 }  // namespace crowd

@@ -3,12 +3,12 @@
 namespace crowd {
 
 FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius)
-    : clearance_(floor, 0.5 * map.resolution, radius + map.resolution), components_(clearance_.size(), NONE) {
+    : clearance_(floor, 0.5 * map.resolution, radius + ROOM + map.resolution), components_(clearance_.size(), NONE) {
   using Index = ClearanceGrid::Index;
   const CellFrame frame(map);
   std::vector<bool> fits(clearance_.size(), false);
   for (Index point = 0; point < clearance_.size(); ++point) {
-    fits[point] = clearance_[point] >= radius && map.isFree(frame.cellAt(clearance_.place(point)));
+    fits[point] = clearance_[point] >= radius + ROOM && map.isFree(frame.cellAt(clearance_.place(point)));
     if (fits[point]) points_.push_back(point);
   }
   std::uint32_t count = 0;

@@ -42,7 +42,7 @@ COUNTERS = {
     'train_occupancy/manual_time': repetitions(rate=[1e6, 2e6, 4e6], yardstick_rate=[2e6, 6e6, 6e6]),
     'crowd_step_10000_two_threads/iterations:2/manual_time': repetitions(rate=[3e6] * 3, yardstick_rate=[2e6] * 3),
     'q_table_load/manual_time': repetitions(real_time=[30.0, 31.0, 50.0], yardstick_rate=[2000.0] * 3),
-    'memory_100000/iterations:5': repetitions(resident_megabytes=[150.0, 1000.0, 1000.0]),  # only the first is valid
+    'memory_100000/iterations:5': repetitions(megabytes=[150.0, 1000.0, 1000.0]),  # only the first is valid
     'crowd_step_agents/1000/iterations:40': repetitions(rate=[9e5, 1e6, 8e5]),
     'crowd_step_agents/20000/iterations:40/real_time': repetitions(rate=[5e5, 5e5, 5e5]),
     'q_table_save/manual_time': [None],

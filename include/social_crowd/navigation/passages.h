@@ -35,6 +35,8 @@ class Passages {
 
   std::size_t size() const { return passages_.size(); }
   const Passage& operator[](std::size_t passage) const { return passages_[passage]; }
+  /// @brief Memory that it occupies, without that of the mouths [bytes].
+  std::size_t bytes() const { return clearance_.bytes() + labels_.capacity() * sizeof(std::uint16_t); }
   /// @brief Whether the centre of a disc can be at a place [m], `map`, to within the grid's spacing; beyond the grid
   /// there is nothing in the way.
   bool fits(const Vector2& place, double radius) const {

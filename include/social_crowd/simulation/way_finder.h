@@ -7,6 +7,7 @@
 
 #include "social_crowd/navigation/mesh_cache.h"
 #include "social_crowd/navigation/path_follower.h"
+#include "social_crowd/simulation/deadlock_resolver.h"
 #include "social_crowd/simulation/right_of_way.h"
 #include "social_crowd/world/world.h"
 
@@ -28,8 +29,14 @@ class WayFinder {
   bool isOutOfReach(AgentId agent) const { return agent < agents_.size() && agents_[agent].out_of_reach; }
 
  private:
+  /// Where to pass a corner.
+  struct Lane {
+    Vector2 place;
+    Vector2 forward;  // unit vector of the direction there
+  };
   /// Way of one agent.
   struct Way {
+    std::optional<Lane> lane;  // present
     std::optional<PathFollower> follower;
     bool is_tight = false;  // on the tight mesh
     bool out_of_reach = false;
@@ -38,6 +45,9 @@ class WayFinder {
   void adoptLayout(const World& world);
   void lead(const Agent& agent, World& world);
   Vector2 nextPoint(const Agent& agent, Way& way);
+  static Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query);
+  static std::optional<Lane> laneAt(const Vector2& position, const Vector2& corner, const Vector2& after, double radius,
+                                    NavigationMesh::Query& query);
 
   std::uint64_t layout_changes_ = 0;  // of the world that `data_` belongs to
   bool is_needed_ = false;            // there is anything to walk round
@@ -46,6 +56,7 @@ class WayFinder {
   std::optional<NavigationMesh::Query> comfortable_;
   std::optional<NavigationMesh::Query> tight_;
   std::optional<RightOfWay> right_of_way_;
+  DeadlockResolver deadlocks_;
   std::vector<Way> agents_;           // by id
   std::vector<RemainingPath> paths_;  // by id
 };

@@ -27,6 +27,8 @@ class ClearanceGrid {
   Index rows() const { return rows_; }
   std::size_t size() const { return distances_.size(); }
   double spacing() const { return spacing_; }
+  /// @brief Memory that it occupies [bytes].
+  std::size_t bytes() const { return sizeof(*this) + distances_.capacity() * sizeof(float); }
   /// @brief Distance from a grid point to the nearest wall or rim [m], at most the limit; negative inside an obstacle.
   double operator[](Index point) const { return distances_[point]; }
   /// @brief The place of a grid point [m], `map`.

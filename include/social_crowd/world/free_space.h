@@ -15,6 +15,9 @@ class FreeSpace {
   /// @brief Component of places where the agent does not fit.
   static constexpr std::uint32_t NONE = 0xFFFFFFFF;
 
+  /// @brief Free room around the body of an agent [m]: ways through narrower gaps may not be found.
+  static constexpr double ROOM = 0.1;
+
   /// @param map valid @param floor all walls, including those of the map, and obstacles at rest
   /// @param radius of the agent [m]
   FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief Resolves deadlocks of agents that walk in opposite directions and block each other: some of them walk back
+/// for a while. Deterministic; depends only on the world and the earlier calls.
+///
+/// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. A stuck agent with an agent ahead that walks in
+/// the opposite direction gives way if the other one is favoured: directions are compared along an axis that is the same
+/// for all agents and turns every TURN_TIME. It walks back along its own trail, and agents behind it do the same.
+///
+/// Call contract: update() once per tick, after waypoints were set.
+class DeadlockResolver {
+ public:
+  static constexpr double PROGRESS = 0.5;     ///< [m]
+  static constexpr double STUCK_TIME = 4.0;   ///< [s]
+  static constexpr double TURN_TIME = 20.0;   ///< [s]
+  static constexpr double RETREAT_TIME = 6.0;  ///< an agent walks back for this time [s]
+
+  /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
+  void update(World& world);
+
+ private:
+  struct Walk {
+    std::deque<Vector2> trail;             // places at intervals, the latest one last [m]
+    Vector2 reference = Vector2::Zero();   // where it last made progress [m]
+    double progress_time = 0.0;            // when [s]
+    double retreat_until = 0.0;            // [s]
+  };
+
+  void follow(const Agent& agent, double time);
+  bool mustGiveWay(const World& world, const Agent& agent) const;
+  void retreat(World& world, const Agent& agent);
+
+  std::vector<Walk> walks_;  // by id
+};
+
+}  // namespace crowd

@@ -1,0 +1,80 @@
+#include "social_crowd/simulation/deadlock_resolver.h"
+
+#include <cmath>
+
+namespace crowd {
+namespace {
+
+constexpr double TRAIL_STEP = 0.5;        // between places of a trail [m]
+constexpr std::size_t TRAIL_LENGTH = 20;  // places
+constexpr double REACH = 0.6;             // between bodies that block each other [m]
+constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
+constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
+
+Vector2 favouredDirection(double time) {
+  const double angle = AXIS_TURN * std::floor(time / DeadlockResolver::TURN_TIME);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+Vector2 onward(const Agent& agent) {
+  const Vector2 offset = agent.perceivedGoal() - agent.pose.position;
+  const double length = offset.norm();
+  return length > 0.0 ? Vector2(offset / length) : agent.ahead;
+}
+
+}  // namespace
+
+void DeadlockResolver::update(World& world) {
+  const double time = world.time();
+  walks_.resize(world.agents().size());
+  for (const Agent& agent : world.agents()) {
+    if (agent.isWalking()) follow(agent, time);
+  }
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
+    Walk& walk = walks_[agent.id];
+    if (time >= walk.retreat_until && mustGiveWay(world, agent)) walk.retreat_until = time + RETREAT_TIME;
+  }
+  for (const Agent& agent : world.agents()) {
+    if (agent.isWalking() && time < walks_[agent.id].retreat_until) retreat(world, agent);
+  }
+}
+
+void DeadlockResolver::follow(const Agent& agent, double time) {
+  Walk& walk = walks_[agent.id];
+  const Vector2& place = agent.pose.position;
+  if (agent.yielding || agent.held || agent.at_goal || walk.trail.empty() || (place - walk.reference).norm() > PROGRESS) {
+    walk.reference = place;
+    walk.progress_time = time;
+  }
+  if (time < walk.retreat_until) return;
+  if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
+  walk.trail.push_back(place);
+  if (walk.trail.size() > TRAIL_LENGTH) walk.trail.pop_front();
+}
+
+bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) const {
+  const double time = world.time();
+  const bool is_stuck = time - walks_[agent.id].progress_time >= STUCK_TIME;
+  if (!is_stuck && agent.velocity.norm() > 0.3 * agent.max_speed) return false;
+  const Vector2 direction = onward(agent);
+  const Vector2 axis = favouredDirection(time);
+  for (const Agent& other : world.agents()) {
+    if (!other.isWalking() || other.id == agent.id) continue;
+    const Vector2 offset = other.pose.position - agent.pose.position;
+    const bool retreats = time < walks_[other.id].retreat_until;
+    if (!is_stuck && !retreats) continue;
+    if (offset.norm() > agent.radius + other.radius + REACH || offset.dot(direction) <= 0.0) continue;
+    const Vector2 course = onward(other);
+    if (course.dot(direction) < -0.3 && (retreats || axis.dot(course) > axis.dot(direction))) return true;
+  }
+  return false;
+}
+
+void DeadlockResolver::retreat(World& world, const Agent& agent) {
+  std::deque<Vector2>& trail = walks_[agent.id].trail;
+  while (trail.size() > 1 && (trail.back() - agent.pose.position).norm() < BACK) trail.pop_back();
+  world.setWaypoint(agent.id, trail.back());
+}
+
+}  // namespace crowd

@@ -1,0 +1,131 @@
+#include "social_crowd/navigation/path_follower.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/floors.h"
+
+namespace crowd {
+namespace {
+
+using State = PathFollower::State;
+
+constexpr double CLEARANCE = 0.3;
+const Vector2 START(-3.0, 0.0);
+const Vector2 GOAL(3.0, 0.0);
+
+/// A room with a door from y = 2 to y = 3.2, between START and GOAL.
+class PathFollowerTest : public testing::Test {
+ protected:
+  FloorPlan floor_ = floors::roomWithDoor(1.2, 2.6);
+  NavigationMesh mesh_{floor_, CLEARANCE};
+  NavigationMesh::Query query_{mesh_};
+};
+
+TEST_F(PathFollowerTest, LeadsToTheDoorAndThenToTheGoal) {
+  PathFollower follower(GOAL);
+  EXPECT_TRUE(std::isinf(follower.remainingLength(START)));
+  EXPECT_EQ(follower.corners().size(), 0U);
+  const Vector2 next = follower.next(START, query_);
+  EXPECT_EQ(follower.state(), State::ON_THE_WAY);
+  EXPECT_NEAR(next.x(), 0.0, 0.6);
+  EXPECT_NEAR(next.y(), 2.3, 0.2);
+  EXPECT_GT(follower.corners().size(), 1U);
+  EXPECT_NEAR(follower.remainingLength(START), query_.findPath(START, GOAL)->length, 1e-9);
+
+  Vector2 position = START;
+  double walked = 0.0;
+  double nearest = 1.0;
+  for (int tick = 0; tick < 200 && (position - GOAL).norm() > 0.05; ++tick) {
+    const Vector2 way = follower.next(position, query_) - position;
+    const Vector2 step = way * std::min(1.0, 0.1 / way.norm());
+    nearest = std::min(nearest, floors::clearanceAlong(floor_, position, position + step));
+    position += step;
+    walked += step.norm();
+  }
+  EXPECT_LE((position - GOAL).norm(), 0.05);
+  EXPECT_NEAR(walked, query_.findPath(START, GOAL)->length, 0.1);
+  EXPECT_GE(nearest, CLEARANCE - 0.1);  // corners are reached at 0.1 m
+  EXPECT_EQ(follower.next(GOAL, query_), GOAL);
+}
+
+TEST_F(PathFollowerTest, APersonThatWasPushedAwayGetsANewWay) {
+  PathFollower follower(GOAL);
+  Vector2 position(1.0, 2.0);  // behind the door
+  EXPECT_EQ(follower.next(position, query_), GOAL);
+  position = START;
+  const Vector2 next = follower.next(position, query_);
+  EXPECT_NE(next, GOAL);
+  EXPECT_TRUE(query_.isStraight(position, next));
+  EXPECT_NEAR(follower.remainingLength(position), query_.findPath(position, GOAL)->length, 1e-9);
+}
+
+TEST_F(PathFollowerTest, APersonThatWasPushedBackALittleGoesBackOneCorner) {
+  PathFollower follower(GOAL);
+  const Vector2 first = follower.next(START, query_);
+  follower.next(first, query_);                        // reached: the next corner counts
+  const Vector2 pushed = first + Vector2(-1.0, -1.0);  // from here the goal is hidden
+  const Vector2 next = follower.next(pushed, query_);
+  EXPECT_TRUE(query_.isStraight(pushed, next));
+  EXPECT_EQ(follower.state(), State::ON_THE_WAY);
+}
+
+TEST_F(PathFollowerTest, AGoalOutOfReachIsReportedAndTriedAgain) {
+  PathFollower follower({100.0, 0.0});
+  EXPECT_EQ(follower.next(START, query_), START);
+  EXPECT_EQ(follower.state(), State::UNREACHABLE);
+  EXPECT_TRUE(std::isinf(follower.remainingLength(START)));
+  EXPECT_EQ(follower.corners().size(), 0U);
+
+  const NavigationMesh closed(floors::roomWithDoor(0.0), CLEARANCE);
+  NavigationMesh::Query closed_query(closed);
+  PathFollower other(GOAL);
+  EXPECT_EQ(other.next(START, closed_query), START);
+  EXPECT_EQ(other.state(), State::UNREACHABLE);
+  other.replan();
+  EXPECT_EQ(other.state(), State::ON_THE_WAY);
+  EXPECT_NE(other.next(START, query_), START);
+  EXPECT_EQ(other.state(), State::ON_THE_WAY);
+
+  // Without a word about the change, the way is found after a while.
+  PathFollower waiting(GOAL);
+  EXPECT_EQ(waiting.next(START, closed_query), START);
+  int ticks = 0;
+  while (ticks < 100 && waiting.next(START, query_) == START) ++ticks;
+  EXPECT_GT(ticks, 0);
+  EXPECT_LT(ticks, 100);
+}
+
+TEST_F(PathFollowerTest, ANewGoalCountsAtOnce) {
+  PathFollower follower(GOAL);
+  follower.next(START, query_);
+  const Vector2 other(-3.0, -3.0);
+  follower.setGoal(other);
+  EXPECT_EQ(follower.goal(), other);
+  EXPECT_EQ(follower.next(START, query_), other);
+}
+
+TEST_F(PathFollowerTest, WhatCountsAsStraightCanBeReplaced) {
+  PathFollower open_sight(GOAL);
+  const auto everything = [](const Vector2& /*from*/, const Vector2& /*to*/) { return true; };
+  EXPECT_EQ(open_sight.next(START, query_, everything), GOAL);
+  PathFollower no_sight(GOAL);
+  const auto nothing = [](const Vector2& /*from*/, const Vector2& /*to*/) { return false; };
+  EXPECT_EQ(no_sight.next(START, query_, nothing), query_.findPath(START, GOAL)->corners.front());
+}
+
+TEST_F(PathFollowerTest, TheSamePositionsGiveTheSamePoints) {
+  PathFollower first(GOAL);
+  PathFollower second(GOAL);
+  NavigationMesh::Query other_query(mesh_);
+  Vector2 position = START;
+  for (int tick = 0; tick < 40; ++tick) {
+    const Vector2 next = first.next(position, query_);
+    ASSERT_EQ(second.next(position, other_query), next) << tick;
+    position += 0.1 * (next - position).normalized();
+  }
+}
+
+}  // namespace
+}  // namespace crowd
