@@ -1,11 +1,12 @@
 """scripts/pedsim_import converts scenes of pedsim_ros."""
+import csv
 import glob
 import os
 import subprocess
 
 import pytest
 import yaml
-from programs import PACKAGE, PATIENCE, assert_says, in_package, read_text
+from programs import ANTICIPATION_TABLE, PACKAGE, PATIENCE, assert_says, in_package, read_text
 
 SCENES = sorted(glob.glob(os.path.join(PACKAGE, '..', 'shared', 'data', 'pedsim', '*.xml')))
 
@@ -129,6 +130,22 @@ class ConversionTest:
         scenario = scenario_of(runner, HALL.replace('id="till"', f'id="{quoted}"'))
         assert list(scenario['queues']) == [name]
         assert scenario['routes']['route_2']['waypoints'][0] == {'queue': name}
+
+
+class WalkTest:
+    """The program evaluate walks converted scenes."""
+
+    def test_people_come_and_leave(self, runner):
+        """Two people come each 5 s; those who came in the first half minute have left after two."""
+        status, messages, _ = convert(runner, HALL, '--duration', '120')
+        assert status == 0, messages
+        record = runner.path('record.csv')
+        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--record', record, runner.path('hall.yaml'))
+        with open(record, newline='', encoding='utf-8') as stream:
+            people = list(csv.DictReader(stream))
+        assert len(people) > 40
+        assert [person['agent'] for person in people[7:17] if person['arrived'] != '1'] == []
+        assert {person['touched'] for person in people} == {'0'}
 
 
 class NotesTest:
