@@ -63,8 +63,7 @@ void CrowdController::advertiseWorldServices() {
   });
   services_.serve<social_crowd::AddWall>(names::ADD_WALL, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
-      response.wall =
-          static_cast<std::uint32_t>(episode_->addWall({fromPoint(request.wall.from), fromPoint(request.wall.to)}));
+      response.wall = static_cast<std::uint32_t>(episode_->addWall({fromPoint(request.begin), fromPoint(request.end)}));
       response.message = "wall " + std::to_string(response.wall) + " added at " + place();
     });
   });

@@ -16,7 +16,7 @@ std::optional<AgentStart> AgentSource::next(const World& world, const PlacePicke
   start.max_speed = group.max_speed.draw(body);
   start.radius = group.radius.draw(body);
   const auto place = places.drawStart(group.position, start.radius, random.with(START).with(world.tick()), world);
-  if (!place) return std::nullopt;
+  if (!place || !places.connects(*place, group, *population_)) return std::nullopt;
   start.position = *place;
   start.route = group.route;
   Vector2 from = start.position;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "social_crowd/world/region_geometry.h"
+#include "social_crowd/world/route_reach.h"
 
 namespace crowd {
 
@@ -53,11 +54,21 @@ std::optional<Vector2> PlacePicker::drawStart(const Region& region, double radiu
   return std::nullopt;
 }
 
+bool PlacePicker::connects(const Vector2& place, const AgentGroup& group,
+                           const PopulationDescription& population) const {
+  if (group.position.kind != Region::Kind::FREE) return true;
+  if (group.route) return connectsRoute(*free_space_, population, *group.route, place);
+  const std::uint32_t home = free_space_->component(place);
+  return std::all_of(group.goals.begin(), group.goals.end(), [&](const Region& goal) {
+    const std::uint32_t component = goal.isFixed() ? free_space_->component(goal.first) : home;
+    return component == home || component == FreeSpace::NONE;
+  });
+}
+
 Vector2 PlacePicker::nearestIn(const Region& area, const Vector2& from, double radius, const World& world) const {
   const Region inner = shrink(area, std::max(radius, goal_tolerance_));
-  const Vector2 nearest = nearestPoint(inner, from);
-  if (fits(nearest, radius, world)) return nearest;
-  Vector2 best = nearest;
+  Vector2 best = nearestPoint(inner, from);
+  if (fits(best, radius, world)) return best;
   double least = std::numeric_limits<double>::infinity();
   for (const Vector2& point : gridPoints(area, std::max(0.1, 0.5 * radius))) {
     const double distance = (point - from).squaredNorm();

@@ -30,7 +30,7 @@ Population::Population(const Scene& scene)
     if (start.route || start.reaction_time > 0.0) starts_ = scene.agents;
   }
   for (std::size_t i = 0; i < description_->sources.size(); ++i) {
-    sources_.emplace_back(description_->sources[i], randomOf(seed_, SOURCE, i));
+    sources_.emplace_back(*description_, i, randomOf(seed_, SOURCE, i));
   }
   for (std::size_t i = 0; i < description_->queues.size(); ++i) {
     queues_.emplace_back(description_->queues[i], randomOf(seed_, QUEUE, i));

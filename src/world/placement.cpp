@@ -4,6 +4,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/world/route_reach.h"
 #include "world/placed_bodies.h"
 
 namespace crowd {
@@ -256,6 +257,10 @@ bool Placement::areConnected(const Vector2& from, const Vector2& to) const {
 
 bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separate) {
   agent.goals.clear();
+  const bool is_anywhere = group.position.kind == Region::Kind::FREE;
+  if (group.route && is_anywhere) {
+    return connectsRoute(*scene_.free_space, *scene_.population, *group.route, agent.position);
+  }
   Vector2 from = agent.position;
   bool from_drawn = !group.position.isFixed();
   const std::size_t count = group.opposite ? 1 : group.goals.size();
@@ -267,7 +272,7 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separ
       return false;
     }
     const bool anywhere = drawn && !group.opposite && group.goals[i].kind == Region::Kind::FREE;
-    if ((anywhere || group.position.kind == Region::Kind::FREE) && !areConnected(from, goal)) return false;
+    if ((anywhere || is_anywhere) && !areConnected(from, goal)) return false;
     if (drawn && (!placed_.canStandAt(goal, agent.radius) || (separate && placed_.isNearGoal(goal, agent.radius)))) {
       return false;
     }

@@ -219,6 +219,37 @@ TEST(Population, UnknownNamesAndAgentsAreRefused) {
   EXPECT_EQ(episode.world().agents()[0].goal(), Vector2(9.0, 0.0));
 }
 
+/// The first agent appears at t = 1 s, with a wall between it and its goal.
+TEST(Population, AgentsThatAppearLaterFindTheirWay) {
+  Episode episode = episodeOf(
+      "walls: [[[2, -3], [2, 3]]]\n"
+      "contact: solid\n"
+      "sources: [{area: [0, 0], times: [1], goal: [4, 0], speed: 1, radius: 0.2}, {area: [0, 1], times: [2], goal: [4, "
+      "1], speed: 1, radius: 0.3}]\n");
+  walkUntil(2.5, episode);
+  ASSERT_EQ(episode.world().agents().size(), 2U);
+  for (const Agent& agent : episode.world().agents()) EXPECT_TRUE(agent.has_waypoint);
+  walkUntil(60.0, episode);
+  EXPECT_TRUE(episode.isOver());
+  EXPECT_EQ(episode.result().arrivedCount(), 2U);
+}
+
+/// A wall leaves room for two in line; the other agents wait near it.
+TEST(Population, MoreAgentsThanALineHasPlaces) {
+  Episode episode = episodeOf(
+      "agents: [{count: 6, position: {box: [[-4, -4], [4, -2]]}, route: shop, speed: 1, radius: 0.2}]\n"
+      "walls: [[[2, -5], [2, 5]]]\nway_finding: false\n"
+      "routes: {shop: {waypoints: [{queue: till}, {place: [0, 5]}]}}\n"
+      "queues: {till: {head: [0, 0], direction: 0, spacing: 1, service: 3}}\n");
+  std::size_t most = 0;
+  while (!episode.isOver()) {
+    most = std::max(most, episode.population().queue(0).line().size());
+    step(episode);
+  }
+  EXPECT_EQ(most, 2U);
+  EXPECT_EQ(episode.result().arrivedCount(), 6U);
+}
+
 const char* const BUSY = R"(
 walls: [[[0, 0], [10, 0]], [[10, 0], [10, 8]], [[10, 8], [0, 8]], [[0, 8], [0, 0]]]
 agents: [{count: 5, position: {box: [[1, 1], [9, 7]]}, route: rounds, speed: [1, 1.5], radius: 0.2, reaction_time: [0, 5]}]

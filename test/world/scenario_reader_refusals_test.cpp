@@ -26,11 +26,12 @@ TEST(ScenarioReader, ErrorsContainFileDocumentLineAndExpectation) {
 }
 
 TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
-  EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
-            "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
-            "tick, duration, "
-            "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, way_finding, routes, "
-            "sources, sinks, queues, gates");
+  EXPECT_EQ(
+      errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
+      "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
+      "tick, duration, "
+      "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, way_finding, routes, "
+      "sources, sinks, queues, gates");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),
@@ -103,7 +104,8 @@ TEST(ScenarioReader, RefusesWrongAgents) {
   says("position: {rign: {centre: [0, 0], radius: 1}}, goal: [1, 1], speed: 1, radius: 0.2",
        "agents[0].position: expected [x, y], {box: ...}, {ring: ...} or {map: free}, got 'rign', did you mean 'ring'?");
   says("position: [0, 0], goal: {opposit: [0, 0]}, speed: 1, radius: 0.2",
-       "agents[0].goal: expected [x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}, got 'opposit', did you mean "
+       "agents[0].goal: expected [x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}, got 'opposit', "
+       "did you mean "
        "'opposite'?");
   EXPECT_NE(errorOf(std::string(HEAD) + "agents: []\n").find("line 4: agents: expected at least one agent"),
             std::string::npos);

@@ -11,11 +11,13 @@ namespace crowd {
 /// @brief A source of agents: those that are due appear as soon as a place is free for them, one after the other.
 class AgentSource {
  public:
-  /// @param source must outlive it @param random of this source
-  AgentSource(const SourceDescription& source, const KeyedRandom& random)
-      : source_(&source), random_(random), schedule_(source, random.with(SCHEDULE)) {}
+  /// @param population must outlive it @param source its index @param random of this source
+  AgentSource(const PopulationDescription& population, std::size_t source, const KeyedRandom& random)
+      : population_(&population),
+        source_(&population.sources[source]),
+        random_(random),
+        schedule_(*source_, random.with(SCHEDULE)) {}
 
-  const SourceDescription& description() const { return *source_; }
   /// @brief The next agent if it is due and there is a place for it now. Its goals are the description's, drawn; with a
   /// route they are only its own position. The caller adds it to the world before it asks for the next one.
   std::optional<AgentStart> next(const World& world, const PlacePicker& places);
@@ -25,6 +27,7 @@ class AgentSource {
  private:
   enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3 };
 
+  const PopulationDescription* population_;
   const SourceDescription* source_;
   KeyedRandom random_;
   SourceSchedule schedule_;

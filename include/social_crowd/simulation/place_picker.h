@@ -5,6 +5,7 @@
 
 #include "social_crowd/common/random.h"
 #include "social_crowd/world/occupancy_map.h"
+#include "social_crowd/world/population.h"
 #include "social_crowd/world/scenario.h"
 #include "social_crowd/world/world.h"
 
@@ -27,6 +28,9 @@ class PlacePicker {
   /// @brief Draws a place in a region where nothing is in the way of an agent; absent if the draws of one tick find
   /// none.
   std::optional<Vector2> drawStart(const Region& region, double radius, KeyedRandom random, const World& world) const;
+  /// @brief Whether a place that was drawn from {map: free} is connected with the goals or the route of an agent, as
+  /// far as these are known before they are drawn; true for all other places.
+  bool connects(const Vector2& place, const AgentGroup& group, const PopulationDescription& population) const;
   /// @brief The place in an area where an agent fits that is nearest to it [m]; it is within the goal tolerance of the
   /// edge only if the area is that small.
   Vector2 nearestIn(const Region& area, const Vector2& from, double radius, const World& world) const;

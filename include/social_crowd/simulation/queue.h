@@ -30,7 +30,7 @@ class Queue {
 
   /// @brief Whether an agent is to stand where it is: it has reached its place in line, or the line has no place for it
   /// and it is near others that wait for one.
-  bool stands(AgentId agent, const World& world) const;
+  bool stands(AgentId id, const World& world) const;
   /// @brief The place where an agent that joins now walks to [m].
   Vector2 end() const;
   /// @brief The agents in line, the first one is at the head.

@@ -107,6 +107,7 @@ std::optional<std::size_t> findName(const Descriptions& descriptions, const std:
 template <typename Descriptions>
 std::vector<std::string> namesOf(const Descriptions& descriptions) {
   std::vector<std::string> names;
+  names.reserve(descriptions.size());
   for (const auto& description : descriptions) names.push_back(description.name);
   return names;
 }
