@@ -6,15 +6,15 @@ import pathlib
 
 import yaml
 
+from crowd_drawing.errors import InputError
+from crowd_drawing.maps import read_map
+from crowd_drawing.population import Population
+
 HEADER = ['instance', 'tick', 'agent', 'x', 'y']
 DEFAULT_TICK = 0.1  # [s]
 HERE = pathlib.Path(__file__).resolve().parent
 # Folders that may contain config/scenarios: the source tree, and PREFIX/share for programs in PREFIX/lib/social_crowd.
 HOMES = [HERE.parents[1], HERE.parents[2] / 'share' / 'social_crowd']
-
-
-class InputError(Exception):
-    """A file cannot be drawn; the message contains the file, the place and the reason."""
 
 
 def find_scenario(name_or_file):
@@ -78,6 +78,13 @@ class Scene:
         self.agents = self.entries(document, 'agents', self.agent)
         self.obstacles = self.entries(document, 'obstacles', self.obstacle)
         self.walls = [self.wall(wall, f'walls[{i}]') for i, wall in enumerate(self.listed(document, 'walls'))]
+        self.map = None  # MapPicture
+        self.population = Population(self, document)
+
+    def radius_of(self, agent):
+        """Returns the radius of an agent; those of sources follow the agents of the start."""
+        radii = self.population.source_radii
+        return radii[0] if agent >= len(self.agents) and radii else self.agents[agent]['radius']
 
     def need(self, condition, where, expected, got):
         if not condition:
@@ -129,6 +136,8 @@ class Scene:
 
     def agent(self, entry, where):
         goal = entry.get('goals', entry.get('goal'))
+        if 'route' in entry:
+            goal = {}
         self.need(goal is not None, where, 'a goal', entry)
         mirror = goal.get('opposite') if isinstance(goal, dict) else None
         return {
@@ -168,4 +177,9 @@ def read_scene(file, instance):
     if not documents:
         raise InputError(f'{file}: has no scenario')
     index = instance % len(documents)
-    return Scene(documents[index], f'{file}: document {index + 1}')
+    scene = Scene(documents[index], f'{file}: document {index + 1}')
+    if 'map' in documents[index]:
+        name = documents[index]['map']
+        scene.need(isinstance(name, str) and name, 'map', 'the file of a map', name)
+        scene.map = read_map(pathlib.Path(file).parent / name)
+    return scene

@@ -15,6 +15,7 @@ LONGER_SIDE = 7.0  # of the axes [inch]
 MARGIN = 0.5  # of the picture around its contents [m]
 OBSTACLE_COLOUR = '0.62'
 START_ALPHA = 0.55
+PATH_OF_MOMENT = 10.0  # [s]
 # Strong colours that are easy to distinguish, without grey.
 FEW_COLOURS = ['#1f77b4', '#d62728', '#2ca02c', '#ff7f0e', '#9467bd', '#17becf', '#8c564b', '#e377c2', '#9a9a00']
 
@@ -35,6 +36,7 @@ class Picture:
         self.low = [math.inf, math.inf]
         self.high = [-math.inf, -math.inf]
         self.has_goals = self.has_obstacles = False
+        self.further_entries = []  # of the legend
 
     def show(self, point, radius=0.0):
         """Extends the limits of the picture to include a disc."""
@@ -99,10 +101,23 @@ class Picture:
         self.disc(places[0], radius, facecolor=colour, edgecolor='none', alpha=START_ALPHA, zorder=4)
         self.disc(places[-1], radius, fill=False, edgecolor=colour, linewidth=1.4, zorder=7)
 
-    def add_legend(self, scene):
+    def draw_moment(self, walk, tick, ticks_of_path, radius, colour):
+        """Draws the body at a tick if the agent is in the world then, and its path in the ticks before."""
+        places = [(x, y) for at, x, y in walk if tick - ticks_of_path <= at <= tick]
+        for place in places:
+            self.show(place, radius)
+        if places:
+            self.axes.plot(*zip(*places), color=colour, linewidth=0.9, alpha=0.6, zorder=5)
+        if places and walk[-1][0] >= tick:
+            self.disc(places[-1], radius, facecolor=colour, edgecolor='black', linewidth=0.4, zorder=7)
+
+    def add_legend(self, scene, is_moment=False):
         """Adds a legend for the contents of the picture."""
         grey = '0.25'
         entries = [
+            Line2D([], [], linestyle='', marker='o', color=grey, markersize=7, label='person'),
+            Line2D([], [], color=grey, alpha=0.6, linewidth=0.9, label=f'path of the last {PATH_OF_MOMENT:g} s'),
+        ] if is_moment else [
             Line2D([], [], linestyle='', marker='o', color=grey, alpha=START_ALPHA, markersize=10, label='start'),
             Line2D([], [], marker='o', color=grey, markersize=3.2, linewidth=1.6, label='path, a dot each second'),
             Line2D([], [], linestyle='', marker='o', color=grey, fillstyle='none', markersize=10, label='end'),
@@ -115,6 +130,7 @@ class Picture:
                                   markersize=10, label='obstacle'))
         if scene.walls:
             entries.append(Line2D([], [], color='black', linewidth=3, label='wall'))
+        entries += self.further_entries
         below_labels = ScaledTranslation(0, -0.45, self.figure.dpi_scale_trans)  # [inch]
         self.axes.legend(handles=entries, loc='upper center', bbox_to_anchor=(0.5, 0), ncol=len(entries),
                          bbox_transform=self.axes.transAxes + below_labels, frameon=False, fontsize=9,

@@ -1,0 +1,1 @@
+"""Conversion of other packages' scenes into scenario files."""

@@ -1,0 +1,5 @@
+"""Errors in files that are converted."""
+
+
+class InputError(Exception):
+    """A file cannot be converted; the message contains the file, the line and the reason."""

@@ -1,0 +1,140 @@
+"""Scenario files from scenes of pedsim_ros."""
+import math
+
+from crowd_import.pedsim_scene import ELDER, ROBOT, SINK, SOURCE, Queue
+from crowd_import.scenario_text import box, name_text, number_text, point, region, ring
+
+SPEED = (0.89, 1.79)  # [m/s] mean and standard deviation of pedsim_ros's normal distribution: 1.34 and 0.26
+ELDER_SPEED = 0.9  # [m/s]
+ROBOT_SPEED, ROBOT_RADIUS = 1.6, 0.4  # [m/s], [m] of pedsim_ros's SOCIAL_DRIVE
+QUEUE_SPACING = 0.5  # [m] mean distance of people in line; pedsim_ros draws 0.2 to 0.8
+SERVICE = (0.2, 1.8)  # [s] with the mean of pedsim_ros's gamma distribution, 1
+GAP = 0.05  # [m] between bodies at the start
+DENSEST = 0.4  # share of an area that discs cover which are placed at random without difficulty
+REASONS = {
+    'attraction': 'people do not stop at attractions',
+    'welcome': 'has no meaning in pedsim_ros',
+}
+
+
+def share_within(other, cluster):
+    """Returns the share of the box of a cluster that is within the box of another one."""
+    share = 1.0
+    for axis in (0, 1):
+        low, high = other.middle[axis] - other.sides[axis] / 2, other.middle[axis] + other.sides[axis] / 2
+        least, most = (cluster.middle[axis] + sign * cluster.sides[axis] / 2 for sign in (-1, 1))
+        common = min(high, most) - max(low, least)
+        share *= (1.0 if common >= 0 else 0.0) if high == low else max(0.0, common) / (high - low)
+    return share
+
+
+class Conversion:
+    """The keys of a scenario, as text, and notes about what is not carried over or is changed."""
+
+    def __init__(self, scene, radius, spawn_period):
+        self.scene = scene
+        self.radius = radius
+        self.spawn_period = spawn_period  # [s]
+        self.notes = []  # (line, text)
+        self.routes = {}  # text of a route -> its name
+        self.sinks = {stop.name: ring(stop) for stop in scene.stops.values() if getattr(stop, 'behaviour', 0) == SINK}
+        self.queues = {stop.name: self.queue_of(stop) for stop in scene.stops.values() if isinstance(stop, Queue)}
+        self.walls = [wall for wall in map(self.wall_of, scene.walls) if wall]
+        self.agents, self.obstacles, self.sources = [], [], []
+        for element in scene.others:
+            self.note(element, 'not carried over: ' + REASONS.get(element.tag, 'unknown, or not at this place'))
+        for element in scene.unknown:
+            self.note(element, 'not carried over: the scene does not define it')
+        for cluster in scene.agents:
+            self.add_agents(cluster)
+        for cluster in scene.sources:
+            self.add_source(cluster)
+        self.note_behaviours(scene)
+        self.notes = sorted(set(self.notes))
+
+    def note(self, element, text):
+        identity = element.attributes.get('id')
+        self.notes.append((element.line, f"{element.tag}{f' {name_text(identity)}' if identity else ''}: {text}"))
+
+    def note_behaviours(self, scene):
+        for stop in scene.stops.values():
+            if getattr(stop, 'behaviour', 0) == SOURCE:
+                self.note(stop.element, 'b=1 (source) not carried over: it has no effect in pedsim_ros, either')
+
+    def wall_of(self, element):
+        ends = [(element.number(f'x{end}'), element.number(f'y{end}')) for end in (1, 2)]
+        if ends[0] == ends[1]:
+            self.note(element, 'not carried over: it has no length')
+            return None
+        return f'[{point(ends[0])}, {point(ends[1])}]'
+
+    def queue_of(self, queue):
+        direction = (queue.direction + 180.0) % 360.0  # in which the line extends
+        return f'{{head: {point(queue.head)}, direction: {number_text(direction)}, ' \
+            f'spacing: {number_text(max(QUEUE_SPACING, 2 * self.radius + GAP))}, ' \
+            f'service: {point(SERVICE)}}}'
+
+    def body_of(self, cluster):
+        """Returns the speed, as text, and the radius of the agents of a cluster."""
+        if cluster.type == ROBOT:
+            self.note(cluster.element, "a robot is a person here, with the size and speed of pedsim_ros's SOCIAL_DRIVE")
+            return number_text(ROBOT_SPEED), ROBOT_RADIUS
+        return (number_text(ELDER_SPEED) if cluster.type == ELDER else point(SPEED)), self.radius
+
+    def area_of(self, cluster, radius):
+        """Returns the region of a cluster at the start. It is enlarged where the bodies would overlap."""
+        sides = cluster.sides
+        count = sum(other.count * share_within(other, cluster) for other in self.scene.agents + self.scene.sources)
+        needed = count * math.pi * (radius + GAP / 2) ** 2 / DENSEST
+        if cluster.count > 1 and (sides[0] + 2 * radius) * (sides[1] + 2 * radius) < needed:
+            ratio = math.sqrt(sides[0] / sides[1]) if min(sides) > 0 else 1.0
+            root = math.sqrt(needed)
+            sides = [max(side, math.ceil(10 * length) / 10) for side, length in
+                     zip(sides, (root * ratio, root / ratio))]
+            before, after = (' x '.join(map(number_text, lengths)) for lengths in (cluster.sides, sides))
+            self.note(cluster.element,
+                      f'{round(count)} bodies do not fit into {before} m; enlarged to {after} m')
+        return region(cluster.middle, sides) if cluster.count == 1 else box(cluster.middle, sides)
+
+    def add_agents(self, cluster):
+        if cluster.count == 0:
+            self.note(cluster.element, 'not carried over: n is 0')
+            return
+        speed, radius = self.body_of(cluster)
+        count = f'count: {cluster.count}, ' if cluster.count > 1 else ''
+        area = self.area_of(cluster, radius)
+        if not cluster.stops:
+            self.note(cluster.element, 'without waypoints it stands still: carried over as an obstacle')
+            self.obstacles.append(f'{{{count}position: {area}, radius: {number_text(radius)}}}')
+            return
+        self.agents.append(f'{{{count}position: {area}, route: {self.route_of(cluster)}, speed: {speed}, '
+                           f'radius: {number_text(radius)}}}')
+
+    def add_source(self, cluster):
+        if cluster.count == 0 or not cluster.stops:
+            reason = 'n is 0' if cluster.count == 0 else 'it has no waypoints'
+            self.note(cluster.element, f'not carried over: {reason}')
+            return
+        self.add_agents(cluster)  # pedsim_ros creates them at the start, too
+        rate = cluster.count / self.spawn_period
+        self.sources.append(
+            f'{{area: {box(cluster.middle, cluster.sides)}, rate: {number_text(rate)}, interval: regular, '
+            f'from: {number_text(self.spawn_period)}, route: {self.route_of(cluster)}, speed: {point(SPEED)}, '
+            f'radius: {number_text(self.radius)}}}')
+        self.note(cluster.element, f'people come one by one, not {cluster.count} at once each '
+                  f'{number_text(self.spawn_period)} s')
+
+    def route_of(self, cluster):
+        """Returns the name of the route of a cluster; it repeats unless there is a sink, where it ends."""
+        sinks = [i for i, stop in enumerate(cluster.stops) if stop.name in self.sinks]
+        stops = cluster.stops[:sinks[0] + 1] if sinks else cluster.stops
+        if len(stops) < len(cluster.stops):
+            self.note(cluster.element, f'the waypoints after the sink {name_text(stops[-1].name)} are not carried over')
+        text = '\n'.join([f"    repeat: {'false' if sinks else 'true'}", '    waypoints:'] +
+                         ['      - ' + self.stop_text(stop) for stop in stops])
+        return self.routes.setdefault(text, f'route_{len(self.routes) + 1}')
+
+    def stop_text(self, stop):
+        if stop.name in self.sinks:
+            return f'{{sink: {name_text(stop.name)}}}'
+        return f'{{queue: {name_text(stop.name)}}}' if isinstance(stop, Queue) else f'{{place: {ring(stop)}}}'
