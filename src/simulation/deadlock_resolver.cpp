@@ -9,6 +9,7 @@ constexpr double TRAIL_STEP = 0.5;        // between places of a trail [m]
 constexpr std::size_t TRAIL_LENGTH = 20;  // places
 constexpr double REACH = 0.6;             // between bodies that block each other [m]
 constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
+constexpr double GRATITUDE_TIME = 20.0;   // for which an agent that gave way goes first [s]
 constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
 
 Vector2 favouredDirection(double time) {
@@ -74,7 +75,6 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) const
   const bool is_stuck = time - walks_[agent.id].progress_time >= STUCK_TIME;
   if (!is_stuck && agent.velocity.norm() > 0.3 * agent.max_speed) return false;
   const Vector2& direction = walks_[agent.id].course;
-  const Vector2 axis = favouredDirection(time);
   for (const Agent& other : world.agents()) {
     if (!other.isWalking() || other.id == agent.id) continue;
     const Vector2 offset = other.pose.position - agent.pose.position;
@@ -82,9 +82,21 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) const
     if (!is_stuck && !retreats) continue;
     if (offset.norm() > agent.radius + other.radius + REACH || offset.dot(direction) <= 0.0) continue;
     const Vector2& course = walks_[other.id].course;
-    if (course.dot(direction) < -0.3 && (retreats || axis.dot(course) > axis.dot(direction))) return true;
+    if (course.dot(direction) < -0.3 && (retreats || isFavoured(other.id, agent.id, time))) return true;
   }
   return false;
+}
+
+/// Whether one of two agents that walk in opposite directions goes first: the one that gave way lately, or else by the
+/// direction.
+bool DeadlockResolver::isFavoured(AgentId one, AgentId other, double time) const {
+  const auto gave_way = [&](const Walk& walk) {
+    return walk.retreat_until > 0.0 && time < walk.retreat_until + GRATITUDE_TIME;
+  };
+  const Walk& a = walks_[one];
+  const Walk& b = walks_[other];
+  if (gave_way(a) != gave_way(b)) return gave_way(a);
+  return favouredDirection(time).dot(a.course - b.course) > 0.0;
 }
 
 void DeadlockResolver::retreat(World& world, const Agent& agent) {

@@ -39,6 +39,7 @@ class DeadlockResolver {
 
   void follow(const Agent& agent, double time);
   bool mustGiveWay(const World& world, const Agent& agent) const;
+  bool isFavoured(AgentId one, AgentId other, double time) const;
   void retreat(World& world, const Agent& agent);
 
   std::vector<Walk> walks_;  // by id
