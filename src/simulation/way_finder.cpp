@@ -46,7 +46,7 @@ bool standsAlone(const FloorPlan::Disc& disc, const FloorPlan& floor, double rad
 /// left to the learners, which walk round them with shorter paths.
 FloorPlan floorOf(const World& world, double radius) {
   FloorPlan floor;
-  floor.bounds.emplace();
+  floor.bounds = FloorPlan::Bounds{};
   floor.walls = world.walls();
   for (const Obstacle& obstacle : world.obstacles()) {
     if (!obstacle.path.moves()) floor.obstacles.push_back({obstacle.path.position(0.0), obstacle.radius});
@@ -131,7 +131,7 @@ Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
     way.is_tight = true;
     way.follower->replan();
   }
-  const Vector2 next = way.follower->next(agent.pose.position, *tight_);
+  Vector2 next = way.follower->next(agent.pose.position, *tight_);
   if (way.follower->state() == PathFollower::State::UNREACHABLE) return next;
   return keepRight(agent, next, way, *tight_);
 }
@@ -153,7 +153,7 @@ Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, 
   const Vector2 forward = is_corner ? Vector2((direction + (corners[1] - next).normalized()).normalized()) : direction;
   const Vector2 ahead = position + std::min(distance, LANE_LOOKAHEAD) * direction;
   if (!isCorridor(position, ahead, direction, agent.radius)) return next;
-  const Vector2 place = laneBeside(ahead, forward, agent.radius);
+  Vector2 place = laneBeside(ahead, forward, agent.radius);
   if (place == ahead || !query.isStraight(position, place)) return next;
   if (is_corner) way.lane = Lane{place, forward};
   return place;

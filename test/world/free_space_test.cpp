@@ -26,7 +26,7 @@ OccupancyMap twoRooms() { return maps::drawn({"#########", "#...#...#", "#...#..
 
 TEST(FreeSpace, RoomsAreComponents) {
   const OccupancyMap map = twoRooms();
-  const FreeSpace space = freeSpace(map, 0.3);
+  const FreeSpace space = freeSpace(map, 0.2);
   EXPECT_FALSE(space.empty());
   EXPECT_NE(space.component({2.5, 3.0}), FreeSpace::NONE);
   EXPECT_NE(space.component({6.5, 3.0}), FreeSpace::NONE);
