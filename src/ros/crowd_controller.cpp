@@ -100,21 +100,24 @@ Scene CrowdController::nextScene() const {
 }
 
 void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
+  std::vector<Segment> map_walls;
+  std::shared_ptr<const OccupancyMap> map;
+  const Scene& scene = episode_->scene();
   try {
     if (message.header.frame_id != names::MAP_FRAME && !message.header.frame_id.empty()) {
       throw InputError("header.frame_id: expected 'map', got '" + message.header.frame_id + "'");
     }
-    auto map = std::make_shared<const OccupancyMap>(fromMessage(message));
-    map_walls_ = traceWalls(*map);
-    map_ = std::move(map);
+    map = std::make_shared<const OccupancyMap>(fromMessage(message));
+    map_walls = traceWalls(*map);
+    std::vector<Segment> walls(scene.walls.begin(), scene.walls.begin() + static_cast<std::ptrdiff_t>(scene.own_walls));
+    walls.insert(walls.end(), map_walls.begin(), map_walls.end());
+    episode_->replaceWalls(std::move(walls));
   } catch (const Error& error) {
     ROS_ERROR("the map on %s is not used: %s", parameters_.map_topic.c_str(), error.what());
     return;
   }
-  const Scene& scene = episode_->scene();
-  std::vector<Segment> walls(scene.walls.begin(), scene.walls.begin() + static_cast<std::ptrdiff_t>(scene.own_walls));
-  walls.insert(walls.end(), map_walls_.begin(), map_walls_.end());
-  episode_->replaceWalls(std::move(walls));
+  map_ = std::move(map);
+  map_walls_ = std::move(map_walls);
   broadcaster_.publishWalls(*episode_);
   ROS_INFO("map of %u x %u cells from %s: %zu walls", message.info.width, message.info.height,
            parameters_.map_topic.c_str(), map_walls_.size());
@@ -157,6 +160,11 @@ void CrowdController::logResult(const EpisodeResult& result) {
       static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
       result.collidedCount(), metrics.pathRatio(), metrics.timeRatio(),
       static_cast<unsigned long>(answers_.missedCount()), static_cast<unsigned long>(answers_.droppedCount()));
+  const std::string warning = result.wayWarning();
+  if (!warning.empty()) {
+    ROS_WARN("episode %lu (%s): %s", static_cast<unsigned long>(episode_->number()), result.scenario.c_str(),
+             warning.c_str());
+  }
 }
 
 void CrowdController::waitWhilePaused() {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
+
+#include "social_crowd/common/errors.h"
 
 namespace crowd {
 namespace {
@@ -21,6 +24,8 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
       thread_pool_(&thread_pool),
       monitor_(scene_, world_),
       population_(scene_),
+      way_finder_(gateWalls(scene_)),
+      way_lengths_(scene_),
       number_(number) {
   population_.begin(world_, monitor_);
   noteChange();
@@ -28,14 +33,27 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
 
 void Episode::noteChange() {
   are_current_ = false;
-  if (!scene_.way_finding) return;
+  if (!findsWays()) return;
   // The ways are found for the largest agent of the time when the layout changed last.
   const double before = largest_radius_;
   for (; known_agents_ < world_.agents().size(); ++known_agents_) {
     largest_radius_ = std::max(largest_radius_, world_.agents()[known_agents_].radius);
   }
-  if (largest_radius_ > before) way_finder_ = WayFinder();
-  way_finder_.update(world_);
+  if (largest_radius_ > before) way_finder_ = WayFinder(gateWalls(scene_));
+  try {
+    way_finder_.update(world_);
+  } catch (const InputError& error) {  // the floor is too large
+    way_finding_problem_ = error.what();
+    WayFinder::release(world_);
+  }
+}
+
+template <typename Change>
+void Episode::requireFloorAfter(const Change& change) const {
+  if (!findsWays()) return;
+  World trial = world_;
+  change(trial);
+  requireNavigableFloor(trial);
 }
 
 void Episode::noteWalls() {
@@ -80,6 +98,16 @@ bool Episode::isOver() const {
   return is_empty || world_.tick() >= scene_.max_ticks;
 }
 
+EpisodeResult Episode::result() const {
+  EpisodeResult result = monitor_.result();
+  result.way_finding_problem = way_finding_problem_;
+  for (std::size_t i = 0; findsWays() && i < result.agents.size(); ++i) {
+    const auto id = static_cast<AgentId>(i);
+    result.agents[i].out_of_reach = world_.isActive(id) && way_finder_.isOutOfReach(id);
+  }
+  return result;
+}
+
 const Perceptions& Episode::perceptions() {
   if (are_current_) return *perceptions_;
   if (may_be_held_) {
@@ -121,6 +149,8 @@ void Episode::decide(Learner& learner, RelativeActions& actions) {
 }
 
 AgentId Episode::spawnAgent(const AgentStart& start) {
+  requireFloorAfter([&](World& world) { world.spawnAgent(start); });
+  if (findsWays()) way_lengths_.requireWay("the agent", world_, start.position, start.goals.front(), start.radius);
   const AgentId id = world_.spawnAgent(start);
   monitor_.watch(start, world_);
   noteChange();
@@ -133,6 +163,11 @@ void Episode::removeAgent(AgentId id) {
 }
 
 void Episode::setGoal(AgentId id, const Vector2& goal) {
+  requireFloorAfter([&](World& world) { world.setGoal(id, goal); });
+  if (findsWays()) {
+    const Agent& agent = world_.agents()[id];
+    way_lengths_.requireWay("agent " + std::to_string(id), world_, agent.pose.position, goal, agent.radius);
+  }
   world_.setGoal(id, goal);
   population_.dropRoute(id, world_, monitor_);
   monitor_.recordGoal(world_.agents()[id], goal);
@@ -140,6 +175,7 @@ void Episode::setGoal(AgentId id, const Vector2& goal) {
 }
 
 std::size_t Episode::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
+  requireFloorAfter([&](World& world) { world.spawnObstacle(position, velocity, radius); });
   const std::size_t number = world_.spawnObstacle(position, velocity, radius);
   noteChange();
   return number;
@@ -151,11 +187,17 @@ void Episode::removeObstacle(std::size_t number) {
 }
 
 void Episode::teleport(AgentId id, const Pose& pose) {
+  requireFloorAfter([&](World& world) { world.teleport(id, pose); });
+  if (findsWays()) {
+    const Agent& agent = world_.agents()[id];
+    way_lengths_.requireWay("agent " + std::to_string(id), world_, pose.position, agent.goal(), agent.radius);
+  }
   world_.teleport(id, pose);
   noteChange();
 }
 
 std::size_t Episode::addWall(const Segment& wall) {
+  requireFloorAfter([&](World& world) { world.addWall(wall); });
   const std::size_t id = world_.addWall(wall);
   noteChange();
   return id;
@@ -167,12 +209,13 @@ void Episode::removeWall(std::size_t id) {
 }
 
 void Episode::replaceWalls(std::vector<Segment> walls) {
+  requireFloorAfter([&](World& world) { world.replaceWalls(walls); });
   world_.replaceWalls(std::move(walls));
   noteWalls();
 }
 
 void Episode::setRoute(AgentId id, const std::string& route) {
-  population_.setRoute(id, route, world_, monitor_);
+  population_.setRoute(id, route, findsWays(), world_, monitor_);
   noteChange();
 }
 

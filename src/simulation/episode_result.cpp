@@ -28,6 +28,10 @@ std::size_t countOf(const std::vector<AgentResult>& agents, bool AgentResult::*w
 
 }  // namespace
 
+std::string outOfReachText(std::size_t agents) {
+  return agents == 1 ? "1 agent has a goal out of reach" : std::to_string(agents) + " agents have goals out of reach";
+}
+
 std::size_t EpisodeResult::agentCount() const {
   const auto counts = [](const AgentResult& agent) { return !agent.removed; };
   return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
@@ -43,6 +47,14 @@ std::size_t EpisodeResult::expectedCount() const {
 std::size_t EpisodeResult::touchedCount() const { return countOf(agents, &AgentResult::touched); }
 
 std::size_t EpisodeResult::collidedCount() const { return countOf(agents, &AgentResult::collided); }
+
+std::size_t EpisodeResult::outOfReachCount() const { return countOf(agents, &AgentResult::out_of_reach); }
+
+std::string EpisodeResult::wayWarning() const {
+  if (!way_finding_problem.empty()) return "way-finding was left out: " + way_finding_problem;
+  const std::size_t count = outOfReachCount();
+  return count == 0 ? "" : outOfReachText(count);
+}
 
 std::vector<double> EpisodeResult::headings() const {
   std::vector<double> headings;

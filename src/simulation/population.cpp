@@ -1,7 +1,7 @@
 #include "social_crowd/simulation/population.h"
 
 #include <algorithm>
-#include <limits>
+#include <string>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/world/region_geometry.h"
@@ -26,6 +26,7 @@ Population::Population(const Scene& scene)
     : description_(scene.population ? scene.population : std::make_shared<const PopulationDescription>()),
       seed_(scene.population_seed),
       places_(scene) {
+  if (scene.way_finding) ways_.emplace(scene);
   for (const AgentStart& start : scene.agents) {
     if (start.route || start.reaction_time > 0.0) starts_ = scene.agents;
   }
@@ -42,7 +43,7 @@ void Population::chooseFirstGoals(Scene& scene) {
   const auto has_route = [](const AgentStart& start) { return start.route.has_value(); };
   if (std::none_of(scene.agents.begin(), scene.agents.end(), has_route)) return;
   const World world(scene);
-  const Population population(scene);
+  Population population(scene);
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
     AgentStart& start = scene.agents[i];
     if (!start.route) continue;
@@ -85,24 +86,38 @@ void Population::admit(AgentId id, const AgentStart& start, World& world, Episod
   hold(member, world);
 }
 
-Vector2 Population::goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) const {
+Vector2 Population::goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) {
   const WaypointDescription& waypoint = member.route->waypoint();
   if (waypoint.kind == Kind::PLACE)
     return places_.drawGoal(waypoint.place, from, radius, member.route->random(), world);
   if (waypoint.kind == Kind::QUEUE) return queues_[waypoint.target].end();
   member.sink = waypoint.target;
   if (waypoint.kind == Kind::SINK) return places_.nearestIn(description_->sinks[member.sink].area, from, radius, world);
+  return nearestSink(member, from, radius, world);
+}
+
+Vector2 Population::nearestSink(Member& member, const Vector2& from, double radius, const World& world) {
   Vector2 nearest = from;
-  double least = std::numeric_limits<double>::infinity();
+  std::optional<WayLengths::Way> shortest;
   for (std::size_t sink = 0; sink < description_->sinks.size(); ++sink) {
     const Vector2 place = places_.nearestIn(description_->sinks[sink].area, from, radius, world);
-    const double distance = (place - from).norm();
-    if (distance >= least) continue;
-    least = distance;
+    const WayLengths::Way way = wayTo(place, from, radius, world);
+    if (shortest && !(way < *shortest)) continue;
+    shortest = way;
     nearest = place;
     member.sink = sink;
   }
   return nearest;
+}
+
+WayLengths::Way Population::wayTo(const Vector2& place, const Vector2& from, double radius, const World& world) {
+  const WayLengths::Way straight{WayLengths::Kind::STRAIGHT, (place - from).norm()};
+  if (!ways_) return straight;
+  try {
+    return ways_->find(world, from, place, radius).value_or(straight);
+  } catch (const InputError&) {  // the floor is too large: the episode goes on without way-finding
+    return straight;
+  }
 }
 
 void Population::beginLeg(Member& member, World& world) {
@@ -193,9 +208,17 @@ bool Population::expectsAgents() const {
   return std::any_of(sources_.begin(), sources_.end(), [](const AgentSource& source) { return !source.isOver(); });
 }
 
-void Population::setRoute(AgentId id, const std::string& route, World& world, EpisodeMonitor& monitor) {
+void Population::setRoute(AgentId id, const std::string& route, bool checks_way, World& world,
+                          EpisodeMonitor& monitor) {
   const auto index = findName(description_->routes, route);
   if (!index) throw InputError(unknownNameText("route", route, namesOf(description_->routes)));
+  if (ways_ && checks_way && world.isActive(id)) {
+    const Agent& agent = world.agents()[id];
+    Member candidate;
+    candidate.route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
+    const Vector2 goal = goalOfLeg(candidate, agent.pose.position, agent.radius, world);
+    ways_->requireWay("agent " + std::to_string(id), world, agent.pose.position, goal, agent.radius);
+  }
   world.setLeaves(id, false);  // throws for unknown agents
   for (Queue& queue : queues_) queue.leave(id);
   Member* member = find(id);

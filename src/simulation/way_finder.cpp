@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <utility>
+
+#include "social_crowd/simulation/walking_floor.h"
 
 namespace crowd {
 namespace {
-
-/// Bounds grow in steps of this length [m], so that episodes of a scenario have the same.
-constexpr double BOUNDS_STEP = 8.0;
-
-constexpr double LARGE_OBSTACLE = 1.0;  // radius from which ways lead round an obstacle that stands alone [m]
 
 constexpr double LANE_WIDTH = 3.2;      // agents keep right where the floor is narrower, less their diameter [m]
 constexpr double LANE_STEP = 0.2;       // of the measurement of the width [m]
@@ -18,60 +15,6 @@ constexpr double LANE_SHARE = 0.1;      // distance of the lane from the right s
 constexpr double LANE_MARGIN = 0.15;    // and its smallest value [m]
 constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
 constexpr double LANE_REACHED = 0.4;    // [m]
-
-void includePoint(const Vector2& point, FloorPlan::Bounds& bounds) {
-  const Vector2 margin = Vector2::Constant(FloorPlan::MARGIN);
-  const Vector2 low = ((point - margin) / BOUNDS_STEP).array().floor() * BOUNDS_STEP;
-  const Vector2 high = ((point + margin) / BOUNDS_STEP).array().ceil() * BOUNDS_STEP;
-  bounds.low = bounds.low.cwiseMin(low);
-  bounds.high = bounds.high.cwiseMax(high);
-}
-
-bool contains(const FloorPlan::Bounds& bounds, const Vector2& point) {
-  return (point.array() >= bounds.low.array()).all() && (point.array() <= bounds.high.array()).all();
-}
-
-/// Whether agents of this radius can walk round an obstacle on both sides, one beside the other.
-bool standsAlone(const FloorPlan::Disc& disc, const FloorPlan& floor, double radius) {
-  const double room = RightOfWay::maxWidth(radius);
-  const auto is_near = [&](const FloorPlan::Disc& other) {
-    return &other != &disc && (other.centre - disc.centre).norm() < disc.radius + other.radius + room;
-  };
-  const auto is_near_wall = [&](const Segment& wall) { return distanceTo(wall, disc.centre) < disc.radius + room; };
-  return disc.radius <= LARGE_OBSTACLE && std::none_of(floor.obstacles.begin(), floor.obstacles.end(), is_near) &&
-         std::none_of(floor.walls.begin(), floor.walls.end(), is_near_wall);
-}
-
-/// Walls, obstacles at rest, and bounds around them, all agents and their goals. Small obstacles that stand alone are
-/// left to the learners, which walk round them with shorter paths.
-FloorPlan floorOf(const World& world, double radius) {
-  FloorPlan floor;
-  floor.bounds = FloorPlan::Bounds{};
-  floor.walls = world.walls();
-  for (const Obstacle& obstacle : world.obstacles()) {
-    if (!obstacle.path.moves()) floor.obstacles.push_back({obstacle.path.position(0.0), obstacle.radius});
-  }
-  std::vector<FloorPlan::Disc> to_walk_round;
-  std::copy_if(floor.obstacles.begin(), floor.obstacles.end(), std::back_inserter(to_walk_round),
-               [&](const FloorPlan::Disc& disc) { return !standsAlone(disc, floor, radius); });
-  floor.obstacles = to_walk_round;
-  for (const Segment& wall : floor.walls) {
-    includePoint(wall.from, *floor.bounds);
-    includePoint(wall.to, *floor.bounds);
-  }
-  for (const FloorPlan::Disc& disc : floor.obstacles) includePoint(disc.centre, *floor.bounds);
-  for (const Agent& agent : world.agents()) {
-    includePoint(agent.pose.position, *floor.bounds);
-    for (const Vector2& goal : agent.goals) includePoint(goal, *floor.bounds);
-  }
-  return floor;
-}
-
-double largestRadius(const World& world) {
-  double radius = 0.0;
-  for (const Agent& agent : world.agents()) radius = std::max(radius, agent.radius);
-  return radius;
-}
 
 }  // namespace
 
@@ -91,18 +34,30 @@ void WayFinder::update(World& world) {
   deadlocks_.update(world, paths_);
 }
 
-void WayFinder::adoptLayout(const World& world) {
+void WayFinder::adoptLayout(World& world) {
   layout_changes_ = world.layoutChanges();
-  const FloorPlan floor = floorOf(world, largestRadius(world));
-  is_needed_ = !world.agents().empty() && (!floor.walls.empty() || !floor.obstacles.empty());
+  radius_ = largestRadius(world);
+  FloorPlan floor = walkingFloor(world, radius_);
+  const bool was_needed = std::exchange(is_needed_, !world.agents().empty() && hasBarriers(floor));
   agents_.clear();
+  if (was_needed && !is_needed_) release(world);
   if (!is_needed_) return;
   bounds_ = *floor.bounds;
-  const double radius = largestRadius(world);
-  data_ = navigationData(floor, radius, RightOfWay::maxWidth(radius));
+  data_ = navigationDataOf(floor, radius_);
   comfortable_.emplace(data_->comfortable);
   tight_.emplace(data_->tight);
-  right_of_way_.emplace(std::shared_ptr<const Passages>(data_, &data_->passages), radius);
+  right_of_way_.emplace(std::shared_ptr<const Passages>(data_, &data_->passages), radius_);
+  open_.reset();
+  open_floor_.reset();
+  if (openGates(gates_, floor)) open_floor_ = std::move(floor);
+}
+
+void WayFinder::release(World& world) {
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isWalking()) continue;
+    world.setYielding(agent.id, false);
+    world.clearWaypoint(agent.id);
+  }
 }
 
 void WayFinder::lead(const Agent& agent, World& world) {
@@ -112,10 +67,11 @@ void WayFinder::lead(const Agent& agent, World& world) {
   world.setYielding(agent.id, false);
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way.follower.emplace(agent.goal());
-    way.is_tight = false;
+    way.floor = Floor::COMFORTABLE;
   }
   const Vector2 next = nextPoint(agent, way);
   way.out_of_reach = way.follower->state() == PathFollower::State::UNREACHABLE;
+  if (way.out_of_reach && mustStay(agent, world)) world.setYielding(agent.id, true);
   if (way.out_of_reach || next == agent.goal()) {
     world.clearWaypoint(agent.id);
   } else {
@@ -125,15 +81,37 @@ void WayFinder::lead(const Agent& agent, World& world) {
 }
 
 Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
-  if (!way.is_tight) {
-    const Vector2 next = way.follower->next(agent.pose.position, *comfortable_);
-    if (way.follower->state() == PathFollower::State::ON_THE_WAY) return keepRight(agent, next, way, *comfortable_);
-    way.is_tight = true;
+  const Vector2& position = agent.pose.position;
+  if (way.floor == Floor::OPEN && areConnected(position, agent.goal())) {
+    way.floor = Floor::TIGHT;
     way.follower->replan();
   }
-  Vector2 next = way.follower->next(agent.pose.position, *tight_);
-  if (way.follower->state() == PathFollower::State::UNREACHABLE) return next;
-  return keepRight(agent, next, way, *tight_);
+  if (way.floor == Floor::COMFORTABLE) {
+    Vector2 next = way.follower->next(position, *comfortable_);
+    if (way.follower->state() == PathFollower::State::ON_THE_WAY) return keepRight(agent, next, way, *comfortable_);
+    way.floor = Floor::TIGHT;
+    way.follower->replan();
+  }
+  if (way.floor == Floor::TIGHT) {
+    Vector2 next = way.follower->next(position, *tight_);
+    if (way.follower->state() != PathFollower::State::UNREACHABLE) return keepRight(agent, next, way, *tight_);
+    if (!open_floor_) return next;
+    way.floor = Floor::OPEN;
+    way.follower->replan();
+  }
+  if (!open_) open_.emplace(navigationDataOf(*open_floor_, radius_)->tight);
+  return way.follower->next(position, *open_);
+}
+
+bool WayFinder::areConnected(const Vector2& from, const Vector2& to) {
+  const auto component = tight_->component(from);
+  return component && component == tight_->component(to);
+}
+
+/// Agents that were pushed off the mesh, or see their goal, walk to it as far as they get.
+bool WayFinder::mustStay(const Agent& agent, const World& world) {
+  const Vector2& position = agent.pose.position;
+  return tight_->component(position).has_value() && !world.wallIndex().isClear(position, agent.goal(), 0.0);
 }
 
 /// In corridors agents walk on the right, so that those who walk in opposite directions do not meet head-on.

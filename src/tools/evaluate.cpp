@@ -1,6 +1,8 @@
 // Evaluates a Q-table on scenario files, without ROS.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <map>
@@ -55,11 +57,20 @@ void printHeader() {
               "collision%", "clean%", "path", "time", "rad/m", "speed", "blocked");
 }
 
+/// A number for the table; "-" if there is nothing to take the mean of, such as without any arrivals.
+std::string cell(double value, int decimals) {
+  if (std::isnan(value)) return "-";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return text.data();
+}
+
 void printRow(const std::string& name, const Metrics& metrics) {
-  std::printf("%-18s %9llu %8.2f %8.2f %10.2f %7.1f %6.3f %6.3f %6.2f %6.2f %7.2f\n", name.c_str(),
+  std::printf("%-18s %9llu %8.2f %8.2f %10.2f %7.1f %6s %6s %6s %6.2f %7s\n", name.c_str(),
               static_cast<unsigned long long>(metrics.episodes()), metrics.successPercent(), metrics.contactPercent(),
-              metrics.collisionPercent(), metrics.cleanPercent(), metrics.pathRatio(), metrics.timeRatio(),
-              metrics.turnPerMetre(), metrics.maxSpeedRatio(), metrics.blockedMovesPerAgent());
+              metrics.collisionPercent(), metrics.cleanPercent(), cell(metrics.pathRatio(), 3).c_str(),
+              cell(metrics.timeRatio(), 3).c_str(), cell(metrics.turnPerMetre(), 2).c_str(), metrics.maxSpeedRatio(),
+              cell(metrics.blockedMovesPerAgent(), 2).c_str());
   std::fflush(stdout);
 }
 
@@ -123,20 +134,43 @@ class EpisodeWriter {
   std::optional<GrowingFile> scenes_;
 };
 
+/// What there is to warn of after all episodes of a scenario.
+struct WayWarnings {
+  std::size_t out_of_reach = 0;  // agents
+  std::size_t without = 0;       // episodes
+  std::string problem;           // of the first of these
+};
+
+void noteWays(const EpisodeResult& result, WayWarnings& ways) {
+  ways.out_of_reach += result.outOfReachCount();
+  if (result.way_finding_problem.empty()) return;
+  if (ways.without++ == 0) ways.problem = result.way_finding_problem;
+}
+
+void printWarnings(const std::string& name, const WayWarnings& ways) {
+  if (ways.out_of_reach > 0) std::cerr << name << ": " << outOfReachText(ways.out_of_reach) << "\n";
+  if (ways.without > 0) {
+    std::cerr << name << ": way-finding was left out in " << ways.without << " episode(s): " << ways.problem << "\n";
+  }
+}
+
 Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, const std::string& name,
                      const ScenarioList& scenarios, std::optional<GrowingFile>& record) {
   EpisodeWriter writer(arguments, name);
   const std::uint64_t episodes = arguments.plan.episodes > 0 ? arguments.plan.episodes : scenarios.size();
   ProgressBar bar(name, episodes);
   Metrics metrics;
+  WayWarnings ways;
   evaluate(trained, scenarios, arguments.plan, [&](EvaluatedEpisode& walked) {
     writer.write(walked);
     if (record) record->append(recordRows(walked));
     metrics.add(walked.result);
+    noteWays(walked.result, ways);
     if (bar.isDue(metrics.episodes()) && metrics.episodes() < episodes) bar.show(metrics.episodes(), "");
     return !isInterrupted();
   });
   bar.clear();
+  printWarnings(name, ways);
   return metrics;
 }
 

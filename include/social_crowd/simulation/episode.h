@@ -12,6 +12,7 @@
 #include "social_crowd/simulation/greedy_crowd.h"
 #include "social_crowd/simulation/population.h"
 #include "social_crowd/simulation/way_finder.h"
+#include "social_crowd/simulation/way_lengths.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
@@ -58,10 +59,14 @@ class Episode {
   const Scene& scene() const { return scene_; }
   const World& world() const { return world_; }
   const Population& population() const { return population_; }
-  EpisodeResult result() const { return monitor_.result(); }
+  EpisodeResult result() const;
+  /// @brief Why way-finding is left out, although the scene is with it: the floor is too large. Empty if it is not.
+  const std::string& wayFindingProblem() const { return way_finding_problem_; }
 
   /// @brief Changes of the world between two ticks, see World; perceptions() reflect them.
-  /// @throws InputError as World does; the world is unchanged then.
+  /// @throws InputError as World does; with way-finding also if an agent cannot reach its goal then because of its own
+  /// new place, goal or route (WayLengths::requireWay()), or if the floor would become too large. The world is
+  /// unchanged then.
   AgentId spawnAgent(const AgentStart& start);
   void removeAgent(AgentId id);
   void setGoal(AgentId id, const Vector2& goal);
@@ -82,6 +87,11 @@ class Episode {
   void noteChange();
   /// Notes a change of the walls by a user.
   void noteWalls();
+  /// Whether ways are found.
+  bool findsWays() const { return scene_.way_finding && way_finding_problem_.empty(); }
+  /// Throws InputError as World does if change(world) is invalid, or if the floor would be too large for way-finding.
+  template <typename Change>
+  void requireFloorAfter(const Change& change) const;
   bool isSequential() const { return scene_.order == Order::SEQUENTIAL; }
   void perceiveTurn();
   /// Advances `turn_` to the next agent that has a turn in this tick, starting with `turn_` itself; false if none.
@@ -95,6 +105,8 @@ class Episode {
   EpisodeMonitor monitor_;
   Population population_;
   WayFinder way_finder_;
+  WayLengths way_lengths_;  // for changes by users
+  std::string way_finding_problem_;
   std::size_t known_agents_ = 0;  // that `way_finder_` may have seen
   double largest_radius_ = 0.0;   // of these [m]
   std::uint64_t number_;

@@ -16,6 +16,7 @@ struct AgentResult {
   bool removed = false;             ///< was removed on its way; excluded from all metrics
   bool touched = false;             ///< in contact in any tick before it arrived
   bool collided = false;            ///< in collision in any tick before it arrived (thesis, 4.1), see World
+  bool out_of_reach = false;        ///< on its way at the end, and no way leads to its goal (WayFinder::isOutOfReach())
   bool endless = false;             ///< on a route that repeats: it never arrives, and has not failed
   std::uint64_t waypoints = 0;      ///< waypoints of routes that it has left behind
   std::uint64_t blocked_moves = 0;  ///< moves that were cut short by an impact; solid worlds only
@@ -32,11 +33,15 @@ struct AgentResult {
   double path_per_gain = 0.0;       ///< path_length / distance_gained; NaN if distance_gained is not positive
 };
 
+/// @brief "2 agents have goals out of reach". @param agents above 0
+std::string outOfReachText(std::size_t agents);
+
 /// @brief Results of an episode.
 struct EpisodeResult {
   std::string scenario;
   std::uint64_t ticks = 0;
   std::vector<AgentResult> agents;
+  std::string way_finding_problem;  ///< why way-finding was left out from some tick on; empty: it was not
 
   /// @brief Number of agents that count: those that were not removed.
   std::size_t agentCount() const;
@@ -45,6 +50,10 @@ struct EpisodeResult {
   std::size_t expectedCount() const;
   std::size_t touchedCount() const;
   std::size_t collidedCount() const;
+  std::size_t outOfReachCount() const;
+  /// @brief What a user is to know about the ways of this episode, such as "2 agents have goals out of reach"; empty if
+  /// there is nothing.
+  std::string wayWarning() const;
   /// @brief Headings of all agents at the end [rad], for keepHeadings() of the next episode.
   std::vector<double> headings() const;
   /// @brief Sum of the blocked moves of all agents that count.

@@ -12,6 +12,7 @@
 #include "social_crowd/simulation/place_picker.h"
 #include "social_crowd/simulation/queue.h"
 #include "social_crowd/simulation/route_follower.h"
+#include "social_crowd/simulation/way_lengths.h"
 #include "social_crowd/world/population.h"
 #include "social_crowd/world/world.h"
 
@@ -34,8 +35,9 @@ class Population {
   bool expectsAgents() const;
 
   /// @brief Lets an agent begin a route. @throws InputError that lists the known names, or if the agent is not on its
-  /// way
-  void setRoute(AgentId id, const std::string& route, World& world, EpisodeMonitor& monitor);
+  /// way, or cannot reach the first waypoint (WayLengths::requireWay; with way-finding only); nothing is changed then
+  /// @param checks_way whether the first waypoint must be in reach
+  void setRoute(AgentId id, const std::string& route, bool checks_way, World& world, EpisodeMonitor& monitor);
   /// @brief Lets an agent forget its route, as for a goal of a user. Does nothing for agents that are not on a route.
   void dropRoute(AgentId id, World& world, EpisodeMonitor& monitor);
   /// @brief Opens or closes a gate, see Gate. @return whether it is open now @throws InputError that lists the known
@@ -62,7 +64,11 @@ class Population {
   /// Adds an agent that has just appeared.
   void admit(AgentId id, const AgentStart& start, World& world, EpisodeMonitor& monitor);
   /// Returns the goal of an agent's present leg, and sets its sink.
-  Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) const;
+  Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world);
+  /// Returns a place in the sink with the shortest way, and sets the member's sink.
+  Vector2 nearestSink(Member& member, const Vector2& from, double radius, const World& world);
+  /// The way to a place; without way-finding the straight line.
+  WayLengths::Way wayTo(const Vector2& place, const Vector2& from, double radius, const World& world);
   void beginLeg(Member& member, World& world);
   /// Goes on to the next waypoint, or lets the agent leave at the end of its route.
   void advance(Member& member, World& world, EpisodeMonitor& monitor);
@@ -74,6 +80,7 @@ class Population {
   std::shared_ptr<const PopulationDescription> description_;
   std::uint64_t seed_;
   PlacePicker places_;
+  std::optional<WayLengths> ways_;  // with way-finding
   std::vector<AgentStart> starts_;  // until begin()
   std::vector<AgentSource> sources_;
   std::vector<Queue> queues_;

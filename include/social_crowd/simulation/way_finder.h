@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "social_crowd/navigation/mesh_cache.h"
@@ -19,13 +20,23 @@ namespace crowd {
 /// Ways are found for the radius of the largest agent. They keep COMFORTABLE_MARGIN from walls where there is room. At
 /// narrow passages agents go one direction after the other (RightOfWay). Deterministic; depends only on the world.
 ///
+/// An agent whose goal is behind closed gates walks up to them. One whose goal is out of reach stays, unless it sees
+/// it.
+///
 /// Call contract: update() before the first perceptions of an episode, after each tick and after each change of the
 /// world by a user. Not thread-safe.
 class WayFinder {
  public:
-  void update(World& world);
+  /// @param gates the walls of all gates [m]
+  explicit WayFinder(std::vector<Segment> gates = {}) : gates_(std::move(gates)) {}
 
-  /// @brief Whether there is no way from an agent's place to its goal, as of the last update().
+  /// @throws InputError if the floor is too large (NavigationMesh); the object must not be used any more then.
+  void update(World& world);
+  /// @brief Makes all agents of a world perceive their goals again.
+  static void release(World& world);
+
+  /// @brief Whether there is no way from an agent's place to its goal, as of the last update(), even with all gates
+  /// open.
   bool isOutOfReach(AgentId agent) const { return agent < agents_.size() && agents_[agent].out_of_reach; }
 
  private:
@@ -40,17 +51,21 @@ class WayFinder {
     double right;
     double width() const { return left + right; }
   };
+  /// What a way is found on. OPEN: the tight mesh with all gates open.
+  enum class Floor : std::uint8_t { COMFORTABLE, TIGHT, OPEN };
   /// Way of one agent.
   struct Way {
     std::optional<Lane> lane;  // present
     std::optional<PathFollower> follower;
-    bool is_tight = false;  // on the tight mesh
+    Floor floor = Floor::COMFORTABLE;
     bool out_of_reach = false;
   };
 
-  void adoptLayout(const World& world);
+  void adoptLayout(World& world);
   void lead(const Agent& agent, World& world);
   Vector2 nextPoint(const Agent& agent, Way& way);
+  bool areConnected(const Vector2& from, const Vector2& to);
+  bool mustStay(const Agent& agent, const World& world);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
   Sides floorBeside(const Vector2& place, const Vector2& forward, double radius) const;
@@ -59,9 +74,13 @@ class WayFinder {
   std::uint64_t layout_changes_ = 0;  // of the world that `data_` belongs to
   bool is_needed_ = false;            // there is anything to walk round
   FloorPlan::Bounds bounds_;          // of the floor of `data_`
+  double radius_ = 0.0;               // of the agents that it is for [m]
   std::shared_ptr<const NavigationData> data_;
   std::optional<NavigationMesh::Query> comfortable_;
   std::optional<NavigationMesh::Query> tight_;
+  std::vector<Segment> gates_;
+  std::optional<FloorPlan> open_floor_;        // with all gates open, if any is closed
+  std::optional<NavigationMesh::Query> open_;  // on its tight mesh; made when it is needed
   std::optional<RightOfWay> right_of_way_;
   DeadlockResolver deadlocks_;
   std::vector<Way> agents_;           // by id

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "social_crowd/navigation/mesh_cache.h"
+#include "social_crowd/world/floor_plan.h"
+#include "social_crowd/world/scene.h"
+#include "social_crowd/world/world.h"
+
+namespace crowd {
+
+/// @brief The radius of the largest agent [m]; 0 without agents.
+double largestRadius(const World& world);
+
+/// @brief The floor that ways are found on: walls, obstacles at rest, and bounds around them, all agents and their
+/// goals. Small obstacles that stand alone are left to the learners, which walk round them with shorter paths.
+/// @param radius of the largest agent [m]
+FloorPlan walkingFloor(const World& world, double radius);
+
+/// @brief Whether there is anything to walk round.
+inline bool hasBarriers(const FloorPlan& floor) { return !floor.walls.empty() || !floor.obstacles.empty(); }
+
+/// @brief Grows the bounds of a floor, so that they contain a point [m] and some space around it.
+void includePoint(const Vector2& point, FloorPlan::Bounds& bounds);
+
+/// @brief Whether bounds contain a point [m].
+bool contains(const FloorPlan::Bounds& bounds, const Vector2& point);
+
+/// @brief The walls of all gates of a scene, whether they are closed or not.
+std::vector<Segment> gateWalls(const Scene& scene);
+
+/// @brief Removes the walls of closed gates. @return whether there were any
+bool openGates(const std::vector<Segment>& gates, FloorPlan& floor);
+
+/// @brief The navigation data of a floor, see navigationData(). @throws InputError if the floor is too large
+std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius);
+
+/// @brief Does nothing if ways can be found in a world. @throws InputError if its floor is too large
+void requireNavigableFloor(const World& world);
+
+}  // namespace crowd
