@@ -18,6 +18,7 @@ constexpr double LANE_SHARE = 0.1;      // distance of the lane from the right s
 constexpr double LANE_MARGIN = 0.15;    // and its smallest value [m]
 constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
 constexpr double LANE_REACHED = 0.4;    // [m]
+constexpr double AIM_DISTANCE = 0.25;   // an agent aims at the same point until it has moved this far [m]
 
 void includePoint(const Vector2& point, FloorPlan::Bounds& bounds) {
   const Vector2 margin = Vector2::Constant(FloorPlan::MARGIN);
@@ -108,7 +109,6 @@ void WayFinder::adoptLayout(const World& world) {
 void WayFinder::lead(const Agent& agent, World& world) {
   Way& way = agents_[agent.id];
   RemainingPath& path = paths_[agent.id];
-  path.clear();
   world.setYielding(agent.id, false);
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way.follower.emplace(agent.goal());
@@ -121,7 +121,8 @@ void WayFinder::lead(const Agent& agent, World& world) {
   } else {
     world.setWaypoint(agent.id, next);
   }
-  for (const Vector2& corner : way.follower->corners()) path.push_back(corner);
+  const Span<Vector2> corners = way.follower->corners();
+  path.assign(corners.begin(), corners.end());
 }
 
 Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
@@ -139,12 +140,20 @@ Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
 /// In corridors agents walk on the right, so that those who walk in opposite directions do not meet head-on.
 Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
   const Vector2& position = agent.pose.position;
+  bool is_due = !way.aim || way.aim->corner != next || (position - way.aim->from).norm() >= AIM_DISTANCE;
   if (way.lane) {
     const Vector2 offset = way.lane->place - position;
     const bool is_passed = offset.dot(way.lane->forward) <= 0.0 || offset.norm() < LANE_REACHED;
-    if (!is_passed && query.isStraight(position, way.lane->place)) return way.lane->place;
-    way.lane.reset();
+    is_due = is_due || is_passed;
+    if (is_passed || (is_due && !query.isStraight(position, way.lane->place))) way.lane.reset();
   }
+  if (is_due) way.aim = Aim{way.lane ? way.lane->place : chooseAim(agent, next, way, query), next, position};
+  return way.aim->point;
+}
+
+/// Starts a lane if a corner is near.
+Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
+  const Vector2& position = agent.pose.position;
   const Span<Vector2> corners = way.follower->corners();
   const double distance = (next - position).norm();
   if (distance < LANE_REACHED || (corners.size() < 2 && distance < LANE_LOOKAHEAD)) return next;

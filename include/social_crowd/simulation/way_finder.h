@@ -40,9 +40,16 @@ class WayFinder {
     double right;
     double width() const { return left + right; }
   };
+  /// The point that an agent walks to, and when it was chosen: it is kept until the agent has moved on.
+  struct Aim {
+    Vector2 point;
+    Vector2 corner;  // the next corner of the path then
+    Vector2 from;    // place of the agent then
+  };
   /// Way of one agent.
   struct Way {
     std::optional<Lane> lane;  // present
+    std::optional<Aim> aim;
     std::optional<PathFollower> follower;
     bool is_tight = false;  // on the tight mesh
     bool out_of_reach = false;
@@ -52,6 +59,7 @@ class WayFinder {
   void lead(const Agent& agent, World& world);
   Vector2 nextPoint(const Agent& agent, Way& way);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
+  Vector2 chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
   Sides floorBeside(const Vector2& place, const Vector2& forward, double radius) const;
   Vector2 laneBeside(const Vector2& place, const Vector2& forward, double radius) const;
