@@ -178,12 +178,14 @@ bool WayFinder::isCorridor(const Vector2& from, const Vector2& to, const Vector2
 
 WayFinder::Sides WayFinder::floorBeside(const Vector2& place, const Vector2& forward, double radius) const {
   const Vector2 right(forward.y(), -forward.x());
-  const auto room = [&](const Vector2& side) {
+  const auto room = [&](const Vector2& side, double limit) {
     double width = 0.0;
-    while (width < LANE_WIDTH && data_->passages.fits(place + (width + LANE_STEP) * side, radius)) width += LANE_STEP;
+    while (width < limit && data_->passages.fits(place + (width + LANE_STEP) * side, radius)) width += LANE_STEP;
     return width;
   };
-  return {room(-right), room(right)};
+  // Wider floor is not measured to the end.
+  const double left = room(-right, LANE_WIDTH);
+  return {left, room(right, LANE_WIDTH + LANE_STEP - left)};
 }
 
 /// The place to the right, on the line across the floor, where those who walk in this direction pass.
