@@ -57,6 +57,12 @@ void accumulateSide(const Segment& wall, double radius, CandidateVelocities& can
   }
 }
 
+/// Whether a wall before this one in the list has the same end: walls of maps are chains.
+bool isEndOfEarlier(const Vector2& end, const Segment& wall, const Span<Segment>& walls) {
+  return std::any_of(walls.begin(), &wall,
+                     [&](const Segment& earlier) { return earlier.from == end || earlier.to == end; });
+}
+
 /// Collects discs and passes them on in groups of SIZE, the rest in the destructor.
 template <typename HandOn>
 class Collector {
@@ -142,22 +148,29 @@ void accumulateTimeToCollision(const Perception& seen, const Vector2& preferred,
   const auto take_agents = [&](const simd::NeighbourArrays& agents) {
     accumulateAgents(agents, self, preferred, candidates);
   };
-  if (seen.isOfAgentsAlone()) {
-    return take_agents(
+  const auto take_all = [&] {
+    take_agents(
         {neighbours.xs(), neighbours.ys(), neighbours.vxs(), neighbours.vys(), neighbours.radii(), neighbours.size()});
-  }
+  };
+  if (seen.isOfAgentsAlone()) return take_all();
   const auto take_static = [&](const simd::NeighbourArrays& discs) { accumulateFixed(discs, self, candidates); };
-  Collector agents(take_agents);
   Collector static_bodies(take_static);
-  for (const Neighbour& neighbour : neighbours) {
-    if (neighbour.kind == NeighbourKind::AGENT) {
-      agents.add(neighbour.position, neighbour.velocity, neighbour.radius);
-    } else {
-      static_bodies.add(neighbour.position, neighbour.velocity, neighbour.radius);
+  if (!neighbours.hasObstacles()) {
+    take_all();
+  } else {
+    Collector agents(take_agents);
+    for (const Neighbour& neighbour : neighbours) {
+      if (neighbour.kind == NeighbourKind::AGENT) {
+        agents.add(neighbour.position, neighbour.velocity, neighbour.radius);
+      } else {
+        static_bodies.add(neighbour.position, neighbour.velocity, neighbour.radius);
+      }
     }
   }
   for (const Segment& wall : seen.walls) {
-    for (const Vector2* end : {&wall.from, &wall.to}) static_bodies.add(*end, Vector2::Zero(), 0.0);
+    for (const Vector2* end : {&wall.from, &wall.to}) {
+      if (!isEndOfEarlier(*end, wall, seen.walls)) static_bodies.add(*end, Vector2::Zero(), 0.0);
+    }
     accumulateSide(wall, self.radius, candidates);
   }
 }

@@ -58,6 +58,34 @@ Passages::Passages(const FloorPlan& floor, double radius, double max_width)
     const auto belongs = [&](Index at) { return widths[at] == Width::NARROW && !seen[at]; };
     addPassage(takeComponent(clearance_, point, belongs, [&](Index at) { seen[at] = true; }), widths);
   }
+  measureSteps();
+}
+
+/// Two passes over the grid, forwards and backwards.
+void Passages::measureSteps() {
+  constexpr int MOST = 255;
+  steps_.assign(clearance_.size(), MOST);
+  if (passages_.empty()) return;
+  const auto columns = static_cast<std::int64_t>(clearance_.columns());
+  const auto rows = static_cast<std::int64_t>(clearance_.rows());
+  const auto pass = [&](std::int64_t row, std::int64_t column, std::int64_t before) {
+    std::uint8_t& steps = steps_[static_cast<std::size_t>(row * columns + column)];
+    const auto look = [&](std::int64_t r, std::int64_t c) {
+      if (r < 0 || c < 0 || r >= rows || c >= columns) return;
+      steps = static_cast<std::uint8_t>(std::min<int>(steps, steps_[static_cast<std::size_t>(r * columns + c)] + 1));
+    };
+    look(row, column + before);
+    for (std::int64_t aside = -1; aside <= 1; ++aside) look(row + before, column + aside);
+  };
+  for (std::size_t point = 0; point < steps_.size(); ++point) {
+    if (labels_[point] != NONE) steps_[point] = 0;
+  }
+  for (std::int64_t row = 0; row < rows; ++row) {
+    for (std::int64_t column = 0; column < columns; ++column) pass(row, column, -1);
+  }
+  for (std::int64_t row = rows - 1; row >= 0; --row) {
+    for (std::int64_t column = columns - 1; column >= 0; --column) pass(row, column, 1);
+  }
 }
 
 std::vector<Passages::Width> Passages::classify(double radius, double max_width) const {

@@ -1,6 +1,8 @@
 #include "social_crowd/simulation/deadlock_resolver.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace crowd {
 namespace {
@@ -41,19 +43,26 @@ Vector2 directionOf(const RemainingPath& path, const Agent& agent) {
 void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& paths) {
   const double time = world.time();
   walks_.resize(world.agents().size());
+  retreating_.clear();
+  walkers_.clear();
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking()) continue;
     follow(agent, time);
-    if (time >= walks_[agent.id].retreat_until) walks_[agent.id].course = directionOf(paths[agent.id], agent);
+    if (time < walks_[agent.id].retreat_until) {
+      retreating_.push_back(agent.id);
+    } else {
+      walks_[agent.id].course = directionOf(paths[agent.id], agent);
+    }
   }
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
     Walk& walk = walks_[agent.id];
-    if (time >= walk.retreat_until && mustGiveWay(world, agent)) walk.retreat_until = time + RETREAT_TIME;
+    if (time < walk.retreat_until || !mustGiveWay(world, agent)) continue;
+    walk.retreat_until = time + RETREAT_TIME;
+    retreating_.push_back(agent.id);
   }
-  for (const Agent& agent : world.agents()) {
-    if (agent.isWalking() && time < walks_[agent.id].retreat_until) retreat(world, agent);
-  }
+  std::sort(retreating_.begin(), retreating_.end());
+  for (const AgentId agent : retreating_) retreat(world, world.agents()[agent]);
 }
 
 void DeadlockResolver::follow(const Agent& agent, double time) {
@@ -70,21 +79,45 @@ void DeadlockResolver::follow(const Agent& agent, double time) {
   if (walk.trail.size() > TRAIL_LENGTH) walk.trail.pop_front();
 }
 
-bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) const {
+void DeadlockResolver::sortByX(const World& world) {
+  largest_radius_ = 0.0;
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isWalking()) continue;
+    walkers_.push_back({agent.pose.position.x(), agent.id});
+    largest_radius_ = std::max(largest_radius_, agent.radius);
+  }
+  std::sort(walkers_.begin(), walkers_.end(),
+            [](const Walker& a, const Walker& b) { return std::tie(a.x, a.agent) < std::tie(b.x, b.agent); });
+}
+
+bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
   const double time = world.time();
   const bool is_stuck = time - walks_[agent.id].progress_time >= STUCK_TIME;
-  if (!is_stuck && agent.velocity.norm() > 0.3 * agent.max_speed) return false;
-  const Vector2& direction = walks_[agent.id].course;
-  for (const Agent& other : world.agents()) {
-    if (!other.isWalking() || other.id == agent.id) continue;
-    const Vector2 offset = other.pose.position - agent.pose.position;
-    const bool retreats = time < walks_[other.id].retreat_until;
-    if (!is_stuck && !retreats) continue;
-    if (offset.norm() > agent.radius + other.radius + REACH || offset.dot(direction) <= 0.0) continue;
-    const Vector2& course = walks_[other.id].course;
-    if (course.dot(direction) < -0.3 && (retreats || isFavoured(other.id, agent.id, time))) return true;
+  if (!is_stuck) {
+    if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
+    return std::any_of(retreating_.begin(), retreating_.end(),
+                       [&](AgentId other) { return givesWayTo(agent, world.agents()[other], time); });
   }
-  return false;
+  if (walkers_.empty()) sortByX(world);
+  const double reach = agent.radius + largest_radius_ + REACH;
+  const double x = agent.pose.position.x();
+  const auto first = std::lower_bound(walkers_.begin(), walkers_.end(), x - reach,
+                                      [](const Walker& walker, double low) { return walker.x < low; });
+  const auto last = std::upper_bound(first, walkers_.end(), x + reach,
+                                     [](double high, const Walker& walker) { return high < walker.x; });
+  return std::any_of(first, last,
+                     [&](const Walker& other) { return givesWayTo(agent, world.agents()[other.agent], time); });
+}
+
+/// Whether another agent blocks an agent, and walks back or is favoured.
+bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double time) const {
+  if (other.id == agent.id) return false;
+  const Vector2& direction = walks_[agent.id].course;
+  const Vector2 offset = other.pose.position - agent.pose.position;
+  if (offset.norm() > agent.radius + other.radius + REACH || offset.dot(direction) <= 0.0) return false;
+  const Vector2& course = walks_[other.id].course;
+  const bool retreats = time < walks_[other.id].retreat_until;
+  return course.dot(direction) < -0.3 && (retreats || isFavoured(other.id, agent.id, time));
 }
 
 /// Whether one of two agents that walk in opposite directions goes first: the one that gave way lately, or else by the

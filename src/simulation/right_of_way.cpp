@@ -84,13 +84,16 @@ void RightOfWay::addClaim(const Agent& agent, const RemainingPath& path) {
   double walked = 0.0;
   for (const Vector2& corner : path) {
     const double length = (corner - from).norm();
-    for (double along = 0.0; along < length && walked + along < LOOKAHEAD; along += SAMPLE) {
+    double step = SAMPLE;
+    for (double along = 0.0; along < length && walked + along < LOOKAHEAD; along += step) {
       const Vector2 place = from + along / length * (corner - from);
       const std::uint16_t passage = passages_->at(place);
       if (passage != Passages::NONE) {
         return states_[passage].claims.push_back({agent.id, nearestMouth(passage, before), walked + along});
       }
-      before = place;
+      // No sample nearer than this can be in a passage.
+      step = SAMPLE * std::max(1.0, std::floor(passages_->distanceFrom(place) / SAMPLE));
+      before = place + (step - SAMPLE) / length * (corner - from);
     }
     walked += length;
     from = corner;

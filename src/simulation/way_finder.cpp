@@ -15,6 +15,7 @@ constexpr double LANE_SHARE = 0.1;      // distance of the lane from the right s
 constexpr double LANE_MARGIN = 0.15;    // and its smallest value [m]
 constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
 constexpr double LANE_REACHED = 0.4;    // [m]
+constexpr double AIM_DISTANCE = 0.25;   // an agent aims at the same point until it has moved this far [m]
 
 }  // namespace
 
@@ -63,7 +64,6 @@ void WayFinder::release(World& world) {
 void WayFinder::lead(const Agent& agent, World& world) {
   Way& way = agents_[agent.id];
   RemainingPath& path = paths_[agent.id];
-  path.clear();
   world.setYielding(agent.id, false);
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way.follower.emplace(agent.goal());
@@ -77,7 +77,8 @@ void WayFinder::lead(const Agent& agent, World& world) {
   } else {
     world.setWaypoint(agent.id, next);
   }
-  for (const Vector2& corner : way.follower->corners()) path.push_back(corner);
+  const Span<Vector2> corners = way.follower->corners();
+  path.assign(corners.begin(), corners.end());
 }
 
 Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
@@ -117,12 +118,20 @@ bool WayFinder::mustStay(const Agent& agent, const World& world) {
 /// In corridors agents walk on the right, so that those who walk in opposite directions do not meet head-on.
 Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
   const Vector2& position = agent.pose.position;
+  bool is_due = !way.aim || way.aim->corner != next || (position - way.aim->from).norm() >= AIM_DISTANCE;
   if (way.lane) {
     const Vector2 offset = way.lane->place - position;
     const bool is_passed = offset.dot(way.lane->forward) <= 0.0 || offset.norm() < LANE_REACHED;
-    if (!is_passed && query.isStraight(position, way.lane->place)) return way.lane->place;
-    way.lane.reset();
+    is_due = is_due || is_passed;
+    if (is_passed || (is_due && !query.isStraight(position, way.lane->place))) way.lane.reset();
   }
+  if (is_due) way.aim = Aim{way.lane ? way.lane->place : chooseAim(agent, next, way, query), next, position};
+  return way.aim->point;
+}
+
+/// Starts a lane if a corner is near.
+Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
+  const Vector2& position = agent.pose.position;
   const Span<Vector2> corners = way.follower->corners();
   const double distance = (next - position).norm();
   if (distance < LANE_REACHED || (corners.size() < 2 && distance < LANE_LOOKAHEAD)) return next;
@@ -147,12 +156,14 @@ bool WayFinder::isCorridor(const Vector2& from, const Vector2& to, const Vector2
 
 WayFinder::Sides WayFinder::floorBeside(const Vector2& place, const Vector2& forward, double radius) const {
   const Vector2 right(forward.y(), -forward.x());
-  const auto room = [&](const Vector2& side) {
+  const auto room = [&](const Vector2& side, double limit) {
     double width = 0.0;
-    while (width < LANE_WIDTH && data_->passages.fits(place + (width + LANE_STEP) * side, radius)) width += LANE_STEP;
+    while (width < limit && data_->passages.fits(place + (width + LANE_STEP) * side, radius)) width += LANE_STEP;
     return width;
   };
-  return {room(-right), room(right)};
+  // Wider floor is not measured to the end.
+  const double left = room(-right, LANE_WIDTH);
+  return {left, room(right, LANE_WIDTH + LANE_STEP - left)};
 }
 
 /// The place to the right, on the line across the floor, where those who walk in this direction pass.

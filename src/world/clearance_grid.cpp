@@ -57,11 +57,4 @@ void ClearanceGrid::lower(const Vector2& low, const Vector2& high, const Distanc
   }
 }
 
-ClearanceGrid::Index ClearanceGrid::nearest(const Vector2& place) const {
-  const double column = std::round((place.x() - origin_.x()) / spacing_);
-  const double row = std::round((place.y() - origin_.y()) / spacing_);
-  const bool inside = column >= 0.0 && row >= 0.0 && column < columns_ && row < rows_;
-  return inside ? static_cast<Index>(row) * columns_ + static_cast<Index>(column) : OUTSIDE;
-}
-
 }  // namespace crowd

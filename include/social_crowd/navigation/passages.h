@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -36,7 +37,9 @@ class Passages {
   std::size_t size() const { return passages_.size(); }
   const Passage& operator[](std::size_t passage) const { return passages_[passage]; }
   /// @brief Memory that it occupies, without that of the mouths [bytes].
-  std::size_t bytes() const { return clearance_.bytes() + labels_.capacity() * sizeof(std::uint16_t); }
+  std::size_t bytes() const {
+    return clearance_.bytes() + labels_.capacity() * sizeof(std::uint16_t) + steps_.capacity();
+  }
   /// @brief Whether the centre of a disc can be at a place [m], `map`, to within the grid's spacing; beyond the grid
   /// there is nothing in the way.
   bool fits(const Vector2& place, double radius) const {
@@ -48,6 +51,11 @@ class Passages {
     const ClearanceGrid::Index point = clearance_.nearest(place);
     return point == ClearanceGrid::OUTSIDE ? NONE : labels_[point];
   }
+  /// @brief A lower bound of the distance from a place to the nearest passage [m]; 0 if it is not known.
+  double distanceFrom(const Vector2& place) const {
+    const ClearanceGrid::Index point = clearance_.nearest(place);
+    return point == ClearanceGrid::OUTSIDE ? 0.0 : std::max(0, steps_[point] - 1) * clearance_.spacing();
+  }
 
  private:
   using Index = ClearanceGrid::Index;
@@ -55,12 +63,14 @@ class Passages {
 
   std::vector<Width> classify(double radius, double max_width) const;
   bool isThroat(Index point) const;
+  void measureSteps();
   void addPassage(const std::vector<Index>& narrow, const std::vector<Width>& widths);
   double widthBetween(const std::vector<std::vector<Index>>& mouths, std::vector<Index> narrow) const;
   Mouth mouthAt(const std::vector<Index>& rim, const std::vector<Index>& narrow) const;
 
   ClearanceGrid clearance_;
   std::vector<std::uint16_t> labels_;  // by grid point
+  std::vector<std::uint8_t> steps_;    // to the nearest passage, also diagonal ones, at most 255; by grid point
   std::vector<Passage> passages_;
 };
 

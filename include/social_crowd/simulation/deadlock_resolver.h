@@ -38,11 +38,22 @@ class DeadlockResolver {
   };
 
   void follow(const Agent& agent, double time);
-  bool mustGiveWay(const World& world, const Agent& agent) const;
+  void sortByX(const World& world);
+  bool mustGiveWay(const World& world, const Agent& agent);
+  bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
   bool isFavoured(AgentId one, AgentId other, double time) const;
   void retreat(World& world, const Agent& agent);
 
-  std::vector<Walk> walks_;  // by id
+  /// An agent that walks.
+  struct Walker {
+    double x;  // of its place [m]
+    AgentId agent;
+  };
+
+  std::vector<Walk> walks_;          // by id
+  std::vector<AgentId> retreating_;  // of this tick
+  std::vector<Walker> walkers_;      // of this tick, by x; empty until it is needed
+  double largest_radius_ = 0.0;      // of the walkers [m]
 };
 
 }  // namespace crowd

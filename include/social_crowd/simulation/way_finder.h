@@ -53,9 +53,16 @@ class WayFinder {
   };
   /// What a way is found on. OPEN: the tight mesh with all gates open.
   enum class Floor : std::uint8_t { COMFORTABLE, TIGHT, OPEN };
+  /// The point that an agent walks to, and when it was chosen: it is kept until the agent has moved on.
+  struct Aim {
+    Vector2 point;
+    Vector2 corner;  // the next corner of the path then
+    Vector2 from;    // place of the agent then
+  };
   /// Way of one agent.
   struct Way {
     std::optional<Lane> lane;  // present
+    std::optional<Aim> aim;
     std::optional<PathFollower> follower;
     Floor floor = Floor::COMFORTABLE;
     bool out_of_reach = false;
@@ -67,6 +74,7 @@ class WayFinder {
   bool areConnected(const Vector2& from, const Vector2& to);
   bool mustStay(const Agent& agent, const World& world);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
+  Vector2 chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
   Sides floorBeside(const Vector2& place, const Vector2& forward, double radius) const;
   Vector2 laneBeside(const Vector2& place, const Vector2& forward, double radius) const;

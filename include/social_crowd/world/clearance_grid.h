@@ -37,7 +37,12 @@ class ClearanceGrid {
     return origin_ + spacing_ * Vector2(static_cast<double>(point % columns_), static_cast<double>(row));
   }
   /// @brief The grid point nearest to a place [m], `map`; OUTSIDE if the place is more than half a cell off the grid.
-  Index nearest(const Vector2& place) const;
+  Index nearest(const Vector2& place) const {
+    const double column = (place.x() - origin_.x()) / spacing_ + 0.5;
+    const double row = (place.y() - origin_.y()) / spacing_ + 0.5;
+    const bool inside = column >= 0.0 && row >= 0.0 && column < columns_ && row < rows_;
+    return inside ? static_cast<Index>(row) * columns_ + static_cast<Index>(column) : OUTSIDE;
+  }
 
   /// @brief The grid point that is this number of columns and rows away; OUTSIDE if there is none.
   Index offset(Index point, int columns, int rows) const {

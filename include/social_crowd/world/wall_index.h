@@ -21,7 +21,7 @@ class WallIndex {
   WallIndex() = default;
   /// @param walls finite segments [m]
   /// @param cell_size wanted side of a cell [m], above 0
-  explicit WallIndex(std::vector<Segment> walls, double cell_size = 0.5);
+  explicit WallIndex(std::vector<Segment> walls, double cell_size = 1.0);
 
   /// @brief The walls in the order in which they were given; searches return indices into this list.
   const std::vector<Segment>& walls() const { return walls_; }
