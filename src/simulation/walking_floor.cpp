@@ -41,7 +41,7 @@ bool contains(const FloorPlan::Bounds& bounds, const Vector2& point) {
 
 FloorPlan walkingFloor(const World& world, double radius) {
   FloorPlan floor;
-  floor.bounds.emplace();
+  floor.bounds = FloorPlan::Bounds{};
   floor.walls = world.walls();
   for (const Obstacle& obstacle : world.obstacles()) {
     if (!obstacle.path.moves()) floor.obstacles.push_back({obstacle.path.position(0.0), obstacle.radius});

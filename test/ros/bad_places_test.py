@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Bad maps, scenarios with bad places, and goals and names that do not exist: all are refused, and the crowd walks on."""
+"""Bad maps, scenarios with bad places, and goals and names that do not exist are refused, and the crowd walks on."""
 import rospy
 import support
 from controlling import ControllerTestCase
@@ -142,7 +142,8 @@ class MapTopicTest(BadPlacesTestCase):
 
     def grid(self, **changes):
         """A map of 2 x 1 cells, the first one is occupied, with some values replaced."""
-        values = dict({'frame': 'map', 'resolution': 0.5, 'width': 2, 'height': 1, 'x': 5.0, 'data': [100, 0]}, **changes)
+        values = {'frame': 'map', 'resolution': 0.5, 'width': 2, 'height': 1, 'x': 5.0, 'data': [100, 0]}
+        values.update(changes)
         message = OccupancyGrid()
         message.header.frame_id = values['frame']
         message.info.resolution = values['resolution']
