@@ -31,6 +31,7 @@ namespace {
 Scene lattice() {
   constexpr int COLUMNS = 20;
   Scene scene = scenes::scene({});
+  scene.way_finding = false;  // ways are searched again from time to time, which allocates memory
   for (int i = 0; i < COLUMNS * COLUMNS; ++i) {
     const int row = i / COLUMNS;
     const Vector2 place(1.4 * (i % COLUMNS), 1.4 * row);
