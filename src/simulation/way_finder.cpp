@@ -70,9 +70,12 @@ void WayFinder::lead(const Agent& agent, World& world) {
     way.floor = Floor::COMFORTABLE;
   }
   const Vector2 next = nextPoint(agent, way);
-  way.out_of_reach = way.follower->state() == PathFollower::State::UNREACHABLE;
-  if (way.out_of_reach && mustStay(agent, world)) world.setYielding(agent.id, true);
-  if (way.out_of_reach || next == agent.goal()) {
+  const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
+  // An agent in a wall or an obstacle, as in a ghost world, is not led, but may walk out of it.
+  way.out_of_reach = !is_led && tight_->component(agent.pose.position).has_value();
+  const bool sees_goal = way.out_of_reach && world.wallIndex().isClear(agent.pose.position, agent.goal(), 0.0);
+  if (way.out_of_reach && !sees_goal) world.setYielding(agent.id, true);
+  if (!is_led || next == agent.goal()) {
     world.clearWaypoint(agent.id);
   } else {
     world.setWaypoint(agent.id, next);
@@ -107,12 +110,6 @@ Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
 bool WayFinder::areConnected(const Vector2& from, const Vector2& to) {
   const auto component = tight_->component(from);
   return component && component == tight_->component(to);
-}
-
-/// Agents that were pushed off the mesh, or see their goal, walk to it as far as they get.
-bool WayFinder::mustStay(const Agent& agent, const World& world) {
-  const Vector2& position = agent.pose.position;
-  return tight_->component(position).has_value() && !world.wallIndex().isClear(position, agent.goal(), 0.0);
 }
 
 /// In corridors agents walk on the right, so that those who walk in opposite directions do not meet head-on.

@@ -72,7 +72,6 @@ class WayFinder {
   void lead(const Agent& agent, World& world);
   Vector2 nextPoint(const Agent& agent, Way& way);
   bool areConnected(const Vector2& from, const Vector2& to);
-  bool mustStay(const Agent& agent, const World& world);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   Vector2 chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
