@@ -34,12 +34,6 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
 void Episode::noteChange() {
   are_current_ = false;
   if (!findsWays()) return;
-  // The ways are found for the largest agent of the time when the layout changed last.
-  const double before = largest_radius_;
-  for (; known_agents_ < world_.agents().size(); ++known_agents_) {
-    largest_radius_ = std::max(largest_radius_, world_.agents()[known_agents_].radius);
-  }
-  if (largest_radius_ > before) way_finder_ = WayFinder(gateWalls(scene_));
   try {
     way_finder_.update(world_);
   } catch (const InputError& error) {  // the floor is too large

@@ -20,11 +20,12 @@ constexpr double AIM_DISTANCE = 0.25;   // an agent aims at the same point until
 }  // namespace
 
 void WayFinder::update(World& world) {
-  const auto is_outside = [this](const Agent& agent) {
-    return agent.isWalking() && !(contains(bounds_, agent.pose.position) && contains(bounds_, agent.goal()));
+  const auto does_not_fit = [this](const Agent& agent) {
+    const bool is_inside = contains(bounds_, agent.pose.position) && contains(bounds_, agent.goal());
+    return agent.isWalking() && (agent.radius > radius_ || (is_needed_ && !is_inside));
   };
-  const bool has_left = is_needed_ && std::any_of(world.agents().begin(), world.agents().end(), is_outside);
-  if (has_left || world.layoutChanges() != layout_changes_) adoptLayout(world);
+  const bool is_outgrown = std::any_of(world.agents().begin(), world.agents().end(), does_not_fit);
+  if (is_outgrown || world.layoutChanges() != layout_changes_) adoptLayout(world);
   if (!is_needed_) return;
   agents_.resize(world.agents().size());
   paths_.resize(world.agents().size());
@@ -66,8 +67,8 @@ void WayFinder::lead(const Agent& agent, World& world) {
   RemainingPath& path = paths_[agent.id];
   world.setYielding(agent.id, false);
   if (!way.follower || way.follower->goal() != agent.goal()) {
+    way = Way();
     way.follower.emplace(agent.goal());
-    way.floor = Floor::COMFORTABLE;
   }
   const Vector2 next = nextPoint(agent, way);
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;

@@ -107,8 +107,6 @@ class Episode {
   WayFinder way_finder_;
   WayLengths way_lengths_;  // for changes by users
   std::string way_finding_problem_;
-  std::size_t known_agents_ = 0;  // that `way_finder_` may have seen
-  double largest_radius_ = 0.0;   // of these [m]
   std::uint64_t number_;
   ObjectPool<std::shared_ptr<Perceptions>> buffers_;
   std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // latest
