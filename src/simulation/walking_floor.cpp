@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "social_crowd/simulation/right_of_way.h"
 #include "social_crowd/world/population.h"
@@ -41,7 +42,8 @@ bool contains(const FloorPlan::Bounds& bounds, const Vector2& point) {
 
 FloorPlan walkingFloor(const World& world, double radius) {
   FloorPlan floor;
-  floor.bounds = FloorPlan::Bounds{};
+  constexpr double INFINITE = std::numeric_limits<double>::infinity();
+  floor.bounds = FloorPlan::Bounds{Vector2::Constant(INFINITE), Vector2::Constant(-INFINITE)};
   floor.walls = world.walls();
   for (const Obstacle& obstacle : world.obstacles()) {
     if (!obstacle.path.moves()) floor.obstacles.push_back({obstacle.path.position(0.0), obstacle.radius});
