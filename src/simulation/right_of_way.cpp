@@ -59,11 +59,12 @@ void RightOfWay::update(World& world, const std::vector<RemainingPath>& paths) {
   collectClaims(world, paths);
   for (std::size_t passage = 0; passage < states_.size(); ++passage) {
     PassageState& state = states_[passage];
+    if (!state.is_controlled) continue;
     dropPassed(world.time(), state);
     if (state.claims.empty()) continue;
     admit(passage, state);
     noteProgress(world, paths, state);
-    if (state.is_controlled && world.time() < state.progress_time + STALL) guide(passage, state, world);
+    if (world.time() < state.progress_time + STALL) guide(passage, state, world);
   }
 }
 
