@@ -11,7 +11,6 @@ constexpr double TRAIL_STEP = 0.5;        // between places of a trail [m]
 constexpr std::size_t TRAIL_LENGTH = 20;  // places
 constexpr double REACH = 0.6;             // between bodies that block each other [m]
 constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
-constexpr double GRATITUDE_TIME = 20.0;   // for which an agent that gave way goes first [s]
 constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
 
 Vector2 favouredDirection(double time) {
@@ -124,7 +123,7 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
 /// direction.
 bool DeadlockResolver::isFavoured(AgentId one, AgentId other, double time) const {
   const auto gave_way = [&](const Walk& walk) {
-    return walk.retreat_until > 0.0 && time < walk.retreat_until + GRATITUDE_TIME;
+    return walk.retreat_until > 0.0 && time < walk.retreat_until + PRIORITY_TIME;
   };
   const Walk& a = walks_[one];
   const Walk& b = walks_[other];

@@ -13,16 +13,18 @@ namespace crowd {
 /// for a while. Deterministic; depends only on the world and the earlier calls.
 ///
 /// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. A stuck agent with an agent ahead that walks in
-/// the opposite direction gives way if the other one is favoured: directions are compared along an axis that is the
-/// same for all agents and turns every TURN_TIME. It walks back along its own trail, and agents behind it do the same.
+/// the opposite direction gives way if the other one has priority: the one that gave way within PRIORITY_TIME, or else
+/// the one whose direction is nearer to an axis that is the same for all agents and turns every TURN_TIME. It walks
+/// back along its own trail, and agents that it walks towards do the same.
 ///
 /// Call contract: update() once per tick, after waypoints were set.
 class DeadlockResolver {
  public:
-  static constexpr double PROGRESS = 0.5;      ///< [m]
-  static constexpr double STUCK_TIME = 4.0;    ///< [s]
-  static constexpr double TURN_TIME = 20.0;    ///< [s]
-  static constexpr double RETREAT_TIME = 6.0;  ///< an agent walks back for this time [s]
+  static constexpr double PROGRESS = 0.5;        ///< [m]
+  static constexpr double STUCK_TIME = 4.0;      ///< [s]
+  static constexpr double TURN_TIME = 20.0;      ///< [s]
+  static constexpr double RETREAT_TIME = 6.0;    ///< an agent walks back for this time [s]
+  static constexpr double PRIORITY_TIME = 20.0;  ///< an agent that gave way has priority for this time afterwards [s]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
   /// @param paths of all agents, by id; empty for those that have none
