@@ -1,14 +1,9 @@
 #include "social_crowd/simulation/agent_source.h"
 
 namespace crowd {
-namespace {
-
-constexpr double ROUNDING = 1e-9;  // of times [s]
-
-}  // namespace
 
 std::optional<AgentStart> AgentSource::next(const World& world, const PlacePicker& places) {
-  if (schedule_.next() > world.time() + ROUNDING) return std::nullopt;
+  if (schedule_.next() > world.time() + TIME_ROUNDING) return std::nullopt;
   const AgentGroup& group = source_->agents;
   const KeyedRandom random = random_.with(created_);
   KeyedRandom body = random.with(BODY);

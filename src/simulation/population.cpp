@@ -14,8 +14,6 @@ using Kind = WaypointDescription::Kind;
 /// What is drawn, as part of the keys of random numbers.
 enum Drawn : std::uint64_t { SOURCE = 0, ROUTE = 1, QUEUE = 2 };
 
-constexpr double ROUNDING = 1e-9;  // of times [s]
-
 KeyedRandom randomOf(std::uint64_t seed, Drawn what, std::uint64_t number) {
   return {seed, KeyedRandom::POPULATION, {what, number}};
 }
@@ -76,7 +74,7 @@ void Population::admit(AgentId id, const AgentStart& start, World& world, Episod
   if (!start.route && start.reaction_time <= 0.0) return;
   Member& member = members_.emplace_back();
   member.id = id;
-  member.reacts_at = world.time() + start.reaction_time - ROUNDING;
+  member.reacts_at = world.time() + start.reaction_time - TIME_ROUNDING;
   if (start.route) {
     member.route.emplace(description_->routes[*start.route], randomOfRoute(id, world.tick()));
     world.setLeaves(id, false);

@@ -6,8 +6,6 @@
 namespace crowd {
 namespace {
 
-constexpr double ROUNDING = 1e-9;  // of times [s]
-
 void erase(AgentId agent, std::vector<AgentId>& agents) {
   agents.erase(std::remove(agents.begin(), agents.end(), agent), agents.end());
 }
@@ -51,7 +49,7 @@ void Queue::serve(const World& world, std::vector<AgentId>& served) {
   const Agent& first = world.agents()[line_.front()];
   if (!service_end_) {
     if (!first.at_goal || first.goal() != queue_->head) return;
-    service_end_ = world.time() + queue_->service.draw(random_) - ROUNDING;
+    service_end_ = world.time() + queue_->service.draw(random_) - TIME_ROUNDING;
   }
   if (world.time() < *service_end_) return;
   service_end_.reset();

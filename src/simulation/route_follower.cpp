@@ -1,11 +1,6 @@
 #include "social_crowd/simulation/route_follower.h"
 
 namespace crowd {
-namespace {
-
-constexpr double ROUNDING = 1e-9;  // of times [s]
-
-}  // namespace
 
 RouteFollower::RouteFollower(const RouteDescription& route, const KeyedRandom& random)
     : route_(&route), random_(random) {
@@ -29,7 +24,7 @@ void RouteFollower::choose() {
 
 void RouteFollower::beginWait(double now) {
   KeyedRandom random = random_.with(leg_).with(WAIT);
-  until_ = now + waypoint_->wait.draw(random) - ROUNDING;
+  until_ = now + waypoint_->wait.draw(random) - TIME_ROUNDING;
 }
 
 }  // namespace crowd

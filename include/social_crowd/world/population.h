@@ -10,6 +10,9 @@
 
 namespace crowd {
 
+/// @brief Times that differ by less are equal [s]; allows for the rounding of tick times.
+constexpr double TIME_ROUNDING = 1e-9;
+
 /// @brief One entry under `waypoints` of a route: where an agent goes next.
 struct WaypointDescription {
   /// PLACE: `place`, and `wait` there. QUEUE: in line at queue number `target`. SINK: out of the world at sink number
