@@ -13,6 +13,7 @@
 
 #include "social_crowd/navigation/mesh_cache.h"
 #include "support/floors.h"
+#include "support/seeds.h"
 
 namespace crowd {
 namespace {
@@ -79,12 +80,19 @@ Vector2 drawPoint(KeyedRandom& random) {
 /// Runs check(floor, random) for random floors.
 template <typename Check>
 void forRandomFloors(std::uint64_t count, const Check& check) {
-  for (std::uint64_t seed = 0; seed < count; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    KeyedRandom random(seed, KeyedRandom::CONTENT, {});
+  forSeeds(count, KeyedRandom::CONTENT, [&](std::uint64_t /*seed*/, KeyedRandom& random) {
     const FloorPlan floor = floors::random(random);
     check(floor, random);
-    if (testing::Test::HasFailure()) return;
+  });
+}
+
+/// Runs check(from, to) for random pairs of points that are both on a mesh.
+template <typename Check>
+void forPairsOnMesh(Query& query, KeyedRandom& random, const Check& check) {
+  for (int pair = 0; pair < PAIRS; ++pair) {
+    const Vector2 from = drawPoint(random);
+    const Vector2 to = drawPoint(random);
+    if (query.contains(from) && query.contains(to)) check(from, to);
   }
 }
 
@@ -107,17 +115,14 @@ TEST(PathProperty, PathsKeepTheRadiusFromWallsAndObstacles) {
     for (const double margin : {COMFORTABLE_MARGIN, TIGHT_MARGIN}) {
       const NavigationMesh mesh(floor, RADIUS + margin);
       Query query(mesh);
-      for (int pair = 0; pair < PAIRS; ++pair) {
-        const Vector2 from = drawPoint(random);
-        const Vector2 to = drawPoint(random);
-        if (!query.contains(from) || !query.contains(to)) continue;
+      forPairsOnMesh(query, random, [&](const Vector2& from, const Vector2& to) {
         const auto path = query.findPath(from, to);
-        if (!path) continue;
+        if (!path) return;
         ++paths;
         const double clearance = floors::clearanceOf(floor, from, *path);
         ASSERT_GE(clearance, RADIUS - 1e-3) << from.transpose() << " to " << to.transpose();
         ASSERT_GE(clearance, mesh.clearance() - mesh.tolerance() - 1e-4);
-      }
+      });
     }
   });
   EXPECT_GT(paths, FLOORS);
@@ -147,18 +152,15 @@ TEST(PathProperty, StraightMeansFree) {
   forRandomFloors(FLOORS, [&](const FloorPlan& floor, KeyedRandom& random) {
     const NavigationMesh mesh(floor, RADIUS + TIGHT_MARGIN);
     Query query(mesh);
-    for (int pair = 0; pair < PAIRS; ++pair) {
-      const Vector2 from = drawPoint(random);
-      const Vector2 to = drawPoint(random);
-      if (!query.contains(from) || !query.contains(to)) continue;
+    forPairsOnMesh(query, random, [&](const Vector2& from, const Vector2& to) {
       const auto path = query.findPath(from, to);
       const bool is_straight = query.isStraight(from, to);
       ASSERT_EQ(query.isStraight(to, from), is_straight);
       ASSERT_EQ(is_straight, path && path->length < (to - from).norm() + 1e-7);
-      if (!is_straight) continue;
+      if (!is_straight) return;
       ++straight;
       ASSERT_GE(floors::clearanceAlong(floor, from, to), mesh.clearance() - mesh.tolerance() - 2e-3);
-    }
+    });
   });
   EXPECT_GT(straight, FLOORS / 2);
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "support/scenes.h"
 
 namespace crowd {
@@ -48,36 +51,27 @@ TEST(Gate, DoesNothingWithoutAChange) {
   EXPECT_EQ(world.layoutChanges(), changes);
 }
 
-/// Periods [1, 2) and [3, 4) of a clock with ticks of 0.5 s.
-TEST(Gate, FollowsItsPeriods) {
+/// The states of a gate with the periods [1, 2) and [3, 4) in ten ticks of 0.5 s, as letters (open or closed).
+/// @param services what setOpen() gets, by tick
+std::string statesOf(const std::map<int, bool>& services) {
   World world = walker();
   GateDescription description = gateAt(50.0);
   description.open_in = {{1.0, 2.0}, {3.0, 4.0}};
   Gate gate(description);
   std::string states;
   for (int tick = 0; tick < 10; ++tick) {
+    const auto service = services.find(tick);
+    if (service != services.end()) gate.setOpen(service->second, world.time());
     gate.update(world);
     states += gate.isOpen() ? 'o' : 'c';
     step(world);
   }
-  EXPECT_EQ(states, "ccooccoocc");
+  return states;
 }
 
-TEST(Gate, AServiceHoldsUntilThePeriodChanges) {
-  World world = walker();
-  GateDescription description = gateAt(50.0);
-  description.open_in = {{1.0, 2.0}, {3.0, 4.0}};
-  Gate gate(description);
-  std::string states;
-  for (int tick = 0; tick < 10; ++tick) {
-    if (tick == 1) gate.setOpen(true, world.time());
-    if (tick == 3) gate.setOpen(false, world.time());
-    gate.update(world);
-    states += gate.isOpen() ? 'o' : 'c';
-    step(world);
-  }
-  EXPECT_EQ(states, "coocccoocc");
-}
+TEST(Gate, FollowsItsPeriods) { EXPECT_EQ(statesOf({}), "ccooccoocc"); }
+
+TEST(Gate, AServiceHoldsUntilThePeriodChanges) { EXPECT_EQ(statesOf({{1, true}, {3, false}}), "coocccoocc"); }
 
 /// The agent's centre is at 0.5, 1.0, 1.5 ... m; its disc reaches 0.25 m to both sides, the gate is at 1.1 m.
 TEST(Gate, ClosesWhenNobodyStandsInIt) {

@@ -52,7 +52,7 @@ TEST_F(TwoRooms, AgentsStartWhereTheyCanReachTheirRoute) {
         if (!agent.isWalking()) continue;
         EXPECT_EQ(agent.pose.position.x() > 4.75, agent.goal().x() > 4.75) << "seed " << seed << ", agent " << i;
       }
-      episode.step(straight_walk::actions(episode.world()));
+      straight_walk::step(episode);
     }
     EXPECT_GT(episode.world().agents().size(), 15U) << "seed " << seed;
   }
@@ -67,7 +67,7 @@ TEST_F(TwoRooms, GoalsAnywhereAreInTheSameRoom) {
   while (!episode.isOver()) {
     EXPECT_LT(episode.world().agents()[0].goal().x(), 4.3);
     EXPECT_GT(episode.world().agents()[1].goal().x(), 5.2);
-    episode.step(straight_walk::actions(episode.world()));
+    straight_walk::step(episode);
   }
   for (const AgentResult& agent : episode.result().agents) EXPECT_GT(agent.waypoints, 10U);
 }

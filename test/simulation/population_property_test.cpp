@@ -11,10 +11,8 @@
 namespace crowd {
 namespace {
 
-using straight_walk::actions;
 using straight_walk::episodeOf;
-
-void step(Episode& episode) { episode.step(actions(episode.world())); }
+using straight_walk::step;
 
 const char* const BUSY = R"(
 walls: [[[0, 0], [10, 0]], [[10, 0], [10, 8]], [[10, 8], [0, 8]], [[0, 8], [0, 0]]]

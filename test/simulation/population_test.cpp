@@ -13,11 +13,9 @@
 namespace crowd {
 namespace {
 
-using straight_walk::actions;
 using straight_walk::episodeOf;
+using straight_walk::step;
 using straight_walk::walkUntil;
-
-void step(Episode& episode) { episode.step(actions(episode.world())); }
 
 /// The time at whose end this holds for the first time; -1 if it never does.
 template <typename Condition>

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "social_crowd/world/neighbour_grid.h"
 #include "support/scenes.h"
+#include "support/seeds.h"
 
 /// Grids of discs for tests, and a search of all discs as a reference.
 namespace crowd::neighbour_grids {
@@ -83,12 +83,10 @@ inline void compareWithAll(const std::vector<Disc>& discs, double cell_size, dou
 /// Calls check(discs, extent, random) for random discs of 60 seeds.
 template <typename Check>
 void checkManyPlaces(const Check& check) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+  forSeeds(60, KeyedRandom::PLACEMENT, [&](std::uint64_t /*seed*/, KeyedRandom& random) {
     const double extent = random.uniform(1.0, 50.0);
     check(randomDiscs(random, extent), extent, random);
-  }
+  });
 }
 
 }  // namespace crowd::neighbour_grids

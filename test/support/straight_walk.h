@@ -32,9 +32,12 @@ inline Episode episodeOf(const std::string& keys, double duration = 1000.0, std:
   return {sceneOf(keys, duration, seed), 0, Vision()};
 }
 
+/// Walks for one tick.
+inline void step(Episode& episode) { episode.step(actions(episode.world())); }
+
 /// Walks until this time [s] or the end of the episode.
 inline void walkUntil(double time, Episode& episode) {
-  while (episode.world().time() < time && !episode.isOver()) episode.step(actions(episode.world()));
+  while (episode.world().time() < time && !episode.isOver()) step(episode);
 }
 
 }  // namespace crowd::straight_walk

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "support/floors.h"
+#include "support/seeds.h"
 
 namespace crowd {
 namespace {
@@ -35,9 +35,7 @@ TEST(ClearanceGrid, AnEmptyFloorHasNoPoints) {
 }
 
 TEST(ClearanceGrid, DistancesAreThoseToTheNearestThing) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    KeyedRandom random(seed, KeyedRandom::CONTENT, {});
+  forSeeds(20, KeyedRandom::CONTENT, [](std::uint64_t /*seed*/, KeyedRandom& random) {
     const FloorPlan floor = floors::random(random);
     const double limit = random.uniform(0.2, 1.5);
     const ClearanceGrid grid(floor, random.uniform(0.04, 0.2), limit);
@@ -45,7 +43,7 @@ TEST(ClearanceGrid, DistancesAreThoseToTheNearestThing) {
       ASSERT_NEAR(grid[point], std::min(limit, floors::clearanceAt(floor, grid.place(point))), 1e-5);
       ASSERT_EQ(grid.nearest(grid.place(point)), point);
     }
-  }
+  });
 }
 
 TEST(ClearanceGrid, CoversAMarginOfTwiceTheLimit) {

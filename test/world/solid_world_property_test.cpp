@@ -10,6 +10,7 @@
 
 #include "social_crowd/world/world.h"
 #include "support/scenes.h"
+#include "support/seeds.h"
 
 namespace crowd {
 namespace {
@@ -53,10 +54,8 @@ std::vector<AgentAction> pressingActions(const World& world, KeyedRandom& random
 TEST(SolidWorldProperty, AgentsNeverOverlap) {
   std::uint64_t blocked = 0;
   std::uint64_t moves = 0;
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  forSeeds(30, KeyedRandom::EXPLORATION, [&](std::uint64_t seed, KeyedRandom& random) {
     World world(scenes::solidCrowd(seed, 5 + 2 * seed, seed % 3 == 0 ? 20.0 : 2.0, seed % 4));
-    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
     Vector2 towards = Vector2::Zero();
     for (int tick = 0; tick < 60; ++tick) {
       if (tick % 15 == 0) towards = scenes::randomPoint(random, 3.0);
@@ -65,7 +64,7 @@ TEST(SolidWorldProperty, AgentsNeverOverlap) {
     }
     for (const Agent& agent : world.agents()) blocked += agent.blocked_moves;
     moves += 60 * world.agents().size();
-  }
+  });
   EXPECT_GT(blocked, moves / 10);
   EXPECT_LT(blocked, moves * 9 / 10);
 }
@@ -124,10 +123,8 @@ void expectNoOverlapOnTheWay(const World& world, const std::vector<Walk>& walks,
 TEST(SolidWorldProperty, AgentsStopOnlyAtContactsAndPassThroughNothing) {
   constexpr int INSTANTS = 40;
   int blocked = 0;
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  forSeeds(12, KeyedRandom::EXPLORATION, [&](std::uint64_t seed, KeyedRandom& random) {
     World world(scenes::solidCrowd(seed, 25, seed % 2 == 0 ? 20.0 : 2.0));
-    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
     for (int tick = 0; tick < 20; ++tick) {
       SCOPED_TRACE("tick " + std::to_string(tick));
       const World before = world;
@@ -145,15 +142,13 @@ TEST(SolidWorldProperty, AgentsStopOnlyAtContactsAndPassThroughNothing) {
       for (int i = 0; i <= INSTANTS; ++i) expectNoOverlapOnTheWay(world, walks, static_cast<double>(i) / INSTANTS);
       if (HasFatalFailure()) return;
     }
-  }
+  });
   EXPECT_GT(blocked, 500);
 }
 
 TEST(SolidWorldProperty, OrderOfAgentsAndActionsDoesNotMatter) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  forSeeds(20, KeyedRandom::EXPLORATION, [](std::uint64_t seed, KeyedRandom& random) {
     const Scene crowd = scenes::solidCrowd(seed, 30, seed % 2 == 0 ? 20.0 : 2.0, seed % 4);
-    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
     std::vector<AgentId> new_id(crowd.agents.size());
     for (AgentId i = 0; i < new_id.size(); ++i) new_id[i] = i;
     for (std::uint32_t i = 29; i > 0; --i) std::swap(new_id[i], new_id[random.below(i + 1)]);
@@ -177,7 +172,7 @@ TEST(SolidWorldProperty, OrderOfAgentsAndActionsDoesNotMatter) {
         ASSERT_EQ(agent.blocked_moves, other.blocked_moves);
       }
     }
-  }
+  });
 }
 
 TEST(SolidWorldProperty, WithoutContactsEqualsAGhostWorldBitForBit) {

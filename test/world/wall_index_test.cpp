@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "social_crowd/world/map_walls.h"
 #include "support/maps.h"
 #include "support/scenes.h"
+#include "support/seeds.h"
 
 namespace crowd {
 namespace {
@@ -125,9 +125,7 @@ Walls randomWalls(KeyedRandom& random, double extent) {
 /// Calls check(walls, extent, random) for walls of many kinds: random ones and those of maps.
 template <typename Check>
 void checkManyPlaces(const Check& check) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+  forSeeds(60, KeyedRandom::PLACEMENT, [&](std::uint64_t seed, KeyedRandom& random) {
     const double extent = random.uniform(1.0, 50.0);
     if (seed % 4 != 0) {
       check(randomWalls(random, extent), extent, random);
@@ -136,7 +134,7 @@ void checkManyPlaces(const Check& check) {
       map.origin.position = {0.0, 0.0};
       check(traceWalls(map), map.resolution * map.width, random);
     }
-  }
+  });
 }
 
 /// Points anywhere, and near the ends of walls.

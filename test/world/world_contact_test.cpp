@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "social_crowd/world/world.h"
 #include "support/scenes.h"
+#include "support/seeds.h"
 
 namespace crowd {
 namespace {
@@ -81,10 +81,8 @@ bool overlapsSomething(const World& world, const Agent& agent) {
 TEST(WorldContact, AgreesWithASearchOfAllBodies) {
   std::size_t contacts = 0;
   std::size_t arrivals = 0;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  forSeeds(40, KeyedRandom::EXPLORATION, [&](std::uint64_t seed, KeyedRandom& random) {
     World world(scenes::randomScene(seed, 60));
-    KeyedRandom random(seed, KeyedRandom::EXPLORATION, {});
     std::vector<bool> touched(world.agents().size(), false);
     for (int tick = 0; tick < 40; ++tick) {
       world.step(scenes::randomActions(world, random));
@@ -98,7 +96,7 @@ TEST(WorldContact, AgreesWithASearchOfAllBodies) {
         arrivals += arrives ? 1 : 0;
       }
     }
-  }
+  });
   EXPECT_GT(contacts, 1000U);
   EXPECT_GT(arrivals, 5U);
 }
