@@ -1,0 +1,170 @@
+#include "social_crowd/simulation/deadlock_resolver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/simulation/evaluation.h"
+#include "social_crowd/world/scenario_reader.h"
+#include "support/two_ways.h"
+
+namespace crowd {
+namespace {
+
+using two_ways::walker;
+
+/// Agents in a solid world without walls, which walk straight to what they perceive as their goal.
+class Crowd {
+ public:
+  explicit Crowd(const std::vector<AgentStart>& agents)
+      : world(scenes::halfSeconds(scenes::solid(scenes::scene(agents)))) {
+    for (const AgentStart& start : agents) trails.push_back({start.position});
+  }
+
+  /// Lets the agents walk for a tick.
+  void step() {
+    world.step(straight_walk::actions(world));
+    update();
+    for (const Agent& agent : world.agents()) trails[agent.id].push_back(agent.pose.position);
+  }
+  void update() {
+    std::vector<RemainingPath> paths(world.agents().size());
+    for (const Agent& agent : world.agents()) {
+      if (!agent.isWalking()) continue;
+      world.clearWaypoint(agent.id);
+      paths[agent.id] = {agent.goal()};
+    }
+    deadlocks.update(world, paths);
+  }
+  bool givesWay(AgentId id) const { return world.agents()[id].has_waypoint; }
+  bool doesAnyGiveWay() const {
+    const auto& agents = world.agents();
+    return std::any_of(agents.begin(), agents.end(), [&](const Agent& agent) { return givesWay(agent.id); });
+  }
+  /// Walks until an agent gives way, or for a time [s].
+  void walkUntilAnyGivesWay(double time) {
+    const double end = world.time() + time;
+    do {
+      step();
+    } while (!doesAnyGiveWay() && world.time() < end);
+  }
+
+  World world;
+  std::vector<std::vector<Vector2>> trails;  // by agent
+  DeadlockResolver deadlocks;
+};
+
+/// Two agents of radius 0.2 m that meet head-on at x = 0 after 3.3 s: neither goes round the other one.
+std::vector<AgentStart> headOn() { return {walker({-3.5, 0.0}, {9.0, 0.0}), walker({3.5, 0.0}, {-9.0, 0.0})}; }
+
+TEST(DeadlockResolver, OneOfTwoGivesWay) {
+  Crowd crowd(headOn());
+  crowd.walkUntilAnyGivesWay(60.0);
+  EXPECT_NE(crowd.givesWay(0), crowd.givesWay(1));
+  // They have been stuck since 3.5 s at the latest, and did not move by PROGRESS for STUCK_TIME before it.
+  EXPECT_GE(crowd.world.time(), 3.3 - DeadlockResolver::PROGRESS + DeadlockResolver::STUCK_TIME);
+  EXPECT_LE(crowd.world.time(), 3.5 + DeadlockResolver::STUCK_TIME + DeadlockResolver::TURN_TIME);
+}
+
+/// The trail has a corner: the agent came from the south.
+TEST(DeadlockResolver, AnAgentWalksBackOnItsTrail) {
+  std::vector<AgentStart> agents = headOn();
+  agents[0] = walker({-1.0, -3.0}, {-1.0, 0.0});
+  agents[1] = walker({2.5, 0.0}, {-1.0, -6.0});
+  agents[0].goals = {{-1.0, 0.0}, {9.0, 0.0}};
+  agents[1].goals = {{-9.0, 0.0}};
+  Crowd crowd(agents);
+  for (int tick = 0; tick < 120; ++tick) {
+    crowd.step();
+    for (AgentId id = 0; id < 2; ++id) {
+      if (!crowd.givesWay(id)) continue;
+      const Vector2& back = crowd.world.agents()[id].waypoint;
+      const auto near = [&](const Vector2& place) { return (place - back).norm() < 1e-9; };
+      const std::vector<Vector2>& trail = crowd.trails[id];
+      ASSERT_TRUE(std::any_of(trail.begin(), trail.end(), near)) << "agent " << id << " to " << back.transpose();
+    }
+  }
+}
+
+/// It is behind the place of the meeting then.
+TEST(DeadlockResolver, AnAgentWalksBackForAWhile) {
+  Crowd crowd(headOn());
+  crowd.walkUntilAnyGivesWay(60.0);
+  const AgentId back = crowd.givesWay(0) ? 0 : 1;
+  const double start = crowd.world.time();
+  while (crowd.givesWay(back) && crowd.world.time() < start + 60.0) crowd.step();
+  EXPECT_NEAR(crowd.world.time() - start, DeadlockResolver::RETREAT_TIME, 0.5 + 1e-9);
+  EXPECT_GT(std::abs(crowd.world.agents()[back].pose.position.x()), 1.0);
+}
+
+/// The other one gives way the next time, so that both do not meet at the same place again and again.
+TEST(DeadlockResolver, TheOtherAgentGivesWayTheNextTime) {
+  Crowd crowd(headOn());
+  crowd.walkUntilAnyGivesWay(60.0);
+  const AgentId second = crowd.givesWay(0) ? 1 : 0;
+  const double retreat_end = crowd.world.time() + DeadlockResolver::RETREAT_TIME;
+  while (!crowd.givesWay(second) && crowd.world.time() < retreat_end + DeadlockResolver::PRIORITY_TIME) {
+    ASSERT_LE(crowd.world.time(), retreat_end + DeadlockResolver::STUCK_TIME + 1.0);
+    crowd.step();
+  }
+  EXPECT_TRUE(crowd.givesWay(second));
+}
+
+TEST(DeadlockResolver, AgentsThatWaitDoNotGiveWay) {
+  Crowd held(headOn());
+  Crowd yielding(headOn());
+  for (AgentId id = 0; id < 2; ++id) {
+    held.world.teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
+    yielding.world.teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
+    held.world.hold(id, true);
+    yielding.world.setYielding(id, true);
+  }
+  held.walkUntilAnyGivesWay(40.0);
+  yielding.walkUntilAnyGivesWay(40.0);
+  EXPECT_FALSE(held.doesAnyGiveWay());
+  EXPECT_FALSE(yielding.doesAnyGiveWay());
+}
+
+TEST(DeadlockResolver, AnAgentBehindOneThatWaitsStays) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({-2.0, 0.0}, {9.0, 0.0})});
+  crowd.world.hold(0, true);
+  crowd.walkUntilAnyGivesWay(40.0);
+  EXPECT_FALSE(crowd.doesAnyGiveWay());
+}
+
+TEST(DeadlockResolver, AgentsThatPassEachOtherDoNotGiveWay) {
+  Crowd crowd({walker({-3.0, 0.25}, {9.0, 0.25}), walker({3.0, -0.25}, {-9.0, -0.25})});
+  crowd.walkUntilAnyGivesWay(12.0);
+  EXPECT_FALSE(crowd.doesAnyGiveWay());
+}
+
+/// A corridor of 1.6 m with a narrow part of 0.7 m from x = -2 to x = 2. Two bodies of 0.5 m do not pass each other
+/// there, and there is no room to wait in front of it, so that no right of way applies.
+TEST(DeadlockResolver, BothArriveThroughACorridorInWhichTheyCannotPassEachOther) {
+  const ScenarioList scenarios = parseScenarios(
+      "name: corridor\nduration: 200\ngoal_tolerance: 0.3\ncontact: solid\n"
+      "walls: [[[-12, -0.8], [-2, -0.8]], [[-2, -0.8], [-2, -0.35]], [[-2, -0.35], [2, -0.35]],\n"
+      "        [[2, -0.35], [2, -0.8]], [[2, -0.8], [12, -0.8]], [[12, -0.8], [12, 0.8]], [[12, 0.8], [2, 0.8]],\n"
+      "        [[2, 0.8], [2, 0.35]], [[2, 0.35], [-2, 0.35]], [[-2, 0.35], [-2, 0.8]], [[-2, 0.8], [-12, 0.8]],\n"
+      "        [[-12, 0.8], [-12, -0.8]]]\n"
+      "agents: [{position: [-6, 0], goal: [10, 0], speed: 1, radius: 0.25},\n"
+      "         {position: [6, 0], goal: [-10, 0], speed: 1, radius: 0.25}]\n",
+      "s.yaml");
+  EpisodeResult result;
+  evaluate(loadQTable(SOURCE_DIR "/config/q_tables/anticipation.txt"), scenarios, EvaluationPlan(),
+           [&](EvaluatedEpisode& walked) {
+             result = walked.result;
+             return true;
+           });
+  EXPECT_EQ(result.arrivedCount(), 2U);
+  for (const AgentResult& agent : result.agents) EXPECT_FALSE(agent.touched);
+  // Without a meeting a way of 16 m takes 16 s; one agent gave way, which costs STUCK_TIME at least.
+  EXPECT_GT(result.ticks, static_cast<std::uint64_t>(10.0 * (16.0 + DeadlockResolver::STUCK_TIME)));
+}
+
+}  // namespace
+}  // namespace crowd
