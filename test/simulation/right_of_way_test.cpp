@@ -167,13 +167,19 @@ AgentStart slow(AgentStart start) {
   return start;
 }
 
+/// Places in rows across the x axis, the first row 1.2 m from the door.
+Vector2 inRows(int number, int in_a_row) {
+  const int row = number / in_a_row;
+  return {1.2 + 0.6 * row, 0.6 * (number % in_a_row) - 0.3 * (in_a_row - 1)};
+}
+
 TEST(RightOfWay, DirectionsTakeTurnsAfterABatch) {
   std::vector<AgentStart> agents;
+  agents.reserve(24);
   for (int i = 0; i < 12; ++i) {
-    const double x = 1.6 + 0.5 * (i / 4);
-    const double y = 0.6 * (i % 4) - 0.9;
-    agents.push_back(slow(east(-x, y)));
-    agents.push_back(slow(west(x, y)));
+    const Vector2 place = inRows(i, 4);
+    agents.push_back(slow(east(-place.x(), place.y())));
+    agents.push_back(slow(west(place.x(), place.y())));
   }
   Door door(agents);
   EXPECT_EQ(countBatches(door, 300.0), (std::vector<std::size_t>{8, 8, 4, 4}));
@@ -181,7 +187,8 @@ TEST(RightOfWay, DirectionsTakeTurnsAfterABatch) {
 
 TEST(RightOfWay, OneDirectionAloneHasNoBatches) {
   std::vector<AgentStart> agents;
-  for (int i = 0; i < 20; ++i) agents.push_back(slow(west(1.2 + 0.6 * (i / 5), 0.6 * (i % 5) - 1.2)));
+  agents.reserve(20);
+  for (int i = 0; i < 20; ++i) agents.push_back(slow(west(inRows(i, 5).x(), inRows(i, 5).y())));
   Door door(agents);
   EXPECT_EQ(countBatches(door, 300.0), (std::vector<std::size_t>{20}));
 }
