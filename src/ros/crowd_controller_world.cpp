@@ -90,7 +90,7 @@ void CrowdController::advertisePopulationServices() {
       const bool is_open = episode_->setGate(request.gate, open);
       response.message =
           "gate " + request.gate +
-          (is_open == open ? (open ? " opened at " : " closed at ") : " closes when nobody stands in it, since ") +
+          (is_open == open ? (open ? " opened at " : " closed at ") : " closes when no agent stands in it, since ") +
           place();
     });
   });

@@ -64,7 +64,7 @@ class WalkTest(WalkTestCase):
     def test_agents_and_sources(self):
         self.check(WALKERS)
 
-    def test_nobody_at_the_start(self):
+    def test_no_agent_at_the_start(self):
         self.check('')
 
 
@@ -109,7 +109,7 @@ class ServicesTest(ControllerTestCase):
         self.walk(1)
         walls.wait(lambda message: not message.walls)
         self.do('teleport', agent=0, pose=Pose2D(50, 50, 0))
-        self.assert_says(self.do('set_gate', gate='door', open=False).message, 'door', 'nobody stands in it')
+        self.assert_says(self.do('set_gate', gate='door', open=False).message, 'door', 'no agent stands in it')
         self.walk(1)
         self.assertFalse(walls.messages[-1].walls)
         self.do('teleport', agent=0, pose=Pose2D(40, 50, 0))
