@@ -1,4 +1,4 @@
-"""Draws the surroundings of a crowd: maps, areas where people come and go, queues and gates."""
+"""Draws the surroundings of a crowd: maps, areas where people enter and leave, queues and gates."""
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Rectangle
 

@@ -5,12 +5,12 @@ import numpy
 
 RADIUS = 0.18  # [m]
 GAP = 0.02  # between bodies, and to walls, at the start [m]
-BEYOND = 300.0  # goals are this far ahead: nobody arrives [m]
+BEYOND = 300.0  # distance of the goals: no agent arrives [m]
 
 
 @dataclasses.dataclass(frozen=True)
 class Corridor:
-    """A long straight corridor, uniformly filled at the start, in whose middle speed and density are measured."""
+    """A long straight corridor, uniformly filled at the start. Speed and density are measured in its middle."""
     name: str
     title: str
     data: str  # file of the measurements
@@ -18,7 +18,7 @@ class Corridor:
     width: float  # [m]
     length: float  # of the filled part [m]
     window: float  # length of the measurement area, in the middle [m]
-    speeds: tuple  # lowest and highest free speed of a person [m/s]: their mean is that measured at low densities
+    speeds: tuple  # range of free speeds [m/s]; its mean is the speed measured at low densities
     direction: object  # function of y and a random generator: 1 or -1
     densities: tuple  # at the start, [1/m2], single file [1/m]
     edges: numpy.ndarray  # of the bins of densities
@@ -31,17 +31,17 @@ class Corridor:
 
 
 def one_way(_y, _random):
-    """Everybody walks ahead."""
+    """All people walk in one direction."""
     return 1.0
 
 
 def in_lanes(y, _random):
-    """Both directions keep to the right."""
+    """Each direction on its right side of the corridor."""
     return 1.0 if y < 0.0 else -1.0
 
 
 def mixed(_y, random):
-    """Both directions are everywhere."""
+    """Both directions, independent of the place."""
     return 1.0 if random.random() < 0.5 else -1.0
 
 
@@ -66,8 +66,8 @@ CORRIDORS = (ONE_WAY, TWO_WAY, TWO_WAY_MIXED, SINGLE_FILE)
 
 
 def places(corridor, density, random):
-    """Returns an array of places (x, y) at a density: rows along the corridor, staggered, each person displaced at
-    random as far as the others leave space."""
+    """Returns an array of places (x, y) at a density: staggered rows along the corridor, with random displacements
+    without overlap."""
     per_length = corridor.per_length(density)
     free = corridor.width - 2.0 * (RADIUS + GAP)
     single = corridor.density_column == 'density_per_m'

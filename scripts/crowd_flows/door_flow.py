@@ -1,7 +1,7 @@
 """Flow of people through a door, beside experiments.
 
 60 people stand in front of a door in a wall, at 2.5 per m2, and walk through it. The flow is 59 / (time between the
-first and the last person who cross the line of the wall).
+crossings of the line of the wall by the first and by the last person).
 """
 import numpy
 
@@ -27,7 +27,7 @@ walls:
 
 
 def flow_of(track):
-    """Returns the flow [1/s] and the number of people who came through."""
+    """Returns the flow [1/s] and the number of people who passed the door."""
     crossed = track[..., 0] >= 0.0
     through = crossed.any(axis=0)
     times = TICK * numpy.sort(crossed.argmax(axis=0)[through])
@@ -37,7 +37,7 @@ def flow_of(track):
 
 
 def measure_door(program, table, folder, width, seeds):
-    """Returns arrays of the flow and of the number of people who came through, one value per placement."""
+    """Returns arrays of the flow and of the number of people who passed the door, one value per placement."""
     scenario = folder / f'door_{width:g}.yaml'
     scenario.write_text(SCENARIO.format(count=COUNT, half=width / 2.0), encoding='utf-8')
     evaluate(program, table, scenario, folder, '--episodes', seeds)

@@ -1,9 +1,9 @@
 """Speed against density in corridors, beside measurements of people.
 
-Density and speed are those of a measurement area 4 m long and as wide as the corridor, in the middle of a part that is
-filled uniformly at the start, over intervals of 1 s: density is the mean number of centres inside, divided by the area
-(single file: by the length); speed is the mean over the persons and ticks of the velocity along the corridor, in the
-direction of walking. Intervals from 8 to 20 s count: later, the ends of the filled part come near.
+Density and speed are measured in an area 4 m long and as wide as the corridor, in the middle of a part that is filled
+uniformly at the start, over intervals of 1 s. Density is the mean number of centres inside, divided by the area (single
+file: by the length). Speed is the mean over the persons and ticks of the velocity along the corridor, in the direction
+of walking. Only intervals from 8 to 20 s are used: later, the ends of the filled part reach the area.
 """
 import numpy
 

@@ -17,7 +17,7 @@ class Band:
     count: int
 
     def contains(self, speed):
-        """Returns whether a speed is inside, as far as the printed hundredths show it."""
+        """Returns whether a speed is inside, after rounding to hundredths as printed."""
         return round(self.low, 2) <= round(speed, 2) <= round(self.high, 2)
 
 

@@ -10,7 +10,7 @@ ROBOT_SPEED, ROBOT_RADIUS = 1.6, 0.4  # [m/s], [m] of pedsim_ros's SOCIAL_DRIVE
 QUEUE_SPACING = 0.5  # [m] mean distance of people in line; pedsim_ros draws 0.2 to 0.8
 SERVICE = (0.2, 1.8)  # [s] with the mean of pedsim_ros's gamma distribution, 1
 GAP = 0.05  # [m] between bodies at the start
-DENSEST = 0.4  # share of an area that discs cover which are placed at random without difficulty
+DENSEST = 0.4  # greatest share of an area that discs at random places may cover
 REASONS = {
     'attraction': 'people do not stop at attractions',
     'welcome': 'has no meaning in pedsim_ros',
@@ -29,7 +29,7 @@ def share_within(other, cluster):
 
 
 class Conversion:
-    """The keys of a scenario, as text, and notes about what is not carried over or is changed."""
+    """The keys of a scenario, as text, and notes about elements that are changed or not converted."""
 
     def __init__(self, scene, radius, spawn_period):
         self.scene = scene
@@ -69,7 +69,7 @@ class Conversion:
         return f'[{point(ends[0])}, {point(ends[1])}]'
 
     def queue_of(self, queue):
-        direction = (queue.direction + 180.0) % 360.0  # in which the line extends
+        direction = (queue.direction + 180.0) % 360.0  # of the line, from its head
         return f'{{head: {point(queue.head)}, direction: {number_text(direction)}, ' \
             f'spacing: {number_text(max(QUEUE_SPACING, 2 * self.radius + GAP))}, ' \
             f'service: {point(SERVICE)}}}'
@@ -125,7 +125,7 @@ class Conversion:
                   f'{number_text(self.spawn_period)} s')
 
     def route_of(self, cluster):
-        """Returns the name of the route of a cluster; it repeats unless there is a sink, where it ends."""
+        """Returns the name of the route of a cluster. The route ends at its first sink, or else repeats."""
         sinks = [i for i, stop in enumerate(cluster.stops) if stop.name in self.sinks]
         stops = cluster.stops[:sinks[0] + 1] if sinks else cluster.stops
         if len(stops) < len(cluster.stops):

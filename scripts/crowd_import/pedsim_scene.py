@@ -1,4 +1,4 @@
-"""Scenes of pedsim_ros, as its ScenarioReader understands them."""
+"""Scenes of pedsim_ros, with the rules of its ScenarioReader."""
 import difflib
 
 from crowd_import.elements import read_root
@@ -23,7 +23,7 @@ class Waypoint:
 
 
 class Queue:
-    """A point in front of which agents wait in line; `direction` [deg] is the one in which they look."""
+    """A point in front of which agents wait in line; `direction` [deg]: where they look."""
 
     def __init__(self, element):
         self.element = element
@@ -57,7 +57,7 @@ class PedsimScene:
         self.stops = {}  # waypoints and queues by id
         self.agents = []
         self.sources = []
-        self.others = []  # elements that are none of these
+        self.others = []  # all other elements
         root = read_root(file)
         if root.tag != 'scenario':
             root.fail("expected a scene of pedsim_ros, whose root is 'scenario'")

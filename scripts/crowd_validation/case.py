@@ -9,7 +9,7 @@ RESULT_FILE = 'result.json'  # in a case's folder
 
 @dataclasses.dataclass(frozen=True)
 class Result:
-    """What a case has measured. Texts are for tables."""
+    """The result of a case. Texts are for tables."""
     measured: str  # with the spread over the seeds
     expected: str
     passed: typing.Optional[bool]  # None: the case only documents a behaviour

@@ -12,7 +12,7 @@ WIDTH = 8.0  # of a picture [inch]
 
 
 def shown(recordings):
-    """Returns the recording to draw: the one with the most people who did not arrive, the first if all are alike."""
+    """Returns the recording to draw: the one with most people who did not arrive; the first of equal ones."""
     return max(recordings, key=lambda recording: int(numpy.isinf(recording.arrivals).sum()))
 
 
@@ -31,7 +31,7 @@ def frame(axes, recording):
 
 
 def bodies(axes, places, radii, colours, **style):
-    """Draws discs in metres, each in its colour; places that are nan are left out."""
+    """Draws discs in metres, each in its colour, except at places that are nan."""
     present = ~numpy.isnan(places[:, 0])
     colours = [colour for colour, is_present in zip(colours, present) if is_present]
     widths = 2.0 * radii[present]
@@ -41,7 +41,7 @@ def bodies(axes, places, radii, colours, **style):
 
 
 def draw_paths(recording, file, title, colours=None):
-    """Draws the paths of all agents with a disc at the start; those that did not arrive have a red disc at their end.
+    """Draws the paths of all agents with a disc at the start. Agents that did not arrive have a red disc at the end.
     Returns the file."""
     figure, axes = new_figure(1, 1, WIDTH, height_for([recording], 1))
     axes = axes[0, 0]
@@ -56,8 +56,8 @@ def draw_paths(recording, file, title, colours=None):
 
 
 def draw_moments(panels, file, columns):
-    """Draws crowds at moments. Panels: (recording, time [s], title); those that never arrive are red. Returns the
-    file."""
+    """Draws crowds at moments. Panels: (recording, time [s], title). Agents that never arrive are red. Returns
+    the file."""
     rows = -(-len(panels) // columns)
     height = rows * height_for([recording for recording, _, _ in panels], columns)
     figure, axes = new_figure(rows, columns, WIDTH if columns == 1 else 1.6 * WIDTH, height)
@@ -83,14 +83,14 @@ def height_for(recordings, columns):
 
 
 def mark_stuck(axes, recording):
-    """Draws those that did not arrive at their last places."""
+    """Draws the agents that did not arrive at their last places."""
     stuck = ~numpy.isfinite(recording.arrivals)
     bodies(axes, recording.last_places()[stuck], recording.radii[stuck],
            [STUCK_COLOUR] * int(stuck.sum()), zorder=4)
 
 
 def draw_departures(series, file, title):
-    """Draws how many people have left over time. Series: (label, colour, arrival times [s]). Returns
+    """Draws the number of people that have left over time. Series: (label, colour, arrival times [s]). Returns
     the file."""
     figure, axes = new_figure(1, 1, WIDTH, 4.0)
     axes = axes[0, 0]

@@ -118,6 +118,6 @@ def slow_people(recording, low, high, share=0.5, period=1.0):
 
 
 def sustained_peak(counts, ticks):
-    """Returns the largest number that `counts` reached or exceeded for so many ticks in a row."""
+    """Returns the largest number that `counts` reached or exceeded in this number of consecutive ticks."""
     windows = numpy.lib.stride_tricks.sliding_window_view(counts, min(ticks, len(counts)))
     return int(windows.min(axis=1).max())

@@ -84,7 +84,7 @@ def main(words=None):
 
 
 def list_cases():
-    """Prints the cases, and those left out."""
+    """Prints the cases and the cases that are left out."""
     for case in cases.ALL:
         print(f'{case.name:10} {case.title}')
     for name, reason in cases.LEFT_OUT.items():
@@ -92,7 +92,7 @@ def list_cases():
 
 
 def run_cases(chosen, arguments, output):
-    """Runs the cases one after the other, and stores their results. Returns the names of those that could not be
+    """Runs the cases one after the other, and stores their results. Returns the names of cases that could not be
     run."""
     q_table = (arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute()
     if not q_table.is_file():
@@ -129,8 +129,8 @@ def report(output, chosen, document):
 
 
 def chapter_of(output, names):
-    """Returns the stored results of these cases, as far as there are any: a table of results, one of remarks, and the
-    pictures."""
+    """Returns the stored results of these cases: a table of results, a table of remarks and pictures. Cases without
+    a stored result are skipped."""
     stored = [(case, load(output / case.name)) for case in cases.ALL if case.name in names]
     rows, remarks, seeds = [], [], set()
     chapter = Chapter('validation', 'Validation')

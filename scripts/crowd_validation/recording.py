@@ -29,7 +29,7 @@ class Recording:
         return bool(numpy.isfinite(self.arrivals).all())
 
     def place_at(self, time):
-        """Returns the places of all agents at a time [m], nan for those that have left."""
+        """Returns the places of all agents at a time [m], nan for agents that have left."""
         return self.tracks[min(round(time / self.tick), len(self.tracks) - 1)]
 
     def last_places(self):
@@ -40,8 +40,8 @@ class Recording:
 
 
 def read_recording(folder, name, tick):
-    """Reads what evaluate wrote for one episode of the scenario file NAME.yaml: trajectories/, scenes/, record.csv. The
-    trajectories are replaced by a file of a tenth of their size."""
+    """Reads the output of evaluate for one episode of the scenario file NAME.yaml: trajectories/, scenes/, record.csv.
+    Replaces the trajectories by a file of a tenth of their size."""
     with open(folder / 'scenes' / f'{name}.yaml', encoding='utf-8') as stream:
         scene = next(document for document in yaml.load_all(stream, LOADER) if document)
     record = read_csv(folder / 'record.csv')
@@ -53,7 +53,7 @@ def read_recording(folder, name, tick):
 
 
 def read_tracks(file, agents):
-    """Returns the tracks in a file of evaluate, or those stored instead of it."""
+    """Returns the tracks of a file of evaluate, or of the smaller file that replaced it."""
     compact = file.with_suffix('.npy')
     if compact.is_file() and not file.is_file():
         return numpy.load(compact).astype(float)

@@ -27,14 +27,14 @@ def counts(values):
 
 
 def arrived(recordings):
-    """Returns how many arrived, such as `1000 of 1000 arrived`."""
+    """Returns the number of arrivals, such as `1000 of 1000 arrived`."""
     numbers = [sum(map(math.isfinite, recording.arrivals)) for recording in recordings]
     return f'{counts(numbers)} of {recordings[0].people()} arrived'
 
 
 def problems(recordings, landmarks):
-    """Returns a text about those who did not arrive, by the landmark that they are nearest to (points by names), and
-    about contacts; empty if there were none in any seed."""
+    """Returns a text about people who did not arrive, by their nearest landmark (points by names), and about contacts;
+    empty if there were none in any seed."""
     parts = []
     for seed, recording in enumerate(recordings, 1):
         of_seed = [text for text in (left_over_text(recording, landmarks), contact_text(recording)) if text]
@@ -44,7 +44,7 @@ def problems(recordings, landmarks):
 
 
 def left_over_text(recording, landmarks):
-    """Returns how many did not arrive, and where they are at the end."""
+    """Returns the number of people who did not arrive, and their places at the end."""
     places, standing = left_over(recording)
     if len(places) == 0:
         return ''
@@ -54,5 +54,5 @@ def left_over_text(recording, landmarks):
 
 
 def contact_text(recording):
-    """Returns how many were in contact."""
+    """Returns the number of people in contact."""
     return f'{recording.touched.sum()} in contact' if recording.touched.any() else ''

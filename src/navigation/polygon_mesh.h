@@ -14,7 +14,7 @@ struct FreePolyMesh {
 /// Recast's mesh of convex polygons; x and z of its corners are columns and rows of the raster.
 using PolygonMesh = std::unique_ptr<rcPolyMesh, FreePolyMesh>;
 
-/// Makes convex polygons of the free cells. Null if Recast cannot count so many polygons.
+/// Makes convex polygons of the free cells. Null if there are too many polygons for Recast.
 PolygonMesh buildPolygonMesh(const FloorRegions& regions);
 
 }  // namespace crowd

@@ -29,7 +29,7 @@ void Gate::setOpen(bool open, double time) {
 void Gate::update(World& world) {
   follow(world.time());
   const auto& ids = world.wallIds();
-  if (wall_ && !std::binary_search(ids.begin(), ids.end(), *wall_)) wall_.reset();  // somebody else removed it
+  if (wall_ && !std::binary_search(ids.begin(), ids.end(), *wall_)) wall_.reset();  // it was removed by another caller
   if (wants_open_ && wall_) {
     world.removeWall(*wall_);
     wall_.reset();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double MAX_CELLS = 1U << 20U;
 constexpr std::size_t ENTRIES_PER_WALL = 64;  // more than that, and cells are made larger,
-constexpr std::size_t FREE_ENTRIES = 65536;   // unless there are only so many
+constexpr std::size_t FREE_ENTRIES = 65536;   // which are allowed in any case
 constexpr double SLACK = 1e-6;                // [cells]; walls so near to a cell are also in it, against rounding
 
 /// The square of the distance to the point that nearestPoint() gives. It has no branches, because in a search they

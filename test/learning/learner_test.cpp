@@ -197,21 +197,22 @@ TEST(Learner, UsesOnlyWhatIsWithinTheVisionOfItsModel) {
     for (Action action = 0; action < table.actions(); ++action) table.set(row, action, random.uniform(), 1);
   }
   Learner learner(two_within_three_metres, options(Mode::DEMO), table);
-  const auto answer = [&](const PerceptionsBuilder& told) {
-    const RelativeAction action = decide(learner, told).agents.at(0).action;
+  const auto answer = [&](const PerceptionsBuilder& perceived) {
+    const RelativeAction action = decide(learner, perceived).agents.at(0).action;
     return std::pair<double, double>(action.rotation, action.speed_fraction);
   };
   int differed = 0;
   for (int i = 0; i < 100; ++i) {
-    const PerceptionsBuilder nobody = PerceptionsBuilder().agent(0, {5.0, 0.0});
-    PerceptionsBuilder seen = nobody;
+    const PerceptionsBuilder alone = PerceptionsBuilder().agent(0, {5.0, 0.0});
+    PerceptionsBuilder seen = alone;
     for (const double distance : {0.7, 0.9}) seen.neighbour(polar(random.uniform(-90.0, 90.0), distance), 0.25);
-    PerceptionsBuilder told = seen;
-    for (const double distance : {0.95, 1.0, 4.0}) told.neighbour(polar(random.uniform(-90.0, 90.0), distance), 0.25);
-    EXPECT_EQ(answer(told), answer(seen));
-    PerceptionsBuilder far = nobody;
-    EXPECT_EQ(answer(far.neighbour(polar(0.0, 3.3), 0.25)), answer(nobody));
-    differed += answer(seen) != answer(nobody) ? 1 : 0;
+    PerceptionsBuilder perceived = seen;
+    for (const double distance : {0.95, 1.0, 4.0})
+      perceived.neighbour(polar(random.uniform(-90.0, 90.0), distance), 0.25);
+    EXPECT_EQ(answer(perceived), answer(seen));
+    PerceptionsBuilder far = alone;
+    EXPECT_EQ(answer(far.neighbour(polar(0.0, 3.3), 0.25)), answer(alone));
+    differed += answer(seen) != answer(alone) ? 1 : 0;
   }
   EXPECT_GT(differed, 50);  // otherwise the test would prove nothing
 }

@@ -78,7 +78,7 @@ class DoorFlowTest:
             track[tick:, agent, 0] = 0.5
         assert door_flow.flow_of(track) == pytest.approx((2 / 10.0, 3))
 
-    def test_nobody_is_no_flow(self):
+    def test_no_people_are_no_flow(self):
         assert door_flow.flow_of(numpy.full((TICKS, 4, 2), -1.0)) == (0.0, 0)
 
 
@@ -99,7 +99,7 @@ class TimeGapTableTest:
             with_time_gap(pathlib.Path(in_package('config', 'q_tables', 'thesis_nearest.txt')).read_bytes(), 1.0, 1.0)
 
 
-def test_a_dense_human_crowd_is_slow_and_touches_nobody(tmp_path):
+def test_a_dense_human_crowd_is_slow_and_without_contacts(tmp_path):
     corridor = dataclasses.replace(corridors.ONE_WAY, length=30.0, begin=4.0, end=6.0)
     scenario = tmp_path / 'corridor.yaml'
     scenario.write_text(corridors.document(corridor, 2.5, 1), encoding='utf-8')

@@ -136,7 +136,7 @@ class WalkTest:
     """The program evaluate walks converted scenes."""
 
     def test_people_come_and_leave(self, runner):
-        """Two people come each 5 s; those who came in the first half minute have left after two."""
+        """Two people come each 5 s; people of the first half minute have left after two minutes."""
         status, messages, _ = convert(runner, HALL, '--duration', '120')
         assert status == 0, messages
         record = runner.path('record.csv')

@@ -1,4 +1,4 @@
-"""docs/places.md and the places that it describes: nobody touches anybody or a wall, and everybody arrives."""
+"""docs/places.md and the places that it describes: all people arrive without contacts."""
 import csv
 import glob
 import os
@@ -49,11 +49,11 @@ class PlacesTest:
 
     @pytest.mark.parametrize('name, people', [('place_bottleneck', 60), ('place_corner', 20),
                                               ('place_t_junction', 30), ('place_two_way_door', 24)])
-    def test_everybody_arrives(self, runner, name, people):
+    def test_all_arrive(self, runner, name, people):
         assert_all_arrive(walk(runner, in_package('config', 'scenarios', f'{name}.yaml'), 5), 5 * people)
 
     @pytest.mark.parametrize('name', ['place_station', 'place_supermarket'])
-    def test_everybody_who_comes_leaves(self, runner, name):
+    def test_all_agents_of_sources_leave(self, runner, name):
         rows = walk(runner, in_package('config', 'scenarios', f'{name}.yaml'), 2)
         assert len(rows) > 100
         assert_all_arrive(rows, len(rows))

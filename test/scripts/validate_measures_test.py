@@ -43,7 +43,7 @@ class MeasuresTest:
                                                  [[0.5, 0.5], [0.5, -0.5]], [[0.2, 0.2], [0.8, 1.8]]], walls)) == 2
 
     def test_largest_overlap(self):
-        # 0.4 m apart they touch; 0.35 m apart they overlap by 0.05 m. One that has left overlaps nobody.
+        # 0.4 m apart they touch; 0.35 m apart they overlap by 0.05 m. Agents that have left do not overlap others.
         assert measures.largest_overlap(recording([[[0, 0], [0, 0]], [[0.4, 0], [1, 0]]])) == pytest.approx(0, abs=1e-9)
         assert measures.largest_overlap(recording([[[0, 0], [0, 0], [0, 0]], [[1, 0], [0.35, 0], NAN]])) == \
             pytest.approx(0.05, abs=1e-9)

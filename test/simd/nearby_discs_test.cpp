@@ -11,7 +11,7 @@
 namespace crowd::simd {
 namespace {
 
-constexpr std::uint32_t NOBODY = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t NO_BODY = std::numeric_limits<std::uint32_t>::max();
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 
 /// Discs, followed by padding that must not affect the result.
@@ -62,9 +62,9 @@ TEST(CollectNearby, WritesIndicesAndRimDistancesInOrder) {
   for (const Kernels& kernels : availableKernels()) {
     SCOPED_TRACE(kernels.target);
     EXPECT_TRUE(collect(kernels, discs, {{0, 4}}, {0.0, 0.0, 4.5, 8}) == (Collected{{0, 2}, {4.5, -1.0}}));
-    EXPECT_TRUE(collect(kernels, discs, {{1, 2}, {3, 3}, {0, 1}}, {0.0, 0.0, 6.0, NOBODY}) ==
+    EXPECT_TRUE(collect(kernels, discs, {{1, 2}, {3, 3}, {0, 1}}, {0.0, 0.0, 6.0, NO_BODY}) ==
                 (Collected{{1, 0}, {0.75, 4.5}}));
-    EXPECT_TRUE(collect(kernels, discs, {{0, 4}}, {20.0, 0.0, 1.0, NOBODY}) == (Collected{{}, {}}));
+    EXPECT_TRUE(collect(kernels, discs, {{0, 4}}, {20.0, 0.0, 1.0, NO_BODY}) == (Collected{{}, {}}));
   }
 }
 
@@ -87,7 +87,7 @@ TEST(CollectNearby, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     const Circle circle{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 5.0),
-                        random.below(2) == 0 ? NOBODY : random.below(20)};
+                        random.below(2) == 0 ? NO_BODY : random.below(20)};
     const Discs discs = anyDiscs(random, circle);
     std::vector<DiscRange> ranges;
     for (std::uint32_t begin = 0; begin < discs.size();) {

@@ -74,7 +74,7 @@ TEST(Gate, FollowsItsPeriods) { EXPECT_EQ(statesOf({}), "ccooccoocc"); }
 TEST(Gate, AServiceHoldsUntilThePeriodChanges) { EXPECT_EQ(statesOf({{1, true}, {3, false}}), "coocccoocc"); }
 
 /// The agent's centre is at 0.5, 1.0, 1.5 ... m; its disc reaches 0.25 m to both sides, the gate is at 1.1 m.
-TEST(Gate, ClosesWhenNobodyStandsInIt) {
+TEST(Gate, ClosesWhenNoAgentStandsInIt) {
   World world = walker();
   const GateDescription description = gateAt(1.1);
   Gate gate(description);

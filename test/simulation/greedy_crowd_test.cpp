@@ -93,7 +93,7 @@ std::size_t compareDecisions(std::uint64_t seed, Learner& asked, const Learner& 
     compared += expected.size();
     world.step(scenes::purposefulActions(world, random));
   }
-  EXPECT_LT(world.activeCount(), world.agents().size()) << "seed " << seed << ": nobody has arrived";
+  EXPECT_LT(world.activeCount(), world.agents().size()) << "seed " << seed << ": no agent has arrived";
   return compared;
 }
 

@@ -29,7 +29,7 @@ class RandomPlay {
   void playTick() {
     if (random_.below(10) == 0) ++episode_;
     ++tick_;
-    askSomebody();
+    askSomeAgents();
     check();
     for (std::uint32_t i = random_.below(15); i > 0; --i) {
       if (random_.below(12) == 0) {
@@ -50,7 +50,7 @@ class RandomPlay {
   }
 
  private:
-  void askSomebody() {
+  void askSomeAgents() {
     asked_.clear();
     for (AgentId id = 0; id < 6; ++id) {
       if (random_.below(4) > 0) asked_.push_back(id);
@@ -98,11 +98,11 @@ class RandomPlay {
 
   void check() {
     Ids missing;
-    bool somebody_present = false;
+    bool any_present = false;
     bool awaited = false;
     bool newcomer = false;
     for (const AgentId id : asked_) {
-      somebody_present = somebody_present || isPresent(id);
+      any_present = any_present || isPresent(id);
       if (answered(id)) continue;
       missing.push_back(id);
       awaited = awaited || isPresent(id);
@@ -111,7 +111,7 @@ class RandomPlay {
     EXPECT_EQ(agentsOf(lockstep_.answers()), answered_);
     EXPECT_EQ(lockstep_.missing(), missing);
     EXPECT_EQ(lockstep_.isComplete(), !awaited);
-    EXPECT_EQ(lockstep_.isDeserted(), !asked_.empty() && !somebody_present);
+    EXPECT_EQ(lockstep_.isDeserted(), !asked_.empty() && !any_present);
     EXPECT_EQ(lockstep_.awaitsNewcomer(), newcomer);
     EXPECT_EQ(lockstep_.droppedCount(), refused_);
   }

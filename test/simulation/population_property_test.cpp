@@ -29,7 +29,7 @@ gates: {bar: {wall: [[5, 0], [5, 3]], open: [[10, 20], [30, 40]]}}
 )";
 
 /// Created agents are walking, have arrived or were removed; ids are their numbers and never repeat.
-TEST(Population, NobodyIsLost) {
+TEST(Population, NoAgentIsLost) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Episode episode = episodeOf(BUSY, 150.0, seed);
     KeyedRandom random(seed, KeyedRandom::CONTENT, {});
@@ -70,7 +70,7 @@ TEST(Population, ThreadsDoNotMatter) {
   EXPECT_EQ(paths[0], paths[2]);
 }
 
-/// 1000 agents come and go: what the population keeps of them is gone with them.
+/// 1000 agents enter and leave: the population keeps no data of agents that have left.
 TEST(Population, KeepsNothingOfAgentsThatHaveLeft) {
   Episode episode = episodeOf(
       "sources: [{area: [0, 0], rate: 1, interval: regular, count: 1000, route: through, speed: 1, radius: 0.2}]\n"

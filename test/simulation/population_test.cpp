@@ -92,7 +92,7 @@ TEST(Population, SourcesAddAgentsAtTheirTimes) {
 }
 
 /// All three are due at once at one point; a place is free again after the one before has walked on 0.5 m.
-TEST(Population, NobodyIsLostWhereThereIsNoRoom) {
+TEST(Population, NoAgentIsLostWhereThereIsNoRoom) {
   Episode episode = episodeOf("sources: [{area: [0, 0], times: [0, 0, 0], goal: [3, 0], speed: 1, radius: 0.2}]\n");
   std::vector<std::size_t> counts;
   while (!episode.isOver()) {
@@ -142,7 +142,7 @@ TEST(Population, GoalsAreDrawnWhereAgentsFit) {
 }
 
 /// Four agents at a till with places at x = 0, 1, 2, 3; each is served for 2 s, and needs 1 s to move up.
-TEST(Population, QueuesServeEverybodyOnce) {
+TEST(Population, QueuesServeEachAgentOnce) {
   Episode episode = episodeOf(
       "agents:\n"
       "  - {position: [0, 0], route: shop, speed: 1, radius: 0.2}\n"

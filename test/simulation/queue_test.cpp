@@ -72,7 +72,7 @@ TEST(Queue, ServesOneAfterTheOther) {
   EXPECT_TRUE(queue.line().empty());
 }
 
-TEST(Queue, TheLineMovesUpWhenSomebodyLeavesIt) {
+TEST(Queue, TheLineMovesUpWhenAnAgentLeavesIt) {
   World world = worldOf({{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}});
   const QueueDescription description = line({100.0, 100.0});
   Queue queue(description, random());

@@ -16,7 +16,7 @@ namespace {
 using Disc = NeighbourGrid::Disc;
 using Near = std::pair<double, std::uint32_t>;  // distance of the rim, body
 
-constexpr std::uint32_t NOBODY = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t NO_BODY = std::numeric_limits<std::uint32_t>::max();
 
 NeighbourGrid gridOf(const std::vector<Disc>& discs) {
   NeighbourGrid grid;
@@ -26,7 +26,7 @@ NeighbourGrid gridOf(const std::vector<Disc>& discs) {
 }
 
 std::vector<Near> search(NeighbourSearch& search, const NeighbourGrid& grid, const Vector2& point, double distance,
-                         std::size_t most, std::uint32_t except = NOBODY) {
+                         std::size_t most, std::uint32_t except = NO_BODY) {
   std::vector<Near> found;
   for (const NearDisc& near : search.findNearest(grid, point, distance, most, except)) {
     found.emplace_back(near.rim_distance, grid.body(near.disc));
@@ -36,7 +36,7 @@ std::vector<Near> search(NeighbourSearch& search, const NeighbourGrid& grid, con
 
 /// Reference: sorts all discs.
 std::vector<Near> sortAll(const std::vector<Disc>& discs, const Vector2& point, double distance, std::size_t most,
-                          std::uint32_t except = NOBODY) {
+                          std::uint32_t except = NO_BODY) {
   std::vector<Near> all;
   for (const Disc& disc : discs) {
     const double rim = (disc.centre - point).norm() - disc.radius;
@@ -79,7 +79,7 @@ void compareWithAll(const std::vector<Disc>& discs, double extent, KeyedRandom& 
     const double distance = random.uniform(0.0, 10.0);
     const std::size_t most = random.below(20);
     const std::uint32_t except =
-        random.below(2) == 0 ? NOBODY : random.below(static_cast<std::uint32_t>(discs.size()) + 1);
+        random.below(2) == 0 ? NO_BODY : random.below(static_cast<std::uint32_t>(discs.size()) + 1);
     const std::vector<Near> expected = sortAll(discs, point, distance, most, except);
     ASSERT_EQ(search(looking, grid, point, distance, most, except), expected);
   }

@@ -87,7 +87,7 @@ TEST(PerceiveSome, OmitsArrivedAndRemovedAgents) {
 }
 
 /// The perceptions of all agents that have not arrived.
-using Everybody = std::map<AgentId, Bits>;
+using BitsByAgent = std::map<AgentId, Bits>;
 
 /// Numbers of compared items.
 struct Count {
@@ -97,10 +97,10 @@ struct Count {
   std::size_t lists = 0;
 };
 
-Everybody seenAtOnce(World& world, const Vision& vision, Count& count) {
+BitsByAgent seenAtOnce(World& world, const Vision& vision, Count& count) {
   Perceptions perceptions;
   world.perceive(vision, perceptions);
-  Everybody everybody;
+  BitsByAgent bits;
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const Perception seen(perceptions, i);
     count.neighbours += seen.neighbours.size();
@@ -108,17 +108,17 @@ Everybody seenAtOnce(World& world, const Vision& vision, Count& count) {
     if (seen.self.arrived) {
       ++count.arrived;
     } else {
-      everybody[seen.self.agent] = bitsOf(seen);
+      bits[seen.self.agent] = bitsOf(seen);
     }
   }
   count.lists += world.bodyCount() <= 32 ? 1 : 0;
-  return everybody;
+  return bits;
 }
 
 /// Perceives in random blocks of up to `longest` bodies (some are empty), with a random workspace for each block.
-Everybody seenInBlocks(const World& world, const Vision& vision, std::size_t longest, KeyedRandom& random,
-                       std::array<Eyes, 3>& eyes) {
-  Everybody everybody;
+BitsByAgent seenInBlocks(const World& world, const Vision& vision, std::size_t longest, KeyedRandom& random,
+                         std::array<Eyes, 3>& eyes) {
+  BitsByAgent bits;
   for (std::size_t begin = 0; begin < world.bodyCount();) {
     const std::size_t size = random.below(static_cast<std::uint32_t>(longest) + 1);
     const std::size_t end = std::min(begin + size, world.bodyCount());
@@ -127,13 +127,13 @@ Everybody seenInBlocks(const World& world, const Vision& vision, std::size_t lon
     std::size_t walls = 0;
     for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
       const Perception seen(perceptions, i);
-      EXPECT_TRUE(everybody.emplace(seen.self.agent, bitsOf(seen)).second) << "agent " << seen.self.agent << " again";
+      EXPECT_TRUE(bits.emplace(seen.self.agent, bitsOf(seen)).second) << "agent " << seen.self.agent << " again";
       walls += seen.walls.size();
     }
-    EXPECT_EQ(perceptions.walls.size(), walls) << "some of nobody";
+    EXPECT_EQ(perceptions.walls.size(), walls) << "walls of no agent";
     begin = end;
   }
-  return everybody;
+  return bits;
 }
 
 TEST(PerceiveSome, AgreesWithPerceiveForAnyBlocks) {
@@ -148,7 +148,7 @@ TEST(PerceiveSome, AgreesWithPerceiveForAnyBlocks) {
       if (tick == 10 && world.isActive(1)) world.removeAgent(1);
       for (std::size_t i = 0; i < visions.size(); ++i) {
         SCOPED_TRACE(testing::Message() << "seed " << seed << ", tick " << tick << ", vision " << i);
-        const Everybody expected = seenAtOnce(world, visions[i], counts[i]);
+        const BitsByAgent expected = seenAtOnce(world, visions[i], counts[i]);
         for (const std::size_t longest : {std::size_t{1}, std::size_t{7}, 2 * world.bodyCount()}) {
           ASSERT_EQ(seenInBlocks(world, visions[i], longest, random, eyes), expected);
         }

@@ -18,7 +18,7 @@ struct Path {
 /// @brief The part of a floor on which a disc of a given radius can walk, for finding ways (docs/way_finding.md).
 ///
 /// - Each point of the mesh is at least clearance() - tolerance() away from all walls and obstacles.
-/// - Passages that are at least two cells wider than twice the clearance are passed, in any direction.
+/// - Passages that are at least two cells wider than twice the clearance are part of the mesh, in any direction.
 /// - The mesh, and all answers, depend on floor plan, clearance and cell size only.
 ///
 /// Immutable. Ways are found with a NavigationMesh::Query: one for each thread, at the same time.
@@ -40,7 +40,7 @@ class NavigationMesh {
 
   double clearance() const;  ///< [m]
   double cellSize() const;   ///< [m]
-  /// @brief By how much the mesh comes closer to walls and obstacles than the clearance, at most: 0.42 cells [m].
+  /// @brief Greatest difference by which the mesh is closer to walls and obstacles than the clearance: 0.42 cells [m].
   double tolerance() const;
   std::size_t componentCount() const;
   /// @brief Its convex polygons, counterclockwise [m]; for drawings and checks.

@@ -8,7 +8,7 @@
 
 namespace crowd {
 
-/// @brief A source of agents: those that are due appear as soon as a place is free for them, one after the other.
+/// @brief A source of agents. Agents that are due appear one after the other, as soon as a place is free.
 class AgentSource {
  public:
   /// @param population must outlive it @param source its index @param random of this source

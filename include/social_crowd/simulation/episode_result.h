@@ -43,22 +43,21 @@ struct EpisodeResult {
   std::vector<AgentResult> agents;
   std::string way_finding_problem;  ///< why way-finding was left out from some tick on; empty: it was not
 
-  /// @brief Number of agents that count: those that were not removed.
+  /// @brief Number of agents that were not removed; metrics are about these.
   std::size_t agentCount() const;
   std::size_t arrivedCount() const;
-  /// @brief Number of agents that count and are to arrive: those that are not on a route that repeats.
+  /// @brief Number of these agents that are expected to arrive: without agents on routes that repeat.
   std::size_t expectedCount() const;
   std::size_t touchedCount() const;
   std::size_t collidedCount() const;
   std::size_t outOfReachCount() const;
-  /// @brief What a user is to know about the ways of this episode, such as "2 agents have goals out of reach"; empty if
-  /// there is nothing.
+  /// @brief Warning about the ways of this episode, such as "2 agents have goals out of reach"; empty if there is none.
   std::string wayWarning() const;
   /// @brief Headings of all agents at the end [rad], for keepHeadings() of the next episode.
   std::vector<double> headings() const;
-  /// @brief Sum of the blocked moves of all agents that count.
+  /// @brief Sum of the blocked moves of all agents that were not removed.
   std::uint64_t blockedMoves() const;
-  /// @brief Whether all agents arrived that were to, and none was in contact.
+  /// @brief Whether all expected agents arrived, and none was in contact.
   bool isClean() const { return arrivedCount() == expectedCount() && touchedCount() == 0; }
 };
 
@@ -120,7 +119,7 @@ class Metrics {
   void add(const EpisodeResult& result);
 
   std::uint64_t episodes() const { return episodes_; }
-  /// @brief Of the agents that were to arrive; 100 if all are on routes that repeat.
+  /// @brief Share of the expected agents that arrived; 100 if all are on routes that repeat.
   double successPercent() const { return expected_ == 0 && agents_ > 0 ? 100.0 : percent(arrived_, expected_); }
   double contactPercent() const { return percent(touched_, agents_); }
   double collisionPercent() const { return percent(collided_, agents_); }

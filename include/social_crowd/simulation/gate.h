@@ -16,7 +16,7 @@ class Gate {
   /// @param gate must outlive it
   explicit Gate(const GateDescription& gate) : gate_(&gate) {}
 
-  /// @brief Adds or removes the wall as the present time and setOpen() want it. Call it at the start and after each
+  /// @brief Adds or removes the wall according to the present time and setOpen(). Call it at the start and after each
   /// tick; also after changes of the walls by others, which may have removed this one.
   void update(World& world);
   /// @brief Opens or closes the gate at the next update(). @param time [s]

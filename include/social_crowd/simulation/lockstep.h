@@ -46,7 +46,7 @@ class Lockstep {
 
   /// @brief Requests answers for these agents. A tick that is still open is abandoned.
   void open(std::uint64_t episode, std::uint64_t tick, const std::vector<AgentId>& agents);
-  /// @brief Accepts the answers of a learner. Returns those that are refused; valid until the next call.
+  /// @brief Accepts the answers of a learner. @return the refused answers, valid until the next call
   const std::vector<RefusedAnswer>& take(const RelativeActions& answers, LearnerId learner);
   /// @brief Counts answers addressed to another controller as dropped.
   void drop(const RelativeActions& answers) { dropped_ += answers.agents.size(); }

@@ -11,7 +11,7 @@
 
 namespace crowd {
 
-/// @brief Chooses places for agents during an episode: goals, and where they appear. Depends only on world and random
+/// @brief Chooses places for agents during an episode: goals and start positions. Depends only on world and random
 /// numbers.
 class PlacePicker {
  public:
@@ -20,13 +20,12 @@ class PlacePicker {
   /// @brief Whether a disc [m] overlaps neither walls nor obstacles at rest, and its centre is in a free cell of the
   /// map.
   bool fits(const Vector2& place, double radius, const World& world) const;
-  /// @brief Draws a place in a region where an agent fits and has not arrived yet, and that it can reach if {map: free}
-  /// is used. If none is found in MAX_TRIES draws, the last one.
+  /// @brief Draws a goal in a region: a place where the agent fits, where it has not arrived yet, and, with {map:
+  /// free}, that it can reach. Returns the last draw if MAX_TRIES draws find none.
   /// @param from where the agent is [m] @param radius of the agent [m]
   Vector2 drawGoal(const Region& region, const Vector2& from, double radius, KeyedRandom random,
                    const World& world) const;
-  /// @brief Draws a place in a region where nothing is in the way of an agent; absent if the draws of one tick find
-  /// none.
+  /// @brief Draws a start position in a region: a free place. Absent if the draws of one tick find none.
   std::optional<Vector2> drawStart(const Region& region, double radius, KeyedRandom random, const World& world) const;
   /// @brief Whether a place that was drawn from {map: free} is connected with the goals or the route of an agent, as
   /// far as these are known before they are drawn; true for all other places.

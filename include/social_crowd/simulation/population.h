@@ -38,7 +38,7 @@ class Population {
   /// way, or cannot reach the first waypoint (WayLengths::requireWay; with way-finding only); nothing is changed then
   /// @param checks_way whether the first waypoint must be in reach
   void setRoute(AgentId id, const std::string& route, bool checks_way, World& world, EpisodeMonitor& monitor);
-  /// @brief Lets an agent forget its route, as for a goal of a user. Does nothing for agents that are not on a route.
+  /// @brief Ends the route of an agent, for example when a user sets a goal. Does nothing without a route.
   void dropRoute(AgentId id, World& world, EpisodeMonitor& monitor);
   /// @brief Opens or closes a gate, see Gate. @return whether it is open now @throws InputError that lists the known
   /// names
@@ -46,7 +46,7 @@ class Population {
   /// @brief Adds or removes the walls of the gates, for changes of walls by others.
   void updateGates(World& world);
 
-  /// @brief Number of agents whose route or reaction time it has to look after.
+  /// @brief Number of agents on a route or within their reaction time.
   std::size_t memberCount() const { return members_.size(); }
   const Queue& queue(std::size_t index) const { return queues_[index]; }
 

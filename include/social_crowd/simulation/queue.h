@@ -12,8 +12,8 @@ namespace crowd {
 
 /// @brief A line of agents that wait to be served, one at a time, at its head.
 ///
-/// An agent that joins walks to the end of the line. It is in line when it has come within the spacing of that place,
-/// nearest first. The line moves up when the first agent has been served or an agent has left it. Places that
+/// An agent that joins walks to the end of the line. It is in line when it is within the spacing of that place; the
+/// nearest agent is first. The line moves up when the first agent has been served or an agent has left it. Places that
 /// walls separate from the head are not used; agents for which there is no place wait near the last one.
 class Queue {
  public:
@@ -22,14 +22,14 @@ class Queue {
 
   /// @brief An agent begins to walk to the line.
   void join(AgentId agent) { coming_.push_back(agent); }
-  /// @brief An agent is not to be served any more. Does nothing if it is neither in line nor on the way to it.
+  /// @brief Removes an agent that is in line or on the way to it; does nothing for other agents.
   void leave(AgentId agent);
-  /// @brief Serves, lets agents that are on the way stand in line, and sets the goals of all of them.
-  /// Call it after each tick. @return the agents that have been served now, which are not in line any more
+  /// @brief Serves the first agent, adds agents that have come near to the line, and sets the goals of all. Call it
+  /// after each tick. @return the agents whose service has ended, which have left the line
   std::vector<AgentId> update(World& world);
 
-  /// @brief Whether an agent is to stand where it is: it has reached its place in line, or the line has no place for it
-  /// and it is near others that wait for one.
+  /// @brief Whether an agent stands: it has reached its place in line, or the line has no place for it and it is near
+  /// other agents that wait for one.
   bool stands(AgentId id, const World& world) const;
   /// @brief The place where an agent that joins now walks to [m].
   Vector2 end() const;

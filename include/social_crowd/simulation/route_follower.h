@@ -8,8 +8,7 @@
 
 namespace crowd {
 
-/// @brief How far one agent has got on its route. It knows nothing of the world: its owner says when a waypoint is
-/// reached.
+/// @brief Progress of one agent on its route. It does not know the world: its owner reports when a waypoint is reached.
 ///
 /// A leg is the way to one waypoint. The owner reads waypoint(), calls beginWait() when the agent is there, and
 /// advance() when it has waited or was served.
@@ -28,12 +27,12 @@ class RouteFollower {
   /// @brief The agent has reached the place of its waypoint. @param now [s]
   void beginWait(double now);
   bool isWaiting() const { return until_.has_value(); }
-  /// @brief Whether the agent has waited as long as it was to. @param now [s]
+  /// @brief Whether the wait is over. @param now [s]
   bool hasWaited(double now) const { return until_ && now >= *until_; }
 
-  /// @brief Whether the route begins again and again.
+  /// @brief Whether the route begins again after its last waypoint.
   bool repeats() const { return route_->repeat; }
-  /// @brief Number of waypoints left behind.
+  /// @brief Number of completed waypoints.
   std::uint64_t passed() const { return leg_; }
 
  private:

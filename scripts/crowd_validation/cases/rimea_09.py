@@ -21,13 +21,13 @@ LOWER = {'exit 3': (4.5, 0.0), 'exit 4': (25.5, 0.0)}
 
 
 def outside(exit_place):
-    """Returns the goal of those who take an exit: one metre outside."""
+    """Returns the goal of people who take an exit: one metre outside."""
     x, y = exit_place
     return x, y + 1.0 if y > 0 else y - 1.0
 
 
 def document(seed, exits):
-    """Returns the room with these exits; everybody takes the nearest."""
+    """Returns the room with these exits; each person takes the nearest."""
     draw = random.Random(seed)
     walls = [*plan.wall((0.0, 0.0), (0.0, HEIGHT)), *plan.wall((WIDTH, 0.0), (WIDTH, HEIGHT))]
     for y in (0.0, HEIGHT):

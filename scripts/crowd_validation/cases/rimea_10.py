@@ -54,7 +54,7 @@ def document(seed):
 
 
 def run(evaluation):
-    """Counts those who leave by the exit that they are assigned to."""
+    """Counts the people who leave by their assigned exit."""
     recordings = evaluation.walk({'corridor': document})['corridor']
     to_main = numpy.isin(assignments(), TO_MAIN_EXIT)
     right = [int(numpy.isfinite(numpy.where(to_main, crossing_times(recording, MAIN_EXIT),

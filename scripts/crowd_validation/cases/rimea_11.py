@@ -17,7 +17,7 @@ OUTSIDE, TOLERANCE = (24.5, HEIGHT + 3.0), 2.0  # the goal of all, as far from o
 
 
 def document(seed):
-    """Returns the room with a dense crowd on the left; everybody walks the shortest way to the outside."""
+    """Returns the room with a dense crowd on the left; all people walk the shortest way to the outside."""
     draw = random.Random(seed)
     walls = [*plan.polyline((0.0, HEIGHT), (0.0, 0.0), (WIDTH, 0.0), (WIDTH, HEIGHT)),
              *plan.wall((0.0, HEIGHT), (WIDTH, HEIGHT), [(start[0], end[0]) for start, end in EXITS.values()])]

@@ -13,7 +13,7 @@ PEOPLE = 150
 ROOM, CORRIDOR, WIDTH = 10.0, 5.0, 1.0  # side of the rooms, length and width of the corridor and the exit [m]
 SECOND = ROOM + CORRIDOR  # x of the second room [m]
 GAP = [((ROOM - WIDTH) / 2.0, (ROOM + WIDTH) / 2.0)]
-JAM = 5  # people who walk at less than half their speed...
+JAM = 5  # people below half of their maximum speed...
 JAM_TIME = 5.0  # [s] ...for this time without interruption
 DURATION = 400  # [s]
 

@@ -42,7 +42,7 @@ def corner():
 
 
 def run(evaluation):
-    """Compares the times of the last in the three corridors."""
+    """Compares the arrival times of the last person in the three corridors."""
     plans = {'short': straight(SHORT), 'corner': corner(), 'long': straight(LONG)}
     recordings = evaluation.walk({name: document for name, (document, _) in plans.items()})
     last = {name: [float(crossing_times(recording, end).max()) for recording in recordings[name]]
