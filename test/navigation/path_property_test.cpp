@@ -35,7 +35,10 @@ class FineGrid {
     for (int i = 0; i < COLUMNS * ROWS; ++i) clearances_.push_back(floors::clearanceAt(floor, place(i)));
   }
 
-  static Vector2 place(int i) { return SPACING * Vector2(i % COLUMNS + 0.5, i / COLUMNS + 0.5); }
+  static Vector2 place(int i) {
+    const int row = i / COLUMNS;
+    return SPACING * Vector2(i % COLUMNS + 0.5, row + 0.5);
+  }
   static int at(const Vector2& point) {
     return static_cast<int>(point.y() / SPACING) * COLUMNS + static_cast<int>(point.x() / SPACING);
   }
