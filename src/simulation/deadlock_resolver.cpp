@@ -58,6 +58,7 @@ void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& pa
     Walk& walk = walks_[agent.id];
     if (time < walk.retreat_until || !mustGiveWay(world, agent)) continue;
     walk.retreat_until = time + RETREAT_TIME;
+    walk.course = -walk.course;  // the agents that it meets head-on do not give way, too
     retreating_.push_back(agent.id);
   }
   std::sort(retreating_.begin(), retreating_.end());
