@@ -45,9 +45,9 @@ class NavigationMesh::Query::Search {
     return true;
   }
 
-  bool isStraight(const Place& from, const Place& to) const {
+  bool isStraight(const Place& from, const Vector2& to) const {
     const Vector2 start = data_->toCells(from.metres);
-    const Vector2 end = data_->toCells(to.metres);
+    const Vector2 end = data_->toCells(to);
     double share = followRay(*data_, from.polygon, start, end);
     while (share < 1.0) {
       const double farther = followFrom(share, start, end);
@@ -129,8 +129,10 @@ std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const V
 
 bool NavigationMesh::Query::isStraight(const Vector2& from, const Vector2& to) {
   const auto start = search_->nearest(from, 0.5 * clearance());
+  if (!start) return false;
+  if (search_->isStraight(*start, to)) return true;
   const auto end = search_->nearest(to, 0.5 * clearance());
-  return start && end && search_->isStraight(*start, *end);
+  return end && end->metres != to && search_->isStraight(*start, end->metres);
 }
 
 double NavigationMesh::Query::clearance() const { return search_->data().clearance(); }

@@ -7,10 +7,10 @@ constexpr std::size_t NONE = SIZE_MAX;
 
 Segment edgeOf(const dtMeshTile& mesh, const dtPoly& polygon, std::size_t edge) {
   const auto vertex = [&](std::size_t number) -> Vector2 {
-    const float* coordinates = mesh.verts + std::size_t{3} * polygon.verts[number % polygon.vertCount];
+    const float* coordinates = mesh.verts + std::size_t{3} * polygon.verts[number];
     return {coordinates[0], coordinates[2]};
   };
-  return {vertex(edge), vertex(edge + 1)};
+  return {vertex(edge), vertex(edge + 1 < polygon.vertCount ? edge + 1 : 0)};
 }
 
 /// Distance of a point from the line of an edge, positive inside, times the length of the edge. Recast's polygons are
