@@ -44,8 +44,7 @@ class NearAgents {
 
   /// @brief Whether the perception holds 1 to NEIGHBOURS_AT_ONCE neighbours, all of them agents.
   static bool isFor(const Perception& seen) {
-    return !seen.neighbours.empty() && seen.neighbours.size() <= NEIGHBOURS_AT_ONCE &&
-           !seen.neighbours.hasObstacles();
+    return !seen.neighbours.empty() && seen.neighbours.size() <= NEIGHBOURS_AT_ONCE && !seen.neighbours.hasObstacles();
   }
 
   /// @brief Ordered by agent, then by neighbour, nearest first.

@@ -54,7 +54,8 @@ class Passages {
   /// @brief A lower bound of the distance from a place to the nearest passage [m]; 0 if it is not known.
   double distanceFrom(const Vector2& place) const {
     const Vector2 offset = (place - block_origin_) / block_side_;
-    const bool inside = offset.x() >= 0.0 && offset.y() >= 0.0 && offset.x() < block_columns_ && offset.y() < block_rows_;
+    const bool inside =
+        offset.x() >= 0.0 && offset.y() >= 0.0 && offset.x() < block_columns_ && offset.y() < block_rows_;
     if (!inside) return 0.0;
     const Index block = static_cast<Index>(offset.y()) * block_columns_ + static_cast<Index>(offset.x());
     return std::max(0, steps_[block] - 1) * block_side_;
