@@ -76,6 +76,11 @@ void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t co
   for (std::size_t block = 0; block < blocksOf(count); ++block) apply(limit, reach, moves[block]);
 }
 
+void cutToWalls(const Perception& seen, MoveBlock* moves, std::size_t count) {
+  const double reach = seen.self.max_speed * seen.tick_duration;
+  for (const Segment& wall : seen.walls) cutToGap(limitOfWall(seen.self, wall), reach, moves, count);
+}
+
 /// A limit and the moves that it applies to.
 struct Cut {  // NOLINT(cppcoreguidelines-pro-type-member-init): as Limit
   Limit limit;
@@ -107,7 +112,11 @@ void SeparationRule::cut(const PerceptionBatch& batch, MoveBlock* moves, std::si
       cut(batch[k], own, count);
     }
   }
-  if (sharing_ != GapSharing::NONE) cutAmongAgents(batch, moves, count);
+  if (sharing_ == GapSharing::NONE) return;
+  cutAmongAgents(batch, moves, count);
+  for (std::size_t k = 0; k < batch.size(); ++k) {
+    if (NearAgents::isFor(batch[k])) cutToWalls(batch[k], moves + k * blocksOf(count), count);
+  }
 }
 
 /// Collects the limits of all agents in one list before it applies them: loops over the limits of each agent would be
@@ -155,7 +164,7 @@ void SeparationRule::cutToGaps(const Perception& perception, MoveBlock* moves, s
           reach, moves, count);
     }
   }
-  for (const Segment& wall : perception.walls) cutToGap(limitOfWall(self, wall), reach, moves, count);
+  cutToWalls(perception, moves, count);
 }
 
 }  // namespace crowd

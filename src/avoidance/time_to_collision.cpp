@@ -57,16 +57,11 @@ void accumulateSide(const Segment& wall, double radius, CandidateVelocities& can
   }
 }
 
-/// Whether a wall before this one in the list has the same end: walls of maps are chains.
-bool isEndOfEarlier(const Vector2& end, const Segment& wall, const Span<Segment>& walls) {
-  return std::any_of(walls.begin(), &wall,
-                     [&](const Segment& earlier) { return earlier.from == end || earlier.to == end; });
-}
-
 /// Collects discs and passes them on in groups of SIZE, the rest in the destructor.
 template <typename HandOn>
 class Collector {
  public:
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only the first count_ numbers are read
   explicit Collector(const HandOn& hand_on) : hand_on_(hand_on) {}
   Collector(const Collector&) = delete;
   Collector& operator=(const Collector&) = delete;
@@ -94,11 +89,11 @@ class Collector {
 
   const HandOn& hand_on_;
   std::size_t count_ = 0;
-  Numbers xs_{};
-  Numbers ys_{};
-  Numbers vxs_{};
-  Numbers vys_{};
-  Numbers radii_{};
+  Numbers xs_;
+  Numbers ys_;
+  Numbers vxs_;
+  Numbers vys_;
+  Numbers radii_;
 };
 
 }  // namespace
@@ -168,9 +163,8 @@ void accumulateTimeToCollision(const Perception& seen, const Vector2& preferred,
     }
   }
   for (const Segment& wall : seen.walls) {
-    for (const Vector2* end : {&wall.from, &wall.to}) {
-      if (!isEndOfEarlier(*end, wall, seen.walls)) static_bodies.add(*end, Vector2::Zero(), 0.0);
-    }
+    static_bodies.add(wall.from, Vector2::Zero(), 0.0);
+    static_bodies.add(wall.to, Vector2::Zero(), 0.0);
     accumulateSide(wall, self.radius, candidates);
   }
 }

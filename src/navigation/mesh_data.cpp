@@ -75,7 +75,6 @@ bool NavigationMesh::Data::build(const FloorRaster& raster) {
   params.walkableClimb = 1.0F;
   params.cs = 1.0F;
   params.ch = 1.0F;
-  params.buildBvTree = true;
   unsigned char* data = nullptr;
   int size = 0;
   if (!dtCreateNavMeshData(&params, &data, &size)) throw std::bad_alloc();
@@ -84,7 +83,9 @@ bool NavigationMesh::Data::build(const FloorRaster& raster) {
     dtFree(data);
     throw std::bad_alloc();
   }
-  bytes_ = static_cast<std::size_t>(size);
+  tile_ = static_cast<const dtNavMesh&>(*detour_).getTile(0);
+  grid_ = PolygonGrid(*tile_, raster.columns(), raster.rows());
+  bytes_ = static_cast<std::size_t>(size) + grid_.bytes();
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "navigation/floor_raster.h"
+#include "navigation/polygon_grid.h"
 #include "social_crowd/navigation/navigation_mesh.h"
 
 namespace crowd {
@@ -18,9 +19,9 @@ class NavigationMesh::Data {
 
   double clearance() const { return clearance_; }
   double cellSize() const { return cell_size_; }
-  /// Detour's mesh; null if there is nowhere to walk.
-  const dtNavMesh* detour() const { return detour_.get(); }
-  const dtMeshTile& tile() const { return *detour()->getTile(0); }
+  /// The polygons; only if there are any.
+  const dtMeshTile& tile() const { return *tile_; }
+  const PolygonGrid& grid() const { return grid_; }
   std::size_t polygonCount() const { return components_.size(); }
   /// The component of each polygon.
   const std::vector<Component>& components() const { return components_; }
@@ -44,7 +45,9 @@ class NavigationMesh::Data {
   double clearance_ = 0.0;
   double cell_size_ = 0.0;
   Vector2 origin_ = Vector2::Zero();
-  std::unique_ptr<dtNavMesh, FreeDetour> detour_;
+  std::unique_ptr<dtNavMesh, FreeDetour> detour_;  // null if there is nowhere to walk
+  const dtMeshTile* tile_ = nullptr;               // of it
+  PolygonGrid grid_;
   std::vector<Component> components_;
   std::size_t component_count_ = 0;
   std::vector<std::uint8_t> is_turning_point_;

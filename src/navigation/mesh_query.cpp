@@ -1,72 +1,43 @@
-#include <recastnavigation/DetourNavMeshQuery.h>
-
 #include <algorithm>
-#include <array>
-#include <new>
+#include <limits>
 
 #include "navigation/mesh_data.h"
 #include "navigation/mesh_ray.h"
 #include "navigation/path_search.h"
 
 namespace crowd {
-namespace {
 
-/// A point in Detour's coordinates.
-struct DetourPoint {
-  explicit DetourPoint(const Vector2& cells)
-      : coordinates{static_cast<float>(cells.x()), 0.0F, static_cast<float>(cells.y())} {}
-  DetourPoint() : DetourPoint(Vector2::Zero()) {}
-  const float* data() const { return coordinates.data(); }
-  float* data() { return coordinates.data(); }
-  Vector2 cells() const { return {coordinates[0], coordinates[2]}; }
-  std::array<float, 3> coordinates;
-};
-
-/// Differences of coordinates that are rounding [cells].
-constexpr double ROUNDING = 0.02;
-
-}  // namespace
-
-/// Detour's search and its memory.
+/// The searches on a mesh and their memory.
 class NavigationMesh::Query::Search {
  public:
   /// A point on a polygon of the mesh.
   struct Place {
-    dtPolyRef polygon = 0;
-    DetourPoint point;
+    std::size_t polygon = 0;
     Vector2 metres = Vector2::Zero();
   };
 
-  explicit Search(std::shared_ptr<const Data> data) : data_(std::move(data)), path_search_(*data_) {
-    constexpr int UNUSED_NODES = 4;  // of Detour's own search
-    if (data_->detour() != nullptr && dtStatusFailed(detour_.init(data_->detour(), UNUSED_NODES))) {
-      throw std::bad_alloc();
-    }
-  }
+  explicit Search(std::shared_ptr<const Data> data) : data_(std::move(data)), path_search_(*data_) {}
 
   const Data& data() const { return *data_; }
 
-  std::optional<Place> nearest(const Vector2& p, double within) {
-    if (data_->detour() == nullptr || !p.allFinite() || !(within >= 0.0)) return std::nullopt;
-    const DetourPoint centre(data_->toCells(p));
-    // Most points are on the mesh: only what is close to them is searched at first.
-    Place place = nearestInSquare(centre, ROUNDING);
-    if (isInside(place, centre)) {
-      place.metres = p;
-      return place;
-    }
-    place = nearestInSquare(centre, within / data_->cellSize() + ROUNDING);
-    if (place.polygon == 0) return std::nullopt;
-    place.metres = isInside(place, centre) ? p : data_->toMetres(place.point.cells());
-    if ((place.metres - p).norm() > within) return std::nullopt;
-    return place;
+  std::optional<Place> nearest(const Vector2& p, double within) const {
+    if (!p.allFinite() || !(within >= 0.0)) return std::nullopt;
+    const Vector2 point = data_->toCells(p);
+    std::size_t polygon = 0;
+    const auto is_on = [&](double tolerance) {
+      return data_->grid().visitNear(point, tolerance, [&](std::size_t candidate) {
+        polygon = candidate;
+        return isOnPolygon(*data_, candidate, point, tolerance);
+      });
+    };
+    if (is_on(0.0) || is_on(RAY_TOLERANCE)) return Place{polygon, p};
+    return nearestOutside(p, point, within);
   }
 
-  Component component(const Place& place) const { return data_->components()[index(place.polygon)]; }
+  Component component(const Place& place) const { return data_->components()[place.polygon]; }
 
   bool findCorners(const Place& from, const Place& to, std::vector<Vector2>& corners) {
-    if (!path_search_.find(index(from.polygon), data_->toCells(from.metres), index(to.polygon),
-                           data_->toCells(to.metres), corners)) {
+    if (!path_search_.find(from.polygon, data_->toCells(from.metres), to.polygon, data_->toCells(to.metres), corners)) {
       return false;
     }
     for (Vector2& corner : corners) corner = data_->toMetres(corner);
@@ -74,10 +45,10 @@ class NavigationMesh::Query::Search {
     return true;
   }
 
-  bool isStraight(const Place& from, const Place& to) const {
+  bool isStraight(const Place& from, const Vector2& to) const {
     const Vector2 start = data_->toCells(from.metres);
-    const Vector2 end = data_->toCells(to.metres);
-    double share = followRay(*data_, index(from.polygon), start, end);
+    const Vector2 end = data_->toCells(to);
+    double share = followRay(*data_, from.polygon, start, end);
     while (share < 1.0) {
       const double farther = followFrom(share, start, end);
       if (farther <= share) return false;
@@ -89,39 +60,35 @@ class NavigationMesh::Query::Search {
   std::size_t bytes() const { return sizeof(Search) + path_search_.bytes(); }
 
  private:
-  /// The place nearest to a point among the polygons within a square around it; without a polygon if there are none.
-  /// @param reach half of its side [cells]
-  Place nearestInSquare(const DetourPoint& centre, double reach) const {
-    const std::array<float, 3> extents{static_cast<float>(reach), 1.0F, static_cast<float>(reach)};
+  /// The place nearest to a point that is on no polygon. @param point the same [cells]
+  std::optional<Place> nearestOutside(const Vector2& p, const Vector2& point, double within) const {
     Place place;
-    detour_.findNearestPoly(centre.data(), extents.data(), &filter_, &place.polygon, place.point.data());
+    double least = std::numeric_limits<double>::infinity();
+    data_->grid().visitNear(point, within / data_->cellSize(), [&](std::size_t polygon) {
+      const Vector2 nearest = nearestOnRim(*data_, polygon, point);
+      const double distance = (nearest - point).norm();
+      if (distance < least) place = {polygon, data_->toMetres(nearest)};
+      least = std::min(least, distance);
+      return false;
+    });
+    if (!((place.metres - p).norm() <= within) || least == std::numeric_limits<double>::infinity()) return std::nullopt;
     return place;
-  }
-
-  static bool isInside(const Place& place, const DetourPoint& point) {
-    return place.polygon != 0 && (place.point.cells() - point.cells()).norm() <= ROUNDING;
   }
 
   /// How far a line can be followed on all the polygons at one of its points.
   double followFrom(double share, const Vector2& start, const Vector2& end) const {
-    constexpr int MAX_POLYGONS = 16;
-    std::array<dtPolyRef, MAX_POLYGONS> polygons{};
-    int count = 0;
     const Vector2 point = start + share * (end - start);
-    const std::array<float, 3> extents{static_cast<float>(RAY_TOLERANCE), 1.0F, static_cast<float>(RAY_TOLERANCE)};
-    detour_.queryPolygons(DetourPoint(point).data(), extents.data(), &filter_, polygons.data(), &count, MAX_POLYGONS);
-    for (int i = 0; i < count; ++i) {
-      const std::size_t polygon = index(polygons[static_cast<std::size_t>(i)]);
-      if (isOnPolygon(*data_, polygon, point)) share = std::max(share, followRay(*data_, polygon, start, end));
-    }
-    return share;
+    double farthest = share;
+    data_->grid().visitNear(point, RAY_TOLERANCE, [&](std::size_t polygon) {
+      if (isOnPolygon(*data_, polygon, point, RAY_TOLERANCE)) {
+        farthest = std::max(farthest, followRay(*data_, polygon, start, end));
+      }
+      return false;
+    });
+    return farthest;
   }
 
-  std::size_t index(dtPolyRef polygon) const { return data_->detour()->decodePolyIdPoly(polygon); }
-
   std::shared_ptr<const Data> data_;
-  dtNavMeshQuery detour_;
-  dtQueryFilter filter_;
   PathSearch path_search_;
 };
 
@@ -162,8 +129,10 @@ std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const V
 
 bool NavigationMesh::Query::isStraight(const Vector2& from, const Vector2& to) {
   const auto start = search_->nearest(from, 0.5 * clearance());
+  if (!start) return false;
+  if (search_->isStraight(*start, to)) return true;
   const auto end = search_->nearest(to, 0.5 * clearance());
-  return start && end && search_->isStraight(*start, *end);
+  return end && end->metres != to && search_->isStraight(*start, end->metres);
 }
 
 double NavigationMesh::Query::clearance() const { return search_->data().clearance(); }

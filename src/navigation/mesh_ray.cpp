@@ -5,23 +5,20 @@ namespace {
 
 constexpr std::size_t NONE = SIZE_MAX;
 
-/// An edge of a polygon; the distances of the ends of a line from it, positive inside, times its length.
-struct EdgeDistances {
-  double start = 0.0;
-  double end = 0.0;
-  double tolerance = 0.0;
-};
-
-EdgeDistances distances(const dtMeshTile& mesh, const dtPoly& polygon, std::size_t edge, const Vector2& from,
-                        const Vector2& to) {
+Segment edgeOf(const dtMeshTile& mesh, const dtPoly& polygon, std::size_t edge) {
   const auto vertex = [&](std::size_t number) -> Vector2 {
-    const float* coordinates = mesh.verts + std::size_t{3} * polygon.verts[number % polygon.vertCount];
+    const float* coordinates = mesh.verts + std::size_t{3} * polygon.verts[number];
     return {coordinates[0], coordinates[2]};
   };
-  const Vector2 corner = vertex(edge);
-  const Vector2 along = vertex(edge + 1) - corner;
-  // Recast's polygons are clockwise.
-  return {-cross(along, from - corner), -cross(along, to - corner), RAY_TOLERANCE * along.norm()};
+  return {vertex(edge), vertex(edge + 1 < polygon.vertCount ? edge + 1 : 0)};
+}
+
+/// Distance of a point from the line of an edge, positive inside, times the length of the edge. Recast's polygons are
+/// clockwise.
+double insideBy(const Segment& edge, const Vector2& point) { return -cross(edge.to - edge.from, point - edge.from); }
+
+bool isOutside(const Segment& edge, double inside_by, double tolerance) {
+  return inside_by < 0.0 && inside_by < -tolerance * (edge.to - edge.from).norm();
 }
 
 /// Where a line leaves a polygon that is larger by RAY_TOLERANCE.
@@ -35,9 +32,12 @@ Exit exitOf(const dtMeshTile& mesh, const dtPoly& polygon, const Vector2& from, 
   Exit exit;
   for (std::size_t edge = 0; edge < polygon.vertCount; ++edge) {
     if (polygon.neis[edge] == came_from + 1) continue;
-    const EdgeDistances distance = distances(mesh, polygon, edge, from, to);
-    if (distance.end >= -distance.tolerance || distance.end >= distance.start) continue;
-    const double share = (distance.start + distance.tolerance) / (distance.start - distance.end);
+    const Segment line = edgeOf(mesh, polygon, edge);
+    const double end = insideBy(line, to);
+    if (!isOutside(line, end, RAY_TOLERANCE)) continue;
+    const double start = insideBy(line, from);
+    if (end >= start) continue;
+    const double share = (start + RAY_TOLERANCE * (line.to - line.from).norm()) / (start - end);
     if (exit.edge == NONE || share < exit.share) exit = {edge, share};
   }
   return exit;
@@ -45,13 +45,23 @@ Exit exitOf(const dtMeshTile& mesh, const dtPoly& polygon, const Vector2& from, 
 
 }  // namespace
 
-bool isOnPolygon(const NavigationMesh::Data& mesh, std::size_t polygon, const Vector2& point) {
+bool isOnPolygon(const NavigationMesh::Data& mesh, std::size_t polygon, const Vector2& point, double tolerance) {
   const dtPoly& shape = mesh.tile().polys[polygon];
   for (std::size_t edge = 0; edge < shape.vertCount; ++edge) {
-    const EdgeDistances distance = distances(mesh.tile(), shape, edge, point, point);
-    if (distance.start < -distance.tolerance) return false;
+    const Segment line = edgeOf(mesh.tile(), shape, edge);
+    if (isOutside(line, insideBy(line, point), tolerance)) return false;
   }
   return true;
+}
+
+Vector2 nearestOnRim(const NavigationMesh::Data& mesh, std::size_t polygon, const Vector2& point) {
+  const dtPoly& shape = mesh.tile().polys[polygon];
+  Vector2 nearest = nearestPoint(edgeOf(mesh.tile(), shape, 0), point);
+  for (std::size_t edge = 1; edge < shape.vertCount; ++edge) {
+    const Vector2 other = nearestPoint(edgeOf(mesh.tile(), shape, edge), point);
+    if ((other - point).squaredNorm() < (nearest - point).squaredNorm()) nearest = other;
+  }
+  return nearest;
 }
 
 double followRay(const NavigationMesh::Data& mesh, std::size_t polygon, const Vector2& from, const Vector2& to) {

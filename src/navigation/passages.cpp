@@ -61,13 +61,21 @@ Passages::Passages(const FloorPlan& floor, double radius, double max_width)
   measureSteps();
 }
 
-/// Two passes over the grid, forwards and backwards.
+/// Two passes over the blocks, forwards and backwards.
 void Passages::measureSteps() {
   constexpr int MOST = 255;
-  steps_.assign(clearance_.size(), MOST);
   if (passages_.empty()) return;
-  const auto columns = static_cast<std::int64_t>(clearance_.columns());
-  const auto rows = static_cast<std::int64_t>(clearance_.rows());
+  block_side_ = BLOCK * clearance_.spacing();
+  block_origin_ = clearance_.place(0) - Vector2::Constant(0.5 * clearance_.spacing());
+  block_columns_ = clearance_.columns() / BLOCK + 1;
+  block_rows_ = clearance_.rows() / BLOCK + 1;
+  const auto columns = static_cast<std::int64_t>(block_columns_);
+  const auto rows = static_cast<std::int64_t>(block_rows_);
+  steps_.assign(static_cast<std::size_t>(columns * rows), MOST);
+  for (Index point = 0; point < clearance_.size(); ++point) {
+    if (labels_[point] == NONE) continue;
+    steps_[point / clearance_.columns() / BLOCK * block_columns_ + point % clearance_.columns() / BLOCK] = 0;
+  }
   const auto pass = [&](std::int64_t row, std::int64_t column, std::int64_t before) {
     std::uint8_t& steps = steps_[static_cast<std::size_t>(row * columns + column)];
     const auto look = [&](std::int64_t r, std::int64_t c) {
@@ -77,9 +85,6 @@ void Passages::measureSteps() {
     look(row, column + before);
     for (std::int64_t aside = -1; aside <= 1; ++aside) look(row + before, column + aside);
   };
-  for (std::size_t point = 0; point < steps_.size(); ++point) {
-    if (labels_[point] != NONE) steps_[point] = 0;
-  }
   for (std::int64_t row = 0; row < rows; ++row) {
     for (std::int64_t column = 0; column < columns; ++column) pass(row, column, -1);
   }

@@ -2,75 +2,56 @@
 
 namespace crowd {
 
-Vector2 PathFollower::next(const Vector2& position, NavigationMesh::Query& query, const IsClear& is_clear) {
+Vector2 PathFollower::next(const Vector2& position, NavigationMesh::Query& query) {
   ++ticks_;
-  if (isCheckDue(position)) {
-    if (is_clear) {
-      check(position, query, is_clear);
-    } else {
-      check(position, query, [&](const Vector2& from, const Vector2& to) { return query.isStraight(from, to); });
-    }
-  }
-  return path_ ? path_->corners[corner_] : position;
-}
-
-void PathFollower::check(const Vector2& position, NavigationMesh::Query& query, const IsClear& is_clear) {
-  checked_at_ = position;
-  ticks_ = 0;
-  if (path_ && (isAtGoal(position, query.clearance()) || chooseCorner(position, is_clear))) return;
-  path_ = query.findPath(position, goal_);
-  state_ = path_ ? State::ON_THE_WAY : State::UNREACHABLE;
-  if (!path_) return;
-  setCorner(0);
-  chooseCorner(position, is_clear);
-}
-
-bool PathFollower::isAtGoal(const Vector2& position, double distance) const {
-  return corner_ + 1 == path_->corners.size() && (position - goal_).norm() <= distance;
+  if (isCheckDue(position)) check(position, query);
+  return hasWay() ? corners_[corner_] : position;
 }
 
 bool PathFollower::isCheckDue(const Vector2& position) const {
-  if (ticks_ >= CHECK_TICKS) return true;
-  if (!path_) return state_ == State::ON_THE_WAY;
-  if ((position - checked_at_).norm() >= CHECK_DISTANCE) return true;
-  return corner_ + 1 < path_->corners.size() && (position - path_->corners[corner_]).norm() <= REACHED;
+  if (!hasWay()) return state_ == State::ON_THE_WAY || ticks_ >= RETRY_TICKS;
+  const Vector2& corner = corners_[corner_];
+  const double distance = (position - corner).norm();
+  if (isAtLastCorner() || distance > CORNER_DISTANCE) {
+    return distanceTo(Segment{checked_at_, corner}, position) >= CHECK_DISTANCE;
+  }
+  return distance <= REACHED || (position - checked_at_).norm() >= CHECK_DISTANCE;
 }
 
-bool PathFollower::chooseCorner(const Vector2& position, const IsClear& is_clear) {
-  const std::vector<Vector2>& corners = path_->corners;
-  std::size_t farthest = corner_;
-  while (farthest + 1 < corners.size() && is_clear(position, corners[farthest + 1])) ++farthest;
-  if (farthest == corner_ && farthest + 1 < corners.size() && (position - corners[farthest]).norm() <= REACHED) {
-    ++farthest;
-  } else if (farthest == corner_ && !is_clear(position, corners[corner_])) {
-    // Pushed back behind the last corner?
-    if (corner_ == 0 || !is_clear(position, corners[corner_ - 1])) return false;
-    --farthest;
-  }
-  setCorner(farthest);
+void PathFollower::check(const Vector2& position, NavigationMesh::Query& query) {
+  checked_at_ = position;
+  ticks_ = 0;
+  if (hasWay() && (chooseCorner(position, query) || leadBack(position, query))) return;
+  std::optional<Path> path = query.findPath(position, goal_);
+  state_ = path ? State::ON_THE_WAY : State::UNREACHABLE;
+  corners_ = path ? std::move(path->corners) : std::vector<Vector2>();
+  corner_ = 0;
+  if (path) chooseCorner(position, query);
+}
+
+bool PathFollower::chooseCorner(const Vector2& position, NavigationMesh::Query& query) {
+  const std::size_t before = corner_;
+  while (!isAtLastCorner() && query.isStraight(position, corners_[corner_ + 1])) ++corner_;
+  if (corner_ > before) return true;
+  const double distance = (position - corners_[corner_]).norm();
+  if (isAtLastCorner()) return distance <= query.clearance() || query.isStraight(position, goal_);
+  if (distance <= REACHED) ++corner_;
+  return corner_ > before || query.isStraight(position, corners_[corner_]);
+}
+
+bool PathFollower::leadBack(const Vector2& position, NavigationMesh::Query& query) {
+  const Vector2 corner = corners_[corner_];
+  const std::optional<Path> path = query.findPath(position, corner);
+  if (!path || path->length > (position - corner).norm() + MAX_DETOUR) return false;
+  corners_.erase(corners_.begin(), corners_.begin() + static_cast<std::ptrdiff_t>(corner_));
+  corners_.insert(corners_.begin(), path->corners.begin(), path->corners.end() - 1);
+  corner_ = 0;
   return true;
 }
 
-void PathFollower::setCorner(std::size_t corner) {
-  corner_ = corner;
-  length_behind_corner_ = 0.0;
-  for (std::size_t i = corner; i + 1 < path_->corners.size(); ++i) {
-    length_behind_corner_ += (path_->corners[i + 1] - path_->corners[i]).norm();
-  }
-}
-
-double PathFollower::remainingLength(const Vector2& position) const {
-  if (!path_) return std::numeric_limits<double>::infinity();
-  return (position - path_->corners[corner_]).norm() + length_behind_corner_;
-}
-
-void PathFollower::setGoal(const Vector2& goal) {
-  goal_ = goal;
-  replan();
-}
-
 void PathFollower::replan() {
-  path_.reset();
+  corners_.clear();
+  corner_ = 0;
   state_ = State::ON_THE_WAY;
 }
 

@@ -15,18 +15,12 @@ namespace crowd::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_SCALAR
-constexpr bool HAS_COMPRESS = true;
-constexpr std::size_t MAX_DISC_LANES = 8;  // no more than PADDING
-#else
-constexpr bool HAS_COMPRESS = false;
-constexpr std::size_t MAX_DISC_LANES = 4;
-#endif
+constexpr std::size_t MAX_DISC_LANES = 4;  // no more than PADDING; the table below doubles with each lane
 
 /// For each mask of lanes, the indices of the two words of each marked lane, in order; the rest is unspecified.
 struct CompressTable {
   static constexpr std::size_t WORDS = 2 * MAX_DISC_LANES;
-  std::uint32_t words[HAS_COMPRESS ? 1 : 1U << MAX_DISC_LANES][WORDS] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays)
+  std::uint32_t words[1U << MAX_DISC_LANES][WORDS] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays)
 
   constexpr CompressTable() {
     for (std::size_t marks = 0; marks < sizeof(words) / sizeof(words[0]); ++marks) {
@@ -42,11 +36,11 @@ struct CompressTable {
 constexpr CompressTable COMPRESS_TABLE;
 
 /// Stores all lanes, the marked ones first.
-/// @details With GCC 12, Highway's Compress() is slow for AVX2, because it copies its table at each call.
+/// @details With GCC 12, Highway's Compress() is slow for AVX2 and AVX-512, because it copies its table at each call.
 template <typename D>
-HWY_INLINE void storeCompressed(D d, hn::Vec<D> lanes, hn::Mask<D> mask, std::uint8_t marks, hn::TFromD<D>* to) {
-  if constexpr (HAS_COMPRESS) {
-    hn::StoreU(hn::Compress(lanes, mask), d, to);
+HWY_INLINE void storeCompressed(D d, hn::Vec<D> lanes, std::uint8_t marks, hn::TFromD<D>* to) {
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    hn::StoreU(lanes, d, to);
   } else {
     const hn::Repartition<std::uint32_t, D> words;
     const auto order = hn::SetTableIndices(words, COMPRESS_TABLE.words[marks]);
@@ -104,8 +98,8 @@ inline std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, cons
     const auto rims = hn::Sub(hn::Sqrt(squares), radii);
     std::uint8_t marks[8] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays): maximum that is written
     hn::StoreMaskBits(d, near, marks);
-    storeCompressed(du, places, hn::RebindMask(du, near), marks[0], collected.discs + count);
-    storeCompressed(d, rims, near, marks[0], collected.rims + count);
+    storeCompressed(du, places, marks[0], collected.discs + count);
+    storeCompressed(d, rims, marks[0], collected.rims + count);
     count += hwy::PopCount(marks[0]);
   }
   return count;

@@ -85,16 +85,17 @@ void RightOfWay::addClaim(const Agent& agent, const RemainingPath& path) {
   double walked = 0.0;
   for (const Vector2& corner : path) {
     const double length = (corner - from).norm();
+    const Vector2 direction = length > 0.0 ? Vector2((corner - from) / length) : Vector2::UnitX();
     double step = SAMPLE;
     for (double along = 0.0; along < length && walked + along < LOOKAHEAD; along += step) {
-      const Vector2 place = from + along / length * (corner - from);
-      const std::uint16_t passage = passages_->at(place);
+      const Vector2 place = from + along * direction;
+      const double clear = passages_->distanceFrom(place);
+      const std::uint16_t passage = clear > 0.0 ? Passages::NONE : passages_->at(place);
       if (passage != Passages::NONE) {
         return states_[passage].claims.push_back({agent.id, nearestMouth(passage, before), walked + along});
       }
-      // No sample nearer than this can be in a passage.
-      step = SAMPLE * std::max(1.0, std::floor(passages_->distanceFrom(place) / SAMPLE));
-      before = place + (step - SAMPLE) / length * (corner - from);
+      step = std::max(SAMPLE, clear);
+      before = place + (step - SAMPLE) * direction;
     }
     walked += length;
     from = corner;

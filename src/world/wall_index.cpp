@@ -10,13 +10,27 @@
 namespace crowd {
 namespace {
 
+constexpr double CELL_SIZE = 1.0;  // wanted [m]
 constexpr double MAX_CELLS = 1U << 20U;
 constexpr std::size_t ENTRIES_PER_WALL = 64;  // more than that, and cells are made larger,
 constexpr std::size_t FREE_ENTRIES = 65536;   // which are allowed in any case
 constexpr double SLACK = 1e-6;                // [cells]; walls so near to a cell are also in it, against rounding
 
-/// The square of the distance to the point that nearestPoint() gives. It has no branches, because in a search they
-/// would be mispredicted often.
+/// Whether a wall is within a distance of a point. It has no branches, because in a search they would be mispredicted
+/// often, and no division.
+/// @param limit square of the distance [m2]
+bool isWithin(double limit, const Segment& wall, const Vector2& point) {
+  const Vector2 along = wall.to - wall.from;
+  const Vector2 offset = point - wall.from;
+  const double length_squared = along.squaredNorm();
+  const double walked = offset.dot(along);
+  const double aside = cross(along, offset);
+  const bool is_beside = (walked > 0.0) & (walked < length_squared);
+  const bool is_near_line = aside * aside <= limit * length_squared;
+  return (is_beside & is_near_line) | (offset.squaredNorm() <= limit) | ((point - wall.to).squaredNorm() <= limit);
+}
+
+/// The square of the distance to the point that nearestPoint() gives.
 double squaredDistance(const Segment& wall, const Vector2& point) {
   const Vector2 along = wall.to - wall.from;
   const double length_squared = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
@@ -36,9 +50,9 @@ std::pair<double, double> xsBetween(const Segment& segment, double low, double h
 
 }  // namespace
 
-WallIndex::WallIndex(std::vector<Segment> walls, double cell_size) : walls_(std::move(walls)) {
+WallIndex::WallIndex(std::vector<Segment> walls, double margin) : walls_(std::move(walls)), margin_(margin) {
   if (isList()) return;
-  layOut(cell_size);
+  layOut();
   fillCells();
 }
 
@@ -48,8 +62,8 @@ std::int64_t WallIndex::cellOf(double offset, std::int64_t cells) const {
 }
 
 WallIndex::Cells WallIndex::cellsNear(const Vector2& point, double distance) const {
-  return {column(point.x() - distance), column(point.x() + distance), row(point.y() - distance),
-          row(point.y() + distance)};
+  const double reach = distance <= margin_ ? 0.0 : distance;
+  return {column(point.x() - reach), column(point.x() + reach), row(point.y() - reach), row(point.y() + reach)};
 }
 
 template <typename Visit>
@@ -86,7 +100,7 @@ bool WallIndex::isAnyNear(const Vector2& point, double distance, const Test& tes
   return false;
 }
 
-void WallIndex::layOut(double cell_size) {
+void WallIndex::layOut() {
   Vector2 low = walls_.front().from;
   Vector2 high = low;
   for (const Segment& wall : walls_) {
@@ -95,7 +109,7 @@ void WallIndex::layOut(double cell_size) {
   }
   origin_ = low;
   const Vector2 size = high - low;
-  cells_per_metre_ = 1.0 / cell_size;
+  cells_per_metre_ = 1.0 / CELL_SIZE;
   const auto count = [&](double side) { return std::isfinite(side) ? side * cells_per_metre_ + 1.0 : 1.0; };
   while (count(size.x()) * count(size.y()) > MAX_CELLS) cells_per_metre_ /= 2.0;
   const auto resize = [&] {
@@ -108,7 +122,7 @@ void WallIndex::layOut(double cell_size) {
 std::size_t WallIndex::countEntries() const {
   std::size_t entries = 0;
   for (const Segment& wall : walls_) {
-    visitRows(wall, 0.0, [&](std::int64_t /*row*/, std::int64_t left, std::int64_t right) {
+    visitRows(wall, margin_, [&](std::int64_t /*row*/, std::int64_t left, std::int64_t right) {
       entries += static_cast<std::size_t>(right - left + 1);
       return false;
     });
@@ -119,7 +133,7 @@ std::size_t WallIndex::countEntries() const {
 void WallIndex::fillCells() {
   first_.assign(static_cast<std::size_t>(columns_ * rows_) + 2, 0);
   const auto visit_cells = [&](const Segment& wall, const auto& visit) {
-    visitRows(wall, 0.0, [&](std::int64_t r, std::int64_t left, std::int64_t right) {
+    visitRows(wall, margin_, [&](std::int64_t r, std::int64_t left, std::int64_t right) {
       for (std::int64_t c = left; c <= right; ++c) visit(static_cast<std::size_t>(r * columns_ + c));
       return false;
     });
@@ -138,7 +152,7 @@ void WallIndex::findNear(const Vector2& point, double distance, std::vector<std:
   const double limit = distance * distance;
   if (isList()) {
     for (std::uint32_t i = 0; i < walls_.size(); ++i) {
-      if (squaredDistance(walls_[i], point) <= limit) found.push_back(i);
+      if (isWithin(limit, walls_[i], point)) found.push_back(i);
     }
     return;
   }
@@ -150,19 +164,20 @@ void WallIndex::findNear(const Vector2& point, double distance, std::vector<std:
     found.resize(count + walls.size());
     for (const std::uint32_t wall : walls) {
       found[count] = wall;  // stays if the wall is near
-      count += squaredDistance(walls_[wall], point) <= limit ? 1 : 0;
+      count += isWithin(limit, walls_[wall], point) ? 1 : 0;
     }
   }
+  found.resize(count);
+  if (cells.left == cells.right && cells.bottom == cells.top) return;
   const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);
-  const auto end = found.begin() + static_cast<std::ptrdiff_t>(count);
-  std::sort(begin, end);
-  found.erase(std::unique(begin, end), found.end());
+  std::sort(begin, found.end());
+  found.erase(std::unique(begin, found.end()), found.end());
 }
 
 bool WallIndex::isAnyWithin(const Vector2& point, double distance) const {
   if (!(distance >= 0.0)) return false;
   const double limit = distance * distance;
-  return isAnyNear(point, distance, [&](std::uint32_t wall) { return squaredDistance(walls_[wall], point) <= limit; });
+  return isAnyNear(point, distance, [&](std::uint32_t wall) { return isWithin(limit, walls_[wall], point); });
 }
 
 double WallIndex::nearestDistance(const Vector2& point, double limit) const {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -174,10 +175,16 @@ std::size_t World::addWall(const Segment& wall) {
   }
   std::vector<Segment> walls = this->walls();
   walls.push_back(wall);
-  walls_ = WallIndex(std::move(walls));
+  setWalls(std::move(walls));
   wall_ids_.push_back(next_wall_id_++);
-  ++layout_changes_;
   return wall_ids_.back();
+}
+
+void World::setWalls(std::vector<Segment> walls) {
+  const bool are_many = walls.size() > MANY_WALLS;
+  wall_reach_ = are_many ? NEAR_WALLS : std::numeric_limits<double>::infinity();
+  walls_ = WallIndex(std::move(walls), are_many ? NEAR_WALLS : 0.0);
+  ++layout_changes_;
 }
 
 void World::removeWall(std::size_t id) {
@@ -185,16 +192,14 @@ void World::removeWall(std::size_t id) {
   if (found == wall_ids_.end() || *found != id) throw InputError("there is no wall " + std::to_string(id));
   std::vector<Segment> walls = this->walls();
   walls.erase(walls.begin() + (found - wall_ids_.begin()));
-  walls_ = WallIndex(std::move(walls));
+  setWalls(std::move(walls));
   wall_ids_.erase(found);
-  ++layout_changes_;
 }
 
 void World::replaceWalls(std::vector<Segment> walls) {
-  walls_ = WallIndex(std::move(walls));
+  setWalls(std::move(walls));
   wall_ids_.resize(this->walls().size());
   for (std::size_t& id : wall_ids_) id = next_wall_id_++;
-  ++layout_changes_;
 }
 
 }  // namespace crowd

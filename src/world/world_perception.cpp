@@ -139,8 +139,7 @@ inline void World::writeNeighbours(const Span<NearDisc>& found, const Agent& age
 inline void World::findWalls(const Vision& vision, const Agent& agent, const Rotation& frame,
                              PerceptionWorkspace& workspace) const {
   workspace.near_walls.clear();
-  const double reach = walls().size() > MANY_WALLS ? std::min(NEAR_WALLS, vision.radius) : vision.radius;
-  walls_.findNear(agent.pose.position, reach, workspace.near_walls);
+  walls_.findNear(agent.pose.position, std::min(wall_reach_, vision.radius), workspace.near_walls);
   for (const std::uint32_t number : workspace.near_walls) {
     const Segment& wall = walls()[number];
     workspace.walls.push_back(

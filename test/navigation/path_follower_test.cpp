@@ -15,6 +15,10 @@ constexpr double CLEARANCE = 0.3;
 const Vector2 START(-3.0, 0.0);
 const Vector2 GOAL(3.0, 0.0);
 
+double remainingLength(const PathFollower& follower, const Vector2& position) {
+  return floors::lengthOf(position, {{follower.corners().begin(), follower.corners().end()}, 0.0});
+}
+
 /// A room with a door from y = 2 to y = 3.2, between START and GOAL.
 class PathFollowerTest : public testing::Test {
  protected:
@@ -25,14 +29,13 @@ class PathFollowerTest : public testing::Test {
 
 TEST_F(PathFollowerTest, LeadsToTheDoorAndThenToTheGoal) {
   PathFollower follower(GOAL);
-  EXPECT_TRUE(std::isinf(follower.remainingLength(START)));
   EXPECT_EQ(follower.corners().size(), 0U);
   const Vector2 next = follower.next(START, query_);
   EXPECT_EQ(follower.state(), State::ON_THE_WAY);
   EXPECT_NEAR(next.x(), 0.0, 0.6);
   EXPECT_NEAR(next.y(), 2.3, 0.2);
   EXPECT_GT(follower.corners().size(), 1U);
-  EXPECT_NEAR(follower.remainingLength(START), query_.findPath(START, GOAL)->length, 1e-9);
+  EXPECT_NEAR(remainingLength(follower, START), query_.findPath(START, GOAL)->length, 1e-9);
 
   Vector2 position = START;
   double walked = 0.0;
@@ -58,24 +61,51 @@ TEST_F(PathFollowerTest, APersonThatWasPushedAwayGetsANewWay) {
   const Vector2 next = follower.next(position, query_);
   EXPECT_NE(next, GOAL);
   EXPECT_TRUE(query_.isStraight(position, next));
-  EXPECT_NEAR(follower.remainingLength(position), query_.findPath(position, GOAL)->length, 1e-9);
+  EXPECT_NEAR(remainingLength(follower, position), query_.findPath(position, GOAL)->length, 1e-9);
 }
 
-TEST_F(PathFollowerTest, APersonThatWasPushedBackALittleGoesBackOneCorner) {
+TEST_F(PathFollowerTest, APersonThatWasPushedBackALittleGoesBackToItsCorner) {
   PathFollower follower(GOAL);
   const Vector2 first = follower.next(START, query_);
-  follower.next(first, query_);                        // reached: the next corner counts
-  const Vector2 pushed = first + Vector2(-1.0, -1.0);  // from here the goal is hidden
+  const Vector2 second = follower.next(first, query_);  // reached: the next corner counts
+  ASSERT_NE(second, first);
+  const Vector2 pushed = first + Vector2(-1.0, -1.0);
+  ASSERT_FALSE(query_.isStraight(pushed, second));
   const Vector2 next = follower.next(pushed, query_);
   EXPECT_TRUE(query_.isStraight(pushed, next));
   EXPECT_EQ(follower.state(), State::ON_THE_WAY);
+  EXPECT_EQ(*(follower.corners().end() - 1), GOAL);
+  EXPECT_NEAR(remainingLength(follower, pushed), query_.findPath(pushed, GOAL)->length, 0.1);
+}
+
+TEST_F(PathFollowerTest, AWayBackThatIsALongDetourIsNotTaken) {
+  // Doors from y = 2 to 3.2 and from y = -3.2 to -2, and a wall between them, with a gap, in the left half.
+  FloorPlan floor = floors::room({-5.0, -4.0}, {5.0, 4.0});
+  for (const Vector2& ys : {Vector2(-4.0, -3.2), Vector2(-2.0, 2.0), Vector2(3.2, 4.0)}) {
+    floor.walls.push_back({{0.0, ys.x()}, {0.0, ys.y()}});
+  }
+  floor.walls.push_back({{-5.0, -1.0}, {-0.8, -1.0}});
+  const NavigationMesh mesh(floor, CLEARANCE);
+  NavigationMesh::Query query(mesh);
+  PathFollower follower(GOAL);
+  EXPECT_GT(follower.next(Vector2(-3.0, 0.5), query).y(), 1.0);
+  const Vector2 pushed(-4.5, -1.6);  // behind the wall
+  EXPECT_LT(follower.next(pushed, query).y(), -1.0);
+  EXPECT_NEAR(remainingLength(follower, pushed), query.findPath(pushed, GOAL)->length, 1e-9);
+}
+
+TEST_F(PathFollowerTest, OnTheStraightLineToACornerTheWayIsKept) {
+  PathFollower follower(GOAL);
+  const Vector2 corner = follower.next(START, query_);
+  for (const double share : {0.1, 0.3, 0.5}) {
+    EXPECT_EQ(follower.next(START + share * (corner - START), query_), corner) << share;
+  }
 }
 
 TEST_F(PathFollowerTest, AGoalOutOfReachIsReportedAndTriedAgain) {
   PathFollower follower({100.0, 0.0});
   EXPECT_EQ(follower.next(START, query_), START);
   EXPECT_EQ(follower.state(), State::UNREACHABLE);
-  EXPECT_TRUE(std::isinf(follower.remainingLength(START)));
   EXPECT_EQ(follower.corners().size(), 0U);
 
   const NavigationMesh closed(floors::roomWithDoor(0.0), CLEARANCE);
@@ -95,24 +125,6 @@ TEST_F(PathFollowerTest, AGoalOutOfReachIsReportedAndTriedAgain) {
   while (ticks < 100 && waiting.next(START, query_) == START) ++ticks;
   EXPECT_GT(ticks, 0);
   EXPECT_LT(ticks, 100);
-}
-
-TEST_F(PathFollowerTest, ANewGoalCountsAtOnce) {
-  PathFollower follower(GOAL);
-  follower.next(START, query_);
-  const Vector2 other(-3.0, -3.0);
-  follower.setGoal(other);
-  EXPECT_EQ(follower.goal(), other);
-  EXPECT_EQ(follower.next(START, query_), other);
-}
-
-TEST_F(PathFollowerTest, WhatCountsAsStraightCanBeReplaced) {
-  PathFollower open_sight(GOAL);
-  const auto everything = [](const Vector2& /*from*/, const Vector2& /*to*/) { return true; };
-  EXPECT_EQ(open_sight.next(START, query_, everything), GOAL);
-  PathFollower no_sight(GOAL);
-  const auto nothing = [](const Vector2& /*from*/, const Vector2& /*to*/) { return false; };
-  EXPECT_EQ(no_sight.next(START, query_, nothing), query_.findPath(START, GOAL)->corners.front());
 }
 
 TEST_F(PathFollowerTest, TheSamePositionsGiveTheSamePoints) {

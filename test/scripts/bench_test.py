@@ -110,7 +110,8 @@ class TableTest:
     def test_bars(self):
         for name, value, yardstick, expected in [
                 ('train_occupancy', 8e6, 9e6, True), ('train_occupancy', 7.9e6, 9e6, False),
-                ('crowd_step_10000', 2e6, 6e6, True), ('crowd_step_10000', 2e6, 6.1e6, False),
+                ('crowd_step_10000', 2e6, 9e6, True), ('crowd_step_10000', 1.9e6, 2e6, False),
+                ('crowd_step_map_1000', 2e6, 3e6, True), ('crowd_step_map_1000', 2e6, 3.1e6, False),
                 ('crowd_step_10000_two_threads', 1.8e6, 1e6, True), ('crowd_step_10000_two_threads', 9e9, 8e9, False),
                 ('ros_lockstep_1000', 250, 400, True), ('ros_lockstep_1000', 249, 249, False),
                 ('nodelets_1000', 800, 1600, True), ('nodelets_1000', 800, 1601, False),

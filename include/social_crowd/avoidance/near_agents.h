@@ -42,9 +42,9 @@ class NearAgents {
   /// @param batch at most MAX_BATCH agents
   explicit NearAgents(const PerceptionBatch& batch);
 
-  /// @brief Whether the perception holds 1 to NEIGHBOURS_AT_ONCE neighbours, all of them agents, and no walls.
+  /// @brief Whether the perception holds 1 to NEIGHBOURS_AT_ONCE neighbours, all of them agents.
   static bool isFor(const Perception& seen) {
-    return !seen.neighbours.empty() && seen.neighbours.size() <= NEIGHBOURS_AT_ONCE && seen.isOfAgentsAlone();
+    return !seen.neighbours.empty() && seen.neighbours.size() <= NEIGHBOURS_AT_ONCE && !seen.neighbours.hasObstacles();
   }
 
   /// @brief Ordered by agent, then by neighbour, nearest first.

@@ -53,13 +53,19 @@ class Passages {
   }
   /// @brief A lower bound of the distance from a place to the nearest passage [m]; 0 if it is not known.
   double distanceFrom(const Vector2& place) const {
-    const ClearanceGrid::Index point = clearance_.nearest(place);
-    return point == ClearanceGrid::OUTSIDE ? 0.0 : std::max(0, steps_[point] - 1) * clearance_.spacing();
+    const Vector2 offset = (place - block_origin_) / block_side_;
+    const bool inside =
+        offset.x() >= 0.0 && offset.y() >= 0.0 && offset.x() < block_columns_ && offset.y() < block_rows_;
+    if (!inside) return 0.0;
+    const Index block = static_cast<Index>(offset.y()) * block_columns_ + static_cast<Index>(offset.x());
+    return std::max(0, steps_[block] - 1) * block_side_;
   }
 
  private:
   using Index = ClearanceGrid::Index;
   enum class Width : std::uint8_t { BLOCKED, NARROW, WIDE };
+  /// Distances are stored for blocks of BLOCK x BLOCK grid points, so that they fit into the processor's cache.
+  static constexpr Index BLOCK = 4;
 
   std::vector<Width> classify(double radius, double max_width) const;
   bool isThroat(Index point) const;
@@ -70,7 +76,11 @@ class Passages {
 
   ClearanceGrid clearance_;
   std::vector<std::uint16_t> labels_;  // by grid point
-  std::vector<std::uint8_t> steps_;    // to the nearest passage, also diagonal ones, at most 255; by grid point
+  Vector2 block_origin_ = Vector2::Zero();
+  double block_side_ = 1.0;  // [m]
+  Index block_columns_ = 0;
+  Index block_rows_ = 0;
+  std::vector<std::uint8_t> steps_;  // to the nearest block with a passage, also diagonal ones, at most 255; by block
   std::vector<Passage> passages_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 namespace crowd {
@@ -61,7 +62,13 @@ class Rotation {
 };
 
 /// @brief The point of a segment nearest to p [m].
-Vector2 nearestPoint(const Segment& segment, const Vector2& p);
+inline Vector2 nearestPoint(const Segment& segment, const Vector2& p) {
+  const Vector2 along = segment.to - segment.from;
+  const double length_squared = along.squaredNorm();
+  if (length_squared <= 0.0) return segment.from;
+  const double share = std::clamp((p - segment.from).dot(along) / length_squared, 0.0, 1.0);
+  return segment.from + share * along;
+}
 
 /// @brief Distance from p to the segment [m].
 inline double distanceTo(const Segment& segment, const Vector2& p) { return (nearestPoint(segment, p) - p).norm(); }

@@ -20,8 +20,8 @@ class WallIndex {
 
   WallIndex() = default;
   /// @param walls finite segments [m]
-  /// @param cell_size wanted side of a cell [m], above 0
-  explicit WallIndex(std::vector<Segment> walls, double cell_size = 1.0);
+  /// @param margin searches up to this distance look at one cell only, which takes more memory [m]
+  explicit WallIndex(std::vector<Segment> walls, double margin = 0.0);
 
   /// @brief The walls in the order in which they were given; searches return indices into this list.
   const std::vector<Segment>& walls() const { return walls_; }
@@ -53,7 +53,7 @@ class WallIndex {
   };
 
   bool isList() const { return walls_.size() <= FEW; }
-  void layOut(double cell_size);
+  void layOut();
   void fillCells();
   /// The number of pairs of a wall and a cell that it crosses.
   std::size_t countEntries() const;
@@ -61,6 +61,7 @@ class WallIndex {
   std::int64_t row(double y) const { return cellOf(y - origin_.y(), rows_); }
   /// The cell at this distance from the first cell's edge [m], or the nearest one.
   std::int64_t cellOf(double offset, std::int64_t cells) const;
+  /// Cells that list all walls at most `distance` [m] from the point.
   Cells cellsNear(const Vector2& point, double distance) const;
   /// Calls visit(row, left, right) for rows of cells that contain all points at most `margin` [m] from the segment.
   template <typename Visit>
@@ -73,8 +74,9 @@ class WallIndex {
   bool isAnyNear(const Vector2& point, double distance, const Test& test) const;
 
   std::vector<Segment> walls_;
+  double margin_ = 0.0;                 // [m]
   std::vector<std::uint32_t> first_;    // first_[c]: first entry of cell c
-  std::vector<std::uint32_t> entries_;  // walls of all cells, in each cell in ascending order
+  std::vector<std::uint32_t> entries_;  // walls within the margin of all cells, in each cell in ascending order
   Vector2 origin_ = Vector2::Zero();
   double cells_per_metre_ = 1.0;
   std::int64_t columns_ = 1;

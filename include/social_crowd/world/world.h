@@ -219,6 +219,7 @@ class World {
   /// Reduces neighbours and walls in the workspace to their visible parts.
   void applyOcclusion(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const;
   void addAgent(const AgentStart& start);
+  void setWalls(std::vector<Segment> walls);
   Agent& findWalking(AgentId id);
   /// Returns what overlaps a disc at this place, such as "agent 3"; empty if nothing does. @param except an agent
   std::string findBlocker(const Vector2& centre, double radius, bool agents_only,
@@ -235,6 +236,7 @@ class World {
   std::vector<Agent> agents_;
   std::vector<Obstacle> obstacles_;
   WallIndex walls_;
+  double wall_reach_ = 0.0;            // agents perceive walls within this distance [m]
   std::vector<std::size_t> wall_ids_;  // of these
   std::size_t next_wall_id_ = 0;
   std::uint64_t layout_changes_ = 0;
