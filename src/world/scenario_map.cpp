@@ -46,6 +46,15 @@ bool usesFreeSpace(const Scenario& scenario) {
                              [](const RouteDescription& route) { return routeUsesFreeSpace(route.waypoints); });
 }
 
+/// Adds where the scenario names the map to errors of its files.
+OccupancyMap readMapOf(const std::string& name, const YamlMap& map) {
+  try {
+    return readMap(name);
+  } catch (const Error& error) {
+    throwProblem(map.placeOf("map"), map.need("map"), error.what());
+  }
+}
+
 }  // namespace
 
 void readScenarioMap(const YamlMap& map, Scenario& scenario) {
@@ -56,7 +65,7 @@ void readScenarioMap(const YamlMap& map, Scenario& scenario) {
   }
   const std::filesystem::path folder = std::filesystem::path(map.place().file).parent_path();
   const std::string name = (folder / map.text("map")).string();
-  scenario.map = std::make_shared<const OccupancyMap>(readMap(name));
+  scenario.map = std::make_shared<const OccupancyMap>(readMapOf(name, map));
   FloorPlan floor;
   floor.walls = traceWalls(*scenario.map);
   scenario.map_walls = std::make_shared<const std::vector<Segment>>(floor.walls);

@@ -124,7 +124,7 @@ class ScenariosTest(BadPlacesTestCase):
     def test_maps(self):
         self.begin()
         absent = self.write('bad.yaml', 'map: absent.yaml\n' + ROOM)
-        self.refuse('load_scenario', 'absent.yaml: cannot be read', scenario=absent)
+        self.refuse('load_scenario', absent, 'line 1: map: ', 'absent.yaml: cannot be read', scenario=absent)
         keys = 'origin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n'
         for text, words in (
                 ('image: absent.pgm\nresolution: 0.1\n' + keys, ['absent.pgm']),

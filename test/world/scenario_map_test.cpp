@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "social_crowd/world/scenario_reader.h"
+#include "support/error_of.h"
+#include "support/temporary_folder.h"
+
+namespace crowd {
+namespace {
+
+/// A scenario with a map of 10 x 1 cells of 1 m; the last four, from x = 6 to 10 m, are occupied.
+class ScenarioMap : public testing::Test {
+ protected:
+  static constexpr const char* KEYS =
+      "image: map.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+
+  ScenarioMap() {
+    folder_.write("map.pgm", "P2 10 1 255 255 255 255 255 255 255 0 0 0 0\n");
+    folder_.write("map.yaml", KEYS);
+  }
+
+  /// What is said of a scenario with the map on line 4 and an agent on line 5.
+  std::string errorWith(const std::string& map, const std::string& agent) const {
+    const std::string text =
+        "name: n\nduration: 60\ngoal_tolerance: 0.3\nmap: " + map + "\nagents: [{" + agent + "}]\n";
+    return errorOf<Error>([&] { parseScenarios(text, folder_.file("s.yaml")); });
+  }
+  std::string place() const { return folder_.file("s.yaml") + ": document 1, line 4: map: "; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ScenarioMap, ErrorsOfItsFilesSayWhereItIsNamed) {
+  const std::string agent = "position: [1, 0.5], goal: [3, 0.5], speed: 1, radius: 0.2";
+  EXPECT_EQ(errorWith("map.yaml", agent), "no error");
+  const std::string absent = errorWith("absent.yaml", agent);
+  EXPECT_EQ(absent.find(place() + folder_.file("absent.yaml") + ": cannot be read"), 0U) << absent;
+  folder_.write("broken.yaml", "image: map.pgm\nresolution: -1\n");
+  const std::string broken = errorWith("broken.yaml", agent);
+  EXPECT_EQ(broken.find(place() + folder_.file("broken.yaml") + ": line 2: resolution: "), 0U) << broken;
+  folder_.write("imageless.yaml", std::string(KEYS).replace(7, 7, "not.pgm"));
+  const std::string imageless = errorWith("imageless.yaml", agent);
+  EXPECT_EQ(imageless.find(place() + folder_.file("imageless.yaml") + ": line 1: image: "), 0U) << imageless;
+}
+
+}  // namespace
+}  // namespace crowd
