@@ -134,15 +134,16 @@ class EpisodeWriter {
   std::optional<GrowingFile> scenes_;
 };
 
-/// What there is to warn of after all episodes of a scenario.
+/// What there is to warn of: at the start of the first episode that has it, and after all episodes of a scenario.
 struct WayWarnings {
+  bool is_said = false;          // at the start of an episode
   std::size_t out_of_reach = 0;  // agents
   std::size_t without = 0;       // episodes
   std::string problem;           // of the first of these
 };
 
 void noteWays(const EpisodeResult& result, WayWarnings& ways) {
-  ways.out_of_reach += result.outOfReachCount();
+  ways.out_of_reach += result.outOfReach().size();
   if (result.way_finding_problem.empty()) return;
   if (ways.without++ == 0) ways.problem = result.way_finding_problem;
 }
@@ -161,7 +162,14 @@ Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, co
   ProgressBar bar(name, episodes);
   Metrics metrics;
   WayWarnings ways;
-  evaluate(trained, scenarios, arguments.plan, [&](EvaluatedEpisode& walked) {
+  EvaluationPlan plan = arguments.plan;
+  plan.warn = [&](std::uint64_t instance, const std::string& warning) {
+    if (ways.is_said) return;
+    ways.is_said = true;
+    bar.clear();
+    std::cerr << name << ": instance " << instance << ", at its start: " << warning << "\n";
+  };
+  evaluate(trained, scenarios, plan, [&](EvaluatedEpisode& walked) {
     writer.write(walked);
     if (record) record->append(recordRows(walked));
     metrics.add(walked.result);

@@ -5,6 +5,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/world/route_reach.h"
+#include "world/goal_checks.h"
 #include "world/placed_bodies.h"
 
 namespace crowd {
@@ -99,6 +100,7 @@ Scene Placement::place() {
   recordFixedGoals();
   placeObstacles(Position::FIXED);
   placeFixedAgents();
+  requireFreeGoals(scenario_, placed_);
   placeObstacles(Position::DRAWN);
   completeAgents();
   placeObstacles(Position::BETWEEN);

@@ -137,6 +137,36 @@ class ScenariosTest(BadPlacesTestCase):
         self.assert_unchanged()
 
 
+class ResultsTest(BadPlacesTestCase):
+    """Goals of a scenario that no way leads to."""
+
+    def test_goals_out_of_reach_are_reported_at_the_start_and_in_the_result(self):
+        caged = '  - {position: [2, 2], goal: [19, 1], speed: 0.5, radius: 0.2}\n'
+        self.start_all(ROOM.replace('duration: 60', 'duration: 1').replace('routes:', caged + 'routes:'))
+        warning = '1 agent has a goal out of reach (2)'
+        support.wait_for(lambda: f'episode 0 (room), at its start: {warning}' in self.controller.output(),
+                         'the warning at the start')
+        self.assertNotIn('at its end', self.controller.output())
+        self.step(10)
+        support.wait_for(lambda: f'episode 0 (room), at its end: {warning}' in self.controller.output(),
+                         'the warning at the end')
+
+    def test_none(self):
+        self.start_all(ROOM.replace('duration: 60', 'duration: 1'))
+        self.step(10)
+        self.results.wait()
+        self.assertNotIn('out of reach', self.controller.output())
+
+    def test_goals_in_walls(self):
+        self.begin()
+        text = HEAD + AGENT.replace('goal: [15, 5]', 'goal: [18, 1]')
+        line = len(HEAD.splitlines()) + 1
+        file = self.write('bad.yaml', text)
+        self.refuse('load_scenario', f'{file}: document 1, line {line}: agents[0].goal: expected', 'got (18, 1)',
+                    scenario=file)
+        self.assert_unchanged()
+
+
 class MapTopicTest(BadPlacesTestCase):
     """Messages on the topic of ~map_topic."""
 

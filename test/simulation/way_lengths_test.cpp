@@ -110,10 +110,10 @@ TEST(Reach, AnAgentStaysWhileItsGoalIsOutOfReach) {
   const std::size_t wall = episode.addWall({{0.0, 3.0}, {0.0, 5.0}});
   walkUntil(5.0, episode);
   EXPECT_EQ(episode.world().agents()[0].pose.position, place);
-  EXPECT_EQ(episode.result().outOfReachCount(), 1U);
-  EXPECT_EQ(episode.result().wayWarning(), "1 agent has a goal out of reach");
+  EXPECT_EQ(episode.result().outOfReach(), std::vector<AgentId>{0});
+  EXPECT_EQ(episode.result().wayWarning(), "1 agent has a goal out of reach (0)");
   episode.removeWall(wall);
-  EXPECT_EQ(episode.result().outOfReachCount(), 0U);
+  EXPECT_TRUE(episode.result().outOfReach().empty());
   walkUntil(60.0, episode);
   EXPECT_TRUE(episode.result().agents.at(0).arrived);
 }
@@ -122,7 +122,7 @@ TEST(Reach, AnAgentWaitsAtAClosedGate) {
   Episode episode = episodeOf(std::string(ROOM) + agentTo("[2, 4]") + GATE, 60.0);
   walkUntil(29.0, episode);
   const Vector2 place = episode.world().agents()[0].pose.position;
-  EXPECT_EQ(episode.result().outOfReachCount(), 0U);
+  EXPECT_TRUE(episode.result().outOfReach().empty());
   EXPECT_LT(place.x(), -RADIUS + 1e-9);
   EXPECT_LT((place - Vector2(0.0, 4.0)).norm(), 1.5);
   walkUntil(60.0, episode);

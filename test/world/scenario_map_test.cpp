@@ -26,6 +26,10 @@ class ScenarioMap : public testing::Test {
         "name: n\nduration: 60\ngoal_tolerance: 0.3\nmap: " + map + "\nagents: [{" + agent + "}]\n";
     return errorOf<Error>([&] { parseScenarios(text, folder_.file("s.yaml")); });
   }
+  /// The same with a goal of an agent that starts at (1, 0.5).
+  std::string errorOfGoal(const std::string& goal, const std::string& radius = "0.2") const {
+    return errorWith("map.yaml", "position: [1, 0.5], goal: " + goal + ", speed: 1, radius: " + radius);
+  }
   std::string place() const { return folder_.file("s.yaml") + ": document 1, line 4: map: "; }
 
   TemporaryFolder folder_;
@@ -42,6 +46,21 @@ TEST_F(ScenarioMap, ErrorsOfItsFilesSayWhereItIsNamed) {
   folder_.write("imageless.yaml", std::string(KEYS).replace(7, 7, "not.pgm"));
   const std::string imageless = errorWith("imageless.yaml", agent);
   EXPECT_EQ(imageless.find(place() + folder_.file("imageless.yaml") + ": line 1: image: "), 0U) << imageless;
+}
+
+/// In the middle of the occupied cells the nearest edge is 0.5 m away, as far as an agent of radius 0.2 m walks.
+TEST_F(ScenarioMap, GoalsInOccupiedCellsAreRefused) {
+  const auto expected = [&](const std::string& goal) {
+    return folder_.file("s.yaml") +
+           ": document 1, line 5: agents[0].goal: expected a goal that an agent of radius 0.2 m can get to within "
+           "goal_tolerance (0.3 m), got " +
+           goal + ", which is in a wall or an obstacle";
+  };
+  EXPECT_EQ(errorOfGoal("[8, 0.5]"), expected("(8, 0.5)"));
+  EXPECT_EQ(errorOfGoal("[6.11, 0.5]"), expected("(6.11, 0.5)"));
+  EXPECT_EQ(errorOfGoal("[6.09, 0.5]"), "no error");  // the agent arrives at (5.8, 0.5)
+  EXPECT_EQ(errorOfGoal("[1, 5]"), "no error");       // outside of the map
+  EXPECT_EQ(errorOfGoal("[8, 0.5]", "0.31").find("no error"), std::string::npos);
 }
 
 }  // namespace

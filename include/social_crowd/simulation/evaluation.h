@@ -18,6 +18,9 @@ struct EvaluationPlan {
   bool record = false;         ///< whether to write trajectories
   bool scenes = false;         ///< whether to write scenes
   bool states = false;         ///< whether to write records of states
+  /// Called at the start of each episode whose ways are a problem (EpisodeResult::wayWarning()), never concurrently but
+  /// on any of the threads, and in any order. Empty: nothing is called.
+  std::function<void(std::uint64_t instance, const std::string& warning)> warn;
 };
 
 /// @brief Output of one episode of an evaluation.
