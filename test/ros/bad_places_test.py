@@ -148,13 +148,15 @@ class ResultsTest(BadPlacesTestCase):
                          'the warning at the start')
         self.assertNotIn('at its end', self.controller.output())
         self.step(10)
+        result = self.results.wait()
+        self.assertEqual(list(result.out_of_reach), [2])
         support.wait_for(lambda: f'episode 0 (room), at its end: {warning}' in self.controller.output(),
                          'the warning at the end')
 
     def test_none(self):
         self.start_all(ROOM.replace('duration: 60', 'duration: 1'))
         self.step(10)
-        self.results.wait()
+        self.assertEqual(list(self.results.wait().out_of_reach), [])
         self.assertNotIn('out of reach', self.controller.output())
 
     def test_goals_in_walls(self):
