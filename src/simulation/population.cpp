@@ -4,6 +4,7 @@
 #include <string>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/simulation/route_check.h"
 #include "social_crowd/world/region_geometry.h"
 
 namespace crowd {
@@ -212,10 +213,13 @@ void Population::setRoute(AgentId id, const std::string& route, bool checks_way,
   if (!index) throw InputError(unknownNameText("route", route, namesOf(description_->routes)));
   if (ways_ && checks_way && world.isActive(id)) {
     const Agent& agent = world.agents()[id];
+    const std::string name = "agent " + std::to_string(id);
+    RouteCheck(name, agent.radius, *description_, places_, *ways_, world)
+        .require(description_->routes[*index], agent.pose.position);
     Member candidate;
     candidate.route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
     const Vector2 goal = goalOfLeg(candidate, agent.pose.position, agent.radius, world);
-    ways_->requireWay("agent " + std::to_string(id), world, agent.pose.position, goal, agent.radius);
+    ways_->requireWay(name, world, agent.pose.position, goal, agent.radius);
   }
   world.setLeaves(id, false);  // throws for unknown agents
   for (Queue& queue : queues_) queue.leave(id);

@@ -27,6 +27,7 @@ agents:
   - {position: [2, 8], goal: [15, 8], speed: 0.5, radius: 0.2}
 routes:
   cell: {waypoints: [{place: [19, 1]}]}
+  detour: {waypoints: [{place: [5, 5]}, {place: [19, 1]}, {place: [15, 5]}]}
   rounds: {repeat: true, waypoints: [{place: [5, 5]}, {place: [15, 5]}]}
 gates:
   door: {wall: [[1, 1], [2, 1]], open: true}
@@ -68,6 +69,8 @@ class ServicesTest(BadPlacesTestCase):
         self.refuse('set_goal', 'agent 0', 'goal (30, 5)', 'cannot be reached', agent=0, goal=Point(30, 5, 0))
         self.refuse('set_goal', 'agent 0', 'goal (18, 1)', 'in a wall', agent=0, goal=Point(18, 1, 0))
         self.refuse('set_route', *reach, agent=0, route='cell')
+        self.refuse('set_route', 'routes.detour.waypoints[1]', 'cannot be reached from (5, 5)', *reach, agent=0,
+                    route='detour')
         self.refuse('teleport', 'agent 0', 'cannot be reached from (19, 1)', agent=0, pose=Pose2D(19, 1, 0))
         self.refuse('teleport', 'taken by a wall', agent=0, pose=Pose2D(18, 1, 0))
         self.refuse('spawn_agent', 'goal (19, 1)', 'cannot be reached from (10, 2)', pose=Pose2D(10, 2, 0),

@@ -90,7 +90,7 @@ TEST(Reach, RefusedChangesChangeNothing) {
   };
   const AgentStart caged{{4.0, -4.0}, 0.0, {{0.0, 4.0}}, 1.0, RADIUS};
   expect("agent 0: the goal (4, -4) cannot", [&] { episode.setGoal(0, {4.0, -4.0}); });
-  expect("agent 0: the goal (4, -4) cannot", [&] { episode.setRoute(0, "cell"); });
+  expect("agent 0, routes.cell.waypoints[0]: the goal (4, -4) cannot", [&] { episode.setRoute(0, "cell"); });
   expect("from (4, -4)", [&] { episode.teleport(0, {{4.0, -4.0}, 0.0}); });
   expect("the agent: the goal (0, 4) cannot", [&] { episode.spawnAgent(caged); });
   expect("too large", [&] { episode.setGoal(0, {1e6, 0.0}); });

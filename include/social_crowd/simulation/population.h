@@ -35,8 +35,8 @@ class Population {
   bool expectsAgents() const;
 
   /// @brief Lets an agent begin a route. @throws InputError that lists the known names, or if the agent is not on its
-  /// way, or cannot reach the first waypoint (WayLengths::requireWay; with way-finding only); nothing is changed then
-  /// @param checks_way whether the first waypoint must be in reach
+  /// way, or cannot walk the route (RouteCheck; with way-finding only); nothing is changed then
+  /// @param checks_way whether the waypoints must be in reach
   void setRoute(AgentId id, const std::string& route, bool checks_way, World& world, EpisodeMonitor& monitor);
   /// @brief Lets an agent forget its route, as for a goal of a user. Does nothing for agents that are not on a route.
   void dropRoute(AgentId id, World& world, EpisodeMonitor& monitor);
