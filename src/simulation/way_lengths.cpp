@@ -27,7 +27,7 @@ std::string placeText(const Vector2& place) { return "(" + toText(place.x()) + "
 WayLengths::Floor& WayLengths::floorFor(const World& world, const Vector2& from, const Vector2& to, double radius,
                                         bool opened) {
   std::optional<Floor>& kept = opened ? opened_ : present_;
-  const double largest = std::max(radius, largestRadius(world));
+  const double largest = std::max({radius, least_radius_, largestRadius(world)});
   if (kept && kept->layout_changes == world.layoutChanges() && kept->radius == largest &&
       contains(kept->bounds, from) && contains(kept->bounds, to)) {
     return *kept;

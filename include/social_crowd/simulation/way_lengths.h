@@ -30,10 +30,12 @@ class WayLengths {
     bool operator<(const Way& other) const { return std::tie(kind, length) < std::tie(other.kind, other.length); }
   };
 
-  explicit WayLengths(const Scene& scene) : gates_(gateWalls(scene)), goal_tolerance_(scene.goal_tolerance) {}
+  explicit WayLengths(const Scene& scene)
+      : gates_(gateWalls(scene)), least_radius_(largestSourceRadius(scene)), goal_tolerance_(scene.goal_tolerance) {}
 
   /// @brief The shortest way between two places [m]; only if there is none, the shortest one with all gates open.
-  /// @param radius of the agent [m]; the way is for the largest agent of the world, or for this one if it is larger
+  /// @param radius of the agent [m]; the way is for the largest agent of the world and its sources, or for this one if
+  /// it is larger
   /// @return std::nullopt if they are not connected @throws InputError if the floor is too large
   std::optional<Way> find(const World& world, const Vector2& from, const Vector2& to, double radius);
 
@@ -61,6 +63,7 @@ class WayLengths {
   Floor& floorFor(const World& world, const Vector2& from, const Vector2& to, double radius, bool opened);
 
   std::vector<Segment> gates_;
+  double least_radius_;  // of the agents that may appear [m]
   double goal_tolerance_;
   std::optional<Floor> present_;
   std::optional<Floor> opened_;
