@@ -209,7 +209,7 @@ void Episode::replaceWalls(std::vector<Segment> walls) {
 }
 
 void Episode::setRoute(AgentId id, const std::string& route) {
-  population_.setRoute(id, route, findsWays(), world_, monitor_);
+  population_.setRoute(id, route, findsWays() ? &way_lengths_ : nullptr, world_, monitor_);
   noteChange();
 }
 
