@@ -115,7 +115,7 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
       while (run.next(instance)) {
         Scene scene = scenarios.scene(plan.seed, instance);
         keepHeadings(headings, scene);
-        std::string document = plan.scenes ? toDocument(scene) : "";
+        std::string document = plan.scenes.empty() ? "" : toDocument(scene, plan.scenes);
         Episode episode(std::move(scene), instance, learner.model().vision(), thread_pool);
         run.begin(episode);
         EvaluatedEpisode walked = walk(episode, plan, learner);

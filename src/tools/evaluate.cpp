@@ -29,7 +29,6 @@ struct Arguments {
   std::string q_table;
   std::string config;
   std::string trajectories;
-  std::string scenes;
   std::string states;
   std::string csv;
   std::string record;
@@ -103,7 +102,7 @@ void requireOwnOutputs(const std::string& option, const std::vector<std::string>
 
 void requireOwnOutputs(const Arguments& arguments) {
   if (arguments.plan.record) requireOwnOutputs("--trajectories", arguments.scenarios);
-  if (arguments.plan.scenes) requireOwnOutputs("--scenes", arguments.scenarios);
+  if (!arguments.plan.scenes.empty()) requireOwnOutputs("--scenes", arguments.scenarios);
   if (arguments.plan.states) requireOwnOutputs("--states", arguments.scenarios);
 }
 
@@ -116,9 +115,9 @@ class EpisodeWriter {
       makeFolder(arguments.states);
       states_.emplace(arguments.states + "/" + name + ".csv", STATE_RECORD_HEADER);
     }
-    if (!arguments.plan.scenes) return;
-    makeFolder(arguments.scenes);
-    scenes_.emplace(arguments.scenes + "/" + name + ".yaml",
+    if (arguments.plan.scenes.empty()) return;
+    makeFolder(arguments.plan.scenes);
+    scenes_.emplace(arguments.plan.scenes + "/" + name + ".yaml",
                     "# Drawn from " + name + ".yaml, one document per instance.\n");
   }
 
@@ -186,7 +185,6 @@ int evaluateAll(Arguments& arguments) {
   TrainedTable trained = loadQTable(arguments.q_table);
   if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, trained);
   arguments.plan.record = !arguments.trajectories.empty();
-  arguments.plan.scenes = !arguments.scenes.empty();
   arguments.plan.states = !arguments.states.empty();
   if (arguments.plan.states && arguments.states == arguments.trajectories) {
     throw InputError("--states: expected another folder than that of --trajectories, got '" + arguments.states + "'");
@@ -232,7 +230,7 @@ int runMain(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   app.add_option("--trajectories", arguments.trajectories,
                  "folder for a file NAME.csv (instance,tick,agent,x,y) per scenario file");
-  app.add_option("--scenes", arguments.scenes,
+  app.add_option("--scenes", arguments.plan.scenes,
                  "folder for a file NAME.yaml per scenario file with the drawn scenes, one document per instance");
   app.add_option("--states", arguments.states,
                  "folder for a file NAME.csv per scenario file with the row of the Q-table, the action and the "

@@ -42,7 +42,10 @@ Scene emptyScene(const Scenario& scenario) {
   scene.own_walls = scenario.walls.size();
   scene.way_finding = scenario.way_finding;
   scene.map = scenario.map;
+  scene.map_file = scenario.map_file;
   scene.free_space = scenario.free_space;
+  scene.free_radius = scenario.free_radius;
+  scene.seed = scenario.seed;
   scene.population = scenario.population;
   if (scenario.map_walls) scene.walls.insert(scene.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
   return scene;

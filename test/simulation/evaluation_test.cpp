@@ -58,7 +58,7 @@ TEST(Evaluation, DrawnPlacesDependOnTheSeed) {
 TEST(Evaluation, DeliversScenesOnRequest) {
   EvaluationPlan plan = planOf(6, 2);
   EXPECT_EQ(evaluateAll(plan).at(0).scene, "");
-  plan.scenes = true;
+  plan.scenes = ".";
   std::string documents;
   for (const EvaluatedEpisode& walked : evaluateAll(plan)) documents += walked.scene;
   const ScenarioList drawn = parseScenarios(documents, "drawn.yaml");
@@ -166,7 +166,7 @@ const char* const KEPT =
 
 std::vector<EvaluatedEpisode> evaluateKept(unsigned threads) {
   EvaluationPlan plan = planOf(5, threads);
-  plan.scenes = true;
+  plan.scenes = ".";
   std::vector<EvaluatedEpisode> all;
   evaluate(restlessTable(), parseScenarios(KEPT, "kept.yaml"), plan, [&](EvaluatedEpisode& walked) {
     all.push_back(std::move(walked));

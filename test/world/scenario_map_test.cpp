@@ -9,7 +9,8 @@
 namespace crowd {
 namespace {
 
-/// A scenario with a map of 10 x 1 cells of 1 m; the last four, from x = 6 to 10 m, are occupied.
+/// A scenario with a map of 10 x 1 cells of 1 m; the last four, from x = 6 to 10 m, are occupied. So there are walls
+/// round the free cells, from (0, 0) to (6, 1).
 class ScenarioMap : public testing::Test {
  protected:
   static constexpr const char* KEYS =
@@ -48,7 +49,17 @@ TEST_F(ScenarioMap, ErrorsOfItsFilesSayWhereItIsNamed) {
   EXPECT_EQ(imageless.find(place() + folder_.file("imageless.yaml") + ": line 1: image: "), 0U) << imageless;
 }
 
-/// In the middle of the occupied cells the nearest edge is 0.5 m away, as far as an agent of radius 0.2 m walks.
+TEST_F(ScenarioMap, TheRadiusOfItsFreeSpaceIsAtLeastThatOfTheAgents) {
+  const std::string agent = "position: {map: free}, goal: {map: free}, speed: 1, radius: [0.1, 0.2]";
+  EXPECT_EQ(errorWith("map.yaml\nfree_radius: 0.2", agent), "no error");
+  EXPECT_EQ(errorWith("map.yaml\nfree_radius: 0.19", agent),
+            folder_.file("s.yaml") +
+                ": document 1, line 5: free_radius: expected at least the radius of the largest "
+                "agent, 0.2 m, got '0.19'");
+  EXPECT_NE(errorWith("map.yaml\nfree_radius: 0.6", agent).find("no agent of the scenario fits"), std::string::npos);
+}
+
+/// There is no wall within 1 m of (8, 0.5), in the middle of the occupied cells.
 TEST_F(ScenarioMap, GoalsInOccupiedCellsAreRefused) {
   const auto expected = [&](const std::string& goal) {
     return folder_.file("s.yaml") +
