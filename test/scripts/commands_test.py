@@ -70,7 +70,7 @@ class ToolTest:
     def test_goals_out_of_reach(self, runner):
         """They are reported when an episode begins, and counted at the end."""
         walls = 'walls: [[[4, -1], [6, -1]], [[6, -1], [6, 1]], [[6, 1], [4, 1]], [[4, 1], [4, -1]]]\n'
-        (runner.folder / 'caged.yaml').write_text(SCENE % '[5, 0]' + walls)
+        pathlib.Path(runner.folder, 'caged.yaml').write_text(SCENE % '[5, 0]' + walls, encoding='utf-8')
         status, output = run_here(runner, find_node('social_crowd', 'evaluate')[0], '--q-table', NEAREST_TABLE,
                                   '--episodes', 3, 'caged.yaml')
         assert status == 0, output
