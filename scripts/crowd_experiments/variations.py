@@ -1,5 +1,6 @@
 """Variations of shipped training configurations and scenarios, written to the results folder."""
 import copy
+import math
 import pathlib
 
 import yaml
@@ -35,6 +36,12 @@ def read_documents(file):
     """Returns the YAML documents of a file."""
     with open(file, encoding='utf-8') as stream:
         return [document for document in yaml.load_all(stream, LOADER) if document is not None]
+
+
+def heading_of(agent):
+    """Returns the heading of an agent in a scene that `evaluate --scenes` has written [degrees]."""
+    heading = agent['heading']
+    return math.degrees(heading['radians']) if isinstance(heading, dict) else heading
 
 
 def changed(document, changes):

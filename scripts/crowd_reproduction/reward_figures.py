@@ -7,7 +7,7 @@ from crowd_drawing.picture import OBSTACLE_COLOUR, Picture, colours_of
 from crowd_experiments import style
 from crowd_experiments.records import finite
 from crowd_experiments.scene_figures import frame_alike
-from crowd_experiments.variations import read_documents
+from crowd_experiments.variations import heading_of, read_documents
 
 from . import names
 from .reward_runs import (DRAWN_EPISODES, FREE_EPISODES, MODES, REWARDS, SEEDS, SPEED, THESIS_SUCCESS, Variant,
@@ -82,7 +82,7 @@ def add_setting(chapter, setting):
     picture.disc(obstacle['position'], obstacle['radius'], facecolor=OBSTACLE_COLOUR, edgecolor='0.35', zorder=2)
     picture.disc(start, COLLISION_RADIUS, fill=False, edgecolor='red', linewidth=1.5, zorder=3)
     picture.disc(start, agent['radius'], facecolor='#0072b2', edgecolor='none', zorder=4)
-    heading = numpy.radians(agent['heading'])
+    heading = numpy.radians(heading_of(agent))
     picture.axes.plot([start[0], start[0] + agent['radius'] * numpy.cos(heading)],
                       [start[1], start[1] + agent['radius'] * numpy.sin(heading)], color='white', zorder=5)
     picture.draw_goals(agent['goals'], agent['radius'], '#0072b2')

@@ -104,6 +104,7 @@ void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message
   message.contact_percent = metrics.contactPercent();
   message.collision_percent = metrics.collisionPercent();
   message.blocked_moves = result.blockedMoves();
+  message.out_of_reach = result.outOfReach();
   message.agents.clear();
   for (const AgentResult& agent : result.agents) message.agents.push_back(toMessage(agent, message.agents.size()));
 }

@@ -134,6 +134,14 @@ void CrowdController::beginEpisode() {
   broadcaster_.advanceClock(episode_->scene().tick_duration);
   broadcaster_.publishScenario(*episode_, instance_);
   broadcaster_.publishAgentsNow(*episode_);
+  warnOfWays(episode_->result(), "at its start");
+}
+
+void CrowdController::warnOfWays(const EpisodeResult& result, const char* when) const {
+  const std::string warning = result.wayWarning();
+  if (warning.empty()) return;
+  ROS_WARN("episode %lu (%s), %s: %s", static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), when,
+           warning.c_str());
 }
 
 void CrowdController::endEpisode() {
@@ -160,11 +168,7 @@ void CrowdController::logResult(const EpisodeResult& result) {
       static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
       result.collidedCount(), metrics.pathRatio(), metrics.timeRatio(),
       static_cast<unsigned long>(answers_.missedCount()), static_cast<unsigned long>(answers_.droppedCount()));
-  const std::string warning = result.wayWarning();
-  if (!warning.empty()) {
-    ROS_WARN("episode %lu (%s): %s", static_cast<unsigned long>(episode_->number()), result.scenario.c_str(),
-             warning.c_str());
-  }
+  warnOfWays(result, "at its end");
 }
 
 void CrowdController::waitWhilePaused() {

@@ -24,7 +24,7 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
       thread_pool_(&thread_pool),
       monitor_(scene_, world_),
       population_(scene_),
-      way_finder_(gateWalls(scene_)),
+      way_finder_(scene_),
       way_lengths_(scene_),
       number_(number) {
   population_.begin(world_, monitor_);
@@ -47,7 +47,7 @@ void Episode::requireFloorAfter(const Change& change) const {
   if (!findsWays()) return;
   World trial = world_;
   change(trial);
-  requireNavigableFloor(trial);
+  requireNavigableFloor(trial, largestSourceRadius(scene_));
 }
 
 void Episode::noteWalls() {
@@ -209,7 +209,7 @@ void Episode::replaceWalls(std::vector<Segment> walls) {
 }
 
 void Episode::setRoute(AgentId id, const std::string& route) {
-  population_.setRoute(id, route, findsWays(), world_, monitor_);
+  population_.setRoute(id, route, findsWays() ? &way_lengths_ : nullptr, world_, monitor_);
   noteChange();
 }
 

@@ -32,6 +32,15 @@ std::string outOfReachText(std::size_t agents) {
   return agents == 1 ? "1 agent has a goal out of reach" : std::to_string(agents) + " agents have goals out of reach";
 }
 
+std::string outOfReachText(const std::vector<AgentId>& agents) {
+  constexpr std::size_t MOST = 10;
+  std::string numbers;
+  for (std::size_t i = 0; i < std::min(MOST, agents.size()); ++i) {
+    numbers += (i == 0 ? "" : ", ") + std::to_string(agents[i]);
+  }
+  return outOfReachText(agents.size()) + " (" + numbers + (agents.size() > MOST ? ", ...)" : ")");
+}
+
 std::size_t EpisodeResult::agentCount() const {
   const auto counts = [](const AgentResult& agent) { return !agent.removed; };
   return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
@@ -48,12 +57,18 @@ std::size_t EpisodeResult::touchedCount() const { return countOf(agents, &AgentR
 
 std::size_t EpisodeResult::collidedCount() const { return countOf(agents, &AgentResult::collided); }
 
-std::size_t EpisodeResult::outOfReachCount() const { return countOf(agents, &AgentResult::out_of_reach); }
+std::vector<AgentId> EpisodeResult::outOfReach() const {
+  std::vector<AgentId> found;
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    if (agents[i].out_of_reach && !agents[i].removed) found.push_back(static_cast<AgentId>(i));
+  }
+  return found;
+}
 
 std::string EpisodeResult::wayWarning() const {
   if (!way_finding_problem.empty()) return "way-finding was left out: " + way_finding_problem;
-  const std::size_t count = outOfReachCount();
-  return count == 0 ? "" : outOfReachText(count);
+  const std::vector<AgentId> found = outOfReach();
+  return found.empty() ? "" : outOfReachText(found);
 }
 
 std::vector<double> EpisodeResult::headings() const {

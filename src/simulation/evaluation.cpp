@@ -24,12 +24,10 @@ Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed) {
   return {trained.model, options, trained.table};
 }
 
-EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const EvaluationPlan& plan, Learner& learner,
-                      ThreadPool& thread_pool) {
+EvaluatedEpisode walk(Episode& episode, const EvaluationPlan& plan, Learner& learner) {
   EvaluatedEpisode walked;
+  const std::uint64_t instance = episode.number();
   walked.instance = instance;
-  if (plan.scenes) walked.scene = toDocument(scene);
-  Episode episode(scene, instance, learner.model().vision(), thread_pool);
   EpisodeObserver observer;
   if (plan.record) {
     observer.on_tick = [&](const World& world) { appendTrajectoryRows(instance, world, walked.trajectory); };
@@ -46,8 +44,8 @@ EvaluatedEpisode walk(const Scene& scene, std::uint64_t instance, const Evaluati
 /// Distributes instances to threads and delivers their results in order.
 class OrderedRun {
  public:
-  OrderedRun(std::uint64_t episodes, const std::function<bool(EvaluatedEpisode&)>& deliver)
-      : episodes_(episodes), deliver_(deliver) {}
+  OrderedRun(std::uint64_t episodes, const EvaluationPlan& plan, const std::function<bool(EvaluatedEpisode&)>& deliver)
+      : episodes_(episodes), plan_(plan), deliver_(deliver) {}
 
   /// Returns the next instance to run in `instance`; false if none is left.
   bool next(std::uint64_t& instance) {
@@ -55,6 +53,14 @@ class OrderedRun {
     if (stopped_ || handed_out_ >= episodes_) return false;
     instance = handed_out_++;
     return true;
+  }
+
+  /// Warns of an episode that is about to be run.
+  void begin(const Episode& episode) {
+    const std::string warning = plan_.warn ? episode.result().wayWarning() : "";
+    if (warning.empty()) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    plan_.warn(episode.number(), warning);
   }
 
   void bring(EvaluatedEpisode walked) {
@@ -80,6 +86,7 @@ class OrderedRun {
 
  private:
   std::uint64_t episodes_;
+  const EvaluationPlan& plan_;
   const std::function<bool(EvaluatedEpisode&)>& deliver_;
   std::mutex mutex_;
   std::uint64_t handed_out_ = 0;
@@ -94,7 +101,7 @@ class OrderedRun {
 void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
               const std::function<bool(EvaluatedEpisode&)>& deliver) {
   const std::uint64_t episodes = plan.episodes > 0 ? plan.episodes : scenarios.size();
-  OrderedRun run(episodes, deliver);
+  OrderedRun run(episodes, plan, deliver);
   // If agents keep their heading, each episode depends on the previous one. Threads that are not needed for parallel
   // episodes share the agents within the episodes.
   const std::uint64_t at_a_time = scenarios.keepHeadings() ? 1 : episodes;
@@ -108,7 +115,11 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
       while (run.next(instance)) {
         Scene scene = scenarios.scene(plan.seed, instance);
         keepHeadings(headings, scene);
-        EvaluatedEpisode walked = walk(scene, instance, plan, learner, thread_pool);
+        std::string document = plan.scenes.empty() ? "" : toDocument(scene, plan.scenes);
+        Episode episode(std::move(scene), instance, learner.model().vision(), thread_pool);
+        run.begin(episode);
+        EvaluatedEpisode walked = walk(episode, plan, learner);
+        walked.scene = std::move(document);
         headings = walked.result.headings();
         run.bring(std::move(walked));
       }

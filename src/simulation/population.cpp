@@ -4,6 +4,7 @@
 #include <string>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/simulation/route_check.h"
 #include "social_crowd/world/region_geometry.h"
 
 namespace crowd {
@@ -206,16 +207,19 @@ bool Population::expectsAgents() const {
   return std::any_of(sources_.begin(), sources_.end(), [](const AgentSource& source) { return !source.isOver(); });
 }
 
-void Population::setRoute(AgentId id, const std::string& route, bool checks_way, World& world,
+void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways, World& world,
                           EpisodeMonitor& monitor) {
   const auto index = findName(description_->routes, route);
   if (!index) throw InputError(unknownNameText("route", route, namesOf(description_->routes)));
-  if (ways_ && checks_way && world.isActive(id)) {
+  if (ways != nullptr && world.isActive(id)) {
     const Agent& agent = world.agents()[id];
+    const std::string name = "agent " + std::to_string(id);
+    RouteCheck(name, agent.radius, *description_, places_, *ways, world)
+        .require(description_->routes[*index], agent.pose.position);
     Member candidate;
     candidate.route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
     const Vector2 goal = goalOfLeg(candidate, agent.pose.position, agent.radius, world);
-    ways_->requireWay("agent " + std::to_string(id), world, agent.pose.position, goal, agent.radius);
+    ways->requireWay(name, world, agent.pose.position, goal, agent.radius);
   }
   world.setLeaves(id, false);  // throws for unknown agents
   for (Queue& queue : queues_) queue.leave(id);

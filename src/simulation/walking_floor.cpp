@@ -70,6 +70,15 @@ double largestRadius(const World& world) {
   return radius;
 }
 
+double largestSourceRadius(const Scene& scene) {
+  double radius = 0.0;
+  if (!scene.population) return radius;
+  for (const SourceDescription& source : scene.population->sources) {
+    radius = std::max(radius, source.agents.radius.high);
+  }
+  return radius;
+}
+
 std::vector<Segment> gateWalls(const Scene& scene) {
   std::vector<Segment> walls;
   if (!scene.population) return walls;
@@ -92,10 +101,10 @@ std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, d
   return navigationData(floor, radius, RightOfWay::maxWidth(radius));
 }
 
-void requireNavigableFloor(const World& world) {
-  const double radius = largestRadius(world);
+void requireNavigableFloor(const World& world, double least_radius) {
+  const double radius = std::max(least_radius, largestRadius(world));
   const FloorPlan floor = walkingFloor(world, radius);
-  if (!world.agents().empty() && hasBarriers(floor)) navigationDataOf(floor, radius);
+  if (radius > 0.0 && hasBarriers(floor)) navigationDataOf(floor, radius);
 }
 
 }  // namespace crowd

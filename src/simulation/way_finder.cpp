@@ -4,8 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "social_crowd/simulation/walking_floor.h"
-
 namespace crowd {
 namespace {
 
@@ -38,9 +36,9 @@ void WayFinder::update(World& world) {
 
 void WayFinder::adoptLayout(World& world) {
   layout_changes_ = world.layoutChanges();
-  radius_ = largestRadius(world);
+  radius_ = std::max(least_radius_, largestRadius(world));
   FloorPlan floor = walkingFloor(world, radius_);
-  const bool was_needed = std::exchange(is_needed_, !world.agents().empty() && hasBarriers(floor));
+  const bool was_needed = std::exchange(is_needed_, radius_ > 0.0 && hasBarriers(floor));
   agents_.clear();
   if (was_needed && !is_needed_) release(world);
   if (!is_needed_) return;

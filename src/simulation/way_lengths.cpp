@@ -8,8 +8,6 @@
 namespace crowd {
 namespace {
 
-std::string placeText(const Vector2& place) { return "(" + toText(place.x()) + ", " + toText(place.y()) + ")"; }
-
 /// What keeps an agent farther from a place than the goal tolerance; empty if nothing does.
 std::string coverOf(const World& world, const Vector2& place, double distance) {
   if (distance <= 0.0) return "";
@@ -24,10 +22,12 @@ std::string coverOf(const World& world, const Vector2& place, double distance) {
 
 }  // namespace
 
+std::string placeText(const Vector2& place) { return "(" + toText(place.x()) + ", " + toText(place.y()) + ")"; }
+
 WayLengths::Floor& WayLengths::floorFor(const World& world, const Vector2& from, const Vector2& to, double radius,
                                         bool opened) {
   std::optional<Floor>& kept = opened ? opened_ : present_;
-  const double largest = std::max(radius, largestRadius(world));
+  const double largest = std::max({radius, least_radius_, largestRadius(world)});
   if (kept && kept->layout_changes == world.layoutChanges() && kept->radius == largest &&
       contains(kept->bounds, from) && contains(kept->bounds, to)) {
     return *kept;
@@ -58,15 +58,18 @@ std::optional<WayLengths::Way> WayLengths::find(const World& world, const Vector
   return Way{Kind::GATES, path->length};
 }
 
+std::string WayLengths::problemOf(const World& world, const Vector2& from, const Vector2& goal, double radius) {
+  const std::string cover = coverOf(world, goal, radius - goal_tolerance_);
+  if (!cover.empty()) return "the goal " + placeText(goal) + " is in " + cover;
+  if (find(world, from, goal, radius) || !present_->query->component(from)) return "";
+  return "the goal " + placeText(goal) + " cannot be reached from " + placeText(from) + " with a radius of " +
+         toText(present_->radius) + " m";
+}
+
 void WayLengths::requireWay(const std::string& who, const World& world, const Vector2& from, const Vector2& goal,
                             double radius) {
-  const std::string begin = who + ": the goal " + placeText(goal);
-  const std::string cover = coverOf(world, goal, radius - goal_tolerance_);
-  if (!cover.empty()) throw InputError(begin + " is in " + cover);
-  if (find(world, from, goal, radius)) return;
-  if (!present_->query->component(from)) return;
-  throw InputError(begin + " cannot be reached from " + placeText(from) + " with a radius of " +
-                   toText(present_->radius) + " m");
+  const std::string problem = problemOf(world, from, goal, radius);
+  if (!problem.empty()) throw InputError(who + ": " + problem);
 }
 
 }  // namespace crowd

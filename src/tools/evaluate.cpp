@@ -29,7 +29,6 @@ struct Arguments {
   std::string q_table;
   std::string config;
   std::string trajectories;
-  std::string scenes;
   std::string states;
   std::string csv;
   std::string record;
@@ -103,7 +102,7 @@ void requireOwnOutputs(const std::string& option, const std::vector<std::string>
 
 void requireOwnOutputs(const Arguments& arguments) {
   if (arguments.plan.record) requireOwnOutputs("--trajectories", arguments.scenarios);
-  if (arguments.plan.scenes) requireOwnOutputs("--scenes", arguments.scenarios);
+  if (!arguments.plan.scenes.empty()) requireOwnOutputs("--scenes", arguments.scenarios);
   if (arguments.plan.states) requireOwnOutputs("--states", arguments.scenarios);
 }
 
@@ -116,9 +115,9 @@ class EpisodeWriter {
       makeFolder(arguments.states);
       states_.emplace(arguments.states + "/" + name + ".csv", STATE_RECORD_HEADER);
     }
-    if (!arguments.plan.scenes) return;
-    makeFolder(arguments.scenes);
-    scenes_.emplace(arguments.scenes + "/" + name + ".yaml",
+    if (arguments.plan.scenes.empty()) return;
+    makeFolder(arguments.plan.scenes);
+    scenes_.emplace(arguments.plan.scenes + "/" + name + ".yaml",
                     "# Drawn from " + name + ".yaml, one document per instance.\n");
   }
 
@@ -134,15 +133,16 @@ class EpisodeWriter {
   std::optional<GrowingFile> scenes_;
 };
 
-/// What there is to warn of after all episodes of a scenario.
+/// What there is to warn of: at the start of the first episode that has it, and after all episodes of a scenario.
 struct WayWarnings {
+  bool is_said = false;          // at the start of an episode
   std::size_t out_of_reach = 0;  // agents
   std::size_t without = 0;       // episodes
   std::string problem;           // of the first of these
 };
 
 void noteWays(const EpisodeResult& result, WayWarnings& ways) {
-  ways.out_of_reach += result.outOfReachCount();
+  ways.out_of_reach += result.outOfReach().size();
   if (result.way_finding_problem.empty()) return;
   if (ways.without++ == 0) ways.problem = result.way_finding_problem;
 }
@@ -161,7 +161,14 @@ Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, co
   ProgressBar bar(name, episodes);
   Metrics metrics;
   WayWarnings ways;
-  evaluate(trained, scenarios, arguments.plan, [&](EvaluatedEpisode& walked) {
+  EvaluationPlan plan = arguments.plan;
+  plan.warn = [&](std::uint64_t instance, const std::string& warning) {
+    if (ways.is_said) return;
+    ways.is_said = true;
+    bar.clear();
+    std::cerr << name << ": instance " << instance << ", at its start: " << warning << "\n";
+  };
+  evaluate(trained, scenarios, plan, [&](EvaluatedEpisode& walked) {
     writer.write(walked);
     if (record) record->append(recordRows(walked));
     metrics.add(walked.result);
@@ -178,7 +185,6 @@ int evaluateAll(Arguments& arguments) {
   TrainedTable trained = loadQTable(arguments.q_table);
   if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, trained);
   arguments.plan.record = !arguments.trajectories.empty();
-  arguments.plan.scenes = !arguments.scenes.empty();
   arguments.plan.states = !arguments.states.empty();
   if (arguments.plan.states && arguments.states == arguments.trajectories) {
     throw InputError("--states: expected another folder than that of --trajectories, got '" + arguments.states + "'");
@@ -224,7 +230,7 @@ int runMain(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   app.add_option("--trajectories", arguments.trajectories,
                  "folder for a file NAME.csv (instance,tick,agent,x,y) per scenario file");
-  app.add_option("--scenes", arguments.scenes,
+  app.add_option("--scenes", arguments.plan.scenes,
                  "folder for a file NAME.yaml per scenario file with the drawn scenes, one document per instance");
   app.add_option("--states", arguments.states,
                  "folder for a file NAME.csv per scenario file with the row of the Q-table, the action and the "

@@ -40,7 +40,7 @@ void readGoals(const YamlMap& map, const PopulationDescription& population, Agen
   group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}")};
 }
 
-/// Reads `goal`, `random`, `kept`, or degrees.
+/// Reads `goal`, `random`, `kept`, degrees, or {radians: ANGLE}.
 void readHeading(const YamlMap& map, AgentGroup& group) {
   const YAML::Node node = map.find("heading");
   const std::string word = node && node.IsScalar() ? node.Scalar() : "";
@@ -48,6 +48,11 @@ void readHeading(const YamlMap& map, AgentGroup& group) {
   group.keeps_heading = word == "kept";
   if (group.keeps_heading) return;
   const YamlPlace place = map.placeOf("heading");
+  if (const YAML::Node radians = findOnly("radians", node, place)) {
+    const double angle = readNumber(radians, place.child("radians"));
+    group.heading = Range{angle, angle};
+    return;
+  }
   const bool is_number = word.find_first_of("0123456789") != std::string::npos;
   if (node.IsScalar() && word != "random" && !is_number) {
     throwExpected(place, node, "goal, random, kept, or degrees: a number or [low, high]");

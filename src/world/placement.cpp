@@ -5,6 +5,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/world/route_reach.h"
+#include "world/goal_checks.h"
 #include "world/placed_bodies.h"
 
 namespace crowd {
@@ -41,7 +42,10 @@ Scene emptyScene(const Scenario& scenario) {
   scene.own_walls = scenario.walls.size();
   scene.way_finding = scenario.way_finding;
   scene.map = scenario.map;
+  scene.map_file = scenario.map_file;
   scene.free_space = scenario.free_space;
+  scene.free_radius = scenario.free_radius;
+  scene.seed = scenario.seed;
   scene.population = scenario.population;
   if (scenario.map_walls) scene.walls.insert(scene.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
   return scene;
@@ -99,6 +103,7 @@ Scene Placement::place() {
   recordFixedGoals();
   placeObstacles(Position::FIXED);
   placeFixedAgents();
+  requireFreeGoals(scenario_, placed_);
   placeObstacles(Position::DRAWN);
   completeAgents();
   placeObstacles(Position::BETWEEN);

@@ -106,7 +106,7 @@ std::string populationText(const PopulationDescription& population) {
   };
   const auto sink = [](const SinkDescription& each) { return "area: " + regionText(each.area); };
   const auto queue = [](const QueueDescription& each) {
-    return "head: " + pointText(each.head) + ", direction: " + toText(toDegrees(bearingOf(each.along))) +
+    return "head: " + pointText(each.head) + ", direction: " + toText(each.direction) +
            ", spacing: " + toText(each.spacing) + ", service: " + rangeText(each.service);
   };
   return section("routes", population.routes, route) + sourcesText(population) +

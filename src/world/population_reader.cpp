@@ -20,7 +20,7 @@ QueueDescription readQueue(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place, {"head", "direction", "spacing", "service"});
   QueueDescription queue;
   queue.head = readVector(map.need("head"), map.placeOf("head"));
-  queue.along = unitVector(toRadians(map.number("direction", NumberRule::ANY)));
+  queue.direction = map.number("direction", NumberRule::ANY);
   queue.spacing = map.number("spacing", NumberRule::POSITIVE);
   queue.service = readRange(map.need("service"), map.placeOf("service"), NumberRule::NOT_NEGATIVE);
   return queue;

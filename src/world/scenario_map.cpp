@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "social_crowd/common/numbers.h"
 #include "social_crowd/world/map_file.h"
 #include "social_crowd/world/map_walls.h"
 #include "social_crowd/world/population.h"
@@ -46,23 +47,44 @@ bool usesFreeSpace(const Scenario& scenario) {
                              [](const RouteDescription& route) { return routeUsesFreeSpace(route.waypoints); });
 }
 
+/// Adds where the scenario names the map to errors of its files.
+OccupancyMap readMapOf(const std::string& name, const YamlMap& map) {
+  try {
+    return readMap(name);
+  } catch (const Error& error) {
+    throwProblem(map.placeOf("map"), map.need("map"), error.what());
+  }
+}
+
+/// @param largest radius of all agents [m]
+double readFreeRadius(const YamlMap& map, double largest) {
+  const double radius = map.number("free_radius", NumberRule::POSITIVE, largest);
+  if (radius >= largest) return radius;
+  throwExpected(map.placeOf("free_radius"), map.need("free_radius"),
+                "at least the radius of the largest agent, " + toText(largest) + " m");
+}
+
 }  // namespace
 
 void readScenarioMap(const YamlMap& map, Scenario& scenario) {
   const YAML::Node file = map.find("map");
   if (!file) {
     if (usesFreeSpace(scenario)) throwProblem(map.place(), map.node(), "{map: free} needs a map, got none");
+    if (map.has("free_radius"))
+      throwProblem(map.placeOf("free_radius"), map.need("free_radius"), "goes with a map only");
     return;
   }
   const std::filesystem::path folder = std::filesystem::path(map.place().file).parent_path();
   const std::string name = (folder / map.text("map")).string();
-  scenario.map = std::make_shared<const OccupancyMap>(readMap(name));
+  scenario.map_file = name;
+  scenario.free_radius = readFreeRadius(map, largestRadius(scenario));
+  scenario.map = std::make_shared<const OccupancyMap>(readMapOf(name, map));
   FloorPlan floor;
   floor.walls = traceWalls(*scenario.map);
   scenario.map_walls = std::make_shared<const std::vector<Segment>>(floor.walls);
   if (!usesFreeSpace(scenario)) return;
   floor.walls.insert(floor.walls.end(), scenario.walls.begin(), scenario.walls.end());
-  scenario.free_space = std::make_shared<const FreeSpace>(*scenario.map, floor, largestRadius(scenario));
+  scenario.free_space = std::make_shared<const FreeSpace>(*scenario.map, floor, scenario.free_radius);
   if (scenario.free_space->empty()) {
     throwProblem(map.placeOf("map"), file, name + ": no agent of the scenario fits anywhere on the map");
   }

@@ -112,8 +112,9 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(
       node, place,
-      {"name", "units", "tick", "duration", "goal_tolerance", "collision_radius", "contact", "order", "seed", "agents",
-       "obstacles", "walls", "map", "way_finding", "routes", "sources", "sinks", "queues", "gates"});
+      {"name",   "units",     "tick",  "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
+       "agents", "obstacles", "walls", "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
+       "queues", "gates"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");

@@ -1,6 +1,10 @@
 #include "social_crowd/world/scene_document.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/world/population.h"
 #include "world/population_document.h"
 
 namespace crowd {
@@ -17,11 +21,18 @@ std::string goalText(const AgentStart& agent, const Scene& scene) {
   return "goals: " + listText(agent.goals.begin(), agent.goals.end());
 }
 
+/// In degrees if a reader gets the same number from these, or else in radians.
+std::string headingText(double heading) {
+  const double degrees = toDegrees(heading);
+  const bool is_exact = wrapAngle(toRadians(degrees)) == heading;
+  return is_exact ? toText(degrees) : "{radians: " + toText(heading) + "}";
+}
+
 std::string entryOf(const AgentStart& agent, const Scene& scene) {
   return "  - {position: " + pointText(agent.position) + ", " + goalText(agent, scene) +
          (agent.reaction_time > 0.0 ? ", reaction_time: " + toText(agent.reaction_time) : "") +
          ", speed: " + toText(agent.max_speed) + ", radius: " + toText(agent.radius) +
-         (agent.faces_goal ? "" : ", heading: " + toText(toDegrees(agent.heading))) + "}\n";
+         (agent.faces_goal ? "" : ", heading: " + headingText(agent.heading)) + "}\n";
 }
 
 std::string motionOf(const ObstaclePath& path) {
@@ -29,7 +40,7 @@ std::string motionOf(const ObstaclePath& path) {
   if (path.kind() == Kind::AT_REST) return "";
   if (path.kind() == Kind::STRAIGHT) return ", velocity: " + pointText(path.velocity(0.0));
   return (path.kind() == Kind::LOOP ? ", waypoints: " : ", to_and_fro: ") +
-         listText(path.points().begin() + 1, path.points().end()) + ", speed: " + toText(path.velocity(0.0).norm());
+         listText(path.points().begin() + 1, path.points().end()) + ", speed: " + toText(path.speed());
 }
 
 std::string entryOf(const Obstacle& obstacle) {
@@ -45,6 +56,33 @@ std::string agentsText(const Scene& scene) {
   return text.empty() ? "" : "agents:\n" + text;
 }
 
+/// The walls; those of a map that is read from its file are not among them.
+std::string wallsText(const Scene& scene) {
+  const std::size_t count = scene.map_file.empty() ? scene.walls.size() : scene.own_walls;
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += entryOf(scene.walls[i]);
+  return text.empty() ? "" : "walls:\n" + text;
+}
+
+/// The radius of the largest agent that a reader of the document finds [m].
+double largestRadius(const Scene& scene) {
+  double radius = 0.0;
+  for (const AgentStart& agent : scene.agents) radius = std::max(radius, agent.radius);
+  if (!scene.population) return radius;
+  for (const SourceDescription& source : scene.population->sources) {
+    radius = std::max(radius, source.agents.radius.high);
+  }
+  return radius;
+}
+
+std::string mapText(const Scene& scene, const std::string& folder) {
+  namespace fs = std::filesystem;
+  if (scene.map_file.empty()) return "";
+  const bool differs = scene.free_radius != largestRadius(scene);
+  return "map: " + quoted(fs::proximate(fs::absolute(scene.map_file), fs::absolute(folder)).string()) + "\n" +
+         (differs ? "free_radius: " + toText(scene.free_radius) + "\n" : "");
+}
+
 template <typename Bodies>
 std::string section(const std::string& key, const Bodies& bodies) {
   std::string text;
@@ -54,7 +92,7 @@ std::string section(const std::string& key, const Bodies& bodies) {
 
 }  // namespace
 
-std::string toDocument(const Scene& scene) {
+std::string toDocument(const Scene& scene, const std::string& folder) {
   return "---\nname: " + quoted(scene.name) + "\ntick: " + toText(scene.tick_duration) +
          "\nduration: " + toText(static_cast<double>(scene.max_ticks) * scene.tick_duration) +
          "\ngoal_tolerance: " + toText(scene.goal_tolerance) + "\n" +
@@ -63,7 +101,9 @@ std::string toDocument(const Scene& scene) {
          (scene.collision_radius != DEFAULT_COLLISION_RADIUS
               ? "collision_radius: " + toText(scene.collision_radius) + "\n"
               : "") +
-         agentsText(scene) + section("obstacles", scene.obstacles) + section("walls", scene.walls) +
+         (scene.seed != 0 ? "seed: " + std::to_string(scene.seed) + "\n" : "") +
+         (scene.way_finding ? "" : "way_finding: false\n") + mapText(scene, folder) + agentsText(scene) +
+         section("obstacles", scene.obstacles) + wallsText(scene) +
          (scene.population ? populationText(*scene.population) : "");
 }
 

@@ -27,6 +27,7 @@ agents:
   - {position: [2, 8], goal: [15, 8], speed: 0.5, radius: 0.2}
 routes:
   cell: {waypoints: [{place: [19, 1]}]}
+  detour: {waypoints: [{place: [5, 5]}, {place: [19, 1]}, {place: [15, 5]}]}
   rounds: {repeat: true, waypoints: [{place: [5, 5]}, {place: [15, 5]}]}
 gates:
   door: {wall: [[1, 1], [2, 1]], open: true}
@@ -68,6 +69,8 @@ class ServicesTest(BadPlacesTestCase):
         self.refuse('set_goal', 'agent 0', 'goal (30, 5)', 'cannot be reached', agent=0, goal=Point(30, 5, 0))
         self.refuse('set_goal', 'agent 0', 'goal (18, 1)', 'in a wall', agent=0, goal=Point(18, 1, 0))
         self.refuse('set_route', *reach, agent=0, route='cell')
+        self.refuse('set_route', 'routes.detour.waypoints[1]', 'cannot be reached from (5, 5)', *reach, agent=0,
+                    route='detour')
         self.refuse('teleport', 'agent 0', 'cannot be reached from (19, 1)', agent=0, pose=Pose2D(19, 1, 0))
         self.refuse('teleport', 'taken by a wall', agent=0, pose=Pose2D(18, 1, 0))
         self.refuse('spawn_agent', 'goal (19, 1)', 'cannot be reached from (10, 2)', pose=Pose2D(10, 2, 0),
@@ -124,7 +127,7 @@ class ScenariosTest(BadPlacesTestCase):
     def test_maps(self):
         self.begin()
         absent = self.write('bad.yaml', 'map: absent.yaml\n' + ROOM)
-        self.refuse('load_scenario', 'absent.yaml: cannot be read', scenario=absent)
+        self.refuse('load_scenario', absent, 'line 1: map: ', 'absent.yaml: cannot be read', scenario=absent)
         keys = 'origin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n'
         for text, words in (
                 ('image: absent.pgm\nresolution: 0.1\n' + keys, ['absent.pgm']),
@@ -134,6 +137,38 @@ class ScenariosTest(BadPlacesTestCase):
             self.write('m.yaml', text)
             file = self.write('bad.yaml', 'map: m.yaml\n' + ROOM)
             self.refuse('load_scenario', *words, scenario=file)
+        self.assert_unchanged()
+
+
+class ResultsTest(BadPlacesTestCase):
+    """Goals of a scenario that no way leads to."""
+
+    def test_goals_out_of_reach_are_reported_at_the_start_and_in_the_result(self):
+        caged = '  - {position: [2, 2], goal: [19, 1], speed: 0.5, radius: 0.2}\n'
+        self.start_all(ROOM.replace('duration: 60', 'duration: 1').replace('routes:', caged + 'routes:'))
+        warning = '1 agent has a goal out of reach (2)'
+        support.wait_for(lambda: f'episode 0 (room), at its start: {warning}' in self.controller.output(),
+                         'the warning at the start')
+        self.assertNotIn('at its end', self.controller.output())
+        self.step(10)
+        result = self.results.wait()
+        self.assertEqual(list(result.out_of_reach), [2])
+        support.wait_for(lambda: f'episode 0 (room), at its end: {warning}' in self.controller.output(),
+                         'the warning at the end')
+
+    def test_none(self):
+        self.start_all(ROOM.replace('duration: 60', 'duration: 1'))
+        self.step(10)
+        self.assertEqual(list(self.results.wait().out_of_reach), [])
+        self.assertNotIn('out of reach', self.controller.output())
+
+    def test_goals_in_walls(self):
+        self.begin()
+        text = HEAD + AGENT.replace('goal: [15, 5]', 'goal: [18, 1]')
+        line = len(HEAD.splitlines()) + 1
+        file = self.write('bad.yaml', text)
+        self.refuse('load_scenario', f'{file}: document 1, line {line}: agents[0].goal: expected', 'got (18, 1)',
+                    scenario=file)
         self.assert_unchanged()
 
 

@@ -67,6 +67,16 @@ class ToolTest:
                  os.path.join(runner.folder, 'circel6'), in_package('config', 'scenarios'), 'there are circle6, ']
         self.refuse(runner, 1, words, 'evaluate', '--q-table', NEAREST_TABLE, 'circel6')
 
+    def test_goals_out_of_reach(self, runner):
+        """They are reported when an episode begins, and counted at the end."""
+        walls = 'walls: [[[4, -1], [6, -1]], [[6, -1], [6, 1]], [[6, 1], [4, 1]], [[4, 1], [4, -1]]]\n'
+        pathlib.Path(runner.folder, 'caged.yaml').write_text(SCENE % '[5, 0]' + walls, encoding='utf-8')
+        status, output = run_here(runner, find_node('social_crowd', 'evaluate')[0], '--q-table', NEAREST_TABLE,
+                                  '--episodes', 3, 'caged.yaml')
+        assert status == 0, output
+        assert output.count('at its start: 1 agent has a goal out of reach (0)') == 1, output
+        assert 'caged: 3 agents have goals out of reach\n' in output, output
+
     @pytest.mark.parametrize('option', ['--trajectories', '--scenes', '--states'])
     def test_two_scenarios_with_the_same_output_file(self, runner, option):
         shutil.copy(CIRCLE6, runner.path('hall.yaml'))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,7 +58,7 @@ TEST(Evaluation, DrawnPlacesDependOnTheSeed) {
 TEST(Evaluation, DeliversScenesOnRequest) {
   EvaluationPlan plan = planOf(6, 2);
   EXPECT_EQ(evaluateAll(plan).at(0).scene, "");
-  plan.scenes = true;
+  plan.scenes = ".";
   std::string documents;
   for (const EvaluatedEpisode& walked : evaluateAll(plan)) documents += walked.scene;
   const ScenarioList drawn = parseScenarios(documents, "drawn.yaml");
@@ -71,6 +72,30 @@ TEST(Evaluation, DeliversScenesOnRequest) {
     for (std::size_t k = 0; k < scene.agents.size(); ++k) {
       EXPECT_EQ(scene.agents[k].position, expected.agents[k].position);
     }
+  }
+}
+
+/// The goal of the second scenario's agent is in a closed room.
+TEST(Evaluation, WarnsOfGoalsOutOfReachWhenAnEpisodeBegins) {
+  const std::string head = "name: n\nduration: 1\ngoal_tolerance: 0.1\n";
+  const std::string free = head + "agents: [{position: [0, 0], goal: [5, 0], speed: 1, radius: 0.2}]\n";
+  const std::string room = "walls: [[[4, -1], [6, -1]], [[6, -1], [6, 1]], [[6, 1], [4, 1]], [[4, 1], [4, -1]]]\n";
+  const ScenarioList list = parseScenarios(free + "---\n" + free + room, "s.yaml");
+  for (const unsigned threads : {1U, 3U}) {
+    EvaluationPlan plan = planOf(4, threads);
+    std::set<std::string> warnings;
+    plan.warn = [&](std::uint64_t instance, const std::string& warning) {
+      warnings.insert(std::to_string(instance) + ": " + warning);
+    };
+    std::string delivered;
+    evaluate(restlessTable(), list, plan, [&](EvaluatedEpisode& walked) {
+      delivered += std::to_string(walked.instance) + ": " + walked.result.wayWarning() + "; ";
+      EXPECT_TRUE(walked.instance != 1 || warnings.count("1: 1 agent has a goal out of reach (0)") == 1);
+      return true;
+    });
+    const std::string text = "1 agent has a goal out of reach (0)";
+    EXPECT_EQ(warnings, (std::set<std::string>{"1: " + text, "3: " + text}));
+    EXPECT_EQ(delivered, "0: ; 1: " + text + "; 2: ; 3: " + text + "; ");
   }
 }
 
@@ -141,7 +166,7 @@ const char* const KEPT =
 
 std::vector<EvaluatedEpisode> evaluateKept(unsigned threads) {
   EvaluationPlan plan = planOf(5, threads);
-  plan.scenes = true;
+  plan.scenes = ".";
   std::vector<EvaluatedEpisode> all;
   evaluate(restlessTable(), parseScenarios(KEPT, "kept.yaml"), plan, [&](EvaluatedEpisode& walked) {
     all.push_back(std::move(walked));

@@ -10,7 +10,6 @@ namespace {
 /// Head at the origin, places at x = 0, 1, 2 ...; agents stay at the goals they have until the queue sends them.
 QueueDescription line(const Range& service = {2.0, 2.0}) {
   QueueDescription queue;
-  queue.along = Vector2::UnitX();
   queue.spacing = 1.0;
   queue.service = service;
   return queue;

@@ -90,11 +90,13 @@ TEST(Training, ExplorationDependsOnTheSeed) {
 /// The percentage of a hundred episodes, none of them used in training, in which the agent arrives.
 double successPercent(const TrainedTable& trained) {
   Metrics metrics;
-  evaluate(trained, parseScenarios(OBSTACLE_IN_THE_WAY, "s.yaml"), {100, 1234, 1, false},
-           [&](EvaluatedEpisode& walked) {
-             metrics.add(walked.result);
-             return true;
-           });
+  EvaluationPlan plan;
+  plan.episodes = 100;
+  plan.seed = 1234;
+  evaluate(trained, parseScenarios(OBSTACLE_IN_THE_WAY, "s.yaml"), plan, [&](EvaluatedEpisode& walked) {
+    metrics.add(walked.result);
+    return true;
+  });
   EXPECT_EQ(metrics.episodes(), 100U);
   return metrics.successPercent();
 }

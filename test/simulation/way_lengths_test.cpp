@@ -79,6 +79,27 @@ TEST(WayLengths, RefusesGoalsThatNoWayLeadsTo) {
   EXPECT_EQ(refusal({0.15, 1.0}), "no error");  // the agent arrives 0.1 m before it
 }
 
+/// A wall on the line x = 0 has a gap of 0.8 m at y = 0, for agents of up to 0.3 m, and one of 3 m at y = 7. An agent
+/// of radius 0.2 m takes the wide one from the beginning if a source may create one of 0.4 m later.
+TEST(Reach, WaysAreForTheLargestAgentThatASourceMayCreate) {
+  const std::string keys =
+      "walls: [[[0, -20], [0, -0.4]], [[0, 0.4], [0, 5.5]], [[0, 8.5], [0, 20]]]\n"
+      "agents: [{position: [-2, 0.5], goal: [2, 0.5], speed: 1, radius: 0.2}]\n";
+  const auto source = [](const std::string& radius) {
+    return "sources: [{area: [-9, 0], times: [900], goal: [-5, 0], speed: 1, radius: " + radius + "}]\n";
+  };
+  const auto first_corner = [](const std::string& text) {
+    return episodeOf(text).world().agents()[0].perceivedGoal().y();
+  };
+  EXPECT_LT(first_corner(keys), 0.5);
+  EXPECT_LT(first_corner(keys + source("[0.15, 0.2]")), 0.5);
+  EXPECT_GT(first_corner(keys + source("[0.2, 0.4]")), 5.0);
+  const Scene scene = sceneOf(keys + source("[0.2, 0.4]"));
+  const auto way = WayLengths(scene).find(World(scene), {-2.0, 0.5}, {2.0, 0.5}, RADIUS);
+  ASSERT_TRUE(way);
+  EXPECT_GT(way->length, 2.0 * std::hypot(2.0, 5.0));
+}
+
 TEST(Reach, RefusedChangesChangeNothing) {
   Episode episode = episodeOf(std::string(ROOM) + LEFT + "routes: {cell: {waypoints: [{place: [4, -4]}]}}\n");
   walkUntil(1.0, episode);
@@ -90,7 +111,7 @@ TEST(Reach, RefusedChangesChangeNothing) {
   };
   const AgentStart caged{{4.0, -4.0}, 0.0, {{0.0, 4.0}}, 1.0, RADIUS};
   expect("agent 0: the goal (4, -4) cannot", [&] { episode.setGoal(0, {4.0, -4.0}); });
-  expect("agent 0: the goal (4, -4) cannot", [&] { episode.setRoute(0, "cell"); });
+  expect("agent 0, routes.cell.waypoints[0]: the goal (4, -4) cannot", [&] { episode.setRoute(0, "cell"); });
   expect("from (4, -4)", [&] { episode.teleport(0, {{4.0, -4.0}, 0.0}); });
   expect("the agent: the goal (0, 4) cannot", [&] { episode.spawnAgent(caged); });
   expect("too large", [&] { episode.setGoal(0, {1e6, 0.0}); });
@@ -110,10 +131,10 @@ TEST(Reach, AnAgentStaysWhileItsGoalIsOutOfReach) {
   const std::size_t wall = episode.addWall({{0.0, 3.0}, {0.0, 5.0}});
   walkUntil(5.0, episode);
   EXPECT_EQ(episode.world().agents()[0].pose.position, place);
-  EXPECT_EQ(episode.result().outOfReachCount(), 1U);
-  EXPECT_EQ(episode.result().wayWarning(), "1 agent has a goal out of reach");
+  EXPECT_EQ(episode.result().outOfReach(), std::vector<AgentId>{0});
+  EXPECT_EQ(episode.result().wayWarning(), "1 agent has a goal out of reach (0)");
   episode.removeWall(wall);
-  EXPECT_EQ(episode.result().outOfReachCount(), 0U);
+  EXPECT_TRUE(episode.result().outOfReach().empty());
   walkUntil(60.0, episode);
   EXPECT_TRUE(episode.result().agents.at(0).arrived);
 }
@@ -122,7 +143,7 @@ TEST(Reach, AnAgentWaitsAtAClosedGate) {
   Episode episode = episodeOf(std::string(ROOM) + agentTo("[2, 4]") + GATE, 60.0);
   walkUntil(29.0, episode);
   const Vector2 place = episode.world().agents()[0].pose.position;
-  EXPECT_EQ(episode.result().outOfReachCount(), 0U);
+  EXPECT_TRUE(episode.result().outOfReach().empty());
   EXPECT_LT(place.x(), -RADIUS + 1e-9);
   EXPECT_LT((place - Vector2(0.0, 4.0)).norm(), 1.5);
   walkUntil(60.0, episode);

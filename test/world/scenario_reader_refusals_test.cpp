@@ -26,12 +26,12 @@ TEST(ScenarioReader, ErrorsContainFileDocumentLineAndExpectation) {
 }
 
 TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
-  EXPECT_EQ(
-      errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
-      "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
-      "tick, duration, "
-      "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, way_finding, routes, "
-      "sources, sinks, queues, gates");
+  EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
+            "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
+            "tick, duration, "
+            "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, free_radius, "
+            "way_finding, routes, "
+            "sources, sinks, queues, gates");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),
@@ -155,6 +155,29 @@ TEST(ScenarioReader, RefusesAgentsThatStartAtTheirGoal) {
   const std::string drawn = problem("position: {box: [[0, 0], [0.125, 0]]}, goal: [0.25, 0]");
   EXPECT_NE(drawn.find("no free place for it and its goal found"), std::string::npos) << drawn;
   EXPECT_EQ(problem("position: [1, 0], goals: [[4, 0], [4, 0.25]]"), "no InputError");
+}
+
+/// An agent of radius 0.5 m stands at least 0.5 m from a wall, and has arrived 0.3 m from its goal.
+TEST(ScenarioReader, RefusesGoalsInWallsAndObstacles) {
+  const auto problem = [](const std::string& places, const std::string& keys = "") {
+    return errorOf(std::string(HEAD) + "agents:\n  - {" + places + ", speed: 1, radius: [0.25, 0.5]}\n" + keys +
+                   "walls:\n  - [[4, -2], [4, 2]]\nobstacles:\n  - {position: [0, 5], radius: 1}\n"
+                   "  - {position: [0, 9], radius: 1, velocity: [1, 0]}\n");
+  };
+  const auto expected = [](const std::string& field, const std::string& goal) {
+    return "s.yaml: document 1, line 5: agents[0]." + field +
+           ": expected a goal that an agent of radius 0.5 m can get to within goal_tolerance (0.3 m), got " + goal +
+           ", which is in a wall or an obstacle";
+  };
+  EXPECT_EQ(problem("position: [1, 0], goal: [4, 0]"), expected("goal", "(4, 0)"));
+  EXPECT_EQ(problem("position: [1, 0], goal: [3.81, 0]"), expected("goal", "(3.81, 0)"));
+  EXPECT_EQ(problem("position: [1, 0], goal: [3.79, 0]"), "no InputError");
+  EXPECT_EQ(problem("position: [1, 0], goals: [[2, 3], [0, 6.19]]"), expected("goals[1]", "(0, 6.19)"));
+  EXPECT_EQ(problem("position: [1, 0], goals: [[2, 3], [0, 6.21]]"), "no InputError");
+  EXPECT_EQ(problem("position: [1, 0], goal: {opposite: [2.5, 0]}"), expected("goal", "(4, 0)"));
+  EXPECT_EQ(problem("count: 3, position: {box: [[0, 0], [3, 3]]}, goal: [4, 1]"), expected("goal", "(4, 1)"));
+  EXPECT_EQ(problem("position: [1, 0], goal: [0, 9]"), "no InputError");  // that obstacle moves away
+  EXPECT_EQ(problem("position: [1, 0], goal: [4, 0]", "way_finding: false\n"), "no InputError");
 }
 
 TEST(ScenarioReader, AcceptsTouchingBodiesAndOverlappingObstaclesAndWalls) {

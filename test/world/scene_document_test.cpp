@@ -14,7 +14,7 @@ namespace {
 constexpr double EPSILON = 1e-12;
 
 /// The scene that a reader of the document gets.
-Scene readBack(const Scene& scene) { return parseScenarios(toDocument(scene), "scene.yaml").scene(99, 0); }
+Scene readBack(const Scene& scene) { return parseScenarios(toDocument(scene, "."), "scene.yaml").scene(99, 0); }
 
 void expectNear(const Vector2& got, const Vector2& expected) { EXPECT_LT((got - expected).norm(), EPSILON); }
 
@@ -57,7 +57,7 @@ TEST(SceneDocument, WritesASmallScene) {
                               {scenes::pillar({0.0, 3.0}, 0.5), scenes::moving_obstacle({4.0, 0.0}, {-0.5, 0.0}, 0.25)},
                               {{{0.0, 5.0}, {1.0, 5.0}}});
   scene.name = "Anna's";
-  EXPECT_EQ(toDocument(scene),
+  EXPECT_EQ(toDocument(scene, "."),
             "---\n"
             "name: 'Anna''s'\n"
             "tick: 0.1\n"
@@ -130,14 +130,14 @@ sources:
 sinks:
   'exit': {area: {box: [[10, 0], [11, 2]]}}
 queues:
-  'till': {head: [3, 2], direction: 0, spacing: 0.5, service: [5, 20]}
+  'till': {head: [3, 2], direction: 37, spacing: 0.5, service: [5, 20]}
 gates:
   'door': {wall: [[2, 0], [3, 0]], open: true}
   'bar': {wall: [[5, 0], [6, 0]], open: [[10, 20], [40, 60]]}
 )";
   const Scene scene = parseScenarios("name: n\n" + keys, "s.yaml").scene(1, 0);
-  const std::string text = toDocument(scene);
-  EXPECT_EQ(toDocument(readBack(scene)), text);
+  const std::string text = toDocument(scene, ".");
+  EXPECT_EQ(toDocument(readBack(scene), "."), text);
   const std::string sections = keys.substr(keys.find("routes:"));
   EXPECT_EQ(text.substr(text.find("routes:")), sections);
   EXPECT_NE(text.find("route: 'anna''s', reaction_time: 12.5, speed: 1"), std::string::npos) << text;

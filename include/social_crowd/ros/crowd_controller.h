@@ -75,6 +75,8 @@ class CrowdController {
   bool waitFor(const std::future<void>& done, std::chrono::milliseconds timeout) const;
   std::string place() const;
   void logResult(const EpisodeResult& result);
+  /// Logs what is wrong with the ways of the present episode, if anything is.
+  void warnOfWays(const EpisodeResult& result, const char* when) const;
 
   ControllerParameters parameters_;
   MainLoop loop_;

@@ -105,7 +105,7 @@ class Episode {
   EpisodeMonitor monitor_;
   Population population_;
   WayFinder way_finder_;
-  WayLengths way_lengths_;  // for changes by users
+  WayLengths way_lengths_;  // for changes by users, which do not affect the ways of the population if they are refused
   std::string way_finding_problem_;
   std::uint64_t number_;
   ObjectPool<std::shared_ptr<Perceptions>> buffers_;

@@ -35,6 +35,9 @@ struct AgentResult {
 
 /// @brief "2 agents have goals out of reach". @param agents above 0
 std::string outOfReachText(std::size_t agents);
+/// @brief The same with the numbers of the first ten: "2 agents have goals out of reach (0, 7)".
+/// @param agents at least one
+std::string outOfReachText(const std::vector<AgentId>& agents);
 
 /// @brief Results of an episode.
 struct EpisodeResult {
@@ -50,8 +53,10 @@ struct EpisodeResult {
   std::size_t expectedCount() const;
   std::size_t touchedCount() const;
   std::size_t collidedCount() const;
-  std::size_t outOfReachCount() const;
-  /// @brief Warning about the ways of this episode, such as "2 agents have goals out of reach"; empty if there is none.
+  /// @brief The agents that count and have goals out of reach, by ascending number.
+  std::vector<AgentId> outOfReach() const;
+  /// @brief Warning about the ways of this episode, such as "2 agents have goals out of reach (0, 7)"; empty if there is
+  /// none.
   std::string wayWarning() const;
   /// @brief Headings of all agents at the end [rad], for keepHeadings() of the next episode.
   std::vector<double> headings() const;

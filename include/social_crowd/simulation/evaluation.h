@@ -16,8 +16,11 @@ struct EvaluationPlan {
   std::uint64_t seed = 1;      ///< for random placements and random tie-breaking
   unsigned threads = 1;        ///< results do not depend on it
   bool record = false;         ///< whether to write trajectories
-  bool scenes = false;         ///< whether to write scenes
+  std::string scenes;          ///< folder that the scenes are for (toDocument()); empty: they are not written
   bool states = false;         ///< whether to write records of states
+  /// Called at the start of each episode whose ways are a problem (EpisodeResult::wayWarning()), never concurrently but
+  /// on any of the threads, and in any order. Empty: nothing is called.
+  std::function<void(std::uint64_t instance, const std::string& warning)> warn;
 };
 
 /// @brief Output of one episode of an evaluation.

@@ -35,9 +35,9 @@ class Population {
   bool expectsAgents() const;
 
   /// @brief Lets an agent begin a route. @throws InputError that lists the known names, or if the agent is not on its
-  /// way, or cannot reach the first waypoint (WayLengths::requireWay; with way-finding only); nothing is changed then
-  /// @param checks_way whether the first waypoint must be in reach
-  void setRoute(AgentId id, const std::string& route, bool checks_way, World& world, EpisodeMonitor& monitor);
+  /// way, or cannot walk the route (RouteCheck); nothing is changed then
+  /// @param ways for the check, so that a refused route does not affect the ways of others; null: it is not checked
+  void setRoute(AgentId id, const std::string& route, WayLengths* ways, World& world, EpisodeMonitor& monitor);
   /// @brief Ends the route of an agent, for example when a user sets a goal. Does nothing without a route.
   void dropRoute(AgentId id, World& world, EpisodeMonitor& monitor);
   /// @brief Opens or closes a gate, see Gate. @return whether it is open now @throws InputError that lists the known

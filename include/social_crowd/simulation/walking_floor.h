@@ -13,6 +13,9 @@ namespace crowd {
 /// @brief The radius of the largest agent [m]; 0 without agents.
 double largestRadius(const World& world);
 
+/// @brief The radius of the largest agent that the sources of a scene may create [m]; 0 without sources.
+double largestSourceRadius(const Scene& scene);
+
 /// @brief The floor that ways are found on: walls, obstacles at rest, and bounds around them, all agents and their
 /// goals. Small obstacles that stand alone are left to the learners, which walk round them with shorter paths.
 /// @param radius of the largest agent [m]
@@ -36,7 +39,8 @@ bool openGates(const std::vector<Segment>& gates, FloorPlan& floor);
 /// @brief The navigation data of a floor, see navigationData(). @throws InputError if the floor is too large
 std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius);
 
-/// @brief Does nothing if ways can be found in a world. @throws InputError if its floor is too large
-void requireNavigableFloor(const World& world);
+/// @brief Does nothing if ways can be found in a world.
+/// @param least_radius of the largest agent that may appear [m] @throws InputError if its floor is too large
+void requireNavigableFloor(const World& world, double least_radius);
 
 }  // namespace crowd

@@ -10,6 +10,7 @@
 #include "social_crowd/navigation/path_follower.h"
 #include "social_crowd/simulation/deadlock_resolver.h"
 #include "social_crowd/simulation/right_of_way.h"
+#include "social_crowd/simulation/walking_floor.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
@@ -27,8 +28,9 @@ namespace crowd {
 /// world by a user. Not thread-safe.
 class WayFinder {
  public:
-  /// @param gates the walls of all gates [m]
-  explicit WayFinder(std::vector<Segment> gates = {}) : gates_(std::move(gates)) {}
+  WayFinder() = default;
+  /// @param scene its gates and sources are used: ways are for the largest agent that these may create
+  explicit WayFinder(const Scene& scene) : least_radius_(largestSourceRadius(scene)), gates_(gateWalls(scene)) {}
 
   /// @throws InputError if the floor is too large (NavigationMesh); the object must not be used any more then.
   void update(World& world);
@@ -82,6 +84,7 @@ class WayFinder {
   bool is_needed_ = false;            // there is anything to walk round
   FloorPlan::Bounds bounds_;          // of the floor of `data_`
   double radius_ = 0.0;               // of the agents that it is for [m]
+  double least_radius_ = 0.0;         // of the agents that may appear [m]
   std::shared_ptr<const NavigationData> data_;
   std::optional<NavigationMesh::Query> comfortable_;
   std::optional<NavigationMesh::Query> tight_;

@@ -12,6 +12,9 @@
 
 namespace crowd {
 
+/// @brief "(1, 2.5)".
+std::string placeText(const Vector2& place);
+
 /// @brief Answers whether places can be reached, and how far it is, with the floor and the mesh of WayFinder.
 ///
 /// Keeps the mesh of the last question. Deterministic. Not thread-safe.
@@ -27,17 +30,22 @@ class WayLengths {
     bool operator<(const Way& other) const { return std::tie(kind, length) < std::tie(other.kind, other.length); }
   };
 
-  explicit WayLengths(const Scene& scene) : gates_(gateWalls(scene)), goal_tolerance_(scene.goal_tolerance) {}
+  explicit WayLengths(const Scene& scene)
+      : gates_(gateWalls(scene)), least_radius_(largestSourceRadius(scene)), goal_tolerance_(scene.goal_tolerance) {}
 
   /// @brief The shortest way between two places [m]; only if there is none, the shortest one with all gates open.
-  /// @param radius of the agent [m]; the way is for the largest agent of the world, or for this one if it is larger
+  /// @param radius of the agent [m]; the way is for the largest agent of the world and its sources, or for this one if
+  /// it is larger
   /// @return std::nullopt if they are not connected @throws InputError if the floor is too large
   std::optional<Way> find(const World& world, const Vector2& from, const Vector2& to, double radius);
 
-  /// @brief Does nothing if an agent at a place may have a goal. A place where no way begins, such as a gap that is too
-  /// narrow for way-finding, may have any that is not in a wall or obstacle.
+  /// @brief Why an agent at a place may not have a goal: it is in a wall or obstacle, or cannot be reached. Empty if it
+  /// may. A place where no way begins, such as a gap that is too narrow for way-finding, may have any that is not in a
+  /// wall or obstacle. @throws InputError if the floor is too large
+  std::string problemOf(const World& world, const Vector2& from, const Vector2& goal, double radius);
+  /// @brief Does nothing if an agent at a place may have a goal.
   /// @param who for the message, such as "agent 3"
-  /// @throws InputError if the goal is in a wall or obstacle, or cannot be reached, or the floor is too large
+  /// @throws InputError with the problem if it may not, or if the floor is too large
   void requireWay(const std::string& who, const World& world, const Vector2& from, const Vector2& goal, double radius);
 
  private:
@@ -55,6 +63,7 @@ class WayLengths {
   Floor& floorFor(const World& world, const Vector2& from, const Vector2& to, double radius, bool opened);
 
   std::vector<Segment> gates_;
+  double least_radius_;  // of the agents that may appear [m]
   double goal_tolerance_;
   std::optional<Floor> present_;
   std::optional<Floor> opened_;

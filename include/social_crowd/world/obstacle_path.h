@@ -34,6 +34,8 @@ class ObstaclePath {
   bool moves() const { return kind_ != Kind::AT_REST; }
   /// @brief The points of the path in `map` [m]; the first is the start.
   const std::vector<Vector2>& points() const { return points_; }
+  /// @brief The speed along TO_AND_FRO and LOOP paths [m/s].
+  double speed() const { return speed_; }
 
  private:
   ObstaclePath(Kind kind, std::vector<Vector2> points, const Vector2& velocity, double speed);

@@ -44,14 +44,16 @@ struct SinkDescription {
 /// @brief One entry under `queues`: a line in which agents wait to be served.
 struct QueueDescription {
   std::string name;
-  int line = 0;                     ///< in the file, for messages
-  Vector2 head = Vector2::Zero();   ///< place of the agent that is served [m]
-  Vector2 along = Vector2::Zero();  ///< unit vector in which the line extends
-  double spacing = 0.0;             ///< between the centres of agents in line [m]
-  Range service;                    ///< time at the head [s]
+  int line = 0;                    ///< in the file, for messages
+  Vector2 head = Vector2::Zero();  ///< place of the agent that is served [m]
+  double direction = 0.0;          ///< in which the line extends [degrees], as in the file
+  double spacing = 0.0;            ///< between the centres of agents in line [m]
+  Range service;                   ///< time at the head [s]
 
   /// @brief Place number `index` of the line, 0 at the head [m].
-  Vector2 place(std::size_t index) const { return head + static_cast<double>(index) * spacing * along; }
+  Vector2 place(std::size_t index) const {
+    return head + static_cast<double>(index) * spacing * unitVector(toRadians(direction));
+  }
 };
 
 /// @brief A period of time [s], without its end.

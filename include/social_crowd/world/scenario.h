@@ -92,8 +92,10 @@ struct Scenario {
   std::vector<Segment> walls;                             ///< of the file; those of the map are not among them
   bool way_finding = true;                                ///< see Scene
   std::shared_ptr<const OccupancyMap> map;                ///< null: none
+  std::string map_file;                                   ///< that the map was read from; empty: none
   std::shared_ptr<const std::vector<Segment>> map_walls;  ///< of the map; null: none
-  std::shared_ptr<const FreeSpace> free_space;  ///< of the map, for the largest agent; null if no region is FREE
+  std::shared_ptr<const FreeSpace> free_space;            ///< of the map, for `free_radius`; null if no region is FREE
+  double free_radius = 0.0;  ///< radius of discs that fit in FREE regions [m], at least that of the largest agent
   std::shared_ptr<const PopulationDescription> population;  ///< routes, sources, sinks, queues, gates; null: none
 
   /// @brief Creates the scene of one episode; depends only on scenario, seed and episode.

@@ -69,8 +69,11 @@ struct Scene {
   /// Agents whose goal is hidden by walls or obstacles at rest perceive a waypoint on the way to it instead.
   bool way_finding = true;
   std::shared_ptr<const OccupancyMap> map;                  ///< the map that some of the walls come from; null: none
+  std::string map_file;                                     ///< see Scenario
   std::shared_ptr<const FreeSpace> free_space;              ///< see Scenario
+  double free_radius = 0.0;                                 ///< see Scenario
   std::shared_ptr<const PopulationDescription> population;  ///< see Scenario
+  std::uint64_t seed = 0;                                   ///< see Scenario
   std::uint64_t population_seed = 0;                        ///< for everything that is drawn during the episode
 };
 

@@ -3,7 +3,7 @@ import numpy
 
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.records import Spread, spread_text
-from crowd_experiments.variations import read_documents
+from crowd_experiments.variations import heading_of, read_documents
 
 from .. import names, reward_runs
 from ..reward_figures import add_figures
@@ -61,7 +61,7 @@ def difference_text(setting):
 def start_of(agent):
     """Returns the distance of an agent's goal [m], and its direction relative to the heading [degrees]."""
     offset = numpy.subtract(agent['goals'][0], agent['position'])
-    turn = numpy.degrees(numpy.arctan2(offset[1], offset[0])) - agent['heading']
+    turn = numpy.degrees(numpy.arctan2(offset[1], offset[0])) - heading_of(agent)
     return float(numpy.hypot(*offset)), float((turn + 180.0) % 360.0 - 180.0)
 
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "social_crowd/world/scenario.h"
+#include "world/placed_bodies.h"
+
+namespace crowd {
+
+/// @brief Checks the fixed goals of agents in a scenario with way-finding, as services do for theirs (WayLengths).
+/// Goals that are drawn avoid walls and obstacles.
+/// @param placed walls and the fixed obstacles of the scenario
+/// @throws InputError with file, document and line for a goal in a wall, in a cell of the map that is not free, or in
+/// an obstacle at rest, that is, farther from where its agent can stand than the goal tolerance
+void requireFreeGoals(const Scenario& scenario, const PlacedBodies& placed);
+
+}  // namespace crowd
