@@ -20,11 +20,11 @@ namespace crowd {
 /// Call contract: update() once per tick, after waypoints were set.
 class DeadlockResolver {
  public:
-  static constexpr double PROGRESS = 0.5;        ///< [m]
-  static constexpr double STUCK_TIME = 4.0;      ///< [s]
-  static constexpr double TURN_TIME = 20.0;      ///< [s]
-  static constexpr double RETREAT_TIME = 6.0;    ///< an agent walks back for this time [s]
-  static constexpr double PRIORITY_TIME = 20.0;  ///< an agent that gave way has priority for this time afterwards [s]
+  static constexpr double PROGRESS = 0.5;       ///< [m]
+  static constexpr double STUCK_TIME = 3.0;     ///< [s]
+  static constexpr double TURN_TIME = 10.0;     ///< [s]
+  static constexpr double RETREAT_TIME = 1.5;   ///< an agent walks back for this time [s]
+  static constexpr double PRIORITY_TIME = 1.5;  ///< an agent that gave way has priority for this time afterwards [s]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
   /// @param paths of all agents, by id; empty for those that have none
