@@ -1,5 +1,7 @@
 #include "social_crowd/world/free_space.h"
 
+#include <algorithm>
+
 namespace crowd {
 
 FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius)
@@ -11,11 +13,12 @@ FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double rad
     fits[point] = clearance_[point] >= radius + ROOM && map.isFree(frame.cellAt(clearance_.place(point)));
     if (fits[point]) points_.push_back(point);
   }
-  std::uint32_t count = 0;
+  std::vector<std::size_t> sizes;  // by component
   std::vector<Index> found;
   for (const Index seed : points_) {
     if (components_[seed] != NONE) continue;
     found.assign(1, seed);
+    const auto count = static_cast<std::uint32_t>(sizes.size());
     components_[seed] = count;
     for (std::size_t i = 0; i < found.size(); ++i) {
       clearance_.forNeighbours(found[i], [&](Index at) {
@@ -24,8 +27,14 @@ FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double rad
         found.push_back(at);
       });
     }
-    ++count;
+    sizes.push_back(found.size());
   }
+  const std::size_t largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
+  const auto is_pocket = [&](Index point) {
+    const double size = static_cast<double>(sizes[components_[point]]);
+    return size < POCKET_SHARE * static_cast<double>(largest);
+  };
+  points_.erase(std::remove_if(points_.begin(), points_.end(), is_pocket), points_.end());
 }
 
 Vector2 FreeSpace::draw(KeyedRandom& random) const {

@@ -78,6 +78,19 @@ TEST(FreeSpace, DrawnPlacesFitAndAreEverywhere) {
   }
 }
 
+/// A hall of 12 m x 9 m and a cell of 1 m x 1 m.
+TEST(FreeSpace, PlacesAreNotDrawnFromPockets) {
+  std::vector<std::string> rows(11, "#............###");
+  rows.front() = rows.back() = std::string(16, '#');
+  rows[5][14] = '.';
+  const FreeSpace space = freeSpace(maps::drawn(rows), 0.2);
+  EXPECT_NE(space.component({14.5, 5.5}), FreeSpace::NONE);
+  for (std::uint64_t seed = 0; seed < 10000; ++seed) {
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    ASSERT_LT(space.draw(random).x(), 13.0) << "seed " << seed;
+  }
+}
+
 TEST(FreeSpace, TheSameNumbersGiveTheSamePlace) {
   const FreeSpace space = freeSpace(twoRooms(), 0.3);
   KeyedRandom first(7, KeyedRandom::PLACEMENT, {1});

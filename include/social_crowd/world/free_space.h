@@ -18,12 +18,16 @@ class FreeSpace {
   /// @brief Free room around the body of an agent [m]: ways through narrower gaps may not be found.
   static constexpr double ROOM = 0.1;
 
+  /// @brief Places are not drawn from components that are smaller than this share of the largest one: in maps made by
+  /// robots there are pockets behind walls and in furniture.
+  static constexpr double POCKET_SHARE = 0.01;
+
   /// @param map valid @param floor all walls, including those of the map, and obstacles at rest
   /// @param radius of the agent [m]
   FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius);
 
   bool empty() const { return points_.empty(); }
-  /// @brief Draws a place [m], `map`, uniformly from all components; empty() must not hold.
+  /// @brief Draws a place [m], `map`, uniformly from all components but pockets; empty() must not hold.
   Vector2 draw(KeyedRandom& random) const;
   /// @brief Number of the connected component that a place [m] is in, to within the spacing of the grid; or NONE.
   std::uint32_t component(const Vector2& place) const {
