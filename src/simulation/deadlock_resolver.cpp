@@ -13,7 +13,7 @@ constexpr double REACH = 0.6;             // between bodies that block each othe
 constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
 constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
 
-Vector2 favouredDirection(double time) {
+Vector2 priorityDirection(double time) {
   const double angle = AXIS_TURN * std::floor(time / DeadlockResolver::TURN_TIME);
   return {std::cos(angle), std::sin(angle)};
 }
@@ -109,7 +109,7 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
                      [&](const Walker& other) { return givesWayTo(agent, world.agents()[other.agent], time); });
 }
 
-/// Whether another agent blocks an agent, and walks back or is favoured.
+/// Whether another agent blocks an agent, and walks back or has priority.
 bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double time) const {
   if (other.id == agent.id) return false;
   const Vector2& direction = walks_[agent.id].course;
@@ -117,19 +117,7 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
   if (offset.norm() > agent.radius + other.radius + REACH || offset.dot(direction) <= 0.0) return false;
   const Vector2& course = walks_[other.id].course;
   const bool retreats = time < walks_[other.id].retreat_until;
-  return course.dot(direction) < -0.3 && (retreats || isFavoured(other.id, agent.id, time));
-}
-
-/// Whether one of two agents that walk in opposite directions goes first: the one that gave way lately, or else by the
-/// direction.
-bool DeadlockResolver::isFavoured(AgentId one, AgentId other, double time) const {
-  const auto gave_way = [&](const Walk& walk) {
-    return walk.retreat_until > 0.0 && time < walk.retreat_until + PRIORITY_TIME;
-  };
-  const Walk& a = walks_[one];
-  const Walk& b = walks_[other];
-  if (gave_way(a) != gave_way(b)) return gave_way(a);
-  return favouredDirection(time).dot(a.course - b.course) > 0.0;
+  return course.dot(direction) < -0.3 && (retreats || priorityDirection(time).dot(course - direction) > 0.0);
 }
 
 void DeadlockResolver::retreat(World& world, const Agent& agent) {

@@ -82,13 +82,16 @@ TEST(Passages, AnEmptyFloorHasNoPassage) {
   EXPECT_EQ(passages.at({0.0, 0.0}), Passages::NONE);
 }
 
+/// Distances are stored for blocks of this side [m].
+constexpr double BLOCK = 0.2;
+
 /// The door's disc of radius 0.45 m ends 1.55 m before (2, 0). Discs of throats near the door's line reach a few grid
 /// points farther.
 TEST(Passages, DistanceFromTheDoor) {
   const Passages passages(doorPlan(0.9), RADIUS, MAX_WIDTH);
   EXPECT_EQ(passages.distanceFrom({0.0, 0.0}), 0.0);
   EXPECT_LE(passages.distanceFrom({2.0, 0.0}), 1.55);
-  EXPECT_GE(passages.distanceFrom({2.0, 0.0}), 1.55 - 5.0 * Passages::SPACING);
+  EXPECT_GE(passages.distanceFrom({2.0, 0.0}), 1.55 - 2.0 * BLOCK - Passages::SPACING);
   EXPECT_EQ(passages.distanceFrom({100.0, 0.0}), 0.0);  // beyond the grid it is not known
 }
 
@@ -127,14 +130,14 @@ TEST(Passages, DistancesAreLowerBounds) {
       ASSERT_GE(bound, 0.0);
       // Steps are diagonal, too: a distance is at most sqrt(2) times the steps.
       if (bound == 0.0) continue;
-      ASSERT_GE(bound, nearest / std::sqrt(2.0) - 2.0 * Passages::SPACING) << place.transpose();
+      ASSERT_GE(bound, nearest / std::sqrt(2.0) - 2.0 * BLOCK) << place.transpose();
     }
   });
   EXPECT_GT(floors_with_passages, 20U);
   EXPECT_GT(largest, 2.0);
 }
 
-/// The distance is stored up to 255 grid points: it is a bound there, too.
+/// The distance is stored up to 255 blocks: it is a bound there, too.
 TEST(Passages, LargeDistancesAreBounds) {
   FloorPlan floor = doorPlan(0.9);
   floor.walls.push_back({{60.0, -4.0}, {60.0, 4.0}});
@@ -145,9 +148,10 @@ TEST(Passages, LargeDistancesAreBounds) {
   }
 }
 
-TEST(Passages, WithoutPassagesEveryDistanceIsLarge) {
+TEST(Passages, WithoutPassagesNoDistanceIsKnown) {
   const Passages passages(doorPlan(1.5), RADIUS, MAX_WIDTH);
-  EXPECT_GT(passages.distanceFrom({0.0, 0.0}), 12.0);
+  EXPECT_EQ(passages.size(), 0U);
+  EXPECT_EQ(passages.distanceFrom({0.0, 0.0}), 0.0);
 }
 
 }  // namespace

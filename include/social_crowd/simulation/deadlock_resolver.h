@@ -13,18 +13,17 @@ namespace crowd {
 /// for a while. Deterministic; depends only on the world and the earlier calls.
 ///
 /// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. A stuck agent with an agent ahead that walks in
-/// the opposite direction gives way if the other one has priority: the one that gave way within PRIORITY_TIME, or else
-/// the one whose direction is nearer to an axis that is the same for all agents and turns every TURN_TIME. It walks
-/// back along its own trail, and agents that it walks towards do the same.
+/// the opposite direction gives way if the other one has priority: its direction is nearer to an axis that is the same
+/// for all agents and turns every TURN_TIME. It walks back along its own trail, and agents that it walks towards do the
+/// same. RETREAT_TIME is short, since agents that walk back are in the way of those behind them.
 ///
 /// Call contract: update() once per tick, after waypoints were set.
 class DeadlockResolver {
  public:
-  static constexpr double PROGRESS = 0.5;       ///< [m]
-  static constexpr double STUCK_TIME = 3.0;     ///< [s]
-  static constexpr double TURN_TIME = 10.0;     ///< [s]
-  static constexpr double RETREAT_TIME = 1.5;   ///< an agent walks back for this time [s]
-  static constexpr double PRIORITY_TIME = 1.5;  ///< an agent that gave way has priority for this time afterwards [s]
+  static constexpr double PROGRESS = 0.5;      ///< [m]
+  static constexpr double STUCK_TIME = 3.0;    ///< [s]
+  static constexpr double TURN_TIME = 20.0;    ///< [s]
+  static constexpr double RETREAT_TIME = 1.5;  ///< an agent walks back for this time [s]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
   /// @param paths of all agents, by id; empty for those that have none
@@ -43,7 +42,6 @@ class DeadlockResolver {
   void sortByX(const World& world);
   bool mustGiveWay(const World& world, const Agent& agent);
   bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
-  bool isFavoured(AgentId one, AgentId other, double time) const;
   void retreat(World& world, const Agent& agent);
 
   /// An agent that walks.
