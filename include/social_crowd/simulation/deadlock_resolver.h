@@ -22,7 +22,7 @@ class DeadlockResolver {
  public:
   static constexpr double PROGRESS = 0.5;      ///< [m]
   static constexpr double STUCK_TIME = 3.0;    ///< [s]
-  static constexpr double TURN_TIME = 20.0;    ///< [s]
+  static constexpr double TURN_TIME = 6.0;     ///< [s]
   static constexpr double RETREAT_TIME = 1.5;  ///< an agent walks back for this time [s]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
