@@ -31,7 +31,7 @@ FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double rad
   }
   const std::size_t largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
   const auto is_pocket = [&](Index point) {
-    const double size = static_cast<double>(sizes[components_[point]]);
+    const auto size = static_cast<double>(sizes[components_[point]]);
     return size < POCKET_SHARE * static_cast<double>(largest);
   };
   points_.erase(std::remove_if(points_.begin(), points_.end(), is_pocket), points_.end());

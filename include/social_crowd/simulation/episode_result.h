@@ -55,8 +55,8 @@ struct EpisodeResult {
   std::size_t collidedCount() const;
   /// @brief The agents that count and have goals out of reach, by ascending number.
   std::vector<AgentId> outOfReach() const;
-  /// @brief Warning about the ways of this episode, such as "2 agents have goals out of reach (0, 7)"; empty if there is
-  /// none.
+  /// @brief Warning about the ways of this episode, such as "2 agents have goals out of reach (0, 7)"; empty if there
+  /// is none.
   std::string wayWarning() const;
   /// @brief Headings of all agents at the end [rad], for keepHeadings() of the next episode.
   std::vector<double> headings() const;
