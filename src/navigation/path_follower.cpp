@@ -21,7 +21,7 @@ bool PathFollower::isCheckDue(const Vector2& position) const {
 void PathFollower::check(const Vector2& position, NavigationMesh::Query& query) {
   checked_at_ = position;
   ticks_ = 0;
-  if (hasWay() && (chooseCorner(position, query) || leadBack(position, query))) return;
+  if (hasWay() && chooseCorner(position, query)) return;
   std::optional<Path> path = query.findPath(position, goal_);
   state_ = path ? State::ON_THE_WAY : State::UNREACHABLE;
   corners_ = path ? std::move(path->corners) : std::vector<Vector2>();
@@ -37,16 +37,6 @@ bool PathFollower::chooseCorner(const Vector2& position, NavigationMesh::Query& 
   if (isAtLastCorner()) return distance <= query.clearance() || query.isStraight(position, goal_);
   if (distance <= REACHED) ++corner_;
   return corner_ > before || query.isStraight(position, corners_[corner_]);
-}
-
-bool PathFollower::leadBack(const Vector2& position, NavigationMesh::Query& query) {
-  const Vector2 corner = corners_[corner_];
-  const std::optional<Path> path = query.findPath(position, corner);
-  if (!path || path->length > (position - corner).norm() + MAX_DETOUR) return false;
-  corners_.erase(corners_.begin(), corners_.begin() + static_cast<std::ptrdiff_t>(corner_));
-  corners_.insert(corners_.begin(), path->corners.begin(), path->corners.end() - 1);
-  corner_ = 0;
-  return true;
 }
 
 void PathFollower::replan() {

@@ -64,21 +64,7 @@ TEST_F(PathFollowerTest, APersonThatWasPushedAwayGetsANewWay) {
   EXPECT_NEAR(remainingLength(follower, position), query_.findPath(position, GOAL)->length, 1e-9);
 }
 
-TEST_F(PathFollowerTest, APersonThatWasPushedBackALittleGoesBackToItsCorner) {
-  PathFollower follower(GOAL);
-  const Vector2 first = follower.next(START, query_);
-  const Vector2 second = follower.next(first, query_);  // reached: the next corner counts
-  ASSERT_NE(second, first);
-  const Vector2 pushed = first + Vector2(-1.0, -1.0);
-  ASSERT_FALSE(query_.isStraight(pushed, second));
-  const Vector2 next = follower.next(pushed, query_);
-  EXPECT_TRUE(query_.isStraight(pushed, next));
-  EXPECT_EQ(follower.state(), State::ON_THE_WAY);
-  EXPECT_EQ(*(follower.corners().end() - 1), GOAL);
-  EXPECT_NEAR(remainingLength(follower, pushed), query_.findPath(pushed, GOAL)->length, 0.1);
-}
-
-TEST_F(PathFollowerTest, AWayBackThatIsALongDetourIsNotTaken) {
+TEST_F(PathFollowerTest, APersonThatWasPushedThroughAGapTakesTheShorterWay) {
   // Doors from y = 2 to 3.2 and from y = -3.2 to -2, and a wall between them, with a gap, in the left half.
   FloorPlan floor = floors::room({-5.0, -4.0}, {5.0, 4.0});
   for (const Vector2& ys : {Vector2(-4.0, -3.2), Vector2(-2.0, 2.0), Vector2(3.2, 4.0)}) {

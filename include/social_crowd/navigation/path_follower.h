@@ -12,8 +12,7 @@ namespace crowd {
 ///
 /// The way is found once. Whether the next corners can be seen is checked where that can have changed: when the person
 /// has left the straight line to its corner, or has moved near it. A person that was pushed to where it does not see
-/// its corner walks back to it, or gets a new way if that would be a long detour. The points depend on the positions
-/// only.
+/// its corner gets a new way. The points depend on the positions only.
 class PathFollower {
  public:
   enum class State {
@@ -40,7 +39,6 @@ class PathFollower {
   static constexpr double CHECK_DISTANCE = 0.25;  // walked, or away from the straight line [m]
   static constexpr double CORNER_DISTANCE = 1.5;  // from here on the corner after the next one may come into sight [m]
   static constexpr double REACHED = 0.1;          // distance at which a corner is reached [m]
-  static constexpr double MAX_DETOUR = 1.0;       // back to the corner [m]
   static constexpr int RETRY_TICKS = 10;          // while the goal is unreachable
 
   bool hasWay() const { return !corners_.empty(); }
@@ -49,8 +47,6 @@ class PathFollower {
   void check(const Vector2& position, NavigationMesh::Query& query);
   /// Chooses the farthest corner that can be seen; returns false if it is not even the present one.
   bool chooseCorner(const Vector2& position, NavigationMesh::Query& query);
-  /// Inserts a way to the present corner; returns false if that is a detour.
-  bool leadBack(const Vector2& position, NavigationMesh::Query& query);
 
   Vector2 goal_;
   State state_ = State::ON_THE_WAY;
