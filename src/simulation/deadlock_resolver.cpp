@@ -4,12 +4,17 @@
 #include <cmath>
 #include <tuple>
 
+#include "social_crowd/simulation/remaining_path.h"
+
 namespace crowd {
 namespace {
 
 constexpr double TRAIL_STEP = 0.5;        // between places of a trail [m]
 constexpr std::size_t TRAIL_LENGTH = 20;  // places
 constexpr double REACH = 0.6;             // between bodies that block each other [m]
+constexpr double TOUCH = 0.1;             // bodies nearer to each other than this may wedge [m]
+constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
+constexpr double OPPOSITE = -0.3;         // cosine of the angle from which directions are opposite
 constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
 constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
 
@@ -51,6 +56,7 @@ void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& pa
       retreating_.push_back(agent.id);
     } else {
       walks_[agent.id].course = directionOf(paths[agent.id], agent);
+      walks_[agent.id].remaining = lengthOf(paths[agent.id], agent.pose.position);
     }
   }
   for (const Agent& agent : world.agents()) {
@@ -92,8 +98,7 @@ void DeadlockResolver::sortByX(const World& world) {
 
 bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
   const double time = world.time();
-  const bool is_stuck = time - walks_[agent.id].progress_time >= STUCK_TIME;
-  if (!is_stuck) {
+  if (!isStuck(walks_[agent.id], time)) {
     if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
     return std::any_of(retreating_.begin(), retreating_.end(),
                        [&](AgentId other) { return givesWayTo(agent, world.agents()[other], time); });
@@ -109,15 +114,22 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
                      [&](const Walker& other) { return givesWayTo(agent, world.agents()[other.agent], time); });
 }
 
-/// Whether another agent blocks an agent, and walks back or has priority.
+/// Whether another agent blocks an agent that is stuck or in the way of one that walks back, and has priority.
 bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double time) const {
   if (other.id == agent.id) return false;
-  const Vector2& direction = walks_[agent.id].course;
+  const Walk& own = walks_[agent.id];
+  const Walk& its = walks_[other.id];
   const Vector2 offset = other.pose.position - agent.pose.position;
-  if (offset.norm() > agent.radius + other.radius + REACH || offset.dot(direction) <= 0.0) return false;
-  const Vector2& course = walks_[other.id].course;
-  const bool retreats = time < walks_[other.id].retreat_until;
-  return course.dot(direction) < -0.3 && (retreats || priorityDirection(time).dot(course - direction) > 0.0);
+  const double gap = offset.norm() - agent.radius - other.radius;
+  // In a door two agents may be wedged side by side.
+  const double ahead = offset.dot(own.course);
+  if (gap > REACH || ahead <= (gap < TOUCH ? -BESIDE : 0.0)) return false;
+  const bool retreats = time < its.retreat_until;
+  if (its.course.dot(own.course) < OPPOSITE) {
+    return retreats || priorityDirection(time).dot(its.course - own.course) > 0.0;
+  }
+  const bool forms_arch = gap < TOUCH && ahead > 0.0 && isStuck(own, time) && isStuck(its, time);
+  return forms_arch && !retreats && its.remaining < own.remaining;
 }
 
 void DeadlockResolver::retreat(World& world, const Agent& agent) {

@@ -21,15 +21,6 @@ constexpr double ADVANCE = 0.3;  // an admitted agent makes progress when it has
 constexpr double STALL = 4.0;    // after this time without progress everybody may walk ... [s]
 constexpr double RELEASE = 3.0;  // ... for this time [s]
 
-double lengthOf(const RemainingPath& path, Vector2 from) {
-  double length = 0.0;
-  for (const Vector2& corner : path) {
-    length += (corner - from).norm();
-    from = corner;
-  }
-  return length;
-}
-
 }  // namespace
 
 RightOfWay::RightOfWay(std::shared_ptr<const Passages> passages, double radius)

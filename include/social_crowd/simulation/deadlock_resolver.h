@@ -4,18 +4,20 @@
 #include <deque>
 #include <vector>
 
-#include "social_crowd/simulation/right_of_way.h"
+#include "social_crowd/simulation/remaining_path.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
 
-/// @brief Resolves deadlocks of agents that walk in opposite directions and block each other: some of them walk back
-/// for a while. Deterministic; depends only on the world and the earlier calls.
+/// @brief Resolves deadlocks of agents that block each other: some of them walk back for a while. Deterministic;
+/// depends only on the world and the earlier calls.
 ///
-/// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. A stuck agent with an agent ahead that walks in
-/// the opposite direction gives way if the other one has priority: its direction is nearer to an axis that is the same
-/// for all agents and turns every TURN_TIME. It walks back along its own trail, and agents that it walks towards do the
-/// same. RETREAT_TIME is short, since agents that walk back are in the way of those behind them.
+/// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. It gives way to an agent ahead, or one that
+/// touches it, if that has priority. Of agents that walk in opposite directions, the one whose direction is nearer to
+/// an axis has priority; the axis is the same for all agents and turns every TURN_TIME. Of agents in the same direction
+/// that are both stuck and touch each other, as in an arch before a door, the one with the shorter remaining path has
+/// priority. An agent that gives way walks back along its own trail, and agents that it walks towards do the same.
+/// RETREAT_TIME is short, since agents that walk back are in the way of those behind them.
 ///
 /// Call contract: update() once per tick, after waypoints were set.
 class DeadlockResolver {
@@ -34,10 +36,12 @@ class DeadlockResolver {
     std::deque<Vector2> trail;            // places at intervals, the latest one last [m]
     Vector2 reference = Vector2::Zero();  // where it last made progress [m]
     double progress_time = 0.0;           // when [s]
+    double remaining = 0.0;               // length of its path [m]
     double retreat_until = 0.0;           // [s]
     Vector2 course = Vector2::UnitX();    // direction of its path, or back [unit vector]
   };
 
+  static bool isStuck(const Walk& walk, double time) { return time - walk.progress_time >= STUCK_TIME; }
   void follow(const Agent& agent, double time);
   void sortByX(const World& world);
   bool mustGiveWay(const World& world, const Agent& agent);

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "social_crowd/navigation/passages.h"
+#include "social_crowd/simulation/remaining_path.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
-
-/// @brief Remaining path of an agent: the corners after its position, the last one is the goal [m], `map`.
-using RemainingPath = std::vector<Vector2>;
 
 /// @brief Decides who goes first through passages that are too narrow for two agents to pass each other, so that agents
 /// do not block each other there. Deterministic; depends only on the world and the earlier calls.
