@@ -56,7 +56,9 @@ void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& pa
       retreating_.push_back(agent.id);
     } else {
       walks_[agent.id].course = directionOf(paths[agent.id], agent);
-      walks_[agent.id].remaining = lengthOf(paths[agent.id], agent.pose.position);
+      if (isStuck(walks_[agent.id], time)) {
+        walks_[agent.id].remaining = lengthOf(paths[agent.id], agent.pose.position);
+      }
     }
   }
   for (const Agent& agent : world.agents()) {

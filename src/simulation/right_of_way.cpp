@@ -18,7 +18,7 @@ constexpr double WAITING_WIDTH = 2.4;     // of the floor there, less the diamet
 constexpr double QUEUE_GAP = 0.2;         // between agents that wait: agents that touch each other block each other [m]
 
 constexpr double ADVANCE = 0.3;  // an admitted agent makes progress when it has come this much closer [m]
-constexpr double STALL = 4.0;    // after this time without progress everybody may walk ... [s]
+constexpr double STALL = 4.0;    // after this time without progress all agents may walk ... [s]
 constexpr double RELEASE = 3.0;  // ... for this time [s]
 
 }  // namespace
@@ -32,7 +32,7 @@ RightOfWay::RightOfWay(std::shared_ptr<const Passages> passages, double radius)
   }
 }
 
-/// Whether agents can wait beside those who come out.
+/// Whether agents can wait beside agents that come out.
 bool RightOfWay::hasRoomToWait(const Mouth& mouth) const {
   const Vector2 left(-mouth.outward.y(), mouth.outward.x());
   double width = 0.0;
@@ -130,7 +130,7 @@ void RightOfWay::noteProgress(const World& world, const std::vector<RemainingPat
 }
 
 void RightOfWay::admit(std::size_t passage, PassageState& state) const {
-  // Whoever is inside walks on.
+  // Agents inside walk on.
   for (const Claim& claim : state.claims) {
     if (claim.distance == 0.0 && !state.isAdmitted(claim.agent)) state.admitted.push_back({claim.agent});
   }
@@ -154,7 +154,7 @@ void RightOfWay::admit(std::size_t passage, PassageState& state) const {
   }
 }
 
-/// Gives the right of way to the others after a batch, or if nobody else claims it.
+/// Gives the right of way to the others after a batch, or if no agent of this direction claims it.
 void RightOfWay::chooseDirection(PassageState& state) const {
   const auto claims_of = [&](bool same) {
     return std::find_if(state.claims.begin(), state.claims.end(),
@@ -171,7 +171,7 @@ void RightOfWay::chooseDirection(PassageState& state) const {
 }
 
 void RightOfWay::guide(std::size_t passage, const PassageState& state, World& world) const {
-  // Inside, the nearest mouth may be the exit; all who are inside walk in the present direction.
+  // Inside, the nearest mouth may be the exit; all agents inside walk in the present direction.
   const auto mouth_of = [&](const Claim& claim) { return claim.distance > 0.0 ? claim.mouth : state.direction; };
   const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), [&](const Claim& claim) {
     return mouth_of(claim) != mouth_of(state.claims.front());

@@ -111,7 +111,7 @@ bool WayFinder::areConnected(const Vector2& from, const Vector2& to) {
   return component && component == tight_->component(to);
 }
 
-/// In corridors agents walk on the right, so that those who walk in opposite directions do not meet head-on.
+/// In corridors agents walk on the right, so that agents in opposite directions do not meet head-on.
 Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
   const Vector2& position = agent.pose.position;
   bool is_due = !way.aim || way.aim->corner != next || (position - way.aim->from).norm() >= AIM_DISTANCE;
@@ -162,7 +162,7 @@ WayFinder::Sides WayFinder::floorBeside(const Vector2& place, const Vector2& for
   return {left, room(right, LANE_WIDTH + LANE_STEP - left)};
 }
 
-/// The place to the right, on the line across the floor, where those who walk in this direction pass.
+/// The place to the right, on the line across the floor, where agents in this direction pass.
 Vector2 WayFinder::laneBeside(const Vector2& place, const Vector2& forward, double radius) const {
   const Sides room = floorBeside(place, forward, radius);
   if (room.width() > LANE_WIDTH || room.width() < 2.0 * radius + LANE_STEP) return place;

@@ -4,6 +4,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/world/region_geometry.h"
 
 namespace crowd {
 namespace {
@@ -21,8 +22,6 @@ std::string coverOf(const World& world, const Vector2& place, double distance) {
 }
 
 }  // namespace
-
-std::string placeText(const Vector2& place) { return "(" + toText(place.x()) + ", " + toText(place.y()) + ")"; }
 
 WayLengths::Floor& WayLengths::floorFor(const World& world, const Vector2& from, const Vector2& to, double radius,
                                         bool opened) {

@@ -5,6 +5,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/world/occupancy_map.h"
+#include "social_crowd/world/region_geometry.h"
 
 namespace crowd {
 namespace {
@@ -29,8 +30,8 @@ class GoalCheck {
     if (comesNear(goal, radius, scenario_, placed_)) return;
     throw InputError(scenario_.source + ", line " + std::to_string(group.line) + ": " + field +
                      ": expected a goal that an agent of radius " + toText(radius) +
-                     " m can get to within goal_tolerance (" + toText(scenario_.goal_tolerance) + " m), got (" +
-                     toText(goal.x()) + ", " + toText(goal.y()) + "), which is in a wall or an obstacle");
+                     " m can get to within goal_tolerance (" + toText(scenario_.goal_tolerance) + " m), got " +
+                     placeText(goal) + ", which is in a wall or an obstacle");
   }
 
  private:

@@ -36,7 +36,7 @@ class DeadlockResolver {
     std::deque<Vector2> trail;            // places at intervals, the latest one last [m]
     Vector2 reference = Vector2::Zero();  // where it last made progress [m]
     double progress_time = 0.0;           // when [s]
-    double remaining = 0.0;               // length of its path [m]
+    double remaining = 0.0;               // length of its path, while it is stuck [m]
     double retreat_until = 0.0;           // [s]
     Vector2 course = Vector2::UnitX();    // direction of its path, or back [unit vector]
   };

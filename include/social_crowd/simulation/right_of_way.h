@@ -17,8 +17,8 @@ namespace crowd {
 /// At most one direction at a time has the right of way in a passage. Agents of that direction are admitted in the
 /// order of their distance, as many at a time as fit side by side; the next one when an admitted one has entered. After
 /// BATCH_SIZE agents the others have their turn. Agents that wait stay outside of a zone in front of the mouth; if
-/// there is traffic in the other direction, the zone contains a lane for those who come out. If nobody makes progress,
-/// because agents that wait are in the way of others, all are released for some seconds.
+/// there is traffic in the other direction, the zone contains a lane for agents that come out. If no agent makes
+/// progress, because agents that wait are in the way of others, all are released for some seconds.
 ///
 /// Call contract: update() once per tick, after the agents have moved and waypoints were set.
 class RightOfWay {

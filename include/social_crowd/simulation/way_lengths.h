@@ -12,9 +12,6 @@
 
 namespace crowd {
 
-/// @brief "(1, 2.5)".
-std::string placeText(const Vector2& place);
-
 /// @brief Answers whether places can be reached, and how far it is, with the floor and the mesh of WayFinder.
 ///
 /// Keeps the mesh of the last question. Deterministic. Not thread-safe.

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "social_crowd/common/numbers.h"
 #include "social_crowd/world/scenario.h"
 
 namespace crowd {
+
+/// @brief A place for messages, such as "(1, 2.5)".
+inline std::string placeText(const Vector2& place) { return "(" + toText(place.x()) + ", " + toText(place.y()) + ")"; }
 
 /// @brief Whether a point [m] is in a box or ring, or is the point of the region. Not for FREE.
 bool contains(const Region& region, const Vector2& point);
