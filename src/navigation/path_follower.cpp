@@ -9,7 +9,8 @@ Vector2 PathFollower::next(const Vector2& position, NavigationMesh::Query& query
 }
 
 bool PathFollower::isCheckDue(const Vector2& position) const {
-  if (!hasWay()) return state_ == State::ON_THE_WAY || ticks_ >= RETRY_TICKS;
+  if (!hasWay()) return state_ == State::ON_THE_WAY || ticks_ >= CHECK_TICKS;
+  if (ticks_ >= CHECK_TICKS) return true;
   const Vector2& corner = corners_[corner_];
   const double distance = (position - corner).norm();
   if (isAtLastCorner() || distance > CORNER_DISTANCE) {
@@ -23,6 +24,7 @@ void PathFollower::check(const Vector2& position, NavigationMesh::Query& query) 
   ticks_ = 0;
   if (hasWay() && chooseCorner(position, query)) return;
   std::optional<Path> path = query.findPath(position, goal_);
+  if (!path && hasWay()) return;  // it was pushed into a pocket of the mesh: it keeps its way
   state_ = path ? State::ON_THE_WAY : State::UNREACHABLE;
   corners_ = path ? std::move(path->corners) : std::vector<Vector2>();
   corner_ = 0;

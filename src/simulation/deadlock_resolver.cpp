@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "social_crowd/simulation/remaining_path.h"
+#include "social_crowd/simulation/sliding.h"
 
 namespace crowd {
 namespace {
@@ -16,6 +17,8 @@ constexpr double TOUCH = 0.1;             // bodies nearer to each other than th
 constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
 constexpr double OPPOSITE = -0.3;         // cosine of the angle from which directions are opposite
 constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
+constexpr double CONTACT = 0.02;          // an agent slides along what is nearer than this [m]
+constexpr double WALKED_BACK = 0.1;       // an agent that moved less could not walk back [m]
 constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
 
 Vector2 priorityDirection(double time) {
@@ -50,41 +53,52 @@ void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& pa
   retreating_.clear();
   walkers_.clear();
   for (const Agent& agent : world.agents()) {
-    if (!agent.isWalking()) continue;
-    follow(agent, time);
-    if (time < walks_[agent.id].retreat_until) {
-      retreating_.push_back(agent.id);
-    } else {
-      walks_[agent.id].course = directionOf(paths[agent.id], agent);
-      if (isStuck(walks_[agent.id], time)) {
-        walks_[agent.id].remaining = lengthOf(paths[agent.id], agent.pose.position);
-      }
-    }
+    if (agent.isWalking()) follow(agent, paths[agent.id], time);
   }
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
-    Walk& walk = walks_[agent.id];
-    if (time < walk.retreat_until || !mustGiveWay(world, agent)) continue;
-    walk.retreat_until = time + RETREAT_TIME;
-    walk.course = -walk.course;  // the agents that it meets head-on do not give way, too
-    retreating_.push_back(agent.id);
+    if (!walks_[agent.id].walks_back && mustGiveWay(world, agent)) startRetreat(agent, time);
   }
   std::sort(retreating_.begin(), retreating_.end());
   for (const AgentId agent : retreating_) retreat(world, world.agents()[agent]);
 }
 
-void DeadlockResolver::follow(const Agent& agent, double time) {
+void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, double time) {
+  Walk& walk = walks_[agent.id];
+  const Vector2& place = agent.pose.position;
+  noteProgress(agent, time);
+  if (time < walk.retreat_until) {
+    retreating_.push_back(agent.id);
+    return;
+  }
+  if (walk.walks_back) walk.cannot_walk_back = (place - walk.retreat_from).norm() < WALKED_BACK;
+  walk.walks_back = false;
+  walk.course = directionOf(path, agent);
+  if (isStuck(walk, time)) walk.remaining = lengthOf(path, place);
+  if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
+  walk.trail.push_back(place);
+  if (walk.trail.size() > TRAIL_LENGTH) walk.trail.pop_front();
+}
+
+void DeadlockResolver::noteProgress(const Agent& agent, double time) {
   Walk& walk = walks_[agent.id];
   const Vector2& place = agent.pose.position;
   if (agent.yielding || agent.held || agent.at_goal || walk.trail.empty() ||
       (place - walk.reference).norm() > PROGRESS) {
     walk.reference = place;
     walk.progress_time = time;
+    walk.cannot_walk_back = false;
   }
-  if (time < walk.retreat_until) return;
-  if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
-  walk.trail.push_back(place);
-  if (walk.trail.size() > TRAIL_LENGTH) walk.trail.pop_front();
+}
+
+void DeadlockResolver::startRetreat(const Agent& agent, double time) {
+  Walk& walk = walks_[agent.id];
+  walk.walks_back = true;
+  walk.retreat_from = agent.pose.position;
+  walk.retreat_until = time + RETREAT_TIME;
+  walk.progress_time = walk.retreat_until + WALK_TIME - STUCK_TIME;
+  walk.course = -walk.course;  // the agents that it meets head-on do not give way, too
+  retreating_.push_back(agent.id);
 }
 
 void DeadlockResolver::sortByX(const World& world) {
@@ -98,22 +112,27 @@ void DeadlockResolver::sortByX(const World& world) {
             [](const Walker& a, const Walker& b) { return std::tie(a.x, a.agent) < std::tie(b.x, b.agent); });
 }
 
-bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
-  const double time = world.time();
-  if (!isStuck(walks_[agent.id], time)) {
-    if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
-    return std::any_of(retreating_.begin(), retreating_.end(),
-                       [&](AgentId other) { return givesWayTo(agent, world.agents()[other], time); });
-  }
+/// Calls test(other) for agents that may be within `distance` of an agent, until it returns true; returns whether it
+/// did.
+template <typename Test>
+bool DeadlockResolver::isAnyNear(const World& world, const Agent& agent, double distance, const Test& test) {
   if (walkers_.empty()) sortByX(world);
-  const double reach = agent.radius + largest_radius_ + REACH;
+  const double reach = agent.radius + largest_radius_ + distance;
   const double x = agent.pose.position.x();
   const auto first = std::lower_bound(walkers_.begin(), walkers_.end(), x - reach,
                                       [](const Walker& walker, double low) { return walker.x < low; });
   const auto last = std::upper_bound(first, walkers_.end(), x + reach,
                                      [](double high, const Walker& walker) { return high < walker.x; });
-  return std::any_of(first, last,
-                     [&](const Walker& other) { return givesWayTo(agent, world.agents()[other.agent], time); });
+  return std::any_of(first, last, [&](const Walker& other) { return test(world.agents()[other.agent]); });
+}
+
+bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
+  const double time = world.time();
+  const auto has_priority = [&](const Agent& other) { return givesWayTo(agent, other, time); };
+  if (isStuck(walks_[agent.id], time)) return isAnyNear(world, agent, REACH, has_priority);
+  if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
+  return std::any_of(retreating_.begin(), retreating_.end(),
+                     [&](AgentId other) { return has_priority(world.agents()[other]); });
 }
 
 /// Whether another agent blocks an agent that is stuck or in the way of one that walks back, and has priority.
@@ -126,20 +145,44 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
   // In a door two agents may be wedged side by side.
   const double ahead = offset.dot(own.course);
   if (gap > REACH || ahead <= (gap < TOUCH ? -BESIDE : 0.0)) return false;
-  const bool retreats = time < its.retreat_until;
-  if (its.course.dot(own.course) < OPPOSITE) {
-    return retreats || priorityDirection(time).dot(its.course - own.course) > 0.0;
+  const bool is_opposite = its.course.dot(own.course) < OPPOSITE;
+  const bool forms_arch = !is_opposite && gap < TOUCH && isStuck(own, time) && isStuck(its, time);
+  if (own.cannot_walk_back != its.cannot_walk_back) return its.cannot_walk_back && (is_opposite || forms_arch);
+  if (is_opposite) {
+    return its.walks_back || priorityDirection(time).dot(its.course - own.course) > 0.0;
   }
-  const bool forms_arch = gap < TOUCH && ahead > 0.0 && isStuck(own, time) && isStuck(its, time);
-  return forms_arch && !retreats && its.remaining < own.remaining;
+  return forms_arch && ahead > 0.0 && !its.walks_back && its.remaining < own.remaining;
+}
+
+/// Returns unit vectors from an agent to the walls and agents that it touches.
+std::vector<Vector2> DeadlockResolver::contactsOf(const World& world, const Agent& agent) {
+  const Vector2& place = agent.pose.position;
+  std::vector<Vector2> contacts;
+  const auto add = [&](const Vector2& offset, double distance) {
+    const double length = offset.norm();
+    if (length > 0.0 && length < distance + CONTACT) contacts.emplace_back(offset / length);
+  };
+  isAnyNear(world, agent, CONTACT, [&](const Agent& other) {
+    if (other.id != agent.id) add(other.pose.position - place, agent.radius + other.radius);
+    return false;
+  });
+  std::vector<std::uint32_t> walls;
+  world.wallIndex().findNear(place, agent.radius + CONTACT, walls);
+  for (const std::uint32_t wall : walls) {
+    add(nearestPoint(world.wallIndex().walls()[wall], place) - place, agent.radius);
+  }
+  return contacts;
 }
 
 void DeadlockResolver::retreat(World& world, const Agent& agent) {
-  std::deque<Vector2>& trail = walks_[agent.id].trail;
-  while (trail.size() > 1 && (trail.back() - agent.pose.position).norm() < BACK) trail.pop_back();
-  world.setWaypoint(agent.id, trail.back());
-  const Vector2 back = trail.back() - agent.pose.position;
-  if (back.norm() > 0.0) walks_[agent.id].course = back.normalized();
+  Walk& walk = walks_[agent.id];
+  std::deque<Vector2>& trail = walk.trail;
+  const Vector2& place = agent.pose.position;
+  while (trail.size() > 1 && (trail.back() - place).norm() < BACK) trail.pop_back();
+  const Vector2 back = trail.back() - place;
+  if (back.norm() > 0.0) walk.course = back.normalized();
+  const std::optional<Vector2> slid = slideAlong(walk.course, contactsOf(world, agent));
+  world.setWaypoint(agent.id, slid ? Vector2(place + BACK * *slid) : trail.back());
 }
 
 }  // namespace crowd

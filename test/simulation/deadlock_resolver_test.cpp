@@ -31,6 +31,11 @@ class Crowd {
     update();
     for (const Agent& agent : world.agents()) trails[agent.id].push_back(agent.pose.position);
   }
+  /// Lets the agents stand still for a tick.
+  void stand() {
+    world.step({});
+    update();
+  }
   void update() {
     std::vector<RemainingPath> paths(world.agents().size());
     for (const Agent& agent : world.agents()) {
@@ -122,12 +127,32 @@ TEST(DeadlockResolver, AgentsBehindGiveWayToo) {
 /// Agents of the same direction that touch each other, as in front of a door: the one nearer to its goal goes first.
 TEST(DeadlockResolver, InAnArchTheAgentFartherFromItsGoalGivesWay) {
   Crowd crowd({walker({-0.9, 0.0}, {9.0, 0.0}), walker({-1.3, 0.0}, {9.0, 0.0})});
-  for (double time = 0.0; time < DeadlockResolver::STUCK_TIME + 2.0; time += 0.5) {
-    crowd.world.step({});  // both stand still
-    crowd.update();
-  }
+  while (!crowd.doesAnyGiveWay() && crowd.world.time() < 60.0) crowd.stand();
   EXPECT_FALSE(crowd.givesWay(0));
   EXPECT_TRUE(crowd.givesWay(1));
+}
+
+/// Two agents face each other and cannot move. The one that gives way first cannot walk back, so it has priority then.
+TEST(DeadlockResolver, AnAgentThatCannotWalkBackHasPriority) {
+  Crowd crowd({walker({-0.25, 0.0}, {9.0, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})});
+  while (!crowd.doesAnyGiveWay() && crowd.world.time() < 60.0) crowd.stand();
+  const AgentId first = crowd.givesWay(0) ? 0 : 1;
+  while (crowd.givesWay(first) && crowd.world.time() < 60.0) crowd.stand();
+  EXPECT_TRUE(crowd.givesWay(1 - first));
+  EXPECT_FALSE(crowd.givesWay(first));
+}
+
+/// A wall behind agent 0 runs from its upper left to its lower right and touches it. Its way back is (-1, 0); without
+/// the part towards the wall, (-1, -1) / sqrt(2), it is (-1, 1) / 2.
+TEST(DeadlockResolver, AnAgentSlidesAlongAWallThatItTouches) {
+  Crowd crowd({walker({-0.25, 0.0}, {9.0, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})});
+  const double across = 0.2 * std::sqrt(0.5);
+  const Vector2 touch(-0.25 - across, -across);
+  crowd.world.addWall({touch + Vector2(-0.3, 0.3), touch + Vector2(0.1, -0.1)});
+  while (!crowd.givesWay(0) && crowd.world.time() < 60.0) crowd.stand();
+  ASSERT_TRUE(crowd.givesWay(0));
+  const Vector2 back = crowd.world.agents()[0].waypoint - crowd.world.agents()[0].pose.position;
+  EXPECT_NEAR((back.normalized() - Vector2(-1.0, 1.0).normalized()).norm(), 0.0, 1e-9);
 }
 
 TEST(DeadlockResolver, AgentsThatWaitDoNotGiveWay) {

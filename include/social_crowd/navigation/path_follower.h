@@ -11,8 +11,9 @@ namespace crowd {
 /// @brief Leads one person to a goal: keeps the way, and returns the point to walk straight to, tick by tick.
 ///
 /// The way is found once. Whether the next corners can be seen is checked where that can have changed: when the person
-/// has left the straight line to its corner, or has moved near it. A person that was pushed to where it does not see
-/// its corner gets a new way. The points depend on the positions only.
+/// has left the straight line to its corner, or has moved near it, and from time to time. A person that was pushed to
+/// where it does not see its corner gets a new way; if the mesh has none from there, it keeps the old one. The points
+/// depend on the positions only.
 class PathFollower {
  public:
   enum class State {
@@ -39,7 +40,7 @@ class PathFollower {
   static constexpr double CHECK_DISTANCE = 0.25;  // walked, or away from the straight line [m]
   static constexpr double CORNER_DISTANCE = 1.5;  // from here on the corner after the next one may come into sight [m]
   static constexpr double REACHED = 0.1;          // distance at which a corner is reached [m]
-  static constexpr int RETRY_TICKS = 10;          // while the goal is unreachable
+  static constexpr int CHECK_TICKS = 10;          // it is checked after this time at the latest
 
   bool hasWay() const { return !corners_.empty(); }
   bool isAtLastCorner() const { return corner_ + 1 == corners_.size(); }

@@ -13,11 +13,17 @@ namespace crowd {
 /// depends only on the world and the earlier calls.
 ///
 /// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. It gives way to an agent ahead, or one that
-/// touches it, if that has priority. Of agents that walk in opposite directions, the one whose direction is nearer to
-/// an axis has priority; the axis is the same for all agents and turns every TURN_TIME. Of agents in the same direction
-/// that are both stuck and touch each other, as in an arch before a door, the one with the shorter remaining path has
-/// priority. An agent that gives way walks back along its own trail, and agents that it walks towards do the same.
-/// RETREAT_TIME is short, since agents that walk back are in the way of those behind them.
+/// touches it, if that has priority:
+/// - An agent that could not walk back at its last attempt has priority over one that could.
+/// - Of agents that walk in opposite directions, the one whose direction is nearer to an axis has priority; the axis is
+///   the same for all agents and turns every TURN_TIME.
+/// - Of agents in the same direction that are both stuck and touch each other, as in an arch before a door, the one
+/// with
+///   the shorter remaining path has priority.
+///
+/// An agent that gives way walks back along its own trail for RETREAT_TIME, and agents that it walks towards do the
+/// same. Where it touches walls or other agents, it slides along them. RETREAT_TIME is short, since agents that walk
+/// back are in the way of those behind them. Afterwards the agent walks on for WALK_TIME before it can be stuck again.
 ///
 /// Call contract: update() once per tick, after waypoints were set.
 class DeadlockResolver {
@@ -26,6 +32,7 @@ class DeadlockResolver {
   static constexpr double STUCK_TIME = 3.0;    ///< [s]
   static constexpr double TURN_TIME = 6.0;     ///< [s]
   static constexpr double RETREAT_TIME = 1.5;  ///< an agent walks back for this time [s]
+  static constexpr double WALK_TIME = 1.5;     ///< [s]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
   /// @param paths of all agents, by id; empty for those that have none
@@ -33,19 +40,27 @@ class DeadlockResolver {
 
  private:
   struct Walk {
-    std::deque<Vector2> trail;            // places at intervals, the latest one last [m]
-    Vector2 reference = Vector2::Zero();  // where it last made progress [m]
-    double progress_time = 0.0;           // when [s]
-    double remaining = 0.0;               // length of its path, while it is stuck [m]
-    double retreat_until = 0.0;           // [s]
-    Vector2 course = Vector2::UnitX();    // direction of its path, or back [unit vector]
+    std::deque<Vector2> trail;               // places at intervals, the latest one last [m]
+    Vector2 reference = Vector2::Zero();     // where it last made progress [m]
+    double progress_time = 0.0;              // when [s]
+    double remaining = 0.0;                  // length of its path, while it is stuck [m]
+    double retreat_until = 0.0;              // [s]
+    Vector2 retreat_from = Vector2::Zero();  // where its last retreat began [m]
+    bool walks_back = false;                 // in the tick before
+    bool cannot_walk_back = false;           // at its last attempt, and it has made no progress since
+    Vector2 course = Vector2::UnitX();       // direction of its path, or back [unit vector]
   };
 
   static bool isStuck(const Walk& walk, double time) { return time - walk.progress_time >= STUCK_TIME; }
-  void follow(const Agent& agent, double time);
+  void follow(const Agent& agent, const RemainingPath& path, double time);
+  void noteProgress(const Agent& agent, double time);
+  void startRetreat(const Agent& agent, double time);
   void sortByX(const World& world);
+  template <typename Test>
+  bool isAnyNear(const World& world, const Agent& agent, double distance, const Test& test);
   bool mustGiveWay(const World& world, const Agent& agent);
   bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
+  std::vector<Vector2> contactsOf(const World& world, const Agent& agent);
   void retreat(World& world, const Agent& agent);
 
   /// An agent that walks.
