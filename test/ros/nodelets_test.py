@@ -106,18 +106,17 @@ class DemoTest(NodeletTestCase):
     def test_learners_with_different_visions(self):
         """The learner of all agents has a vision of 1 m, another one without agents has 6 m."""
         self.load('learner', 'learner_a', q_table=support.NEAREST_TABLE)
+        statuses = self.listen('learner_status', LearnerStatus)
         self.load('learner', 'learner_b', q_table=support.ANTICIPATION_TABLE, agents=[99])
+        statuses.wait(lambda status: status.vision_radius > 6.0, 'of learner_b')
         perceptions = self.listen('perceptions', Perceptions)
         results = self.listen('episode_results', EpisodeResult)
-        controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=self.path('ros'), paused=True)
-        perceptions.wait_connected()
+        controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=self.path('ros'))
         results.wait_connected()
-        support.wait_for(lambda: self.step() and perceptions.messages and perceptions.messages[-1].vision_radius > 6.0,
-                         'perceptions with the vision of learner_b')
-        self.succeed('crowd_controller/pause', data=False)
         self.assertEqual(controller.wait(), 0)
         expected = self.headless(SCENARIO, episodes=EPISODES, seed=5)
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
+        self.assertGreater(perceptions.messages[-1].vision_radius, 6.0)
 
     def test_ticks_are_passed_by_pointer(self):
         """roscpp counts the bytes of serialised messages; there are none for pointers."""
