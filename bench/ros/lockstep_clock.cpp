@@ -43,8 +43,12 @@ class Scales {
     subscriber_ = node.subscribe<AnyMessage>(topic, 1, weigh);
   }
 
+  /// Executes ticks until a message arrives, as messages before the connection are lost.
   std::size_t weigh() const {
-    while (ros::ok() && bytes_ == 0) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+    while (ros::ok() && bytes_ == 0) {
+      walk(1);
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+    }
     return bytes_;
   }
 
@@ -64,7 +68,6 @@ void timeLockstep(unsigned warm_up, unsigned ticks) {
   // After the measurement, because further subscribers take time.
   const Scales perceptions(node, "perceptions");
   const Scales actions(node, "actions");
-  walk(1);
   std::cout << ticks / seconds << " " << perceptions.weigh() << " " << actions.weigh() << std::endl;
 }
 

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace crowd::simd::HWY_NAMESPACE {
 
 Kernels targetKernels() {
-  return {hwy::TargetName(HWY_TARGET), collectNearby, rankAscending, findNear,
+  return {hwy::TargetName(HWY_TARGET), collectNearby, isAnyNearby, rankAscending, findNear,
           accumulateTimeToCollision,   findRowNumbers};
 }
 

@@ -14,6 +14,7 @@ namespace crowd::simd {
 struct Kernels {
   const char* target;  ///< "reference", or Highway's name of the instruction set
   CollectNearby* collect_nearby;
+  IsAnyNearby* is_any_nearby;
   RankAscending* rank_ascending;
   FindNear* find_near;
   AccumulateTimeToCollision* accumulate_time_to_collision;

@@ -40,4 +40,7 @@ struct CollectedDiscs {
 using CollectNearby = std::size_t(const DiscArrays& arrays, DiscRange range, const Circle& circle, std::size_t count,
                                   const CollectedDiscs& collected);
 
+/// @brief Whether the rim of any disc of a range is within the circle.
+using IsAnyNearby = bool(const DiscArrays& arrays, DiscRange range, const Circle& circle);
+
 }  // namespace crowd::simd

@@ -49,9 +49,10 @@ HWY_INLINE void storeCompressed(D d, hn::Vec<D> lanes, std::uint8_t marks, hn::T
 }
 
 /// Compares one register of discs with a circle.
+template <std::size_t MAX_LANES>
 class NearbyDiscs {
  public:
-  using Tag = hn::CappedTag<double, MAX_DISC_LANES>;
+  using Tag = hn::CappedTag<double, MAX_LANES>;
   using Numbers = hn::Vec<Tag>;
   using Mask = hn::Mask<Tag>;
 
@@ -59,14 +60,14 @@ class NearbyDiscs {
       : arrays_(arrays), end_(range.end), except_(circle.except), x_(circle.x), y_(circle.y), radius_(circle.radius) {}
 
   /// Compares the discs from number `i` on. @return mask of those within the circle
-  HWY_INLINE Mask compare(std::size_t i, Numbers& squares, Numbers& radii) const {
+  HWY_INLINE Mask compare(std::size_t i, Numbers& squares, Numbers& radii, Numbers& limits) const {
     const Tag d;
     const hn::RebindToUnsigned<Tag> du;
     const auto dx = hn::Sub(hn::LoadU(d, arrays_.xs + i), hn::Set(d, x_));
     const auto dy = hn::Sub(hn::LoadU(d, arrays_.ys + i), hn::Set(d, y_));
     squares = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
     radii = hn::LoadU(d, arrays_.radii + i);
-    const auto limits = hn::Add(hn::Set(d, radius_), radii);
+    limits = hn::Add(hn::Set(d, radius_), radii);
     const auto neighbours = hn::PromoteTo(du, hn::LoadU(hn::Rebind<std::uint32_t, Tag>(), arrays_.neighbours + i));
     const auto others = hn::RebindMask(d, hn::Ne(neighbours, hn::Set(du, except_)));
     const auto near = hn::And(hn::Le(squares, hn::Mul(limits, limits)), hn::FirstN(d, end_ - i));
@@ -86,15 +87,17 @@ class NearbyDiscs {
 /// overwrites the others.
 inline std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, const Circle& circle, std::size_t count,
                                  const CollectedDiscs& collected) {
-  const NearbyDiscs::Tag d;
-  const hn::RebindToUnsigned<NearbyDiscs::Tag> du;
-  const NearbyDiscs discs(arrays, range, circle);
+  using Discs = NearbyDiscs<MAX_DISC_LANES>;
+  const Discs::Tag d;
+  const hn::RebindToUnsigned<Discs::Tag> du;
+  const Discs discs(arrays, range, circle);
   const auto step = hn::Set(du, hn::Lanes(d));
   auto places = hn::Add(hn::Set(du, range.begin), hn::Iota(du, 0));
   for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(d), places = hn::Add(places, step)) {
-    NearbyDiscs::Numbers squares;
-    NearbyDiscs::Numbers radii;
-    const auto near = discs.compare(i, squares, radii);
+    Discs::Numbers squares;
+    Discs::Numbers radii;
+    Discs::Numbers limits;
+    const auto near = discs.compare(i, squares, radii, limits);
     const auto rims = hn::Sub(hn::Sqrt(squares), radii);
     std::uint8_t marks[8] = {};  // NOLINT(cppcoreguidelines-avoid-c-arrays): maximum that is written
     hn::StoreMaskBits(d, near, marks);
@@ -103,6 +106,21 @@ inline std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, cons
     count += hwy::PopCount(marks[0]);
   }
   return count;
+}
+
+inline bool isAnyNearby(const DiscArrays& arrays, DiscRange range, const Circle& circle) {
+  using Discs = NearbyDiscs<8>;  // a run near an agent seldom contains more
+  const Discs::Tag d;
+  const Discs discs(arrays, range, circle);
+  auto any = hn::Zero(d);
+  for (std::size_t i = range.begin; i < range.end; i += hn::Lanes(d)) {
+    Discs::Numbers squares;
+    Discs::Numbers radii;
+    Discs::Numbers limits;
+    const auto near = discs.compare(i, squares, radii, limits);
+    any = hn::Or(any, hn::VecFromMask(d, hn::And(near, hn::Ge(limits, hn::Zero(d)))));
+  }
+  return !hn::AllFalse(d, hn::MaskFromVec(any));
 }
 
 }  // namespace crowd::simd::HWY_NAMESPACE

@@ -24,6 +24,17 @@ std::size_t collectNearby(const DiscArrays& arrays, DiscRange range, const Circl
   return count;
 }
 
+bool isAnyNearby(const DiscArrays& arrays, DiscRange range, const Circle& circle) {
+  bool any = false;
+  for (std::uint32_t i = range.begin; i < range.end; ++i) {
+    const double dx = arrays.xs[i] - circle.x;
+    const double dy = arrays.ys[i] - circle.y;
+    const double limit = circle.radius + arrays.radii[i];
+    any |= (limit >= 0.0) & (dx * dx + dy * dy <= limit * limit) & (arrays.neighbours[i] != circle.except);
+  }
+  return any;
+}
+
 std::uint32_t rankAscending(const double* numbers, std::size_t count, std::uint32_t* ranks) {
   std::uint32_t sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -110,7 +121,7 @@ void findRowNumbers(const ClassDigit* digits, std::size_t digit_count, LastDigit
 
 }  // namespace
 
-const Kernels REFERENCE = {"reference",   collectNearby, rankAscending, findNear, accumulateTimeToCollision,
-                           findRowNumbers};
+const Kernels REFERENCE = {
+    "reference", collectNearby, isAnyNearby, rankAscending, findNear, accumulateTimeToCollision, findRowNumbers};
 
 }  // namespace crowd::simd

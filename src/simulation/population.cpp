@@ -182,7 +182,7 @@ void Population::spawn(World& world, EpisodeMonitor& monitor) {
   }
 }
 
-void Population::update(World& world, EpisodeMonitor& monitor) {
+void Population::updateAll(World& world, EpisodeMonitor& monitor) {
   const auto is_gone = [&](const Member& member) {
     if (world.isActive(member.id)) return false;
     for (Queue& queue : queues_) queue.leave(member.id);

@@ -2,23 +2,12 @@
 
 #include <algorithm>
 
-#include "simd/nearby_discs.h"
+#include "simd/kernels.h"
 
 namespace crowd {
 namespace {
 
 static_assert(NeighbourGrid::PADDING >= simd::DiscArrays::PADDING, "kernels read beyond the last disc");
-
-/// Whether a run contains a disc of a body other than `except` whose rim is within `distance` [m] of the point.
-bool isAnyInRun(const NeighbourGrid& grid, const NeighbourGrid::Run& run, const Vector2& point, double distance,
-                std::uint32_t except) {
-  bool any = false;
-  for (std::uint32_t i = run.begin; i < run.end; ++i) {
-    const double limit = distance + grid.radius(i);
-    any |= (limit >= 0.0) & ((grid.centre(i) - point).squaredNorm() <= limit * limit) & (grid.body(i) != except);
-  }
-  return any;
-}
 
 }  // namespace
 
@@ -115,9 +104,15 @@ void NeighbourGrid::findNear(const Vector2& point, double distance, std::vector<
 }
 
 bool NeighbourGrid::isAnyInRuns(const Vector2& point, double distance, std::uint32_t except) const {
-  if (isList()) return isAnyInRun(*this, all(), point, distance, except);
+  const simd::DiscArrays arrays{xs(), ys(), radii(), bodies()};
+  const simd::Circle circle{point.x(), point.y(), distance, except};
+  simd::IsAnyNearby* const is_any_nearby = simd::kernels().is_any_nearby;
+  if (isList()) return is_any_nearby(arrays, {0, all().end}, circle);
   const Cells cells = cellsNear(point, distance);
-  const auto search = [&](std::int64_t row) { return isAnyInRun(*this, runOf(cells, row), point, distance, except); };
+  const auto search = [&](std::int64_t row) {
+    const Run run = runOf(cells, row);
+    return is_any_nearby(arrays, {run.begin, run.end}, circle);
+  };
   // Nearly always one or two rows. Both are always searched, because a branch would be mispredicted half of the time.
   const bool at_bottom = search(cells.bottom);
   bool any = search(cells.top) || at_bottom;

@@ -174,7 +174,7 @@ void WallIndex::findNear(const Vector2& point, double distance, std::vector<std:
   found.erase(std::unique(begin, found.end()), found.end());
 }
 
-bool WallIndex::isAnyWithin(const Vector2& point, double distance) const {
+bool WallIndex::isAnyOfWallsWithin(const Vector2& point, double distance) const {
   if (!(distance >= 0.0)) return false;
   const double limit = distance * distance;
   return isAnyNear(point, distance, [&](std::uint32_t wall) { return isWithin(limit, walls_[wall], point); });

@@ -10,12 +10,15 @@
 namespace crowd {
 namespace {
 
-void requireValid(const AgentAction& given) {
+[[noreturn]] void refuse(const AgentAction& given) {
   const RelativeAction& action = given.action;
-  if (action.isValid()) return;
   throw InputError("agent " + std::to_string(given.agent) +
                    ": expected a finite rotation and a fraction of the maximum speed from 0 to 1, got rotation " +
                    toText(action.rotation) + " and share " + toText(action.speed_fraction));
+}
+
+inline void requireValid(const AgentAction& given) {
+  if (!given.action.isValid()) refuse(given);
 }
 
 }  // namespace

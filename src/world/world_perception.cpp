@@ -120,19 +120,32 @@ inline void World::perceiveSelf(const Agent& agent, const Rotation& frame, Agent
 
 inline void World::writeNeighbours(const Span<NearDisc>& found, const Agent& agent, std::size_t first,
                                    NeighbourList& neighbours) const {
-  const Vector2& place = agent.pose.position;
-  const Vector2& ahead = agent.ahead;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::uint32_t disc = found[i].disc;
-    const NeighbourGrid::Motion& motion = grid_.motions()[disc];
+  // Copies, because the compiler must assume that each store changes what references and members refer to.
+  const Vector2 place = agent.pose.position;
+  const Vector2 ahead = agent.ahead;
+  const NeighbourGrid::Motion* const motions = grid_.motions();
+  const double* const disc_radii = grid_.radii();
+  const std::uint32_t* const bodies = grid_.bodies();
+  const NearDisc* const discs = found.begin();
+  const std::size_t count = found.size();
+  const std::size_t agents = agents_.size();
+  double* const xs = neighbours.xs() + first;
+  double* const ys = neighbours.ys() + first;
+  double* const vxs = neighbours.vxs() + first;
+  double* const vys = neighbours.vys() + first;
+  double* const radii = neighbours.radii() + first;
+  NeighbourKind* const kinds = neighbours.kinds() + first;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t disc = discs[i].disc;
+    const NeighbourGrid::Motion motion = motions[disc];
     const double dx = motion.x - place.x();
     const double dy = motion.y - place.y();
-    neighbours.xs()[first + i] = dx * ahead.x() + dy * ahead.y();
-    neighbours.ys()[first + i] = dy * ahead.x() - dx * ahead.y();
-    neighbours.vxs()[first + i] = motion.vx * ahead.x() + motion.vy * ahead.y();
-    neighbours.vys()[first + i] = motion.vy * ahead.x() - motion.vx * ahead.y();
-    neighbours.radii()[first + i] = grid_.radius(disc);
-    neighbours.kinds()[first + i] = grid_.body(disc) < agents_.size() ? NeighbourKind::AGENT : NeighbourKind::OBSTACLE;
+    xs[i] = dx * ahead.x() + dy * ahead.y();
+    ys[i] = dy * ahead.x() - dx * ahead.y();
+    vxs[i] = motion.vx * ahead.x() + motion.vy * ahead.y();
+    vys[i] = motion.vy * ahead.x() - motion.vx * ahead.y();
+    radii[i] = disc_radii[disc];
+    kinds[i] = bodies[disc] < agents ? NeighbourKind::AGENT : NeighbourKind::OBSTACLE;
   }
 }
 

@@ -7,15 +7,15 @@ import rosgraph
 import rospy
 import support
 from learning_files import QTableFile, config_text
-from roslib.packages import find_node
 from social_crowd.msg import AgentStates, EpisodeResult, LearnerStatus, Perceptions
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 12  # so that each of the six documents is walked twice
-NODELET = ['rosrun', 'nodelet', 'nodelet']
-PRELOAD = os.environ.get('CROWD_NODELET_PRELOAD')  # see scripts/test --sanitizer
+LOADER = ['rosrun', 'nodelet', 'nodelet']
+# The program that runs nodelets; scripts/test --sanitizer replaces ROS's.
+NODELET = [os.environ['CROWD_NODELET']] if 'CROWD_NODELET' in os.environ else LOADER
 
 
 def children(message):
@@ -28,16 +28,14 @@ class NodeletTestCase(support.CrowdTestCase):
 
     def setUp(self):
         super().setUp()
-        program = find_node('nodelet', 'nodelet')[:1] if PRELOAD else NODELET
-        self.manager = self.start('manager', program + ['manager', '__name:=manager'],
-                                  {'LD_PRELOAD': PRELOAD} if PRELOAD else None)
+        self.manager = self.start('manager', NODELET + ['manager', '__name:=manager'])
 
     def load(self, kind, name='', **parameters):
         """Starts the process that loads a nodelet, and unloads it when it ends."""
         name = name or kind
         for key, value in parameters.items():
             rospy.set_param(f'{self.namespace}/{name}/{key}', value)
-        return self.start(f'load_{name}', NODELET + ['load', f'social_crowd/{kind}', 'manager', f'__name:={name}'])
+        return self.start(f'load_{name}', LOADER + ['load', f'social_crowd/{kind}', 'manager', f'__name:={name}'])
 
     def load_controller(self, scenario=SCENARIO, **parameters):
         """Loads a controller with long deadlines."""
@@ -108,7 +106,9 @@ class DemoTest(NodeletTestCase):
     def test_learners_with_different_visions(self):
         """The learner of all agents has a vision of 1 m, another one without agents has 6 m."""
         self.load('learner', 'learner_a', q_table=support.NEAREST_TABLE)
+        statuses = self.listen('learner_status', LearnerStatus)
         self.load('learner', 'learner_b', q_table=support.ANTICIPATION_TABLE, agents=[99])
+        statuses.wait(lambda status: status.vision_radius > 6.0, 'of learner_b')
         perceptions = self.listen('perceptions', Perceptions)
         results = self.listen('episode_results', EpisodeResult)
         controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=self.path('ros'))
@@ -176,6 +176,7 @@ class LoadingTest(NodeletTestCase):
     def test_learner_is_unloaded_and_loaded_again(self):
         agents = self.listen('agents', AgentStates)
         learner = self.load('learner', q_table=support.NEAREST_TABLE)
+        self.wait_loaded('learner')
         self.load_controller(support.CIRCLE6, paused=True)
         agents.wait_connected()
         self.step(3)

@@ -102,5 +102,49 @@ TEST(CollectNearby, IsEqualOnEveryTarget) {
   }
 }
 
+TEST(IsAnyNearby, ComparesDistancesToRims) {
+  Discs discs(2);
+  discs.xs = {3.0, 1.0};
+  discs.ys = {4.0, 0.0};
+  discs.radii = {0.5, 0.25};
+  discs.bodies = {7, 8};
+  for (auto* list : {&discs.xs, &discs.ys, &discs.radii}) list->resize(2 + DiscArrays::PADDING);  // at the centre
+  discs.bodies.resize(2 + DiscArrays::PADDING, 9);
+  for (const Kernels& kernels : availableKernels()) {
+    SCOPED_TRACE(kernels.target);
+    const auto is_any = [&](DiscRange range, double radius, std::uint32_t except) {
+      return kernels.is_any_nearby(discs.arrays(), range, {0.0, 0.0, radius, except});
+    };
+    EXPECT_TRUE(is_any({0, 2}, 0.75, NO_BODY));
+    EXPECT_FALSE(is_any({0, 2}, 0.7, NO_BODY));
+    EXPECT_FALSE(is_any({0, 2}, 4.0, 8));
+    EXPECT_TRUE(is_any({0, 1}, 4.5, 8));
+    EXPECT_FALSE(is_any({1, 1}, 9.0, NO_BODY));
+    discs.xs[1] = 0.0;
+    EXPECT_TRUE(is_any({1, 2}, -0.25, NO_BODY));
+    EXPECT_FALSE(is_any({1, 2}, -0.5, NO_BODY));  // the sum of both radii is negative
+    discs.xs[1] = 1.0;
+  }
+}
+
+TEST(IsAnyNearby, IsEqualOnEveryTarget) {
+  std::size_t found = 0;
+  for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    const Circle circle{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.5, 2.0),
+                        random.below(2) == 0 ? NO_BODY : random.below(20)};
+    const Discs discs = anyDiscs(random, circle);
+    const std::uint32_t begin = random.below(static_cast<std::uint32_t>(discs.size()) + 1);
+    const DiscRange range{begin, begin + random.below(static_cast<std::uint32_t>(discs.size()) - begin + 1)};
+    const bool expected = REFERENCE.is_any_nearby(discs.arrays(), range, circle);
+    found += expected ? 1 : 0;
+    for (const Kernels& kernels : availableKernels()) {
+      ASSERT_EQ(kernels.is_any_nearby(discs.arrays(), range, circle), expected) << kernels.target << ", seed " << seed;
+    }
+  }
+  EXPECT_GT(found, 500U);
+  EXPECT_LT(found, 4500U);
+}
+
 }  // namespace
 }  // namespace crowd::simd

@@ -30,7 +30,9 @@ class Population {
   static void chooseFirstGoals(Scene& scene);
 
   void begin(World& world, EpisodeMonitor& monitor);
-  void update(World& world, EpisodeMonitor& monitor);
+  void update(World& world, EpisodeMonitor& monitor) {
+    if (!isEmpty()) updateAll(world, monitor);
+  }
   /// @brief Whether a source has agents left.
   bool expectsAgents() const;
 
@@ -59,6 +61,9 @@ class Population {
     std::size_t sink = 0;  // of the present leg
   };
 
+  /// Whether there is nothing to update, as in scenes of agents with goals alone.
+  bool isEmpty() const { return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty(); }
+  void updateAll(World& world, EpisodeMonitor& monitor);
   KeyedRandom randomOfRoute(AgentId id, std::uint64_t tick) const;
   Member* find(AgentId id);
   /// Adds an agent that has just appeared.

@@ -30,7 +30,9 @@ class WallIndex {
   void findNear(const Vector2& point, double distance, std::vector<std::uint32_t>& found) const;
 
   /// @brief Whether any wall is at most `distance` [m] from the point.
-  bool isAnyWithin(const Vector2& point, double distance) const;
+  bool isAnyWithin(const Vector2& point, double distance) const {
+    return !walls_.empty() && isAnyOfWallsWithin(point, distance);
+  }
 
   /// @brief Distance from the point to the nearest wall [m], or `limit` if that is less; `limit` may be infinite.
   double nearestDistance(const Vector2& point, double limit) const;
@@ -53,6 +55,7 @@ class WallIndex {
   };
 
   bool isList() const { return walls_.size() <= FEW; }
+  bool isAnyOfWallsWithin(const Vector2& point, double distance) const;
   void layOut();
   void fillCells();
   /// The number of pairs of a wall and a cell that it crosses.

@@ -9,15 +9,25 @@
 namespace crowd {
 namespace {
 
+/// Upper bound of the relative rounding errors of squares and roots.
+constexpr double ROUNDING = 1e-12;
+
 bool touchesAny(const NeighbourSpan& neighbours, double radius) {
   const double* const xs = neighbours.xs();
   const double* const ys = neighbours.ys();
   const double* const radii = neighbours.radii();
-  std::int64_t touches = 0;
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    touches |= std::sqrt(xs[i] * xs[i] + ys[i] * ys[i]) < radius + radii[i] ? 1 : 0;
+  const std::size_t count = neighbours.size();
+  const auto square = [&](std::size_t i) { return xs[i] * xs[i] + ys[i] * ys[i]; };
+  // Contacts are rare: squares tell first whether there can be any, as roots take most of the time.
+  bool may_touch = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double reach = radius + radii[i];
+    may_touch |= square(i) <= reach * reach * (1.0 + ROUNDING);
   }
-  return touches != 0;
+  for (std::size_t i = 0; may_touch && i < count; ++i) {
+    if (std::sqrt(square(i)) < radius + radii[i]) return true;
+  }
+  return false;
 }
 
 }  // namespace

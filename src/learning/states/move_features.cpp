@@ -22,20 +22,30 @@ struct Course {
 };
 
 /// Writes the velocities of the moves; zero for a move with an admissible fraction below min_fraction.
+/// @details One short loop per step: the compiler vectorises these, but not one loop with all steps.
 /// @param walking whether the agent moved in the last tick; if not, no move is a turn
-void findCandidates(const MoveBlock& moves, float min_fraction, float max_speed, bool walking,
+void findCandidates(const MoveBlock& __restrict moves, float min_fraction, float max_speed, bool walking,
                     MoveFeatures& __restrict features, CandidateVelocities& __restrict candidates) {
+  // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init): written below
+  Lanes x;
+  Lanes speed;
+  Lanes share;
+  // NOLINTEND(cppcoreguidelines-pro-type-member-init)
+  Lanes& left = features.admissible_fractions;
+  for (std::size_t i = 0; i < LANES; ++i) x[i] = static_cast<float>(moves.x[i]);
+  for (std::size_t i = 0; i < LANES; ++i) speed[i] = static_cast<float>(moves.wanted[i]);
+  for (std::size_t i = 0; i < LANES; ++i) share[i] = static_cast<float>(moves.fraction[i]);
   for (std::size_t i = 0; i < LANES; ++i) {
-    const auto x = static_cast<float>(moves.x[i]);
-    const auto y = static_cast<float>(moves.y[i]);
-    const auto wanted = static_cast<float>(moves.wanted[i]);
-    const float fraction = static_cast<float>(moves.fraction[i]) / wanted;
-    const float left = wanted > 0.0F ? fraction : 1.0F;
-    const float walking_speed = left < min_fraction ? 0.0F : wanted * max_speed;
-    features.admissible_fractions[i] = left;
-    features.turn_cosines[i] = walking ? x : 1.0F;
-    candidates.xs[i] = walking_speed * x;
-    candidates.ys[i] = walking_speed * y;
+    const float quotient = share[i] / speed[i];
+    left[i] = speed[i] > 0.0F ? quotient : 1.0F;
+  }
+  for (std::size_t i = 0; i < LANES; ++i) speed[i] = left[i] < min_fraction ? 0.0F : speed[i] * max_speed;
+  for (std::size_t i = 0; i < LANES; ++i) candidates.xs[i] = speed[i] * x[i];
+  for (std::size_t i = 0; i < LANES; ++i) candidates.ys[i] = speed[i] * static_cast<float>(moves.y[i]);
+  if (walking) {
+    features.turn_cosines = x;
+  } else {
+    features.turn_cosines.fill(1.0F);
   }
 }
 
