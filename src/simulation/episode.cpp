@@ -88,8 +88,16 @@ bool Episode::findTurn() {
 }
 
 bool Episode::isOver() const {
-  const bool is_empty = world_.activeCount() == 0 && !population_.expectsAgents();
-  return is_empty || world_.tick() >= scene_.max_ticks;
+  if (world_.tick() >= scene_.max_ticks) return true;
+  const bool crowd_is_done = world_.activeCount() == 0 && !population_.expectsAgents();
+  if (world_.robots().empty()) return crowd_is_done;
+  bool has_goal = false;
+  for (const Robot& robot : world_.robots()) {
+    if (robot.hasGoal() && !robot.hasArrived()) return false;
+    has_goal = has_goal || robot.hasGoal();
+  }
+  if (scene_.ends == Ends::ROBOTS) return has_goal;
+  return crowd_is_done && (has_goal || !world_.agents().empty());
 }
 
 EpisodeResult Episode::result() const {
@@ -187,6 +195,11 @@ void Episode::teleport(AgentId id, const Pose& pose) {
     way_lengths_.requireWay("agent " + std::to_string(id), world_, pose.position, agent.goal(), agent.radius);
   }
   world_.teleport(id, pose);
+  noteChange();
+}
+
+void Episode::teleportRobot(RobotId id, const Pose& pose) {
+  world_.teleportRobot(id, pose);
   noteChange();
 }
 

@@ -28,6 +28,7 @@ World::World(const Scene& scene)
       obstacles_(scene.obstacles) {
   replaceWalls(scene.walls);
   for (const AgentStart& start : scene.agents) addAgent(start);
+  for (const RobotStart& start : scene.robots) addRobot(start);
   refresh();
 }
 
@@ -94,6 +95,7 @@ void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_poo
         }
       },
       ThreadPool::FEW_SHORT_ITEMS);
+  beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
   finishTick(thread_pool);
 }
@@ -117,11 +119,13 @@ void World::endTick(ThreadPool& thread_pool) {
     if (!had_turn_[agent.id]) beginMove(agent, nullptr);
   }
   had_turn_.assign(agents_.size(), false);
+  beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([&](std::size_t body) { return body >= agents_.size(); });
   finishTick(thread_pool);
 }
 
 void World::finishTick(ThreadPool& thread_pool) {
+  moveRobots();
   ++tick_;
   moveObstacles();
   updateGrid();
@@ -135,6 +139,7 @@ void World::finishTick(ThreadPool& thread_pool) {
         if (arrivals > 0) arrived += arrivals;
       },
       ThreadPool::FEW_SHORT_ITEMS);
+  endRobotMoves();
   just_arrived_count_ = arrived;
   if (just_arrived_count_ == 0) return;
   active_count_ -= just_arrived_count_;

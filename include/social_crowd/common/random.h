@@ -19,7 +19,10 @@ class KeyedRandom {
     SCENARIO_CHOICE = 3,
     TIES = 4,
     CONTENT = 5,
-    POPULATION = 6
+    POPULATION = 6,
+    ROBOT_PLACEMENT = 7,
+    SENSOR = 8,
+    ODOMETRY = 9
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

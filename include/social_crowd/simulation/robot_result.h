@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace crowd {
+
+/// @brief Results of a robot in an episode.
+struct RobotResult {
+  std::string name;
+};
+
+}  // namespace crowd
