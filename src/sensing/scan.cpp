@@ -1,18 +1,10 @@
 #include "social_crowd/sensing/scan.h"
 
-#include <cmath>
-
 namespace crowd {
 namespace {
 
 constexpr float INFINITE = std::numeric_limits<float>::infinity();
 constexpr double FULL_CIRCLE_TOLERANCE = 1e-9;  // [rad]
-
-/// A normally distributed number (Box and Muller 1958).
-double normal(KeyedRandom& random) {
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
-  return radius * std::cos(2.0 * PI * random.uniform());
-}
 
 float toRange(double distance, const ScanSpec& spec) {
   if (distance < spec.min_range) return -INFINITE;
@@ -36,7 +28,7 @@ void writeRanges(const Scan& scan, const ScanSpec& spec, const KeyedRandom& key,
     bool drops_out = false;
     if (is_random) {
       KeyedRandom random = key.with(i);
-      distance += spec.noise * normal(random);
+      distance += spec.noise * random.normal();
       drops_out = random.uniform() < spec.dropout;
     }
     ranges[i] = drops_out ? std::numeric_limits<float>::quiet_NaN() : toRange(distance, spec);

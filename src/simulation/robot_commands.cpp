@@ -10,10 +10,11 @@ namespace crowd {
 
 std::uint64_t RobotCommands::ticksOf(double seconds) const {
   constexpr double TOLERANCE = 1e-9;  // [ticks], against rounding
-  return static_cast<std::uint64_t>(std::max(0.0, std::ceil(seconds / settings_.tick_duration - TOLERANCE)));
+  return static_cast<std::uint64_t>(std::max(0.0, std::ceil(seconds / tick_duration_ - TOLERANCE)));
 }
 
-void RobotCommands::begin(const std::vector<double>& timeouts) {
+void RobotCommands::begin(const std::vector<double>& timeouts, double tick_duration) {
+  tick_duration_ = tick_duration;
   const bool are_known = timeouts.size() == records_.size();
   std::vector<Record> records(timeouts.size());
   for (std::size_t i = 0; i < records.size(); ++i) {

@@ -19,12 +19,11 @@ Twist forward(double speed) { return {{speed, 0.0}, 0.0}; }
 /// Commands of robots with a timeout of 0.5 s, in ticks of 0.1 s.
 RobotCommands makeCommands(bool lockstep = false, std::size_t robots = 1, double period = 0.0) {
   CommandSettings settings;
-  settings.tick_duration = 0.1;
   settings.lockstep = lockstep;
   settings.period = period;
   settings.misses_until_absent = 2;
   RobotCommands commands(settings);
-  commands.begin(std::vector<double>(robots, 0.5));
+  commands.begin(std::vector<double>(robots, 0.5), 0.1);
   return commands;
 }
 
@@ -49,7 +48,7 @@ TEST(RobotCommands, ATimeoutOfSomeTicksIsExact) {
   for (int ticks = 1; ticks < 100; ++ticks) {
     SCOPED_TRACE(ticks);
     RobotCommands commands = makeCommands();
-    commands.begin({0.1 * ticks});
+    commands.begin({0.1 * ticks}, 0.1);
     commands.take(0, forward(1.0), JOYSTICK, 0);
     EXPECT_EQ(commands.commandFor(0, static_cast<std::uint64_t>(ticks) - 1).linear.x(), 1.0);
     EXPECT_EQ(commands.commandFor(0, static_cast<std::uint64_t>(ticks)).linear.x(), 0.0);
@@ -133,12 +132,12 @@ TEST(RobotCommands, ASlowControllerIsAwaitedOncePerPeriod) {
 TEST(RobotCommands, AnEpisodeForgetsCommandsAndKeepsWhoIsAwaited) {
   RobotCommands commands = makeCommands(true);
   commands.take(0, forward(1.0), JOYSTICK, 0);
-  commands.begin({0.5});
+  commands.begin({0.5}, 0.1);
   EXPECT_EQ(speeds(commands, 0, 1), (std::vector<double>{0.0}));
   EXPECT_EQ(commands.countsOf(0).taken, 0U);
   EXPECT_TRUE(commands.isAwaited(0, 0));
   EXPECT_FALSE(commands.take(0, forward(1.0), PLANNER, 0));
-  commands.begin({0.5, 0.5});  // other robots
+  commands.begin({0.5, 0.5}, 0.1);  // other robots
   EXPECT_FALSE(commands.isAnyAwaited(0));
 }
 

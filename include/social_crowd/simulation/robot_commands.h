@@ -30,7 +30,6 @@ struct CommandCounts {
 
 /// @brief Settings of RobotCommands.
 struct CommandSettings {
-  double tick_duration = 0.0;   ///< [s]
   bool lockstep = false;        ///< commands are awaited
   double period = 0.0;          ///< simulated time between two awaited commands [s]; 0: every tick
   int misses_until_absent = 3;  ///< consecutive missed commands until a robot is not awaited any more
@@ -48,8 +47,8 @@ class RobotCommands {
   explicit RobotCommands(const CommandSettings& settings) : settings_(settings) {}
 
   /// @brief Begins an episode: forgets all commands and counts. With the same number of robots, those that were awaited
-  /// remain so. @param timeouts of the commands, by robot [s]
-  void begin(const std::vector<double>& timeouts);
+  /// remain so. @param timeouts of the commands, by robot [s] @param tick_duration [s]
+  void begin(const std::vector<double>& timeouts, double tick_duration);
 
   /// @brief Accepts a command for a tick, or says why it is refused. @throws InputError if there is no such robot
   std::optional<CommandRefusal> take(RobotId robot, const Twist& command, PublisherId publisher, std::uint64_t tick);
@@ -86,6 +85,7 @@ class RobotCommands {
   static bool isHeld(const Record& record, std::uint64_t tick);
 
   CommandSettings settings_;
+  double tick_duration_ = 1.0;   // [s]
   std::vector<Record> records_;  // by robot
 };
 
