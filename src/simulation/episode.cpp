@@ -23,6 +23,7 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
       vision_(vision),
       thread_pool_(&thread_pool),
       monitor_(scene_, world_),
+      robot_monitor_(world_),
       population_(scene_),
       way_finder_(scene_),
       way_lengths_(scene_),
@@ -77,6 +78,7 @@ bool Episode::step(const std::vector<AgentAction>& actions) {
 bool Episode::endTick() {
   population_.update(world_, monitor_);
   monitor_.observe(world_, *thread_pool_);
+  robot_monitor_.observe(world_);
   noteChange();
   return true;
 }
@@ -102,6 +104,7 @@ bool Episode::isOver() const {
 
 EpisodeResult Episode::result() const {
   EpisodeResult result = monitor_.result();
+  result.robots = robot_monitor_.results();
   result.way_finding_problem = way_finding_problem_;
   for (std::size_t i = 0; findsWays() && i < result.agents.size(); ++i) {
     const auto id = static_cast<AgentId>(i);

@@ -4,6 +4,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/world/protective_stop.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
@@ -30,6 +31,7 @@ void World::addRobot(const RobotStart& start) {
   robot.goals = start.goals;
   robot.perceived_radius = start.footprint.reach() + deviation(start.limits, tick_duration_);
   robot_places_.emplace_back();
+  robot_contacts_.emplace_back();
 }
 
 Robot& World::findRobot(RobotId id) {
@@ -69,7 +71,8 @@ void World::setRobotGoals(RobotId id, std::vector<Vector2> goals) {
 void World::teleportRobot(RobotId id, const Pose& pose) {
   Robot& robot = findRobot(id);
   requireFinite(pose);
-  requireFreePlace(pose.position, robot.start.footprint.reach(), false);
+  const std::string blocker = findBlocker(pose.position, robot.start.footprint.reach(), false, std::nullopt, id);
+  if (!blocker.empty()) throw InputError("the place is taken by " + blocker);
   robot.pose = {pose.position, wrapAngle(pose.heading)};
   robot.twist = Twist();
   robot.velocity = Vector2::Zero();
@@ -77,28 +80,60 @@ void World::teleportRobot(RobotId id, const Pose& pose) {
 }
 
 void World::beginRobotMoves() {
-  for (Robot& robot : robots_) {
+  robot_sweeps_.clear();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Robot& robot = robots_[i];
     robot.blocked = false;
     robot.jumped = false;
-    robot.twist = limitTwist(robot.start.drive, robot.start.limits, robot.twist, robot.target, tick_duration_);
+    const Footprint& footprint = robot.start.footprint;
+    if (robot.start.drive != Drive::EXTERNAL) {
+      const Yields yields = robot.start.yields;
+      const bool can_yield = yields == Yields::ROBOT || yields == Yields::BOTH;
+      const Twist wanted = can_yield ? protectiveTwist(robot, *this) : robot.target;
+      robot.twist = limitTwist(robot.start.drive, robot.start.limits, robot.twist, wanted, tick_duration_);
+      robot_sweeps_.emplace_back(footprint, robot.pose, robot.twist, tick_duration_);
+      continue;
+    }
+    robot.velocity = Vector2::Zero();
+    const Pose from = robot.pose;
+    if (const auto place = std::exchange(robot_places_[i], std::nullopt)) {
+      robot.pose = place->pose;
+      robot.jumped = place->jump;
+      if (!place->jump) robot.velocity = place->velocity;
+    }
+    robot_sweeps_.emplace_back(footprint, robot.jumped ? robot.pose : from, robot.pose);
+  }
+}
+
+void World::holdRobots() {
+  robot_sweeps_.clear();
+  for (const Robot& robot : robots_) {
+    robot_sweeps_.emplace_back(robot.start.footprint, robot.pose, Twist(), tick_duration_);
+  }
+}
+
+void World::addRobotDiscs() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const RobotSweep& sweep = robot_sweeps_[i];
+    const bool can_stop = robots_[i].start.drive != Drive::EXTERNAL;
+    discs_.push_back({sweep.at(0.0).position, Vector2::Zero(), sweep.footprint().reach(), can_stop, &sweep});
   }
 }
 
 void World::moveRobots() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
-    if (robot.start.drive != Drive::EXTERNAL) {
-      robot.pose = drivePose(robot.pose, robot.twist, tick_duration_);
-      robot.velocity = Rotation(robot.pose.heading).outOfFrame(robot.twist.linear);
+    robot.contacts.swap(robot_contacts_[i]);
+    robot_contacts_[i].clear();
+    if (robot.start.drive == Drive::EXTERNAL) {
+      robot.twist = {Rotation(robot.pose.heading).intoFrame(robot.velocity), 0.0};
       continue;
     }
-    robot.velocity = Vector2::Zero();
-    if (const auto place = std::exchange(robot_places_[i], std::nullopt)) {
-      robot.pose = place->pose;
-      robot.jumped = place->jump;
-      if (!place->jump) robot.velocity = place->velocity;
-    }
-    robot.twist = {Rotation(robot.pose.heading).intoFrame(robot.velocity), 0.0};
+    const RobotSweep& sweep = robot_sweeps_[i];
+    robot.pose = sweep.at(1.0);
+    robot.blocked = sweep.stoppedAt() < 1.0 && sweep.pointSpeed() > 0.0;
+    if (sweep.stoppedAt() < 1.0) robot.twist = Twist();
+    robot.velocity = Rotation(robot.pose.heading).outOfFrame(robot.twist.linear);
   }
 }
 

@@ -112,6 +112,7 @@ class Episode {
   Vision vision_;
   ThreadPool* thread_pool_;
   EpisodeMonitor monitor_;
+  RobotMonitor robot_monitor_;
   Population population_;
   WayFinder way_finder_;
   WayLengths way_lengths_;  // for changes by users, which do not affect the ways of the population if they are refused

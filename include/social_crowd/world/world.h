@@ -32,6 +32,7 @@ constexpr double CONTACT_OVERLAP = 1e-3;
 /// is in contact if it overlaps something by more than CONTACT_OVERLAP. In a solid world bodies stop where they touch
 /// (SolidMotion); then an agent is also in contact if it took part in an impact during the tick. An agent is in
 /// collision if the rim of another body, or a wall, is within the scene's collision radius of its centre (thesis, 4.1).
+/// Robots are bodies in this sense, but not in the grid: there are few, and they are not always perceived as they are.
 ///
 /// Not thread-safe, except that any number of threads may call perceiveSome() while no thread changes the world.
 class World {
@@ -80,6 +81,7 @@ class World {
     std::vector<Neighbour> neighbours;      ///< the visible ones
     std::vector<Segment> walls;             ///< of all agents so far
     std::vector<std::uint32_t> near_walls;  ///< of one agent
+    std::vector<NearDisc> near_discs;       ///< of one agent: bodies of the grid and robots
   };
 
   /// @brief Number of bodies in the grid: agents on their way and obstacles.
@@ -126,7 +128,7 @@ class World {
   /// @brief Moves an agent to another place at once. @param pose in `map` @throws InputError unless it is on its way
   /// and the place is free; the world is unchanged then.
   void teleport(AgentId id, const Pose& pose);
-  /// @brief Whether a disc at this place [m], `map`, would overlap no agent, obstacle or wall.
+  /// @brief Whether a disc at this place [m], `map`, would overlap no agent, robot, obstacle or wall.
   bool isFree(const Vector2& centre, double radius) const;
   /// @brief Adds an obstacle, whose path begins now, and returns its index. @param position [m], `map`
   /// @param velocity [m/s], `map` @param radius [m] @throws InputError if a number is invalid or it overlaps an agent.
@@ -197,6 +199,11 @@ class World {
   void perceiveOne(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
                    AgentPerception& self, Perceptions& perceptions) const;
   void perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
+  /// Adds the robots that the agent perceives to the bodies found by the search, nearest rim first. Robot i has the
+  /// number grid_.size() + i.
+  Span<NearDisc> withRobots(const Span<NearDisc>& found, const Vision& vision, std::size_t max_count,
+                            const Vector2& place, PerceptionWorkspace& workspace) const;
+  static Neighbour seenRobot(const Robot& robot, const Agent& agent);
   /// Writes the bodies found by the search in the agent's frame.
   void writeNeighbours(const Span<NearDisc>& found, const Agent& agent, std::size_t first,
                        NeighbourList& neighbours) const;
@@ -206,16 +213,28 @@ class World {
   void addAgent(const AgentStart& start);
   void addRobot(const RobotStart& start);
   Robot& findRobot(RobotId id);
-  /// Determines the twists of the robots for the coming tick.
+  /// Determines the motions of the robots in the coming tick.
   void beginRobotMoves();
+  /// Motions of robots that stand still, while an agent moves alone.
+  void holdRobots();
+  void addRobotDiscs();
+  /// Puts the robots where they are at the end of the tick.
   void moveRobots();
   /// Counts the goals that robots have reached at the end of a tick.
   void endRobotMoves();
+  /// Notes contacts of robots with a walking agent that intended to move from `start` by `way`.
+  void noteRobotContacts(const Agent& agent, const Vector2& start, const Vector2& way);
+  void noteRobotContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way);
+  void noteSolidContacts();
+  bool isRobotWithin(double distance, const Vector2& place) const;
+  /// The name of a robot that overlaps a disc at this place; empty if none does.
+  std::string findRobotBlocker(const Vector2& centre, double radius, std::optional<RobotId> except) const;
   void setWalls(std::vector<Segment> walls);
   Agent& findWalking(AgentId id);
   /// Returns what overlaps a disc at this place, such as "agent 3"; empty if nothing does. @param except an agent
   std::string findBlocker(const Vector2& centre, double radius, bool agents_only,
-                          std::optional<AgentId> except = std::nullopt) const;
+                          std::optional<AgentId> except = std::nullopt,
+                          std::optional<RobotId> except_robot = std::nullopt) const;
   void requireFreePlace(const Vector2& centre, double radius, bool agents_only,
                         std::optional<AgentId> except = std::nullopt) const;
   void refresh();
@@ -228,7 +247,9 @@ class World {
   std::vector<Agent> agents_;
   std::vector<Obstacle> obstacles_;
   std::vector<Robot> robots_;
-  std::vector<std::optional<RobotPlace>> robot_places_;  // by robot: where an EXTERNAL one is to be next
+  std::vector<std::optional<RobotPlace>> robot_places_;    // by robot: where an EXTERNAL one is to be next
+  std::vector<RobotSweep> robot_sweeps_;                   // by robot: its intended motion in this tick
+  std::vector<std::vector<RobotContact>> robot_contacts_;  // by robot: those of the present tick so far
   WallIndex walls_;
   double wall_reach_ = 0.0;            // agents perceive walls within this distance [m]
   std::vector<std::size_t> wall_ids_;  // of these

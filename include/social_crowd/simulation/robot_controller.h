@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "social_crowd/simulation/episode.h"
+
+namespace crowd {
+
+/// @brief What a controller knows about its robot at a tick.
+struct RobotView {
+  const World& world;
+  const Robot& robot;
+  Vector2 goal;  ///< next point to drive to [m], `map`
+};
+
+/// @brief Drives one robot in one episode.
+class RobotController {
+ public:
+  RobotController() = default;
+  RobotController(const RobotController&) = delete;
+  RobotController& operator=(const RobotController&) = delete;
+  virtual ~RobotController() = default;
+
+  /// @brief The command of the coming tick. Called once a tick, while the robot is on its way to a goal.
+  virtual Twist command(const RobotView& view) = 0;
+};
+
+/// @brief Names of the controllers, for messages and --help: "none" (the robot stands), "straight" (straight to the
+/// goal, whoever is in the way).
+const std::vector<std::string>& robotControllerNames();
+
+/// @brief Makes a controller; null for "none". @throws InputError that lists the names
+std::unique_ptr<RobotController> makeRobotController(const std::string& name);
+
+/// @brief Controllers of all robots of an episode that take commands.
+class RobotDrivers {
+ public:
+  /// @param controller name of the controller of each robot. @throws InputError as makeRobotController()
+  RobotDrivers(const std::string& controller, const Episode& episode);
+
+  /// @brief Commands all robots for the coming tick. Robots that have arrived or have no goal are stopped.
+  void command(Episode& episode);
+
+ private:
+  std::vector<std::unique_ptr<RobotController>> controllers_;  // by robot; null: it gets no commands
+};
+
+}  // namespace crowd
