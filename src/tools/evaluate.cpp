@@ -256,8 +256,10 @@ int runMain(int argc, char** argv) {
                  "folder for a file NAME.csv per scenario file with the row of the Q-table, the action and the "
                  "occupied sectors of every decision");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
-  app.add_option("--robot", arguments.plan.robot_controller,
-                 "controller of the robots: none (they stand) or straight (to their goals, whoever is in the way)")
+  app.add_option(
+         "--robot", arguments.plan.robot_controller,
+         "controller of the robots: none (they stand), straight (to their goals, whoever is in the way), or reactive "
+         "(by their laser scans alone)")
       ->check(CLI::IsMember(robotControllerNames()))
       ->capture_default_str();
   app.add_option("--robots-csv", arguments.robots_csv, "CSV file for the measures of every robot in every episode");

@@ -73,7 +73,7 @@ class RobotPlacement {
 
   /// What is wrong with a drawn robot; empty if nothing is.
   std::string problemOf(const RobotStart& robot, const RobotGroup& group, std::size_t index) const {
-    const std::string blocker = blockerOf(robot, group, index);
+    std::string blocker = blockerOf(robot, group, index);
     if (!blocker.empty()) return blocker;
     Vector2 from = robot.position;
     for (std::size_t i = 0; i < robot.goals.size(); ++i) {

@@ -22,7 +22,7 @@ bool isName(const std::string& text) {
 }
 
 std::string readName(const YamlMap& map, const std::string& key) {
-  const std::string name = map.text(key);
+  std::string name = map.text(key);
   if (!isName(name)) throwExpected(map.placeOf(key), map.need(key), "letters, digits and _, with a letter first");
   return name;
 }

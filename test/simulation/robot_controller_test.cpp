@@ -64,7 +64,25 @@ TEST(StraightController, StopsAtTheGoal) {
 
 TEST(RobotControllers, RefuseUnknownNames) {
   EXPECT_EQ(errorOf<InputError>([] { makeRobotController("sraight"); }),
-            "robot controller: expected none or straight, got 'sraight'");
+            "robot controller: expected none, straight or reactive, got 'sraight'");
+}
+
+TEST(ReactiveController, DrivesRoundPeopleWhoStand) {
+  Scene scene = robots::with({robotTo({8.0, 0.0}, {0.0, 0.0})}, scenes::scene({}));
+  scene.robots[0].limits.max_acceleration = 1.0;
+  scene.contact = Contact::SOLID;
+  for (const double y : {-0.6, 0.0, 0.5}) scene.agents.push_back(scenes::wanderer({4.0, y}));
+  scene.ends = Ends::ROBOTS;
+  Episode episode(scene, 0, Vision());
+  RobotDrivers drivers("reactive", episode);
+  while (!episode.isOver()) {
+    drivers.command(episode);
+    episode.step({});
+  }
+  const RobotResult result = episode.result().robots.at(0);
+  EXPECT_TRUE(result.isClean());
+  EXPECT_GT(result.minimum_clearance, 0.0);
+  EXPECT_LT(result.path_length_ratio, 1.3);
 }
 
 TEST(RobotEpisode, ACrowdFlowsRoundARobotThatStandsStill) {

@@ -5,14 +5,18 @@
 #include <vector>
 
 #include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/robot_senses.h"
 
 namespace crowd {
 
 /// @brief What a controller knows about its robot at a tick.
 struct RobotView {
   const World& world;
-  const Robot& robot;
-  Vector2 goal;  ///< next point to drive to [m], `map`
+  RobotId id;
+  Vector2 goal;         ///< next point to drive to [m], `map`
+  RobotSenses& senses;  ///< of all robots
+
+  const Robot& robot() const { return world.robots()[id]; }
 };
 
 /// @brief Drives one robot in one episode.
@@ -28,7 +32,7 @@ class RobotController {
 };
 
 /// @brief Names of the controllers, for messages and --help: "none" (the robot stands), "straight" (straight to the
-/// goal, whoever is in the way).
+/// goal, whoever is in the way), "reactive" (by its laser scan alone, see reactiveCommand()).
 const std::vector<std::string>& robotControllerNames();
 
 /// @brief Makes a controller; null for "none". @throws InputError that lists the names
@@ -40,10 +44,12 @@ class RobotDrivers {
   /// @param controller name of the controller of each robot. @throws InputError as makeRobotController()
   RobotDrivers(const std::string& controller, const Episode& episode);
 
-  /// @brief Commands all robots for the coming tick. Robots that have arrived or have no goal are stopped.
+  /// @brief Commands all robots for the coming tick; call it once before each tick. Robots that have arrived or have no
+  /// goal are stopped.
   void command(Episode& episode);
 
  private:
+  RobotSenses senses_;
   std::vector<std::unique_ptr<RobotController>> controllers_;  // by robot; null: it gets no commands
 };
 
