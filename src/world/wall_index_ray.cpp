@@ -28,23 +28,27 @@ void clip(double start, double slope, double size, Part& part) {
   part.end = std::min(part.end, leave);
 }
 
-/// Cells of one axis along a ray, in units of cells.
+/// Cells of one axis along a ray, in units of cells. The outer cells have no end: a wall on the border of the grid is
+/// in an outer cell, and by rounding a ray may meet it just beyond.
 struct Axis {
   Axis(double start, double slope, double begin, std::int64_t cells)
       : cell(std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(start + slope * begin)), 0, cells - 1)),
         step(slope > 0.0 ? 1 : -1),
         per_cell(slope == 0.0 ? INFINITE : 1.0 / std::abs(slope)),
-        next(slope == 0.0 ? INFINITE : (static_cast<double>(cell + (slope > 0.0 ? 1 : 0)) - start) / slope) {}
+        last(slope > 0.0 ? cells - 1 : 0),
+        next(cell == last || slope == 0.0 ? INFINITE
+                                          : (static_cast<double>(cell + (slope > 0.0 ? 1 : 0)) - start) / slope) {}
 
   void advance() {
     cell += step;
-    next += per_cell;
+    next = cell == last ? INFINITE : next + per_cell;
   }
 
   std::int64_t cell;
   std::int64_t step;
-  double per_cell;  // length of the ray from one cell to the next
-  double next;      // length of the ray up to the end of the cell
+  double per_cell;    // length of the ray from one cell to the next
+  std::int64_t last;  // the outer cell that the ray leads to
+  double next;        // length of the ray up to the end of the cell
 };
 
 }  // namespace
@@ -68,7 +72,6 @@ double WallIndex::firstHit(const Ray& ray, double limit) const {
     Axis& axis = x.next < y.next ? x : y;
     begin = axis.next;
     axis.advance();
-    if (axis.cell < 0 || axis.cell >= (&axis == &x ? columns_ : rows_)) break;
   }
   return nearest;
 }
