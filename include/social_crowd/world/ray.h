@@ -38,8 +38,9 @@ inline double distanceAlong(const Ray& ray, const Segment& segment) {
   const Vector2 offset = segment.from - ray.origin;
   const double slope = cross(ray.unit, along);
   const double walked = cross(offset, ray.unit);
-  if (slope == 0.0) {
-    if (walked != 0.0) return INFINITE;
+  // Nearly parallel ones, such as diagonals, are parallel but for rounding.
+  if (slope * slope <= END_TOLERANCE * END_TOLERANCE * along.squaredNorm()) {
+    if (walked * walked > END_TOLERANCE * END_TOLERANCE * std::max(1.0, offset.squaredNorm())) return INFINITE;
     const double from = offset.dot(ray.unit);
     const double to = from + along.dot(ray.unit);
     return std::max(from, to) < 0.0 ? INFINITE : std::max(0.0, std::min(from, to));
