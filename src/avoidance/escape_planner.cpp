@@ -86,7 +86,7 @@ double EscapePlanner::blockedAfter(const Vector2& start, const Vector2& velocity
   const double radius = perception_.self.radius;
   double time = NEVER;
   for (const Neighbour& neighbour : perception_.neighbours) {
-    if (isMovingObstacle(neighbour)) continue;
+    if (isMovingObstacle(neighbour) || neighbour.kind == NeighbourKind::UNYIELDED_ROBOT) continue;
     const Vector2 place = neighbour.position + perception_.tick_duration * neighbour.velocity - start;
     const double reach = radius + neighbour.radius + (neighbour.kind == NeighbourKind::AGENT ? AGENT_MARGIN : 0.0);
     time = std::min(time, timeToCollision(place, velocity - neighbour.velocity, reach));

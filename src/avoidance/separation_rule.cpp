@@ -6,6 +6,7 @@
 #include "social_crowd/avoidance/escape_planner.h"
 #include "social_crowd/avoidance/near_agents.h"
 #include "social_crowd/common/errors.h"
+#include "social_crowd/world/impact.h"
 
 namespace crowd {
 namespace {
@@ -41,6 +42,47 @@ Limit limitOfObstacle(const AgentPerception& self, const Neighbour& other) {
   Limit limit = limitOf(other.position, distance, distance - self.radius - other.radius);
   limit.max_advance = std::max(0.0, limit.max_advance);
   return limit;
+}
+
+/// The robot may move on as it does, or stop within the tick, but not get closer than that.
+Limit limitOfRobot(const AgentPerception& self, const Neighbour& robot, double tick_duration) {
+  const double distance = robot.position.norm();
+  const double gap = distance - self.radius - robot.radius;
+  Limit limit = limitOf(robot.position, distance, gap);
+  limit.max_advance =
+      std::max(0.0, limit.max_advance + std::min(0.0, tick_duration * limit.normal.dot(robot.velocity)));
+  return limit;
+}
+
+Limit limitOf(const Perception& seen, const Neighbour& neighbour, GapSharing sharing) {
+  switch (neighbour.kind) {
+    case NeighbourKind::AGENT:
+      return limitOfAgent(seen.self, neighbour, seen.tick_duration, sharing);
+    case NeighbourKind::ROBOT:
+      return limitOfRobot(seen.self, neighbour, seen.tick_duration);
+    default:
+      return limitOfObstacle(seen.self, neighbour);
+  }
+}
+
+/// Excludes moves into the way of a robot, such as a step sideways in front of one that would pass otherwise: moves
+/// that touch a perceived robot, which keeps its velocity, within the tick, unless it reaches the agent anyway.
+void keepOutOfReach(const Perception& seen, MoveBlock* moves, std::size_t count) {
+  const double step = seen.self.max_speed * seen.tick_duration;
+  for (const Neighbour& robot : seen.neighbours) {
+    if (robot.kind != NeighbourKind::ROBOT) continue;
+    const double reach = seen.self.radius + robot.radius;
+    const Vector2 way = seen.tick_duration * robot.velocity;
+    if (robot.position.norm() - reach > step + way.norm()) continue;
+    if (firstTouch(robot.position, Vector2(-way), reach, 1.0) < NEVER) continue;
+    for (std::size_t i = 0; i < blocksOf(count) * MoveBlock::SIZE; ++i) {
+      CandidateMove move = moveAt(moves, i);
+      const Vector2 relative = move.fraction * step * move.direction - way;
+      if (firstTouch(robot.position, relative, reach, 1.0) == NEVER) continue;
+      move.fraction = 0.0;
+      setMove(moves, i, move);
+    }
+  }
 }
 
 Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
@@ -88,7 +130,8 @@ struct Cut {  // NOLINT(cppcoreguidelines-pro-type-member-init): as Limit
   MoveBlock* moves;
 };
 
-/// The neighbours first .. first + NEIGHBOURS_AT_ONCE - 1 that may limit a move: near agents, and all static obstacles.
+/// The neighbours first .. first + NEIGHBOURS_AT_ONCE - 1 that may limit a move: near agents, all static obstacles, and
+/// all robots that agents yield to.
 NeighbourSet findLimiting(const Perception& seen, std::size_t first) {
   NeighbourSet limiting = findNear(seen, first);
   if (!seen.neighbours.hasObstacles()) return limiting;
@@ -96,7 +139,9 @@ NeighbourSet findLimiting(const Perception& seen, std::size_t first) {
   for (std::size_t i = 0; i < count; ++i) {
     const Neighbour neighbour = seen.neighbours[first + i];
     if (neighbour.kind == NeighbourKind::AGENT) continue;
-    limiting = isMovingObstacle(neighbour) ? limiting & ~(NeighbourSet{1} << i) : limiting | NeighbourSet{1} << i;
+    const bool stands = neighbour.kind == NeighbourKind::OBSTACLE && !isMovingObstacle(neighbour);
+    const bool limits = stands || neighbour.kind == NeighbourKind::ROBOT;
+    limiting = limits ? limiting | NeighbourSet{1} << i : limiting & ~(NeighbourSet{1} << i);
   }
   return limiting;
 }
@@ -138,7 +183,12 @@ void SeparationRule::cutAmongAgents(const PerceptionBatch& batch, MoveBlock* mov
 
 void SeparationRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {
   cutToGaps(perception, moves, count);
-  if (!perception.neighbours.hasObstacles() || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return;
+  if (!perception.neighbours.hasObstacles() || sharing_ == GapSharing::NONE) return;
+  if (lookout_ > 0.0) replaceUnsafe(perception, moves, count);
+  keepOutOfReach(perception, moves, count);
+}
+
+void SeparationRule::replaceUnsafe(const Perception& perception, MoveBlock* moves, std::size_t count) const {
   EscapePlanner escape_planner(perception, lookout_);
   if (!escape_planner.isNeeded()) return;
   cutToGaps(perception, escape_planner.straightMoves(), escape_planner.straightMoveCount());
@@ -158,10 +208,7 @@ void SeparationRule::cutToGaps(const Perception& perception, MoveBlock* moves, s
   for (std::size_t first = 0; first < perception.neighbours.size(); first += NEIGHBOURS_AT_ONCE) {
     for (NeighbourSet left = findLimiting(perception, first); left != 0; left &= left - 1) {
       const Neighbour neighbour = perception.neighbours[first + static_cast<std::size_t>(__builtin_ctz(left))];
-      const bool agent = neighbour.kind == NeighbourKind::AGENT;
-      cutToGap(
-          agent ? limitOfAgent(self, neighbour, perception.tick_duration, sharing_) : limitOfObstacle(self, neighbour),
-          reach, moves, count);
+      cutToGap(limitOf(perception, neighbour, sharing_), reach, moves, count);
     }
   }
   cutToWalls(perception, moves, count);

@@ -54,6 +54,16 @@ void readScenario(Parameters& parameters, ControllerParameters& read) {
   }
 }
 
+void readRobots(Parameters& parameters, ControllerParameters& read) {
+  read.robot_lockstep = parameters.flag("robot_lockstep", read.robot_lockstep);
+  read.command_deadline = parameters.number("command_deadline", read.command_deadline, 1e-3, MAX_DEADLINE);
+  read.command_period = parameters.number("command_period", read.command_period, 0.0, MAX_DEADLINE);
+  read.publish_localisation = parameters.flag("publish_localisation", read.publish_localisation);
+  if (read.robot_lockstep && !read.publish_clock) {
+    parameters.complain("robot_lockstep", "needs ~publish_clock: true");
+  }
+}
+
 }  // namespace
 
 ControllerParameters readControllerParameters(const ros::NodeHandle& private_node) {
@@ -74,6 +84,7 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.agents_rate = parameters.number("agents_rate", read.agents_rate, 0.0, MAX_RATE);
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
   read.publish_clock = parameters.flag("publish_clock", read.publish_clock);
+  readRobots(parameters, read);
   read.trajectories = parameters.text("trajectories", "");
   read.ends_launch = parameters.flag("ends_launch", read.ends_launch);
   parameters.finish();

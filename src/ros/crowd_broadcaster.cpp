@@ -41,8 +41,11 @@ std_msgs::Header CrowdBroadcaster::header() const {
 }
 
 void CrowdBroadcaster::advanceClock(double seconds) {
+  if (publish_clock_) clock_ += ros::Duration(seconds);
+}
+
+void CrowdBroadcaster::publishClock() {
   if (!publish_clock_) return;
-  clock_ += ros::Duration(seconds);
   rosgraph_msgs::Clock message;
   message.clock = clock_;
   clock_publisher_.publish(message);

@@ -26,6 +26,7 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       node_(loop_.adopt(node)),
       answers_(loop_, node_, parameters_),
       broadcaster_(node_, parameters_),
+      robots_(loop_, node_, parameters_),
       seed_(parameters_.seed),
       paused_(parameters_.paused),
       services_(private_node, SERVICE_THREADS) {
@@ -128,10 +129,13 @@ void CrowdController::beginEpisode() {
   tick_ended_ = true;
   episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision());
   answers_.cancel();
+  robots_.begin(*episode_);
   trajectory_.clear();
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
   next_tick_ = Clock::now();
   broadcaster_.advanceClock(episode_->scene().tick_duration);
+  robots_.publish(broadcaster_.header().stamp, true);
+  broadcaster_.publishClock();
   broadcaster_.publishScenario(*episode_, instance_);
   broadcaster_.publishAgentsNow(*episode_);
   warnOfWays(episode_->result(), "at its start");
@@ -183,17 +187,23 @@ void CrowdController::waitWhilePaused() {
 void CrowdController::walkTurn() {
   cut_off_ = false;
   answers_.ask(*episode_, broadcaster_.header());
+  if (tick_ended_) robots_.ask();
   // Published while the learners decide; between turns the tick is incomplete.
   if (tick_ended_) broadcaster_.publishAgents(*episode_);
   if (!answers_.wait(*episode_)) return;  // ask again, or another episode has begun, or the node shuts down
+  if (tick_ended_ && !robots_.wait()) return;
   tick_ended_ = episode_->step(answers_.answers());
   if (tick_ended_) endTick();
 }
 
 void CrowdController::endTick() {
   broadcaster_.advanceClock(episode_->scene().tick_duration);
+  robots_.observe();
+  robots_.publish(broadcaster_.header().stamp, false);
+  broadcaster_.publishClock();
   if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
   keepPace();
+  observeSteps();
   if (!cut_off_ && episode_->isOver()) endEpisode();
   noteStep();
 }
@@ -211,6 +221,13 @@ void CrowdController::keepPace() {
   if (Clock::now() >= next_tick_) return;
   broadcaster_.publishAgents(*episode_);
   serveUntil(next_tick_);
+}
+
+void CrowdController::observeSteps() {
+  if (pending_steps_ == nullptr || pending_steps_->observe == nullptr) return;
+  const bool is_over = !cut_off_ && episode_->isOver();
+  if (is_over) pending_steps_->left = 1;
+  if (pending_steps_->left == 1) pending_steps_->observe(is_over);
 }
 
 void CrowdController::noteStep() {

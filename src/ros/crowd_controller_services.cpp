@@ -5,6 +5,8 @@
 #include <social_crowd/Step.h>
 #include <std_srvs/SetBool.h>
 
+#include <utility>
+
 #include "social_crowd/common/files.h"
 #include "social_crowd/ros/crowd_controller.h"
 #include "social_crowd/ros/names.h"
@@ -38,11 +40,12 @@ std::future<void> CrowdController::pause(bool paused) {
   return at_rest;
 }
 
-std::future<void> CrowdController::beginSteps(std::uint32_t ticks) {
+std::future<void> CrowdController::beginSteps(std::uint32_t ticks, std::function<void(bool over)> observe) {
   if (!paused_) throw InputError("the crowd is walking: call ~pause first");
   if (pending_steps_ != nullptr) throw InputError("another step request is in progress");
   pending_steps_ = std::make_unique<PendingSteps>();
   pending_steps_->left = ticks;
+  pending_steps_->observe = std::move(observe);
   return pending_steps_->done.get_future();
 }
 
@@ -95,6 +98,7 @@ void CrowdController::advertiseServices() {
       response.message = "loaded " + file + ": " + place();
     });
   });
+  advertiseRobotServices();
   advertiseWorldServices();
 }
 

@@ -23,6 +23,7 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
       vision_(vision),
       thread_pool_(&thread_pool),
       monitor_(scene_, world_),
+      robot_monitor_(world_),
       population_(scene_),
       way_finder_(scene_),
       way_lengths_(scene_),
@@ -77,6 +78,7 @@ bool Episode::step(const std::vector<AgentAction>& actions) {
 bool Episode::endTick() {
   population_.update(world_, monitor_);
   monitor_.observe(world_, *thread_pool_);
+  robot_monitor_.observe(world_);
   noteChange();
   return true;
 }
@@ -88,12 +90,21 @@ bool Episode::findTurn() {
 }
 
 bool Episode::isOver() const {
-  const bool is_empty = world_.activeCount() == 0 && !population_.expectsAgents();
-  return is_empty || world_.tick() >= scene_.max_ticks;
+  if (world_.tick() >= scene_.max_ticks) return true;
+  const bool crowd_is_done = world_.activeCount() == 0 && !population_.expectsAgents();
+  if (world_.robots().empty()) return crowd_is_done;
+  bool has_goal = false;
+  for (const Robot& robot : world_.robots()) {
+    if (robot.hasGoal() && !robot.hasArrived()) return false;
+    has_goal = has_goal || robot.hasGoal();
+  }
+  if (scene_.ends == Ends::ROBOTS) return has_goal;
+  return crowd_is_done && (has_goal || !world_.agents().empty());
 }
 
 EpisodeResult Episode::result() const {
   EpisodeResult result = monitor_.result();
+  result.robots = robot_monitor_.results();
   result.way_finding_problem = way_finding_problem_;
   for (std::size_t i = 0; findsWays() && i < result.agents.size(); ++i) {
     const auto id = static_cast<AgentId>(i);
@@ -187,6 +198,11 @@ void Episode::teleport(AgentId id, const Pose& pose) {
     way_lengths_.requireWay("agent " + std::to_string(id), world_, pose.position, agent.goal(), agent.radius);
   }
   world_.teleport(id, pose);
+  noteChange();
+}
+
+void Episode::teleportRobot(RobotId id, const Pose& pose) {
+  world_.teleportRobot(id, pose);
   noteChange();
 }
 

@@ -2,7 +2,7 @@
 
 namespace crowd {
 
-EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer) {
+EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer, RobotDrivers* robots) {
   RelativeActions actions;
   bool begins_tick = true;
   for (;;) {
@@ -10,6 +10,7 @@ EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserv
     if (observer.on_turn && !episode.isOver()) observer.on_turn(episode.perceptions());
     episode.decide(learner, actions);
     if (episode.isOver()) return episode.result();
+    if (begins_tick && robots != nullptr) robots->command(episode);
     begins_tick = episode.step(actions.agents);
   }
 }

@@ -37,7 +37,8 @@ EvaluatedEpisode walk(Episode& episode, const EvaluationPlan& plan, Learner& lea
       appendStateRows(instance, perceptions, learner, walked.states);
     };
   }
-  walked.result = runEpisode(episode, learner, observer);
+  RobotDrivers robots(plan.robot_controller, episode);
+  walked.result = runEpisode(episode, learner, observer, &robots);
   return walked;
 }
 

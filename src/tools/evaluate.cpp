@@ -16,6 +16,8 @@
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/evaluation.h"
 #include "social_crowd/simulation/record.h"
+#include "social_crowd/simulation/robot_controller.h"
+#include "social_crowd/simulation/robot_record.h"
 #include "social_crowd/simulation/state_record.h"
 #include "social_crowd/simulation/training_config.h"
 #include "social_crowd/simulation/trajectory.h"
@@ -32,6 +34,7 @@ struct Arguments {
   std::string states;
   std::string csv;
   std::string record;
+  std::string robots_csv;
   std::vector<std::string> scenarios;
   EvaluationPlan plan;
 };
@@ -78,6 +81,12 @@ void useModelOf(const std::string& config_file, const std::string& file, Trained
   const TrainingConfig config = readTrainingConfig(config_file);
   requireFit(config.model, trained.model, file);
   trained.model = config.model;
+}
+
+std::string robotRows(const EvaluatedEpisode& walked) {
+  std::string rows;
+  appendRobotRows(walked.instance, walked.result, rows);
+  return rows;
 }
 
 std::string recordRows(const EvaluatedEpisode& walked) {
@@ -154,13 +163,20 @@ void printWarnings(const std::string& name, const WayWarnings& ways) {
   }
 }
 
+/// The requested files that hold all scenarios.
+struct Records {
+  std::optional<GrowingFile> agents;
+  std::optional<GrowingFile> robots;
+};
+
 Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, const std::string& name,
-                     const ScenarioList& scenarios, std::optional<GrowingFile>& record) {
+                     const ScenarioList& scenarios, Records& records) {
   EpisodeWriter writer(arguments, name);
   const std::uint64_t episodes = arguments.plan.episodes > 0 ? arguments.plan.episodes : scenarios.size();
   ProgressBar bar(name, episodes);
   Metrics metrics;
   WayWarnings ways;
+  RobotSummary robots;
   EvaluationPlan plan = arguments.plan;
   plan.warn = [&](std::uint64_t instance, const std::string& warning) {
     if (ways.is_said) return;
@@ -170,7 +186,9 @@ Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, co
   };
   evaluate(trained, scenarios, plan, [&](EvaluatedEpisode& walked) {
     writer.write(walked);
-    if (record) record->append(recordRows(walked));
+    if (records.agents) records.agents->append(recordRows(walked));
+    if (records.robots) records.robots->append(robotRows(walked));
+    robots.add(walked.result);
     metrics.add(walked.result);
     noteWays(walked.result, ways);
     if (bar.isDue(metrics.episodes()) && metrics.episodes() < episodes) bar.show(metrics.episodes(), "");
@@ -178,6 +196,7 @@ Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, co
   });
   bar.clear();
   printWarnings(name, ways);
+  if (!robots.text().empty()) std::cerr << name << ": " << robots.text() << "\n";
   return metrics;
 }
 
@@ -196,14 +215,15 @@ int evaluateAll(Arguments& arguments) {
     scenarios.push_back(readScenarios(file));
   }
   requireOwnOutputs(arguments);
-  std::optional<GrowingFile> record;
-  if (!arguments.record.empty()) record.emplace(arguments.record, RECORD_HEADER);
+  Records records;
+  if (!arguments.record.empty()) records.agents.emplace(arguments.record, RECORD_HEADER);
+  if (!arguments.robots_csv.empty()) records.robots.emplace(arguments.robots_csv, robotRecordHeader());
   catchInterrupts();
   std::string csv = CSV_HEADER;
   printHeader();
   for (std::size_t i = 0; i < scenarios.size() && !isInterrupted(); ++i) {
     const std::string name = stemOf(arguments.scenarios[i]);
-    const Metrics metrics = evaluateFile(trained, arguments, name, scenarios[i], record);
+    const Metrics metrics = evaluateFile(trained, arguments, name, scenarios[i], records);
     printRow(name, metrics);
     csv += csvRow(name, metrics);
   }
@@ -236,6 +256,13 @@ int runMain(int argc, char** argv) {
                  "folder for a file NAME.csv per scenario file with the row of the Q-table, the action and the "
                  "occupied sectors of every decision");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
+  app.add_option(
+         "--robot", arguments.plan.robot_controller,
+         "controller of the robots: none (they stand), straight (to their goals, whoever is in the way), or reactive "
+         "(by their laser scans alone)")
+      ->check(CLI::IsMember(robotControllerNames()))
+      ->capture_default_str();
+  app.add_option("--robots-csv", arguments.robots_csv, "CSV file for the measures of every robot in every episode");
   app.add_option("--csv", arguments.csv, "CSV file for the metrics");
   app.add_option("SCENARIO", arguments.scenarios, "scenario files, or names of scenarios of the package")->required();
   app.footer("Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");

@@ -8,17 +8,17 @@
 #include "social_crowd/world/region_geometry.h"
 
 namespace crowd {
-namespace {
 
-/// Whether an agent can come within the goal tolerance of a goal, as far as walls and obstacles near the goal say.
-bool comesNear(const Vector2& goal, double radius, const Scenario& scenario, const PlacedBodies& placed) {
-  const double tolerance = scenario.goal_tolerance;
+bool comesNear(const Vector2& goal, double radius, double tolerance, const Scenario& scenario,
+               const PlacedBodies& placed) {
   if (!placed.canStandAt(goal, radius - tolerance)) return false;
   if (!scenario.map) return true;
   const Cell cell = CellFrame(*scenario.map).cellAt(goal);
   const bool is_blocked = scenario.map->contains(cell) && !scenario.map->isFree(cell);
   return !is_blocked || !placed.canStandAt(goal, tolerance - radius);
 }
+
+namespace {
 
 class GoalCheck {
  public:
@@ -27,7 +27,7 @@ class GoalCheck {
   /// @param field such as agents[0].goal
   void require(const Vector2& goal, const AgentGroup& group, const std::string& field) const {
     const double radius = group.radius.high;
-    if (comesNear(goal, radius, scenario_, placed_)) return;
+    if (comesNear(goal, radius, scenario_.goal_tolerance, scenario_, placed_)) return;
     throw InputError(scenario_.source + ", line " + std::to_string(group.line) + ": " + field +
                      ": expected a goal that an agent of radius " + toText(radius) +
                      " m can get to within goal_tolerance (" + toText(scenario_.goal_tolerance) + " m), got " +

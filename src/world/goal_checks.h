@@ -5,6 +5,10 @@
 
 namespace crowd {
 
+/// @brief Whether a disc can come within a tolerance of a goal, as far as walls and obstacles near the goal say [m].
+bool comesNear(const Vector2& goal, double radius, double tolerance, const Scenario& scenario,
+               const PlacedBodies& placed);
+
 /// @brief Checks the fixed goals of agents in a scenario with way-finding, as services do for theirs (WayLengths).
 /// Goals that are drawn avoid walls and obstacles.
 /// @param placed walls and the fixed obstacles of the scenario

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "social_crowd/world/scene.h"
+
 namespace crowd {
 
 std::optional<Blocker> PlacedBodies::findBlocker(const Vector2& centre, double radius, double gap) const {
@@ -16,6 +18,20 @@ std::optional<Blocker> PlacedBodies::findBlocker(const Vector2& centre, double r
     if (depth > -gap) {
       return Blocker{"walls[" + std::to_string(i) + "]", depth};
     }
+  }
+  return std::nullopt;
+}
+
+std::optional<Blocker> PlacedBodies::findBlocker(const Footprint& footprint, const Pose& pose) const {
+  for (const Body& body : bodies_) {
+    const double depth = body.radius - distance(footprint, pose, body.centre);
+    const bool is_robot = std::string(body.label.list) == "robots";
+    if (!is_robot && depth > TOUCH_TOLERANCE) return Blocker{body.label.text(), depth};
+  }
+  for (std::size_t i = 0; i < walls_.size(); ++i) {
+    const double apart = distance(footprint, pose, walls_[i]);
+    const bool overlaps = footprint.isDisc() ? apart < -TOUCH_TOLERANCE : apart <= 0.0;
+    if (overlaps) return Blocker{"walls[" + std::to_string(i) + "]", -apart};
   }
   return std::nullopt;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/world/footprint.h"
 
 namespace crowd {
 
@@ -42,6 +42,9 @@ class PlacedBodies {
 
   /// @brief Finds a body or wall that is less than `gap` [m] away from a disc.
   std::optional<Blocker> findBlocker(const Vector2& centre, double radius, double gap) const;
+  /// @brief Finds a body, other than a robot, or a wall that overlaps a footprint. The depth of an overlap of a polygon
+  /// and a wall is 0.
+  std::optional<Blocker> findBlocker(const Footprint& footprint, const Pose& pose) const;
   /// @brief Whether a disc overlaps an agent that stands at its goal.
   bool isNearGoal(const Vector2& centre, double radius) const;
   /// @brief Whether a disc overlaps neither walls nor bodies at rest.

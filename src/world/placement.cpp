@@ -7,6 +7,7 @@
 #include "social_crowd/world/route_reach.h"
 #include "world/goal_checks.h"
 #include "world/placed_bodies.h"
+#include "world/robot_placement.h"
 
 namespace crowd {
 namespace {
@@ -46,6 +47,7 @@ Scene emptyScene(const Scenario& scenario) {
   scene.free_space = scenario.free_space;
   scene.free_radius = scenario.free_radius;
   scene.seed = scenario.seed;
+  scene.ends = scenario.ends;
   scene.population = scenario.population;
   if (scenario.map_walls) scene.walls.insert(scene.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
   return scene;
@@ -58,6 +60,7 @@ class Placement {
   Placement(const Scenario& scenario, std::uint64_t run_seed, std::uint64_t episode)
       : scenario_(scenario),
         random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}),
+        robot_random_(run_seed, KeyedRandom::ROBOT_PLACEMENT, {scenario.seed, episode}),
         scene_(emptyScene(scenario)),
         placed_(scene_.walls) {
     scene_.population_seed = KeyedRandom(run_seed, KeyedRandom::POPULATION, {scenario.seed, episode}).next();
@@ -87,6 +90,7 @@ class Placement {
 
   const Scenario& scenario_;
   KeyedRandom random_;
+  KeyedRandom robot_random_;
   Scene scene_;
   PlacedBodies placed_;
 };
@@ -103,10 +107,12 @@ Scene Placement::place() {
   recordFixedGoals();
   placeObstacles(Position::FIXED);
   placeFixedAgents();
+  placeRobots(scenario_, true, robot_random_, placed_, scene_);
   requireFreeGoals(scenario_, placed_);
   placeObstacles(Position::DRAWN);
   completeAgents();
   placeObstacles(Position::BETWEEN);
+  placeRobots(scenario_, false, robot_random_, placed_, scene_);
   return std::move(scene_);
 }
 
@@ -117,9 +123,7 @@ void Placement::fail(const Label& label, const std::string& problem) const {
 void Placement::recordFixedGoals() {
   for (const AgentGroup& group : scenario_.agents) {
     for (const Region& goal : group.goals) {
-      if (goal.isFixed()) {
-        placed_.addGoal(goal.first, group.radius.high);
-      }
+      if (goal.isFixed()) placed_.addGoal(goal.first, group.radius.high);
     }
     if (group.opposite && group.position.isFixed()) {
       placed_.addGoal(2.0 * *group.opposite - group.position.first, group.radius.high);
@@ -157,9 +161,7 @@ Obstacle Placement::drawObstacle(const ObstacleGroup& group, const Label& label)
     const double radius = group.radius.draw(random_);
     const bool fits = positionOf(group) == Position::FIXED ||
                       (!placed_.findBlocker(start, radius, DRAWN_GAP) && !(rests && placed_.isNearGoal(start, radius)));
-    if (fits) {
-      return {drawPath(group, start, label), radius};
-    }
+    if (fits) return {drawPath(group, start, label), radius};
   }
   fail(label, label.text() + ": no free place found in " + std::to_string(MAX_TRIES) + " tries");
 }

@@ -41,6 +41,9 @@ bool usesFreeSpace(const Scenario& scenario) {
     uses = uses || isFree(group.position) || std::any_of(group.goals.begin(), group.goals.end(), isFree);
   });
   for (const ObstacleGroup& group : scenario.obstacles) uses = uses || isFree(group.position);
+  for (const RobotGroup& group : scenario.robots) {
+    uses = uses || isFree(group.position) || std::any_of(group.goals.begin(), group.goals.end(), isFree);
+  }
   if (!scenario.population) return uses;
   const auto& routes = scenario.population->routes;
   return uses || std::any_of(routes.begin(), routes.end(),

@@ -9,6 +9,7 @@
 #include "world/population_checks.h"
 #include "world/population_reader.h"
 #include "world/region_reader.h"
+#include "world/robot_reader.h"
 #include "world/scenario_map.h"
 
 namespace crowd {
@@ -96,12 +97,12 @@ std::uint64_t readDuration(const YamlMap& map, const Units& units) {
   return static_cast<std::uint64_t>(ticks);
 }
 
-/// Reads `agents`; a scenario with sources may have none.
+/// Reads `agents`; a scenario with sources or robots may have none.
 void readCrowd(const YamlMap& map, const Units& units, const PopulationDescription& population, Scenario& scenario) {
   const auto read = [&](const YAML::Node& entry, const YamlPlace& at) {
     return readAgents(entry, at, units, population);
   };
-  const bool optional = !population.sources.empty();
+  const bool optional = !population.sources.empty() || !scenario.robots.empty();
   scenario.agents =
       readList<AgentGroup>(optional ? map.find("agents") : map.need("agents"), map.placeOf("agents"), read);
   if (scenario.agents.empty() && !optional) {
@@ -112,9 +113,9 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(
       node, place,
-      {"name",   "units",     "tick",  "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
-       "agents", "obstacles", "walls", "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
-       "queues", "gates"});
+      {"name",   "units",     "tick",   "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
+       "agents", "obstacles", "walls",  "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
+       "queues", "gates",     "robots", "ends"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -132,6 +133,11 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
   PopulationDescription population = readPopulation(map);
   population.sources = readSources(map, units, population);
+  scenario.robots = readRobots(map, units, scenario.goal_tolerance, population);
+  scenario.ends = ENDS.read(map, Ends::ALL);
+  if (scenario.ends == Ends::ROBOTS && scenario.robots.empty()) {
+    throwProblem(map.placeOf("ends"), map.need("ends"), "there are no robots");
+  }
   readCrowd(map, units, population, scenario);
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
   scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);

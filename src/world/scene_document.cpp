@@ -6,6 +6,7 @@
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/world/population.h"
 #include "world/population_document.h"
+#include "world/robot_document.h"
 
 namespace crowd {
 namespace {
@@ -103,7 +104,7 @@ std::string toDocument(const Scene& scene, const std::string& folder) {
               : "") +
          (scene.seed != 0 ? "seed: " + std::to_string(scene.seed) + "\n" : "") +
          (scene.way_finding ? "" : "way_finding: false\n") + mapText(scene, folder) + agentsText(scene) +
-         section("obstacles", scene.obstacles) + wallsText(scene) +
+         section("obstacles", scene.obstacles) + wallsText(scene) + robotsText(scene) +
          (scene.population ? populationText(*scene.population) : "");
 }
 

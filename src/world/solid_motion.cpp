@@ -31,12 +31,17 @@ const std::vector<SolidMotion::Outcome>& SolidMotion::move(const std::vector<Dis
   }
   walls_ = nullptr;
   outcomes_.clear();
-  for (const Body& body : bodies_) outcomes_.push_back({body.at(1.0), body.touched, body.changes > 0});
+  for (const Body& body : bodies_) {
+    const double stopped_at = body.isRobot() ? sweeps_[body.sweep].stoppedAt() : 1.0;
+    outcomes_.push_back({body.at(1.0), body.touched, body.changes > 0, stopped_at});
+  }
   return outcomes_;
 }
 
 void SolidMotion::begin(const std::vector<Disc>& discs) {
   bodies_.clear();
+  sweeps_.clear();
+  touches_.clear();
   impacts_.clear();
   for (const Disc& disc : discs) {
     Body body;
@@ -44,6 +49,12 @@ void SolidMotion::begin(const std::vector<Disc>& discs) {
     body.way = disc.way;
     body.radius = disc.radius;
     body.is_agent = disc.is_agent;
+    body.speed = disc.sweep ? disc.sweep->pointSpeed() : disc.way.norm();
+    if (disc.sweep) {
+      body.way.setZero();
+      body.sweep = static_cast<Index>(sweeps_.size());
+      sweeps_.push_back(*disc.sweep);
+    }
     bodies_.push_back(body);
   }
 }
@@ -51,10 +62,10 @@ void SolidMotion::begin(const std::vector<Disc>& discs) {
 void SolidMotion::findNeighbours() {
   double fastest_obstacle = 0.0;
   for (const Body& body : bodies_) {
-    if (!body.is_agent) fastest_obstacle = std::max(fastest_obstacle, body.way.norm());
+    if (!body.is_agent && !body.isRobot()) fastest_obstacle = std::max(fastest_obstacle, body.way.norm());
   }
   // Upper bound of the distance that any part of a body reaches: by its own motion, or pushed by an obstacle.
-  const auto reach = [&](const Body& body) { return body.radius + std::max(body.way.norm(), fastest_obstacle); };
+  const auto reach = [&](const Body& body) { return body.radius + std::max(body.speed, fastest_obstacle); };
   grid_.clear();
   for (Index i = 0; i < bodies_.size(); ++i) grid_.add(bodies_[i].position, reach(bodies_[i]), i);
   grid_.build(CELL_SIZE);
@@ -75,6 +86,11 @@ void SolidMotion::predictImpact(Index agent, Index other, double now) {
   if (agent == other) return;
   const Body& body = bodies_[agent];
   const Body& second = bodies_[other];
+  if (body.isRobot() || second.isRobot()) {
+    const double touch = touchOfRobot(body, second, now);
+    if (touch < NEVER) add({touch, agent, other, body.changes, second.changes});
+    return;
+  }
   // An agent that was pushed against something is not pushed further: the obstacle passes over it.
   if (!second.is_agent && body.pushed && body.way.isZero(0.0)) return;
   const double after = firstTouch(Vector2(second.at(now) - body.at(now)), Vector2(body.way - second.way),
@@ -84,17 +100,21 @@ void SolidMotion::predictImpact(Index agent, Index other, double now) {
 
 void SolidMotion::predictWallImpacts(Index agent, double now) {
   const Body& body = bodies_[agent];
-  if (body.way.isZero(0.0)) return;
-  const Vector2 position = body.at(now);
+  if (body.way.isZero(0.0) && !body.isRobot()) return;
+  const Vector2 position = body.isRobot() ? sweeps_[body.sweep].at(now).position : body.at(now);
   double first = NEVER;
   near_walls_.clear();
-  walls_->findNear(position, body.radius + body.way.norm(), near_walls_);
+  walls_->findNear(position, body.radius + (body.isRobot() ? body.speed : body.way.norm()), near_walls_);
   for (const std::uint32_t number : near_walls_) {
-    const Segment& wall = walls_->walls()[number];
-    first = std::min(first,
-                     firstTouch(Segment{wall.from - position, wall.to - position}, body.way, body.radius, 1.0 - now));
+    first = std::min(first, touchOfWall(body, walls_->walls()[number], now));
   }
-  if (first < NEVER) add({now + first, agent, WALL, body.changes, 0});
+  if (first < NEVER) add({first, agent, WALL, body.changes, 0});
+}
+
+double SolidMotion::touchOfWall(const Body& body, const Segment& wall, double now) const {
+  if (body.isRobot()) return firstTouch(sweeps_[body.sweep], wall, now);
+  const Vector2 position = body.at(now);
+  return now + firstTouch(Segment{wall.from - position, wall.to - position}, body.way, body.radius, 1.0 - now);
 }
 
 void SolidMotion::add(const Impact& impact) {
@@ -126,6 +146,7 @@ void SolidMotion::judge(const Impact& impact) {
   body.touched = true;
   if (impact.other == WALL) return stop(impact.agent);
   Body& other = bodies_[impact.other];
+  if (body.isRobot() || other.isRobot()) return judgeRobot(impact);
   const Vector2 ahead = (other.at(impact.time) - body.at(impact.time)).normalized();
   if (!other.is_agent) {
     stop(impact.agent);
@@ -150,6 +171,7 @@ void SolidMotion::stop(Index agent) {
 void SolidMotion::settle(double now) {
   for (const Index agent : judged_) {
     Body& body = bodies_[agent];
+    if (body.isRobot()) sweeps_[body.sweep].stopAt(now);
     body.position = body.at(now);
     body.since = now;
     body.way = body.pushes == 1 && !body.pushed ? body.push : Vector2::Zero();

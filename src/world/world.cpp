@@ -31,6 +31,7 @@ World::World(const Scene& scene)
       obstacles_(scene.obstacles) {
   replaceWalls(scene.walls);
   for (const AgentStart& start : scene.agents) addAgent(start);
+  for (const RobotStart& start : scene.robots) addRobot(start);
   refresh();
 }
 
@@ -97,7 +98,14 @@ void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_poo
         }
       },
       ThreadPool::FEW_SHORT_ITEMS);
+  beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
+  if (contact_ == Contact::GHOST && !robots_.empty()) {
+    for (const Agent& agent : agents_) {
+      const Vector2 way = tick_duration_ * agent.velocity;
+      noteRobotContacts(agent, agent.pose.position - way, way);
+    }
+  }
   finishTick(thread_pool);
 }
 
@@ -111,7 +119,12 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   had_turn_[id] = true;
   Agent& agent = agents_[id];
   beginMove(agent, action);
+  holdRobots();
   if (agent.acted && contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
+  if (contact_ == Contact::GHOST && !robots_.empty()) {
+    const Vector2 way = tick_duration_ * agent.velocity;
+    noteRobotContacts(agent, agent.pose.position - way, way);
+  }
   updateGridOf(agent);  // also for an agent that stays, because its velocity changes
 }
 
@@ -120,11 +133,16 @@ void World::endTick(ThreadPool& thread_pool) {
     if (!had_turn_[agent.id]) beginMove(agent, nullptr);
   }
   had_turn_.assign(agents_.size(), false);
+  beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([&](std::size_t body) { return body >= agents_.size(); });
+  if (contact_ == Contact::GHOST && !robots_.empty()) {
+    for (const Agent& agent : agents_) noteRobotContacts(agent, agent.pose.position, Vector2::Zero());
+  }
   finishTick(thread_pool);
 }
 
 void World::finishTick(ThreadPool& thread_pool) {
+  moveRobots();
   ++tick_;
   moveObstacles();
   updateGrid();
@@ -138,6 +156,7 @@ void World::finishTick(ThreadPool& thread_pool) {
         if (arrivals > 0) arrived += arrivals;
       },
       ThreadPool::FEW_SHORT_ITEMS);
+  endRobotMoves();
   just_arrived_count_ = arrived;
   if (just_arrived_count_ == 0) return;
   active_count_ -= just_arrived_count_;
@@ -197,7 +216,9 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
 }
 
 inline bool World::isAnythingWithin(double distance, const Agent& agent) const {
-  return grid_.isAnyNear(agent.pose.position, distance, agent.id) || walls_.isAnyWithin(agent.pose.position, distance);
+  const Vector2& place = agent.pose.position;
+  return grid_.isAnyNear(place, distance, agent.id) || walls_.isAnyWithin(place, distance) ||
+         (!robots_.empty() && isRobotWithin(distance, place));
 }
 
 template <typename Moves>
@@ -215,7 +236,9 @@ void World::moveSolids(const Moves& moves) {
                             : Vector2::Zero();
     discs_.push_back({obstacle_motions_[i].position, way, obstacles_[i].radius, false});
   }
+  addRobotDiscs();
   auto outcome = solid_motion_.move(discs_, walls_).begin();
+  if (!robots_.empty()) noteSolidContacts();
   for (Agent& agent : agents_) {
     if (!agent.isWalking()) continue;
     if (outcome->diverted) {
@@ -232,6 +255,8 @@ void World::moveSolids(const Moves& moves) {
     agent.bumped = agent.bumped || outcome->touched;
     ++outcome;
   }
+  outcome += static_cast<std::ptrdiff_t>(obstacles_.size());
+  for (RobotSweep& sweep : robot_sweeps_) sweep.stopAt((outcome++)->stopped_at);
 }
 
 }  // namespace crowd

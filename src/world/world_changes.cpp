@@ -45,8 +45,8 @@ Agent& World::findWalking(AgentId id) {
   return agents_[id];
 }
 
-std::string World::findBlocker(const Vector2& centre, double radius, bool agents_only,
-                               std::optional<AgentId> except) const {
+std::string World::findBlocker(const Vector2& centre, double radius, bool agents_only, std::optional<AgentId> except,
+                               std::optional<RobotId> except_robot) const {
   const double overlap = contact_ == Contact::SOLID ? TOUCH_TOLERANCE : CONTACT_OVERLAP;
   std::vector<std::uint32_t> found;
   grid_.findNear(centre, radius - overlap, found);
@@ -55,7 +55,8 @@ std::string World::findBlocker(const Vector2& centre, double radius, bool agents
     if (body < agents_.size()) return "agent " + std::to_string(body);
     if (!agents_only) return "obstacle " + std::to_string(body - agents_.size());
   }
-  if (agents_only) return "";
+  const std::string robot = findRobotBlocker(centre, radius - overlap, except_robot);
+  if (!robot.empty() || agents_only) return robot;
   return walls_.isAnyWithin(centre, radius - overlap) ? "a wall" : "";
 }
 
@@ -171,6 +172,11 @@ std::size_t World::addWall(const Segment& wall) {
   for (const Agent& agent : agents_) {
     if (agent.isWalking() && distanceTo(wall, agent.pose.position) < agent.radius - CONTACT_OVERLAP) {
       throw InputError("the place is taken by agent " + std::to_string(agent.id));
+    }
+  }
+  for (const Robot& robot : robots_) {
+    if (distance(robot.start.footprint, robot.pose, wall) < -CONTACT_OVERLAP) {
+      throw InputError("the place is taken by robot '" + robot.start.name + "'");
     }
   }
   std::vector<Segment> walls = this->walls();

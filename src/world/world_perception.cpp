@@ -89,7 +89,8 @@ inline void World::perceiveOne(const Vision& vision, const Agent& agent, std::si
   // Occlusion needs all bodies in range to determine the visible ones.
   const std::size_t max_count = vision.occlusion ? 0 : vision.max_neighbours;
   const Rotation frame(agent.ahead);
-  const auto found = workspace.search.findNearest(grid_, agent.pose.position, vision.radius, max_count, agent.id);
+  auto found = workspace.search.findNearest(grid_, agent.pose.position, vision.radius, max_count, agent.id);
+  if (!robots_.empty()) found = withRobots(found, vision, max_count, agent.pose.position, workspace);
   self.first_neighbour = static_cast<std::uint32_t>(first);
   self.neighbour_count = static_cast<std::uint32_t>(found.size());
   self.first_wall = static_cast<std::uint32_t>(workspace.walls.size());
@@ -105,6 +106,29 @@ inline void World::perceiveOne(const Vision& vision, const Agent& agent, std::si
   if (!vision.occlusion) return writeNeighbours(found, agent, first, perceptions.neighbours);
   for (std::size_t i = 0; i < workspace.neighbours.size(); ++i)
     perceptions.neighbours.set(first + i, workspace.neighbours[i]);
+}
+
+Span<NearDisc> World::withRobots(const Span<NearDisc>& found, const Vision& vision, std::size_t max_count,
+                                 const Vector2& place, PerceptionWorkspace& workspace) const {
+  std::vector<NearDisc>& near = workspace.near_discs;
+  near.assign(found.begin(), found.end());
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const Robot& robot = robots_[i];
+    const NearDisc disc = {(robot.pose.position - place).norm() - robot.perceived_radius,
+                           static_cast<std::uint32_t>(grid_.size() + i)};
+    if (!robot.start.perceived || disc.rim_distance > vision.radius) continue;
+    const auto farther = [&](const NearDisc& other) { return other.rim_distance > disc.rim_distance; };
+    near.insert(std::find_if(near.begin(), near.end(), farther), disc);
+  }
+  if (max_count > 0 && near.size() > max_count) near.resize(max_count);
+  return {near.data(), near.size()};
+}
+
+Neighbour World::seenRobot(const Robot& robot, const Agent& agent) {
+  const bool is_yielded_to = robot.start.yields == Yields::CROWD || robot.start.yields == Yields::BOTH;
+  const Rotation frame(agent.ahead);
+  return {frame.intoFrame(robot.pose.position - agent.pose.position), frame.intoFrame(robot.velocity),
+          robot.perceived_radius, is_yielded_to ? NeighbourKind::ROBOT : NeighbourKind::UNYIELDED_ROBOT};
 }
 
 inline void World::perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {
@@ -129,6 +153,7 @@ inline void World::writeNeighbours(const Span<NearDisc>& found, const Agent& age
   const NearDisc* const discs = found.begin();
   const std::size_t count = found.size();
   const std::size_t agents = agents_.size();
+  const std::size_t size = grid_.size();
   double* const xs = neighbours.xs() + first;
   double* const ys = neighbours.ys() + first;
   double* const vxs = neighbours.vxs() + first;
@@ -137,6 +162,10 @@ inline void World::writeNeighbours(const Span<NearDisc>& found, const Agent& age
   NeighbourKind* const kinds = neighbours.kinds() + first;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t disc = discs[i].disc;
+    if (disc >= size) {
+      neighbours.set(first + i, seenRobot(robots_[disc - size], agent));
+      continue;
+    }
     const NeighbourGrid::Motion motion = motions[disc];
     const double dx = motion.x - place.x();
     const double dy = motion.y - place.y();

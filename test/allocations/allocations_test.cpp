@@ -5,7 +5,7 @@
 #include <new>
 
 #include "social_crowd/simulation/episode.h"
-#include "support/scenes.h"
+#include "support/robots.h"
 
 namespace {
 
@@ -53,12 +53,12 @@ Learner makeLearner(Mode mode) {
 
 /// Whether a sequence of ticks allocates nothing. Its beginning depends on the scheduling of threads: a thread that had
 /// no work before allocates its own workspace when it begins.
-bool getsWarm(Mode mode, unsigned threads) {
+bool getsWarm(Mode mode, unsigned threads, const Scene& scene) {
   constexpr int ROW = 50;
   constexpr int MOST = 400;  // later the agents leave the lattice
   ThreadPool thread_pool(threads);
   Learner learner = makeLearner(mode);
-  Episode episode(lattice(), 0, learner.model().vision(), thread_pool);
+  Episode episode(scene, 0, learner.model().vision(), thread_pool);
   RelativeActions actions;
   int quiet = 0;
   for (int tick = 0; tick < MOST && quiet < ROW; ++tick) {
@@ -79,8 +79,18 @@ TEST(Allocations, CounterCountsAllocations) {
 TEST(Allocations, TicksEventuallyAllocateNothing) {
   for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
     for (const unsigned threads : {1U, 2U}) {
-      EXPECT_TRUE(getsWarm(mode, threads)) << MODES.nameOf(mode) << ", " << threads << " threads";
+      EXPECT_TRUE(getsWarm(mode, threads, lattice())) << MODES.nameOf(mode) << ", " << threads << " threads";
     }
+  }
+}
+
+TEST(Allocations, NorDoTicksWithRobots) {
+  RobotStart bar = robots::robot({10.0, -2.0});
+  bar.footprint.corners = {{0.4, 0.2}, {-0.4, 0.2}, {-0.4, -0.2}, {0.4, -0.2}};
+  for (const Contact contact : {Contact::GHOST, Contact::SOLID}) {
+    Scene scene = robots::with({robots::robotTo({90.0, -1.5}, {0.0, -1.5}), bar}, lattice());
+    scene.contact = contact;
+    EXPECT_TRUE(getsWarm(Mode::DEMO, 1, scene)) << CONTACTS.nameOf(contact);
   }
 }
 

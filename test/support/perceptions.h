@@ -32,6 +32,12 @@ class PerceptionsBuilder {
     return *this;
   }
 
+  /// @brief Sets the maximum speed [m/s].
+  PerceptionsBuilder& speed(double max_speed) {
+    all_.agents.back().max_speed = max_speed;
+    return *this;
+  }
+
   PerceptionsBuilder& neighbour(const Vector2& position, double radius) {
     Neighbour neighbour;
     neighbour.position = position;

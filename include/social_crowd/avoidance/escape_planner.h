@@ -7,9 +7,11 @@
 
 namespace crowd {
 
-/// @brief Whether the neighbour is a moving obstacle, which yields to no agent.
+/// @brief Whether the neighbour is a moving obstacle, which yields to no agent; a robot that agents yield to is one,
+/// too.
 inline bool isMovingObstacle(const Neighbour& neighbour) {
-  return neighbour.kind == NeighbourKind::OBSTACLE && neighbour.velocity != Vector2::Zero();
+  return (neighbour.kind == NeighbourKind::OBSTACLE || neighbour.kind == NeighbourKind::ROBOT) &&
+         neighbour.velocity != Vector2::Zero();
 }
 
 /// @brief Replaces moves after which an agent could not avoid moving obstacles (docs/separation_rule.md, Moving

@@ -22,7 +22,8 @@ inline constexpr EnumNames<GapSharing, 3> GAP_SHARINGS{"gap_sharing", {"none", "
 ///
 /// Along the line between two agents, each agent advances by at most its share of the gap. Both compute the same shares
 /// without communication, from their positions, radii and last velocities. The whole gap to a wall or a static obstacle
-/// may be used. Immutable: any number of threads may call cut() with buffers of their own.
+/// may be used. Agents do not move into robots that they yield to, nor into their reach in the coming tick
+/// (docs/separation_rule.md, Robots). Immutable: any number of threads may call cut() with buffers of their own.
 class SeparationRule {
  public:
   /// @param lookout time for which a path clear of moving obstacles is kept [s], see EscapePlanner; 0: moving obstacles
@@ -43,6 +44,7 @@ class SeparationRule {
 
  private:
   void cutAmongAgents(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;
+  void replaceUnsafe(const Perception& perception, MoveBlock* moves, std::size_t count) const;
   void cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const;
 
   GapSharing sharing_;

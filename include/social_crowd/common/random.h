@@ -19,7 +19,10 @@ class KeyedRandom {
     SCENARIO_CHOICE = 3,
     TIES = 4,
     CONTENT = 5,
-    POPULATION = 6
+    POPULATION = 6,
+    ROBOT_PLACEMENT = 7,
+    SENSOR = 8,
+    ODOMETRY = 9
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)
@@ -40,6 +43,8 @@ class KeyedRandom {
   double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
   /// @brief Uniform in [low, high); `low` if both are equal.
   double uniform(double low, double high);
+  /// @brief Normally distributed with mean 0 and standard deviation 1 (Box and Muller 1958).
+  double normal();
   /// @brief Uniform in 0 .. count - 1; `count` must be above 0.
   std::uint32_t below(std::uint32_t count);
 

@@ -12,21 +12,25 @@ namespace crowd {
 struct ControllerParameters {
   /// Files of ~scenario (file, or name in ~scenario_folder), else of ~config; one of these must be set.
   std::vector<std::string> scenarios;
-  std::string name;               ///< of recordings: name of the file in ~scenario or ~config
-  std::string scenario_folder;    ///< ~scenario_folder: folder of named scenarios; empty: that of the package
-  std::string map_topic;          ///< ~map_topic: topic of a map that replaces those of the scenarios; empty: none
-  std::uint64_t seed = 1;         ///< ~seed: of random placements; else that of ~config
-  std::uint64_t episodes = 0;     ///< ~episodes: number of episodes; 0: unlimited; else that of ~config
-  double real_time_factor = 1.0;  ///< ~real_time_factor: 0 or `fast`: as fast as possible
-  bool paused = false;            ///< ~paused: start paused
-  double start_deadline = 30.0;   ///< ~start_deadline: timeout for learners that never answered [s]
-  double answer_deadline = 1.0;   ///< ~answer_deadline: timeout for an answer [s], wall clock
-  int misses_until_absent = 3;    ///< ~misses_until_absent: consecutive missed answers until an agent is absent
-  double agents_rate = 50.0;      ///< ~agents_rate: maximum rate of agents and tf [Hz]; 0: every tick
-  bool publish_tf = false;        ///< ~publish_tf: map -> agent_<id>
-  bool publish_clock = false;     ///< ~publish_clock: simulated time on /clock
-  std::string trajectories;       ///< ~trajectories: folder of recordings; empty: none
-  bool ends_launch = false;       ///< ~ends_launch: end the parent roslaunch after the last episode
+  std::string name;                  ///< of recordings: name of the file in ~scenario or ~config
+  std::string scenario_folder;       ///< ~scenario_folder: folder of named scenarios; empty: that of the package
+  std::string map_topic;             ///< ~map_topic: topic of a map that replaces those of the scenarios; empty: none
+  std::uint64_t seed = 1;            ///< ~seed: of random placements; else that of ~config
+  std::uint64_t episodes = 0;        ///< ~episodes: number of episodes; 0: unlimited; else that of ~config
+  double real_time_factor = 1.0;     ///< ~real_time_factor: 0 or `fast`: as fast as possible
+  bool paused = false;               ///< ~paused: start paused
+  double start_deadline = 30.0;      ///< ~start_deadline: timeout for learners that never answered [s]
+  double answer_deadline = 1.0;      ///< ~answer_deadline: timeout for an answer [s], wall clock
+  int misses_until_absent = 3;       ///< ~misses_until_absent: consecutive missed answers until an agent is absent
+  double agents_rate = 50.0;         ///< ~agents_rate: maximum rate of agents and tf [Hz]; 0: every tick
+  bool publish_tf = false;           ///< ~publish_tf: map -> agent_<id>
+  bool publish_clock = false;        ///< ~publish_clock: simulated time on /clock
+  bool robot_lockstep = false;       ///< ~robot_lockstep: each tick waits for the commands of the robots
+  double command_deadline = 0.5;     ///< ~command_deadline: timeout for these commands [s], wall clock
+  double command_period = 0.0;       ///< ~command_period: simulated time between two of them [s]; 0: every tick
+  bool publish_localisation = true;  ///< ~publish_localisation: map -> odom of the robots
+  std::string trajectories;          ///< ~trajectories: folder of recordings; empty: none
+  bool ends_launch = false;          ///< ~ends_launch: end the parent roslaunch after the last episode
 };
 
 /// @throws InputError that lists all invalid parameters

@@ -22,8 +22,10 @@ class CrowdBroadcaster {
  public:
   CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters);
 
-  /// @brief With ~publish_clock, advances the simulated clock and publishes it.
+  /// @brief With ~publish_clock, advances the simulated clock.
   void advanceClock(double seconds);
+  /// @brief With ~publish_clock, publishes the simulated clock.
+  void publishClock();
   /// @brief Publishes agents and, with ~publish_tf, tf, if they have subscribers. Does nothing if those of this tick
   /// were already published or the rate would be exceeded.
   void publishAgents(const Episode& episode);

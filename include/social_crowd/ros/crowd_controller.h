@@ -2,8 +2,10 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
+#include <social_crowd/StepRobots.h>
 
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -14,6 +16,7 @@
 #include "social_crowd/ros/controller_parameters.h"
 #include "social_crowd/ros/crowd_broadcaster.h"
 #include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/robot_interfaces.h"
 #include "social_crowd/ros/services.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/trajectory.h"
@@ -40,9 +43,12 @@ class CrowdController {
   struct PendingSteps {
     std::uint32_t left = 0;
     std::promise<void> done;
+    /// Called after the last of them, or after one that ends the episode, before the next episode begins.
+    std::function<void(bool over)> observe;
   };
 
   void advertiseServices();
+  void advertiseRobotServices();
   void advertiseWorldServices();
   void advertisePopulationServices();
 
@@ -70,7 +76,12 @@ class CrowdController {
   /// @return ready when the crowd has paused, or immediately if it is to walk
   std::future<void> pause(bool paused);
   void noteRest();
-  std::future<void> beginSteps(std::uint32_t ticks);
+  std::future<void> beginSteps(std::uint32_t ticks, std::function<void(bool over)> observe = nullptr);
+  /// Begins the steps of a request, whose response is complete when the result is ready.
+  std::future<void> beginRobotSteps(const social_crowd::StepRobots::Request& request,
+                                    social_crowd::StepRobots::Response& response);
+  /// Calls observe() of the steps that are pending, if this tick was the last of them.
+  void observeSteps();
   /// Waits in a service thread; false after the timeout. @throws Error if the node shuts down first
   bool waitFor(const std::future<void>& done, std::chrono::milliseconds timeout) const;
   std::string place() const;
@@ -83,6 +94,7 @@ class CrowdController {
   ros::NodeHandle node_;
   AnswerCollector answers_;
   CrowdBroadcaster broadcaster_;
+  RobotInterfaces robots_;
 
   ScenarioList scenarios_;
   std::string scenario_name_;

@@ -15,9 +15,22 @@ constexpr const char* MARKERS = "markers";                  ///< visualization_m
 constexpr const char* CLOCK = "/clock";                     ///< rosgraph_msgs/Clock; absolute, as ROS requires
 constexpr const char* TF = "/tf";                           ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
 
+constexpr const char* ROBOTS = "robots";  ///< RobotStates: crowd_controller -> any node
+
+// Topics of a robot, in its namespace.
+constexpr const char* CMD_VEL = "cmd_vel";            ///< geometry_msgs/Twist: any node -> crowd_controller
+constexpr const char* ODOMETRY = "odom";              ///< nav_msgs/Odometry
+constexpr const char* SCAN = "scan";                  ///< sensor_msgs/LaserScan
+constexpr const char* SCAN_CLOUD = "scan_cloud";      ///< sensor_msgs/PointCloud2
+constexpr const char* GOAL = "goal";                  ///< geometry_msgs/PoseStamped, latched: its present goal
+constexpr const char* NEW_GOAL = "new_goal";          ///< geometry_msgs/PoseStamped: any node -> crowd_controller
+constexpr const char* PEOPLE_POSES = "people_poses";  ///< geometry_msgs/PoseArray
+constexpr const char* FOOTPRINT = "footprint";        ///< geometry_msgs/PolygonStamped
+
 // Services; private names below the node.
 constexpr const char* PAUSE = "pause";
 constexpr const char* STEP = "step";
+constexpr const char* STEP_ROBOTS = "step_robots";
 constexpr const char* RESET = "reset";
 constexpr const char* LOAD_SCENARIO = "load_scenario";
 constexpr const char* SPAWN_AGENT = "spawn_agent";
@@ -40,6 +53,9 @@ constexpr const char* SET_LEARNING_PARAMETERS = "set_learning_parameters";
 
 // Frames.
 constexpr const char* MAP_FRAME = "map";
+constexpr const char* ODOM_FRAME = "odom";       ///< of a robot, after the prefix NAMESPACE/
+constexpr const char* BASE_FRAME = "base_link";  ///< the same
+constexpr const char* LASER_FRAME = "laser";     ///< the same
 constexpr const char* AGENT_FRAME_PREFIX = "agent_";
 constexpr const char* CROWD_FRAME = "crowd";  ///< at the centre of the scenario, rounded to metres; axes as in map
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "social_crowd/common/object_pool.h"
@@ -48,8 +49,9 @@ class Episode {
   /// @throws InputError as World::step() does; the world is unchanged then.
   /// @return whether that was the last turn of the tick
   bool step(const std::vector<AgentAction>& actions);
-  /// @brief Whether no agent is on its way and no source has any left, or the maximum number of ticks is reached. A
-  /// step() changes this only at the end of a tick.
+  /// @brief Whether the maximum number of ticks is reached, or no agent is on its way, no source has any left and no
+  /// robot is on its way to a goal; agents do not count with Ends::ROBOTS. A scene without agents, sources and goals of
+  /// robots lasts for the maximum number of ticks. A step() changes this only at the end of a tick.
   bool isOver() const;
 
   /// @brief Number of turns in the present tick: one, or one for each agent on its way.
@@ -76,6 +78,13 @@ class Episode {
   std::size_t addWall(const Segment& wall);
   void removeWall(std::size_t id);
   void replaceWalls(std::vector<Segment> walls);
+  /// @brief Commands and changes of robots, see World.
+  void commandRobot(RobotId id, const Twist& wanted) { world_.commandRobot(id, wanted); }
+  void placeRobot(RobotId id, const Pose& pose, const Vector2& velocity, bool jump) {
+    world_.placeRobot(id, pose, velocity, jump);
+  }
+  void setRobotGoals(RobotId id, std::vector<Vector2> goals) { world_.setRobotGoals(id, std::move(goals)); }
+  void teleportRobot(RobotId id, const Pose& pose);
   /// @brief Lets an agent begin a route of the scenario.
   void setRoute(AgentId id, const std::string& route);
   /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later. @return whether it is
@@ -103,6 +112,7 @@ class Episode {
   Vision vision_;
   ThreadPool* thread_pool_;
   EpisodeMonitor monitor_;
+  RobotMonitor robot_monitor_;
   Population population_;
   WayFinder way_finder_;
   WayLengths way_lengths_;  // for changes by users, which do not affect the ways of the population if they are refused

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/simulation/robot_result.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
@@ -44,6 +45,7 @@ struct EpisodeResult {
   std::string scenario;
   std::uint64_t ticks = 0;
   std::vector<AgentResult> agents;
+  std::vector<RobotResult> robots;
   std::string way_finding_problem;  ///< why way-finding was left out from some tick on; empty: it was not
 
   /// @brief Number of agents that were not removed; metrics are about these.

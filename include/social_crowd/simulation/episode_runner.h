@@ -4,6 +4,7 @@
 
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/robot_controller.h"
 
 namespace crowd {
 
@@ -15,6 +16,8 @@ struct EpisodeObserver {
 
 /// @brief Runs an episode to its end with one learner, which decides for all agents. In training mode the learner also
 /// learns from the last tick.
-EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer = {});
+/// @param robots command the robots before each tick; null: the robots get no commands
+EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer = {},
+                         RobotDrivers* robots = nullptr);
 
 }  // namespace crowd

@@ -18,6 +18,7 @@ struct EvaluationPlan {
   bool record = false;         ///< whether to write trajectories
   std::string scenes;          ///< folder that the scenes are for (toDocument()); empty: they are not written
   bool states = false;         ///< whether to write records of states
+  std::string robot_controller = "none";  ///< of all robots, see makeRobotController()
   /// Called at the start of each episode whose ways are a problem (EpisodeResult::wayWarning()), never concurrently but
   /// on any of the threads, and in any order. Empty: nothing is called.
   std::function<void(std::uint64_t instance, const std::string& warning)> warn;

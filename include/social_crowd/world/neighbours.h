@@ -10,8 +10,8 @@
 
 namespace crowd {
 
-/// @brief Kind of a perceived body.
-enum class NeighbourKind : std::uint8_t { AGENT = 0, OBSTACLE = 1 };
+/// @brief Kind of a perceived body. UNYIELDED_ROBOT: a robot that agents see, but do not yield to.
+enum class NeighbourKind : std::uint8_t { AGENT = 0, OBSTACLE = 1, ROBOT = 2, UNYIELDED_ROBOT = 3 };
 
 /// @brief Another body, or its visible part, in the frame of the agent that perceives it (x ahead, y left).
 struct Neighbour {

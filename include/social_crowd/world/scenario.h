@@ -74,6 +74,15 @@ struct ObstacleGroup {
   Range speed;                         ///< [m/s], for TO_AND_FRO and LOOP
 };
 
+/// @brief One entry under `robots`.
+struct RobotGroup {
+  int line = 0;      ///< in the file, for messages
+  RobotStart start;  ///< without position, heading and goals
+  Region position;
+  std::optional<Range> heading;  ///< [rad]; absent: towards the first goal, else 0
+  std::vector<Region> goals;     ///< one after the other; empty: none
+};
+
 struct PopulationDescription;
 
 /// @brief A scenario as its document describes it: fixed numbers, and ranges from which each episode draws.
@@ -89,6 +98,8 @@ struct Scenario {
   std::uint64_t seed = 0;  ///< combined with the seed of the run
   std::vector<AgentGroup> agents;
   std::vector<ObstacleGroup> obstacles;
+  std::vector<RobotGroup> robots;
+  Ends ends = Ends::ALL;                                  ///< see Scene
   std::vector<Segment> walls;                             ///< of the file; those of the map are not among them
   bool way_finding = true;                                ///< see Scene
   std::shared_ptr<const OccupancyMap> map;                ///< null: none

@@ -10,6 +10,7 @@
 #include "social_crowd/world/free_space.h"
 #include "social_crowd/world/geometry.h"
 #include "social_crowd/world/obstacle_path.h"
+#include "social_crowd/world/robot.h"
 
 namespace crowd {
 
@@ -25,6 +26,11 @@ inline constexpr EnumNames<Contact, 2> CONTACTS{"contact", {"ghost", "solid"}};
 /// agents before it left it, decides and moves.
 enum class Order : std::uint8_t { SIMULTANEOUS = 0, SEQUENTIAL = 1 };
 inline constexpr EnumNames<Order, 2> ORDERS{"order", {"simultaneous", "sequential"}};
+
+/// @brief When an episode is over, at the latest after its duration. ALL: all agents have arrived, and all robots that
+/// have goals. ROBOTS: all robots that have goals have arrived.
+enum class Ends : std::uint8_t { ALL = 0, ROBOTS = 1 };
+inline constexpr EnumNames<Ends, 2> ENDS{"ends", {"all", "robots"}};
 
 /// @brief Inner radius (thesis, 4.1) [m], see Scene::collision_radius.
 constexpr double DEFAULT_COLLISION_RADIUS = 0.5;
@@ -64,6 +70,8 @@ struct Scene {
   Order order = Order::SIMULTANEOUS;
   std::vector<AgentStart> agents;
   std::vector<Obstacle> obstacles;
+  std::vector<RobotStart> robots;
+  Ends ends = Ends::ALL;
   std::vector<Segment> walls;  ///< those of the scenario file, then those of the map
   std::size_t own_walls = 0;   ///< number of walls of the scenario file
   /// Agents whose goal is hidden by walls or obstacles at rest perceive a waypoint on the way to it instead.

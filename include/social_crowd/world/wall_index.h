@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "social_crowd/world/geometry.h"
+#include "social_crowd/world/ray.h"
 #include "social_crowd/world/span.h"
 
 namespace crowd {
@@ -41,6 +42,9 @@ class WallIndex {
   /// only touches do not count, unless the radius is 0.
   /// @param radius of the disc [m]
   bool isClear(const Vector2& from, const Vector2& to, double radius) const;
+
+  /// @brief Distance along the ray to the nearest wall [m], or `limit` if that is less; `limit` may be infinite.
+  double firstHit(const Ray& ray, double limit) const;
 
   /// @brief Memory of the walls and the grid [bytes].
   std::size_t memory() const;

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "social_crowd/common/thread_pool.h"
+#include "social_crowd/world/agent.h"
 #include "social_crowd/world/neighbour_grid.h"
 #include "social_crowd/world/neighbour_search.h"
 #include "social_crowd/world/occlusion.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
+#include "social_crowd/world/robot.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/solid_motion.h"
 #include "social_crowd/world/wall_index.h"
@@ -20,56 +22,17 @@ namespace crowd {
 /// @brief Bodies that overlap by more than this are in contact [m].
 constexpr double CONTACT_OVERLAP = 1e-3;
 
-/// @brief WALKING: on its way. ARRIVED, REMOVED: not in the world any more.
-enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
-
-/// @brief An agent in the world.
-struct Agent {
-  AgentId id = 0;
-  Pose pose;                           ///< in `map`
-  Vector2 ahead = Vector2::UnitX();    ///< unit vector of the heading
-  Vector2 velocity = Vector2::Zero();  ///< of the last tick, `map` [m/s]
-  double max_speed = 0.0;              ///< maximum speed [m/s]
-  double radius = 0.0;                 ///< [m]
-  std::vector<Vector2> goals;          ///< [m], `map`
-  std::size_t next_goal = 0;
-  Vector2 present_goal = Vector2::Zero();  ///< present goal, or the last one after arrival [m], `map`
-  Vector2 waypoint = Vector2::Zero();      ///< where it is to walk now, see setWaypoint() [m], `map`
-  std::uint32_t goal_number = 0;           ///< number of changes of the goal or the waypoint
-  AgentStatus status = AgentStatus::WALKING;
-  bool leaves = true;               ///< see AgentStart
-  bool has_waypoint = false;        ///< it perceives `waypoint` as its goal
-  bool at_goal = false;             ///< reached its last goal, but does not leave
-  bool held = false;                ///< stays where it is, see hold()
-  bool yielding = false;            ///< stays where it is, see setYielding()
-  std::uint64_t arrival_tick = 0;   ///< the tick at whose start it had arrived, if arrived
-  bool acted = false;               ///< an action was executed in the last tick
-  bool blocked = false;             ///< its last move was cut short by an impact; solid worlds only
-  std::uint64_t blocked_moves = 0;  ///< number of blocked moves
-  bool in_contact = false;          ///< in the last tick
-  bool bumped = false;              ///< took part in an impact since the end of the last tick
-  bool touched = false;             ///< in contact in any tick so far
-  bool in_collision = false;        ///< a rim or wall was within the collision radius at the end of the last tick
-  bool collided = false;            ///< in collision in any tick so far
-
-  bool isWalking() const { return status == AgentStatus::WALKING; }
-  bool hasArrived() const { return status == AgentStatus::ARRIVED; }
-  /// @brief The present goal, or the last one after arrival [m], `map`.
-  const Vector2& goal() const { return present_goal; }
-  /// @brief What the agent perceives as its goal: the waypoint if it has one, else goal() [m], `map`.
-  const Vector2& perceivedGoal() const { return has_waypoint ? waypoint : present_goal; }
-};
-
-/// @brief State of agents, obstacles and walls: moves agents and obstacles tick by tick and computes the perceptions.
+/// @brief State of agents, obstacles, robots and walls: moves them tick by tick and computes the perceptions.
 ///
 /// A tick is either one step(), in which all agents move simultaneously, so that their order does not matter, or one
 /// moveAgent() for each agent followed by endTick(): then each agent perceives the moves of the agents before it
-/// (Order::SEQUENTIAL). Obstacles move at the end of the tick in both cases.
+/// (Order::SEQUENTIAL). Obstacles and robots move at the end of the tick in both cases.
 ///
 /// Contacts and collisions are measured at the end of a tick. In a ghost world bodies pass through each other; an agent
 /// is in contact if it overlaps something by more than CONTACT_OVERLAP. In a solid world bodies stop where they touch
 /// (SolidMotion); then an agent is also in contact if it took part in an impact during the tick. An agent is in
 /// collision if the rim of another body, or a wall, is within the scene's collision radius of its centre (thesis, 4.1).
+/// Robots are bodies in this sense, but not in the grid: there are few, and they are not always perceived as they are.
 ///
 /// Not thread-safe, except that any number of threads may call perceiveSome() while no thread changes the world.
 class World {
@@ -93,6 +56,7 @@ class World {
   /// @brief All agents, in the order of their ids, including those that have arrived or were removed.
   const std::vector<Agent>& agents() const { return agents_; }
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }
+  const std::vector<Robot>& robots() const { return robots_; }
   const std::vector<Segment>& walls() const { return walls_.walls(); }
   const WallIndex& wallIndex() const { return walls_; }
   /// @brief Number of agents on their way.
@@ -117,6 +81,7 @@ class World {
     std::vector<Neighbour> neighbours;      ///< the visible ones
     std::vector<Segment> walls;             ///< of all agents so far
     std::vector<std::uint32_t> near_walls;  ///< of one agent
+    std::vector<NearDisc> near_discs;       ///< of one agent: bodies of the grid and robots
   };
 
   /// @brief Number of bodies in the grid: agents on their way and obstacles.
@@ -163,7 +128,7 @@ class World {
   /// @brief Moves an agent to another place at once. @param pose in `map` @throws InputError unless it is on its way
   /// and the place is free; the world is unchanged then.
   void teleport(AgentId id, const Pose& pose);
-  /// @brief Whether a disc at this place [m], `map`, would overlap no agent, obstacle or wall.
+  /// @brief Whether a disc at this place [m], `map`, would overlap no agent, robot, obstacle or wall.
   bool isFree(const Vector2& centre, double radius) const;
   /// @brief Adds an obstacle, whose path begins now, and returns its index. @param position [m], `map`
   /// @param velocity [m/s], `map` @param radius [m] @throws InputError if a number is invalid or it overlaps an agent.
@@ -178,12 +143,34 @@ class World {
   void removeWall(std::size_t id);
   /// @brief Replaces all walls; their ids begin after the last one ever used. Agents may overlap them.
   void replaceWalls(std::vector<Segment> walls);
+
+  /// @brief Sets what a robot is to do from the next tick on, until the next call; it follows within its limits.
+  /// @throws InputError if there is no such robot, it is EXTERNAL, or a number is not finite.
+  void commandRobot(RobotId id, const Twist& wanted);
+  /// @brief Sets where an EXTERNAL robot is at the end of the coming tick; it stays there until the next call. The
+  /// place may be occupied. @param pose in `map` @param velocity [m/s], `map` @param jump it gets there at once,
+  /// instead of on a straight way, and then has no velocity. @throws InputError if there is no such EXTERNAL robot or a
+  /// number is not finite.
+  void placeRobot(RobotId id, const Pose& pose, const Vector2& velocity, bool jump);
+  /// @brief Replaces the goals of a robot [m], `map`; none: it has no goal any more.
+  /// @throws InputError if there is no such robot or a number is not finite.
+  void setRobotGoals(RobotId id, std::vector<Vector2> goals);
+  /// @brief Moves a robot to another place at once, where it stands. @param pose in `map` @throws InputError if there
+  /// is no such robot or the place is not free; the world is unchanged then.
+  void teleportRobot(RobotId id, const Pose& pose);
   /// @brief The id of each wall, in the order of walls().
   const std::vector<std::size_t>& wallIds() const { return wall_ids_; }
   /// @brief Number of changes of walls and obstacles at rest, for caches of what depends on them.
   std::uint64_t layoutChanges() const { return layout_changes_; }
 
  private:
+  /// Where an EXTERNAL robot is at the end of a tick.
+  struct RobotPlace {
+    Pose pose;
+    Vector2 velocity = Vector2::Zero();  // `map` [m/s]
+    bool jump = false;
+  };
+
   void assignActions(const std::vector<AgentAction>& actions);
   void beginMove(Agent& agent, const RelativeAction* action) const;
   /// Moves the solid bodies for which moves(body) holds (agents by id, then obstacles); the others stand still.
@@ -212,6 +199,11 @@ class World {
   void perceiveOne(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
                    AgentPerception& self, Perceptions& perceptions) const;
   void perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
+  /// Adds the robots that the agent perceives to the bodies found by the search, nearest rim first. Robot i has the
+  /// number grid_.size() + i.
+  Span<NearDisc> withRobots(const Span<NearDisc>& found, const Vision& vision, std::size_t max_count,
+                            const Vector2& place, PerceptionWorkspace& workspace) const;
+  static Neighbour seenRobot(const Robot& robot, const Agent& agent);
   /// Writes the bodies found by the search in the agent's frame.
   void writeNeighbours(const Span<NearDisc>& found, const Agent& agent, std::size_t first,
                        NeighbourList& neighbours) const;
@@ -219,11 +211,30 @@ class World {
   /// Reduces neighbours and walls in the workspace to their visible parts.
   void applyOcclusion(const Vision& vision, AgentPerception& self, PerceptionWorkspace& workspace) const;
   void addAgent(const AgentStart& start);
+  void addRobot(const RobotStart& start);
+  Robot& findRobot(RobotId id);
+  /// Determines the motions of the robots in the coming tick.
+  void beginRobotMoves();
+  /// Motions of robots that stand still, while an agent moves alone.
+  void holdRobots();
+  void addRobotDiscs();
+  /// Puts the robots where they are at the end of the tick.
+  void moveRobots();
+  /// Counts the goals that robots have reached at the end of a tick.
+  void endRobotMoves();
+  /// Notes contacts of robots with a walking agent that intended to move from `start` by `way`.
+  void noteRobotContacts(const Agent& agent, const Vector2& start, const Vector2& way);
+  void noteRobotContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way);
+  void noteSolidContacts();
+  bool isRobotWithin(double distance, const Vector2& place) const;
+  /// The name of a robot that overlaps a disc at this place; empty if none does.
+  std::string findRobotBlocker(const Vector2& centre, double radius, std::optional<RobotId> except) const;
   void setWalls(std::vector<Segment> walls);
   Agent& findWalking(AgentId id);
   /// Returns what overlaps a disc at this place, such as "agent 3"; empty if nothing does. @param except an agent
   std::string findBlocker(const Vector2& centre, double radius, bool agents_only,
-                          std::optional<AgentId> except = std::nullopt) const;
+                          std::optional<AgentId> except = std::nullopt,
+                          std::optional<RobotId> except_robot = std::nullopt) const;
   void requireFreePlace(const Vector2& centre, double radius, bool agents_only,
                         std::optional<AgentId> except = std::nullopt) const;
   void refresh();
@@ -235,6 +246,10 @@ class World {
   std::uint64_t tick_ = 0;
   std::vector<Agent> agents_;
   std::vector<Obstacle> obstacles_;
+  std::vector<Robot> robots_;
+  std::vector<std::optional<RobotPlace>> robot_places_;    // by robot: where an EXTERNAL one is to be next
+  std::vector<RobotSweep> robot_sweeps_;                   // by robot: its intended motion in this tick
+  std::vector<std::vector<RobotContact>> robot_contacts_;  // by robot: those of the present tick so far
   WallIndex walls_;
   double wall_reach_ = 0.0;            // agents perceive walls within this distance [m]
   std::vector<std::size_t> wall_ids_;  // of these

@@ -1,0 +1,42 @@
+// Services of the crowd controller for robots.
+
+#include <utility>
+
+#include "social_crowd/ros/crowd_controller.h"
+#include "social_crowd/ros/names.h"
+
+namespace crowd {
+
+std::future<void> CrowdController::beginRobotSteps(const social_crowd::StepRobots::Request& request,
+                                                   social_crowd::StepRobots::Response& response) {
+  if (!paused_ || !tick_ended_) throw InputError("the crowd is walking: call ~pause first");
+  if (pending_steps_ != nullptr) throw InputError("another step request is in progress");
+  const auto observe = [this, &response, with_scan = request.with_scan != 0](bool over) {
+    response.episode = episode_->number();
+    response.tick = episode_->world().tick();
+    response.done = over ? 1 : 0;
+    response.observations = robots_.observations(broadcaster_.header().stamp, with_scan);
+    response.message = "now at " + place();
+  };
+  const RobotInterfaces::Commands commands = robots_.commandsOf(request.robots, request.commands);
+  if (request.ticks > 0) {
+    robots_.hold(commands);
+    return beginSteps(request.ticks, observe);
+  }
+  observe(false);
+  std::promise<void> done;
+  done.set_value();
+  return done.get_future();
+}
+
+void CrowdController::advertiseRobotServices() {
+  services_.serve<social_crowd::StepRobots>(names::STEP_ROBOTS, [this](const auto& request, auto& response) {
+    waitFor(loop_.ask<std::future<void>>([&] { return beginRobotSteps(request, response); }), std::chrono::hours(24));
+    loop_.ask<void>([&] {
+      robots_.release();
+      if (response.observations.empty()) throw Error("the steps were ended by ~pause");
+    });
+  });
+}
+
+}  // namespace crowd

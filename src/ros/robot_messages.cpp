@@ -1,0 +1,177 @@
+#include "social_crowd/ros/robot_messages.h"
+
+#include <sensor_msgs/point_cloud2_iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "social_crowd/ros/conversions.h"
+
+namespace crowd {
+namespace {
+
+constexpr int DISC_CORNERS = 16;
+
+geometry_msgs::Pose2D toPose2D(const Pose& pose) {
+  geometry_msgs::Pose2D message;
+  message.x = pose.position.x();
+  message.y = pose.position.y();
+  message.theta = pose.heading;
+  return message;
+}
+
+double clearanceOf(const Robot& robot, const World& world) {
+  double clearance = std::numeric_limits<double>::infinity();
+  const double reach = robot.start.footprint.reach();
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isWalking()) continue;
+    const double distance = (agent.pose.position - robot.pose.position).norm();
+    clearance = std::min(clearance, distance - reach - agent.radius);
+  }
+  return clearance;
+}
+
+}  // namespace
+
+Twist fromMessage(const geometry_msgs::Twist& message) {
+  return {{message.linear.x, message.linear.y}, message.angular.z};
+}
+
+geometry_msgs::Twist toMessage(const Twist& twist) {
+  geometry_msgs::Twist message;
+  message.linear = toVector3(twist.linear);
+  message.angular.z = twist.rotation;
+  return message;
+}
+
+geometry_msgs::Pose toMessage(const Pose& pose) {
+  geometry_msgs::Pose message;
+  message.position = toPoint(pose.position);
+  message.orientation = toQuaternion(pose.heading);
+  return message;
+}
+
+geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, const std::string& child,
+                                            const Pose& pose) {
+  geometry_msgs::TransformStamped transform;
+  transform.header = header;
+  transform.child_frame_id = child;
+  transform.transform.translation = toVector3(pose.position);
+  transform.transform.rotation = toQuaternion(pose.heading);
+  return transform;
+}
+
+Pose relativePose(const Pose& from, const Pose& to) {
+  return {Rotation(from.heading).intoFrame(to.position - from.position), wrapAngle(to.heading - from.heading)};
+}
+
+Pose composedPose(const Pose& frame, const Pose& pose) {
+  return {frame.position + Rotation(frame.heading).outOfFrame(pose.position), wrapAngle(frame.heading + pose.heading)};
+}
+
+nav_msgs::Odometry toMessage(const Odometry& odometry) {
+  nav_msgs::Odometry message;
+  message.pose.pose = toMessage(odometry.pose);
+  message.twist.twist = toMessage(odometry.twist);
+  return message;
+}
+
+sensor_msgs::LaserScan toMessage(const ScanSpec& spec, const std::vector<float>& ranges, double tick_duration) {
+  sensor_msgs::LaserScan message;
+  const double increment = angleIncrement(spec);
+  message.angle_min = static_cast<float>(spec.first_angle);
+  message.angle_max = static_cast<float>(spec.first_angle + increment * (static_cast<double>(spec.rays) - 1.0));
+  message.angle_increment = static_cast<float>(increment);
+  message.scan_time = static_cast<float>(std::max(spec.period, tick_duration));
+  message.range_min = static_cast<float>(spec.min_range);
+  message.range_max = static_cast<float>(spec.max_range);
+  message.ranges = ranges;
+  return message;
+}
+
+sensor_msgs::PointCloud2 toCloud(const ScanSpec& spec, const std::vector<float>& ranges) {
+  sensor_msgs::PointCloud2 cloud;
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(1, "xyz");
+  const auto is_hit = [](float range) { return std::isfinite(range); };
+  modifier.resize(static_cast<std::size_t>(std::count_if(ranges.begin(), ranges.end(), is_hit)));
+  sensor_msgs::PointCloud2Iterator<float> x(cloud, "x");
+  sensor_msgs::PointCloud2Iterator<float> y(cloud, "y");
+  sensor_msgs::PointCloud2Iterator<float> z(cloud, "z");
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!is_hit(ranges[i])) continue;
+    const Vector2 point =
+        static_cast<double>(ranges[i]) * unitVector(spec.first_angle + static_cast<double>(i) * angleIncrement(spec));
+    *x = static_cast<float>(point.x());
+    *y = static_cast<float>(point.y());
+    *z = 0.0F;
+    ++x;
+    ++y;
+    ++z;
+  }
+  cloud.is_dense = 1;
+  return cloud;
+}
+
+geometry_msgs::Polygon toMessage(const Footprint& footprint) {
+  std::vector<Vector2> corners = footprint.corners;
+  for (int i = 0; footprint.isDisc() && i < DISC_CORNERS; ++i) {
+    corners.push_back(footprint.radius * unitVector(2.0 * PI * i / DISC_CORNERS));
+  }
+  geometry_msgs::Polygon polygon;
+  for (const Vector2& corner : corners) {
+    geometry_msgs::Point32 point;
+    point.x = static_cast<float>(corner.x());
+    point.y = static_cast<float>(corner.y());
+    polygon.points.push_back(point);
+  }
+  return polygon;
+}
+
+social_crowd::RobotState toMessage(const Robot& robot, RobotId id) {
+  social_crowd::RobotState message;
+  message.robot = id;
+  message.name = robot.start.name;
+  message.status = static_cast<std::uint8_t>(robot.status);
+  message.pose = toPose2D(robot.pose);
+  message.twist = toMessage(robot.twist);
+  message.command = toMessage(robot.target);
+  for (const Vector2& corner : robot.start.footprint.corners) message.footprint.push_back(toPoint(corner));
+  message.radius = robot.start.footprint.reach();
+  message.has_goal = robot.hasGoal() ? 1 : 0;
+  if (robot.hasGoal()) message.goal = toPoint(robot.goal());
+  message.blocked = robot.blocked ? 1 : 0;
+  for (const RobotContact& contact : robot.contacts) message.contacts.push_back(contact.agent);
+  return message;
+}
+
+void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message) {
+  const auto refused = [&](CommandRefusal cause) { return counts.refused[static_cast<std::size_t>(cause)]; };
+  message.commands_taken = counts.taken;
+  message.commands_missed = counts.missed;
+  message.command_timeouts = counts.timeouts;
+  message.commands_not_finite = refused(CommandRefusal::NOT_FINITE);
+  message.commands_of_others = refused(CommandRefusal::OTHER_PUBLISHER);
+  message.commands_repeated = refused(CommandRefusal::SECOND_IN_TICK);
+}
+
+social_crowd::RobotObservation toObservation(const Robot& robot, const World& world) {
+  social_crowd::RobotObservation message;
+  message.name = robot.start.name;
+  message.pose = toPose2D(robot.pose);
+  message.twist = toMessage(robot.twist);
+  message.has_goal = robot.hasGoal() ? 1 : 0;
+  message.arrived = robot.hasArrived() ? 1 : 0;
+  if (robot.hasGoal()) message.goal = toPoint(relativePose(robot.pose, {robot.goal(), 0.0}).position);
+  message.blocked = robot.blocked ? 1 : 0;
+  for (const RobotContact& contact : robot.contacts) {
+    message.contacts.push_back(contact.agent);
+    if (contact.cause == ContactCause::ROBOT) message.contacts_by_robot.push_back(contact.agent);
+    if (contact.cause == ContactCause::PERSON) message.contacts_by_person.push_back(contact.agent);
+  }
+  message.clearance = clearanceOf(robot, world);
+  return message;
+}
+
+}  // namespace crowd

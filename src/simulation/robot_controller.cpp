@@ -1,0 +1,72 @@
+#include "social_crowd/simulation/robot_controller.h"
+
+#include <algorithm>
+
+#include "social_crowd/common/suggestions.h"
+#include "social_crowd/simulation/reactive_rule.h"
+
+namespace crowd {
+namespace {
+
+/// Turns towards the goal, then drives there. It ignores everything in between.
+class StraightController : public RobotController {
+ public:
+  Twist command(const RobotView& view) override {
+    const Robot& robot = view.robot();
+    const Vector2 way = Rotation(robot.pose.heading).intoFrame(view.goal - robot.pose.position);
+    const double speed = robot.start.limits.max_speed * std::min(1.0, way.norm());
+    if (robot.start.drive == Drive::HOLONOMIC) return {speed * way.normalized(), 0.0};
+    const double bearing = bearingOf(way);
+    // A car cannot turn on the spot.
+    const bool drives = std::abs(bearing) < AHEAD || robot.start.drive == Drive::ACKERMANN;
+    return {{drives ? speed : 0.0, 0.0}, TURN_RATE * bearing};
+  }
+
+ private:
+  static constexpr double AHEAD = toRadians(30.0);  // [rad]
+  static constexpr double TURN_RATE = 2.0;          // [1/s]
+};
+
+/// Sees what its laser scanner sees, and knows where its goal is.
+class ReactiveController : public RobotController {
+ public:
+  Twist command(const RobotView& view) override {
+    const Robot& robot = view.robot();
+    const Vector2 goal = Rotation(robot.pose.heading).intoFrame(view.goal - robot.pose.position);
+    return reactiveCommand(robot.start, goal, view.senses.ranges(view.world, view.id));
+  }
+};
+
+}  // namespace
+
+const std::vector<std::string>& robotControllerNames() {
+  static const std::vector<std::string> NAMES = {"none", "straight", "reactive"};
+  return NAMES;
+}
+
+std::unique_ptr<RobotController> makeRobotController(const std::string& name) {
+  if (name == "none") return nullptr;
+  if (name == "straight") return std::make_unique<StraightController>();
+  if (name == "reactive") return std::make_unique<ReactiveController>();
+  throw InputError("robot controller: expected " + joinAlternatives(robotControllerNames()) + ", got '" + name + "'");
+}
+
+RobotDrivers::RobotDrivers(const std::string& controller, const Episode& episode) : senses_(episode.scene()) {
+  for (const Robot& robot : episode.world().robots()) {
+    const bool is_commanded = robot.start.drive != Drive::EXTERNAL;
+    controllers_.push_back(is_commanded ? makeRobotController(controller) : nullptr);
+  }
+}
+
+void RobotDrivers::command(Episode& episode) {
+  if (episode.world().tick() > 0) senses_.observe(episode.world());
+  for (RobotId id = 0; id < controllers_.size(); ++id) {
+    if (!controllers_[id]) continue;
+    const Robot& robot = episode.world().robots()[id];
+    const bool drives = robot.hasGoal() && !robot.hasArrived();
+    episode.commandRobot(id,
+                         drives ? controllers_[id]->command({episode.world(), id, robot.goal(), senses_}) : Twist());
+  }
+}
+
+}  // namespace crowd

@@ -1,0 +1,225 @@
+#include "world/robot_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "world/list_reader.h"
+#include "world/region_reader.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::int64_t MAX_RAYS = 100000;
+
+enum class PoseSource : std::uint8_t { ODOM = 0, TF = 1 };
+constexpr EnumNames<PoseSource, 2> POSE_SOURCES{"pose_from", {"odom", "tf"}};
+
+bool isName(const std::string& text) {
+  const auto is_part = [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '_'; };
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
+         std::all_of(text.begin(), text.end(), is_part);
+}
+
+std::string readName(const YamlMap& map, const std::string& key) {
+  std::string name = map.text(key);
+  if (!isName(name)) throwExpected(map.placeOf(key), map.need(key), "letters, digits and _, with a letter first");
+  return name;
+}
+
+void readFootprint(const YamlMap& map, Footprint& footprint) {
+  const YAML::Node corners = map.find("footprint");
+  if (corners && map.has("radius")) {
+    throwProblem(map.placeOf("footprint"), corners, "expected either radius or footprint, got both");
+  }
+  if (!corners) {
+    footprint.radius = map.number("radius", NumberRule::POSITIVE);
+    return;
+  }
+  footprint.corners = readList<Vector2>(corners, map.placeOf("footprint"), readVector);
+  const std::string problem = problemOf(footprint.corners);
+  if (!problem.empty()) throwProblem(map.placeOf("footprint"), corners, problem);
+}
+
+void readDrive(const YamlMap& map, const Units& units, RobotStart& start) {
+  start.drive = DRIVES.read(map, Drive::DIFFERENTIAL);
+  DriveLimits& limits = start.limits;
+  limits.max_speed = units.speed(map.number("max_speed", NumberRule::POSITIVE));
+  limits.max_rotation = map.number("max_rotation", NumberRule::POSITIVE, limits.max_rotation);
+  limits.max_acceleration = map.number("acceleration", NumberRule::POSITIVE, limits.max_acceleration);
+  limits.max_rotation_acceleration =
+      map.number("rotation_acceleration", NumberRule::POSITIVE, limits.max_rotation_acceleration);
+  const YAML::Node turning = map.find("min_turning_radius");
+  if (start.drive == Drive::ACKERMANN) {
+    limits.min_turning_radius = map.number("min_turning_radius", NumberRule::POSITIVE);
+  } else if (turning) {
+    throwProblem(map.placeOf("min_turning_radius"), turning, "is for drive: ackermann only");
+  }
+  start.reads_tf = POSE_SOURCES.read(map, PoseSource::ODOM) == PoseSource::TF;
+  if (start.drive != Drive::EXTERNAL && map.has("pose_from")) {
+    throwProblem(map.placeOf("pose_from"), map.need("pose_from"), "is for drive: external only");
+  }
+}
+
+void readCourtesy(const YamlMap& map, RobotStart& start) {
+  start.perceived = map.flag("perceived", true);
+  start.yields = YIELDS.read(map, start.perceived ? Yields::CROWD : Yields::NOBODY);
+  const bool crowd_yields = start.yields == Yields::CROWD || start.yields == Yields::BOTH;
+  if (start.perceived || !crowd_yields) return;
+  throwProblem(map.placeOf("yields"), map.need("yields"),
+               "'" + YIELDS.nameOf(start.yields) + "' needs perceived: true");
+}
+
+void readOdometry(const YamlMap& parent, OdometrySpec& odometry) {
+  const YAML::Node node = parent.find("odometry");
+  if (!node) return;
+  const YamlMap map(node, parent.placeOf("odometry"), {"distance", "rotation", "heading_per_metre"});
+  odometry.distance = map.number("distance", NumberRule::NOT_NEGATIVE, 0.0);
+  odometry.rotation = map.number("rotation", NumberRule::NOT_NEGATIVE, 0.0);
+  odometry.heading_per_metre = map.number("heading_per_metre", NumberRule::NOT_NEGATIVE, 0.0);
+}
+
+/// Reads [low, high], the lower number first.
+Range readPair(const YamlMap& map, const std::string& key, NumberRule rule, const Range& otherwise) {
+  const YAML::Node node = map.find(key);
+  if (!node) return otherwise;
+  const YamlPlace place = map.placeOf(key);
+  const Range range = node.IsSequence() ? readRange(node, place, rule) : Range();
+  if (range.isFixed()) throwExpected(place, node, "[low, high]");
+  return range;
+}
+
+void readScan(const YamlMap& parent, ScanSpec& scan) {
+  const YAML::Node node = parent.find("scan");
+  if (!node) return;
+  const YamlMap map(node, parent.placeOf("scan"),
+                    {"rays", "angles", "range", "position", "heading", "noise", "dropout", "period", "people"});
+  scan.rays = static_cast<std::uint32_t>(map.whole("rays", 1, MAX_RAYS, scan.rays));
+  const Range angles = readPair(map, "angles", NumberRule::ANY, {-180.0, 180.0});
+  if (angles.high - angles.low > 360.0) throwExpected(map.placeOf("angles"), map.need("angles"), "at most 360 degrees");
+  scan.first_angle = toRadians(angles.low);
+  scan.last_angle = toRadians(angles.high);
+  const Range range = readPair(map, "range", NumberRule::NOT_NEGATIVE, {scan.min_range, scan.max_range});
+  scan.min_range = range.low;
+  scan.max_range = range.high;
+  if (const YAML::Node position = map.find("position")) {
+    scan.mount.position = readVector(position, map.placeOf("position"));
+  }
+  scan.mount.heading = toRadians(map.number("heading", NumberRule::ANY, 0.0));
+  scan.noise = map.number("noise", NumberRule::NOT_NEGATIVE, scan.noise);
+  scan.dropout = map.number("dropout", NumberRule::FRACTION, scan.dropout);
+  scan.period = map.number("period", NumberRule::NOT_NEGATIVE, scan.period);
+  scan.people = SEEN_PEOPLE.read(map, scan.people);
+}
+
+/// The places of a route that a robot can follow.
+std::vector<Region> placesOf(const YamlMap& map, const PopulationDescription& population) {
+  const YamlPlace place = map.placeOf("route");
+  const YAML::Node node = map.need("route");
+  const std::string name = readText(node, place);
+  const auto found = findName(population.routes, name);
+  if (!found) throwProblem(place, node, unknownNameText("route", name, namesOf(population.routes)));
+  const RouteDescription& route = population.routes[*found];
+  std::vector<Region> places;
+  for (const WaypointDescription& waypoint : route.waypoints) {
+    const bool is_place = waypoint.kind == WaypointDescription::Kind::PLACE && waypoint.wait.high <= 0.0;
+    if (!is_place || route.repeat) {
+      throwProblem(place, node, "a robot follows a route of places alone, without wait and repeat");
+    }
+    places.push_back(waypoint.place);
+  }
+  return places;
+}
+
+void readGoals(const YamlMap& map, const PopulationDescription& population, RobotGroup& group) {
+  const int kinds = (map.has("goal") ? 1 : 0) + (map.has("goals") ? 1 : 0) + (map.has("route") ? 1 : 0);
+  if (kinds > 1) throwProblem(map.place(), map.node(), "expected only one of goal, goals and route");
+  if (map.has("goal")) group.goals = {readRegion(map.need("goal"), map.placeOf("goal"))};
+  if (map.has("goals")) group.goals = readRegions(map.need("goals"), map.placeOf("goals"));
+  if (map.has("route")) group.goals = placesOf(map, population);
+}
+
+void readHeading(const YamlMap& map, RobotGroup& group) {
+  const YAML::Node node = map.find("heading");
+  if (!node) return;
+  const YamlPlace place = map.placeOf("heading");
+  if (const YAML::Node radians = findOnly("radians", node, place)) {
+    const double angle = readNumber(radians, place.child("radians"));
+    group.heading = Range{angle, angle};
+    return;
+  }
+  const Range degrees = readRange(node, place, NumberRule::ANY);
+  group.heading = Range{toRadians(degrees.low), toRadians(degrees.high)};
+}
+
+RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units& units, double goal_tolerance,
+                     const PopulationDescription& population) {
+  const YamlMap map(node, place,
+                    {"name",
+                     "namespace",
+                     "position",
+                     "heading",
+                     "goal",
+                     "goals",
+                     "route",
+                     "radius",
+                     "footprint",
+                     "drive",
+                     "max_speed",
+                     "max_rotation",
+                     "acceleration",
+                     "rotation_acceleration",
+                     "min_turning_radius",
+                     "cmd_timeout",
+                     "goal_tolerance",
+                     "perceived",
+                     "yields",
+                     "odometry",
+                     "scan",
+                     "pose_from"});
+  RobotGroup group;
+  group.line = lineOf(node);
+  RobotStart& start = group.start;
+  start.name = readName(map, "name");
+  const bool has_own_names = map.has("namespace") && !map.text("namespace").empty();
+  start.name_space = has_own_names ? readName(map, "namespace") : "";
+  group.position = readRegion(map.need("position"), map.placeOf("position"));
+  readHeading(map, group);
+  readGoals(map, population, group);
+  readFootprint(map, start.footprint);
+  readDrive(map, units, start);
+  start.cmd_timeout = map.number("cmd_timeout", NumberRule::POSITIVE, DEFAULT_COMMAND_TIMEOUT);
+  start.goal_tolerance = map.number("goal_tolerance", NumberRule::POSITIVE, goal_tolerance);
+  readCourtesy(map, start);
+  readOdometry(map, start.odometry);
+  readScan(map, start.scan);
+  return group;
+}
+
+}  // namespace
+
+std::vector<RobotGroup> readRobots(const YamlMap& map, const Units& units, double goal_tolerance,
+                                   const PopulationDescription& population) {
+  const YAML::Node list = map.find("robots");
+  const YamlPlace place = map.placeOf("robots");
+  const auto read = [&](const YAML::Node& node, const YamlPlace& at) {
+    return readRobot(node, at, units, goal_tolerance, population);
+  };
+  std::vector<RobotGroup> robots = readList<RobotGroup>(list, place, read);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    RobotStart& start = robots[i].start;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (robots[k].start.name != start.name) continue;
+      throwProblem(place.element(i).child("name"), list[i], "there are two robots '" + start.name + "'");
+    }
+    if (robots.size() > 1 && !list[i]["namespace"]) start.name_space = start.name;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (robots[k].start.name_space != start.name_space) continue;
+      throwProblem(place.element(i).child("namespace"), list[i],
+                   "there are two robots in the namespace '" + start.name_space + "'");
+    }
+  }
+  return robots;
+}
+
+}  // namespace crowd

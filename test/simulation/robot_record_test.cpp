@@ -1,0 +1,47 @@
+#include "social_crowd/simulation/robot_record.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace crowd {
+namespace {
+
+/// An episode of a robot that arrived after 10 s, and of one that drove into a person.
+EpisodeResult twoRobots() {
+  EpisodeResult result;
+  result.scenario = "hall";
+  result.robots.resize(2);
+  result.robots[0].name = "a";
+  result.robots[0].success = true;
+  result.robots[0].time_to_reach_goal = 10.0;
+  result.robots[1].name = "b";
+  result.robots[1].robot_on_person_collisions = 2;
+  result.robots[1].mutual_collisions = 1;
+  return result;
+}
+
+TEST(RobotRecord, HasARowForEachRobot) {
+  std::string rows;
+  appendRobotRows(7, twoRobots(), rows);
+  EXPECT_EQ(rows.substr(0, 26), "7,hall,a,1,0,0,10,0,nan,na");
+  EXPECT_NE(rows.find("\n7,hall,b,0,0,0,nan,"), std::string::npos);
+  const std::string header = robotRecordHeader();
+  EXPECT_EQ(header.substr(0, 38), "episode,scenario,robot,success,timeout");
+  const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
+  EXPECT_EQ(commas(rows), 2 * commas(header));
+}
+
+TEST(RobotSummary, SumsUpTheRobotsOfAllEpisodes) {
+  RobotSummary summary;
+  EXPECT_EQ(summary.text(), "");
+  summary.add(twoRobots());
+  summary.add(twoRobots());
+  EXPECT_EQ(
+      summary.text(),
+      "robots: 2 of 4 arrived after 10.0 s, 2 of them without a contact; contacts: 4 robot on person, 0 person on "
+      "robot, 2 mutual");
+}
+
+}  // namespace
+}  // namespace crowd

@@ -1,0 +1,238 @@
+// Contacts of robots with agents, walls and obstacles, and who moved into whom.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "social_crowd/common/errors.h"
+#include "support/error_of.h"
+#include "support/robots.h"
+#include "support/worlds.h"
+
+namespace crowd {
+namespace {
+
+using robots::robot;
+using robots::with;
+using scenes::scene;
+using scenes::solid;
+using scenes::wanderer;
+
+constexpr double NEAR = 1e-6;
+
+/// The world after a tick in which the robot drives straight ahead, if it does, and the agents walk.
+World afterTick(const Scene& scene, bool drives, const std::vector<AgentAction>& actions = {}) {
+  World world(scene);
+  if (drives) world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.step(actions);
+  return world;
+}
+
+/// An agent of 0.25 m and 1 m/s in front of a robot at the origin, with a gap in between [m]; it faces the robot.
+Scene facing(double gap) {
+  AgentStart agent = wanderer({0.55 + gap, 0.0}, 1.0);
+  agent.heading = -PI;
+  return with({robot({0.0, 0.0})}, scene({agent}));
+}
+
+void expectContact(const World& world, ContactCause cause) {
+  ASSERT_EQ(world.robots()[0].contacts.size(), 1U);
+  EXPECT_EQ(world.robots()[0].contacts[0].agent, 0U);
+  EXPECT_EQ(world.robots()[0].contacts[0].cause, cause);
+  EXPECT_TRUE(world.robots()[0].contacts[0].begins);
+}
+
+TEST(RobotContact, WallsStopARobot) {
+  const World world = afterTick(solid(with({robot({0.0, 0.0})}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}}))), true);
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);
+  EXPECT_TRUE(world.robots()[0].blocked);
+  EXPECT_EQ(world.robots()[0].twist.linear, Vector2(0.0, 0.0));
+  EXPECT_EQ(world.robots()[0].velocity, Vector2(0.0, 0.0));
+}
+
+TEST(RobotContact, ARobotThatDrivesIntoAPersonStops) {
+  World world = afterTick(solid(facing(0.05)), true);
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);
+  expectVector(world.agents()[0].pose.position, 0.6, 0.0);
+  EXPECT_TRUE(world.agents()[0].in_contact);
+  expectContact(world, ContactCause::ROBOT);
+  world.step({});  // it presses on: the same contact
+  ASSERT_EQ(world.robots()[0].contacts.size(), 1U);
+  EXPECT_FALSE(world.robots()[0].contacts[0].begins);
+  EXPECT_EQ(world.robots()[0].contacts[0].cause, ContactCause::ROBOT);
+  world.commandRobot(0, {{-1.0, 0.0}, 0.0});
+  world.step({});
+  EXPECT_TRUE(world.robots()[0].contacts.empty());
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), -0.05, NEAR);
+}
+
+TEST(RobotContact, APersonThatWalksIntoARobotStops) {
+  const World world = afterTick(solid(facing(0.05)), false, {ahead(0)});
+  EXPECT_NEAR(world.agents()[0].pose.position.x(), 0.55, NEAR);
+  EXPECT_TRUE(world.agents()[0].blocked);
+  expectContact(world, ContactCause::PERSON);
+}
+
+TEST(RobotContact, IsMutualIfBothMoveIn) {
+  for (const Contact contact : {Contact::SOLID, Contact::GHOST}) {
+    for (const double gap : {0.05, 0.15}) {  // each of them alone, or none of them alone, would reach the other
+      Scene both = facing(gap);
+      both.contact = contact;
+      expectContact(afterTick(both, true, {ahead(0)}), ContactCause::MUTUAL);
+    }
+  }
+}
+
+TEST(RobotContact, HasACauseInAGhostWorld) {
+  expectContact(afterTick(facing(0.05), true), ContactCause::ROBOT);
+  expectContact(afterTick(facing(0.05), false, {ahead(0)}), ContactCause::PERSON);
+  EXPECT_TRUE(afterTick(facing(0.0995), true).robots()[0].contacts.empty());  // an overlap of 0.5 mm only
+}
+
+TEST(RobotContact, PassingThroughIsOneContact) {
+  // Contact below 0.549 m: from tick 5, which ends at -0.5 m, to tick 16, which begins at 0.5 m.
+  World world(with({robot({-1.0, 0.0})}, scene({wanderer({0.0, 0.0})})));
+  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  for (int tick = 1; tick <= 20; ++tick) {
+    world.step({});
+    const auto& contacts = world.robots()[0].contacts;
+    ASSERT_EQ(contacts.size(), tick >= 5 && tick <= 16 ? 1U : 0U) << "tick " << tick;
+    if (!contacts.empty()) EXPECT_EQ(contacts[0].begins, tick == 5) << "tick " << tick;
+  }
+}
+
+TEST(RobotContact, InSequentialTicksToo) {
+  for (const Contact contact : {Contact::SOLID, Contact::GHOST}) {
+    Scene scene = facing(0.05);
+    scene.contact = contact;
+    World person(scene);
+    person.moveAgent(0, {ahead(0)});
+    person.endTick();
+    expectContact(person, ContactCause::PERSON);
+    World robot(scene);
+    robot.commandRobot(0, {{1.0, 0.0}, 0.0});
+    robot.moveAgent(0, {});
+    robot.endTick();
+    expectContact(robot, ContactCause::ROBOT);
+  }
+}
+
+TEST(RobotContact, ARobotElsewhereIsNotStopped) {
+  Scene scene = solid(facing(0.05));
+  scene.robots[0].drive = Drive::EXTERNAL;
+  World world(scene);
+  world.placeRobot(0, {{0.1, 0.0}, 0.0}, {1.0, 0.0}, false);
+  world.step({});
+  EXPECT_EQ(world.robots()[0].pose.position, Vector2(0.1, 0.0));
+  expectVector(world.agents()[0].pose.position, 0.6, 0.0);
+  expectContact(world, ContactCause::ROBOT);
+  World jumping(scene);
+  jumping.placeRobot(0, {{0.6, 0.1}, 0.0}, {0.0, 0.0}, true);
+  jumping.step({});
+  expectContact(jumping, ContactCause::ROBOT);
+  // An agent does not walk into it.
+  World walking(scene);
+  walking.step({ahead(0)});
+  EXPECT_NEAR(walking.agents()[0].pose.position.x(), 0.55, NEAR);
+  expectContact(walking, ContactCause::PERSON);
+}
+
+TEST(RobotContact, AMovingObstacleStopsARobotAndPassesOverIt) {
+  World world(solid(with({robot({0.0, 0.0})}, scene({}, {scenes::moving_obstacle({0.6, 0.0}, {-0.5, 0.0}, 0.25)}))));
+  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  for (int tick = 0; tick < 5; ++tick) world.step({});
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.1 * 0.05 / 0.15, NEAR);  // they met 0.05 m closer, at 1.5 m/s
+}
+
+TEST(RobotContact, RobotsStopEachOther) {
+  World world(solid(with({robot({0.0, 0.0}), robot({0.7, 0.0})}, scene({}))));
+  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.step({});
+  world.step({});
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.1, NEAR);
+  EXPECT_EQ(world.robots()[1].pose.position, Vector2(0.7, 0.0));
+  world.commandRobot(1, {{1.0, 0.0}, 0.0});  // one drives ahead of the other
+  world.step({});
+  world.step({});
+  EXPECT_NEAR(world.robots()[1].pose.position.x(), 0.9, NEAR);
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.3, NEAR);
+}
+
+TEST(RobotContact, RobotsOccupyPlaces) {
+  World world(with({robot({0.0, 0.0})}, scene({wanderer({5.0, 0.0})})));
+  EXPECT_FALSE(world.isFree({0.5, 0.0}, 0.25));
+  EXPECT_TRUE(world.isFree({0.56, 0.0}, 0.25));
+  const auto spawned = [&] { world.spawnAgent(wanderer({0.4, 0.0})); };
+  EXPECT_EQ(errorOf<InputError>(spawned), "the place is taken by robot 'robot'");
+  EXPECT_EQ(errorOf<InputError>([&] {
+              world.addWall({{0.2, -1.0}, {0.2, 1.0}});
+            }),
+            "the place is taken by robot 'robot'");
+  EXPECT_EQ(errorOf<InputError>([&] {
+              world.spawnObstacle({0.4, 0.0}, {0.0, 0.0}, 0.2);
+            }),
+            "the place is taken by robot 'robot'");
+}
+
+TEST(RobotContact, CollisionRadiusIncludesRobots) {
+  const World far = afterTick(facing(0.26), false);  // the rim is 0.51 m from the agent's centre
+  EXPECT_FALSE(far.agents()[0].in_collision);
+  const World near = afterTick(facing(0.24), false);
+  EXPECT_TRUE(near.agents()[0].in_collision);
+  EXPECT_FALSE(near.agents()[0].in_contact);
+}
+
+TEST(RobotPerception, ShowsTheDiscThatTheRobotMayReach) {
+  RobotStart start = robot({0.0, 0.0}, PI / 2.0);
+  start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
+  World world(with({start}, scene({wanderer({-2.0, 0.0}), wanderer({-3.0, 0.0})})));
+  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.step({});
+  const Perceptions seen = lookAround(world);
+  ASSERT_EQ(seen.agents[0].neighbour_count, 2U);
+  const Perception first(seen, 0);
+  EXPECT_EQ(first.neighbours[0].kind, NeighbourKind::AGENT);  // its rim is 0.75 m away, that of the robot 1.7 m
+  EXPECT_EQ(first.neighbours[1].kind, NeighbourKind::ROBOT);
+  EXPECT_NEAR(first.neighbours[1].radius, 0.315, 1e-12);  // 0.015 m for acceleration and rotation
+  expectVector(first.neighbours[1].position, 2.0, 0.01);
+  expectVector(first.neighbours[1].velocity, 0.0, 0.1);
+  const Perceptions nearest = perceive(world, {6.0, 1});
+  EXPECT_EQ(nearest.agents[0].neighbour_count, 1U);
+  EXPECT_EQ(Perception(nearest, 0).neighbours[0].kind, NeighbourKind::AGENT);
+  const Perceptions short_sighted = perceive(world, {1.6, 0});
+  EXPECT_EQ(short_sighted.agents[0].neighbour_count, 1U);
+}
+
+TEST(RobotPerception, DependsOnWhoYields) {
+  RobotStart start = robot({0.0, 0.0});
+  start.yields = Yields::ROBOT;
+  EXPECT_EQ(perceive(with({start}, scene({wanderer({2.0, 0.0})}))).neighbours[0].kind, NeighbourKind::UNYIELDED_ROBOT);
+  start.yields = Yields::BOTH;
+  EXPECT_EQ(perceive(with({start}, scene({wanderer({2.0, 0.0})}))).neighbours[0].kind, NeighbourKind::ROBOT);
+  start.perceived = false;
+  EXPECT_EQ(perceive(with({start}, scene({wanderer({2.0, 0.0})}))).agents[0].neighbour_count, 0U);
+}
+
+TEST(ProtectiveStop, LeavesAGapToPeopleWhoStand) {
+  RobotStart start = robot({0.0, 0.0});
+  start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
+  start.yields = Yields::ROBOT;
+  World world(with({start}, scene({wanderer({3.0, 0.2}, 1.0)})));
+  world.commandRobot(0, {{5.0, 0.0}, 0.0});
+  double fastest = 0.0;
+  for (int tick = 0; tick < 100; ++tick) {
+    world.step({});
+    fastest = std::max(fastest, world.robots()[0].velocity.x());
+    EXPECT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
+  }
+  EXPECT_NEAR(fastest, 1.0, 1e-9);
+  // It comes near the distance that the agent could walk in a tick, 0.1 m, where the centres are 0.65 m apart.
+  EXPECT_NEAR((world.robots()[0].pose.position - Vector2(3.0, 0.2)).norm(), 0.65, 0.02);
+  EXPECT_LT(world.robots()[0].velocity.norm(), 0.05);
+  world.commandRobot(0, {{-1.0, 0.0}, 0.0});
+  for (int tick = 0; tick < 10; ++tick) world.step({});
+  EXPECT_LT(world.robots()[0].velocity.x(), -0.5);  // the way back is free
+}
+
+}  // namespace
+}  // namespace crowd

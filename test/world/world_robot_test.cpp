@@ -1,0 +1,120 @@
+// Robots in the world: commands, places, goals.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/world/world.h"
+#include "support/error_of.h"
+#include "support/robots.h"
+
+namespace crowd {
+namespace {
+
+using robots::robot;
+using robots::robotTo;
+using robots::with;
+using scenes::scene;
+using scenes::wanderer;
+
+TEST(WorldRobot, FollowsItsCommandUntilTheNext) {
+  World world(with({robot({1.0, 2.0}, PI / 2.0)}, scene({})));
+  world.step({});
+  EXPECT_EQ(world.robots()[0].pose.position, Vector2(1.0, 2.0));
+  world.commandRobot(0, {{0.5, 0.0}, 0.0});
+  world.step({});
+  world.step({});
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 1.0, 1e-15);
+  EXPECT_NEAR(world.robots()[0].pose.position.y(), 2.1, 1e-15);
+  EXPECT_NEAR(world.robots()[0].velocity.y(), 0.5, 1e-15);
+  world.commandRobot(0, {});
+  world.step({});
+  EXPECT_NEAR(world.robots()[0].pose.position.y(), 2.1, 1e-15);
+}
+
+TEST(WorldRobot, MovesAtTheEndOfASequentialTick) {
+  World world(with({robot({1.0, 2.0})}, scene({wanderer({-5.0, 0.0})})));
+  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.moveAgent(0, {});
+  EXPECT_EQ(world.robots()[0].pose.position, Vector2(1.0, 2.0));
+  world.endTick();
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 1.1, 1e-15);
+}
+
+TEST(WorldRobot, ReachesItsGoalsOneAfterTheOther) {
+  RobotStart start = robotTo({1.0, 0.0}, {0.0, 0.0});
+  start.goals.emplace_back(1.5, 0.0);
+  World world(with({start}, scene({})));
+  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  for (int tick = 1; tick <= 15; ++tick) {
+    world.step({});
+    // 0.9 m and 1.4 m are within the tolerance of 0.1 m (up to rounding, hence one tick later at most).
+    EXPECT_EQ(world.robots()[0].next_goal, tick >= 10 ? 1U : (tick < 9 ? 0U : world.robots()[0].next_goal));
+    if (tick < 14) EXPECT_FALSE(world.robots()[0].hasArrived()) << "tick " << tick;
+  }
+  EXPECT_TRUE(world.robots()[0].hasArrived());
+  world.setRobotGoals(0, {{3.0, 0.0}});
+  EXPECT_FALSE(world.robots()[0].hasArrived());
+  world.step({});
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 1.6, 1e-12);
+}
+
+TEST(WorldRobot, ElsewhereIsWhereItWasPlaced) {
+  RobotStart start = robot({0.0, 0.0});
+  start.drive = Drive::EXTERNAL;
+  World world(with({start}, scene({})));
+  world.placeRobot(0, {{0.1, 0.0}, 7.0}, {1.0, 0.0}, false);
+  world.step({});
+  EXPECT_EQ(world.robots()[0].pose.position, Vector2(0.1, 0.0));
+  EXPECT_EQ(world.robots()[0].pose.heading, wrapAngle(7.0));
+  EXPECT_EQ(world.robots()[0].velocity, Vector2(1.0, 0.0));
+  world.step({});
+  EXPECT_EQ(world.robots()[0].pose.position, Vector2(0.1, 0.0));
+  EXPECT_EQ(world.robots()[0].velocity, Vector2(0.0, 0.0));
+  world.placeRobot(0, {{5.0, 5.0}, 0.0}, {1.0, 0.0}, true);
+  world.step({});
+  EXPECT_EQ(world.robots()[0].pose.position, Vector2(5.0, 5.0));
+  EXPECT_EQ(world.robots()[0].velocity, Vector2(0.0, 0.0));
+  EXPECT_TRUE(world.robots()[0].jumped);
+}
+
+TEST(WorldRobot, TeleportsToFreePlacesOnly) {
+  World world(with({robot({0.0, 0.0})}, scene({wanderer({3.0, 0.0})})));
+  EXPECT_EQ(errorOf<InputError>([&] { world.teleportRobot(0, {{3.5, 0.0}, 0.0}); }), "the place is taken by agent 0");
+  world.teleportRobot(0, {{3.56, 0.0}, 1.0});
+  EXPECT_EQ(world.robots()[0].pose.position, Vector2(3.56, 0.0));
+  EXPECT_EQ(world.robots()[0].pose.heading, 1.0);
+}
+
+TEST(WorldRobot, RefusesWrongCommands) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  RobotStart elsewhere = robot({5.0, 0.0});
+  elsewhere.drive = Drive::EXTERNAL;
+  World world(with({robot({0.0, 0.0}), elsewhere}, scene({})));
+  EXPECT_EQ(errorOf<InputError>([&] { world.commandRobot(2, {}); }), "there is no robot 2");
+  EXPECT_EQ(errorOf<InputError>([&] { world.commandRobot(1, {}); }), "robot 'robot' is external: it takes no commands");
+  EXPECT_EQ(errorOf<InputError>([&] {
+              world.commandRobot(0, {{nan, 0.0}, 1.0});
+            }),
+            "robot 'robot': expected a command of finite numbers, got linear [nan, 0], rotation 1");
+  EXPECT_EQ(errorOf<InputError>([&] {
+              world.placeRobot(0, {}, {0.0, 0.0}, false);
+            }),
+            "robot 'robot' is not external: it moves by commands");
+  EXPECT_EQ(errorOf<InputError>([&] {
+              world.placeRobot(1, {{nan, 0.0}, 0.0}, {0.0, 0.0}, false);
+            }),
+            "position [m]: expected finite numbers, got [nan, 0]");
+  EXPECT_EQ(errorOf<InputError>([&] {
+              world.placeRobot(1, {{0.0, 0.0}, nan}, {0.0, 0.0}, false);
+            }),
+            "heading [rad]: expected a finite number, got nan");
+  EXPECT_EQ(errorOf<InputError>([&] {
+              world.setRobotGoals(0, {{0.0, nan}});
+            }),
+            "goal [m]: expected finite numbers, got [0, nan]");
+}
+
+}  // namespace
+}  // namespace crowd
