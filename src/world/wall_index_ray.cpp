@@ -36,9 +36,11 @@ struct Axis {
         per_cell(slope == 0.0 ? INFINITE : 1.0 / std::abs(slope)),
         next(slope == 0.0 ? INFINITE : (static_cast<double>(cell + (slope > 0.0 ? 1 : 0)) - start) / slope) {}
 
-  void advance() {
-    cell += step;
-    next += per_cell;
+  /// Goes on to the next cell. Beyond the last one there are only walls that lie on its edge, so the ray stays in it.
+  void advance(std::int64_t cells) {
+    const bool is_last = cell + step < 0 || cell + step >= cells;
+    cell += is_last ? 0 : step;
+    next = is_last ? INFINITE : next + per_cell;
   }
 
   std::int64_t cell;
@@ -65,10 +67,12 @@ double WallIndex::firstHit(const Ray& ray, double limit) const {
   Axis y(start.y(), ray.unit.y(), part.begin, rows_);
   for (double begin = part.begin; begin <= std::min(part.end, nearest * cells_per_metre_);) {
     for (const std::uint32_t wall : wallsInRow(y.cell, x.cell, x.cell)) look(wall);
-    Axis& axis = x.next < y.next ? x : y;
-    begin = axis.next;
-    axis.advance();
-    if (axis.cell < 0 || axis.cell >= (&axis == &x ? columns_ : rows_)) break;
+    begin = std::min(x.next, y.next);
+    if (x.next < y.next) {
+      x.advance(columns_);
+    } else {
+      y.advance(rows_);
+    }
   }
   return nearest;
 }

@@ -29,10 +29,10 @@ TEST(ExternalRobot, MovesOnWithItsVelocityForOneTick) {
   robot.take(at(0.0), 1.0);
   robot.take(at(0.05), 1.1);
   const auto state = robot.at(1.15);
-  EXPECT_DOUBLE_EQ(state->velocity.x(), 0.5);
-  EXPECT_DOUBLE_EQ(state->pose.position.x(), 0.075);
-  EXPECT_DOUBLE_EQ(robot.at(1.2)->pose.position.x(), 0.1);
-  EXPECT_DOUBLE_EQ(robot.at(1.5)->pose.position.x(), 0.1);
+  EXPECT_NEAR(state->velocity.x(), 0.5, 1e-12);
+  EXPECT_NEAR(state->pose.position.x(), 0.075, 1e-12);
+  EXPECT_NEAR(robot.at(1.2)->pose.position.x(), 0.1, 1e-12);
+  EXPECT_NEAR(robot.at(1.5)->pose.position.x(), 0.1, 1e-12);
   EXPECT_DOUBLE_EQ(robot.at(1.0)->pose.position.x(), 0.05);
 }
 
