@@ -25,6 +25,7 @@ CommandSettings settingsOf(const ControllerParameters& parameters) {
 
 std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
   std::vector<std::string> identities;
+  identities.reserve(robots.size());
   for (const Robot& robot : robots) identities.push_back(robot.start.name + " " + robot.start.name_space);
   return identities;
 }
