@@ -67,5 +67,6 @@ BENCHMARKS = (
     Benchmark('way_to_goal', 'way to a new goal on this map', MILLISECONDS, 2),
     Benchmark('way_preparation', 'preparing this map for that: meshes, narrow passages', MILLISECONDS, 1000),
     Benchmark('way_memory', 'memory of that, and of the searches', MEGABYTES, 50, repetitions=1),
+    Benchmark('scan_720_1000', 'scan of 720 rays among 1,000 people on this map, one thread', MILLISECONDS, 1),
     Benchmark('memory_100000', 'most memory of a walking crowd of 100,000 agents', MEGABYTES, 200, repetitions=1),
 )

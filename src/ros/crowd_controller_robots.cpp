@@ -34,7 +34,7 @@ void CrowdController::advertiseRobotServices() {
     waitFor(loop_.ask<std::future<void>>([&] { return beginRobotSteps(request, response); }), std::chrono::hours(24));
     loop_.ask<void>([&] {
       robots_.release();
-      if (response.observations.empty()) throw Error("the steps were ended by ~pause");
+      if (response.observations.empty()) throw Error("another call of a service ended the steps");
     });
   });
 }

@@ -25,6 +25,7 @@ CommandSettings settingsOf(const ControllerParameters& parameters) {
 
 std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
   std::vector<std::string> identities;
+  identities.reserve(robots.size());
   for (const Robot& robot : robots) identities.push_back(robot.start.name + " " + robot.start.name_space);
   return identities;
 }
@@ -172,6 +173,7 @@ void RobotInterfaces::publishStates(const ros::Time& now) {
 
 RobotInterfaces::Commands RobotInterfaces::commandsOf(const std::vector<std::string>& names,
                                                       const std::vector<geometry_msgs::Twist>& commands) const {
+  if (robots().empty()) throw InputError("there are no robots in this episode");
   if (names.size() != commands.size()) {
     throw InputError("commands: expected one for each of " + std::to_string(names.size()) + " robots, got " +
                      std::to_string(commands.size()));
@@ -191,7 +193,6 @@ RobotInterfaces::Commands RobotInterfaces::commandsOf(const std::vector<std::str
 }
 
 std::vector<social_crowd::RobotObservation> RobotInterfaces::observations(const ros::Time& now, bool with_scan) {
-  if (robots().empty()) throw InputError("there are no robots in this episode");
   std::vector<social_crowd::RobotObservation> observations;
   const std::vector<float> none;
   for (RobotId robot = 0; robot < robots().size(); ++robot) {

@@ -28,27 +28,25 @@ void clip(double start, double slope, double size, Part& part) {
   part.end = std::min(part.end, leave);
 }
 
-/// Cells of one axis along a ray, in units of cells. The outer cells have no end: a wall on the border of the grid is
-/// in an outer cell, and by rounding a ray may meet it just beyond.
+/// Cells of one axis along a ray, in units of cells.
 struct Axis {
   Axis(double start, double slope, double begin, std::int64_t cells)
       : cell(std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(start + slope * begin)), 0, cells - 1)),
         step(slope > 0.0 ? 1 : -1),
         per_cell(slope == 0.0 ? INFINITE : 1.0 / std::abs(slope)),
-        last(slope > 0.0 ? cells - 1 : 0),
-        next(cell == last || slope == 0.0 ? INFINITE
-                                          : (static_cast<double>(cell + (slope > 0.0 ? 1 : 0)) - start) / slope) {}
+        next(slope == 0.0 ? INFINITE : (static_cast<double>(cell + (slope > 0.0 ? 1 : 0)) - start) / slope) {}
 
-  void advance() {
-    cell += step;
-    next = cell == last ? INFINITE : next + per_cell;
+  /// Goes on to the next cell. Beyond the last one there are only walls that lie on its edge, so the ray stays in it.
+  void advance(std::int64_t cells) {
+    const bool is_last = cell + step < 0 || cell + step >= cells;
+    cell += is_last ? 0 : step;
+    next = is_last ? INFINITE : next + per_cell;
   }
 
   std::int64_t cell;
   std::int64_t step;
-  double per_cell;    // length of the ray from one cell to the next
-  std::int64_t last;  // the outer cell that the ray leads to
-  double next;        // length of the ray up to the end of the cell
+  double per_cell;  // length of the ray from one cell to the next
+  double next;      // length of the ray up to the end of the cell
 };
 
 }  // namespace
@@ -69,9 +67,12 @@ double WallIndex::firstHit(const Ray& ray, double limit) const {
   Axis y(start.y(), ray.unit.y(), part.begin, rows_);
   for (double begin = part.begin; begin <= std::min(part.end, nearest * cells_per_metre_);) {
     for (const std::uint32_t wall : wallsInRow(y.cell, x.cell, x.cell)) look(wall);
-    Axis& axis = x.next < y.next ? x : y;
-    begin = axis.next;
-    axis.advance();
+    begin = std::min(x.next, y.next);
+    if (x.next < y.next) {
+      x.advance(columns_);
+    } else {
+      y.advance(rows_);
+    }
   }
   return nearest;
 }

@@ -23,6 +23,7 @@ TICK = 0.1  # [s], default of scenarios
 SERVICES = {
     'pause': SetBool,
     'step': srv.Step,
+    'step_robots': srv.StepRobots,
     'reset': srv.Reset,
     'load_scenario': srv.LoadScenario,
     'spawn_agent': srv.SpawnAgent,

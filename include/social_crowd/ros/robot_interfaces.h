@@ -45,7 +45,7 @@ class RobotInterfaces {
   /// @brief Publishes transforms, states and sensors. @param begins the episode begins
   void publish(const ros::Time& now, bool begins);
 
-  /// @brief Commands by the names of robots. @throws InputError that names what is wrong
+  /// @brief Commands by the names of robots. @throws InputError that names what is wrong, or if there are no robots
   Commands commandsOf(const std::vector<std::string>& names, const std::vector<geometry_msgs::Twist>& commands) const;
   /// @brief From now on these commands are executed instead of those from topics, and none is awaited.
   void hold(const Commands& commands) { held_ = commands; }

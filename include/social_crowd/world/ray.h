@@ -18,6 +18,11 @@ struct Ray {
 /// that share an end.
 constexpr double END_TOLERANCE = 1e-12;
 
+/// @brief Sine of the angle up to which a segment counts as parallel to a ray; rounding hides where they would meet.
+constexpr double PARALLEL = 1e-12;
+/// @brief Distance up to which a parallel segment lies on the ray [m].
+constexpr double BESIDE = 1e-9;
+
 /// @brief Distance along the ray to the rim of a disc [m]; 0 if the origin lies in the disc, infinity if the ray misses
 /// it.
 inline double distanceAlong(const Ray& ray, const Vector2& centre, double radius) {
@@ -38,9 +43,8 @@ inline double distanceAlong(const Ray& ray, const Segment& segment) {
   const Vector2 offset = segment.from - ray.origin;
   const double slope = cross(ray.unit, along);
   const double walked = cross(offset, ray.unit);
-  // Nearly parallel ones, such as diagonals, are parallel but for rounding.
-  if (slope * slope <= END_TOLERANCE * END_TOLERANCE * along.squaredNorm()) {
-    if (walked * walked > END_TOLERANCE * END_TOLERANCE * std::max(1.0, offset.squaredNorm())) return INFINITE;
+  if (slope * slope <= PARALLEL * PARALLEL * along.squaredNorm()) {
+    if (std::abs(walked) > BESIDE) return INFINITE;
     const double from = offset.dot(ray.unit);
     const double to = from + along.dot(ray.unit);
     return std::max(from, to) < 0.0 ? INFINITE : std::max(0.0, std::min(from, to));

@@ -1,0 +1,131 @@
+"""A robot among people as an environment with reset() and step(), in the conventions of Gymnasium."""
+import math
+
+import numpy
+import rospy
+from geometry_msgs.msg import Twist
+from social_crowd.srv import Reset, StepRobots
+from std_srvs.srv import SetBool
+
+
+class CrowdEnvError(RuntimeError):
+    """A call of the crowd controller failed."""
+
+
+def default_reward(before, after):
+    """Returns by how much the goal came nearer [m], minus 1 if the robot is in contact with people.
+
+    Both arguments are messages RobotObservation, before and after a step.
+    """
+    nearer = distance_to_goal(before) - distance_to_goal(after) if after.has_goal else 0.0
+    return nearer - (1.0 if after.contacts else 0.0)
+
+
+def distance_to_goal(observed):
+    """Returns the distance of a robot to its present goal [m]."""
+    return math.hypot(observed.goal.x, observed.goal.y)
+
+
+class CrowdEnv:
+    """Drives one robot of a crowd controller, tick by tick.
+
+    The controller is paused and walks only in step(), so that the same seed and actions give the same observations.
+    An observation is a dict of numpy arrays: `goal` (x ahead, y left [m]; zeros without a goal), `velocity`
+    (ahead [m/s], rotation [rad/s]) and `scan` (ranges [m], REP 117). A ROS node must have been initialised.
+    """
+
+    def __init__(self, robot='', ticks=1, reward=default_reward, timeout=10.0, controller='crowd_controller'):
+        """Connects to the crowd controller.
+
+        robot: its name; empty: the first one
+        ticks: that one action holds
+        reward: function of the messages RobotObservation before and after a step
+        timeout: for the start of the controller [s]
+        """
+        self.robot = robot
+        self.ticks = ticks
+        self.reward = reward
+        self._services = {}
+        for name, kind in (('pause', SetBool), ('reset', Reset), ('step_robots', StepRobots)):
+            service = rospy.resolve_name(f'{controller}/{name}')
+            try:
+                rospy.wait_for_service(service, timeout)
+            except rospy.ROSException:
+                raise CrowdEnvError(f'no service {service} within {timeout} s: '
+                                    'is the crowd controller running?') from None
+            self._services[name] = rospy.ServiceProxy(service, kind, persistent=name == 'step_robots')
+        self._call('pause', data=True)
+        self._observed = None
+        self._next_has_begun = False
+
+    def reset(self, seed=None):
+        """Begins an episode. Returns the observation and a dict of information.
+
+        With a seed, the controller begins its scenario again with that seed. Without one, the next instance of the
+        scenario follows an episode that is over; an episode that is not begins the scenario again.
+        """
+        if seed is not None:
+            self._call('reset', keep_seed=False, seed=seed)
+        elif not self._next_has_begun and self._step(None, 0).tick > 0:
+            self._call('reset', keep_seed=True, seed=0)
+        self._next_has_begun = False
+        response = self._step(None, 0)
+        self._observed = self._own(response)
+        return self._arrays(self._observed), self._info(response)
+
+    def step(self, action):
+        """Drives at (speed ahead [m/s], rotation [rad/s]), or (ahead, left, rotation) for a holonomic robot.
+
+        Returns observation, reward, terminated (arrived, or in contact with people), truncated (the episode is over)
+        and a dict of information.
+        """
+        if self._observed is None:
+            raise CrowdEnvError('call reset() first')
+        before = self._observed
+        response = self._step(action, self.ticks)
+        self._observed = self._own(response)
+        self._next_has_begun = response.done
+        terminated = bool(self._observed.arrived or self._observed.contacts)
+        truncated = bool(response.done and not terminated)
+        return (self._arrays(self._observed), self.reward(before, self._observed), terminated, truncated,
+                self._info(response))
+
+    def close(self):
+        """Lets the crowd walk on."""
+        self._call('pause', data=False)
+        self._services['step_robots'].close()
+
+    def _call(self, name, **request):
+        response = self._services[name](**request)
+        if not response.success:
+            raise CrowdEnvError(f'{name}: {response.message}')
+        return response
+
+    def _step(self, action, ticks):
+        robots, commands = [], []
+        if action is not None:
+            twist = Twist()
+            twist.linear.x, *left, twist.angular.z = (float(value) for value in action)
+            if left:
+                twist.linear.y = left[0]
+            robots, commands = [self.robot or self._observed.name], [twist]
+        return self._call('step_robots', robots=robots, commands=commands, ticks=ticks, with_scan=True)
+
+    def _own(self, response):
+        for observed in response.observations:
+            if not self.robot or observed.name == self.robot:
+                return observed
+        names = ', '.join(observed.name for observed in response.observations)
+        raise CrowdEnvError(f"there is no robot '{self.robot}', only: {names}")
+
+    @staticmethod
+    def _arrays(observed):
+        return {
+            'goal': numpy.array([observed.goal.x, observed.goal.y]),
+            'velocity': numpy.array([observed.twist.linear.x, observed.twist.angular.z]),
+            'scan': numpy.array(observed.scan.ranges, dtype=numpy.float32),
+        }
+
+    @staticmethod
+    def _info(response):
+        return {'episode': response.episode, 'tick': response.tick}

@@ -1,0 +1,71 @@
+#!/usr/bin/python3
+"""The Python class CrowdEnv: reset, step, observations and rewards."""
+import numpy
+import support
+from robots import RobotTestCase, scenario
+from social_crowd.crowd_env import CrowdEnv, CrowdEnvError
+
+
+class CrowdEnvTest(RobotTestCase):
+    """An environment with one robot."""
+
+    def start_env(self, text, **parameters):
+        """Starts the nodes and the environment."""
+        self.start_all(text)
+        return CrowdEnv(controller=f'{self.namespace}/crowd_controller', **parameters)
+
+    def test_a_robot_drives_to_its_goal(self):
+        env = self.start_env(scenario(more=', goal: [3, 0]'), ticks=5)
+        observation, info = env.reset(seed=1)
+        self.assertEqual(info['tick'], 0)
+        numpy.testing.assert_array_equal(observation['goal'], [2.0, 0.0])
+        self.assertEqual(observation['scan'].shape, (720,))
+        rewards = []
+        terminated = truncated = False
+        while not terminated and not truncated:
+            observation, reward, terminated, truncated, info = env.step((0.5, 0.0))
+            numpy.testing.assert_array_equal(observation['velocity'], [0.5, 0.0])
+            rewards.append(reward)
+        self.assertTrue(terminated)
+        self.assertFalse(truncated)
+        # The goal counts as reached within 0.3 m: after 1.75 m.
+        self.assertEqual(info['tick'], 35)
+        numpy.testing.assert_allclose(rewards, [0.25] * 7, atol=1e-9)
+
+    def test_the_same_seed_and_actions_give_the_same_observations(self):
+        env = self.start_env(scenario(more=', goal: [4, 0], scan: {rays: 50, noise: 0.02}'))
+
+        def run(seed):
+            seen = [env.reset(seed=seed)[0]] + [env.step((0.5, 0.1))[0] for _ in range(5)]
+            return [array.tobytes() for one in seen for array in one.values()]
+
+        first = run(1)
+        self.assertEqual(run(1), first)
+        self.assertNotEqual(run(2), first)
+
+    def test_an_episode_that_is_over_is_truncated(self):
+        env = self.start_env(scenario(duration=0.3))
+        env.reset()
+        self.assertEqual([env.step((0.0, 0.0))[3] for _ in range(3)], [False, False, True])
+        _, info = env.reset()
+        self.assertEqual((info['episode'], info['tick']), (1, 0))
+        env.step((0.0, 0.0))
+        _, info = env.reset()  # in the middle of an episode
+        self.assertEqual((info['episode'], info['tick']), (2, 0))
+
+    def test_errors(self):
+        env = self.start_env(scenario())
+        with self.assertRaisesRegex(CrowdEnvError, 'call reset'):
+            env.step((0.0, 0.0))
+        env.reset()
+        with self.assertRaisesRegex(CrowdEnvError, 'finite'):
+            env.step((float('nan'), 0.0))
+        other = CrowdEnv(robot='cart', controller=f'{self.namespace}/crowd_controller')
+        with self.assertRaisesRegex(CrowdEnvError, "no robot 'cart', only: tug"):
+            other.reset()
+        with self.assertRaisesRegex(CrowdEnvError, 'is the crowd controller running'):
+            CrowdEnv(controller=f'{self.namespace}/nobody', timeout=0.2)
+
+
+if __name__ == '__main__':
+    support.run('crowd_env_test')

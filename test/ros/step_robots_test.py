@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+"""The service step_robots: commands of robots and ticks in one call."""
+import math
+
+import support
+from geometry_msgs.msg import Twist
+from robots import RobotTestCase, command, scenario
+
+
+class StepRobotsTest(RobotTestCase):
+    """Commands, observations, and errors."""
+
+    def refuse_steps(self, *words, robots=(), commands=(), ticks=1):
+        """Calls the service, which must refuse."""
+        self.refuse('crowd_controller/step_robots', *words, robots=list(robots), commands=list(commands), ticks=ticks,
+                    with_scan=False)
+
+    def test_commands_hold_for_all_ticks(self):
+        self.start_all(scenario(more=', goal: [4, 0]'))
+        response = self.step_robots(['tug'], [command(0.5)], ticks=20, with_scan=True)
+        self.assertEqual((response.tick, response.done), (20, False))
+        seen = response.observations[0]
+        self.assertAlmostEqual(seen.pose.x, 2.0, places=9)
+        self.assertAlmostEqual(seen.goal.x, 2.0, places=9)
+        self.assertEqual((seen.name, seen.twist.linear.x, seen.arrived), ('tug', 0.5, False))
+        self.assertEqual(len(seen.scan.ranges), 720)
+        self.assertAlmostEqual(seen.scan.ranges[360], 3.0, places=6)
+        # The person walks from x = 0 towards x = 1 in this time.
+        self.assertGreater(seen.clearance, math.hypot(1.0, 20.0) - 0.55 - 0.01)
+        self.assertLess(seen.clearance, math.hypot(2.0, 20.0) - 0.55 + 0.01)
+
+    def test_without_ticks_it_observes(self):
+        self.start_all()
+        first = self.step_robots(ticks=0, with_scan=True)
+        self.assertEqual((first.tick, first.observations[0].pose.x), (0, 1.0))
+        self.assertEqual(self.step_robots(ticks=0, with_scan=True).observations[0].scan.ranges,
+                         first.observations[0].scan.ranges)
+
+    def test_it_ends_with_the_episode(self):
+        self.start_all(scenario(duration=2))
+        response = self.step_robots(['tug'], [command(0.5)], ticks=100)
+        self.assertEqual((response.episode, response.tick, response.done), (0, 20, True))
+        self.assertAlmostEqual(response.observations[0].pose.x, 2.0, places=9)
+        following = self.step_robots(ticks=0)
+        self.assertEqual((following.episode, following.tick), (1, 0))
+        self.assertEqual(following.observations[0].pose.x, 1.0)
+
+    def test_commands_of_topics_are_not_used(self):
+        self.start_all(scenario(more=', cmd_timeout: 100'))
+        self.send(self.commander(), command(1.0), 1)
+        before = self.step_robots(ticks=0).observations[0].pose.x
+        after = self.step_robots(['tug'], [command(0.0)], ticks=3).observations[0].pose.x
+        self.assertEqual(after, before)
+
+    def test_the_same_commands_give_the_same_observations(self):
+        noisy = ', scan: {rays: 100, noise: 0.02, dropout: 0.1}, odometry: {distance: 0.1}'
+        self.start_all(scenario(more=noisy))
+
+        def run(seed):
+            self.succeed('crowd_controller/reset', keep_seed=False, seed=seed)
+            seen = [self.step_robots(['tug'], [command(0.5, 0.1 * i)], with_scan=True).observations[0]
+                    for i in range(10)]
+            return [(repr(one.pose), repr(one.twist), repr(one.scan.ranges)) for one in seen]
+
+        first = run(3)
+        self.assertEqual(run(3), first)
+        self.assertNotEqual(run(4), first)
+
+    def test_errors(self):
+        self.start_all()
+        self.refuse_steps("no robot 'cart'", robots=['cart'], commands=[Twist()])
+        self.refuse_steps('expected one for each of 1 robots, got 0', robots=['tug'])
+        self.refuse_steps("'tug' is there twice", robots=['tug', 'tug'], commands=[Twist(), Twist()])
+        self.refuse_steps('finite', robots=['tug'], commands=[command(math.nan)])
+        self.assertEqual(self.step_robots(ticks=0).tick, 0)
+        self.succeed('crowd_controller/pause', data=False)
+        self.refuse_steps('call ~pause first')
+
+    def test_without_robots(self):
+        self.start_learner()
+        self.start_controller(support.CIRCLE6, paused=True)
+        self.refuse_steps('no robots')
+
+
+if __name__ == '__main__':
+    support.run('step_robots_test')
