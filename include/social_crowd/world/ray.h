@@ -14,15 +14,6 @@ struct Ray {
   Vector2 unit = Vector2::UnitX();
 };
 
-/// @brief Share of a segment by which a ray may pass its ends and still hit it, so that no ray slips between two walls
-/// that share an end.
-constexpr double END_TOLERANCE = 1e-12;
-
-/// @brief Sine of the angle up to which a segment counts as parallel to a ray; rounding hides where they would meet.
-constexpr double PARALLEL = 1e-12;
-/// @brief Distance up to which a parallel segment lies on the ray [m].
-constexpr double BESIDE = 1e-9;
-
 /// @brief Distance along the ray to the rim of a disc [m]; 0 if the origin lies in the disc, infinity if the ray misses
 /// it.
 inline double distanceAlong(const Ray& ray, const Vector2& centre, double radius) {
@@ -38,6 +29,9 @@ inline double distanceAlong(const Ray& ray, const Vector2& centre, double radius
 /// @brief Distance along the ray to a segment, ends included [m]; infinity if the ray misses it. A ray along the
 /// segment hits its nearer end.
 inline double distanceAlong(const Ray& ray, const Segment& segment) {
+  constexpr double END_TOLERANCE = 1e-12;  // share of the segment: no ray slips between two walls that share an end
+  constexpr double PARALLEL = 1e-12;       // sine of an angle: rounding hides where nearly parallel ones would meet
+  constexpr double BESIDE = 1e-9;          // up to this distance a parallel segment lies on the ray [m]
   constexpr double INFINITE = std::numeric_limits<double>::infinity();
   const Vector2 along = segment.to - segment.from;
   const Vector2 offset = segment.from - ray.origin;
