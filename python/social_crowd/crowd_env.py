@@ -56,19 +56,18 @@ class CrowdEnv:
             self._services[name] = rospy.ServiceProxy(service, kind, persistent=name == 'step_robots')
         self._call('pause', data=True)
         self._observed = None
-        self._next_has_begun = False
+        self._random = numpy.random.default_rng()
 
-    def reset(self, seed=None):
+    def reset(self, *, seed=None, options=None):
         """Begins an episode. Returns the observation and a dict of information.
 
-        With a seed, the controller begins its scenario again with that seed. Without one, the next instance of the
-        scenario follows an episode that is over; an episode that is not begins the scenario again.
+        With a seed, the scenario is drawn from that seed, and later episodes from it, too: the same calls give the same
+        episodes. Without one, the scenario is drawn anew. `options` are not used.
         """
         if seed is not None:
-            self._call('reset', keep_seed=False, seed=seed)
-        elif not self._next_has_begun and self._step(None, 0).tick > 0:
-            self._call('reset', keep_seed=True, seed=0)
-        self._next_has_begun = False
+            self._random = numpy.random.default_rng(seed)
+        drawn = int(self._random.integers(2 ** 31)) if seed is None else seed
+        self._call('reset', keep_seed=False, seed=drawn)
         response = self._step(None, 0)
         self._observed = self._own(response)
         return self._arrays(self._observed), self._info(response)
@@ -83,12 +82,11 @@ class CrowdEnv:
             raise CrowdEnvError('call reset() first')
         before = self._observed
         response = self._step(action, self.ticks)
-        self._observed = self._own(response)
-        self._next_has_begun = response.done
-        terminated = bool(self._observed.arrived or self._observed.contacts)
+        after = self._own(response)
+        terminated = bool(after.arrived or after.contacts)
         truncated = bool(response.done and not terminated)
-        return (self._arrays(self._observed), self.reward(before, self._observed), terminated, truncated,
-                self._info(response))
+        self._observed = None if terminated or truncated else after
+        return self._arrays(after), self.reward(before, after), terminated, truncated, self._info(response)
 
     def close(self):
         """Lets the crowd walk on."""
@@ -104,6 +102,8 @@ class CrowdEnv:
     def _step(self, action, ticks):
         robots, commands = [], []
         if action is not None:
+            if len(action) not in (2, 3):
+                raise CrowdEnvError(f'action: expected 2 or 3 numbers, got {len(action)}')
             twist = Twist()
             twist.linear.x, *left, twist.angular.z = (float(value) for value in action)
             if left:

@@ -83,6 +83,7 @@ std::optional<TrajectoryFile> CrowdController::beginRecording(const std::string&
 }
 
 void CrowdController::restart(std::optional<TrajectoryFile> recording) {
+  if (pending_steps_ != nullptr && pending_steps_->observe) finishSteps();  // robots of another episode would be driven
   instance_ = 0;
   headings_.clear();
   trajectory_file_ = std::move(recording);
@@ -241,6 +242,7 @@ void CrowdController::noteRest() {
 
 void CrowdController::finishSteps() {
   if (pending_steps_ == nullptr) return;
+  robots_.release();
   pending_steps_->done.set_value();
   pending_steps_.reset();
 }

@@ -17,7 +17,10 @@ RobotInterface::RobotInterface(const ros::NodeHandle& node, const RobotStart& st
     : id_(id), start_(start), prefix_(start.name_space.empty() ? "" : start.name_space + "/") {
   ros::NodeHandle own(node, start.name_space);
   own.setCallbackQueue(node.getCallbackQueue());
-  odometry_ = own.advertise<nav_msgs::Odometry>(names::ODOMETRY, QUEUE);
+  const bool is_external = start.drive == Drive::EXTERNAL;
+  if (is_external)
+    ROS_WARN("robot '%s': poses of external robots are not received yet; it stays where it is", start.name.c_str());
+  if (!is_external) odometry_ = own.advertise<nav_msgs::Odometry>(names::ODOMETRY, QUEUE);
   scan_ = own.advertise<sensor_msgs::LaserScan>(names::SCAN, QUEUE);
   cloud_ = own.advertise<sensor_msgs::PointCloud2>(names::SCAN_CLOUD, QUEUE);
   people_ = own.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE);
@@ -27,8 +30,9 @@ RobotInterface::RobotInterface(const ros::NodeHandle& node, const RobotStart& st
       [command = std::move(handlers.command)](const ros::MessageEvent<const geometry_msgs::Twist>& event) {
         command(fromMessage(*event.getMessage()), event.getPublisherName());
       };
-  commands_ = own.subscribe<geometry_msgs::Twist>(names::CMD_VEL, QUEUE, take, ros::VoidConstPtr(),
-                                                  ros::TransportHints().tcpNoDelay());
+  if (!is_external)
+    commands_ = own.subscribe<geometry_msgs::Twist>(names::CMD_VEL, QUEUE, take, ros::VoidConstPtr(),
+                                                    ros::TransportHints().tcpNoDelay());
   const boost::function<void(const geometry_msgs::PoseStamped::ConstPtr&)> set =
       [goal = std::move(handlers.goal)](const geometry_msgs::PoseStamped::ConstPtr& message) { goal(*message); };
   new_goals_ = own.subscribe<geometry_msgs::PoseStamped>(names::NEW_GOAL, QUEUE, set);

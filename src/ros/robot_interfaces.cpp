@@ -47,7 +47,7 @@ void RobotInterfaces::begin(Episode& episode) {
   for (const Robot& robot : robots()) timeouts.push_back(robot.start.cmd_timeout);
   commands_.begin(timeouts, episode.scene().tick_duration);
   if (identitiesOf(robots()) != advertised_) advertise();
-  for (const auto& interface : interfaces_) interface->begin();
+  for (RobotId id = 0; id < robots().size(); ++id) interfaces_[id]->begin(robots()[id].start);
 }
 
 void RobotInterfaces::advertise() {

@@ -117,7 +117,7 @@ sensor_msgs::PointCloud2 toCloud(const ScanSpec& spec, const std::vector<float>&
 geometry_msgs::Polygon toMessage(const Footprint& footprint) {
   std::vector<Vector2> corners = footprint.corners;
   for (int i = 0; footprint.isDisc() && i < DISC_CORNERS; ++i) {
-    corners.push_back(footprint.radius * unitVector(2.0 * PI * i / DISC_CORNERS));
+    corners.emplace_back(footprint.radius * unitVector(2.0 * PI * i / DISC_CORNERS));
   }
   geometry_msgs::Polygon polygon;
   for (const Vector2& corner : corners) {

@@ -103,7 +103,8 @@ void put(Writer& writer, const Neighbour& neighbour) {
 Neighbour takeNeighbour(Reader& reader) {
   Neighbour neighbour;
   const std::uint8_t kind = reader.takeByte();
-  neighbour.kind = kind == social_crowd::Neighbour::AGENT ? NeighbourKind::AGENT : NeighbourKind::OBSTACLE;
+  const bool is_known = kind <= social_crowd::Neighbour::UNYIELDED_ROBOT;
+  neighbour.kind = is_known ? static_cast<NeighbourKind>(kind) : NeighbourKind::OBSTACLE;
   reader.take(neighbour.position);
   reader.take(neighbour.velocity);
   reader.take(neighbour.radius);

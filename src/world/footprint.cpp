@@ -89,6 +89,11 @@ double distance(const Footprint& footprint, const Pose& pose, const Segment& seg
   return distanceToSegment(footprint.corners, {intoFrame(pose, segment.from), intoFrame(pose, segment.to)});
 }
 
+bool isCutBy(const Footprint& footprint, const Pose& pose, const Segment& segment, double tolerance) {
+  const double apart = distance(footprint, pose, segment);
+  return apart < -tolerance || (!footprint.isDisc() && apart <= 0.0);
+}
+
 double distance(const Footprint& first, const Pose& first_pose, const Footprint& second, const Pose& second_pose) {
   if (second.isDisc()) return distance(first, first_pose, second_pose.position) - second.radius;
   if (first.isDisc()) return distance(second, second_pose, first_pose.position) - first.radius;

@@ -29,9 +29,8 @@ std::optional<Blocker> PlacedBodies::findBlocker(const Footprint& footprint, con
     if (!is_robot && depth > TOUCH_TOLERANCE) return Blocker{body.label.text(), depth};
   }
   for (std::size_t i = 0; i < walls_.size(); ++i) {
-    const double apart = distance(footprint, pose, walls_[i]);
-    const bool overlaps = footprint.isDisc() ? apart < -TOUCH_TOLERANCE : apart <= 0.0;
-    if (overlaps) return Blocker{"walls[" + std::to_string(i) + "]", -apart};
+    if (!isCutBy(footprint, pose, walls_[i], TOUCH_TOLERANCE)) continue;
+    return Blocker{"walls[" + std::to_string(i) + "]", -distance(footprint, pose, walls_[i])};
   }
   return std::nullopt;
 }

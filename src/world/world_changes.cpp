@@ -55,7 +55,7 @@ std::string World::findBlocker(const Vector2& centre, double radius, bool agents
     if (body < agents_.size()) return "agent " + std::to_string(body);
     if (!agents_only) return "obstacle " + std::to_string(body - agents_.size());
   }
-  const std::string robot = findRobotBlocker(centre, radius - overlap, except_robot);
+  std::string robot = findRobotBlocker(centre, radius - overlap, except_robot);
   if (!robot.empty() || agents_only) return robot;
   return walls_.isAnyWithin(centre, radius - overlap) ? "a wall" : "";
 }
@@ -175,7 +175,7 @@ std::size_t World::addWall(const Segment& wall) {
     }
   }
   for (const Robot& robot : robots_) {
-    if (distance(robot.start.footprint, robot.pose, wall) < -CONTACT_OVERLAP) {
+    if (isCutBy(robot.start.footprint, robot.pose, wall, CONTACT_OVERLAP)) {
       throw InputError("the place is taken by robot '" + robot.start.name + "'");
     }
   }

@@ -47,17 +47,29 @@ class CrowdEnvTest(RobotTestCase):
         env = self.start_env(scenario(duration=0.3))
         env.reset()
         self.assertEqual([env.step((0.0, 0.0))[3] for _ in range(3)], [False, False, True])
-        _, info = env.reset()
-        self.assertEqual((info['episode'], info['tick']), (1, 0))
+        with self.assertRaisesRegex(CrowdEnvError, 'call reset'):
+            env.step((0.0, 0.0))
+        self.assertEqual(env.reset()[1]['tick'], 0)
         env.step((0.0, 0.0))
-        _, info = env.reset()  # in the middle of an episode
-        self.assertEqual((info['episode'], info['tick']), (2, 0))
+        self.assertEqual(env.reset()[1]['tick'], 0)  # in the middle of an episode
+
+    def test_a_seed_determines_the_episodes_that_follow(self):
+        env = self.start_env(scenario(more=', goal: [4, 0], scan: {rays: 50, noise: 0.02}'))
+
+        def scans(seed):
+            return [env.reset(seed=seed)[0]['scan'].tobytes(), env.reset()[0]['scan'].tobytes()]
+
+        first = scans(1)
+        self.assertNotEqual(first[0], first[1])
+        self.assertEqual(scans(1), first)
 
     def test_errors(self):
         env = self.start_env(scenario())
         with self.assertRaisesRegex(CrowdEnvError, 'call reset'):
             env.step((0.0, 0.0))
         env.reset()
+        with self.assertRaisesRegex(CrowdEnvError, 'expected 2 or 3 numbers, got 1'):
+            env.step((0.0,))
         with self.assertRaisesRegex(CrowdEnvError, 'finite'):
             env.step((float('nan'), 0.0))
         other = CrowdEnv(robot='cart', controller=f'{self.namespace}/crowd_controller')

@@ -97,7 +97,9 @@ TEST(RobotContact, PassingThroughIsOneContact) {
     world.step({});
     const auto& contacts = world.robots()[0].contacts;
     ASSERT_EQ(contacts.size(), tick >= 5 && tick <= 16 ? 1U : 0U) << "tick " << tick;
-    if (!contacts.empty()) EXPECT_EQ(contacts[0].begins, tick == 5) << "tick " << tick;
+    if (!contacts.empty()) {
+      EXPECT_EQ(contacts[0].begins, tick == 5) << "tick " << tick;
+    }
   }
 }
 

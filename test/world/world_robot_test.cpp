@@ -51,7 +51,9 @@ TEST(WorldRobot, ReachesItsGoalsOneAfterTheOther) {
     world.step({});
     // 0.9 m and 1.4 m are within the tolerance of 0.1 m (up to rounding, hence one tick later at most).
     EXPECT_EQ(world.robots()[0].next_goal, tick >= 10 ? 1U : (tick < 9 ? 0U : world.robots()[0].next_goal));
-    if (tick < 14) EXPECT_FALSE(world.robots()[0].hasArrived()) << "tick " << tick;
+    if (tick < 14) {
+      EXPECT_FALSE(world.robots()[0].hasArrived()) << "tick " << tick;
+    }
   }
   EXPECT_TRUE(world.robots()[0].hasArrived());
   world.setRobotGoals(0, {{3.0, 0.0}});

@@ -79,7 +79,7 @@ class CrowdController {
   std::future<void> beginSteps(std::uint32_t ticks, std::function<void(bool over)> observe = nullptr);
   /// Begins the steps of a request, whose response is complete when the result is ready.
   std::future<void> beginRobotSteps(const social_crowd::StepRobots::Request& request,
-                                    social_crowd::StepRobots::Response& response);
+                                    const std::shared_ptr<social_crowd::StepRobots::Response>& response);
   /// Calls observe() of the steps that are pending, if this tick was the last of them.
   void observeSteps();
   /// Waits in a service thread; false after the timeout. @throws Error if the node shuts down first

@@ -32,8 +32,11 @@ class RobotInterface {
   void publish(const World& world, RobotSenses& senses, const ros::Time& now);
   /// @brief Publishes the present goal again, if it has changed or an episode begins.
   void publishGoal(const Robot& robot, const ros::Time& now, bool begins);
-  /// @brief An episode begins: a scan is due.
-  void begin() { scanned_at_ = ros::Time(); }
+  /// @brief An episode begins: a scan is due. @param start of a robot of the same name and namespace
+  void begin(const RobotStart& start) {
+    start_ = start;
+    scanned_at_ = ros::Time();
+  }
 
   /// @brief Appends the transforms map -> odom (with `localised`) -> base_link.
   void addTransforms(const Robot& robot, const Odometry& odometry, const ros::Time& now, bool localised,

@@ -25,6 +25,9 @@ double distance(const Footprint& footprint, const Pose& pose, const Vector2& poi
 /// @brief Distance to a segment [m]. 0 or less if they have a common point; of a disc, this is the depth of the
 /// overlap.
 double distance(const Footprint& footprint, const Pose& pose, const Segment& segment);
+/// @brief Whether a footprint overlaps a segment by more than a tolerance [m]. The depth in a polygon is not known: for
+/// polygons, any common point counts.
+bool isCutBy(const Footprint& footprint, const Pose& pose, const Segment& segment, double tolerance);
 /// @brief Distance between two footprints [m]; 0 or less if they have a common point.
 double distance(const Footprint& first, const Pose& first_pose, const Footprint& second, const Pose& second_pose);
 
