@@ -106,9 +106,7 @@ class DemoTest(NodeletTestCase):
     def test_learners_with_different_visions(self):
         """The learner of all agents has a vision of 1 m, another one without agents has 6 m."""
         self.load('learner', 'learner_a', q_table=support.NEAREST_TABLE)
-        statuses = self.listen('learner_status', LearnerStatus)
         self.load('learner', 'learner_b', q_table=support.ANTICIPATION_TABLE, agents=[99])
-        statuses.wait(lambda status: status.vision_radius > 6.0, 'of learner_b')
         perceptions = self.listen('perceptions', Perceptions)
         results = self.listen('episode_results', EpisodeResult)
         controller = self.load_controller(episodes=EPISODES, seed=5, trajectories=self.path('ros'))
