@@ -57,7 +57,7 @@ void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& pa
   }
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
-    if (!walks_[agent.id].walks_back && mustGiveWay(world, agent)) startRetreat(agent, time);
+    if (!walksBack(walks_[agent.id]) && mustGiveWay(world, agent)) startRetreat(agent, time);
   }
   std::sort(retreating_.begin(), retreating_.end());
   for (const AgentId agent : retreating_) retreat(world, world.agents()[agent]);
@@ -71,8 +71,8 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
     retreating_.push_back(agent.id);
     return;
   }
-  if (walk.walks_back) walk.cannot_walk_back = (place - walk.retreat_from).norm() < WALKED_BACK;
-  walk.walks_back = false;
+  if (walksBack(walk)) walk.cannot_walk_back = (place - walk.retreat_from).norm() < WALKED_BACK;
+  walk.retreat_until = 0.0;
   walk.course = directionOf(path, agent);
   if (isStuck(walk, time)) walk.remaining = lengthOf(path, place);
   if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
@@ -93,7 +93,6 @@ void DeadlockResolver::noteProgress(const Agent& agent, double time) {
 
 void DeadlockResolver::startRetreat(const Agent& agent, double time) {
   Walk& walk = walks_[agent.id];
-  walk.walks_back = true;
   walk.retreat_from = agent.pose.position;
   walk.retreat_until = time + RETREAT_TIME;
   walk.progress_time = walk.retreat_until + WALK_TIME - STUCK_TIME;
@@ -112,10 +111,7 @@ void DeadlockResolver::sortByX(const World& world) {
             [](const Walker& a, const Walker& b) { return std::tie(a.x, a.agent) < std::tie(b.x, b.agent); });
 }
 
-/// Calls test(other) for agents that may be within `distance` of an agent, until it returns true; returns whether it
-/// did.
-template <typename Test>
-bool DeadlockResolver::isAnyNear(const World& world, const Agent& agent, double distance, const Test& test) {
+Span<DeadlockResolver::Walker> DeadlockResolver::walkersNear(const World& world, const Agent& agent, double distance) {
   if (walkers_.empty()) sortByX(world);
   const double reach = agent.radius + largest_radius_ + distance;
   const double x = agent.pose.position.x();
@@ -123,16 +119,18 @@ bool DeadlockResolver::isAnyNear(const World& world, const Agent& agent, double 
                                       [](const Walker& walker, double low) { return walker.x < low; });
   const auto last = std::upper_bound(first, walkers_.end(), x + reach,
                                      [](double high, const Walker& walker) { return high < walker.x; });
-  return std::any_of(first, last, [&](const Walker& other) { return test(world.agents()[other.agent]); });
+  return {walkers_.data() + (first - walkers_.begin()), static_cast<std::size_t>(last - first)};
 }
 
 bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
   const double time = world.time();
-  const auto has_priority = [&](const Agent& other) { return givesWayTo(agent, other, time); };
-  if (isStuck(walks_[agent.id], time)) return isAnyNear(world, agent, REACH, has_priority);
+  const auto has_priority = [&](AgentId other) { return givesWayTo(agent, world.agents()[other], time); };
+  if (isStuck(walks_[agent.id], time)) {
+    const Span<Walker> near = walkersNear(world, agent, REACH);
+    return std::any_of(near.begin(), near.end(), [&](const Walker& other) { return has_priority(other.agent); });
+  }
   if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
-  return std::any_of(retreating_.begin(), retreating_.end(),
-                     [&](AgentId other) { return has_priority(world.agents()[other]); });
+  return std::any_of(retreating_.begin(), retreating_.end(), has_priority);
 }
 
 /// Whether another agent blocks an agent that is stuck or in the way of one that walks back, and has priority.
@@ -149,9 +147,9 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
   const bool forms_arch = !is_opposite && gap < TOUCH && isStuck(own, time) && isStuck(its, time);
   if (own.cannot_walk_back != its.cannot_walk_back) return its.cannot_walk_back && (is_opposite || forms_arch);
   if (is_opposite) {
-    return its.walks_back || priorityDirection(time).dot(its.course - own.course) > 0.0;
+    return walksBack(its) || priorityDirection(time).dot(its.course - own.course) > 0.0;
   }
-  return forms_arch && ahead > 0.0 && !its.walks_back && its.remaining < own.remaining;
+  return forms_arch && ahead > 0.0 && !walksBack(its) && its.remaining < own.remaining;
 }
 
 /// Returns unit vectors from an agent to the walls and agents that it touches.
@@ -162,10 +160,10 @@ std::vector<Vector2> DeadlockResolver::contactsOf(const World& world, const Agen
     const double length = offset.norm();
     if (length > 0.0 && length < distance + CONTACT) contacts.emplace_back(offset / length);
   };
-  isAnyNear(world, agent, CONTACT, [&](const Agent& other) {
+  for (const Walker& walker : walkersNear(world, agent, CONTACT)) {
+    const Agent& other = world.agents()[walker.agent];
     if (other.id != agent.id) add(other.pose.position - place, agent.radius + other.radius);
-    return false;
-  });
+  }
   std::vector<std::uint32_t> walls;
   world.wallIndex().findNear(place, agent.radius + CONTACT, walls);
   for (const std::uint32_t wall : walls) {

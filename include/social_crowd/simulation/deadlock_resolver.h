@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "social_crowd/simulation/remaining_path.h"
+#include "social_crowd/world/span.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
@@ -44,30 +45,30 @@ class DeadlockResolver {
     Vector2 reference = Vector2::Zero();     // where it last made progress [m]
     double progress_time = 0.0;              // when [s]
     double remaining = 0.0;                  // length of its path, while it is stuck [m]
-    double retreat_until = 0.0;              // [s]
+    double retreat_until = 0.0;              // [s]; 0 unless it walks back
     Vector2 retreat_from = Vector2::Zero();  // where its last retreat began [m]
-    bool walks_back = false;                 // in the tick before
     bool cannot_walk_back = false;           // at its last attempt, and it has made no progress since
     Vector2 course = Vector2::UnitX();       // direction of its path, or back [unit vector]
   };
-
-  static bool isStuck(const Walk& walk, double time) { return time - walk.progress_time >= STUCK_TIME; }
-  void follow(const Agent& agent, const RemainingPath& path, double time);
-  void noteProgress(const Agent& agent, double time);
-  void startRetreat(const Agent& agent, double time);
-  void sortByX(const World& world);
-  template <typename Test>
-  bool isAnyNear(const World& world, const Agent& agent, double distance, const Test& test);
-  bool mustGiveWay(const World& world, const Agent& agent);
-  bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
-  std::vector<Vector2> contactsOf(const World& world, const Agent& agent);
-  void retreat(World& world, const Agent& agent);
 
   /// An agent that walks.
   struct Walker {
     double x;  // of its place [m]
     AgentId agent;
   };
+
+  static bool walksBack(const Walk& walk) { return walk.retreat_until > 0.0; }
+  static bool isStuck(const Walk& walk, double time) { return time - walk.progress_time >= STUCK_TIME; }
+  void follow(const Agent& agent, const RemainingPath& path, double time);
+  void noteProgress(const Agent& agent, double time);
+  void startRetreat(const Agent& agent, double time);
+  void sortByX(const World& world);
+  /// The walkers that may be within a distance of an agent [m], by x; the agent itself is among them.
+  Span<Walker> walkersNear(const World& world, const Agent& agent, double distance);
+  bool mustGiveWay(const World& world, const Agent& agent);
+  bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
+  std::vector<Vector2> contactsOf(const World& world, const Agent& agent);
+  void retreat(World& world, const Agent& agent);
 
   std::vector<Walk> walks_;          // by id
   std::vector<AgentId> retreating_;  // of this tick
