@@ -21,7 +21,6 @@ namespace {
 // Sharing may wait for other learners; other services must remain available.
 constexpr unsigned SERVICE_THREADS = 4;
 constexpr std::uint32_t QUEUE = 100;  // messages
-constexpr bool LATCHED = true;
 const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
 const ros::WallDuration STATUS_PATIENCE(3.0);  // until the controller should have received the status
 constexpr double WARNING_PERIOD = 5.0;         // [s]
@@ -56,7 +55,9 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       services_(private_node, SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
   for (const std::string& warning : parameters.warnings) ROS_WARN("%s", warning.c_str());
-  status_publisher_ = node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, LATCHED);
+  // Not latched: roscpp keeps one latched message for each topic of a process, and nodelets share the topic.
+  const auto greet = [this](const ros::SingleSubscriberPublisher& subscriber) { subscriber.publish(status()); };
+  status_publisher_ = node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, greet);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
   perceptions_subscriber_ = subscribeToTicks<PerceptionsMessage>(
       node_, names::PERCEPTIONS, QUEUE, [this](const auto& event) { takePerceptions(*event.getMessage()); });
@@ -149,6 +150,10 @@ void LearnerNode::noteStatus(const social_crowd::LearnerStatus::ConstPtr& status
 
 void LearnerNode::publishStatus() {
   last_status_ = ros::WallTime::now();
+  status_publisher_.publish(status());
+}
+
+social_crowd::LearnerStatus LearnerNode::status() const {
   const AgentId first = firstAgent();
   social_crowd::LearnerStatus status;
   status.header.stamp = ros::Time::now();
@@ -172,7 +177,7 @@ void LearnerNode::publishStatus() {
   status.vision_radius = limiter_.vision().radius;
   status.max_neighbours = limiter_.vision().max_neighbours;
   status.occlusion = limiter_.vision().occlusion ? 1 : 0;
-  status_publisher_.publish(status);
+  return status;
 }
 
 TrainedTable LearnerNode::trained(QTable table) const {

@@ -116,6 +116,20 @@ class DemoTest(NodeletTestCase):
         self.assert_same_recording(support.read_bytes(self.path('ros/lockstep.csv')), expected)
         self.assertGreater(perceptions.messages[-1].vision_radius, 6.0)
 
+    def test_status_of_learners_loaded_before_the_controller(self):
+        """The controller receives the status of each learner of its process, not only the latest one."""
+        self.load('learner', 'learner_wide', q_table=support.ANTICIPATION_TABLE, agents=[99])
+        self.load('learner', 'learner_of_all', q_table=support.NEAREST_TABLE)
+        perceptions = self.listen('perceptions', Perceptions)
+        self.load_controller(paused=True)
+        perceptions.wait_connected()
+
+        def is_wide():
+            self.step(1)
+            return any(message.vision_radius > 6.0 for message in perceptions.messages)
+
+        support.wait_for(is_wide, 'perceptions with the wider vision')
+
     def test_ticks_are_passed_by_pointer(self):
         """roscpp counts the bytes of serialised messages; there are none for pointers."""
         self.load('learner', q_table=support.NEAREST_TABLE)

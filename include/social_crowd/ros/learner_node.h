@@ -48,6 +48,7 @@ class LearnerNode {
   void noteEpisode();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
+  social_crowd::LearnerStatus status() const;
 
   /// The agent whose table is used where one agent is needed.
   AgentId firstAgent() const;
