@@ -36,8 +36,9 @@ class NavigationMesh::Query::Search {
 
   Component component(const Place& place) const { return data_->components()[place.polygon]; }
 
-  bool findCorners(const Place& from, const Place& to, std::vector<Vector2>& corners) {
-    if (!path_search_.find(from.polygon, data_->toCells(from.metres), to.polygon, data_->toCells(to.metres), corners)) {
+  bool findCorners(const Place& from, const Place& to, double max_length, std::vector<Vector2>& corners) {
+    if (!path_search_.find(from.polygon, data_->toCells(from.metres), to.polygon, data_->toCells(to.metres),
+                           max_length / data_->cellSize(), corners)) {
       return false;
     }
     for (Vector2& corner : corners) corner = data_->toMetres(corner);
@@ -111,12 +112,12 @@ std::optional<NavigationMesh::Component> NavigationMesh::Query::component(const 
   return search_->component(*place);
 }
 
-std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const Vector2& to) {
+std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const Vector2& to, double max_length) {
   const auto start = search_->nearest(from, clearance());
   const auto goal = search_->nearest(to, clearance());
   if (!start || !goal || search_->component(*start) != search_->component(*goal)) return std::nullopt;
   Path path;
-  if (!search_->findCorners(*start, *goal, path.corners)) return std::nullopt;
+  if (!search_->findCorners(*start, *goal, max_length, path.corners)) return std::nullopt;
   if (start->metres != from) path.corners.insert(path.corners.begin(), start->metres);
   if (goal->metres != to) path.corners.push_back(to);
   Vector2 last = from;
@@ -124,14 +125,15 @@ std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const V
     path.length += (corner - last).norm();
     last = corner;
   }
+  if (path.length > max_length) return std::nullopt;
   return path;
 }
 
 bool NavigationMesh::Query::isStraight(const Vector2& from, const Vector2& to) {
-  const auto start = search_->nearest(from, 0.5 * clearance());
+  const auto start = search_->nearest(from, clearance());
   if (!start) return false;
   if (search_->isStraight(*start, to)) return true;
-  const auto end = search_->nearest(to, 0.5 * clearance());
+  const auto end = search_->nearest(to, clearance());
   return end && end->metres != to && search_->isStraight(*start, end->metres);
 }
 

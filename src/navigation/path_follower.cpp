@@ -9,8 +9,8 @@ Vector2 PathFollower::next(const Vector2& position, NavigationMesh::Query& query
 }
 
 bool PathFollower::isCheckDue(const Vector2& position) const {
-  if (!hasWay()) return state_ == State::ON_THE_WAY || ticks_ >= CHECK_TICKS;
   if (ticks_ >= CHECK_TICKS) return true;
+  if (!hasWay()) return state_ == State::ON_THE_WAY;
   const Vector2& corner = corners_[corner_];
   const double distance = (position - corner).norm();
   if (isAtLastCorner() || distance > CORNER_DISTANCE) {
@@ -22,13 +22,25 @@ bool PathFollower::isCheckDue(const Vector2& position) const {
 void PathFollower::check(const Vector2& position, NavigationMesh::Query& query) {
   checked_at_ = position;
   ticks_ = 0;
-  if (hasWay() && chooseCorner(position, query)) return;
+  if (hasWay() && (chooseCorner(position, query) || returnToWay(position, query))) return;
   std::optional<Path> path = query.findPath(position, goal_);
   if (!path && hasWay()) return;  // it was pushed into a pocket of the mesh: it keeps its way
   state_ = path ? State::ON_THE_WAY : State::UNREACHABLE;
   corners_ = path ? std::move(path->corners) : std::vector<Vector2>();
   corner_ = 0;
   if (path) chooseCorner(position, query);
+}
+
+bool PathFollower::returnToWay(const Vector2& position, NavigationMesh::Query& query) {
+  const double distance = (position - corners_[corner_]).norm();
+  std::optional<Path> path = query.findPath(position, corners_[corner_], DETOUR_SHARE * distance + DETOUR);
+  if (!path) return false;
+  const auto present = corners_.begin() + static_cast<std::ptrdiff_t>(corner_);
+  path->corners.insert(path->corners.end(), present + 1, corners_.end());
+  corners_ = std::move(path->corners);
+  corner_ = 0;
+  chooseCorner(position, query);
+  return true;
 }
 
 bool PathFollower::chooseCorner(const Vector2& position, NavigationMesh::Query& query) {

@@ -21,9 +21,10 @@ PathSearch::PathSearch(const NavigationMesh::Data& mesh)
     : mesh_(mesh), best_(mesh.isTurningPoint().size(), std::numeric_limits<double>::infinity()) {}
 
 bool PathSearch::find(std::size_t from_polygon, const Vector2& from, std::size_t to_polygon, const Vector2& to,
-                      std::vector<Vector2>& corners) {
+                      double max_length, std::vector<Vector2>& corners) {
   goal_polygon_ = to_polygon;
   goal_ = to;
+  max_length_ = max_length;
   begin(from_polygon, from);
   Node node;
   do {
@@ -172,6 +173,7 @@ void PathSearch::addGoal(Index root) {
 }
 
 void PathSearch::add(Node node) {
+  if (node.estimate > max_length_) return;
   node.number = number_++;
   open_.push_back(node);
   std::push_heap(open_.begin(), open_.end(), IsWorse());

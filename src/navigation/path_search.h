@@ -17,8 +17,8 @@ class PathSearch {
   explicit PathSearch(const NavigationMesh::Data& mesh);
 
   /// Writes the corners of the shortest path between two points to `corners`, without the start, with the goal.
-  /// Returns false if there is none.
-  bool find(std::size_t from_polygon, const Vector2& from, std::size_t to_polygon, const Vector2& to,
+  /// Returns false if there is none that is at most `max_length` long.
+  bool find(std::size_t from_polygon, const Vector2& from, std::size_t to_polygon, const Vector2& to, double max_length,
             std::vector<Vector2>& corners);
   std::size_t bytes() const;
 
@@ -82,6 +82,7 @@ class PathSearch {
   const NavigationMesh::Data& mesh_;
   std::size_t goal_polygon_ = 0;
   Vector2 goal_ = Vector2::Zero();
+  double max_length_ = 0.0;
   std::vector<Root> roots_;
   std::vector<Node> open_;  // heap
   Index number_ = 0;

@@ -71,7 +71,10 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
     retreating_.push_back(agent.id);
     return;
   }
-  if (walksBack(walk)) walk.cannot_walk_back = (place - walk.retreat_from).norm() < WALKED_BACK;
+  if (walksBack(walk)) {
+    walk.cannot_walk_back = (place - walk.retreat_from).norm() < WALKED_BACK;
+    walk.leaves_trail = walk.cannot_walk_back && !walk.leaves_trail;
+  }
   walk.retreat_until = 0.0;
   walk.course = directionOf(path, agent);
   if (isStuck(walk, time)) walk.remaining = lengthOf(path, place);
@@ -176,11 +179,14 @@ void DeadlockResolver::retreat(World& world, const Agent& agent) {
   Walk& walk = walks_[agent.id];
   std::deque<Vector2>& trail = walk.trail;
   const Vector2& place = agent.pose.position;
-  while (trail.size() > 1 && (trail.back() - place).norm() < BACK) trail.pop_back();
-  const Vector2 back = trail.back() - place;
-  if (back.norm() > 0.0) walk.course = back.normalized();
+  if (!walk.leaves_trail) {
+    while (trail.size() > 1 && (trail.back() - place).norm() < BACK) trail.pop_back();
+    const Vector2 back = trail.back() - place;
+    if (back.norm() > 0.0) walk.course = back.normalized();
+  }
   const std::optional<Vector2> slid = slideAlong(walk.course, contactsOf(world, agent));
-  world.setWaypoint(agent.id, slid ? Vector2(place + BACK * *slid) : trail.back());
+  const Vector2 straight = walk.leaves_trail ? Vector2(place + BACK * walk.course) : trail.back();
+  world.setWaypoint(agent.id, slid ? Vector2(place + BACK * *slid) : straight);
 }
 
 }  // namespace crowd

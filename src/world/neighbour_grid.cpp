@@ -5,11 +5,8 @@
 #include "simd/kernels.h"
 
 namespace crowd {
-namespace {
 
 static_assert(NeighbourGrid::PADDING >= simd::DiscArrays::PADDING, "kernels read beyond the last disc");
-
-}  // namespace
 
 void NeighbourGrid::clear() {
   added_.clear();

@@ -37,6 +37,17 @@ TEST(NavigationMeshReach, TheWayRoundIsTakenIfADoorIsTooNarrow) {
   EXPECT_GE(floors::clearanceOf(floor, {-3.0, 0.0}, *path), CLEARANCE - 0.43 * CELL);
 }
 
+TEST(NavigationMeshReach, AWayLongerThanTheMaximumIsNotFound) {
+  Query query{NavigationMesh(floors::roomWithDoor(1.2, 2.6), CLEARANCE)};
+  const Vector2 from(-3.0, 0.0);
+  const auto path = query.findPath(from, -from);
+  ASSERT_TRUE(path);
+  EXPECT_GT(path->length, 6.5);  // through the door, not straight
+  EXPECT_TRUE(query.findPath(from, -from, 1.001 * path->length));
+  EXPECT_FALSE(query.findPath(from, -from, 0.999 * path->length));
+  EXPECT_FALSE(query.findPath(from, -from, 6.1));
+}
+
 TEST(NavigationMeshReach, ADoorTwoCellsWiderIsPassedInAnyDirection) {
   for (int degrees = 0; degrees < 180; degrees += 7) {
     SCOPED_TRACE("wall turned by " + std::to_string(degrees) + " degrees");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/floors.h"
@@ -64,14 +65,32 @@ TEST_F(PathFollowerTest, APersonThatWasPushedAwayGetsANewWay) {
   EXPECT_NEAR(remainingLength(follower, position), query_.findPath(position, GOAL)->length, 1e-9);
 }
 
-TEST_F(PathFollowerTest, APersonThatWasPushedThroughAGapTakesTheShorterWay) {
-  // Doors from y = 2 to 3.2 and from y = -3.2 to -2, and a wall between them, with a gap, in the left half.
+/// A room with doors from y = 2 to 3.2 and from y = -3.2 to -2, and a wall between them, with a gap, in the left half.
+FloorPlan roomWithTwoDoors() {
   FloorPlan floor = floors::room({-5.0, -4.0}, {5.0, 4.0});
   for (const Vector2& ys : {Vector2(-4.0, -3.2), Vector2(-2.0, 2.0), Vector2(3.2, 4.0)}) {
     floor.walls.push_back({{0.0, ys.x()}, {0.0, ys.y()}});
   }
   floor.walls.push_back({{-5.0, -1.0}, {-0.8, -1.0}});
-  const NavigationMesh mesh(floor, CLEARANCE);
+  return floor;
+}
+
+TEST_F(PathFollowerTest, APersonThatWasPushedAsideReturnsToItsWay) {
+  const NavigationMesh mesh(roomWithTwoDoors(), CLEARANCE);
+  NavigationMesh::Query query(mesh);
+  PathFollower follower(GOAL);
+  const Vector2 door = follower.next(Vector2(-3.0, 0.5), query);
+  EXPECT_GT(door.y(), 1.0);
+  const Vector2 pushed(-1.2, -1.4);  // the wall hides the door; the way back is 1.1 times as long as the straight line
+  EXPECT_FALSE(query.isStraight(pushed, door));
+  EXPECT_GT(follower.next(pushed, query).y(), -1.4);
+  const Span<Vector2> corners = follower.corners();
+  EXPECT_EQ(std::count(corners.begin(), corners.end(), door), 1);
+  EXPECT_EQ(corners[corners.size() - 1], GOAL);
+}
+
+TEST_F(PathFollowerTest, APersonThatWasPushedThroughAGapTakesTheShorterWay) {
+  const NavigationMesh mesh(roomWithTwoDoors(), CLEARANCE);
   NavigationMesh::Query query(mesh);
   PathFollower follower(GOAL);
   EXPECT_GT(follower.next(Vector2(-3.0, 0.5), query).y(), 1.0);

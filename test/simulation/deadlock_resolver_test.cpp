@@ -142,6 +142,32 @@ TEST(DeadlockResolver, AnAgentThatCannotWalkBackHasPriority) {
   EXPECT_FALSE(crowd.givesWay(first));
 }
 
+/// Agent 0 came from the south and is on its way to the east. Nobody can move.
+TEST(DeadlockResolver, AnAgentThatCouldNotWalkBackOnItsTrailTriesTheOppositeOfItsDirection) {
+  std::vector<AgentStart> agents = {walker({-0.25, -2.5}, {-0.25, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})};
+  agents[0].goals.emplace_back(9.0, 0.0);
+  Crowd crowd(agents);
+  const auto& walked = crowd.world.agents();
+  while (walked[0].goal().x() < 9.0 && crowd.world.time() < 60.0) {
+    std::vector<AgentAction> actions = straight_walk::actions(crowd.world);
+    actions.erase(std::remove_if(actions.begin(), actions.end(), [](const auto& action) { return action.agent != 0; }),
+                  actions.end());
+    crowd.world.step(actions);
+    crowd.update();
+  }
+  std::vector<Vector2> attempts;  // directions
+  for (bool before = false; attempts.size() < 3 && crowd.world.time() < 300.0; before = crowd.givesWay(0)) {
+    crowd.stand();
+    if (!crowd.givesWay(0) || before) continue;
+    attempts.push_back((walked[0].waypoint - walked[0].pose.position).normalized());
+  }
+  ASSERT_EQ(attempts.size(), 3U);
+  const Vector2 south(0.0, -1.0);
+  EXPECT_GT(attempts[0].dot(south), 0.99);
+  EXPECT_GT(attempts[1].dot(Vector2(-1.0, 0.0)), 0.99);
+  EXPECT_GT(attempts[2].dot(south), 0.99);
+}
+
 /// A wall behind agent 0 runs from its upper left to its lower right and touches it. Its way back is (-1, 0); without
 /// the part towards the wall, (-1, -1) / sqrt(2), it is (-1, 1) / 2.
 TEST(DeadlockResolver, AnAgentSlidesAlongAWallThatItTouches) {

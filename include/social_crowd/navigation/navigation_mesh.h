@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -74,11 +75,13 @@ class NavigationMesh::Query {
   /// On the mesh, it keeps clearance() - tolerance() from walls and obstacles. At an end that is not on the mesh,
   /// the way is straight between this end and the nearest point of the mesh, and does not cross a wall there if the end
   /// is more than tolerance() away from all walls.
-  /// @return std::nullopt if the mesh does not connect them
-  std::optional<Path> findPath(const Vector2& from, const Vector2& to);
+  /// @param max_length of the way [m]; a search for a short way between points near each other costs little
+  /// @return std::nullopt if the mesh does not connect them, or only by a longer way
+  std::optional<Path> findPath(const Vector2& from, const Vector2& to,
+                               double max_length = std::numeric_limits<double>::infinity());
   /// @brief Whether the straight line between two points is on the mesh (beyond rounding).
   ///
-  /// Both may be off the mesh by up to half the clearance; then the nearest points count.
+  /// Both may be off the mesh by up to the clearance; then the nearest points count.
   bool isStraight(const Vector2& from, const Vector2& to);
   /// @brief Memory that it occupies [bytes].
   std::size_t bytes() const;

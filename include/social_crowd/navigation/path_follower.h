@@ -12,8 +12,8 @@ namespace crowd {
 ///
 /// The way is found once. Whether the next corners can be seen is checked where that can have changed: when the person
 /// has left the straight line to its corner, or has moved near it, and from time to time. A person that was pushed to
-/// where it does not see its corner gets a new way; if the mesh has none from there, it keeps the old one. The points
-/// depend on the positions only.
+/// where it does not see its corner returns to its way if that is near, and otherwise gets a new one; if the mesh has
+/// none from there, it keeps the old one. The points depend on the positions only.
 class PathFollower {
  public:
   enum class State {
@@ -40,12 +40,17 @@ class PathFollower {
   static constexpr double CHECK_DISTANCE = 0.25;  // walked, or away from the straight line [m]
   static constexpr double CORNER_DISTANCE = 1.5;  // from here on the corner after the next one may come into sight [m]
   static constexpr double REACHED = 0.1;          // distance at which a corner is reached [m]
+  static constexpr double DETOUR_SHARE = 1.2;     // a way back to the present corner may be longer than the straight
+  static constexpr double DETOUR = 0.5;           // line by this factor and by this length [m]
   static constexpr int CHECK_TICKS = 10;          // it is checked after this time at the latest
 
   bool hasWay() const { return !corners_.empty(); }
   bool isAtLastCorner() const { return corner_ + 1 == corners_.size(); }
   bool isCheckDue(const Vector2& position) const;
   void check(const Vector2& position, NavigationMesh::Query& query);
+  /// Finds a short way to the present corner, which costs much less than one to the goal, and keeps the rest of the
+  /// way. Returns false if there is none.
+  bool returnToWay(const Vector2& position, NavigationMesh::Query& query);
   /// Chooses the farthest corner that can be seen; returns false if it is not even the present one.
   bool chooseCorner(const Vector2& position, NavigationMesh::Query& query);
 

@@ -18,13 +18,13 @@ namespace crowd {
 /// - An agent that could not walk back at its last attempt has priority over one that could.
 /// - Of agents that walk in opposite directions, the one whose direction is nearer to an axis has priority; the axis is
 ///   the same for all agents and turns every TURN_TIME.
-/// - Of agents in the same direction that are both stuck and touch each other, as in an arch before a door, the one
-/// with
-///   the shorter remaining path has priority.
+/// - Of agents in the same direction that are both stuck and touch each other, as in an arch in front of a door, the
+///   one with the shorter remaining path has priority.
 ///
-/// An agent that gives way walks back along its own trail for RETREAT_TIME, and agents that it walks towards do the
-/// same. Where it touches walls or other agents, it slides along them. RETREAT_TIME is short, since agents that walk
-/// back are in the way of those behind them. Afterwards the agent walks on for WALK_TIME before it can be stuck again.
+/// An agent that gives way walks back for RETREAT_TIME, and agents that it walks towards do the same. It walks along
+/// its own trail; after an attempt in which it could not move, against the direction of its path, and then in turns.
+/// Where it touches walls or other agents, it slides along them. RETREAT_TIME is short, since agents that walk back are
+/// in the way of those behind them. Afterwards the agent walks on for WALK_TIME before it can be stuck again.
 ///
 /// Call contract: update() once per tick, after waypoints were set.
 class DeadlockResolver {
@@ -48,6 +48,7 @@ class DeadlockResolver {
     double retreat_until = 0.0;              // [s]; 0 unless it walks back
     Vector2 retreat_from = Vector2::Zero();  // where its last retreat began [m]
     bool cannot_walk_back = false;           // at its last attempt, and it has made no progress since
+    bool leaves_trail = false;               // walks back against its direction, not along its trail
     Vector2 course = Vector2::UnitX();       // direction of its path, or back [unit vector]
   };
 
