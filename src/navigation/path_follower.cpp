@@ -28,10 +28,13 @@ void PathFollower::check(const Vector2& position, NavigationMesh::Query& query) 
   state_ = path ? State::ON_THE_WAY : State::UNREACHABLE;
   corners_ = path ? std::move(path->corners) : std::vector<Vector2>();
   corner_ = 0;
+  returns_ = 0;
   if (path) chooseCorner(position, query);
 }
 
 bool PathFollower::returnToWay(const Vector2& position, NavigationMesh::Query& query) {
+  if (returns_ == MAX_RETURNS) return false;
+  ++returns_;
   const double distance = (position - corners_[corner_]).norm();
   std::optional<Path> path = query.findPath(position, corners_[corner_], DETOUR_SHARE * distance + DETOUR);
   if (!path) return false;

@@ -12,8 +12,8 @@ namespace crowd {
 ///
 /// The way is found once. Whether the next corners can be seen is checked where that can have changed: when the person
 /// has left the straight line to its corner, or has moved near it, and from time to time. A person that was pushed to
-/// where it does not see its corner returns to its way if that is near, and otherwise gets a new one; if the mesh has
-/// none from there, it keeps the old one. The points depend on the positions only.
+/// where it does not see its corner returns to its way if that is near, a few times, and otherwise gets a new one; if
+/// the mesh has none from there, it keeps the old one. The points depend on the positions only.
 class PathFollower {
  public:
   enum class State {
@@ -42,7 +42,9 @@ class PathFollower {
   static constexpr double REACHED = 0.1;          // distance at which a corner is reached [m]
   static constexpr double DETOUR_SHARE = 1.2;     // a way back to the present corner may be longer than the straight
   static constexpr double DETOUR = 0.5;           // line by this factor and by this length [m]
-  static constexpr int CHECK_TICKS = 10;          // it is checked after this time at the latest
+  // A person that stays in a crowd is not sent back for good: from another place, another exit may be nearer.
+  static constexpr int MAX_RETURNS = 3;   // to the way, before a new one is found
+  static constexpr int CHECK_TICKS = 10;  // it is checked after this time at the latest
 
   bool hasWay() const { return !corners_.empty(); }
   bool isAtLastCorner() const { return corner_ + 1 == corners_.size(); }
@@ -59,6 +61,7 @@ class PathFollower {
   std::vector<Vector2> corners_;          // of the way, empty without one [m]
   std::size_t corner_ = 0;                // index of the corner to walk to
   Vector2 checked_at_ = Vector2::Zero();  // position at the last check
+  int returns_ = 0;                       // to the way, since it was found
   int ticks_ = 0;                         // since the last check
 };
 
