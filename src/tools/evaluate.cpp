@@ -258,7 +258,7 @@ int runMain(int argc, char** argv) {
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
   app.add_option(
          "--robot", arguments.plan.robot_controller,
-         "controller of the robots: none (they stand), straight (to their goals, whoever is in the way), or reactive "
+         "controller of the robots: none (they stand), straight (to their goals; they ignore people), or reactive "
          "(by their laser scans alone)")
       ->check(CLI::IsMember(robotControllerNames()))
       ->capture_default_str();

@@ -100,11 +100,8 @@ void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_poo
       ThreadPool::FEW_SHORT_ITEMS);
   beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
-  if (contact_ == Contact::GHOST && !robots_.empty()) {
-    for (const Agent& agent : agents_) {
-      const Vector2 way = tick_duration_ * agent.velocity;
-      noteRobotContacts(agent, agent.pose.position - way, way);
-    }
+  if (hasGhostRobots()) {
+    for (const Agent& agent : agents_) noteGhostContacts(agent, tick_duration_ * agent.velocity);
   }
   finishTick(thread_pool);
 }
@@ -121,10 +118,7 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   beginMove(agent, action);
   holdRobots();
   if (agent.acted && contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
-  if (contact_ == Contact::GHOST && !robots_.empty()) {
-    const Vector2 way = tick_duration_ * agent.velocity;
-    noteRobotContacts(agent, agent.pose.position - way, way);
-  }
+  if (hasGhostRobots()) noteGhostContacts(agent, tick_duration_ * agent.velocity);
   updateGridOf(agent);  // also for an agent that stays, because its velocity changes
 }
 
@@ -135,8 +129,8 @@ void World::endTick(ThreadPool& thread_pool) {
   had_turn_.assign(agents_.size(), false);
   beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([&](std::size_t body) { return body >= agents_.size(); });
-  if (contact_ == Contact::GHOST && !robots_.empty()) {
-    for (const Agent& agent : agents_) noteRobotContacts(agent, agent.pose.position, Vector2::Zero());
+  if (hasGhostRobots()) {
+    for (const Agent& agent : agents_) noteGhostContacts(agent, Vector2::Zero());
   }
   finishTick(thread_pool);
 }

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -6,24 +5,9 @@
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/world/protective_stop.h"
 #include "social_crowd/world/world.h"
+#include "world/finite_checks.h"
 
 namespace crowd {
-namespace {
-
-void requireFinite(const std::string& what, const Vector2& value) {
-  if (std::isfinite(value.x()) && std::isfinite(value.y())) return;
-  throw InputError(what + ": expected finite numbers, got " + toText({value.x(), value.y()}));
-}
-
-void requireFinite(const Pose& pose) {
-  requireFinite("position [m]", pose.position);
-  if (!std::isfinite(pose.heading)) {
-    throw InputError("heading [rad]: expected a finite number, got " + toText(pose.heading));
-  }
-}
-
-}  // namespace
-
 void World::addRobot(const RobotStart& start) {
   Robot& robot = robots_.emplace_back();
   robot.start = start;

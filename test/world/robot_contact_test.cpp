@@ -1,4 +1,4 @@
-// Contacts of robots with agents, walls and obstacles, and who moved into whom.
+// Contacts of robots with agents, walls and obstacles, and their causes.
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,8 @@
 #include "support/robots.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::robots {
 namespace {
-
-using robots::robot;
-using robots::with;
-using scenes::scene;
-using scenes::solid;
-using scenes::wanderer;
 
 constexpr double NEAR = 1e-6;
 
@@ -237,4 +231,4 @@ TEST(ProtectiveStop, LeavesAGapToPeopleWhoStand) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robots

@@ -32,7 +32,7 @@ class RobotController {
 };
 
 /// @brief Names of the controllers, for messages and --help: "none" (the robot stands), "straight" (straight to the
-/// goal, whoever is in the way), "reactive" (by its laser scan alone, see reactiveCommand()).
+/// goal; it ignores people), "reactive" (by its laser scan alone, see reactiveCommand()).
 const std::vector<std::string>& robotControllerNames();
 
 /// @brief Makes a controller; null for "none". @throws InputError that lists the names

@@ -148,9 +148,9 @@ class World {
   /// @throws InputError if there is no such robot, it is EXTERNAL, or a number is not finite.
   void commandRobot(RobotId id, const Twist& wanted);
   /// @brief Sets where an EXTERNAL robot is at the end of the coming tick; it stays there until the next call. The
-  /// place may be occupied. @param pose in `map` @param velocity [m/s], `map` @param jump it gets there at once,
-  /// instead of on a straight way, and then has no velocity. @throws InputError if there is no such EXTERNAL robot or a
-  /// number is not finite.
+  /// place may be occupied. @param pose in `map` @param velocity [m/s], `map` @param jump it does not move
+  /// there on a straight line: it is at the place from the start of the tick on, without a velocity. @throws InputError
+  /// if there is no such EXTERNAL robot or a number is not finite.
   void placeRobot(RobotId id, const Pose& pose, const Vector2& velocity, bool jump);
   /// @brief Replaces the goals of a robot [m], `map`; none: it has no goal any more.
   /// @throws InputError if there is no such robot or a number is not finite.
@@ -222,8 +222,10 @@ class World {
   void moveRobots();
   /// Counts the goals that robots have reached at the end of a tick.
   void endRobotMoves();
-  /// Notes contacts of robots with a walking agent that intended to move from `start` by `way`.
-  void noteRobotContacts(const Agent& agent, const Vector2& start, const Vector2& way);
+  /// Whether noteGhostContacts() is to be called.
+  bool hasGhostRobots() const { return contact_ == Contact::GHOST && !robots_.empty(); }
+  /// Notes contacts of robots with an agent that has just moved by `way` in a ghost world [m].
+  void noteGhostContacts(const Agent& agent, const Vector2& way);
   void noteRobotContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way);
   void noteSolidContacts();
   bool isRobotWithin(double distance, const Vector2& place) const;
