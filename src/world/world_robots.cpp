@@ -3,7 +3,6 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/world/protective_stop.h"
 #include "social_crowd/world/world.h"
 #include "world/finite_checks.h"
 
@@ -71,10 +70,9 @@ void World::beginRobotMoves() {
     robot.jumped = false;
     const Footprint& footprint = robot.start.footprint;
     if (robot.start.drive != Drive::EXTERNAL) {
-      const Yields yields = robot.start.yields;
-      const bool can_yield = yields == Yields::ROBOT || yields == Yields::BOTH;
-      const Twist wanted = can_yield ? protectiveTwist(robot, *this) : robot.target;
-      robot.twist = limitTwist(robot.start.drive, robot.start.limits, robot.twist, wanted, tick_duration_);
+      robot.twist = robotYields(robot.start.yields)
+                        ? protective_stop_.next(robot, agents_, tick_duration_)
+                        : limitTwist(robot.start.drive, robot.start.limits, robot.twist, robot.target, tick_duration_);
       robot_sweeps_.emplace_back(footprint, robot.pose, robot.twist, tick_duration_);
       continue;
     }

@@ -209,26 +209,5 @@ TEST(RobotPerception, DependsOnWhoYields) {
   EXPECT_EQ(perceive(with({start}, scene({wanderer({2.0, 0.0})}))).agents[0].neighbour_count, 0U);
 }
 
-TEST(ProtectiveStop, LeavesAGapToPeopleWhoStand) {
-  RobotStart start = robot({0.0, 0.0});
-  start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
-  start.yields = Yields::ROBOT;
-  World world(with({start}, scene({wanderer({3.0, 0.2}, 1.0)})));
-  world.commandRobot(0, {{5.0, 0.0}, 0.0});
-  double fastest = 0.0;
-  for (int tick = 0; tick < 100; ++tick) {
-    world.step({});
-    fastest = std::max(fastest, world.robots()[0].velocity.x());
-    EXPECT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
-  }
-  EXPECT_NEAR(fastest, 1.0, 1e-9);
-  // It comes near the distance that the agent could walk in a tick, 0.1 m, where the centres are 0.65 m apart.
-  EXPECT_NEAR((world.robots()[0].pose.position - Vector2(3.0, 0.2)).norm(), 0.65, 0.02);
-  EXPECT_LT(world.robots()[0].velocity.norm(), 0.05);
-  world.commandRobot(0, {{-1.0, 0.0}, 0.0});
-  for (int tick = 0; tick < 10; ++tick) world.step({});
-  EXPECT_LT(world.robots()[0].velocity.x(), -0.5);  // the way back is free
-}
-
 }  // namespace
 }  // namespace crowd::robots

@@ -22,6 +22,8 @@ inline constexpr EnumNames<Yields, 4> YIELDS{"yields", {"crowd", "robot", "both"
 
 /// @brief Time after which a robot without a command stops, by default [s].
 constexpr double DEFAULT_COMMAND_TIMEOUT = 0.5;
+constexpr bool crowdYields(Yields yields) { return yields == Yields::CROWD || yields == Yields::BOTH; }
+constexpr bool robotYields(Yields yields) { return yields == Yields::ROBOT || yields == Yields::BOTH; }
 
 /// @brief Initial state, goals and properties of a robot.
 struct RobotStart {

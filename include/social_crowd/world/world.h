@@ -11,6 +11,7 @@
 #include "social_crowd/world/neighbour_search.h"
 #include "social_crowd/world/occlusion.h"
 #include "social_crowd/world/perception.h"
+#include "social_crowd/world/protective_stop.h"
 #include "social_crowd/world/relative_action.h"
 #include "social_crowd/world/robot.h"
 #include "social_crowd/world/scene.h"
@@ -260,6 +261,7 @@ class World {
   std::size_t active_count_ = 0;
   std::size_t just_arrived_count_ = 0;  // in the last tick
 
+  ProtectiveStop protective_stop_;
   std::vector<ObstaclePath::Motion> obstacle_motions_;  // at the present time
   std::vector<std::size_t> moving_obstacles_;
   NeighbourGrid grid_;                    // of the agents on their way and the obstacles
