@@ -98,7 +98,7 @@ void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_poo
         }
       },
       ThreadPool::FEW_SHORT_ITEMS);
-  beginRobotMoves();
+  if (hasRobots()) beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
   if (hasGhostRobots()) {
     for (const Agent& agent : agents_) noteGhostContacts(agent, tick_duration_ * agent.velocity);
@@ -116,7 +116,7 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   had_turn_[id] = true;
   Agent& agent = agents_[id];
   beginMove(agent, action);
-  holdRobots();
+  if (hasRobots()) holdRobots();
   if (agent.acted && contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
   if (hasGhostRobots()) noteGhostContacts(agent, tick_duration_ * agent.velocity);
   updateGridOf(agent);  // also for an agent that stays, because its velocity changes
@@ -127,7 +127,7 @@ void World::endTick(ThreadPool& thread_pool) {
     if (!had_turn_[agent.id]) beginMove(agent, nullptr);
   }
   had_turn_.assign(agents_.size(), false);
-  beginRobotMoves();
+  if (hasRobots()) beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([&](std::size_t body) { return body >= agents_.size(); });
   if (hasGhostRobots()) {
     for (const Agent& agent : agents_) noteGhostContacts(agent, Vector2::Zero());
@@ -136,7 +136,7 @@ void World::endTick(ThreadPool& thread_pool) {
 }
 
 void World::finishTick(ThreadPool& thread_pool) {
-  moveRobots();
+  if (hasRobots()) moveRobots();
   ++tick_;
   moveObstacles();
   updateGrid();
@@ -150,7 +150,7 @@ void World::finishTick(ThreadPool& thread_pool) {
         if (arrivals > 0) arrived += arrivals;
       },
       ThreadPool::FEW_SHORT_ITEMS);
-  endRobotMoves();
+  if (hasRobots()) endRobotMoves();
   just_arrived_count_ = arrived;
   if (just_arrived_count_ == 0) return;
   active_count_ -= just_arrived_count_;
@@ -212,7 +212,7 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
 inline bool World::isAnythingWithin(double distance, const Agent& agent) const {
   const Vector2& place = agent.pose.position;
   return grid_.isAnyNear(place, distance, agent.id) || walls_.isAnyWithin(place, distance) ||
-         (!robots_.empty() && isRobotWithin(distance, place));
+         (hasRobots() && isRobotWithin(distance, place));
 }
 
 template <typename Moves>
@@ -230,9 +230,9 @@ void World::moveSolids(const Moves& moves) {
                             : Vector2::Zero();
     discs_.push_back({obstacle_motions_[i].position, way, obstacles_[i].radius, false});
   }
-  addRobotDiscs();
+  if (hasRobots()) addRobotDiscs();
   auto outcome = solid_motion_.move(discs_, walls_).begin();
-  if (!robots_.empty()) noteSolidContacts();
+  if (hasRobots()) noteSolidContacts();
   for (Agent& agent : agents_) {
     if (!agent.isWalking()) continue;
     if (outcome->diverted) {

@@ -224,11 +224,13 @@ class World {
   /// Counts the goals that robots have reached at the end of a tick.
   void endRobotMoves();
   /// Whether noteGhostContacts() is to be called.
-  bool hasGhostRobots() const { return contact_ == Contact::GHOST && !robots_.empty(); }
+  bool hasGhostRobots() const { return hasRobots() && contact_ == Contact::GHOST; }
   /// Notes contacts of robots with an agent that has just moved by `way` in a ghost world [m].
   void noteGhostContacts(const Agent& agent, const Vector2& way);
   void noteRobotContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way);
   void noteSolidContacts();
+  /// Steps without robots skip all that is for robots.
+  bool hasRobots() const { return !robots_.empty(); }
   bool isRobotWithin(double distance, const Vector2& place) const;
   /// The name of a robot that overlaps a disc at this place; empty if none does.
   std::string findRobotBlocker(const Vector2& centre, double radius, std::optional<RobotId> except) const;
