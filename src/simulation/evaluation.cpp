@@ -37,7 +37,7 @@ EvaluatedEpisode walk(Episode& episode, const EvaluationPlan& plan, Learner& lea
       appendStateRows(instance, perceptions, learner, walked.states);
     };
   }
-  RobotDrivers robots(plan.robot_controller, episode);
+  RobotDrivers robots(plan.robot_controller, episode, learner);
   walked.result = runEpisode(episode, learner, observer, &robots);
   return walked;
 }

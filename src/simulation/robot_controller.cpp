@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "social_crowd/common/suggestions.h"
+#include "social_crowd/simulation/learned_robot.h"
 #include "social_crowd/simulation/reactive_rule.h"
 
 namespace crowd {
@@ -27,6 +28,18 @@ class StraightController : public RobotController {
   static constexpr double TURN_RATE = 2.0;          // [1/s]
 };
 
+/// Decides by the Q-table of the crowd.
+class LearnedController : public RobotController {
+ public:
+  LearnedController(const Learner& learner, const Episode& episode)
+      : robot_(learner, episode.number(), episode.scene().way_finding) {}
+
+  Twist command(const RobotView& view) override { return robot_.command(view.world, view.id, view.goal); }
+
+ private:
+  LearnedRobot robot_;
+};
+
 /// Sees what its laser scanner sees, and knows where its goal is.
 class ReactiveController : public RobotController {
  public:
@@ -40,21 +53,24 @@ class ReactiveController : public RobotController {
 }  // namespace
 
 const std::vector<std::string>& robotControllerNames() {
-  static const std::vector<std::string> NAMES = {"none", "straight", "reactive"};
+  static const std::vector<std::string> NAMES = {"none", "straight", "reactive", "learned"};
   return NAMES;
 }
 
-std::unique_ptr<RobotController> makeRobotController(const std::string& name) {
+std::unique_ptr<RobotController> makeRobotController(const std::string& name, const Episode& episode,
+                                                     const Learner& learner) {
   if (name == "none") return nullptr;
   if (name == "straight") return std::make_unique<StraightController>();
   if (name == "reactive") return std::make_unique<ReactiveController>();
+  if (name == "learned") return std::make_unique<LearnedController>(learner, episode);
   throw InputError("robot controller: expected " + joinAlternatives(robotControllerNames()) + ", got '" + name + "'");
 }
 
-RobotDrivers::RobotDrivers(const std::string& controller, const Episode& episode) : senses_(episode.scene()) {
+RobotDrivers::RobotDrivers(const std::string& controller, const Episode& episode, const Learner& learner)
+    : senses_(episode.scene()) {
   for (const Robot& robot : episode.world().robots()) {
     const bool is_commanded = robot.start.drive != Drive::EXTERNAL;
-    controllers_.push_back(is_commanded ? makeRobotController(controller) : nullptr);
+    controllers_.push_back(is_commanded ? makeRobotController(controller, episode, learner) : nullptr);
   }
 }
 

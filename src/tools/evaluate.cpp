@@ -256,10 +256,10 @@ int runMain(int argc, char** argv) {
                  "folder for a file NAME.csv per scenario file with the row of the Q-table, the action and the "
                  "occupied sectors of every decision");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
-  app.add_option(
-         "--robot", arguments.plan.robot_controller,
-         "controller of the robots: none (they stand), straight (to their goals; they ignore people), or reactive "
-         "(by their laser scans alone)")
+  app.add_option("--robot", arguments.plan.robot_controller,
+                 "controller of the robots: none (they stand), straight (to their goals; they ignore people), reactive "
+                 "(by their "
+                 "laser scans alone), or learned (by the Q-table, as the crowd)")
       ->check(CLI::IsMember(robotControllerNames()))
       ->capture_default_str();
   app.add_option("--robots-csv", arguments.robots_csv, "CSV file for the measures of every robot in every episode");

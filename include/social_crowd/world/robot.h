@@ -15,15 +15,18 @@ namespace crowd {
 /// @brief Index of a robot in Scene::robots and World::robots().
 using RobotId = std::uint32_t;
 
+/// @brief The id of a robot where it is treated as an agent. No agent has it.
+constexpr AgentId agentIdOf(RobotId robot) { return ~robot; }
+
 /// @brief The side that gives way when agents and a robot meet. CROWD: the separation rule of the agents holds against
 /// the robot. ROBOT: the robot stops in front of people. BOTH: both. NOBODY: neither.
 enum class Yields : std::uint8_t { CROWD = 0, ROBOT = 1, BOTH = 2, NOBODY = 3 };
 inline constexpr EnumNames<Yields, 4> YIELDS{"yields", {"crowd", "robot", "both", "nobody"}};
+constexpr bool crowdYields(Yields yields) { return yields == Yields::CROWD || yields == Yields::BOTH; }
+constexpr bool robotYields(Yields yields) { return yields == Yields::ROBOT || yields == Yields::BOTH; }
 
 /// @brief Time after which a robot without a command stops, by default [s].
 constexpr double DEFAULT_COMMAND_TIMEOUT = 0.5;
-constexpr bool crowdYields(Yields yields) { return yields == Yields::CROWD || yields == Yields::BOTH; }
-constexpr bool robotYields(Yields yields) { return yields == Yields::ROBOT || yields == Yields::BOTH; }
 
 /// @brief Initial state, goals and properties of a robot.
 struct RobotStart {

@@ -93,6 +93,12 @@ class World {
   void perceiveSome(const Vision& vision, std::size_t first, std::size_t last, PerceptionWorkspace& workspace,
                     Perceptions& perceptions) const;
 
+  /// @brief Writes what an agent in a robot's place would perceive: a disc of the radius that agents perceive, with the
+  /// robot's maximum speed, and the id agentIdOf(id). Sets all fields but `episode` and `turn`. Any number of threads
+  /// may call it at the same time, as perceiveSome(). @param goal that it perceives [m], `map`
+  void perceiveRobot(const Vision& vision, RobotId id, const Vector2& goal, PerceptionWorkspace& workspace,
+                     Perceptions& perceptions) const;
+
   /// @brief Executes one tick. Agents without an action stay; actions of unknown or arrived agents are ignored.
   /// @param thread_pool its threads share the agents; the result does not depend on their number
   /// @throws InputError if an action is not finite or its speed fraction is not within 0 to 1; the world is unchanged
@@ -203,7 +209,7 @@ class World {
   /// Adds the robots that the agent perceives to the bodies found by the search, nearest rim first. Robot i has the
   /// number grid_.size() + i.
   Span<NearDisc> withRobots(const Span<NearDisc>& found, const Vision& vision, std::size_t max_count,
-                            const Vector2& place, PerceptionWorkspace& workspace) const;
+                            const Agent& agent, PerceptionWorkspace& workspace) const;
   static Neighbour seenRobot(const Robot& robot, const Agent& agent);
   /// Writes the bodies found by the search in the agent's frame.
   void writeNeighbours(const Span<NearDisc>& found, const Agent& agent, std::size_t first,
@@ -223,14 +229,14 @@ class World {
   void moveRobots();
   /// Counts the goals that robots have reached at the end of a tick.
   void endRobotMoves();
+  /// Steps without robots skip all that is for robots.
+  bool hasRobots() const { return !robots_.empty(); }
   /// Whether noteGhostContacts() is to be called.
   bool hasGhostRobots() const { return hasRobots() && contact_ == Contact::GHOST; }
   /// Notes contacts of robots with an agent that has just moved by `way` in a ghost world [m].
   void noteGhostContacts(const Agent& agent, const Vector2& way);
   void noteRobotContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way);
   void noteSolidContacts();
-  /// Steps without robots skip all that is for robots.
-  bool hasRobots() const { return !robots_.empty(); }
   bool isRobotWithin(double distance, const Vector2& place) const;
   /// The name of a robot that overlaps a disc at this place; empty if none does.
   std::string findRobotBlocker(const Vector2& centre, double radius, std::optional<RobotId> except) const;
@@ -255,6 +261,7 @@ class World {
   std::vector<std::optional<RobotPlace>> robot_places_;    // by robot: where an EXTERNAL one is to be next
   std::vector<RobotSweep> robot_sweeps_;                   // by robot: its intended motion in this tick
   std::vector<std::vector<RobotContact>> robot_contacts_;  // by robot: those of the present tick so far
+  ProtectiveStop protective_stop_;
   WallIndex walls_;
   double wall_reach_ = 0.0;            // agents perceive walls within this distance [m]
   std::vector<std::size_t> wall_ids_;  // of these
@@ -263,7 +270,6 @@ class World {
   std::size_t active_count_ = 0;
   std::size_t just_arrived_count_ = 0;  // in the last tick
 
-  ProtectiveStop protective_stop_;
   std::vector<ObstaclePath::Motion> obstacle_motions_;  // at the present time
   std::vector<std::size_t> moving_obstacles_;
   NeighbourGrid grid_;                    // of the agents on their way and the obstacles
