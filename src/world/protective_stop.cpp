@@ -23,18 +23,20 @@ Twist ProtectiveStop::next(const Robot& robot, const std::vector<Agent>& agents,
   findPeople(robot, agents, tick_duration);
   const DriveLimits& limits = robot.start.limits;
   const Twist wanted = clamped(robot.target, limits);
-  const auto permitted = [&](double share) {
-    const Twist reduced{share * wanted.linear, share * wanted.rotation};
+  const auto permitted = [&](double linear, double rotation) {
+    const Twist reduced{linear * wanted.linear, rotation * wanted.rotation};
     return limitTwist(robot.start.drive, limits, robot.twist, reduced, tick_duration);
   };
-  Twist twist = permitted(1.0);
+  Twist twist = permitted(1.0, 1.0);
   if (isFree(robot, twist, tick_duration)) return twist;
-  twist = permitted(0.0);
+  twist = permitted(0.0, 1.0);
+  const bool may_turn = isFree(robot, twist, tick_duration);
+  if (!may_turn) twist = permitted(0.0, 0.0);
   double low = 0.0;
   double high = 1.0;
   for (int i = 0; i < HALVINGS; ++i) {
     const double middle = 0.5 * (low + high);
-    const Twist reduced = permitted(middle);
+    const Twist reduced = permitted(middle, may_turn ? 1.0 : middle);
     const bool is_free = isFree(robot, reduced, tick_duration);
     (is_free ? low : high) = middle;
     if (is_free) twist = reduced;

@@ -113,7 +113,7 @@ void World::moveRobots() {
     }
     const RobotSweep& sweep = robot_sweeps_[i];
     robot.pose = sweep.at(1.0);
-    robot.blocked = sweep.stoppedAt() < 1.0 && sweep.pointSpeed() > 0.0;
+    robot.blocked = sweep.stoppedAt() < 1.0 && !(robot.twist.linear.isZero(0.0) && robot.twist.rotation == 0.0);
     if (sweep.stoppedAt() < 1.0) robot.twist = Twist();
     robot.velocity = Rotation(robot.pose.heading).outOfFrame(robot.twist.linear);
   }

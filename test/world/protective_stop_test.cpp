@@ -51,10 +51,27 @@ double nearestPerson(const World& world) {
   return nearest;
 }
 
-/// A command at or beyond the limits.
-Twist extremeTwist(const DriveLimits& limits, KeyedRandom& random) {
-  const Vector2 linear = random.uniform(0.5, 2.0) * limits.max_speed * unitVector(PI / 4.0 * random.below(8));
-  return {linear, limits.max_rotation * random.uniform(-1.5, 1.5)};
+/// A command at or beyond the limits: often straight at the nearest person, or a curve that passes it.
+Twist extremeTwist(const World& world, KeyedRandom& random) {
+  const Robot& robot = world.robots()[0];
+  const DriveLimits& limits = robot.start.limits;
+  const auto is_nearer = [&](const Agent& one, const Agent& other) {
+    return (one.pose.position - robot.pose.position).norm() < (other.pose.position - robot.pose.position).norm();
+  };
+  const Agent& nearest = *std::min_element(world.agents().begin(), world.agents().end(), is_nearer);
+  const Vector2 to_person = Rotation(robot.pose.heading).intoFrame(nearest.pose.position - robot.pose.position);
+  const double speed = random.uniform(0.8, 2.0) * limits.max_speed;
+  const bool is_holonomic = robot.start.drive == Drive::HOLONOMIC;
+  const Vector2 ahead = is_holonomic ? Vector2(speed * to_person.normalized()) : Vector2(speed, 0.0);
+  const double rotation = random.uniform(-1.5, 1.5) * limits.max_rotation;
+  switch (random.below(3)) {
+    case 0:
+      return {ahead, 3.0 * bearingOf(to_person)};
+    case 1:
+      return {ahead, rotation};
+    default:
+      return {speed * unitVector(random.uniform(-PI, PI)), rotation};
+  }
 }
 
 TEST(ProtectiveStopProperty, NeverTouchesPeopleThatStand) {
@@ -67,7 +84,7 @@ TEST(ProtectiveStopProperty, NeverTouchesPeopleThatStand) {
     double nearest = std::numeric_limits<double>::infinity();
     for (int tick = 0; tick < 200; ++tick) {
       const Vector2 from = world.robots()[0].pose.position;
-      if (random.below(patience) == 0) world.commandRobot(0, extremeTwist(world.robots()[0].start.limits, random));
+      if (random.below(patience) == 0) world.commandRobot(0, extremeTwist(world, random));
       world.step({});
       ASSERT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
       ASSERT_GT(nearestPerson(world), 0.0) << "tick " << tick;
@@ -81,19 +98,34 @@ TEST(ProtectiveStopProperty, NeverTouchesPeopleThatStand) {
 }
 
 TEST(ProtectiveStop, TestsTheTwistThatTheLimitsPermit) {
-  // It drives at 1 m/s towards the person at (1, 0). From x = -0.3 m on it is commanded a curve of radius 0.5 m, which
-  // leads past the person. But its rotation changes by 0.01 rad/s in a tick only, so that it hardly turns: it must brake.
-  RobotStart start = robot({-2.0, 0.0});
-  start.limits = {1.0, 2.0, 1.0, 0.1, 0.0};
+  // It drives at 2 m/s towards the person at (1, 0), and needs 1.9 m to stop. From x = -2 m on it is commanded a curve
+  // of radius 1 m, which passes the person until it is 1.3 m away. But its rotation changes by 0.01 rad/s in a tick
+  // only, so that it drives on nearly straight: it must brake at once.
+  RobotStart start = robot({-6.0, 0.0});
+  start.limits = {2.0, 2.0, 1.0, 0.1, 0.0};
   start.yields = Yields::ROBOT;
   World world(with({start}, scene({wanderer({1.0, 0.0}, 1.0)})));
-  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.commandRobot(0, {{2.0, 0.0}, 0.0});
   for (int tick = 0; tick < 100; ++tick) {
-    if (world.robots()[0].pose.position.x() > -0.3) world.commandRobot(0, {{1.0, 0.0}, 2.0});
+    if (world.robots()[0].pose.position.x() > -2.0) world.commandRobot(0, {{2.0, 0.0}, 2.0});
     world.step({});
     ASSERT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
   }
-  EXPECT_GT(world.robots()[0].pose.position.x(), -0.2);
+  EXPECT_GT(world.robots()[0].pose.position.x(), -1.0);
+}
+
+TEST(ProtectiveStop, LetsARobotTurnAway) {
+  // In front of a person it is commanded a curve to the left: it turns, and can then drive on.
+  RobotStart start = robot({0.0, 0.0});
+  start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
+  start.yields = Yields::ROBOT;
+  World world(with({start}, scene({wanderer({0.6, 0.0}, 1.0)})));
+  world.commandRobot(0, {{0.5, 0.0}, 0.5});
+  for (int tick = 0; tick < 60; ++tick) {
+    world.step({});
+    ASSERT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
+  }
+  EXPECT_GT(world.robots()[0].pose.position.norm(), 0.3);
 }
 
 TEST(ProtectiveStop, LeavesAGapToPeopleThatStand) {

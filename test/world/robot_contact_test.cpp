@@ -37,11 +37,17 @@ void expectContact(const World& world, ContactCause cause) {
 }
 
 TEST(RobotContact, WallsStopARobot) {
-  const World world = afterTick(solid(with({robot({0.0, 0.0})}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}}))), true);
+  World world = afterTick(solid(with({robot({0.0, 0.0})}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}}))), true);
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);
   EXPECT_TRUE(world.robots()[0].blocked);
   EXPECT_EQ(world.robots()[0].twist.linear, Vector2(0.0, 0.0));
   EXPECT_EQ(world.robots()[0].velocity, Vector2(0.0, 0.0));
+  world.step({});  // it presses on, and is stopped at the start of the tick
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);
+  EXPECT_TRUE(world.robots()[0].blocked);
+  world.commandRobot(0, {});
+  world.step({});
+  EXPECT_FALSE(world.robots()[0].blocked);
 }
 
 TEST(RobotContact, ARobotThatDrivesIntoAPersonStops) {

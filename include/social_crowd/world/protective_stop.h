@@ -18,9 +18,9 @@ namespace crowd {
 /// who walk is the margin alone.
 class ProtectiveStop {
  public:
-  /// @brief The twist of the coming tick: towards the greatest share of the commanded twist with which the motion is
-  /// free (found by bisection), or towards rest if there is none. @param agents of the world; those on their way count
-  /// @param tick_duration [s]
+  /// @brief The twist of the coming tick: the greatest share of the commanded linear velocity with which the motion is
+  /// free, and the commanded rotation if the robot may turn on the spot, else that share of it; rest if none is free.
+  /// @param agents of the world; those on their way count @param tick_duration [s]
   Twist next(const Robot& robot, const std::vector<Agent>& agents, double tick_duration);
 
  private:
