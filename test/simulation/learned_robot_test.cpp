@@ -31,8 +31,8 @@ TEST(LearnedRobot, PerceivesAndDecidesAsAnAgentInItsPlace) {
     start.drive = Drive::HOLONOMIC;
     with_robot.robots.push_back(start);
     const World robots(with_robot);
-    const Robot& self = robots.robots()[1];
-    with_agent.agents.push_back(scenes::agent(start.position, goal, start.limits.max_speed, self.perceived_radius));
+    with_agent.agents.push_back(
+        scenes::agent(start.position, goal, start.limits.max_speed, robots.robots()[1].perceived_radius));
     World agents(with_agent);
 
     World::PerceptionWorkspace workspace;
@@ -87,6 +87,16 @@ TEST(LearnedRobot, DrivesRoundPeopleThatStand) {
     EXPECT_TRUE(result.isClean()) << DRIVES.nameOf(kind);
     EXPECT_LT(result.path_length_ratio, 1.3) << DRIVES.nameOf(kind);
   }
+}
+
+TEST(LearnedRobot, TurnsAtAWallThatItTouches) {
+  // It touches the wall y = 0.3 and faces it at 0.4 rad; the goal lies along the wall.
+  RobotStart start = robotTo({5.0, 0.0}, {0.0, 0.0});
+  start.heading = 0.4;
+  start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
+  Scene walled = solid(with({start}, scene({}, {}, {{{-2.0, 0.3}, {8.0, 0.3}}})));
+  walled.max_ticks = 150;
+  EXPECT_TRUE(drive(walled).success);
 }
 
 TEST(LearnedRobot, FindsItsWayRoundWalls) {

@@ -37,6 +37,7 @@ class LearnedRobot {
   Perceptions perceptions_;
   DecisionWorkspace decision_workspace_;
   std::vector<AgentAction> actions_;
+  bool turns_ = false;  // on the spot, after an impact
 };
 
 }  // namespace crowd
