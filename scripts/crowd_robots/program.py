@@ -11,13 +11,13 @@ from crowd_experiments.program import (EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED,
                                        positive, print_table)
 from crowd_experiments.runs import RunError, Runner
 
-from .catalogue import CONTROLLERS, CROWDNAV_EPISODES, PLACEMENTS, SCENARIOS
+from .catalogue import CROWDNAV_EPISODES, PLACEMENTS, ROBOTS, SCENARIOS
 from .measures import joined, read_record
 from .runs import RECORD, Benchmark
 from .tables import chapter_of
 
 EXAMPLES = '''examples:
-  scripts/robot_benchmark                                 all scenarios, with all controllers of `evaluate --robot`
+  scripts/robot_benchmark                                 all robots that `evaluate` drives, in all scenarios
   scripts/robot_benchmark --robot learned --scenarios robot_door robot_queue
   scripts/robot_benchmark --robot move_base=episodes.csv  adds a robot that was driven elsewhere, such as through ROS
   scripts/robot_benchmark --table                         the tables of the results so far, without running anything
@@ -35,7 +35,7 @@ Exit status: 0 success, 1 a run failed or an input is wrong, 2 wrong usage, 130 
 
 @dataclasses.dataclass(frozen=True)
 class WantedRobot:
-    """A controller of `evaluate`, or a robot with a record of its own."""
+    """One of ROBOTS, or a robot with a record of its own."""
     name: str
     file: typing.Optional[pathlib.Path] = None
 
@@ -43,11 +43,11 @@ class WantedRobot:
 def wanted_robot(text):
     """Reads NAME or NAME=FILE."""
     name, equals, file = text.partition('=')
-    if equals and name and file and name not in CONTROLLERS:
+    if equals and name and file and name not in ROBOTS:
         return WantedRobot(name, pathlib.Path(file))
-    if not equals and name in CONTROLLERS:
+    if not equals and name in ROBOTS:
         return WantedRobot(name)
-    raise argparse.ArgumentTypeError(f"expected {', '.join(CONTROLLERS)}, or NAME=FILE.csv with another name, got "
+    raise argparse.ArgumentTypeError(f"expected {', '.join(ROBOTS)}, or NAME=FILE.csv with another name, got "
                                      f"'{text}'")
 
 
@@ -58,8 +58,8 @@ def parser():
         description='Measures robots among people: success, contacts by cause, time, discomfort, and what they cost '
                     'people, in the\nshipped scenarios and in the setting of CrowdNav. Shares have 95 %% intervals.')
     found.add_argument('--robot', type=wanted_robot, action='append', dest='robots', metavar='NAME[=FILE.csv]',
-                       help=f'{", ".join(CONTROLLERS)}, or a robot that was driven elsewhere and its record; may be '
-                            'given several times (default: all controllers)')
+                       help=f'{", ".join(ROBOTS)}, or a robot that was driven elsewhere and its record; may be '
+                            'given several times (default: all of these)')
     found.add_argument('--scenarios', nargs='+', choices=SCENARIOS, default=SCENARIOS, metavar='NAME',
                        help=f'of {", ".join(SCENARIOS)} (default: all)')
     found.add_argument('--placements', type=positive, default=PLACEMENTS, metavar='N',
@@ -111,7 +111,7 @@ def benchmark_of(arguments):
 
 def carry_out(benchmark, arguments):
     """Stores the given records, and executes the runs that are not done yet."""
-    robots = arguments.robots or [WantedRobot(name) for name in CONTROLLERS]
+    robots = arguments.robots or [WantedRobot(name) for name in ROBOTS]
     for robot in robots:
         if robot.file:
             benchmark.store(robot.name, robot.file)
@@ -131,14 +131,14 @@ def carry_out(benchmark, arguments):
 def report(benchmark, document):
     """Prints the tables of all stored results, and updates the document."""
     records, crowdnav = {}, {}
-    for controller in CONTROLLERS:
-        done = [run for run in (benchmark.run_of(controller, name) for name in SCENARIOS) if run.is_done()]
+    for robot in ROBOTS:
+        done = [run for run in (benchmark.run_of(robot, name) for name in SCENARIOS) if run.is_done()]
         if done:
-            records[controller] = joined([read_record(run.folder / RECORD) for run in done])
+            records[robot] = joined([read_record(run.folder / RECORD) for run in done])
         if benchmark.crowdnav_episodes > 0:
-            for kind, run in benchmark.crowdnav_runs(controller).items():
+            for kind, run in benchmark.crowdnav_runs(robot).items():
                 if run.is_done():
-                    crowdnav[controller, kind] = read_record(run.folder / RECORD)
+                    crowdnav[robot, kind] = read_record(run.folder / RECORD)
     records.update(benchmark.others())
     chapter = chapter_of(records, SCENARIOS, crowdnav)
     if not chapter.tables():

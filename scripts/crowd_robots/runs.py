@@ -7,7 +7,7 @@ import yaml
 
 from crowd_experiments.runs import Run
 
-from .catalogue import CROWDNAV, INVISIBLE, VISIBLE
+from .catalogue import CROWDNAV, CROWDNAV_KEYS, ROBOTS, VISIBLE
 from .measures import read_record
 
 RECORD = 'robots.csv'  # in a run's folder
@@ -23,30 +23,38 @@ class Benchmark:
     placements: int
     crowdnav_episodes: int
 
-    def run_of(self, controller, scenario):
-        """Returns the run of a scenario."""
-        return self.run(controller, scenario, self.scenarios / f'{scenario}.yaml', self.placements)
+    def run_of(self, robot, scenario):
+        """Returns the run of a robot in a scenario."""
+        return self.run(robot, scenario, scenario, {}, self.placements)
 
-    def crowdnav_runs(self, controller):
-        """Returns the runs in CrowdNav's setting: people see the robot, or not."""
-        visible = self.scenarios / f'{CROWDNAV}.yaml'
-        return {VISIBLE: self.run(controller, 'crowdnav_visible', visible, self.crowdnav_episodes),
-                INVISIBLE: self.run(controller, 'crowdnav_invisible', self.invisible(visible), self.crowdnav_episodes)}
+    def crowdnav_runs(self, robot):
+        """Returns the runs of a robot in CrowdNav's setting, by VISIBLE and INVISIBLE. There are none where people do
+        not see a robot that both sides give way to."""
+        return {kind: self.run(robot, f'crowdnav_{kind}', CROWDNAV, keys, self.crowdnav_episodes)
+                for kind, keys in CROWDNAV_KEYS.items() if kind == VISIBLE or not ROBOTS[robot][1]}
 
-    def run(self, controller, name, scenario, episodes):
+    def run(self, robot, name, scenario, keys, episodes):
+        """Returns the run of a robot in a scenario of which some keys of the robots are changed."""
+        controller, own_keys = ROBOTS[robot]
         command = [self.evaluate, '--q-table', self.q_table, '--robot', controller, '--people-delay', '--episodes',
-                   episodes, '--threads', 1, '--robots-csv', RECORD, scenario]
-        return Run(self.output / 'runs' / controller / name, [command], float(episodes))
+                   episodes, '--threads', 1, '--robots-csv', RECORD, self.scenario({**own_keys, **keys}, scenario)]
+        return Run(self.output / 'runs' / robot / name, [command], float(episodes))
 
-    def invisible(self, scenario):
-        """Writes a scenario whose robots people do not see. Returns its file."""
-        document = yaml.safe_load(scenario.read_text(encoding='utf-8'))
+    def scenario(self, keys, name):
+        """Returns the file of a scenario; writes a copy if keys of its robots change."""
+        file = self.scenarios / f'{name}.yaml'
+        if not keys:
+            return file
+        document = yaml.safe_load(file.read_text(encoding='utf-8'))
         for robot in document['robots']:
-            robot['perceived'] = False
-        file = self.output / 'scenarios' / f'{scenario.stem}_invisible.yaml'
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(yaml.safe_dump(document, sort_keys=False), encoding='utf-8')
-        return file
+            robot.update(keys)
+        if 'map' in document:
+            document['map'] = str((self.scenarios / document['map']).resolve())
+        folder = '_'.join(f'{key}_{value}' for key, value in keys.items()).lower()
+        copy = self.output / 'scenarios' / folder / f'{name}.yaml'
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text(yaml.safe_dump(document, sort_keys=False), encoding='utf-8')
+        return copy
 
     def others(self):
         """Returns the stored records of robots that were driven elsewhere, by their names."""

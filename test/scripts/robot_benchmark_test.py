@@ -113,7 +113,7 @@ class RobotBenchmarkTest:
         # People walk round a robot that they see only: the invisible scenario differs.
         record = read_record(runner.path('results/runs/straight/crowdnav_visible/robots.csv'))
         assert numpy.count_nonzero(record['people_compared']) == 3
-        assert 'perceived: false' in read_text(runner.path('results/scenarios/robot_circle_5_invisible.yaml'))
+        assert 'perceived: false' in read_text(runner.path('results/scenarios/perceived_false/robot_circle_5.yaml'))
         again = self.benchmark(runner, '--table', '--placements', '2', '--crowdnav-episodes', '3')
         assert again.wait() == 0, again.output()
         assert_says(again.output(), 'tug', 'straight')
@@ -122,8 +122,18 @@ class RobotBenchmarkTest:
         assert kept.wait() == 0, kept.output()
         assert_says(kept.output(), '3 runs, 3 of them done before')
 
+    def test_a_robot_with_protective_stop(self, runner):
+        """Keys of the robots change; a map is found from the copy of the scenario, too."""
+        done = self.benchmark(runner, '--robot', 'straight_stop', '--scenarios', 'robot_station', '--placements', '1',
+                              '--crowdnav-episodes', '2')
+        assert done.wait() == 0, done.output()
+        assert 'yields: both' in read_text(runner.path('results/scenarios/yields_both/robot_station.yaml'))
+        assert len(read_record(runner.path('results/runs/straight_stop/robot_station/robots.csv'))['success']) == 1
+        assert not os.path.exists(runner.path('results/runs/straight_stop/crowdnav_invisible'))
+
     @pytest.mark.parametrize('words, said', [
-        (['--robot', 'move_base'], 'expected straight, reactive, learned, or NAME=FILE.csv'),
+        (['--robot', 'move_base'],
+         'expected straight, reactive, learned, straight_stop, learned_stop, or NAME=FILE.csv'),
         (['--robot', 'straight=file.csv'], 'NAME=FILE.csv with another name'),
         (['--scenarios', 'robot_dor'], "invalid choice: 'robot_dor'"),
         (['--placements', '0'], 'expected a number above 0'),
