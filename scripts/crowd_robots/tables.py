@@ -75,5 +75,5 @@ def share_text(count, total):
 
 
 def number_text(value, decimals):
-    """Returns a number; `-` for nan."""
-    return '-' if math.isnan(value) else f'{value:.{decimals}f}'
+    """Returns a number; `-` for nan, and no sign for zero."""
+    return '-' if math.isnan(value) else f'{round(value, decimals) + 0.0:.{decimals}f}'

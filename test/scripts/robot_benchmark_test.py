@@ -7,7 +7,7 @@ import pytest
 from crowd_experiments.runs import RunError
 from crowd_robots.catalogue import CROWDNAV_ORCA, INVISIBLE, VISIBLE
 from crowd_robots.measures import Summary, interval, read_record, rows_of
-from crowd_robots.tables import chapter_of
+from crowd_robots.tables import chapter_of, number_text
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
 COLUMNS = ('episode,scenario,robot,success,time_to_reach_goal,robot_on_person_collisions,person_on_robot_collisions,'
@@ -83,6 +83,10 @@ class TablesTest:
                                                       ['robot invisible', 'ORCA, published']]
         assert crowdnav.rows[1][2:] == ['4', '2 (15-85 %)', '2 (15-85 %)', '0', '12.00']
         assert crowdnav.rows[2][3].startswith('213 (38-47 %)')
+
+    @pytest.mark.parametrize('value, text', [(1.234, '1.23'), (-0.004, '0.00'), (-0.006, '-0.01'), (math.nan, '-')])
+    def test_numbers(self, value, text):
+        assert number_text(value, 2) == text
 
     def test_published_episodes_add_up(self):
         for clean, touched, _ in (CROWDNAV_ORCA[VISIBLE], CROWDNAV_ORCA[INVISIBLE]):
