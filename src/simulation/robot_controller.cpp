@@ -5,27 +5,19 @@
 #include "social_crowd/common/suggestions.h"
 #include "social_crowd/simulation/learned_robot.h"
 #include "social_crowd/simulation/reactive_rule.h"
+#include "social_crowd/simulation/steering.h"
 
 namespace crowd {
 namespace {
 
-/// Turns towards the goal, then drives there. It ignores everything in between.
+/// Drives straight to the goal (steer()), and ignores everything in between; it slows down in the last metre.
 class StraightController : public RobotController {
  public:
   Twist command(const RobotView& view) override {
     const Robot& robot = view.robot();
     const Vector2 way = Rotation(robot.pose.heading).intoFrame(view.goal - robot.pose.position);
-    const double speed = robot.start.limits.max_speed * std::min(1.0, way.norm());
-    if (robot.start.drive == Drive::HOLONOMIC) return {speed * way.normalized(), 0.0};
-    const double bearing = bearingOf(way);
-    // A car cannot turn on the spot.
-    const bool drives = std::abs(bearing) < AHEAD || robot.start.drive == Drive::ACKERMANN;
-    return {{drives ? speed : 0.0, 0.0}, TURN_RATE * bearing};
+    return steer(robot.start.drive, bearingOf(way), robot.start.limits.max_speed * std::min(1.0, way.norm()));
   }
-
- private:
-  static constexpr double AHEAD = toRadians(30.0);  // [rad]
-  static constexpr double TURN_RATE = 2.0;          // [1/s]
 };
 
 /// Decides by the Q-table of the crowd.

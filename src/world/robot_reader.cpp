@@ -65,7 +65,7 @@ void readDrive(const YamlMap& map, const Units& units, RobotStart& start) {
 void readCourtesy(const YamlMap& map, RobotStart& start) {
   start.perceived = map.flag("perceived", true);
   start.yields = YIELDS.read(map, start.perceived ? Yields::CROWD : Yields::NOBODY);
-  if (start.perceived || !crowdYields(start.yields)) return;
+  if (start.perceived || !doesCrowdYield(start.yields)) return;
   throwProblem(map.placeOf("yields"), map.need("yields"),
                "'" + YIELDS.nameOf(start.yields) + "' needs perceived: true");
 }

@@ -149,7 +149,7 @@ Neighbour World::seenRobot(const Robot& robot, const Agent& agent) {
   const Rotation frame(agent.ahead);
   return {frame.intoFrame(robot.pose.position - agent.pose.position), frame.intoFrame(robot.velocity),
           robot.perceived_radius,
-          crowdYields(robot.start.yields) ? NeighbourKind::ROBOT : NeighbourKind::UNYIELDED_ROBOT};
+          doesCrowdYield(robot.start.yields) ? NeighbourKind::ROBOT : NeighbourKind::UNYIELDED_ROBOT};
 }
 
 inline void World::perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {

@@ -70,7 +70,7 @@ void World::beginRobotMoves() {
     robot.jumped = false;
     const Footprint& footprint = robot.start.footprint;
     if (robot.start.drive != Drive::EXTERNAL) {
-      robot.twist = robotYields(robot.start.yields)
+      robot.twist = doesRobotYield(robot.start.yields)
                         ? protective_stop_.next(robot, agents_, tick_duration_)
                         : limitTwist(robot.start.drive, robot.start.limits, robot.twist, robot.target, tick_duration_);
       robot_sweeps_.emplace_back(footprint, robot.pose, robot.twist, tick_duration_);

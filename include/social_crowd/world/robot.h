@@ -22,8 +22,11 @@ constexpr AgentId agentIdOf(RobotId robot) { return ~robot; }
 /// the robot. ROBOT: the robot stops in front of people. BOTH: both. NOBODY: neither.
 enum class Yields : std::uint8_t { CROWD = 0, ROBOT = 1, BOTH = 2, NOBODY = 3 };
 inline constexpr EnumNames<Yields, 4> YIELDS{"yields", {"crowd", "robot", "both", "nobody"}};
-constexpr bool crowdYields(Yields yields) { return yields == Yields::CROWD || yields == Yields::BOTH; }
-constexpr bool robotYields(Yields yields) { return yields == Yields::ROBOT || yields == Yields::BOTH; }
+
+/// @brief Whether agents give way to the robot.
+constexpr bool doesCrowdYield(Yields yields) { return yields == Yields::CROWD || yields == Yields::BOTH; }
+/// @brief Whether the robot has the protective stop.
+constexpr bool doesRobotYield(Yields yields) { return yields == Yields::ROBOT || yields == Yields::BOTH; }
 
 /// @brief Time after which a robot without a command stops, by default [s].
 constexpr double DEFAULT_COMMAND_TIMEOUT = 0.5;
