@@ -38,6 +38,8 @@ std::vector<Vector2> drawPlaces(const CrowdPlan& plan, KeyedRandom& random) {
   return places;
 }
 
+}  // namespace
+
 Learner makeWalker() {
   TrainedTable trained = loadQTable(SOURCE_DIR "/config/q_tables/anticipation.txt");
   Learner::Options options;
@@ -45,8 +47,6 @@ Learner makeWalker() {
   options.plan.parameters = trained.parameters;
   return {trained.model, options, std::move(trained.table)};
 }
-
-}  // namespace
 
 Scene makeCrowd(const CrowdPlan& plan) {
   KeyedRandom random(1, KeyedRandom::PLACEMENT, {plan.agents});

@@ -22,6 +22,9 @@ struct CrowdPlan {
 /// @brief Scene of the crowd: mixed speeds and sizes, ids independent of positions; deterministic.
 Scene makeCrowd(const CrowdPlan& plan);
 
+/// @brief A learner in demo mode with the shipped table `anticipation`.
+Learner makeWalker();
+
 /// @brief A crowd in demo mode with the shipped table `anticipation`.
 class CrowdWalk {
  public:

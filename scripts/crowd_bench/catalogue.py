@@ -1,8 +1,8 @@
 """The benchmarks, with their units and required values (bars)."""
 import dataclasses
 
-DECISIONS, AGENT_STEPS, TICKS, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
-    'decisions/s', 'agent steps/s', 'ticks/s', 'ms', 'MB', '% of a core')
+DECISIONS, AGENT_STEPS, TICKS, REAL_TIME, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
+    'decisions/s', 'agent steps/s', 'ticks/s', 'x real time', 'ms', 'MB', '% of a core')
 # Units of which lower values are better; all other units are rates.
 COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
 
@@ -68,5 +68,7 @@ BENCHMARKS = (
     Benchmark('way_preparation', 'preparing this map for that: meshes, narrow passages', MILLISECONDS, 1000),
     Benchmark('way_memory', 'memory of that, and of the searches', MEGABYTES, 50, repetitions=1),
     Benchmark('scan_720_1000', 'scan of 720 rays among 1,000 people on this map, one thread', MILLISECONDS, 1),
+    Benchmark('robots_10', '10 reactive robots with scans of 720 rays at 10 Hz among 200 people, one thread', REAL_TIME,
+              5),
     Benchmark('memory_100000', 'most memory of a walking crowd of 100,000 agents', MEGABYTES, 200, repetitions=1),
 )

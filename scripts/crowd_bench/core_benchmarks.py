@@ -8,13 +8,13 @@ import tempfile
 
 from crowd_experiments.runs import RunError
 
-from .catalogue import AGENT_STEPS, DECISIONS, MEGABYTES, MILLISECONDS
+from .catalogue import AGENT_STEPS, DECISIONS, MEGABYTES, MILLISECONDS, REAL_TIME
 
 PROGRAM = 'core_benchmarks'
 # Suffixes that Google Benchmark appends to a name.
 SUFFIX = re.compile(r'(/(iterations:\d+|repeats:\d+|min_time:[\d.]+|real_time|manual_time))+$')
 # Counters with the value of a run, and with the rate of its yardstick.
-VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', MEGABYTES: 'megabytes', MILLISECONDS: 'real_time'}
+VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', REAL_TIME: 'rate', MEGABYTES: 'megabytes', MILLISECONDS: 'real_time'}
 YARDSTICK = 'yardstick_rate'
 MAP_VARIABLE = 'SOCIAL_CROWD_BENCH_MAP'
 

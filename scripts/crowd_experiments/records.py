@@ -3,7 +3,7 @@ import csv
 
 import numpy
 
-TEXTS = ('scenario',)
+TEXTS = ('scenario', 'robot')
 
 
 def read_csv(file):

@@ -78,7 +78,7 @@ bool Episode::step(const std::vector<AgentAction>& actions) {
 bool Episode::endTick() {
   population_.update(world_, monitor_);
   monitor_.observe(world_, *thread_pool_);
-  robot_monitor_.observe(world_);
+  if (!world_.robots().empty()) robot_monitor_.observe(world_);
   noteChange();
   return true;
 }

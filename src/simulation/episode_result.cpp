@@ -159,6 +159,8 @@ EpisodeResult EpisodeMonitor::result() const {
   result.ticks = ticks_;
   for (const Track& track : tracks_) {
     AgentResult agent = track.result;
+    agent.appeared = track.begin;
+    agent.start = track.start;
     agent.path_ratio = agent.path_length / agent.straight_length;
     agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.max_speed / agent.straight_length;
     agent.max_speed_ratio = track.longest_step / (tick_duration_ * track.max_speed);

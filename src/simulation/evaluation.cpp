@@ -5,10 +5,12 @@
 #include <future>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/simulation/episode_runner.h"
+#include "social_crowd/simulation/people_delay.h"
 #include "social_crowd/simulation/state_record.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scene_document.h"
@@ -37,9 +39,15 @@ EvaluatedEpisode walk(Episode& episode, const EvaluationPlan& plan, Learner& lea
       appendStateRows(instance, perceptions, learner, walked.states);
     };
   }
-  RobotDrivers robots(plan.robot_controller, episode);
+  RobotDrivers robots(plan.robot_controller, episode, learner);
   walked.result = runEpisode(episode, learner, observer, &robots);
   return walked;
+}
+
+/// The scene without robots.
+Scene withoutRobots(Scene scene) {
+  scene.robots.clear();
+  return scene;
 }
 
 /// Distributes instances to threads and delivers their results in order.
@@ -116,12 +124,21 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
       while (run.next(instance)) {
         Scene scene = scenarios.scene(plan.seed, instance);
         keepHeadings(headings, scene);
+        std::optional<Scene> alone;
+        if (plan.people_delay && !scene.robots.empty()) {
+          scene.ends = Ends::ALL;
+          alone = withoutRobots(scene);
+        }
         std::string document = plan.scenes.empty() ? "" : toDocument(scene, plan.scenes);
         Episode episode(std::move(scene), instance, learner.model().vision(), thread_pool);
         run.begin(episode);
         EvaluatedEpisode walked = walk(episode, plan, learner);
         walked.scene = std::move(document);
         headings = walked.result.headings();
+        if (alone) {
+          Episode same(*std::move(alone), instance, learner.model().vision(), thread_pool);
+          measurePeopleDelay(runEpisode(same, learner), same.scene().tick_duration, walked.result);
+        }
         run.bring(std::move(walked));
       }
     } catch (...) {

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "social_crowd/sensing/scan.h"
+#include "social_crowd/simulation/steering.h"
 
 namespace crowd {
 namespace {
 
 constexpr double MARGIN = 0.1;               // around the robot [m]
 constexpr int HEADINGS = 72;                 // every 5 degrees
-constexpr double AHEAD = toRadians(30.0);    // it drives if the chosen heading is nearer than this [rad]
-constexpr double TURN_RATE = 2.0;            // [1/s]
 constexpr double SLOW_DOWN_DISTANCE = 1.0;   // from the goal [m]
 constexpr double LEAST_SPEED_SHARE = 0.1;    // near the goal
 constexpr double LONGEST_FREE_LENGTH = 3.0;  // longer ones are not better [m]
@@ -75,9 +74,7 @@ Twist reactiveCommand(const RobotStart& robot, const Vector2& goal, const std::v
   const Way way = bestWay(hitPoints(robot.scan, ranges), goal, robot.footprint.reach() + MARGIN);
   const double near_goal = std::clamp(goal.norm() / SLOW_DOWN_DISTANCE, LEAST_SPEED_SHARE, 1.0);
   const double speed = std::min(limits.max_speed * near_goal, std::sqrt(2.0 * limits.max_acceleration * way.free));
-  if (robot.drive == Drive::HOLONOMIC) return {speed * unitVector(way.heading), 0.0};
-  const bool drives = std::abs(way.heading) < AHEAD || robot.drive == Drive::ACKERMANN;
-  return {{drives ? speed * std::max(0.0, std::cos(way.heading)) : 0.0, 0.0}, TURN_RATE * way.heading};
+  return steer(robot.drive, way.heading, speed);
 }
 
 }  // namespace crowd

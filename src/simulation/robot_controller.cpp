@@ -3,28 +3,33 @@
 #include <algorithm>
 
 #include "social_crowd/common/suggestions.h"
+#include "social_crowd/simulation/learned_robot.h"
 #include "social_crowd/simulation/reactive_rule.h"
+#include "social_crowd/simulation/steering.h"
 
 namespace crowd {
 namespace {
 
-/// Turns towards the goal, then drives there. It ignores everything in between.
+/// Drives straight to the goal (steer()), and ignores everything in between; it slows down in the last metre.
 class StraightController : public RobotController {
  public:
   Twist command(const RobotView& view) override {
     const Robot& robot = view.robot();
     const Vector2 way = Rotation(robot.pose.heading).intoFrame(view.goal - robot.pose.position);
-    const double speed = robot.start.limits.max_speed * std::min(1.0, way.norm());
-    if (robot.start.drive == Drive::HOLONOMIC) return {speed * way.normalized(), 0.0};
-    const double bearing = bearingOf(way);
-    // A car cannot turn on the spot.
-    const bool drives = std::abs(bearing) < AHEAD || robot.start.drive == Drive::ACKERMANN;
-    return {{drives ? speed : 0.0, 0.0}, TURN_RATE * bearing};
+    return steer(robot.start.drive, bearingOf(way), robot.start.limits.max_speed * std::min(1.0, way.norm()));
   }
+};
+
+/// Decides by the Q-table of the crowd.
+class LearnedController : public RobotController {
+ public:
+  LearnedController(const Learner& learner, const Episode& episode)
+      : robot_(learner, episode.number(), episode.scene().way_finding) {}
+
+  Twist command(const RobotView& view) override { return robot_.command(view.world, view.id, view.goal); }
 
  private:
-  static constexpr double AHEAD = toRadians(30.0);  // [rad]
-  static constexpr double TURN_RATE = 2.0;          // [1/s]
+  LearnedRobot robot_;
 };
 
 /// Sees what its laser scanner sees, and knows where its goal is.
@@ -40,21 +45,24 @@ class ReactiveController : public RobotController {
 }  // namespace
 
 const std::vector<std::string>& robotControllerNames() {
-  static const std::vector<std::string> NAMES = {"none", "straight", "reactive"};
+  static const std::vector<std::string> NAMES = {"none", "straight", "reactive", "learned"};
   return NAMES;
 }
 
-std::unique_ptr<RobotController> makeRobotController(const std::string& name) {
+std::unique_ptr<RobotController> makeRobotController(const std::string& name, const Episode& episode,
+                                                     const Learner& learner) {
   if (name == "none") return nullptr;
   if (name == "straight") return std::make_unique<StraightController>();
   if (name == "reactive") return std::make_unique<ReactiveController>();
+  if (name == "learned") return std::make_unique<LearnedController>(learner, episode);
   throw InputError("robot controller: expected " + joinAlternatives(robotControllerNames()) + ", got '" + name + "'");
 }
 
-RobotDrivers::RobotDrivers(const std::string& controller, const Episode& episode) : senses_(episode.scene()) {
+RobotDrivers::RobotDrivers(const std::string& controller, const Episode& episode, const Learner& learner)
+    : senses_(episode.scene()) {
   for (const Robot& robot : episode.world().robots()) {
     const bool is_commanded = robot.start.drive != Drive::EXTERNAL;
-    controllers_.push_back(is_commanded ? makeRobotController(controller) : nullptr);
+    controllers_.push_back(is_commanded ? makeRobotController(controller, episode, learner) : nullptr);
   }
 }
 

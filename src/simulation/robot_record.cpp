@@ -37,6 +37,9 @@ void forEachField(const RobotResult& result, const Number& number, const Count& 
   number("personal_space_time", result.personal_space_time);
   number("intimate_space_intrusions", result.intimate_space_intrusions);
   number("personal_space_intrusions", result.personal_space_intrusions);
+  count("people_compared", result.people_compared);
+  number("people_delay", result.people_delay);
+  number("people_detour", result.people_detour);
   count("commands_taken", result.input.taken);
   count("commands_missed", result.input.missed);
   count("command_timeouts", result.input.timeouts);
@@ -75,14 +78,23 @@ void RobotSummary::add(const EpisodeResult& result) {
     mutual_ += robot.mutual_collisions;
     if (robot.success) time_ += robot.time_to_reach_goal;
   }
+  if (result.robots.empty() || result.robots.front().people_compared == 0) return;
+  const RobotResult& first = result.robots.front();
+  people_ += first.people_compared;
+  people_delay_ += static_cast<double>(first.people_compared) * first.people_delay;
+  people_detour_ += static_cast<double>(first.people_compared) * first.people_detour;
 }
 
 std::string RobotSummary::text() const {
   if (robots_ == 0) return "";
   std::string text = "robots: " + std::to_string(arrived_) + " of " + std::to_string(robots_) + " arrived";
   if (arrived_ > 0) text += " after " + toFixedText(time_ / static_cast<double>(arrived_), 1) + " s";
-  return text + ", " + std::to_string(clean_) + " of them without a contact; contacts: " + std::to_string(on_person_) +
-         " robot on person, " + std::to_string(on_robot_) + " person on robot, " + std::to_string(mutual_) + " mutual";
+  text += ", " + std::to_string(clean_) + " of them without a contact; contacts: " + std::to_string(on_person_) +
+          " robot on person, " + std::to_string(on_robot_) + " person on robot, " + std::to_string(mutual_) + " mutual";
+  if (people_ == 0) return text;
+  const auto mean = [&](double sum) { return toFixedText(sum / static_cast<double>(people_), 2); };
+  return text + "; people are delayed by " + mean(people_delay_) + " s, with a detour of " + mean(people_detour_) +
+         " m";
 }
 
 }  // namespace crowd

@@ -256,12 +256,15 @@ int runMain(int argc, char** argv) {
                  "folder for a file NAME.csv per scenario file with the row of the Q-table, the action and the "
                  "occupied sectors of every decision");
   app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
-  app.add_option(
-         "--robot", arguments.plan.robot_controller,
-         "controller of the robots: none (they stand), straight (to their goals, whoever is in the way), or reactive "
-         "(by their laser scans alone)")
+  app.add_option("--robot", arguments.plan.robot_controller,
+                 "controller of the robots: none (they stand), straight (to their goals; they ignore people), reactive "
+                 "(by their "
+                 "laser scans alone), or learned (by the Q-table, as the crowd)")
       ->check(CLI::IsMember(robotControllerNames()))
       ->capture_default_str();
+  app.add_flag("--people-delay", arguments.plan.people_delay,
+               "run each episode with robots again without them, and measure the people's delay and detour; episodes "
+               "then last until the people have arrived");
   app.add_option("--robots-csv", arguments.robots_csv, "CSV file for the measures of every robot in every episode");
   app.add_option("--csv", arguments.csv, "CSV file for the metrics");
   app.add_option("SCENARIO", arguments.scenarios, "scenario files, or names of scenarios of the package")->required();

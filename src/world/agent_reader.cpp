@@ -3,24 +3,18 @@
 #include <string>
 
 #include "world/list_reader.h"
+#include "world/population_reader.h"
 #include "world/region_reader.h"
 
 namespace crowd {
 namespace {
-
-std::size_t readRoute(const YAML::Node& node, const YamlPlace& place, const PopulationDescription& population) {
-  const std::string name = readText(node, place);
-  const auto route = findName(population.routes, name);
-  if (!route) throwProblem(place, node, unknownNameText("route", name, namesOf(population.routes)));
-  return *route;
-}
 
 void readGoals(const YamlMap& map, const PopulationDescription& population, AgentGroup& group) {
   if (const YAML::Node route = map.find("route")) {
     if (map.has("goal") || map.has("goals")) {
       throwProblem(map.place(), route, "expected only one of goal, goals and route");
     }
-    group.route = readRoute(route, map.placeOf("route"), population);
+    group.route = readNameOf(population.routes, map, "route");
     return;
   }
   const YAML::Node goals = map.find("goals");
@@ -41,24 +35,22 @@ void readGoals(const YamlMap& map, const PopulationDescription& population, Agen
 }
 
 /// Reads `goal`, `random`, `kept`, degrees, or {radians: ANGLE}.
-void readHeading(const YamlMap& map, AgentGroup& group) {
+void readFirstHeading(const YamlMap& map, AgentGroup& group) {
   const YAML::Node node = map.find("heading");
   const std::string word = node && node.IsScalar() ? node.Scalar() : "";
   if (!node || word == "goal") return;
   group.keeps_heading = word == "kept";
   if (group.keeps_heading) return;
-  const YamlPlace place = map.placeOf("heading");
-  if (const YAML::Node radians = findOnly("radians", node, place)) {
-    const double angle = readNumber(radians, place.child("radians"));
-    group.heading = Range{angle, angle};
+  if (word == "random") {
+    group.heading = Range{-PI, PI};
     return;
   }
+  const YamlPlace place = map.placeOf("heading");
   const bool is_number = word.find_first_of("0123456789") != std::string::npos;
-  if (node.IsScalar() && word != "random" && !is_number) {
+  if (node.IsScalar() && !is_number) {
     throwExpected(place, node, "goal, random, kept, or degrees: a number or [low, high]");
   }
-  const Range degrees = word == "random" ? Range{-180.0, 180.0} : readRange(node, place, NumberRule::ANY);
-  group.heading = Range{toRadians(degrees.low), toRadians(degrees.high)};
+  group.heading = readHeading(node, place);
 }
 
 }  // namespace
@@ -77,7 +69,7 @@ AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Unit
   group.line = lineOf(node);
   group.position = readRegion(map.need("position"), map.placeOf("position"));
   readWalk(map, units, population, group);
-  readHeading(map, group);
+  readFirstHeading(map, group);
   if (const YAML::Node reaction = map.find("reaction_time")) {
     group.reaction_time = readRange(reaction, map.placeOf("reaction_time"), NumberRule::NOT_NEGATIVE);
   }

@@ -20,18 +20,18 @@ Segment edge(const std::vector<Vector2>& corners, std::size_t i) {
 }
 
 /// Whether two segments have a common point; false for those on one line, whose ends are then tested by distances.
-bool cross(const Segment& a, const Segment& b) {
+bool intersect(const Segment& a, const Segment& b) {
   const Vector2 along_a = a.to - a.from;
   const Vector2 along_b = b.to - b.from;
-  const double denominator = crowd::cross(along_a, along_b);
+  const double denominator = cross(along_a, along_b);
   if (denominator == 0.0) return false;
-  const double share_a = crowd::cross(b.from - a.from, along_b) / denominator;
-  const double share_b = crowd::cross(b.from - a.from, along_a) / denominator;
+  const double share_a = cross(b.from - a.from, along_b) / denominator;
+  const double share_b = cross(b.from - a.from, along_a) / denominator;
   return share_a >= 0.0 && share_a <= 1.0 && share_b >= 0.0 && share_b <= 1.0;
 }
 
 double distanceBetween(const Segment& a, const Segment& b) {
-  if (cross(a, b)) return 0.0;
+  if (intersect(a, b)) return 0.0;
   return std::min({distanceTo(a, b.from), distanceTo(a, b.to), distanceTo(b, a.from), distanceTo(b, a.to)});
 }
 
@@ -111,7 +111,7 @@ std::string problemOf(const std::vector<Vector2>& corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Segment side = edge(corners, i);
     if ((side.to - side.from).norm() < TINY) return "corner " + std::to_string(i) + " and the next are the same";
-    area += 0.5 * crowd::cross(side.from, side.to);
+    area += 0.5 * cross(side.from, side.to);
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t k = i + 2; k < corners.size(); ++k) {

@@ -25,8 +25,7 @@ std::optional<Blocker> PlacedBodies::findBlocker(const Vector2& centre, double r
 std::optional<Blocker> PlacedBodies::findBlocker(const Footprint& footprint, const Pose& pose) const {
   for (const Body& body : bodies_) {
     const double depth = body.radius - distance(footprint, pose, body.centre);
-    const bool is_robot = std::string(body.label.list) == "robots";
-    if (!is_robot && depth > TOUCH_TOLERANCE) return Blocker{body.label.text(), depth};
+    if (!body.is_robot && depth > TOUCH_TOLERANCE) return Blocker{body.label.text(), depth};
   }
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     if (!isCutBy(footprint, pose, walls_[i], TOUCH_TOLERANCE)) continue;

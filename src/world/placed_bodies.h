@@ -35,7 +35,11 @@ class PlacedBodies {
 
   /// @brief Adds a disc [m]. @param at_rest whether it is static during the whole episode
   void add(const Label& label, const Vector2& centre, double radius, bool at_rest) {
-    bodies_.push_back({label, centre, radius, at_rest});
+    bodies_.push_back({label, centre, radius, at_rest, false});
+  }
+  /// @brief Adds a robot. @param radius of the smallest disc about its position that contains it [m]
+  void addRobot(const Label& label, const Vector2& centre, double radius) {
+    bodies_.push_back({label, centre, radius, false, true});
   }
   /// @brief Adds a goal [m]. @param radius of its agent [m]
   void addGoal(const Vector2& point, double radius) { goals_.push_back({point, radius}); }
@@ -56,6 +60,7 @@ class PlacedBodies {
     Vector2 centre;
     double radius;
     bool at_rest;
+    bool is_robot;
   };
   struct Goal {
     Vector2 point;

@@ -93,6 +93,14 @@ std::string sourcesText(const PopulationDescription& population) {
 
 std::string pointText(const Vector2& point) { return "[" + toText(point.x()) + ", " + toText(point.y()) + "]"; }
 
+std::string pointsText(const std::vector<Vector2>& points) { return "[" + listText(points, pointText) + "]"; }
+
+std::string headingText(double heading) {
+  const double degrees = toDegrees(heading);
+  const bool is_exact = wrapAngle(toRadians(degrees)) == heading;
+  return is_exact ? toText(degrees) : "{radians: " + toText(heading) + "}";
+}
+
 std::string quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char letter : text) quoted += letter == '\'' ? "''" : std::string(1, letter);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "social_crowd/world/population.h"
 
@@ -8,6 +9,12 @@ namespace crowd {
 
 /// @brief "[X, Y]" [m].
 std::string pointText(const Vector2& point);
+
+/// @brief "[[X, Y], ...]" [m].
+std::string pointsText(const std::vector<Vector2>& points);
+
+/// @brief A heading: in degrees if a reader gets the same number from these, or else "{radians: ANGLE}".
+std::string headingText(double heading);
 
 /// @brief A text as a single-quoted YAML scalar.
 std::string quoted(const std::string& text);

@@ -17,6 +17,17 @@ std::vector<SourceDescription> readSources(const YamlMap& map, const Units& unit
 /// @brief Reads `routes`. @param population its sinks and queues are known by name
 std::vector<RouteDescription> readRoutes(const YamlMap& map, const PopulationDescription& population);
 
+/// @brief Reads the name of one of the descriptions, such as that of a route. @param key also names the kind in
+/// messages
+/// @return index of the description
+template <typename Descriptions>
+std::size_t readNameOf(const Descriptions& descriptions, const YamlMap& map, const std::string& key) {
+  const std::string name = map.text(key);
+  const auto found = findName(descriptions, name);
+  if (!found) throwProblem(map.placeOf(key), map.need(key), unknownNameText(key, name, namesOf(descriptions)));
+  return *found;
+}
+
 /// @brief Applies `read(value, place)` to each entry of a map of names; an absent or null map is empty.
 template <typename T, typename Read>
 std::vector<T> readNamed(const YAML::Node& node, const YamlPlace& place, Read read) {

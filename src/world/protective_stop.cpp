@@ -1,38 +1,79 @@
 #include "social_crowd/world/protective_stop.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "social_crowd/world/impact.h"
 #include "social_crowd/world/robot_sweep.h"
 
 namespace crowd {
+namespace {
 
-Twist protectiveTwist(const Robot& robot, const World& world) {
-  const double tick = world.tickDuration();
+constexpr int HALVINGS = 10;  // of the interval that contains the share
+
+/// A commanded twist without what the limits never permit, so that all of its shares are of use.
+Twist clamped(const Twist& twist, const DriveLimits& limits) {
+  const double speed = twist.linear.norm();
+  const double share = speed > limits.max_speed ? limits.max_speed / speed : 1.0;
+  return {share * twist.linear, std::clamp(twist.rotation, -limits.max_rotation, limits.max_rotation)};
+}
+
+}  // namespace
+
+Twist ProtectiveStop::next(const Robot& robot, const std::vector<Agent>& agents, double tick_duration) {
+  findPeople(robot, agents, tick_duration);
   const DriveLimits& limits = robot.start.limits;
-  Twist twist = robot.target;
-  const double speed = std::min(twist.linear.norm(), limits.max_speed);
-  const double rotation = std::min(std::abs(twist.rotation), limits.max_rotation);
-  // At a constant twist it needs this time for the way on which it stops.
-  const double braking = std::max(speed / limits.max_acceleration, rotation / limits.max_rotation_acceleration) / 2.0;
-  const double horizon = braking + tick;
-  if (speed + rotation <= 0.0) return twist;
-  if (speed > 0.0) twist.linear *= speed / twist.linear.norm();
-  twist.rotation = std::copysign(rotation, twist.rotation);
-  const RobotSweep sweep(robot.start.footprint, robot.pose, twist, horizon);
-  double free = 1.0;
-  for (const Agent& agent : world.agents()) {
-    if (!agent.isWalking()) continue;
-    const double radius = agent.radius + agent.max_speed * tick;
-    free = std::min(free, firstTouch(sweep, agent.pose.position, Vector2::Zero(), radius, 0.0));
+  const Twist wanted = clamped(robot.target, limits);
+  const auto permitted = [&](double linear, double rotation) {
+    const Twist reduced{linear * wanted.linear, rotation * wanted.rotation};
+    return limitTwist(robot.start.drive, limits, robot.twist, reduced, tick_duration);
+  };
+  Twist twist = permitted(1.0, 1.0);
+  if (isFree(robot, twist, tick_duration)) return twist;
+  twist = permitted(0.0, 1.0);
+  const bool may_turn = isFree(robot, twist, tick_duration);
+  if (!may_turn) twist = permitted(0.0, 0.0);
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < HALVINGS; ++i) {
+    const double middle = 0.5 * (low + high);
+    const Twist reduced = permitted(middle, may_turn ? 1.0 : middle);
+    const bool is_free = isFree(robot, reduced, tick_duration);
+    (is_free ? low : high) = middle;
+    if (is_free) twist = reduced;
   }
-  if (free >= 1.0) return twist;
-  // The share k of the twist, for which braking k^2 + tick k = free horizon.
-  const double free_time = free * horizon;
-  const double share =
-      braking > 0.0 ? (std::sqrt(tick * tick + 4.0 * braking * free_time) - tick) / (2.0 * braking) : free_time / tick;
-  return {share * twist.linear, share * twist.rotation};
+  return twist;
+}
+
+void ProtectiveStop::findPeople(const Robot& robot, const std::vector<Agent>& agents, double tick_duration) {
+  people_.clear();
+  const DriveLimits& limits = robot.start.limits;
+  const double speed = std::max(robot.twist.linear.norm(), limits.max_speed);
+  // It comes to rest within this distance, because braking begins after a tick.
+  const double reach =
+      robot.start.footprint.reach() + speed * tick_duration + 0.5 * speed * speed / limits.max_acceleration;
+  for (const Agent& agent : agents) {
+    if (!agent.isWalking()) continue;
+    const double radius = agent.radius + agent.max_speed * tick_duration;
+    const Vector2& position = agent.pose.position;
+    if ((position - robot.pose.position).norm() <= reach + radius) people_.push_back({position, radius});
+  }
+}
+
+/// Whether it touches nobody if it moves at a twist for a tick and then brakes.
+bool ProtectiveStop::isFree(const Robot& robot, Twist twist, double tick_duration) const {
+  if (people_.empty()) return true;
+  const RobotStart& start = robot.start;
+  Pose pose = robot.pose;
+  for (;;) {
+    const RobotSweep sweep(start.footprint, pose, twist, tick_duration);
+    if (sweep.pointSpeed() <= 0.0) return true;
+    const bool touches = std::any_of(people_.begin(), people_.end(), [&](const Person& person) {
+      return firstTouch(sweep, person.position, Vector2::Zero(), person.radius, 0.0) < NEVER;
+    });
+    if (touches) return false;
+    pose = sweep.at(1.0);
+    twist = limitTwist(start.drive, start.limits, twist, Twist(), tick_duration);
+  }
 }
 
 }  // namespace crowd

@@ -111,6 +111,15 @@ Segment readWall(const YAML::Node& node, const YamlPlace& place) {
   return wall;
 }
 
+Range readHeading(const YAML::Node& node, const YamlPlace& place) {
+  if (const YAML::Node radians = findOnly("radians", node, place)) {
+    const double angle = readNumber(radians, place.child("radians"));
+    return {angle, angle};
+  }
+  const Range degrees = readRange(node, place, NumberRule::ANY);
+  return {toRadians(degrees.low), toRadians(degrees.high)};
+}
+
 int readBodyCount(const YamlMap& map, bool is_fixed) {
   const auto count = static_cast<int>(map.whole("count", 1, MAX_COUNT, 1));
   if (count > 1 && is_fixed) {

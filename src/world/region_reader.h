@@ -25,6 +25,9 @@ Segment readWall(const YAML::Node& node, const YamlPlace& place);
 /// @brief Reads `count` of an entry of bodies. @param is_fixed whether the position of a body is not drawn
 int readBodyCount(const YamlMap& map, bool is_fixed);
 
+/// @brief Reads a heading: degrees as a number or [low, high], or {radians: ANGLE}. @return [rad]
+Range readHeading(const YAML::Node& node, const YamlPlace& place);
+
 /// @brief The value in {KEY: VALUE}; an undefined node (false) if the node is anything else.
 YAML::Node findOnly(const std::string& key, const YAML::Node& node, const YamlPlace& place);
 

@@ -8,8 +8,8 @@
 namespace crowd {
 namespace {
 
-/// Who moves into whom if both move as they intend. A side that touches the other where it was at the start of the tick
-/// does. @param start of the agent [m] @param way of the agent in the tick [m]
+/// The cause of a contact if robot and agent move as they intend: a side moves in if its motion alone touches the other
+/// side at the place of the start of the tick. @param start of the agent [m] @param way of the agent in the tick [m]
 ContactCause causeOf(const RobotSweep& sweep, const Vector2& start, const Vector2& way, double radius) {
   const Pose pose = sweep.at(0.0);
   const RobotSweep standing(sweep.footprint(), pose, pose);
@@ -25,8 +25,9 @@ bool overlaps(const RobotSweep& sweep, const Vector2& place, double radius) {
 
 }  // namespace
 
-void World::noteRobotContacts(const Agent& agent, const Vector2& start, const Vector2& way) {
+void World::noteGhostContacts(const Agent& agent, const Vector2& way) {
   if (!agent.isWalking()) return;
+  const Vector2 start = agent.pose.position - way;
   const double radius = agent.radius - CONTACT_OVERLAP;
   for (RobotId id = 0; id < robots_.size(); ++id) {
     const RobotSweep& sweep = robot_sweeps_[id];

@@ -6,12 +6,6 @@
 namespace crowd {
 namespace {
 
-std::string pointsText(const std::vector<Vector2>& points) {
-  std::string text;
-  for (const Vector2& point : points) text += (text.empty() ? "" : ", ") + pointText(point);
-  return "[" + text + "]";
-}
-
 std::string entry(const std::string& key, const std::string& value) { return ", " + key + ": " + value; }
 
 std::string number(const std::string& key, double value) { return entry(key, toText(value)); }
@@ -45,7 +39,7 @@ std::string odometryText(const OdometrySpec& odometry) {
 std::string entryOf(const RobotStart& robot) {
   const Footprint& footprint = robot.footprint;
   return "  - {name: " + quoted(robot.name) + entry("namespace", quoted(robot.name_space)) +
-         entry("position", pointText(robot.position)) + entry("heading", "{radians: " + toText(robot.heading) + "}") +
+         entry("position", pointText(robot.position)) + entry("heading", headingText(robot.heading)) +
          (robot.goals.empty() ? "" : entry("goals", pointsText(robot.goals))) +
          (footprint.isDisc() ? number("radius", footprint.radius) : entry("footprint", pointsText(footprint.corners))) +
          limitsText(robot) + number("cmd_timeout", robot.cmd_timeout) + number("goal_tolerance", robot.goal_tolerance) +

@@ -26,7 +26,7 @@ class RobotPlacement {
       RobotStart robot = draw(group);
       const std::string problem = problemOf(robot, group, index);
       if (problem.empty()) {
-        placed_.add(label, robot.position, robot.footprint.reach(), false);
+        placed_.addRobot(label, robot.position, robot.footprint.reach());
         scene_.robots[index] = std::move(robot);
         return;
       }

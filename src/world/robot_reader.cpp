@@ -5,6 +5,7 @@
 #include <string>
 
 #include "world/list_reader.h"
+#include "world/population_reader.h"
 #include "world/region_reader.h"
 
 namespace crowd {
@@ -64,8 +65,7 @@ void readDrive(const YamlMap& map, const Units& units, RobotStart& start) {
 void readCourtesy(const YamlMap& map, RobotStart& start) {
   start.perceived = map.flag("perceived", true);
   start.yields = YIELDS.read(map, start.perceived ? Yields::CROWD : Yields::NOBODY);
-  const bool crowd_yields = start.yields == Yields::CROWD || start.yields == Yields::BOTH;
-  if (start.perceived || !crowd_yields) return;
+  if (start.perceived || !doesCrowdYield(start.yields)) return;
   throwProblem(map.placeOf("yields"), map.need("yields"),
                "'" + YIELDS.nameOf(start.yields) + "' needs perceived: true");
 }
@@ -114,17 +114,13 @@ void readScan(const YamlMap& parent, ScanSpec& scan) {
 
 /// The places of a route that a robot can follow.
 std::vector<Region> placesOf(const YamlMap& map, const PopulationDescription& population) {
-  const YamlPlace place = map.placeOf("route");
-  const YAML::Node node = map.need("route");
-  const std::string name = readText(node, place);
-  const auto found = findName(population.routes, name);
-  if (!found) throwProblem(place, node, unknownNameText("route", name, namesOf(population.routes)));
-  const RouteDescription& route = population.routes[*found];
+  const RouteDescription& route = population.routes[readNameOf(population.routes, map, "route")];
   std::vector<Region> places;
   for (const WaypointDescription& waypoint : route.waypoints) {
     const bool is_place = waypoint.kind == WaypointDescription::Kind::PLACE && waypoint.wait.high <= 0.0;
     if (!is_place || route.repeat) {
-      throwProblem(place, node, "a robot follows a route of places alone, without wait and repeat");
+      throwProblem(map.placeOf("route"), map.need("route"),
+                   "a robot follows a route of places alone, without wait and repeat");
     }
     places.push_back(waypoint.place);
   }
@@ -137,19 +133,6 @@ void readGoals(const YamlMap& map, const PopulationDescription& population, Robo
   if (map.has("goal")) group.goals = {readRegion(map.need("goal"), map.placeOf("goal"))};
   if (map.has("goals")) group.goals = readRegions(map.need("goals"), map.placeOf("goals"));
   if (map.has("route")) group.goals = placesOf(map, population);
-}
-
-void readHeading(const YamlMap& map, RobotGroup& group) {
-  const YAML::Node node = map.find("heading");
-  if (!node) return;
-  const YamlPlace place = map.placeOf("heading");
-  if (const YAML::Node radians = findOnly("radians", node, place)) {
-    const double angle = readNumber(radians, place.child("radians"));
-    group.heading = Range{angle, angle};
-    return;
-  }
-  const Range degrees = readRange(node, place, NumberRule::ANY);
-  group.heading = Range{toRadians(degrees.low), toRadians(degrees.high)};
 }
 
 RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units& units, double goal_tolerance,
@@ -184,7 +167,7 @@ RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units
   const bool has_own_names = map.has("namespace") && !map.text("namespace").empty();
   start.name_space = has_own_names ? readName(map, "namespace") : "";
   group.position = readRegion(map.need("position"), map.placeOf("position"));
-  readHeading(map, group);
+  if (const YAML::Node heading = map.find("heading")) group.heading = readHeading(heading, map.placeOf("heading"));
   readGoals(map, population, group);
   readFootprint(map, start.footprint);
   readDrive(map, units, start);

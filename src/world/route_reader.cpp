@@ -26,14 +26,6 @@ class RouteReader {
   const PopulationDescription& population_;
 };
 
-template <typename Descriptions>
-std::size_t readName(const std::string& what, const YamlMap& map, const Descriptions& descriptions) {
-  const std::string name = map.text(what);
-  const auto found = findName(descriptions, name);
-  if (!found) throwProblem(map.placeOf(what), map.need(what), unknownNameText(what, name, namesOf(descriptions)));
-  return *found;
-}
-
 bool isSink(const WaypointDescription& waypoint) {
   const auto& others = waypoint.alternatives;
   return waypoint.kind == Kind::SINK || waypoint.kind == Kind::NEAREST_SINK ||
@@ -46,7 +38,7 @@ void RouteReader::readSink(const YamlMap& map, WaypointDescription& waypoint) co
     throwProblem(map.placeOf("sink"), map.need("sink"), "the scenario has no sinks");
   }
   waypoint.kind = nearest ? Kind::NEAREST_SINK : Kind::SINK;
-  if (!nearest) waypoint.target = readName("sink", map, population_.sinks);
+  if (!nearest) waypoint.target = readNameOf(population_.sinks, map, "sink");
 }
 
 WaypointDescription RouteReader::readWaypoint(const YAML::Node& node, const YamlPlace& place) const {
@@ -62,7 +54,7 @@ WaypointDescription RouteReader::readWaypoint(const YAML::Node& node, const Yaml
     if (wait) waypoint.wait = readRange(wait, map.placeOf("wait"), NumberRule::NOT_NEGATIVE);
   } else if (map.has("queue")) {
     waypoint.kind = Kind::QUEUE;
-    waypoint.target = readName("queue", map, population_.queues);
+    waypoint.target = readNameOf(population_.queues, map, "queue");
   } else if (map.has("sink")) {
     readSink(map, waypoint);
   } else {

@@ -11,22 +11,9 @@
 namespace crowd {
 namespace {
 
-std::string listText(std::vector<Vector2>::const_iterator begin, std::vector<Vector2>::const_iterator end) {
-  std::string text;
-  for (auto point = begin; point != end; ++point) text += (text.empty() ? "" : ", ") + pointText(*point);
-  return "[" + text + "]";
-}
-
 std::string goalText(const AgentStart& agent, const Scene& scene) {
   if (agent.route) return "route: " + quoted(scene.population->routes[*agent.route].name);
-  return "goals: " + listText(agent.goals.begin(), agent.goals.end());
-}
-
-/// In degrees if a reader gets the same number from these, or else in radians.
-std::string headingText(double heading) {
-  const double degrees = toDegrees(heading);
-  const bool is_exact = wrapAngle(toRadians(degrees)) == heading;
-  return is_exact ? toText(degrees) : "{radians: " + toText(heading) + "}";
+  return "goals: " + pointsText(agent.goals);
 }
 
 std::string entryOf(const AgentStart& agent, const Scene& scene) {
@@ -41,7 +28,7 @@ std::string motionOf(const ObstaclePath& path) {
   if (path.kind() == Kind::AT_REST) return "";
   if (path.kind() == Kind::STRAIGHT) return ", velocity: " + pointText(path.velocity(0.0));
   return (path.kind() == Kind::LOOP ? ", waypoints: " : ", to_and_fro: ") +
-         listText(path.points().begin() + 1, path.points().end()) + ", speed: " + toText(path.speed());
+         pointsText({path.points().begin() + 1, path.points().end()}) + ", speed: " + toText(path.speed());
 }
 
 std::string entryOf(const Obstacle& obstacle) {

@@ -98,13 +98,10 @@ void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_poo
         }
       },
       ThreadPool::FEW_SHORT_ITEMS);
-  beginRobotMoves();
+  if (hasRobots()) beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
-  if (contact_ == Contact::GHOST && !robots_.empty()) {
-    for (const Agent& agent : agents_) {
-      const Vector2 way = tick_duration_ * agent.velocity;
-      noteRobotContacts(agent, agent.pose.position - way, way);
-    }
+  if (hasGhostRobots()) {
+    for (const Agent& agent : agents_) noteGhostContacts(agent, tick_duration_ * agent.velocity);
   }
   finishTick(thread_pool);
 }
@@ -119,12 +116,9 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   had_turn_[id] = true;
   Agent& agent = agents_[id];
   beginMove(agent, action);
-  holdRobots();
+  if (hasRobots()) holdRobots();
   if (agent.acted && contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
-  if (contact_ == Contact::GHOST && !robots_.empty()) {
-    const Vector2 way = tick_duration_ * agent.velocity;
-    noteRobotContacts(agent, agent.pose.position - way, way);
-  }
+  if (hasGhostRobots()) noteGhostContacts(agent, tick_duration_ * agent.velocity);
   updateGridOf(agent);  // also for an agent that stays, because its velocity changes
 }
 
@@ -133,16 +127,16 @@ void World::endTick(ThreadPool& thread_pool) {
     if (!had_turn_[agent.id]) beginMove(agent, nullptr);
   }
   had_turn_.assign(agents_.size(), false);
-  beginRobotMoves();
+  if (hasRobots()) beginRobotMoves();
   if (contact_ == Contact::SOLID) moveSolids([&](std::size_t body) { return body >= agents_.size(); });
-  if (contact_ == Contact::GHOST && !robots_.empty()) {
-    for (const Agent& agent : agents_) noteRobotContacts(agent, agent.pose.position, Vector2::Zero());
+  if (hasGhostRobots()) {
+    for (const Agent& agent : agents_) noteGhostContacts(agent, Vector2::Zero());
   }
   finishTick(thread_pool);
 }
 
 void World::finishTick(ThreadPool& thread_pool) {
-  moveRobots();
+  if (hasRobots()) moveRobots();
   ++tick_;
   moveObstacles();
   updateGrid();
@@ -156,7 +150,7 @@ void World::finishTick(ThreadPool& thread_pool) {
         if (arrivals > 0) arrived += arrivals;
       },
       ThreadPool::FEW_SHORT_ITEMS);
-  endRobotMoves();
+  if (hasRobots()) endRobotMoves();
   just_arrived_count_ = arrived;
   if (just_arrived_count_ == 0) return;
   active_count_ -= just_arrived_count_;
@@ -218,7 +212,7 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
 inline bool World::isAnythingWithin(double distance, const Agent& agent) const {
   const Vector2& place = agent.pose.position;
   return grid_.isAnyNear(place, distance, agent.id) || walls_.isAnyWithin(place, distance) ||
-         (!robots_.empty() && isRobotWithin(distance, place));
+         (hasRobots() && isRobotWithin(distance, place));
 }
 
 template <typename Moves>
@@ -236,9 +230,9 @@ void World::moveSolids(const Moves& moves) {
                             : Vector2::Zero();
     discs_.push_back({obstacle_motions_[i].position, way, obstacles_[i].radius, false});
   }
-  addRobotDiscs();
+  if (hasRobots()) addRobotDiscs();
   auto outcome = solid_motion_.move(discs_, walls_).begin();
-  if (!robots_.empty()) noteSolidContacts();
+  if (hasRobots()) noteSolidContacts();
   for (Agent& agent : agents_) {
     if (!agent.isWalking()) continue;
     if (outcome->diverted) {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -7,26 +6,9 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/world/world.h"
+#include "world/finite_checks.h"
 
 namespace crowd {
-namespace {
-
-void requireFinite(const std::string& what, double value) {
-  if (!std::isfinite(value)) throw InputError(what + ": expected a finite number, got " + toText(value));
-}
-
-void requireAbove(const std::string& what, double value) {
-  requireFinite(what, value);
-  if (value <= 0.0) throw InputError(what + ": expected a number above 0, got " + toText(value));
-}
-
-void requirePoint(const std::string& what, const Vector2& point) {
-  requireFinite(what, point.x());
-  requireFinite(what, point.y());
-}
-
-}  // namespace
-
 void World::addAgent(const AgentStart& start) {
   Agent& agent = agents_.emplace_back();
   agent.id = static_cast<AgentId>(agents_.size() - 1);
@@ -69,12 +51,12 @@ void World::requireFreePlace(const Vector2& centre, double radius, bool agents_o
 bool World::isFree(const Vector2& centre, double radius) const { return findBlocker(centre, radius, false).empty(); }
 
 AgentId World::spawnAgent(const AgentStart& start) {
-  requireAbove("max_speed [m/s]", start.max_speed);
-  requireAbove("radius [m]", start.radius);
+  requireAbove0("max_speed [m/s]", start.max_speed);
+  requireAbove0("radius [m]", start.radius);
   requireFinite("heading [rad]", start.heading);
-  requirePoint("position [m]", start.position);
+  requireFinite("position [m]", start.position);
   if (start.goals.empty()) throw InputError("goals: expected at least one, got none");
-  for (const Vector2& goal : start.goals) requirePoint("goal [m]", goal);
+  for (const Vector2& goal : start.goals) requireFinite("goal [m]", goal);
   requireFreePlace(start.position, start.radius, false);
   addAgent(start);
   refresh();
@@ -97,7 +79,7 @@ void World::leave(AgentId id) {
 }
 
 void World::setGoal(AgentId id, const Vector2& goal) {
-  requirePoint("goal [m]", goal);
+  requireFinite("goal [m]", goal);
   Agent& agent = findWalking(id);
   agent.goals = {goal};
   agent.next_goal = 0;
@@ -108,7 +90,7 @@ void World::setGoal(AgentId id, const Vector2& goal) {
 }
 
 void World::setWaypoint(AgentId id, const Vector2& waypoint) {
-  requirePoint("waypoint [m]", waypoint);
+  requireFinite("waypoint [m]", waypoint);
   Agent& agent = findWalking(id);
   if (agent.has_waypoint && agent.waypoint == waypoint) return;
   agent.waypoint = waypoint;
@@ -130,8 +112,7 @@ void World::setLeaves(AgentId id, bool leaves) { findWalking(id).leaves = leaves
 void World::setYielding(AgentId id, bool yielding) { findWalking(id).yielding = yielding; }
 
 void World::teleport(AgentId id, const Pose& pose) {
-  requirePoint("position [m]", pose.position);
-  requireFinite("heading [rad]", pose.heading);
+  requireFinite(pose);
   Agent& agent = findWalking(id);
   requireFreePlace(pose.position, agent.radius, false, id);
   agent.pose = {pose.position, wrapAngle(pose.heading)};
@@ -144,9 +125,9 @@ void World::teleport(AgentId id, const Pose& pose) {
 }
 
 std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
-  requireAbove("radius [m]", radius);
-  requirePoint("position [m]", position);
-  requirePoint("velocity [m/s]", velocity);
+  requireAbove0("radius [m]", radius);
+  requireFinite("position [m]", position);
+  requireFinite("velocity [m/s]", velocity);
   requireFreePlace(position, radius, true);
   // Paths are functions of the time since the start of the episode: extrapolate the position back to that time.
   const bool rests = velocity == Vector2::Zero();
@@ -166,8 +147,8 @@ void World::removeObstacle(std::size_t number) {
 }
 
 std::size_t World::addWall(const Segment& wall) {
-  requirePoint("wall [m]", wall.from);
-  requirePoint("wall [m]", wall.to);
+  requireFinite("wall [m]", wall.from);
+  requireFinite("wall [m]", wall.to);
   if (wall.from == wall.to) throw InputError("expected a wall with a length, got twice the same end");
   for (const Agent& agent : agents_) {
     if (agent.isWalking() && distanceTo(wall, agent.pose.position) < agent.radius - CONTACT_OVERLAP) {

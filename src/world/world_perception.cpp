@@ -59,6 +59,26 @@ void World::perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perce
   std::swap(perceptions.walls, workspace_.walls);
 }
 
+void World::perceiveRobot(const Vision& vision, RobotId id, const Vector2& goal, PerceptionWorkspace& workspace,
+                          Perceptions& perceptions) const {
+  const Robot& robot = robots_.at(id);
+  Agent agent;
+  agent.id = agentIdOf(id);
+  agent.pose = robot.pose;
+  agent.ahead = unitVector(robot.pose.heading);
+  agent.velocity = robot.velocity;
+  agent.max_speed = robot.start.limits.max_speed;
+  agent.radius = robot.perceived_radius;
+  agent.present_goal = goal;
+  agent.acted = true;
+  perceptions.agents.resize(1);
+  perceptions.last = false;
+  perceptions.agents.front().agent = agent.id;
+  beginPerceptions(vision, 1, workspace, perceptions);
+  perceiveOne(vision, agent, 0, workspace, perceptions.agents.front(), perceptions);
+  std::swap(perceptions.walls, workspace.walls);
+}
+
 inline void World::beginPerceptions(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
                                     Perceptions& perceptions) const {
   perceptions.tick = tick_;
@@ -90,7 +110,7 @@ inline void World::perceiveOne(const Vision& vision, const Agent& agent, std::si
   const std::size_t max_count = vision.occlusion ? 0 : vision.max_neighbours;
   const Rotation frame(agent.ahead);
   auto found = workspace.search.findNearest(grid_, agent.pose.position, vision.radius, max_count, agent.id);
-  if (!robots_.empty()) found = withRobots(found, vision, max_count, agent.pose.position, workspace);
+  if (hasRobots()) found = withRobots(found, vision, max_count, agent, workspace);
   self.first_neighbour = static_cast<std::uint32_t>(first);
   self.neighbour_count = static_cast<std::uint32_t>(found.size());
   self.first_wall = static_cast<std::uint32_t>(workspace.walls.size());
@@ -109,14 +129,15 @@ inline void World::perceiveOne(const Vision& vision, const Agent& agent, std::si
 }
 
 Span<NearDisc> World::withRobots(const Span<NearDisc>& found, const Vision& vision, std::size_t max_count,
-                                 const Vector2& place, PerceptionWorkspace& workspace) const {
+                                 const Agent& agent, PerceptionWorkspace& workspace) const {
   std::vector<NearDisc>& near = workspace.near_discs;
   near.assign(found.begin(), found.end());
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const Robot& robot = robots_[i];
-    const NearDisc disc = {(robot.pose.position - place).norm() - robot.perceived_radius,
+    const NearDisc disc = {(robot.pose.position - agent.pose.position).norm() - robot.perceived_radius,
                            static_cast<std::uint32_t>(grid_.size() + i)};
-    if (!robot.start.perceived || disc.rim_distance > vision.radius) continue;
+    if (!robot.start.perceived || agent.id == agentIdOf(static_cast<RobotId>(i))) continue;
+    if (disc.rim_distance > vision.radius) continue;
     const auto farther = [&](const NearDisc& other) { return other.rim_distance > disc.rim_distance; };
     near.insert(std::find_if(near.begin(), near.end(), farther), disc);
   }
@@ -125,10 +146,10 @@ Span<NearDisc> World::withRobots(const Span<NearDisc>& found, const Vision& visi
 }
 
 Neighbour World::seenRobot(const Robot& robot, const Agent& agent) {
-  const bool is_yielded_to = robot.start.yields == Yields::CROWD || robot.start.yields == Yields::BOTH;
   const Rotation frame(agent.ahead);
   return {frame.intoFrame(robot.pose.position - agent.pose.position), frame.intoFrame(robot.velocity),
-          robot.perceived_radius, is_yielded_to ? NeighbourKind::ROBOT : NeighbourKind::UNYIELDED_ROBOT};
+          robot.perceived_radius,
+          doesCrowdYield(robot.start.yields) ? NeighbourKind::ROBOT : NeighbourKind::UNYIELDED_ROBOT};
 }
 
 inline void World::perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const {

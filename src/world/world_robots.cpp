@@ -1,29 +1,12 @@
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/world/protective_stop.h"
 #include "social_crowd/world/world.h"
+#include "world/finite_checks.h"
 
 namespace crowd {
-namespace {
-
-void requireFinite(const std::string& what, const Vector2& value) {
-  if (std::isfinite(value.x()) && std::isfinite(value.y())) return;
-  throw InputError(what + ": expected finite numbers, got " + toText({value.x(), value.y()}));
-}
-
-void requireFinite(const Pose& pose) {
-  requireFinite("position [m]", pose.position);
-  if (!std::isfinite(pose.heading)) {
-    throw InputError("heading [rad]: expected a finite number, got " + toText(pose.heading));
-  }
-}
-
-}  // namespace
-
 void World::addRobot(const RobotStart& start) {
   Robot& robot = robots_.emplace_back();
   robot.start = start;
@@ -87,10 +70,9 @@ void World::beginRobotMoves() {
     robot.jumped = false;
     const Footprint& footprint = robot.start.footprint;
     if (robot.start.drive != Drive::EXTERNAL) {
-      const Yields yields = robot.start.yields;
-      const bool can_yield = yields == Yields::ROBOT || yields == Yields::BOTH;
-      const Twist wanted = can_yield ? protectiveTwist(robot, *this) : robot.target;
-      robot.twist = limitTwist(robot.start.drive, robot.start.limits, robot.twist, wanted, tick_duration_);
+      robot.twist = doesRobotYield(robot.start.yields)
+                        ? protective_stop_.next(robot, agents_, tick_duration_)
+                        : limitTwist(robot.start.drive, robot.start.limits, robot.twist, robot.target, tick_duration_);
       robot_sweeps_.emplace_back(footprint, robot.pose, robot.twist, tick_duration_);
       continue;
     }
@@ -131,7 +113,7 @@ void World::moveRobots() {
     }
     const RobotSweep& sweep = robot_sweeps_[i];
     robot.pose = sweep.at(1.0);
-    robot.blocked = sweep.stoppedAt() < 1.0 && sweep.pointSpeed() > 0.0;
+    robot.blocked = sweep.stoppedAt() < 1.0 && !(robot.twist.linear.isZero(0.0) && robot.twist.rotation == 0.0);
     if (sweep.stoppedAt() < 1.0) robot.twist = Twist();
     robot.velocity = Rotation(robot.pose.heading).outOfFrame(robot.twist.linear);
   }

@@ -4,6 +4,7 @@
 
 #include "social_crowd/simulation/evaluation.h"
 #include "social_crowd/world/scenario_reader.h"
+#include "support/anticipation.h"
 #include "support/error_of.h"
 #include "support/robots.h"
 
@@ -32,7 +33,8 @@ std::uint64_t ticksOf(Drive drive, double heading) {
   robot.drive = drive;
   robot.limits.min_turning_radius = 0.5;
   Episode episode(robots::with({robot}, scenes::scene({})), 0, Vision());
-  RobotDrivers drivers("straight", episode);
+  const Learner learner = anticipationLearner();
+  RobotDrivers drivers("straight", episode, learner);
   while (!episode.isOver()) {
     drivers.command(episode);
     episode.step({});
@@ -53,7 +55,8 @@ TEST(StraightController, GetsToItsGoalWithAllDrives) {
 TEST(StraightController, StopsAtTheGoal) {
   Episode episode(robots::with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scenes::scene({scenes::wanderer({0.0, 5.0})})), 0,
                   Vision());
-  RobotDrivers drivers("straight", episode);
+  const Learner learner = anticipationLearner();
+  RobotDrivers drivers("straight", episode, learner);
   for (int tick = 0; tick < 60; ++tick) {
     drivers.command(episode);
     episode.step({});
@@ -63,8 +66,10 @@ TEST(StraightController, StopsAtTheGoal) {
 }
 
 TEST(RobotControllers, RefuseUnknownNames) {
-  EXPECT_EQ(errorOf<InputError>([] { makeRobotController("sraight"); }),
-            "robot controller: expected none, straight or reactive, got 'sraight'");
+  const Learner learner = anticipationLearner();
+  const Episode episode(scenes::scene({}), 0, Vision());
+  EXPECT_EQ(errorOf<InputError>([&] { makeRobotController("sraight", episode, learner); }),
+            "robot controller: expected none, straight, reactive or learned, got 'sraight'");
 }
 
 TEST(ReactiveController, DrivesRoundPeopleWhoStand) {
@@ -74,7 +79,8 @@ TEST(ReactiveController, DrivesRoundPeopleWhoStand) {
   for (const double y : {-0.6, 0.0, 0.5}) scene.agents.push_back(scenes::wanderer({4.0, y}));
   scene.ends = Ends::ROBOTS;
   Episode episode(scene, 0, Vision());
-  RobotDrivers drivers("reactive", episode);
+  const Learner learner = anticipationLearner();
+  RobotDrivers drivers("reactive", episode, learner);
   while (!episode.isOver()) {
     drivers.command(episode);
     episode.step({});

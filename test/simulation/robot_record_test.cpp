@@ -43,5 +43,26 @@ TEST(RobotSummary, SumsUpTheRobotsOfAllEpisodes) {
       "robot, 2 mutual");
 }
 
+TEST(RobotSummary, WeighsTheDelayOfPeopleByTheirNumber) {
+  EpisodeResult few = twoRobots();
+  for (RobotResult& robot : few.robots) {
+    robot.people_compared = 1;
+    robot.people_delay = 4.0;
+    robot.people_detour = -1.0;
+  }
+  EpisodeResult many = twoRobots();
+  for (RobotResult& robot : many.robots) {
+    robot.people_compared = 3;
+    robot.people_delay = 0.0;
+    robot.people_detour = 1.0;
+  }
+  RobotSummary summary;
+  summary.add(few);
+  summary.add(many);
+  summary.add(twoRobots());  // not measured
+  const std::string text = summary.text();
+  EXPECT_EQ(text.substr(text.find("; people")), "; people are delayed by 1.00 s, with a detour of 0.50 m");
+}
+
 }  // namespace
 }  // namespace crowd

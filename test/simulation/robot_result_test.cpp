@@ -8,14 +8,8 @@
 #include "support/robots.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::robots {
 namespace {
-
-using robots::robot;
-using robots::robotTo;
-using robots::with;
-using scenes::scene;
-using scenes::wanderer;
 
 /// An episode in which the first robot gets one command, after a number of ticks.
 Episode after(int ticks, Scene scene, const Twist& command) {
@@ -154,4 +148,4 @@ TEST(RobotEpisode, WithoutGoalsLastsForItsDuration) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robots

@@ -8,6 +8,10 @@
 /// Builders of robots for tests.
 namespace crowd::robots {
 
+using scenes::scene;
+using scenes::solid;
+using scenes::wanderer;
+
 /// A disc robot at a position that faces along x: 0.3 m, 1 m/s, without a goal, with high limits of acceleration.
 inline RobotStart robot(const Vector2& position, double heading = 0.0) {
   RobotStart start;

@@ -1,4 +1,4 @@
-// Contacts of robots with agents, walls and obstacles, and who moved into whom.
+// Contacts of robots with agents, walls and obstacles, and their causes.
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,8 @@
 #include "support/robots.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::robots {
 namespace {
-
-using robots::robot;
-using robots::with;
-using scenes::scene;
-using scenes::solid;
-using scenes::wanderer;
 
 constexpr double NEAR = 1e-6;
 
@@ -43,11 +37,17 @@ void expectContact(const World& world, ContactCause cause) {
 }
 
 TEST(RobotContact, WallsStopARobot) {
-  const World world = afterTick(solid(with({robot({0.0, 0.0})}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}}))), true);
+  World world = afterTick(solid(with({robot({0.0, 0.0})}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}}))), true);
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);
   EXPECT_TRUE(world.robots()[0].blocked);
   EXPECT_EQ(world.robots()[0].twist.linear, Vector2(0.0, 0.0));
   EXPECT_EQ(world.robots()[0].velocity, Vector2(0.0, 0.0));
+  world.step({});  // it presses on, and is stopped at the start of the tick
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);
+  EXPECT_TRUE(world.robots()[0].blocked);
+  world.commandRobot(0, {});
+  world.step({});
+  EXPECT_FALSE(world.robots()[0].blocked);
 }
 
 TEST(RobotContact, ARobotThatDrivesIntoAPersonStops) {
@@ -215,26 +215,5 @@ TEST(RobotPerception, DependsOnWhoYields) {
   EXPECT_EQ(perceive(with({start}, scene({wanderer({2.0, 0.0})}))).agents[0].neighbour_count, 0U);
 }
 
-TEST(ProtectiveStop, LeavesAGapToPeopleWhoStand) {
-  RobotStart start = robot({0.0, 0.0});
-  start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
-  start.yields = Yields::ROBOT;
-  World world(with({start}, scene({wanderer({3.0, 0.2}, 1.0)})));
-  world.commandRobot(0, {{5.0, 0.0}, 0.0});
-  double fastest = 0.0;
-  for (int tick = 0; tick < 100; ++tick) {
-    world.step({});
-    fastest = std::max(fastest, world.robots()[0].velocity.x());
-    EXPECT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
-  }
-  EXPECT_NEAR(fastest, 1.0, 1e-9);
-  // It comes near the distance that the agent could walk in a tick, 0.1 m, where the centres are 0.65 m apart.
-  EXPECT_NEAR((world.robots()[0].pose.position - Vector2(3.0, 0.2)).norm(), 0.65, 0.02);
-  EXPECT_LT(world.robots()[0].velocity.norm(), 0.05);
-  world.commandRobot(0, {{-1.0, 0.0}, 0.0});
-  for (int tick = 0; tick < 10; ++tick) world.step({});
-  EXPECT_LT(world.robots()[0].velocity.x(), -0.5);  // the way back is free
-}
-
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robots

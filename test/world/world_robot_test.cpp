@@ -9,14 +9,8 @@
 #include "support/error_of.h"
 #include "support/robots.h"
 
-namespace crowd {
+namespace crowd::robots {
 namespace {
-
-using robots::robot;
-using robots::robotTo;
-using robots::with;
-using scenes::scene;
-using scenes::wanderer;
 
 TEST(WorldRobot, FollowsItsCommandUntilTheNext) {
   World world(with({robot({1.0, 2.0}, PI / 2.0)}, scene({})));
@@ -45,17 +39,16 @@ TEST(WorldRobot, MovesAtTheEndOfASequentialTick) {
 TEST(WorldRobot, ReachesItsGoalsOneAfterTheOther) {
   RobotStart start = robotTo({1.0, 0.0}, {0.0, 0.0});
   start.goals.emplace_back(1.5, 0.0);
+  start.goal_tolerance = 0.15;
   World world(with({start}, scene({})));
   world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  // After tick k it is at 0.1 k m. The goals at 1 m and 1.5 m are within the tolerance of 0.15 m from ticks 9 and 14
+  // on.
   for (int tick = 1; tick <= 15; ++tick) {
     world.step({});
-    // 0.9 m and 1.4 m are within the tolerance of 0.1 m (up to rounding, hence one tick later at most).
-    EXPECT_EQ(world.robots()[0].next_goal, tick >= 10 ? 1U : (tick < 9 ? 0U : world.robots()[0].next_goal));
-    if (tick < 14) {
-      EXPECT_FALSE(world.robots()[0].hasArrived()) << "tick " << tick;
-    }
+    EXPECT_EQ(world.robots()[0].next_goal, tick < 9 ? 0U : 1U) << "tick " << tick;
+    EXPECT_EQ(world.robots()[0].hasArrived(), tick >= 14) << "tick " << tick;
   }
-  EXPECT_TRUE(world.robots()[0].hasArrived());
   world.setRobotGoals(0, {{3.0, 0.0}});
   EXPECT_FALSE(world.robots()[0].hasArrived());
   world.step({});
@@ -119,4 +112,4 @@ TEST(WorldRobot, RefusesWrongCommands) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robots

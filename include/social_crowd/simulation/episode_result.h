@@ -21,7 +21,9 @@ struct AgentResult {
   bool endless = false;             ///< on a route that repeats: it never arrives, and has not failed
   std::uint64_t waypoints = 0;      ///< waypoints of routes that it has left behind
   std::uint64_t blocked_moves = 0;  ///< moves that were cut short by an impact; solid worlds only
-  std::uint64_t ticks = 0;          ///< until its arrival, or until the end
+  std::uint64_t appeared = 0;       ///< tick at which it was added to the world
+  Vector2 start = Vector2::Zero();  ///< place where it was added [m], `map`
+  std::uint64_t ticks = 0;          ///< from then on until its arrival, or until the end
   double heading = 0.0;             ///< at its arrival, or at the end [rad], `map`
   double path_length = 0.0;         ///< [m]
   double straight_length = 0.0;     ///< from the start via all goals, minus the goal tolerance [m]

@@ -19,6 +19,9 @@ struct EvaluationPlan {
   std::string scenes;          ///< folder that the scenes are for (toDocument()); empty: they are not written
   bool states = false;         ///< whether to write records of states
   std::string robot_controller = "none";  ///< of all robots, see makeRobotController()
+  /// Whether each episode with robots is run again without them (measurePeopleDelay()). Then episodes also last until
+  /// the people have arrived, whatever the scenario's `ends`.
+  bool people_delay = false;
   /// Called at the start of each episode whose ways are a problem (EpisodeResult::wayWarning()), never concurrently but
   /// on any of the threads, and in any order. Empty: nothing is called.
   std::function<void(std::uint64_t instance, const std::string& warning)> warn;

@@ -11,8 +11,8 @@
 
 namespace crowd {
 
-/// @brief Decides who goes first through passages that are too narrow for two agents to pass each other, so that agents
-/// do not block each other there. Deterministic; depends only on the world and the earlier calls.
+/// @brief Decides which agents go first through passages that are too narrow for two agents to pass each other, so that
+/// agents do not block each other there. Deterministic; depends only on the world and the earlier calls.
 ///
 /// At most one direction at a time has the right of way in a passage. Agents of that direction are admitted in the
 /// order of their distance, as many at a time as fit side by side; the next one when an admitted one has entered. After

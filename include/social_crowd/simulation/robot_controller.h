@@ -32,17 +32,20 @@ class RobotController {
 };
 
 /// @brief Names of the controllers, for messages and --help: "none" (the robot stands), "straight" (straight to the
-/// goal, whoever is in the way), "reactive" (by its laser scan alone, see reactiveCommand()).
+/// goal; it ignores people), "reactive" (by its laser scan alone, see reactiveCommand()), "learned" (as the crowd, see
+/// LearnedRobot).
 const std::vector<std::string>& robotControllerNames();
 
-/// @brief Makes a controller; null for "none". @throws InputError that lists the names
-std::unique_ptr<RobotController> makeRobotController(const std::string& name);
+/// @brief Makes a controller of a robot of an episode; null for "none". @param learner decides for "learned", and must
+/// outlive the controller @throws InputError that lists the names
+std::unique_ptr<RobotController> makeRobotController(const std::string& name, const Episode& episode,
+                                                     const Learner& learner);
 
 /// @brief Controllers of all robots of an episode that take commands.
 class RobotDrivers {
  public:
-  /// @param controller name of the controller of each robot. @throws InputError as makeRobotController()
-  RobotDrivers(const std::string& controller, const Episode& episode);
+  /// @param controller name of the controller of each robot, see makeRobotController()
+  RobotDrivers(const std::string& controller, const Episode& episode, const Learner& learner);
 
   /// @brief Commands all robots for the coming tick; call it once before each tick. Robots that have arrived or have no
   /// goal are stopped.

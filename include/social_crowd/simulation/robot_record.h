@@ -28,7 +28,10 @@ class RobotSummary {
   std::uint64_t on_person_ = 0;
   std::uint64_t on_robot_ = 0;
   std::uint64_t mutual_ = 0;
-  double time_ = 0.0;  // of those that arrived [s]
+  double time_ = 0.0;           // of those that arrived [s]
+  std::uint64_t people_ = 0;    // whose delay was measured
+  double people_delay_ = 0.0;   // sum [s]
+  double people_detour_ = 0.0;  // sum [m]
 };
 
 }  // namespace crowd

@@ -58,6 +58,10 @@ struct RobotResult {
   double personal_space_time = 0.0;  ///< nearest person nearer than 1.2 m [s]
   double intimate_space_intrusions = NONE;  ///< share of the time below 0.45 m [%]
   double personal_space_intrusions = NONE;  ///< share of the time from 0.45 m to 1.2 m [%]
+  /// Effect of all robots of the scenario on people, see measurePeopleDelay(); the same for each robot.
+  std::uint64_t people_compared = 0;
+  double people_delay = NONE;   ///< [s]
+  double people_detour = NONE;  ///< [m]
   RobotInput input;
 
   std::uint64_t collisions() const {

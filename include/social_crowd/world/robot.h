@@ -15,10 +15,18 @@ namespace crowd {
 /// @brief Index of a robot in Scene::robots and World::robots().
 using RobotId = std::uint32_t;
 
-/// @brief Who gives way when agents and a robot meet. CROWD: the separation rule of the agents holds against the robot.
-/// ROBOT: the robot stops in front of people. BOTH: both. NOBODY: neither.
+/// @brief The id of a robot where it is treated as an agent. No agent has it.
+constexpr AgentId agentIdOf(RobotId robot) { return ~robot; }
+
+/// @brief The side that gives way when agents and a robot meet. CROWD: the separation rule of the agents holds against
+/// the robot. ROBOT: the robot stops in front of people. BOTH: both. NOBODY: neither.
 enum class Yields : std::uint8_t { CROWD = 0, ROBOT = 1, BOTH = 2, NOBODY = 3 };
 inline constexpr EnumNames<Yields, 4> YIELDS{"yields", {"crowd", "robot", "both", "nobody"}};
+
+/// @brief Whether agents give way to the robot.
+constexpr bool doesCrowdYield(Yields yields) { return yields == Yields::CROWD || yields == Yields::BOTH; }
+/// @brief Whether the robot has the protective stop.
+constexpr bool doesRobotYield(Yields yields) { return yields == Yields::ROBOT || yields == Yields::BOTH; }
 
 /// @brief Time after which a robot without a command stops, by default [s].
 constexpr double DEFAULT_COMMAND_TIMEOUT = 0.5;
@@ -45,7 +53,8 @@ struct RobotStart {
 /// @brief DRIVING: on its way, or without a goal. ARRIVED: at its last goal, where it stays in the world.
 enum class RobotStatus : std::uint8_t { DRIVING = 0, ARRIVED = 1 };
 
-/// @brief Who moved into whom. ROBOT: the robot into the person. PERSON: the person into the robot. MUTUAL: both.
+/// @brief Cause of a contact. ROBOT: the robot moved into the person. PERSON: the person moved into the robot. MUTUAL:
+/// both moved.
 enum class ContactCause : std::uint8_t { ROBOT = 0, PERSON = 1, MUTUAL = 2 };
 inline constexpr EnumNames<ContactCause, 3> CONTACT_CAUSES{"cause", {"robot", "person", "mutual"}};
 

@@ -18,8 +18,8 @@ namespace crowd {
 ///   hit, but does not itself move towards the other, continues;
 /// - an obstacle never yields: it pushes an agent that it hits, with the component of its velocity towards the agent. A
 ///   pushed agent stops at the next thing it touches; the obstacle then passes over it;
-/// - a robot follows the rules of agents, but is not pushed and pushes nobody. One that cannot be stopped (with a false
-///   `is_agent`) passes over everything; agents that walk into it stop.
+/// - a robot follows the rules of agents, but is not pushed and pushes nobody. One that cannot be stopped
+///   (`is_agent` is false) passes over everything; agents that walk into it stop.
 ///
 /// Hence agents that do not overlap other agents, walls or static obstacles never will (beyond TOUCH_TOLERANCE).
 class SolidMotion {

@@ -11,6 +11,7 @@
 #include "social_crowd/world/neighbour_search.h"
 #include "social_crowd/world/occlusion.h"
 #include "social_crowd/world/perception.h"
+#include "social_crowd/world/protective_stop.h"
 #include "social_crowd/world/relative_action.h"
 #include "social_crowd/world/robot.h"
 #include "social_crowd/world/scene.h"
@@ -92,6 +93,12 @@ class World {
   void perceiveSome(const Vision& vision, std::size_t first, std::size_t last, PerceptionWorkspace& workspace,
                     Perceptions& perceptions) const;
 
+  /// @brief Writes what an agent in a robot's place would perceive: a disc of the radius that agents perceive, with the
+  /// robot's maximum speed, and the id agentIdOf(id). Sets all fields but `episode` and `turn`. Any number of threads
+  /// may call it at the same time, as perceiveSome(). @param goal that it perceives [m], `map`
+  void perceiveRobot(const Vision& vision, RobotId id, const Vector2& goal, PerceptionWorkspace& workspace,
+                     Perceptions& perceptions) const;
+
   /// @brief Executes one tick. Agents without an action stay; actions of unknown or arrived agents are ignored.
   /// @param thread_pool its threads share the agents; the result does not depend on their number
   /// @throws InputError if an action is not finite or its speed fraction is not within 0 to 1; the world is unchanged
@@ -148,9 +155,9 @@ class World {
   /// @throws InputError if there is no such robot, it is EXTERNAL, or a number is not finite.
   void commandRobot(RobotId id, const Twist& wanted);
   /// @brief Sets where an EXTERNAL robot is at the end of the coming tick; it stays there until the next call. The
-  /// place may be occupied. @param pose in `map` @param velocity [m/s], `map` @param jump it gets there at once,
-  /// instead of on a straight way, and then has no velocity. @throws InputError if there is no such EXTERNAL robot or a
-  /// number is not finite.
+  /// place may be occupied. @param pose in `map` @param velocity [m/s], `map` @param jump it does not move
+  /// there on a straight line: it is at the place from the start of the tick on, without a velocity. @throws InputError
+  /// if there is no such EXTERNAL robot or a number is not finite.
   void placeRobot(RobotId id, const Pose& pose, const Vector2& velocity, bool jump);
   /// @brief Replaces the goals of a robot [m], `map`; none: it has no goal any more.
   /// @throws InputError if there is no such robot or a number is not finite.
@@ -202,7 +209,7 @@ class World {
   /// Adds the robots that the agent perceives to the bodies found by the search, nearest rim first. Robot i has the
   /// number grid_.size() + i.
   Span<NearDisc> withRobots(const Span<NearDisc>& found, const Vision& vision, std::size_t max_count,
-                            const Vector2& place, PerceptionWorkspace& workspace) const;
+                            const Agent& agent, PerceptionWorkspace& workspace) const;
   static Neighbour seenRobot(const Robot& robot, const Agent& agent);
   /// Writes the bodies found by the search in the agent's frame.
   void writeNeighbours(const Span<NearDisc>& found, const Agent& agent, std::size_t first,
@@ -222,8 +229,12 @@ class World {
   void moveRobots();
   /// Counts the goals that robots have reached at the end of a tick.
   void endRobotMoves();
-  /// Notes contacts of robots with a walking agent that intended to move from `start` by `way`.
-  void noteRobotContacts(const Agent& agent, const Vector2& start, const Vector2& way);
+  /// Steps without robots skip all that is for robots.
+  bool hasRobots() const { return !robots_.empty(); }
+  /// Whether noteGhostContacts() is to be called.
+  bool hasGhostRobots() const { return hasRobots() && contact_ == Contact::GHOST; }
+  /// Notes contacts of robots with an agent that has just moved by `way` in a ghost world [m].
+  void noteGhostContacts(const Agent& agent, const Vector2& way);
   void noteRobotContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way);
   void noteSolidContacts();
   bool isRobotWithin(double distance, const Vector2& place) const;
@@ -250,6 +261,7 @@ class World {
   std::vector<std::optional<RobotPlace>> robot_places_;    // by robot: where an EXTERNAL one is to be next
   std::vector<RobotSweep> robot_sweeps_;                   // by robot: its intended motion in this tick
   std::vector<std::vector<RobotContact>> robot_contacts_;  // by robot: those of the present tick so far
+  ProtectiveStop protective_stop_;
   WallIndex walls_;
   double wall_reach_ = 0.0;            // agents perceive walls within this distance [m]
   std::vector<std::size_t> wall_ids_;  // of these

@@ -68,7 +68,7 @@ void GoalRelativeActions::findMoves(const PerceptionBatch& batch, MoveBlock* mov
   if (time_gap_.isOn()) keepTimeGap(batch, moves);
 }
 
-/// Who must escape from a moving obstacle does not slow down.
+/// An agent that must escape from a moving obstacle does not slow down.
 void GoalRelativeActions::keepTimeGap(const PerceptionBatch& batch, MoveBlock* moves) const {
   for (std::size_t k = 0; k < batch.size(); ++k) {
     if (!rule_.mustEscape(batch[k])) time_gap_.cut(batch[k], moves + k * base_moves_.size(), size());
