@@ -242,7 +242,7 @@ void CrowdController::noteRest() {
 
 void CrowdController::finishSteps() {
   if (pending_steps_ == nullptr) return;
-  robots_.release();
+  robots_.commands().release();
   pending_steps_->done.set_value();
   pending_steps_.reset();
 }

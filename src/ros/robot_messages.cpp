@@ -23,11 +23,10 @@ geometry_msgs::Pose2D toPose2D(const Pose& pose) {
 
 double clearanceOf(const Robot& robot, const World& world) {
   double clearance = std::numeric_limits<double>::infinity();
-  const double reach = robot.start.footprint.reach();
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking()) continue;
-    const double distance = (agent.pose.position - robot.pose.position).norm();
-    clearance = std::min(clearance, distance - reach - agent.radius);
+    const double apart = distance(robot.start.footprint, robot.pose, agent.pose.position);
+    clearance = std::min(clearance, apart - agent.radius);
   }
   return clearance;
 }

@@ -93,11 +93,9 @@ void RobotSenses::addOthers(const World& world, RobotId robot) {
     const Pose& pose = world.robots()[other].pose;
     const Footprint& footprint = world.robots()[other].start.footprint;
     if (footprint.isDisc()) targets_.push_back({pose.position, footprint.radius, body});
-    const std::vector<Vector2>& corners = footprint.corners;
+    const std::vector<Vector2> corners = footprint.cornersAt(pose);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vector2& next = corners[(i + 1) % corners.size()];
-      const Rotation frame(pose.heading);
-      edges_.push_back({{pose.position + frame.outOfFrame(corners[i]), pose.position + frame.outOfFrame(next)}, body});
+      edges_.push_back({{corners[i], corners[(i + 1) % corners.size()]}, body});
     }
   }
 }

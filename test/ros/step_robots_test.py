@@ -52,6 +52,20 @@ class StepRobotsTest(RobotTestCase):
         after = self.step_robots(['tug'], [command(0.0)], ticks=3).observations[0].pose.x
         self.assertEqual(after, before)
 
+    def test_robots_that_are_commanded_by_it_have_no_timeouts(self):
+        self.start_all()
+        self.send(self.commander(), command(0.1), 1)
+        before = self.states.messages[-1].robots[0].command_timeouts
+        response = self.step_robots(['tug'], [command(0.5)], ticks=20)
+        self.assertEqual(self.states.wait_at(response.episode, response.tick).robots[0].command_timeouts, before)
+        self.assertEqual(self.walk(10).command_timeouts, before + 1)
+
+    def test_clearance_is_that_of_the_footprint(self):
+        # The person stands 1 m beside a robot that is 2 m long and 0.4 m wide.
+        text = scenario().replace('radius: 0.3', 'footprint: [[-1, -0.2], [1, -0.2], [1, 0.2], [-1, 0.2]]')
+        self.start_all(text.replace('[0, 20], goal: [100, 20]', '[1.5, 1], goal: [9, 1]'))
+        self.assertAlmostEqual(self.step_robots(ticks=0).observations[0].clearance, 1.0 - 0.2 - 0.25, places=9)
+
     def test_the_same_commands_give_the_same_observations(self):
         noisy = ', scan: {rays: 100, noise: 0.02, dropout: 0.1}, odometry: {distance: 0.1}'
         self.start_all(scenario(more=noisy))

@@ -16,7 +16,7 @@
 #include "social_crowd/ros/controller_parameters.h"
 #include "social_crowd/ros/crowd_broadcaster.h"
 #include "social_crowd/ros/main_loop.h"
-#include "social_crowd/ros/robot_interfaces.h"
+#include "social_crowd/ros/robot_interface.h"
 #include "social_crowd/ros/services.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/trajectory.h"
@@ -94,7 +94,7 @@ class CrowdController {
   ros::NodeHandle node_;
   AnswerCollector answers_;
   CrowdBroadcaster broadcaster_;
-  RobotInterfaces robots_;
+  RobotInterface robots_;
 
   ScenarioList scenarios_;
   std::string scenario_name_;

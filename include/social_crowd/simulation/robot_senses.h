@@ -31,7 +31,6 @@ class RobotSenses {
   /// @brief Whether at least one ray of ranges() hits the agent's body.
   const std::vector<bool>& visibleAgents(const World& world, RobotId robot);
   const Odometry& odometry(RobotId robot) const { return sensors_[robot].odometry; }
-  const ScanSpec& scanOf(RobotId robot) const { return sensors_[robot].scanner.spec(); }
 
  private:
   struct Sensor {
