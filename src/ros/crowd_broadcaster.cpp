@@ -130,9 +130,9 @@ void CrowdBroadcaster::publishMap(const OccupancyMap& map) {
 void CrowdBroadcaster::publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed,
                                      std::uint64_t dropped) {
   social_crowd::EpisodeResult message;
-  toMessage(episode.result(), message);
+  toMessage(result, message);
   message.header = header();
-  message.episode = episode.number();
+  message.episode = number;
   message.instance = instance;
   message.missed_answers = missed;
   message.dropped_answers = dropped;

@@ -26,7 +26,7 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       node_(loop_.adopt(node)),
       answers_(loop_, node_, parameters_),
       broadcaster_(node_, parameters_),
-      robots_(loop_, node_, parameters_),
+      robots_(loop_, node_, parameters_, [this] { return broadcaster_.header().stamp; }),
       seed_(parameters_.seed),
       paused_(parameters_.paused),
       services_(private_node, SERVICE_THREADS) {
@@ -192,7 +192,7 @@ void CrowdController::walkTurn() {
   // Published while the learners decide; between turns the tick is incomplete.
   if (tick_ended_) broadcaster_.publishAgents(*episode_);
   if (!answers_.wait(*episode_)) return;  // ask again, or another episode has begun, or the node shuts down
-  if (tick_ended_ && !robots_.wait()) return;
+  if (tick_ended_ && !robots_.wait([this] { return broadcaster_.timeIn(episode_->scene().tick_duration); })) return;
   tick_ended_ = episode_->step(answers_.answers());
   if (tick_ended_) endTick();
 }

@@ -16,20 +16,31 @@ constexpr std::uint32_t QUEUE = 100;  // messages
 std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
   std::vector<std::string> identities;
   identities.reserve(robots.size());
-  for (const Robot& robot : robots) identities.push_back(robot.start.name + " " + robot.start.name_space);
+  for (const Robot& robot : robots) {
+    const RobotStart& start = robot.start;
+    const std::string poses = start.drive == Drive::EXTERNAL ? (start.reads_tf ? " tf" : " odom") : "";
+    identities.push_back(start.name + " " + start.name_space + poses);
+  }
   return identities;
 }
 
 }  // namespace
 
-RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters)
-    : node_(node), publish_localisation_(parameters.publish_localisation), commands_(loop, parameters) {}
+RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
+                               std::function<ros::Time()> clock)
+    : node_(node),
+      clock_(clock),
+      publish_localisation_(parameters.publish_localisation),
+      visible_people_only_(parameters.visible_people_only),
+      commands_(loop, parameters),
+      poses_(node, std::move(clock)) {}
 
 void RobotInterface::begin(Episode& episode) {
   episode_ = &episode;
   senses_ = std::make_unique<RobotSenses>(episode.scene());
   commands_.begin(episode);
   if (identitiesOf(robots()) != advertised_) advertise();
+  poses_.begin(episode);
   for (RobotId id = 0; id < robots().size(); ++id) topics_[id]->begin(robots()[id].start);
 }
 
@@ -37,6 +48,7 @@ void RobotInterface::advertise() {
   advertised_ = identitiesOf(robots());
   topics_.clear();
   commands_.forgetWarnings();
+  poses_.subscribe(*episode_);
   for (RobotId id = 0; id < robots().size(); ++id) {
     RobotTopics::Handlers handlers;
     handlers.command = [this, id](const Twist& command, const std::string& node) { commands_.take(id, command, node); };
@@ -46,7 +58,10 @@ void RobotInterface::advertise() {
   if (robots().empty() || transforms_) return;
   transforms_.emplace();
   static_transforms_.emplace();
-  states_ = node_.advertise<social_crowd::RobotStates>(names::ROBOTS, QUEUE);
+  states_ = node_.advertise<social_crowd::RobotStates>(names::ROBOTS, QUEUE,
+                                                       [this](const ros::SingleSubscriberPublisher& subscriber) {
+                                                         if (!robots().empty()) subscriber.publish(states(clock_()));
+                                                       });
 }
 
 void RobotInterface::takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal) {
@@ -60,7 +75,31 @@ void RobotInterface::takeGoal(RobotId robot, const geometry_msgs::PoseStamped& g
              (toText(place.x()) + ", " + toText(place.y())).c_str());
   } else {
     episode_->setRobotGoals(robot, {place});
-    topics_[robot]->publishGoal(robots()[robot], ros::Time::now(), true);
+    topics_[robot]->publishGoal(robots()[robot], clock_(), true);
+  }
+}
+
+bool RobotInterface::wait(const std::function<ros::Time()>& end) {
+  if (robots().empty()) return true;
+  if (!commands_.wait()) return false;
+  poses_.place(end());
+  return true;
+}
+
+RobotInput RobotInterface::inputOf(RobotId robot) const {
+  RobotInput input;
+  const CommandCounts& commands = commands_.countsOf(robot);
+  input.taken = commands.taken;
+  input.missed = commands.missed;
+  input.late = commands.late;
+  input.timeouts = commands.timeouts;
+  for (const std::uint64_t refused : commands.refused) input.refused += refused;
+  if (const std::optional<PoseInput> poses = poses_.inputOf(robot)) {
+    input.poses_taken = poses->counts.taken;
+    input.poses_refused = poses->counts.not_finite + poses->counts.backwards + poses->without_frame;
+    input.jumps = poses->counts.jumps;
+    input.gaps = poses->counts.gaps;
+    input.stale = poses->counts.stale;
   }
 }
 
@@ -72,7 +111,7 @@ void RobotInterface::publish(const ros::Time& now, bool begins) {
     topics_[robot]->publish(episode_->world(), *senses_, now);
     topics_[robot]->publishGoal(robots()[robot], now, begins);
   }
-  publishStates(now);
+  if (states_.getNumSubscribers() > 0) states_.publish(states(now));
 }
 
 void RobotInterface::publishTransforms(const ros::Time& now) {
@@ -89,8 +128,7 @@ void RobotInterface::publishMounts(const ros::Time& now) {
   static_transforms_->sendTransform(mounts);
 }
 
-void RobotInterface::publishStates(const ros::Time& now) {
-  if (states_.getNumSubscribers() == 0) return;
+social_crowd::RobotStates RobotInterface::states(const ros::Time& now) const {
   social_crowd::RobotStates message;
   message.header.frame_id = names::MAP_FRAME;
   message.header.stamp = now;
@@ -99,8 +137,9 @@ void RobotInterface::publishStates(const ros::Time& now) {
   for (RobotId robot = 0; robot < robots().size(); ++robot) {
     message.robots.push_back(toMessage(robots()[robot], robot));
     writeCounts(commands_.countsOf(robot), message.robots.back());
+    if (const auto poses = poses_.inputOf(robot)) writeCounts(*poses, message.robots.back());
   }
-  states_.publish(message);
+  return message;
 }
 
 std::vector<social_crowd::RobotObservation> RobotInterface::observations(const ros::Time& now, bool with_scan) {

@@ -38,6 +38,11 @@ class CrowdBroadcaster {
 
   /// @brief Returns a header with frame map and the present time (simulated time with ~publish_clock).
   std_msgs::Header header() const;
+  /// @brief The time at the end of a tick of this duration [s] that is about to be executed: without ~publish_clock,
+  /// the present time, as ticks take almost no time.
+  ros::Time timeIn(double tick_duration) const {
+    return publish_clock_ ? clock_ + ros::Duration(tick_duration) : ros::Time::now();
+  }
 
  private:
   void publishMap(const OccupancyMap& map);

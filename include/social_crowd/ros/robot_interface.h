@@ -2,9 +2,11 @@
 
 #include <ros/ros.h>
 #include <social_crowd/RobotObservation.h>
+#include <social_crowd/RobotStates.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,28 +15,31 @@
 #include "social_crowd/ros/command_collector.h"
 #include "social_crowd/ros/controller_parameters.h"
 #include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/pose_collector.h"
 #include "social_crowd/ros/robot_topics.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/robot_senses.h"
 
 namespace crowd {
 
-/// @brief Commands, sensors and topics of all robots of the crowd controller, which calls begin() for each episode,
-/// then ask(), wait(), observe() and publish() in each tick. Without robots it advertises and publishes nothing. All
-/// functions run in the main loop, which wait() serves. docs/protocol.md describes the protocol.
+/// @brief Commands, poses, sensors and topics of all robots of the crowd controller, which calls begin() for each
+/// episode, then ask(), wait(), observe() and publish() in each tick. Without robots it advertises and publishes
+/// nothing. All functions run in the main loop, which wait() serves. docs/protocol.md describes the protocol.
 class RobotInterface {
  public:
-  /// @param node whose callbacks `loop` serves
-  RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters);
+  /// @param node whose callbacks `loop` serves @param clock the present time, simulated time with ~publish_clock
+  RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
+                 std::function<ros::Time()> clock);
 
   /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.
   void begin(Episode& episode);
   /// @brief The commands of the coming tick are awaited from now on.
   void ask() { commands_.ask(); }
-  /// @brief See CommandCollector::wait().
-  bool wait() { return robots().empty() || commands_.wait(); }
+  /// @brief Waits for the commands of the tick and moves external robots. @return see CommandCollector::wait()
+  /// @param end returns the time of the end of the tick
+  bool wait(const std::function<ros::Time()>& end);
   /// @brief Takes note of the moves of the last tick.
-  void observe() { senses_->observe(episode_->world()); }
+  void observe();
   /// @brief Publishes transforms, states and sensors. @param begins the episode begins
   void publish(const ros::Time& now, bool begins);
 
@@ -44,17 +49,20 @@ class RobotInterface {
 
  private:
   const std::vector<Robot>& robots() const { return episode_->world().robots(); }
+  RobotInput inputOf(RobotId robot) const;
   void advertise();
   void takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal);
   void publishTransforms(const ros::Time& now);
   void publishMounts(const ros::Time& now);
-  void publishStates(const ros::Time& now);
+  social_crowd::RobotStates states(const ros::Time& now) const;
 
   ros::NodeHandle node_;
+  std::function<ros::Time()> clock_;
   const bool publish_localisation_;
   Episode* episode_ = nullptr;
   std::unique_ptr<RobotSenses> senses_;
   CommandCollector commands_;
+  PoseCollector poses_;
   std::vector<std::string> advertised_;  // names and namespaces of the robots
   std::vector<std::unique_ptr<RobotTopics>> topics_;
   ros::Publisher states_;

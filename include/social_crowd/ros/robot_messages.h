@@ -13,12 +13,17 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/ros/pose_collector.h"
 #include "social_crowd/simulation/robot_commands.h"
+#include "social_crowd/simulation/robot_result.h"
 #include "social_crowd/simulation/robot_senses.h"
 #include "social_crowd/world/world.h"
 
 /// Conversions of robots and their sensors to messages. The caller sets headers, unless it says otherwise.
 namespace crowd {
+
+/// @brief What the names of the robot's frames begin with.
+std::string framePrefix(const RobotStart& start);
 
 Twist fromMessage(const geometry_msgs::Twist& message);
 geometry_msgs::Twist toMessage(const Twist& twist);
@@ -39,10 +44,13 @@ sensor_msgs::PointCloud2 toCloud(const ScanSpec& spec, const std::vector<float>&
 /// @brief Corners of the robot, in its base frame; of a disc, of a polygon around it.
 geometry_msgs::Polygon toMessage(const Footprint& footprint);
 
-/// @brief All fields but the counts of commands.
+/// @brief All fields but the counts of commands and poses.
 social_crowd::RobotState toMessage(const Robot& robot, RobotId id);
 void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message);
-/// @brief All fields but header and scan.
-social_crowd::RobotObservation toObservation(const Robot& robot, const World& world);
+void writeCounts(const PoseInput& input, social_crowd::RobotState& message);
+social_crowd::RobotResult toMessage(const RobotResult& result);
+/// @brief All fields but header and scan. @param contacts those of the ticks that are observed
+social_crowd::RobotObservation toObservation(const Robot& robot, const World& world,
+                                             const std::vector<RobotContact>& contacts);
 
 }  // namespace crowd
