@@ -57,6 +57,7 @@ void CrowdController::linger() {
         "%.3f",
         static_cast<unsigned long>(metrics_.episodes()), metrics_.successPercent(), metrics_.contactPercent(),
         metrics_.collisionPercent(), metrics_.cleanPercent(), metrics_.pathRatio(), metrics_.timeRatio());
+    if (!robot_summary_.text().empty()) ROS_INFO("all episodes, %s", robot_summary_.text().c_str());
   }
   // ROS does not report when a message has left the process.
   serveUntil(Clock::now() + FLUSH);
@@ -152,9 +153,11 @@ void CrowdController::warnOfWays(const EpisodeResult& result, const char* when) 
 void CrowdController::endEpisode() {
   broadcaster_.publishAgentsNow(*episode_);
   answers_.publishLast(*episode_, broadcaster_.header());
-  broadcaster_.publishResult(*episode_, instance_, answers_.missedCount(), answers_.droppedCount());
-  const EpisodeResult result = episode_->result();
+  EpisodeResult result = episode_->result();
+  robots_.writeInput(result.robots);
+  broadcaster_.publishResult(result, episode_->number(), instance_, answers_.missedCount(), answers_.droppedCount());
   metrics_.add(result);
+  robot_summary_.add(result);
   headings_ = result.headings();
   logResult(result);
   if (trajectory_file_) trajectory_file_->append(trajectory_);
@@ -173,6 +176,10 @@ void CrowdController::logResult(const EpisodeResult& result) {
       static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
       result.collidedCount(), metrics.pathRatio(), metrics.timeRatio(),
       static_cast<unsigned long>(answers_.missedCount()), static_cast<unsigned long>(answers_.droppedCount()));
+  RobotSummary robots;
+  robots.add(result);
+  if (!robots.text().empty())
+    ROS_INFO("episode %lu, %s", static_cast<unsigned long>(episode_->number()), robots.text().c_str());
   warnOfWays(result, "at its end");
 }
 

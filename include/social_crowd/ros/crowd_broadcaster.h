@@ -34,7 +34,9 @@ class CrowdBroadcaster {
   void publishScenario(const Episode& episode, std::uint64_t instance);
   /// @brief Publishes the walls if they have changed since the last call, or are those of another episode.
   void publishWalls(const Episode& episode);
-  void publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed, std::uint64_t dropped);
+  /// @param number of the episode
+  void publishResult(const EpisodeResult& result, std::uint64_t number, std::uint64_t instance, std::uint64_t missed,
+                     std::uint64_t dropped);
 
   /// @brief Returns a header with frame map and the present time (simulated time with ~publish_clock).
   std_msgs::Header header() const;

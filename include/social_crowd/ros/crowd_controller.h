@@ -19,6 +19,7 @@
 #include "social_crowd/ros/robot_interface.h"
 #include "social_crowd/ros/services.h"
 #include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/robot_record.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scenario.h"
 
@@ -110,6 +111,7 @@ class CrowdController {
   std::vector<double> headings_;  // of the agents at the end of the last episode [rad]
   bool cut_off_ = false;          // the episode was replaced during a tick
   Metrics metrics_;
+  RobotSummary robot_summary_;
 
   Clock next_tick_;
   bool paused_;

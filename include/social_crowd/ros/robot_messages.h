@@ -8,6 +8,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <social_crowd/RobotObservation.h>
+#include <social_crowd/RobotResult.h>
 #include <social_crowd/RobotState.h>
 
 #include <string>
