@@ -39,8 +39,10 @@ PublisherId CommandCollector::numberOf(const std::string& node) {
 }
 
 void CommandCollector::take(RobotId robot, const Twist& command, const std::string& node) {
+  const std::uint64_t late = commands_.countsOf(robot).late;
   const std::optional<CommandRefusal> cause = commands_.take(robot, command, numberOf(node), tick());
   if (cause) warnOfRefusal(robot, *cause, node);
+  if (commands_.countsOf(robot).late > late) warnOfLateness(robot, node);
 }
 
 void CommandCollector::warnOfRefusal(RobotId robot, CommandRefusal cause, const std::string& node) {
@@ -55,6 +57,14 @@ void CommandCollector::warnOfRefusal(RobotId robot, CommandRefusal cause, const 
   }
   ROS_WARN("robot '%s': a command of node %s is refused: %s. Further ones are only counted, on %s", name.c_str(),
            node.c_str(), reason.c_str(), names::ROBOTS);
+}
+
+void CommandCollector::warnOfLateness(RobotId robot, const std::string& node) {
+  if (!warned_of_lateness_.insert(robot).second) return;
+  ROS_WARN(
+      "robot '%s': a command of node %s came after the %g s of ~command_deadline; it is executed now, unless that of "
+      "this tick comes in time. Further ones are only counted, on %s",
+      robots()[robot].start.name.c_str(), node.c_str(), deadline_, names::ROBOTS);
 }
 
 void CommandCollector::ask() {

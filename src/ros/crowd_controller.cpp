@@ -249,7 +249,7 @@ void CrowdController::noteRest() {
 
 void CrowdController::finishSteps() {
   if (pending_steps_ == nullptr) return;
-  robots_.commands().release();
+  robots_.endSteps();
   pending_steps_->done.set_value();
   pending_steps_.reset();
 }

@@ -22,7 +22,7 @@ std::future<void> CrowdController::beginRobotSteps(
   };
   const CommandCollector::Commands commands = robots_.commands().commandsOf(request.robots, request.commands);
   if (request.ticks > 0) {
-    robots_.commands().hold(commands);
+    robots_.beginSteps(commands);
     return beginSteps(request.ticks, observe);
   }
   observe(false);

@@ -1,7 +1,6 @@
 #include "social_crowd/ros/robot_interface.h"
 
-#include <social_crowd/RobotStates.h>
-
+#include <algorithm>
 #include <utility>
 
 #include "social_crowd/common/numbers.h"
@@ -24,6 +23,16 @@ std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
   return identities;
 }
 
+/// Adds the contacts of the last tick that are not there yet.
+void addContacts(const Robot& robot, std::vector<RobotContact>& contacts) {
+  for (const RobotContact& contact : robot.contacts) {
+    const auto is_same = [&](const RobotContact& other) {
+      return other.agent == contact.agent && other.cause == contact.cause;
+    };
+    if (std::none_of(contacts.begin(), contacts.end(), is_same)) contacts.push_back(contact);
+  }
+}
+
 }  // namespace
 
 RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
@@ -38,6 +47,8 @@ RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, cons
 void RobotInterface::begin(Episode& episode) {
   episode_ = &episode;
   senses_ = std::make_unique<RobotSenses>(episode.scene());
+  contacts_.clear();
+  scanned_changes_ = episode.changes();
   commands_.begin(episode);
   if (identitiesOf(robots()) != advertised_) advertise();
   poses_.begin(episode);
@@ -101,6 +112,27 @@ RobotInput RobotInterface::inputOf(RobotId robot) const {
     input.gaps = poses->counts.gaps;
     input.stale = poses->counts.stale;
   }
+  return input;
+}
+
+void RobotInterface::writeInput(std::vector<RobotResult>& results) const {
+  for (RobotId robot = 0; robot < results.size(); ++robot) results[robot].input = inputOf(robot);
+}
+
+void RobotInterface::observe() {
+  senses_->observe(episode_->world());
+  scanned_changes_ = episode_->changes();
+  for (std::size_t robot = 0; robot < contacts_.size(); ++robot) addContacts(robots()[robot], contacts_[robot]);
+}
+
+void RobotInterface::beginSteps(const CommandCollector::Commands& commands) {
+  commands_.hold(commands);
+  contacts_.assign(robots().size(), {});
+}
+
+void RobotInterface::endSteps() {
+  commands_.release();
+  contacts_.clear();
 }
 
 void RobotInterface::publish(const ros::Time& now, bool begins) {
@@ -145,8 +177,12 @@ social_crowd::RobotStates RobotInterface::states(const ros::Time& now) const {
 std::vector<social_crowd::RobotObservation> RobotInterface::observations(const ros::Time& now, bool with_scan) {
   std::vector<social_crowd::RobotObservation> observations;
   const std::vector<float> none;
+  // Services may have changed the world since the scans of this tick.
+  if (episode_->changes() != scanned_changes_) senses_->forgetScans();
+  scanned_changes_ = episode_->changes();
   for (RobotId robot = 0; robot < robots().size(); ++robot) {
-    social_crowd::RobotObservation observation = toObservation(robots()[robot], episode_->world());
+    social_crowd::RobotObservation observation = toObservation(
+        robots()[robot], episode_->world(), contacts_.empty() ? robots()[robot].contacts : contacts_[robot]);
     observation.header.frame_id = names::MAP_FRAME;
     observation.header.stamp = now;
     observation.scan = topics_[robot]->scanMessage(with_scan ? senses_->ranges(episode_->world(), robot) : none,

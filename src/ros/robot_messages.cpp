@@ -3,6 +3,7 @@
 #include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,10 @@ namespace crowd {
 namespace {
 
 constexpr int DISC_CORNERS = 16;
+constexpr double UNMEASURED = 1e6;       // variance of height [m^2], roll and pitch [rad^2], and of their rates
+constexpr double LEAST_VARIANCE = 1e-6;  // of the others
+constexpr std::size_t DIMENSIONS = 6;    // x, y, z, and rotations about these axes
+constexpr std::array<std::size_t, 3> MEASURED = {0, 1, 5};
 
 geometry_msgs::Pose2D toPose2D(const Pose& pose) {
   geometry_msgs::Pose2D message;
@@ -19,6 +24,22 @@ geometry_msgs::Pose2D toPose2D(const Pose& pose) {
   message.y = pose.position.y();
   message.theta = pose.heading;
   return message;
+}
+
+/// @param covariance of x, y and heading
+void writeCovariance(const Eigen::Matrix3d& covariance, boost::array<double, DIMENSIONS * DIMENSIONS>& numbers) {
+  numbers.fill(0.0);
+  for (std::size_t i = 0; i < DIMENSIONS; ++i) numbers[i * DIMENSIONS + i] = UNMEASURED;
+  for (std::size_t i = 0; i < MEASURED.size(); ++i) {
+    for (std::size_t k = 0; k < MEASURED.size(); ++k) {
+      const double value = covariance(static_cast<int>(i), static_cast<int>(k));
+      numbers[MEASURED[i] * DIMENSIONS + MEASURED[k]] = i == k ? std::max(LEAST_VARIANCE, value) : value;
+    }
+  }
+}
+
+void addOnce(AgentId agent, std::vector<AgentId>& agents) {
+  if (std::find(agents.begin(), agents.end(), agent) == agents.end()) agents.push_back(agent);
 }
 
 double clearanceOf(const Robot& robot, const World& world) {
@@ -71,10 +92,12 @@ Pose composedPose(const Pose& frame, const Pose& pose) {
   return {frame.position + Rotation(frame.heading).outOfFrame(pose.position), wrapAngle(frame.heading + pose.heading)};
 }
 
-nav_msgs::Odometry toMessage(const Odometry& odometry) {
+nav_msgs::Odometry toMessage(const Odometry& odometry, const OdometryCovariance& covariance) {
   nav_msgs::Odometry message;
   message.pose.pose = toMessage(odometry.pose);
   message.twist.twist = toMessage(odometry.twist);
+  writeCovariance(covariance.pose, message.pose.covariance);
+  writeCovariance(covariance.twist, message.twist.covariance);
   return message;
 }
 
@@ -84,7 +107,7 @@ sensor_msgs::LaserScan toMessage(const ScanSpec& spec, const std::vector<float>&
   message.angle_min = static_cast<float>(spec.first_angle);
   message.angle_max = static_cast<float>(spec.first_angle + increment * (static_cast<double>(spec.rays) - 1.0));
   message.angle_increment = static_cast<float>(increment);
-  message.scan_time = static_cast<float>(std::max(spec.period, tick_duration));
+  message.scan_time = static_cast<float>(static_cast<double>(scanTicks(spec, tick_duration)) * tick_duration);
   message.range_min = static_cast<float>(spec.min_range);
   message.range_max = static_cast<float>(spec.max_range);
   message.ranges = ranges;
@@ -151,6 +174,7 @@ void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message)
   const auto refused = [&](CommandRefusal cause) { return counts.refused[static_cast<std::size_t>(cause)]; };
   message.commands_taken = counts.taken;
   message.commands_missed = counts.missed;
+  message.commands_late = counts.late;
   message.command_timeouts = counts.timeouts;
   message.commands_not_finite = refused(CommandRefusal::NOT_FINITE);
   message.commands_of_others = refused(CommandRefusal::OTHER_PUBLISHER);
@@ -221,11 +245,12 @@ social_crowd::RobotObservation toObservation(const Robot& robot, const World& wo
   message.has_goal = robot.hasGoal() ? 1 : 0;
   message.arrived = robot.hasArrived() ? 1 : 0;
   if (robot.hasGoal()) message.goal = toPoint(relativePose(robot.pose, {robot.goal(), 0.0}).position);
+  message.remaining_distance = robot.remainingDistance();
   message.blocked = robot.blocked ? 1 : 0;
-  for (const RobotContact& contact : robot.contacts) {
-    message.contacts.push_back(contact.agent);
-    if (contact.cause == ContactCause::ROBOT) message.contacts_by_robot.push_back(contact.agent);
-    if (contact.cause == ContactCause::PERSON) message.contacts_by_person.push_back(contact.agent);
+  for (const RobotContact& contact : contacts) {
+    addOnce(contact.agent, message.contacts);
+    if (contact.cause == ContactCause::ROBOT) addOnce(contact.agent, message.contacts_by_robot);
+    if (contact.cause == ContactCause::PERSON) addOnce(contact.agent, message.contacts_by_person);
   }
   message.clearance = clearanceOf(robot, world);
   return message;

@@ -39,6 +39,7 @@ void forEachField(const RobotResult& result, const Number& number, const Count& 
   number("personal_space_intrusions", result.personal_space_intrusions);
   count("commands_taken", result.input.taken);
   count("commands_missed", result.input.missed);
+  count("commands_late", result.input.late);
   count("command_timeouts", result.input.timeouts);
   count("commands_refused", result.input.refused);
   count("poses_taken", result.input.poses_taken);

@@ -28,7 +28,10 @@ class CommandCollector {
   /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.
   void begin(Episode& episode);
   /// @brief The robots are other ones: warnings are repeated.
-  void forgetWarnings() { warned_.clear(); }
+  void forgetWarnings() {
+    warned_.clear();
+    warned_of_lateness_.clear();
+  }
   /// @brief Takes a command from a topic. @param node that published it
   void take(RobotId robot, const Twist& command, const std::string& node);
   const CommandCounts& countsOf(RobotId robot) const { return commands_.countsOf(robot); }
@@ -53,6 +56,7 @@ class CommandCollector {
   std::uint64_t tick() const { return episode_->world().tick(); }
   PublisherId numberOf(const std::string& node);
   void warnOfRefusal(RobotId robot, CommandRefusal cause, const std::string& node);
+  void warnOfLateness(RobotId robot, const std::string& node);
   void warnOfAbsence(const std::vector<RobotId>& absent) const;
   Twist commandFor(RobotId robot);
 
@@ -63,6 +67,7 @@ class CommandCollector {
   std::optional<Commands> held_;
   std::vector<std::string> publishers_;  // of commands; the index is the PublisherId
   std::set<std::tuple<RobotId, CommandRefusal, PublisherId>> warned_;
+  std::set<RobotId> warned_of_lateness_;
   bool cancelled_ = false;
   Clock wait_until_;
 };

@@ -43,8 +43,16 @@ class RobotInterface {
   /// @brief Publishes transforms, states and sensors. @param begins the episode begins
   void publish(const ros::Time& now, bool begins);
 
-  CommandCollector& commands() { return commands_; }
-  /// @brief What all robots observe now. @param with_scan with ranges
+  const CommandCollector& commands() const { return commands_; }
+  /// @brief Writes what the robots got from elsewhere in this episode.
+  void writeInput(std::vector<RobotResult>& results) const;
+  /// @brief From now on these commands are executed instead of those from topics, none is awaited, and contacts are
+  /// collected.
+  void beginSteps(const CommandCollector::Commands& commands);
+  /// @brief Ends that.
+  void endSteps();
+  /// @brief What all robots observe now, with the contacts of all ticks since beginSteps(), or, without that, of the
+  /// last tick. @param with_scan with ranges
   std::vector<social_crowd::RobotObservation> observations(const ros::Time& now, bool with_scan);
 
  private:
@@ -61,6 +69,8 @@ class RobotInterface {
   const bool publish_localisation_;
   Episode* episode_ = nullptr;
   std::unique_ptr<RobotSenses> senses_;
+  std::uint64_t scanned_changes_ = 0;                // Episode::changes() at the last scans
+  std::vector<std::vector<RobotContact>> contacts_;  // by robot; empty: they are not collected
   CommandCollector commands_;
   PoseCollector poses_;
   std::vector<std::string> advertised_;  // names and namespaces of the robots

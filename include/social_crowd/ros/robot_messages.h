@@ -37,7 +37,9 @@ Pose relativePose(const Pose& from, const Pose& to);
 /// @brief Pose in the frame that `frame` is given in of something at `pose` in `frame`.
 Pose composedPose(const Pose& frame, const Pose& pose);
 
-nav_msgs::Odometry toMessage(const Odometry& odometry);
+/// @brief Pose, twist and covariances. The variances of what is not measured (height, roll, pitch) are 1e6; the others
+/// are at least 1e-6, as filters need positive ones.
+nav_msgs::Odometry toMessage(const Odometry& odometry, const OdometryCovariance& covariance);
 /// @brief Description and ranges of a scan; `ranges` may be empty. @param tick_duration [s]
 sensor_msgs::LaserScan toMessage(const ScanSpec& spec, const std::vector<float>& ranges, double tick_duration);
 /// @brief The points that rays hit, at height 0 of the sensor frame.
