@@ -64,7 +64,8 @@ void RobotInterface::advertise() {
     RobotTopics::Handlers handlers;
     handlers.command = [this, id](const Twist& command, const std::string& node) { commands_.take(id, command, node); };
     handlers.goal = [this, id](const geometry_msgs::PoseStamped& goal) { takeGoal(id, goal); };
-    topics_.push_back(std::make_unique<RobotTopics>(node_, robots()[id].start, id, std::move(handlers)));
+    topics_.push_back(
+        std::make_unique<RobotTopics>(node_, robots()[id].start, id, visible_people_only_, std::move(handlers)));
   }
   if (robots().empty() || transforms_) return;
   transforms_.emplace();

@@ -1,5 +1,9 @@
 #include "social_crowd/ros/robot_topics.h"
 
+#ifdef SOCIAL_CROWD_PEOPLE_MSGS
+#include <people_msgs/People.h>
+#endif
+
 #include <utility>
 
 #include "social_crowd/ros/conversions.h"
@@ -11,19 +15,32 @@ namespace {
 constexpr std::uint32_t QUEUE = 100;  // messages
 constexpr bool LATCHED = true;
 
+#ifdef SOCIAL_CROWD_PEOPLE_MSGS
+people_msgs::Person toPerson(const Agent& agent) {
+  people_msgs::Person person;
+  person.name = std::to_string(agent.id);
+  person.position = toPoint(agent.pose.position);
+  person.velocity = toPoint(agent.velocity);
+  person.reliability = 1.0;
+  return person;
+}
+#endif
+
 }  // namespace
 
-RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, Handlers handlers)
-    : id_(id), start_(start), prefix_(start.name_space.empty() ? "" : start.name_space + "/") {
+RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, bool visible_people_only,
+                         Handlers handlers)
+    : id_(id), start_(start), visible_people_only_(visible_people_only), prefix_(framePrefix(start)) {
   ros::NodeHandle own(node, start.name_space);
   own.setCallbackQueue(node.getCallbackQueue());
   const bool is_external = start.drive == Drive::EXTERNAL;
-  if (is_external)
-    ROS_WARN("robot '%s': poses of external robots are not received yet; it stays where it is", start.name.c_str());
   if (!is_external) odometry_ = own.advertise<nav_msgs::Odometry>(names::ODOMETRY, QUEUE);
   scan_ = own.advertise<sensor_msgs::LaserScan>(names::SCAN, QUEUE);
   cloud_ = own.advertise<sensor_msgs::PointCloud2>(names::SCAN_CLOUD, QUEUE);
-  people_ = own.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE);
+  people_poses_ = own.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE);
+#ifdef SOCIAL_CROWD_PEOPLE_MSGS
+  people_ = own.advertise<people_msgs::People>(names::PEOPLE, QUEUE);
+#endif
   footprint_ = own.advertise<geometry_msgs::PolygonStamped>(names::FOOTPRINT, QUEUE);
   goals_ = own.advertise<geometry_msgs::PoseStamped>(names::GOAL, QUEUE, LATCHED);
   const boost::function<void(const ros::MessageEvent<const geometry_msgs::Twist>&)> take =
@@ -46,14 +63,9 @@ std_msgs::Header RobotTopics::header(const std::string& frame, const ros::Time& 
 }
 
 void RobotTopics::publish(const World& world, RobotSenses& senses, const ros::Time& now) {
-  if (odometry_.getNumSubscribers() > 0) {
-    nav_msgs::Odometry odometry = toMessage(senses.odometry(id_));
-    odometry.header = header(names::ODOM_FRAME, now);
-    odometry.child_frame_id = prefix_ + names::BASE_FRAME;
-    odometry_.publish(odometry);
-  }
+  publishOdometry(senses, now);
   publishScan(world, senses, now);
-  publishPeople(world, now);
+  publishPeople(world, senses, now);
   if (footprint_.getNumSubscribers() > 0) {
     geometry_msgs::PolygonStamped footprint;
     footprint.header = header(names::BASE_FRAME, now);
@@ -62,11 +74,16 @@ void RobotTopics::publish(const World& world, RobotSenses& senses, const ros::Ti
   }
 }
 
+void RobotTopics::publishOdometry(const RobotSenses& senses, const ros::Time& now) {
+  if (odometry_.getNumSubscribers() == 0) return;
+  nav_msgs::Odometry odometry = toMessage(senses.odometry(id_), senses.covariance(id_));
+  odometry.header = header(names::ODOM_FRAME, now);
+  odometry.child_frame_id = prefix_ + names::BASE_FRAME;
+  odometry_.publish(odometry);
+}
+
 void RobotTopics::publishScan(const World& world, RobotSenses& senses, const ros::Time& now) {
-  // Half a tick of tolerance, against rounding of the clock.
-  const ros::Duration due(start_.scan.period - 0.5 * world.tickDuration());
-  if (!scanned_at_.isZero() && now >= scanned_at_ && now - scanned_at_ < due) return;
-  scanned_at_ = now;
+  if (world.tick() % scanTicks(start_.scan, world.tickDuration()) != 0) return;
   if (scan_.getNumSubscribers() > 0) {
     scan_.publish(scanMessage(senses.ranges(world, id_), world.tickDuration(), now));
   }
@@ -84,14 +101,30 @@ sensor_msgs::LaserScan RobotTopics::scanMessage(const std::vector<float>& ranges
   return scan;
 }
 
-void RobotTopics::publishPeople(const World& world, const ros::Time& now) {
-  if (people_.getNumSubscribers() == 0) return;
-  geometry_msgs::PoseArray people;
-  people.header = header(names::MAP_FRAME, now);
+void RobotTopics::publishPeople(const World& world, RobotSenses& senses, const ros::Time& now) {
+  const bool wants_poses = people_poses_.getNumSubscribers() > 0;
+  const bool wants_people = people_ && people_.getNumSubscribers() > 0;
+  if (!wants_poses && !wants_people) return;
+  const std::vector<bool>* visible = visible_people_only_ ? &senses.visibleAgents(world, id_) : nullptr;
+  std::vector<const Agent*> agents;
   for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) people.poses.push_back(toMessage(agent.pose));
+    if (agent.isWalking() && (visible == nullptr || (*visible)[agent.id])) agents.push_back(&agent);
   }
-  people_.publish(people);
+  const std_msgs::Header header = this->header(names::MAP_FRAME, now);
+  if (wants_poses) {
+    geometry_msgs::PoseArray poses;
+    poses.header = header;
+    for (const Agent* agent : agents) poses.poses.push_back(toMessage(agent->pose));
+    people_poses_.publish(poses);
+  }
+#ifdef SOCIAL_CROWD_PEOPLE_MSGS
+  if (wants_people) {
+    people_msgs::People people;
+    people.header = header;
+    for (const Agent* agent : agents) people.people.push_back(toPerson(*agent));
+    people_.publish(people);
+  }
+#endif
 }
 
 void RobotTopics::publishGoal(const Robot& robot, const ros::Time& now, bool begins) {

@@ -67,6 +67,7 @@ class RobotInterface {
   ros::NodeHandle node_;
   std::function<ros::Time()> clock_;
   const bool publish_localisation_;
+  const bool visible_people_only_;
   Episode* episode_ = nullptr;
   std::unique_ptr<RobotSenses> senses_;
   std::uint64_t scanned_changes_ = 0;                // Episode::changes() at the last scans

@@ -25,18 +25,17 @@ class RobotTopics {
     std::function<void(const geometry_msgs::PoseStamped& goal)> goal;
   };
 
-  /// @param node whose callbacks the main loop serves
-  RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, Handlers handlers);
+  /// @param node whose callbacks the main loop serves @param visible_people_only people that the scanner does not see
+  /// are not published
+  RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, bool visible_people_only,
+              Handlers handlers);
 
   /// @brief Publishes what subscribers see of the robot after a tick; its scan if it is due.
   void publish(const World& world, RobotSenses& senses, const ros::Time& now);
   /// @brief Publishes the present goal again, if it has changed or an episode begins.
   void publishGoal(const Robot& robot, const ros::Time& now, bool begins);
-  /// @brief An episode begins: a scan is due. @param start of a robot of the same name and namespace
-  void begin(const RobotStart& start) {
-    start_ = start;
-    scanned_at_ = ros::Time();
-  }
+  /// @brief An episode begins. @param start of a robot of the same name and namespace
+  void begin(const RobotStart& start) { start_ = start; }
 
   /// @brief Appends the transforms map -> odom (with `localised`) -> base_link.
   void addTransforms(const Robot& robot, const Odometry& odometry, const ros::Time& now, bool localised,
@@ -50,18 +49,20 @@ class RobotTopics {
 
  private:
   void publishScan(const World& world, RobotSenses& senses, const ros::Time& now);
-  void publishPeople(const World& world, const ros::Time& now);
+  void publishOdometry(const RobotSenses& senses, const ros::Time& now);
+  void publishPeople(const World& world, RobotSenses& senses, const ros::Time& now);
   std_msgs::Header header(const std::string& frame, const ros::Time& now) const;
 
   RobotId id_;
   RobotStart start_;
-  std::string prefix_;    // of frames
-  ros::Time scanned_at_;  // zero: not yet in this episode
+  bool visible_people_only_;
+  std::string prefix_;  // of frames
   std::optional<Vector2> goal_;
   ros::Publisher odometry_;
   ros::Publisher scan_;
   ros::Publisher cloud_;
-  ros::Publisher people_;
+  ros::Publisher people_poses_;
+  ros::Publisher people_;  // people_msgs/People; unused without people_msgs
   ros::Publisher footprint_;
   ros::Publisher goals_;
   ros::Subscriber commands_;
