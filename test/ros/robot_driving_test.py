@@ -2,6 +2,7 @@
 """A robot follows cmd_vel; its odometry, frames, scan and goal are published."""
 import math
 
+import rospy
 import support
 from geometry_msgs.msg import PoseArray, PoseStamped
 from nav_msgs.msg import Odometry
@@ -149,6 +150,8 @@ walls:'''
         except ImportError:
             self.skip('people_msgs is not installed')
         self.start_all()
+        if [f'{self.namespace}/people', 'people_msgs/People'] not in rospy.get_published_topics(self.namespace):
+            self.skip('the package was built without people_msgs')
         people = self.listen('people', People).wait_connected()
         self.walk(3)
         person = people.wait(lambda message: message.people[0].velocity.x > 0.0).people[0]
