@@ -14,7 +14,8 @@ def bad_scenarios():
         'two_of_one_name': (scenario() + second.replace('[1, 0]', '[1, 3]'), ["two robots 'tug'", 'robots']),
         'crosses_itself': (scenario().replace('radius: 0.3', BOW_TIE), ['footprint', 'cross']),
         'in_a_wall': (scenario().replace('[1, 0]', '[5.1, 0]'), ['robots[0]', 'walls[0]', 'overlap']),
-        'in_a_robot': (scenario() + second.replace('tug', 'cart').replace('[1, 0]', '[1.2, 0]'), ['robots[1]', 'robots[0]', 'overlap']),
+        'in_a_robot': (scenario() + second.replace('tug', 'cart').replace('[1, 0]', '[1.2, 0]'),
+                       ['robots[1]', 'robots[0]', 'overlap']),
         'not_finite': (scenario().replace('[1, 0]', '[.nan, 0]'), ['position']),
     }
 

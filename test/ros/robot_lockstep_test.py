@@ -56,7 +56,7 @@ class RobotLockstepTest(RobotTestCase):
         self.assertEqual(state.pose, self.exact_pose())
 
     def test_a_late_command_does_not_shift_those_that_follow(self):
-        publisher = self.begin(command_deadline=1.0)
+        publisher = self.begin(command_deadline=3.0)
         self.send(publisher, command(0.1), 1)  # tick 0
         self.assertEqual(self.walk().commands_missed, 1)  # tick 1
         publisher.publish(command(0.2))  # of tick 1
@@ -65,7 +65,7 @@ class RobotLockstepTest(RobotTestCase):
         self.assertEqual(state.command.linear.x, 0.3)
         self.assertEqual((state.commands_taken, state.commands_late, state.commands_missed, state.commands_repeated),
                          (3, 1, 1, 0))
-        support.wait_for(lambda: 'came after the 1 s of ~command_deadline' in self.controller.output(), 'a warning')
+        support.wait_for(lambda: 'came after the 3 s of ~command_deadline' in self.controller.output(), 'a warning')
 
     def test_a_robot_that_is_silent_is_absent_until_its_next_command(self):
         self.start_all(publish_clock=True, robot_lockstep=True, command_deadline=0.05, misses_until_absent=2)
