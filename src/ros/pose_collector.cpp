@@ -57,7 +57,9 @@ void PoseCollector::subscribe(const Episode& episode) {
                                                         ros::TransportHints().tcpNoDelay());
     source.origin = source.odometry.getTopic();
   }
-  if (!sources_.empty() && !listener_) {
+  if (sources_.empty()) {
+    listener_.reset();
+  } else if (!listener_) {
     listener_ = std::make_unique<tf2_ros::TransformListener>(frames_, node_, false);
   }
 }

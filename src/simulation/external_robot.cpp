@@ -8,7 +8,7 @@ namespace crowd {
 void ExternalRobot::begin(double max_speed, double tick_duration) {
   max_speed_ = max_speed;
   tick_duration_ = tick_duration;
-  asked_.reset();
+  began_.reset();
   jumped_ = true;
   stale_ = false;
   counts_ = PoseCounts();
@@ -20,6 +20,10 @@ std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
     return PoseProblem::NOT_FINITE;
   }
   if (stamp_ && stamp == *stamp_) return std::nullopt;
+  if (stamp_ && stamp < *stamp_ && asked_ && *stamp_ > *asked_ + MAX_GAP) {  // its stamp is of another clock
+    stamp_.reset();
+    jumped_ = true;
+  }
   if (stamp_ && stamp < *stamp_) {
     ++counts_.backwards;
     return PoseProblem::BACKWARDS;
@@ -48,8 +52,9 @@ std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
 }
 
 std::optional<ExternalRobot::State> ExternalRobot::at(double time) {
-  if (!asked_) asked_ = time;
-  const double age = time - stamp_.value_or(*asked_);
+  if (!began_) began_ = time;
+  asked_ = time;
+  const double age = time - stamp_.value_or(*began_);
   const bool was_stale = stale_;
   stale_ = std::abs(age) > MAX_GAP;
   if (stale_ && !was_stale) ++counts_.stale;

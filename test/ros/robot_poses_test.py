@@ -141,6 +141,8 @@ class OdometryTest(PosesTestCase):
         state = self.send_pose(2.0, stamp=1e6)
         self.assertEqual((state.pose.x, state.pose_stale), (2.0, 1))
         self.wait_for_warning("robot 'tug'", 'the same clock')
+        state = self.send_pose(3.0)
+        self.assertEqual((state.pose.x, state.poses_taken, state.poses_backwards), (3.0, 2, 0))
 
     def test_poses_in_another_frame_need_a_transform(self):
         self.start_external()

@@ -94,6 +94,18 @@ TEST(ExternalRobot, APoseOfALaterClockIsStale) {
   EXPECT_FALSE(robot.at(999.6)->stale);
 }
 
+TEST(ExternalRobot, TakesPosesAgainAfterOneOfALaterClock) {
+  ExternalRobot robot = makeRobot();
+  robot.take(at(1.0), 1000.0);
+  robot.at(1.0);
+  EXPECT_FALSE(robot.take(at(5.0), 1.0));
+  const auto state = robot.at(1.1);
+  EXPECT_EQ(state->pose.position.x(), 5.0);
+  EXPECT_TRUE(state->jumped);
+  EXPECT_FALSE(state->stale);
+  EXPECT_EQ(robot.take(at(4.0), 0.9), PoseProblem::BACKWARDS);
+}
+
 TEST(ExternalRobot, AnEpisodeKeepsThePoseAndForgetsTheCounts) {
   ExternalRobot robot = makeRobot();
   robot.take(at(1.0), 1.0);

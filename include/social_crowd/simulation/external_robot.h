@@ -10,7 +10,7 @@ namespace crowd {
 /// @brief What is wrong with a pose of a robot that moves elsewhere.
 enum class PoseProblem : std::uint8_t {
   NOT_FINITE = 0,  ///< ignored
-  BACKWARDS = 1,   ///< older than the last one; ignored
+  BACKWARDS = 1,   ///< older than the last one; ignored, unless the last one is of a later clock
   JUMP = 2,        ///< too far from the last one for its greatest speed; used, without a motion between them
   GAP = 3,         ///< long after the last one; used, with the velocity 0
 };
@@ -64,7 +64,8 @@ class ExternalRobot {
   double max_speed_;
   double tick_duration_;
   std::optional<double> stamp_;  // of the last pose [s]
-  std::optional<double> asked_;  // time of the first call of at() [s]
+  std::optional<double> began_;  // time of the first call of at() in the episode [s]
+  std::optional<double> asked_;  // time of the last call of at() [s]
   Pose pose_;
   Vector2 velocity_ = Vector2::Zero();
   bool jumped_ = true;  // since the last call of at(); the first pose is one
