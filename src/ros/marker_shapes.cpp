@@ -142,6 +142,7 @@ void LineMarker::addLine(const Vector2& from, const Vector2& to, const Colour& c
 void LineMarker::addCircle(const Vector2& centre, double radius, const std::vector<Vector2>& circle,
                            const Colour& colour) {
   std::vector<Vector2> corners;
+  corners.reserve(circle.size());
   for (const Vector2& corner : circle) corners.emplace_back(centre + radius * corner);
   addPolygon(corners, colour);
 }

@@ -157,6 +157,7 @@ void RobotInterface::publishTransforms(const ros::Time& now) {
 
 void RobotInterface::publishMounts(const ros::Time& now) {
   std::vector<geometry_msgs::TransformStamped> mounts;
+  mounts.reserve(topics_.size());
   for (const auto& topics : topics_) mounts.push_back(topics->mountTransform(now));
   static_transforms_->sendTransform(mounts);
 }
