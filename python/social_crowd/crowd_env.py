@@ -1,6 +1,4 @@
 """A robot among people as an environment with reset() and step(), in the conventions of Gymnasium."""
-import math
-
 import numpy
 import rospy
 from geometry_msgs.msg import Twist
@@ -13,17 +11,13 @@ class CrowdEnvError(RuntimeError):
 
 
 def default_reward(before, after):
-    """Returns by how much the goal came nearer [m], minus 1 if the robot is in contact with people.
+    """Returns by how much the way via the remaining goals became shorter [m], minus 1 if the robot touched people.
 
-    Both arguments are messages RobotObservation, before and after a step.
+    Both arguments are messages RobotObservation, before and after a step. A goal counts as reached within its
+    tolerance, so the way may become shorter there by up to twice the tolerance.
     """
-    nearer = distance_to_goal(before) - distance_to_goal(after) if after.has_goal else 0.0
+    nearer = before.remaining_distance - after.remaining_distance
     return nearer - (1.0 if after.contacts else 0.0)
-
-
-def distance_to_goal(observed):
-    """Returns the distance of a robot to its present goal [m]."""
-    return math.hypot(observed.goal.x, observed.goal.y)
 
 
 class CrowdEnv:
@@ -75,8 +69,8 @@ class CrowdEnv:
     def step(self, action):
         """Drives at (speed ahead [m/s], rotation [rad/s]), or (ahead, left, rotation) for a holonomic robot.
 
-        Returns observation, reward, terminated (arrived, or in contact with people), truncated (the episode is over)
-        and a dict of information.
+        Returns observation, reward, terminated (arrived, or touched people in this step), truncated (the episode is
+        over) and a dict of information.
         """
         if self._observed is None:
             raise CrowdEnvError('call reset() first')

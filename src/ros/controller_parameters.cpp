@@ -59,6 +59,7 @@ void readRobots(Parameters& parameters, ControllerParameters& read) {
   read.command_deadline = parameters.number("command_deadline", read.command_deadline, 1e-3, MAX_DEADLINE);
   read.command_period = parameters.number("command_period", read.command_period, 0.0, MAX_DEADLINE);
   read.publish_localisation = parameters.flag("publish_localisation", read.publish_localisation);
+  read.visible_people_only = parameters.flag("visible_people_only", read.visible_people_only);
   if (read.robot_lockstep && !read.publish_clock) {
     parameters.complain("robot_lockstep", "needs ~publish_clock: true");
   }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "social_crowd/ros/robot_messages.h"
+
 namespace crowd {
 namespace {
 
@@ -107,6 +109,8 @@ void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message
   message.out_of_reach = result.outOfReach();
   message.agents.clear();
   for (const AgentResult& agent : result.agents) message.agents.push_back(toMessage(agent, message.agents.size()));
+  message.robots.clear();
+  for (const RobotResult& robot : result.robots) message.robots.push_back(toMessage(robot));
 }
 
 void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& message) {

@@ -127,12 +127,12 @@ void CrowdBroadcaster::publishMap(const OccupancyMap& map) {
   map_.publish(message);
 }
 
-void CrowdBroadcaster::publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed,
-                                     std::uint64_t dropped) {
+void CrowdBroadcaster::publishResult(const EpisodeResult& result, std::uint64_t number, std::uint64_t instance,
+                                     std::uint64_t missed, std::uint64_t dropped) {
   social_crowd::EpisodeResult message;
-  toMessage(episode.result(), message);
+  toMessage(result, message);
   message.header = header();
-  message.episode = episode.number();
+  message.episode = number;
   message.instance = instance;
   message.missed_answers = missed;
   message.dropped_answers = dropped;

@@ -26,7 +26,7 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       node_(loop_.adopt(node)),
       answers_(loop_, node_, parameters_),
       broadcaster_(node_, parameters_),
-      robots_(loop_, node_, parameters_),
+      robots_(loop_, node_, parameters_, [this] { return broadcaster_.header().stamp; }),
       seed_(parameters_.seed),
       paused_(parameters_.paused),
       services_(private_node, SERVICE_THREADS) {
@@ -57,6 +57,7 @@ void CrowdController::linger() {
         "%.3f",
         static_cast<unsigned long>(metrics_.episodes()), metrics_.successPercent(), metrics_.contactPercent(),
         metrics_.collisionPercent(), metrics_.cleanPercent(), metrics_.pathRatio(), metrics_.timeRatio());
+    if (!robot_summary_.text().empty()) ROS_INFO("all episodes, %s", robot_summary_.text().c_str());
   }
   // ROS does not report when a message has left the process.
   serveUntil(Clock::now() + FLUSH);
@@ -152,9 +153,11 @@ void CrowdController::warnOfWays(const EpisodeResult& result, const char* when) 
 void CrowdController::endEpisode() {
   broadcaster_.publishAgentsNow(*episode_);
   answers_.publishLast(*episode_, broadcaster_.header());
-  broadcaster_.publishResult(*episode_, instance_, answers_.missedCount(), answers_.droppedCount());
-  const EpisodeResult result = episode_->result();
+  EpisodeResult result = episode_->result();
+  robots_.writeInput(result.robots);
+  broadcaster_.publishResult(result, episode_->number(), instance_, answers_.missedCount(), answers_.droppedCount());
   metrics_.add(result);
+  robot_summary_.add(result);
   headings_ = result.headings();
   logResult(result);
   if (trajectory_file_) trajectory_file_->append(trajectory_);
@@ -173,6 +176,10 @@ void CrowdController::logResult(const EpisodeResult& result) {
       static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
       result.collidedCount(), metrics.pathRatio(), metrics.timeRatio(),
       static_cast<unsigned long>(answers_.missedCount()), static_cast<unsigned long>(answers_.droppedCount()));
+  RobotSummary robots;
+  robots.add(result);
+  if (!robots.text().empty())
+    ROS_INFO("episode %lu, %s", static_cast<unsigned long>(episode_->number()), robots.text().c_str());
   warnOfWays(result, "at its end");
 }
 
@@ -192,7 +199,7 @@ void CrowdController::walkTurn() {
   // Published while the learners decide; between turns the tick is incomplete.
   if (tick_ended_) broadcaster_.publishAgents(*episode_);
   if (!answers_.wait(*episode_)) return;  // ask again, or another episode has begun, or the node shuts down
-  if (tick_ended_ && !robots_.wait()) return;
+  if (tick_ended_ && !robots_.wait([this] { return broadcaster_.timeIn(episode_->scene().tick_duration); })) return;
   tick_ended_ = episode_->step(answers_.answers());
   if (tick_ended_) endTick();
 }
@@ -242,7 +249,7 @@ void CrowdController::noteRest() {
 
 void CrowdController::finishSteps() {
   if (pending_steps_ == nullptr) return;
-  robots_.release();
+  robots_.endSteps();
   pending_steps_->done.set_value();
   pending_steps_.reset();
 }

@@ -20,9 +20,9 @@ std::future<void> CrowdController::beginRobotSteps(
     response->observations = robots_.observations(broadcaster_.header().stamp, with_scan);
     response->message = "now at " + place();
   };
-  const RobotInterfaces::Commands commands = robots_.commandsOf(request.robots, request.commands);
+  const CommandCollector::Commands commands = robots_.commands().commandsOf(request.robots, request.commands);
   if (request.ticks > 0) {
-    robots_.hold(commands);
+    robots_.beginSteps(commands);
     return beginSteps(request.ticks, observe);
   }
   observe(false);

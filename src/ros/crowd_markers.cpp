@@ -60,6 +60,8 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& 
                                                       [this](const auto& message) { takeScenario(*message); });
   walls_ =
       node_.subscribe<social_crowd::Walls>(names::WALLS, QUEUE, [this](const auto& message) { scene_.take(*message); });
+  robots_ = node_.subscribe<social_crowd::RobotStates>(names::ROBOTS, QUEUE,
+                                                       [this](const auto& message) { scene_.take(message); });
   learner_status_ = subscribe<social_crowd::LearnerStatus>(names::LEARNER_STATUS);
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters.rate),
                                  [this](const ros::WallTimerEvent& /*event*/) { publish(); });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "social_crowd/ros/conversions.h"
+#include "social_crowd/world/footprint.h"
 
 namespace crowd {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 using marker_style::Layer;
 using social_crowd::AgentState;
 using social_crowd::AgentStates;
+using social_crowd::RobotState;
+using social_crowd::RobotStates;
 using visualization_msgs::Marker;
 
 /// RViz uses single precision; larger coordinates are taken as invalid [m].
@@ -22,6 +25,33 @@ bool isDrawable(const geometry_msgs::Point& point) { return isDrawable(point.x) 
 Pose poseOf(const AgentState& agent) { return {{agent.pose.x, agent.pose.y}, agent.pose.theta}; }
 
 std::vector<Vector2> circleFor(std::size_t bodies) { return unitCircle(marker_style::cornersFor(bodies)); }
+
+Pose poseOf(const RobotState& robot) { return {{robot.pose.x, robot.pose.y}, robot.pose.theta}; }
+
+/// Corners that cannot be drawn are left out.
+Footprint footprintOf(const RobotState& robot) {
+  Footprint footprint;
+  for (const geometry_msgs::Point& corner : robot.footprint) {
+    if (isDrawable(corner)) footprint.corners.push_back(fromPoint(corner));
+  }
+  if (isDrawable(robot.radius)) footprint.radius = robot.radius;
+  return footprint;
+}
+
+std::vector<Vector2> outlineOf(const RobotState& robot) {
+  Footprint footprint = footprintOf(robot);
+  if (footprint.isDisc()) footprint.corners = unitCircle(marker_style::MAX_CORNERS);
+  const double scale = robot.footprint.empty() ? footprint.radius : 1.0;
+  for (Vector2& corner : footprint.corners) corner *= scale;
+  return footprint.cornersAt(poseOf(robot));
+}
+
+/// Number of the first marker of paths in their namespace.
+int firstPathOf(Walkers walkers) { return walkers == Walkers::AGENTS ? 0 : 2; }
+
+marker_style::Colour pathColour(Walkers walkers, std::uint32_t body) {
+  return marker_style::paler(walkers == Walkers::AGENTS ? marker_style::ofAgent(body) : marker_style::ofRobot());
+}
 
 }  // namespace
 
@@ -90,19 +120,58 @@ Marker drawWalls(const std::vector<social_crowd::Wall>& walls) {
   return marker.finish();
 }
 
-Marker drawSettledPaths(const WalkedPaths& paths) {
-  LineMarker marker(marker_style::PATHS, 0, Layer::PATHS, marker_style::PATH_WIDTH);
-  for (const auto& [agent, path] : paths.paths()) {
-    const auto colour = marker_style::paler(marker_style::ofAgent(agent));
+bool hasPlace(const RobotState& robot) {
+  return isDrawable(robot.pose.x) && isDrawable(robot.pose.y) && isDrawable(robot.pose.theta);
+}
+
+Marker drawRobots(const RobotStates& states) {
+  TriangleMarker marker(marker_style::ROBOTS, 0, Layer::BODIES);
+  for (const RobotState& robot : states.robots) {
+    if (hasPlace(robot)) marker.addPolygon(outlineOf(robot), marker_style::ofRobot());
+  }
+  return marker.finish();
+}
+
+Marker drawRobotHeadings(const RobotStates& states) {
+  TriangleMarker marker(marker_style::ROBOTS, 1, Layer::HEADINGS);
+  for (const RobotState& robot : states.robots) {
+    if (!hasPlace(robot)) continue;
+    const double inner = -distance(footprintOf(robot), Pose(), Vector2::Zero());  // radius of a disc within it
+    if (inner > 0.0) marker.addArrow(poseOf(robot), inner, marker_style::ofHeading());
+  }
+  return marker.finish();
+}
+
+Marker drawRobotContacts(const RobotStates& states) {
+  LineMarker marker(marker_style::ROBOTS, 2, Layer::CONTACTS, marker_style::CONTACT_WIDTH);
+  for (const RobotState& robot : states.robots) {
+    if (hasPlace(robot) && !robot.contacts.empty()) marker.addPolygon(outlineOf(robot), marker_style::ofContact());
+  }
+  return marker.finish();
+}
+
+Marker drawRobotGoals(const RobotStates& states) {
+  LineMarker marker(marker_style::GOALS, 1, Layer::GOALS, marker_style::GOAL_WIDTH);
+  for (const RobotState& robot : states.robots) {
+    if (robot.has_goal == 0 || !isDrawable(robot.goal)) continue;
+    marker.addCross(fromPoint(robot.goal), marker_style::ROBOT_GOAL_SIZE, marker_style::ofRobot());
+  }
+  return marker.finish();
+}
+
+Marker drawSettledPaths(const WalkedPaths& paths, Walkers walkers) {
+  LineMarker marker(marker_style::PATHS, firstPathOf(walkers), Layer::PATHS, marker_style::PATH_WIDTH);
+  for (const auto& [body, path] : paths.paths()) {
+    const auto colour = pathColour(walkers, body);
     for (std::size_t i = 1; i < path.settled; ++i) marker.addLine(path.points[i - 1], path.points[i], colour);
   }
   return marker.finish();
 }
 
-Marker drawRecentPaths(const WalkedPaths& paths) {
-  LineMarker marker(marker_style::PATHS, 1, Layer::PATHS, marker_style::PATH_WIDTH);
-  for (const auto& [agent, path] : paths.paths()) {
-    const auto colour = marker_style::paler(marker_style::ofAgent(agent));
+Marker drawRecentPaths(const WalkedPaths& paths, Walkers walkers) {
+  LineMarker marker(marker_style::PATHS, firstPathOf(walkers) + 1, Layer::PATHS, marker_style::PATH_WIDTH);
+  for (const auto& [body, path] : paths.paths()) {
+    const auto colour = pathColour(walkers, body);
     for (std::size_t i = std::max<std::size_t>(path.settled, 1); i < path.points.size(); ++i) {
       marker.addLine(path.points[i - 1], path.points[i], colour);
     }

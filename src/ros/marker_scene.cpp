@@ -13,6 +13,8 @@ namespace {
 
 using social_crowd::AgentState;
 using social_crowd::AgentStates;
+using social_crowd::RobotState;
+using social_crowd::RobotStates;
 using visualization_msgs::Marker;
 
 AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& scenario) {
@@ -46,6 +48,14 @@ Perceptions only(std::int64_t agent, const Perceptions& perceptions) {
     break;
   }
   return own;
+}
+
+void drawPaths(WalkedPaths& paths, Walkers walkers, bool whole, visualization_msgs::MarkerArray& array) {
+  if (whole || paths.isUnsettled()) {
+    paths.settle();
+    array.markers.push_back(drawSettledPaths(paths, walkers));
+  }
+  array.markers.push_back(drawRecentPaths(paths, walkers));
 }
 
 }  // namespace
@@ -82,13 +92,30 @@ const StateSet* KnownStateSets::of(AgentId agent) const {
 }
 
 MarkerScene::MarkerScene(const MarkerOptions& options)
-    : options_(options), states_(boost::make_shared<AgentStates>()), paths_(options.path_step, options.path_points) {}
+    : options_(options),
+      states_(boost::make_shared<AgentStates>()),
+      paths_(options.path_step, options.path_points),
+      robots_(boost::make_shared<RobotStates>()),
+      robot_paths_(options.path_step, options.path_points) {}
 
 void MarkerScene::take(const AgentStates::ConstPtr& message) { show(message); }
+
+void MarkerScene::take(const RobotStates::ConstPtr& message) {
+  if (message->episode != robots_->episode || message->tick < robots_->tick) robot_paths_.clear();
+  for (const RobotState& robot : message->robots) {
+    if (hasPlace(robot)) robot_paths_.add(robot.robot, {robot.pose.x, robot.pose.y});
+  }
+  robots_ = message;
+  changed_ = true;
+}
 
 void MarkerScene::take(const social_crowd::Scenario& message) {
   walls_ = message.walls;
   changed_ = true;
+  if (message.episode != robots_->episode && !robots_->robots.empty()) {  // there may be none in this one
+    robots_ = boost::make_shared<RobotStates>();
+    robot_paths_.clear();
+  }
   if (message.episode != states_->episode || states_->agents.empty()) show(statesAtStart(message));
 }
 
@@ -165,11 +192,13 @@ visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {
   array.markers = {drawBodies(*states_), drawContacts(*states_), drawHeadings(*states_),
                    drawGoals(*states_),  drawWalls(walls_),      drawObstacles(*states_),
                    drawRadii(),          drawOccupiedSectors()};
-  if (whole || paths_.isUnsettled()) {
-    paths_.settle();
-    array.markers.push_back(drawSettledPaths(paths_));
+  drawPaths(paths_, Walkers::AGENTS, whole, array);
+  if (!robots_->robots.empty() || robot_paths_.isUnsettled()) {
+    for (const auto& draw : {drawRobots, drawRobotHeadings, drawRobotContacts, drawRobotGoals}) {
+      array.markers.push_back(draw(*robots_));
+    }
+    drawPaths(robot_paths_, Walkers::ROBOTS, whole, array);
   }
-  array.markers.push_back(drawRecentPaths(paths_));
   changed_ = false;
   return array;
 }

@@ -12,6 +12,31 @@ namespace {
 /// Maximum angle of one straight segment of a curve [rad].
 constexpr double MAX_TURN = PI / 24.0;
 
+/// Twice the area of a triangle; positive if its corners are counterclockwise.
+double turnOf(const Vector2& a, const Vector2& b, const Vector2& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+double areaOf(const std::vector<Vector2>& corners) {
+  double area = 0.0;
+  for (std::size_t i = 2; i < corners.size(); ++i) area += turnOf(corners[0], corners[i - 1], corners[i]);
+  return area;
+}
+
+/// Whether the triangle at a corner of a counterclockwise polygon is a part of it that contains no other corner.
+bool isEar(const std::vector<Vector2>& corners, std::size_t number) {
+  const std::size_t count = corners.size();
+  const Vector2& a = corners[(number + count - 1) % count];
+  const Vector2& b = corners[number];
+  const Vector2& c = corners[(number + 1) % count];
+  if (turnOf(a, b, c) <= 0.0) return false;
+  for (std::size_t i = 2; i + 1 < count; ++i) {
+    const Vector2& other = corners[(number + i) % count];
+    if (turnOf(a, b, other) >= 0.0 && turnOf(b, c, other) >= 0.0 && turnOf(c, a, other) >= 0.0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ListMarker::ListMarker(const char* kind, int id, marker_style::Layer layer, int type) {
@@ -58,6 +83,20 @@ void TriangleMarker::addDisc(const Vector2& centre, double radius, const std::ve
   for (std::size_t i = 2; i < circle.size(); ++i) addTriangle(corner(0), corner(i - 1), corner(i), colour);
 }
 
+void TriangleMarker::addPolygon(std::vector<Vector2> corners, const Colour& colour) {
+  if (areaOf(corners) < 0.0) std::reverse(corners.begin(), corners.end());
+  for (std::size_t i = 0; corners.size() >= 3 && i < corners.size();) {
+    const std::size_t count = corners.size();
+    if (!isEar(corners, i)) {
+      ++i;
+      continue;
+    }
+    addTriangle(corners[(i + count - 1) % count], corners[i], corners[(i + 1) % count], colour);
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+    i = 0;
+  }
+}
+
 void TriangleMarker::addArrow(const Pose& pose, double radius, const Colour& colour) {
   using namespace marker_style;  // NOLINT(google-build-using-namespace): the sizes of the arrow
   const Rotation frame(pose.heading);
@@ -102,9 +141,14 @@ void LineMarker::addLine(const Vector2& from, const Vector2& to, const Colour& c
 
 void LineMarker::addCircle(const Vector2& centre, double radius, const std::vector<Vector2>& circle,
                            const Colour& colour) {
-  for (std::size_t i = 0; i < circle.size(); ++i) {
-    addLine(centre + radius * circle[i], centre + radius * circle[(i + 1) % circle.size()], colour);
-  }
+  std::vector<Vector2> corners;
+  corners.reserve(circle.size());
+  for (const Vector2& corner : circle) corners.emplace_back(centre + radius * corner);
+  addPolygon(corners, colour);
+}
+
+void LineMarker::addPolygon(const std::vector<Vector2>& corners, const Colour& colour) {
+  for (std::size_t i = 0; i < corners.size(); ++i) addLine(corners[i], corners[(i + 1) % corners.size()], colour);
 }
 
 void LineMarker::addCross(const Vector2& centre, double size, const Colour& colour) {

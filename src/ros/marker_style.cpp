@@ -87,6 +87,7 @@ Colour ofSector(std::size_t distance_class, std::size_t classes) {
 }
 
 Colour ofContact() { return make(0.9, 0.0, 0.05); }
+Colour ofRobot() { return make(0.2, 0.14, 0.42); }
 Colour ofHeading() { return make(1.0, 1.0, 1.0); }
 Colour ofObstacle() { return make(0.42, 0.44, 0.47); }
 Colour ofWall() { return make(0.25, 0.27, 0.3); }

@@ -1,7 +1,9 @@
 #include "social_crowd/ros/robot_interface.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "social_crowd/common/numbers.h"
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
 
@@ -9,114 +11,187 @@ namespace crowd {
 namespace {
 
 constexpr std::uint32_t QUEUE = 100;  // messages
-constexpr bool LATCHED = true;
+
+std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
+  std::vector<std::string> identities;
+  identities.reserve(robots.size());
+  for (const Robot& robot : robots) {
+    const RobotStart& start = robot.start;
+    const std::string poses = start.drive == Drive::EXTERNAL ? (start.reads_tf ? " tf" : " odom") : "";
+    identities.push_back(start.name + " " + start.name_space + poses);
+  }
+  return identities;
+}
+
+/// Adds the contacts of the last tick that are not there yet.
+void addContacts(const Robot& robot, std::vector<RobotContact>& contacts) {
+  for (const RobotContact& contact : robot.contacts) {
+    const auto is_same = [&](const RobotContact& other) {
+      return other.agent == contact.agent && other.cause == contact.cause;
+    };
+    if (std::none_of(contacts.begin(), contacts.end(), is_same)) contacts.push_back(contact);
+  }
+}
 
 }  // namespace
 
-RobotInterface::RobotInterface(const ros::NodeHandle& node, const RobotStart& start, RobotId id, Handlers handlers)
-    : id_(id), start_(start), prefix_(start.name_space.empty() ? "" : start.name_space + "/") {
-  ros::NodeHandle own(node, start.name_space);
-  own.setCallbackQueue(node.getCallbackQueue());
-  const bool is_external = start.drive == Drive::EXTERNAL;
-  if (is_external)
-    ROS_WARN("robot '%s': poses of external robots are not received yet; it stays where it is", start.name.c_str());
-  if (!is_external) odometry_ = own.advertise<nav_msgs::Odometry>(names::ODOMETRY, QUEUE);
-  scan_ = own.advertise<sensor_msgs::LaserScan>(names::SCAN, QUEUE);
-  cloud_ = own.advertise<sensor_msgs::PointCloud2>(names::SCAN_CLOUD, QUEUE);
-  people_ = own.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE);
-  footprint_ = own.advertise<geometry_msgs::PolygonStamped>(names::FOOTPRINT, QUEUE);
-  goals_ = own.advertise<geometry_msgs::PoseStamped>(names::GOAL, QUEUE, LATCHED);
-  const boost::function<void(const ros::MessageEvent<const geometry_msgs::Twist>&)> take =
-      [command = std::move(handlers.command)](const ros::MessageEvent<const geometry_msgs::Twist>& event) {
-        command(fromMessage(*event.getMessage()), event.getPublisherName());
-      };
-  if (!is_external)
-    commands_ = own.subscribe<geometry_msgs::Twist>(names::CMD_VEL, QUEUE, take, ros::VoidConstPtr(),
-                                                    ros::TransportHints().tcpNoDelay());
-  const boost::function<void(const geometry_msgs::PoseStamped::ConstPtr&)> set =
-      [goal = std::move(handlers.goal)](const geometry_msgs::PoseStamped::ConstPtr& message) { goal(*message); };
-  new_goals_ = own.subscribe<geometry_msgs::PoseStamped>(names::NEW_GOAL, QUEUE, set);
+RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
+                               std::function<ros::Time()> clock)
+    : node_(node),
+      clock_(clock),
+      publish_localisation_(parameters.publish_localisation),
+      visible_people_only_(parameters.visible_people_only),
+      commands_(loop, parameters),
+      poses_(node, std::move(clock)) {}
+
+void RobotInterface::begin(Episode& episode) {
+  episode_ = &episode;
+  senses_ = std::make_unique<RobotSenses>(episode.scene());
+  contacts_.clear();
+  scanned_changes_ = episode.changes();
+  commands_.begin(episode);
+  if (identitiesOf(robots()) != advertised_) advertise();
+  poses_.begin(episode);
+  for (RobotId id = 0; id < robots().size(); ++id) topics_[id]->begin(robots()[id].start);
 }
 
-std_msgs::Header RobotInterface::header(const std::string& frame, const ros::Time& now) const {
-  std_msgs::Header header;
-  header.frame_id = frame == names::MAP_FRAME ? frame : prefix_ + frame;
-  header.stamp = now;
-  return header;
+void RobotInterface::advertise() {
+  advertised_ = identitiesOf(robots());
+  topics_.clear();
+  commands_.forgetWarnings();
+  poses_.subscribe(*episode_);
+  for (RobotId id = 0; id < robots().size(); ++id) {
+    RobotTopics::Handlers handlers;
+    handlers.command = [this, id](const Twist& command, const std::string& node) { commands_.take(id, command, node); };
+    handlers.goal = [this, id](const geometry_msgs::PoseStamped& goal) { takeGoal(id, goal); };
+    topics_.push_back(
+        std::make_unique<RobotTopics>(node_, robots()[id].start, id, visible_people_only_, std::move(handlers)));
+  }
+  if (robots().empty() || transforms_) return;
+  transforms_.emplace();
+  static_transforms_.emplace();
+  states_ = node_.advertise<social_crowd::RobotStates>(names::ROBOTS, QUEUE,
+                                                       [this](const ros::SingleSubscriberPublisher& subscriber) {
+                                                         if (!robots().empty()) subscriber.publish(states(clock_()));
+                                                       });
 }
 
-void RobotInterface::publish(const World& world, RobotSenses& senses, const ros::Time& now) {
-  if (odometry_.getNumSubscribers() > 0) {
-    nav_msgs::Odometry odometry = toMessage(senses.odometry(id_));
-    odometry.header = header(names::ODOM_FRAME, now);
-    odometry.child_frame_id = prefix_ + names::BASE_FRAME;
-    odometry_.publish(odometry);
-  }
-  publishScan(world, senses, now);
-  publishPeople(world, now);
-  if (footprint_.getNumSubscribers() > 0) {
-    geometry_msgs::PolygonStamped footprint;
-    footprint.header = header(names::BASE_FRAME, now);
-    footprint.polygon = toMessage(start_.footprint);
-    footprint_.publish(footprint);
-  }
-}
-
-void RobotInterface::publishScan(const World& world, RobotSenses& senses, const ros::Time& now) {
-  // Half a tick of tolerance, against rounding of the clock.
-  const ros::Duration due(start_.scan.period - 0.5 * world.tickDuration());
-  if (!scanned_at_.isZero() && now >= scanned_at_ && now - scanned_at_ < due) return;
-  scanned_at_ = now;
-  if (scan_.getNumSubscribers() > 0) {
-    scan_.publish(scanMessage(senses.ranges(world, id_), world.tickDuration(), now));
-  }
-  if (cloud_.getNumSubscribers() > 0) {
-    sensor_msgs::PointCloud2 cloud = toCloud(start_.scan, senses.ranges(world, id_));
-    cloud.header = header(names::LASER_FRAME, now);
-    cloud_.publish(cloud);
+void RobotInterface::takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal) {
+  const std::string& name = robots()[robot].start.name;
+  const std::string& frame = goal.header.frame_id;
+  const Vector2 place = fromPoint(goal.pose.position);
+  if (frame != names::MAP_FRAME && !frame.empty()) {
+    ROS_WARN("robot '%s': a goal is refused: expected the frame map, got %s", name.c_str(), frame.c_str());
+  } else if (!place.allFinite()) {
+    ROS_WARN("robot '%s': a goal is refused: expected finite numbers, got %s", name.c_str(),
+             (toText(place.x()) + ", " + toText(place.y())).c_str());
+  } else {
+    episode_->setRobotGoals(robot, {place});
+    topics_[robot]->publishGoal(robots()[robot], clock_(), true);
   }
 }
 
-sensor_msgs::LaserScan RobotInterface::scanMessage(const std::vector<float>& ranges, double tick_duration,
-                                                   const ros::Time& now) const {
-  sensor_msgs::LaserScan scan = toMessage(start_.scan, ranges, tick_duration);
-  scan.header = header(names::LASER_FRAME, now);
-  return scan;
+bool RobotInterface::wait(const std::function<ros::Time()>& end) {
+  if (robots().empty()) return true;
+  if (!commands_.wait()) return false;
+  poses_.place(end());
+  return true;
 }
 
-void RobotInterface::publishPeople(const World& world, const ros::Time& now) {
-  if (people_.getNumSubscribers() == 0) return;
-  geometry_msgs::PoseArray people;
-  people.header = header(names::MAP_FRAME, now);
-  for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) people.poses.push_back(toMessage(agent.pose));
+RobotInput RobotInterface::inputOf(RobotId robot) const {
+  RobotInput input;
+  const CommandCounts& commands = commands_.countsOf(robot);
+  input.taken = commands.taken;
+  input.missed = commands.missed;
+  input.late = commands.late;
+  input.timeouts = commands.timeouts;
+  for (const std::uint64_t refused : commands.refused) input.refused += refused;
+  if (const std::optional<PoseInput> poses = poses_.inputOf(robot)) {
+    input.poses_taken = poses->counts.taken;
+    input.poses_refused = poses->counts.not_finite + poses->counts.backwards + poses->without_frame;
+    input.jumps = poses->counts.jumps;
+    input.gaps = poses->counts.gaps;
+    input.stale = poses->counts.stale;
   }
-  people_.publish(people);
+  return input;
 }
 
-void RobotInterface::publishGoal(const Robot& robot, const ros::Time& now, bool begins) {
-  const std::optional<Vector2> goal = robot.hasGoal() ? std::optional(robot.goal()) : std::nullopt;
-  if (!begins && goal == goal_) return;
-  goal_ = goal;
-  if (!goal) return;
-  geometry_msgs::PoseStamped message;
-  message.header = header(names::MAP_FRAME, now);
-  message.pose = toMessage(Pose{*goal, bearingOf(*goal - robot.pose.position)});
-  goals_.publish(message);
+void RobotInterface::writeInput(std::vector<RobotResult>& results) const {
+  for (RobotId robot = 0; robot < results.size(); ++robot) results[robot].input = inputOf(robot);
 }
 
-void RobotInterface::addTransforms(const Robot& robot, const Odometry& odometry, const ros::Time& now, bool localised,
-                                   std::vector<geometry_msgs::TransformStamped>& transforms) const {
-  if (start_.drive == Drive::EXTERNAL) return;
-  if (localised) {
-    transforms.push_back(toTransform(header(names::MAP_FRAME, now), prefix_ + names::ODOM_FRAME,
-                                     composedPose(robot.pose, relativePose(odometry.pose, Pose()))));
+void RobotInterface::observe() {
+  senses_->observe(episode_->world());
+  scanned_changes_ = episode_->changes();
+  for (std::size_t robot = 0; robot < contacts_.size(); ++robot) addContacts(robots()[robot], contacts_[robot]);
+}
+
+void RobotInterface::beginSteps(const CommandCollector::Commands& commands) {
+  commands_.hold(commands);
+  contacts_.assign(robots().size(), {});
+}
+
+void RobotInterface::endSteps() {
+  commands_.release();
+  contacts_.clear();
+}
+
+void RobotInterface::publish(const ros::Time& now, bool begins) {
+  if (robots().empty()) return;
+  publishTransforms(now);
+  if (begins) publishMounts(now);
+  for (RobotId robot = 0; robot < robots().size(); ++robot) {
+    topics_[robot]->publish(episode_->world(), *senses_, now);
+    topics_[robot]->publishGoal(robots()[robot], now, begins);
   }
-  transforms.push_back(toTransform(header(names::ODOM_FRAME, now), prefix_ + names::BASE_FRAME, odometry.pose));
+  if (states_.getNumSubscribers() > 0) states_.publish(states(now));
 }
 
-geometry_msgs::TransformStamped RobotInterface::mountTransform(const ros::Time& now) const {
-  return toTransform(header(names::BASE_FRAME, now), prefix_ + names::LASER_FRAME, start_.scan.mount);
+void RobotInterface::publishTransforms(const ros::Time& now) {
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  for (RobotId robot = 0; robot < robots().size(); ++robot) {
+    topics_[robot]->addTransforms(robots()[robot], senses_->odometry(robot), now, publish_localisation_, transforms);
+  }
+  if (!transforms.empty()) transforms_->sendTransform(transforms);
+}
+
+void RobotInterface::publishMounts(const ros::Time& now) {
+  std::vector<geometry_msgs::TransformStamped> mounts;
+  mounts.reserve(topics_.size());
+  for (const auto& topics : topics_) mounts.push_back(topics->mountTransform(now));
+  static_transforms_->sendTransform(mounts);
+}
+
+social_crowd::RobotStates RobotInterface::states(const ros::Time& now) const {
+  social_crowd::RobotStates message;
+  message.header.frame_id = names::MAP_FRAME;
+  message.header.stamp = now;
+  message.episode = episode_->number();
+  message.tick = episode_->world().tick();
+  for (RobotId robot = 0; robot < robots().size(); ++robot) {
+    message.robots.push_back(toMessage(robots()[robot], robot));
+    writeCounts(commands_.countsOf(robot), message.robots.back());
+    if (const auto poses = poses_.inputOf(robot)) writeCounts(*poses, message.robots.back());
+  }
+  return message;
+}
+
+std::vector<social_crowd::RobotObservation> RobotInterface::observations(const ros::Time& now, bool with_scan) {
+  std::vector<social_crowd::RobotObservation> observations;
+  const std::vector<float> none;
+  // Services may have changed the world since the scans of this tick.
+  if (episode_->changes() != scanned_changes_) senses_->forgetScans();
+  scanned_changes_ = episode_->changes();
+  for (RobotId robot = 0; robot < robots().size(); ++robot) {
+    social_crowd::RobotObservation observation = toObservation(
+        robots()[robot], episode_->world(), contacts_.empty() ? robots()[robot].contacts : contacts_[robot]);
+    observation.header.frame_id = names::MAP_FRAME;
+    observation.header.stamp = now;
+    observation.scan = topics_[robot]->scanMessage(with_scan ? senses_->ranges(episode_->world(), robot) : none,
+                                                   episode_->world().tickDuration(), now);
+    observations.push_back(observation);
+  }
+  return observations;
 }
 
 }  // namespace crowd

@@ -3,6 +3,7 @@
 #include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,10 @@ namespace crowd {
 namespace {
 
 constexpr int DISC_CORNERS = 16;
+constexpr double UNMEASURED = 1e6;       // variance of height [m^2], roll and pitch [rad^2], and of their rates
+constexpr double LEAST_VARIANCE = 1e-6;  // of the others
+constexpr std::size_t DIMENSIONS = 6;    // x, y, z, and rotations about these axes
+constexpr std::array<std::size_t, 3> MEASURED = {0, 1, 5};
 
 geometry_msgs::Pose2D toPose2D(const Pose& pose) {
   geometry_msgs::Pose2D message;
@@ -21,18 +26,35 @@ geometry_msgs::Pose2D toPose2D(const Pose& pose) {
   return message;
 }
 
+/// @param covariance of x, y and heading
+void writeCovariance(const Eigen::Matrix3d& covariance, boost::array<double, DIMENSIONS * DIMENSIONS>& numbers) {
+  numbers.fill(0.0);
+  for (std::size_t i = 0; i < DIMENSIONS; ++i) numbers[i * DIMENSIONS + i] = UNMEASURED;
+  for (std::size_t i = 0; i < MEASURED.size(); ++i) {
+    for (std::size_t k = 0; k < MEASURED.size(); ++k) {
+      const double value = covariance(static_cast<int>(i), static_cast<int>(k));
+      numbers[MEASURED[i] * DIMENSIONS + MEASURED[k]] = i == k ? std::max(LEAST_VARIANCE, value) : value;
+    }
+  }
+}
+
+void addOnce(AgentId agent, std::vector<AgentId>& agents) {
+  if (std::find(agents.begin(), agents.end(), agent) == agents.end()) agents.push_back(agent);
+}
+
 double clearanceOf(const Robot& robot, const World& world) {
   double clearance = std::numeric_limits<double>::infinity();
-  const double reach = robot.start.footprint.reach();
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking()) continue;
-    const double distance = (agent.pose.position - robot.pose.position).norm();
-    clearance = std::min(clearance, distance - reach - agent.radius);
+    const double apart = distance(robot.start.footprint, robot.pose, agent.pose.position);
+    clearance = std::min(clearance, apart - agent.radius);
   }
   return clearance;
 }
 
 }  // namespace
+
+std::string framePrefix(const RobotStart& start) { return start.name_space.empty() ? "" : start.name_space + "/"; }
 
 Twist fromMessage(const geometry_msgs::Twist& message) {
   return {{message.linear.x, message.linear.y}, message.angular.z};
@@ -70,10 +92,12 @@ Pose composedPose(const Pose& frame, const Pose& pose) {
   return {frame.position + Rotation(frame.heading).outOfFrame(pose.position), wrapAngle(frame.heading + pose.heading)};
 }
 
-nav_msgs::Odometry toMessage(const Odometry& odometry) {
+nav_msgs::Odometry toMessage(const Odometry& odometry, const OdometryCovariance& covariance) {
   nav_msgs::Odometry message;
   message.pose.pose = toMessage(odometry.pose);
   message.twist.twist = toMessage(odometry.twist);
+  writeCovariance(covariance.pose, message.pose.covariance);
+  writeCovariance(covariance.twist, message.twist.covariance);
   return message;
 }
 
@@ -83,7 +107,7 @@ sensor_msgs::LaserScan toMessage(const ScanSpec& spec, const std::vector<float>&
   message.angle_min = static_cast<float>(spec.first_angle);
   message.angle_max = static_cast<float>(spec.first_angle + increment * (static_cast<double>(spec.rays) - 1.0));
   message.angle_increment = static_cast<float>(increment);
-  message.scan_time = static_cast<float>(std::max(spec.period, tick_duration));
+  message.scan_time = static_cast<float>(static_cast<double>(scanTicks(spec, tick_duration)) * tick_duration);
   message.range_min = static_cast<float>(spec.min_range);
   message.range_max = static_cast<float>(spec.max_range);
   message.ranges = ranges;
@@ -150,13 +174,70 @@ void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message)
   const auto refused = [&](CommandRefusal cause) { return counts.refused[static_cast<std::size_t>(cause)]; };
   message.commands_taken = counts.taken;
   message.commands_missed = counts.missed;
+  message.commands_late = counts.late;
   message.command_timeouts = counts.timeouts;
   message.commands_not_finite = refused(CommandRefusal::NOT_FINITE);
   message.commands_of_others = refused(CommandRefusal::OTHER_PUBLISHER);
   message.commands_repeated = refused(CommandRefusal::SECOND_IN_TICK);
 }
 
-social_crowd::RobotObservation toObservation(const Robot& robot, const World& world) {
+void writeCounts(const PoseInput& input, social_crowd::RobotState& message) {
+  message.poses_taken = input.counts.taken;
+  message.poses_not_finite = input.counts.not_finite;
+  message.poses_backwards = input.counts.backwards;
+  message.poses_without_frame = input.without_frame;
+  message.pose_jumps = input.counts.jumps;
+  message.pose_gaps = input.counts.gaps;
+  message.pose_stale = input.counts.stale;
+}
+
+social_crowd::RobotResult toMessage(const RobotResult& result) {
+  social_crowd::RobotResult message;
+  message.robot = result.name;
+  message.success = result.success ? 1 : 0;
+  message.timeout = result.timeout ? 1 : 0;
+  message.stuck = result.stuck ? 1 : 0;
+  message.time_to_reach_goal = result.time_to_reach_goal;
+  message.path_length = result.path_length;
+  message.path_length_ratio = result.path_length_ratio;
+  message.final_distance = result.final_distance;
+  message.minimum_distance_to_goal = result.minimum_distance_to_goal;
+  message.avg_robot_linear_speed = result.avg_robot_linear_speed;
+  message.max_speed = result.max_speed;
+  message.avg_acceleration = result.avg_acceleration;
+  message.max_acceleration = result.max_acceleration;
+  message.avg_jerk = result.avg_jerk;
+  message.max_jerk = result.max_jerk;
+  message.cumulative_heading_changes = result.cumulative_heading_changes;
+  message.time_not_moving = result.time_not_moving;
+  message.robot_on_person_collisions = result.robot_on_person_collisions;
+  message.person_on_robot_collisions = result.person_on_robot_collisions;
+  message.mutual_collisions = result.mutual_collisions;
+  message.contact_time = result.contact_time;
+  message.wall_contacts = result.wall_contacts;
+  message.robot_contacts = result.robot_contacts;
+  message.minimum_distance_to_people = result.minimum_distance_to_people;
+  message.avg_closest_person = result.avg_closest_person;
+  message.minimum_clearance = result.minimum_clearance;
+  message.intimate_space_time = result.intimate_space_time;
+  message.personal_space_time = result.personal_space_time;
+  message.intimate_space_intrusions = result.intimate_space_intrusions;
+  message.personal_space_intrusions = result.personal_space_intrusions;
+  message.commands_taken = result.input.taken;
+  message.commands_missed = result.input.missed;
+  message.commands_late = result.input.late;
+  message.command_timeouts = result.input.timeouts;
+  message.commands_refused = result.input.refused;
+  message.poses_taken = result.input.poses_taken;
+  message.poses_refused = result.input.poses_refused;
+  message.pose_jumps = result.input.jumps;
+  message.pose_gaps = result.input.gaps;
+  message.pose_stale = result.input.stale;
+  return message;
+}
+
+social_crowd::RobotObservation toObservation(const Robot& robot, const World& world,
+                                             const std::vector<RobotContact>& contacts) {
   social_crowd::RobotObservation message;
   message.name = robot.start.name;
   message.pose = toPose2D(robot.pose);
@@ -164,11 +245,12 @@ social_crowd::RobotObservation toObservation(const Robot& robot, const World& wo
   message.has_goal = robot.hasGoal() ? 1 : 0;
   message.arrived = robot.hasArrived() ? 1 : 0;
   if (robot.hasGoal()) message.goal = toPoint(relativePose(robot.pose, {robot.goal(), 0.0}).position);
+  message.remaining_distance = robot.remainingDistance();
   message.blocked = robot.blocked ? 1 : 0;
-  for (const RobotContact& contact : robot.contacts) {
-    message.contacts.push_back(contact.agent);
-    if (contact.cause == ContactCause::ROBOT) message.contacts_by_robot.push_back(contact.agent);
-    if (contact.cause == ContactCause::PERSON) message.contacts_by_person.push_back(contact.agent);
+  for (const RobotContact& contact : contacts) {
+    addOnce(contact.agent, message.contacts);
+    if (contact.cause == ContactCause::ROBOT) addOnce(contact.agent, message.contacts_by_robot);
+    if (contact.cause == ContactCause::PERSON) addOnce(contact.agent, message.contacts_by_person);
   }
   message.clearance = clearanceOf(robot, world);
   return message;

@@ -1,5 +1,8 @@
 #include "social_crowd/sensing/scan.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace crowd {
 namespace {
 
@@ -12,6 +15,10 @@ float toRange(double distance, const ScanSpec& spec) {
 }
 
 }  // namespace
+
+std::uint64_t scanTicks(const ScanSpec& spec, double tick_duration) {
+  return static_cast<std::uint64_t>(std::max(1.0, std::round(spec.period / tick_duration)));
+}
 
 double angleIncrement(const ScanSpec& spec) {
   const double width = spec.last_angle - spec.first_angle;

@@ -33,6 +33,7 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
 }
 
 void Episode::noteChange() {
+  ++changes_;
   are_current_ = false;
   if (!findsWays()) return;
   try {

@@ -5,12 +5,25 @@
 
 namespace crowd {
 
+void ExternalRobot::begin(double max_speed, double tick_duration) {
+  max_speed_ = max_speed;
+  tick_duration_ = tick_duration;
+  began_.reset();
+  jumped_ = true;
+  stale_ = false;
+  counts_ = PoseCounts();
+}
+
 std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
   if (!pose.position.allFinite() || !std::isfinite(pose.heading) || !std::isfinite(stamp)) {
     ++counts_.not_finite;
     return PoseProblem::NOT_FINITE;
   }
   if (stamp_ && stamp == *stamp_) return std::nullopt;
+  if (stamp_ && stamp < *stamp_ && asked_ && *stamp_ > *asked_ + MAX_GAP) {  // its stamp is of another clock
+    stamp_.reset();
+    jumped_ = true;
+  }
   if (stamp_ && stamp < *stamp_) {
     ++counts_.backwards;
     return PoseProblem::BACKWARDS;
@@ -39,11 +52,13 @@ std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
 }
 
 std::optional<ExternalRobot::State> ExternalRobot::at(double time) {
-  if (!stamp_) return std::nullopt;
-  const double age = time - *stamp_;
+  if (!began_) began_ = time;
+  asked_ = time;
+  const double age = time - stamp_.value_or(*began_);
   const bool was_stale = stale_;
-  stale_ = age > MAX_GAP;
+  stale_ = std::abs(age) > MAX_GAP;
   if (stale_ && !was_stale) ++counts_.stale;
+  if (!stamp_) return std::nullopt;
   State state{pose_, stale_ ? Vector2(Vector2::Zero()) : velocity_, jumped_, stale_};
   if (!stale_) state.pose.position += std::clamp(age, 0.0, tick_duration_) * velocity_;
   jumped_ = false;

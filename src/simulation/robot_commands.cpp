@@ -33,8 +33,19 @@ std::optional<CommandRefusal> RobotCommands::causeOf(const Record& record, const
                                                      std::uint64_t tick) const {
   if (!command.isFinite()) return CommandRefusal::NOT_FINITE;
   if (isHeld(record, tick) && record.holder != publisher) return CommandRefusal::OTHER_PUBLISHER;
-  if (settings_.lockstep && record.taken_at == tick) return CommandRefusal::SECOND_IN_TICK;
+  if (settings_.lockstep && record.taken_at == tick && tick < record.due) return CommandRefusal::SECOND_IN_TICK;
   return std::nullopt;
+}
+
+void RobotCommands::noteTiming(Record& record, std::uint64_t tick) const {
+  if (!record.missed_at) {
+    record.due = tick + period();
+    return;
+  }
+  ++record.counts.late;
+  record.due = *record.missed_at + period();
+  while (record.due < tick) record.due += period();
+  record.missed_at.reset();
 }
 
 std::optional<CommandRefusal> RobotCommands::take(RobotId robot, const Twist& command, PublisherId publisher,
@@ -47,6 +58,7 @@ std::optional<CommandRefusal> RobotCommands::take(RobotId robot, const Twist& co
     return cause;
   }
   ++record.counts.taken;
+  noteTiming(record, tick);
   record.command = command;
   record.taken_at = tick;
   record.holder = publisher;
@@ -64,8 +76,7 @@ std::optional<PublisherId> RobotCommands::holderOf(RobotId robot, std::uint64_t 
 
 bool RobotCommands::isAwaited(RobotId robot, std::uint64_t tick) const {
   const Record& record = records_[robot];
-  if (!settings_.lockstep || !record.heard || record.absent) return false;
-  return !record.taken_at || tick >= *record.taken_at + std::max<std::uint64_t>(1, ticksOf(settings_.period));
+  return settings_.lockstep && record.heard && !record.absent && tick >= record.due;
 }
 
 bool RobotCommands::isAnyAwaited(std::uint64_t tick) const {
@@ -80,9 +91,15 @@ std::vector<RobotId> RobotCommands::giveUp(std::uint64_t tick) {
   for (RobotId robot = 0; robot < records_.size(); ++robot) {
     if (!isAwaited(robot, tick)) continue;
     Record& record = records_[robot];
+    if (record.taken_at == tick) {  // a late one
+      record.due = tick + period();
+      continue;
+    }
     ++record.counts.missed;
+    if (!record.missed_at) record.missed_at = tick;
     if (++record.misses < settings_.misses_until_absent) continue;
     record.absent = true;
+    record.missed_at.reset();
     absent.push_back(robot);
   }
   return absent;

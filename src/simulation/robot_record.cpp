@@ -42,8 +42,11 @@ void forEachField(const RobotResult& result, const Number& number, const Count& 
   number("people_detour", result.people_detour);
   count("commands_taken", result.input.taken);
   count("commands_missed", result.input.missed);
+  count("commands_late", result.input.late);
   count("command_timeouts", result.input.timeouts);
   count("commands_refused", result.input.refused);
+  count("poses_taken", result.input.poses_taken);
+  count("poses_refused", result.input.poses_refused);
   count("pose_jumps", result.input.jumps);
   count("pose_gaps", result.input.gaps);
   count("pose_stale", result.input.stale);

@@ -10,6 +10,11 @@ Pose sensorPose(const Pose& robot, const Pose& mount) {
   return {robot.position + Rotation(robot.heading).outOfFrame(mount.position), robot.heading + mount.heading};
 }
 
+/// The variances of the three errors of an odometry, as a diagonal matrix.
+Eigen::Matrix3d variancesOf(const OdometrySpec& spec) {
+  return Eigen::Vector3d(spec.distance, spec.rotation, spec.heading_per_metre).cwiseAbs2().asDiagonal();
+}
+
 }  // namespace
 
 RobotSenses::RobotSenses(const Scene& scene) : seed_(scene.population_seed) {
@@ -38,7 +43,12 @@ void RobotSenses::measureMove(const Robot& robot, double tick_duration, Sensor& 
   sensor.odometry.twist = {sensor.distance_factor * twist.linear, sensor.rotation_factor * twist.rotation + drift};
   if (way.norm() > MOVED_SHARE * robot.start.limits.max_speed * tick_duration) return;
   Pose& pose = sensor.odometry.pose;
-  pose.position += Rotation(pose.heading).outOfFrame(sensor.distance_factor * way);
+  const Vector2 step = Rotation(pose.heading).outOfFrame(sensor.distance_factor * way);
+  // An error of the heading turns the step; that of distances changes its length.
+  sensor.derivative.topRows<2>() += Vector2(-step.y(), step.x()) * sensor.derivative.row(2);
+  sensor.derivative.topRows<2>().col(0) += step / sensor.distance_factor;
+  sensor.derivative.row(2) += Eigen::RowVector3d(0.0, turn, way.norm());
+  pose.position += step;
   pose.heading = wrapAngle(pose.heading + sensor.rotation_factor * turn + sensor.heading_per_metre * way.norm());
 }
 
@@ -49,7 +59,24 @@ const std::vector<float>& RobotSenses::ranges(const World& world, RobotId robot)
 
 const std::vector<bool>& RobotSenses::visibleAgents(const World& world, RobotId robot) {
   scan(world, robot);
-  return sensors_[robot].seen;
+  Sensor& sensor = sensors_[robot];
+  sensor.seen.assign(world.agents().size(), false);
+  markVisible(sensor.scanner.last(), sensor.seen);
+  return sensor.seen;
+}
+
+void RobotSenses::forgetScans() {
+  for (Sensor& sensor : sensors_) sensor.scanned_at.reset();
+}
+
+OdometryCovariance RobotSenses::covariance(RobotId robot) const {
+  const Sensor& sensor = sensors_[robot];
+  const Eigen::Matrix3d variances = variancesOf(sensor.deviations);
+  Eigen::Matrix3d twist = Eigen::Matrix3d::Zero();  // derivative with respect to the three errors
+  twist.topRows<2>().col(0) = sensor.odometry.twist.linear / sensor.distance_factor;
+  twist(2, 1) = sensor.odometry.twist.rotation;
+  twist(2, 2) = sensor.odometry.twist.linear.norm();
+  return {sensor.derivative * variances * sensor.derivative.transpose(), twist * variances * twist.transpose()};
 }
 
 void RobotSenses::scan(const World& world, RobotId robot) {
@@ -68,8 +95,6 @@ void RobotSenses::scan(const World& world, RobotId robot) {
   const Scan& scan = sensor.scanner.scan(sensorPose(world.robots()[robot].pose, spec.mount),
                                          {targets_.data(), targets_.size()}, {edges_.data(), edges_.size()}, walls_);
   writeRanges(scan, spec, KeyedRandom(seed_, KeyedRandom::SENSOR, {robot, world.tick()}), sensor.ranges);
-  sensor.seen.assign(world.agents().size(), false);
-  markVisible(scan, sensor.seen);
 }
 
 void RobotSenses::addPeople(const World& world, SeenPeople people) {
@@ -93,11 +118,9 @@ void RobotSenses::addOthers(const World& world, RobotId robot) {
     const Pose& pose = world.robots()[other].pose;
     const Footprint& footprint = world.robots()[other].start.footprint;
     if (footprint.isDisc()) targets_.push_back({pose.position, footprint.radius, body});
-    const std::vector<Vector2>& corners = footprint.corners;
+    const std::vector<Vector2> corners = footprint.cornersAt(pose);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vector2& next = corners[(i + 1) % corners.size()];
-      const Rotation frame(pose.heading);
-      edges_.push_back({{pose.position + frame.outOfFrame(corners[i]), pose.position + frame.outOfFrame(next)}, body});
+      edges_.push_back({{corners[i], corners[(i + 1) % corners.size()]}, body});
     }
   }
 }

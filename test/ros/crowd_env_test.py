@@ -32,6 +32,19 @@ class CrowdEnvTest(RobotTestCase):
         self.assertEqual(info['tick'], 35)
         numpy.testing.assert_allclose(rewards, [0.25] * 7, atol=1e-9)
 
+    def test_the_reward_does_not_jump_at_a_waypoint(self):
+        env = self.start_env(scenario(more=', goals: [[2, 0], [4, 0]]'), ticks=5)
+        env.reset(seed=1)
+        rewards = [env.step((0.5, 0.0))[1] for _ in range(8)]
+        numpy.testing.assert_allclose(rewards, [0.25] * 8, atol=1e-9)
+
+    def test_contacts_of_all_ticks_of_a_step_end_the_episode(self):
+        text = scenario(more=', perceived: false').replace('[0, 20], goal: [100, 20]', '[1, -2], goal: [1, 9]')
+        env = self.start_env(text.replace('solid', 'ghost'), ticks=100)
+        env.reset(seed=1)
+        _, reward, terminated, truncated, _ = env.step((0.0, 0.0))
+        self.assertEqual((reward, terminated, truncated), (-1.0, True, False))
+
     def test_the_same_seed_and_actions_give_the_same_observations(self):
         env = self.start_env(scenario(more=', goal: [4, 0], scan: {rays: 50, noise: 0.02}'))
 

@@ -10,13 +10,13 @@ import rostest
 from geometry_msgs.msg import Point, Pose2D
 from picturing import Picture, agent_at, fills, sectors_of
 from social_crowd.msg import (AgentPerception, AgentState, AgentStates, LearnerStatus, ObstacleState, Neighbour,
-                              Perceptions, Scenario, Wall)
+                              Perceptions, RobotState, RobotStates, Scenario, Wall)
 from support import PATIENCE, wait_for
 from tf2_msgs.msg import TFMessage
 
 PACKAGE = 'social_crowd'
 NODE = 'crowd_markers'
-KINDS = {'bodies', 'headings', 'goals', 'paths', 'obstacles', 'walls', 'radii', 'sectors'}
+KINDS = {'bodies', 'headings', 'goals', 'paths', 'obstacles', 'walls', 'radii', 'sectors', 'robots'}
 COLLISION_RADIUS, VISION_RADIUS = 0.6, 1.5  # [m]
 MODEL = f'''state_set: {{type: %s, collision_radius: {COLLISION_RADIUS}, vision_radius: {VISION_RADIUS}}}
 action_set: {{type: kings_moves, rotations: 8}}
@@ -34,12 +34,13 @@ class CrowdMarkersTest(unittest.TestCase):
         cls.agents = rospy.Publisher('agents', AgentStates, queue_size=5000)
         cls.scenario = rospy.Publisher('scenario', Scenario, queue_size=10, latch=True)
         cls.perceptions = rospy.Publisher('perceptions', Perceptions, queue_size=10, latch=True)
+        cls.robots = rospy.Publisher('robots', RobotStates, queue_size=100)
         cls.status = rospy.Publisher('learner_status', LearnerStatus, queue_size=10, latch=True)
 
     def setUp(self):
         self.picture = Picture('markers')
         self.addCleanup(self.picture.close)
-        for publisher in (self.agents, self.scenario, self.status):
+        for publisher in (self.agents, self.scenario, self.status, self.robots):
             wait_for(lambda publisher=publisher: publisher.get_num_connections() == 2,
                      f'both nodes subscribe to {publisher.name}')
         wait_for(lambda: self.perceptions.get_num_connections() == 1, 'one node subscribes to perceptions')
@@ -53,6 +54,9 @@ class CrowdMarkersTest(unittest.TestCase):
     def show(self, *agents, **others):
         self.agents.publish(AgentStates(episode=self.episode, tick=self.tick, agents=agents, **others))
         self.tick += 1
+
+    def show_robots(self, *robots):
+        self.robots.publish(RobotStates(episode=self.episode, tick=self.tick, robots=robots))
 
     def perceive(self, pose, bodies, **others):
         self_perception = AgentPerception(agent=0, pose=pose, radius=0.25, goal_x=3.0, neighbour_count=len(bodies),
@@ -69,6 +73,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.show(agent_at(0, 0.5, 0.0), agent_at(1, 1.0, 0.5), obstacles=[obstacle])
         self.learn('occupancy')
         self.perceive(Pose2D(0.5, 0.0, 0.0), [Neighbour(x=0.5, y=0.5, radius=0.25)])
+        self.show_robots(RobotState(radius=0.3))
         wait_for(lambda: self.picture.kinds() == KINDS, 'markers of all kinds')
         for marker in self.picture.markers():
             self.assertEqual(marker.header.frame_id, 'map')
@@ -121,7 +126,7 @@ class CrowdMarkersTest(unittest.TestCase):
         self.show(*(agent_at(i, i % 25 + 0.5, i // 25, in_contact=i % 2 == 0) for i in range(500)))
         wait_for(lambda: self.picture.body_count() == 500 and len(self.picture.points('paths')) >= 1000,
                  '500 bodies and paths')
-        self.assertLess(self.picture.most_markers, 15)
+        self.assertLess(self.picture.most_markers, 20)
 
     def test_arrived_agent_keeps_only_path_and_goal(self):
         self.begin(agent_at(0, 0.0, 0.0), agent_at(1, 0.0, 5.0))
@@ -244,6 +249,34 @@ class CrowdMarkersTest(unittest.TestCase):
         wait_for(lambda: self.perceptions.get_num_connections() == 1, 'a node subscribes to perceptions again')
         wait_for(self.picture.markers, 'markers for the new subscriber')
 
+    def test_shows_footprints_goals_and_paths_of_robots(self):
+        self.begin(agent_at(0, 50.0, 50.0))
+        # An L of two squares of 1 m side on a third one, turned by a quarter, and a disc.
+        corners = [Point(x, y, 0.0) for x, y in ((-0.5, -0.5), (1.5, -0.5), (1.5, 0.5), (0.5, 0.5), (0.5, 1.5),
+                                                 (-0.5, 1.5))]
+        cart = RobotState(robot=0, pose=Pose2D(1.0, 2.0, math.pi / 2.0), footprint=corners, has_goal=True,
+                          goal=Point(5.0, 6.0, 0.0))
+        disc = RobotState(robot=1, pose=Pose2D(-4.0, 0.0, 0.0), radius=0.3)
+        self.show_robots(cart, disc)
+        wait_for(lambda: len(self.picture.markers('robots')) == 2, 'footprints and headings of two robots')
+        points = self.picture.markers('robots')[0].points
+        area = sum(abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2.0
+                   for a, b, c in (points[i:i + 3] for i in range(0, len(points), 3)))
+        self.assertAlmostEqual(area, 3.0 + math.pi * 0.3 ** 2, delta=0.01)
+        ahead = max(point.y for point in points if point.x > -3.0)
+        self.assertAlmostEqual(ahead, 2.0 + 1.5, places=6)  # its front is at y = 3.5
+        self.assertIn((5.0, 6.0), [(round((a.x + b.x) / 2.0, 6), round((a.y + b.y) / 2.0, 6))
+                                   for marker in self.picture.markers('goals')
+                                   for a, b in zip(marker.points[::2], marker.points[1::2])])
+        cart.pose.y, cart.contacts = 3.0, [0]
+        self.tick += 1
+        self.show_robots(cart, disc)
+        wait_for(lambda: {(1.0, 2.0), (1.0, 3.0)} <= set(self.picture.points('paths')), 'the path of the robot')
+        wait_for(lambda: len(self.picture.markers('robots')) == 3, 'the outline of a contact')
+        CrowdMarkersTest.episode += 1
+        self.begin(agent_at(0, 0.0, 0.0))  # without robots
+        wait_for(lambda: 'robots' not in self.picture.kinds() and not self.picture.points('paths'), 'no robot')
+
     def test_ignores_invalid_messages(self):
         nan = float('nan')
         self.begin(agent_at(0, 0.0, 0.0), walls=[Wall(to=Point(nan, 0.0, 0.0)), Wall(to=Point(1.0, 0.0, 0.0))])
@@ -252,6 +285,8 @@ class CrowdMarkersTest(unittest.TestCase):
         self.perceive(Pose2D(nan, nan, nan), [Neighbour(x=nan, radius=0.25), Neighbour(x=0.5, radius=0.25)])
         self.show(agent_at(0, 0.0, 0.0), agent_at(1, nan, 0.0), agent_at(2, 0.0, 1e300),
                   agent_at(3, 0.0, 0.0, goal=(nan, 0.0)))
+        self.show_robots(RobotState(pose=Pose2D(nan, 0.0, 0.0), radius=0.3), RobotState(radius=nan),
+                         RobotState(radius=0.3, footprint=[Point(nan, 0.0, 0.0)]))
         wait_for(lambda: self.picture.body_count() == 2, 'the two bodies that are fine')
         self.assertEqual(len(self.picture.colours('goals')), 3)
         for kind in KINDS:

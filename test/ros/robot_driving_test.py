@@ -2,6 +2,7 @@
 """A robot follows cmd_vel; its odometry, frames, scan and goal are published."""
 import math
 
+import rospy
 import support
 from geometry_msgs.msg import PoseArray, PoseStamped
 from nav_msgs.msg import Odometry
@@ -95,6 +96,68 @@ class TopicsTest(RobotTestCase):
         self.assertAlmostEqual(scan.angle_increment, math.radians(1.0), places=6)
         hits = sum(math.isfinite(value) for value in scan.ranges)
         self.assertEqual(clouds.wait().width, hits)
+
+    def test_scan_period_is_a_number_of_ticks(self):
+        self.start_all(scenario(more=', scan: {rays: 10, period: 0.3}'))  # without simulated time
+        scans = self.listen('scan', LaserScan).wait_connected()
+        for _ in range(4):
+            self.walk()
+        self.walk(3)
+        self.walk()
+        # Ticks 3 and 6 of 8.
+        support.wait_for(lambda: len(scans.messages) >= 2, 'two scans')
+        self.assertAlmostEqual(scans.messages[0].scan_time, 0.3, places=6)
+        self.assertEqual(self.ticks_of(scans), [3, 6])
+
+    def ticks_of(self, listener):
+        """Returns the ticks at which messages were published."""
+        ticks = {message.header.stamp: message.tick for message in self.states.messages}
+        return [ticks[message.header.stamp] for message in listener.messages]
+
+    def test_odometry_has_covariances(self):
+        self.start_all(scenario(more=', odometry: {distance: 0.1}'))
+        odometry = self.listen('odom', Odometry).wait_connected()
+        self.step_robots(['tug'], [command(1.0)], ticks=20)
+        support.wait_for(lambda: len(odometry.messages) >= 20, '20 odometry messages')
+        pose, twist = odometry.messages[-1].pose.covariance, odometry.messages[-1].twist.covariance
+        # 2 m and 1 m/s with 10 %; the rest is exact, or not measured.
+        self.assertAlmostEqual(pose[0], 0.04, places=9)
+        self.assertAlmostEqual(twist[0], 0.01, places=9)
+        for numbers in (pose, twist):
+            self.assertEqual([numbers[7 * i] for i in range(1, 6)], [1e-6, 1e6, 1e6, 1e6, 1e-6])
+
+    def people_seen(self, **parameters):
+        """Starts the nodes with a person near the robot, one behind the wall and one out of range. Returns where the
+        people of people_poses are."""
+        people = '''  - {position: [3, 1], goal: [3, 30], speed: 0.01, radius: 0.25}
+  - {position: [9, 0], goal: [9, 30], speed: 0.01, radius: 0.25}
+walls:'''
+        text = scenario(more=', scan: {range: [0.1, 15]}').replace('walls:', people)
+        self.start_all(text, **parameters)
+        poses = self.listen('people_poses', PoseArray).wait_connected()
+        self.step()
+        return {(round(pose.position.x), round(pose.position.y)) for pose in poses.wait().poses}
+
+    def test_people_are_all_people(self):
+        self.assertEqual(self.people_seen(), {(0, 20), (3, 1), (9, 0)})
+
+    def test_people_are_those_that_the_scanner_sees_if_wanted(self):
+        self.assertEqual(self.people_seen(visible_people_only=True), {(3, 1)})
+
+    def test_people_messages(self):
+        try:
+            from people_msgs.msg import People
+        except ImportError:
+            self.skip('people_msgs is not installed')
+        self.start_all()
+        if [f'{self.namespace}/people', 'people_msgs/People'] not in rospy.get_published_topics(self.namespace):
+            self.skip('the package was built without people_msgs')
+        people = self.listen('people', People).wait_connected()
+        self.walk(3)
+        person = people.wait(lambda message: message.people[0].velocity.x > 0.0).people[0]
+        self.assertEqual((person.name, person.reliability), ('0', 1.0))
+        self.assertAlmostEqual(person.position.y, 20.0, delta=0.1)
+        self.assertAlmostEqual(math.hypot(person.velocity.x, person.velocity.y), 0.5, delta=0.01)
 
     def test_people_and_goal(self):
         self.start_all(scenario(more=', goal: [4, 0]'))

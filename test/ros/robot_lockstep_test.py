@@ -9,36 +9,63 @@ from robots import RobotTestCase, command, scenario
 TICKS = 40
 
 
+def answer_to(odometry):
+    """Returns a command that depends on the position."""
+    return command(0.5, 0.3 - 0.2 * odometry.pose.pose.position.x)
+
+
 class RobotLockstepTest(RobotTestCase):
     """A controller of the robot that answers each odometry message."""
 
     def answer(self, publisher):
-        """Commands the robot after each odometry message, by its position."""
+        """Commands the robot after each odometry message."""
         def drive(message):
-            publisher.publish(command(0.5, 0.3 - 0.2 * message.pose.pose.position.x))
+            publisher.publish(answer_to(message))
 
         subscriber = rospy.Subscriber(f'{self.namespace}/odom', Odometry, drive, tcp_nodelay=True)
         self.addCleanup(subscriber.unregister)
         support.wait_for(lambda: subscriber.get_num_connections() > 0, 'odometry')
-        return subscriber
 
-    def test_no_command_is_missed_however_fast_the_crowd_walks(self):
-        self.start_all(publish_clock=True, robot_lockstep=True, command_deadline=60.0)
+    def begin(self, **parameters):
+        """Starts the nodes and an episode in which commands are awaited from the first tick on. Returns a publisher of
+        commands."""
+        self.start_all(publish_clock=True, robot_lockstep=True, **dict({'command_deadline': 60.0}, **parameters))
         publisher = self.commander()
+        self.send(publisher, Twist(), 1)
+        self.succeed('crowd_controller/reset', keep_seed=True)
+        return publisher
+
+    def exact_pose(self):
+        """Returns the pose after TICKS ticks, each with the answer to the odometry at its start."""
+        odometry = self.listen('odom', Odometry).wait_connected()
+        self.succeed('crowd_controller/reset', keep_seed=True)
+        for _ in range(TICKS):
+            stamp = self.step_robots(ticks=0).observations[0].header.stamp
+            seen = odometry.wait(lambda message, stamp=stamp: message.header.stamp == stamp)
+            response = self.step_robots(['tug'], [answer_to(seen)])
+        return response.observations[0].pose
+
+    def test_each_tick_has_its_own_command_however_fast_the_crowd_walks(self):
+        publisher = self.begin()
         self.answer(publisher)
-        publisher.publish(Twist())
-        first = self.step(1)
-        self.walk_until_heard()
+        self.succeed('crowd_controller/reset', keep_seed=True)  # publishes the first odometry
         last = self.step(TICKS)
         state = self.states.wait_at(last.episode, last.tick).robots[0]
-        self.assertEqual((state.commands_missed, state.command_timeouts), (0, 0))
-        self.assertGreaterEqual(state.commands_taken, TICKS)
-        self.assertGreater(state.pose.x, 1.0 + 0.5 * 0.1 * TICKS * 0.5)
-        self.assertEqual(last.episode, first.episode)
+        self.assertEqual((state.commands_taken, state.commands_missed, state.commands_late, state.command_timeouts),
+                         (TICKS, 0, 0, 0))
+        self.assertEqual(state.pose, self.exact_pose())
 
-    def walk_until_heard(self):
-        """Walks until the first command has arrived; from then on commands are awaited."""
-        support.wait_for(lambda: self.walk().commands_taken > 0, 'the first command')
+    def test_a_late_command_does_not_shift_those_that_follow(self):
+        publisher = self.begin(command_deadline=3.0)
+        self.send(publisher, command(0.1), 1)  # tick 0
+        self.assertEqual(self.walk().commands_missed, 1)  # tick 1
+        publisher.publish(command(0.2))  # of tick 1
+        publisher.publish(command(0.3))  # of tick 2
+        state = self.walk()
+        self.assertEqual(state.command.linear.x, 0.3)
+        self.assertEqual((state.commands_taken, state.commands_late, state.commands_missed, state.commands_repeated),
+                         (3, 1, 1, 0))
+        support.wait_for(lambda: 'came after the 3 s of ~command_deadline' in self.controller.output(), 'a warning')
 
     def test_a_robot_that_is_silent_is_absent_until_its_next_command(self):
         self.start_all(publish_clock=True, robot_lockstep=True, command_deadline=0.05, misses_until_absent=2)

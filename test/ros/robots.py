@@ -37,7 +37,7 @@ class RobotTestCase(support.CrowdTestCase):
     """A crowd controller with one robot, and a learner."""
 
     def start_all(self, text=None, learner=True, **parameters):
-        """Starts the nodes, paused unless told otherwise, and listens to the robots."""
+        """Starts the nodes and listens to the robots. The crowd is paused, unless `parameters` say something else."""
         self.states = self.listen('robots', RobotStates)
         if learner:
             self.start_learner()

@@ -3,7 +3,7 @@
 import math
 
 import support
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Point, Twist
 from robots import RobotTestCase, command, scenario
 
 
@@ -51,6 +51,48 @@ class StepRobotsTest(RobotTestCase):
         before = self.step_robots(ticks=0).observations[0].pose.x
         after = self.step_robots(['tug'], [command(0.0)], ticks=3).observations[0].pose.x
         self.assertEqual(after, before)
+
+    def test_robots_that_are_commanded_by_it_have_no_timeouts(self):
+        self.start_all()
+        self.send(self.commander(), command(0.1), 1)
+        before = self.states.messages[-1].robots[0].command_timeouts
+        response = self.step_robots(['tug'], [command(0.5)], ticks=20)
+        self.assertEqual(self.states.wait_at(response.episode, response.tick).robots[0].command_timeouts, before)
+        self.assertEqual(self.walk(10).command_timeouts, before + 1)
+
+    def test_clearance_is_that_of_the_footprint(self):
+        # The person stands 1 m beside a robot that is 2 m long and 0.4 m wide.
+        text = scenario().replace('radius: 0.3', 'footprint: [[-1, -0.2], [1, -0.2], [1, 0.2], [-1, 0.2]]')
+        self.start_all(text.replace('[0, 20], goal: [100, 20]', '[1.5, 1], goal: [9, 1]'))
+        self.assertAlmostEqual(self.step_robots(ticks=0).observations[0].clearance, 1.0 - 0.2 - 0.25, places=9)
+
+    def test_contacts_are_those_of_all_ticks(self):
+        # A person crosses the way of a robot that stands: in the middle of these ticks they touch (ghosts).
+        text = scenario().replace('[0, 20], goal: [100, 20]', '[1, -2], goal: [1, 9]').replace('solid', 'ghost')
+        self.start_all(text.replace('max_speed: 1.0', 'max_speed: 1.0, perceived: false'))
+        seen = self.step_robots(ticks=100).observations[0]
+        self.assertEqual((list(seen.contacts), list(seen.contacts_by_person)), ([0], [0]))
+        self.assertEqual(list(self.step_robots(ticks=1).observations[0].contacts), [])
+        self.assertEqual(list(self.step_robots(ticks=0).observations[0].contacts), [])
+
+    def test_scans_show_changes_within_a_tick(self):
+        self.start_all()
+        self.assert_ahead(4.0)
+        wall = self.succeed('crowd_controller/add_wall', begin=Point(3.0, -1.0, 0.0), end=Point(3.0, 1.0, 0.0)).wall
+        self.assert_ahead(2.0)
+        self.succeed('crowd_controller/remove_wall', wall=wall)
+        self.assert_ahead(4.0)
+
+    def assert_ahead(self, expected):
+        """Checks the range ahead of the robot, without a tick."""
+        observed = self.step_robots(ticks=0, with_scan=True).observations[0]
+        self.assertAlmostEqual(observed.scan.ranges[360], expected, places=6)
+
+    def test_remaining_distance_is_that_via_all_goals(self):
+        self.start_all(scenario(more=', goals: [[3, 0], [3, 4], [2, 4]]'))
+        self.assertAlmostEqual(self.step_robots(ticks=0).observations[0].remaining_distance, 7.0, places=9)
+        self.assertAlmostEqual(self.step_robots(['tug'], [command(0.5)], ticks=20).observations[0].remaining_distance,
+                               6.0, places=9)
 
     def test_the_same_commands_give_the_same_observations(self):
         noisy = ', scan: {rays: 100, noise: 0.02, dropout: 0.1}, odometry: {distance: 0.1}'

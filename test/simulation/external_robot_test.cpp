@@ -77,6 +77,48 @@ TEST(ExternalRobot, StandsStillWhileItsPoseIsStale) {
   EXPECT_FALSE(robot.at(1.9)->stale);
 }
 
+TEST(ExternalRobot, IsStaleWithoutAnyPose) {
+  ExternalRobot robot = makeRobot();
+  EXPECT_FALSE(robot.at(1.0));
+  EXPECT_FALSE(robot.at(1.5));
+  EXPECT_FALSE(robot.isStale());
+  EXPECT_FALSE(robot.at(1.6));
+  EXPECT_TRUE(robot.isStale());
+  EXPECT_EQ(robot.counts().stale, 1U);
+}
+
+TEST(ExternalRobot, APoseOfALaterClockIsStale) {
+  ExternalRobot robot = makeRobot();
+  robot.take(at(1.0), 1000.0);
+  EXPECT_TRUE(robot.at(1.0)->stale);
+  EXPECT_FALSE(robot.at(999.6)->stale);
+}
+
+TEST(ExternalRobot, TakesPosesAgainAfterOneOfALaterClock) {
+  ExternalRobot robot = makeRobot();
+  robot.take(at(1.0), 1000.0);
+  robot.at(1.0);
+  EXPECT_FALSE(robot.take(at(5.0), 1.0));
+  const auto state = robot.at(1.1);
+  EXPECT_EQ(state->pose.position.x(), 5.0);
+  EXPECT_TRUE(state->jumped);
+  EXPECT_FALSE(state->stale);
+  EXPECT_EQ(robot.take(at(4.0), 0.9), PoseProblem::BACKWARDS);
+}
+
+TEST(ExternalRobot, AnEpisodeKeepsThePoseAndForgetsTheCounts) {
+  ExternalRobot robot = makeRobot();
+  robot.take(at(1.0), 1.0);
+  robot.take(at(9.0), 1.1);
+  robot.at(1.1);
+  robot.begin(1.0, 0.1);
+  EXPECT_EQ(robot.counts().jumps, 0U);
+  EXPECT_EQ(robot.counts().taken, 0U);
+  const auto state = robot.at(1.2);
+  EXPECT_EQ(state->pose.position.x(), 9.0);
+  EXPECT_TRUE(state->jumped);  // from the place in the scenario
+}
+
 TEST(ExternalRobot, IgnoresBadPoses) {
   ExternalRobot robot = makeRobot();
   robot.take(at(0.5), 1.0);

@@ -121,6 +121,57 @@ TEST(RobotCommands, ARobotThatMissesSeveralInARowIsAbsent) {
   EXPECT_TRUE(commands.isAwaited(0, 7));
 }
 
+TEST(RobotCommands, ALateCommandDoesNotShiftThoseThatFollow) {
+  RobotCommands commands = makeCommands(true);
+  commands.take(0, forward(0.1), JOYSTICK, 0);
+  EXPECT_TRUE(commands.isAwaited(0, 1));
+  commands.giveUp(1);
+  EXPECT_FALSE(commands.take(0, forward(0.2), JOYSTICK, 2));  // that of tick 1
+  EXPECT_EQ(commands.countsOf(0).late, 1U);
+  EXPECT_TRUE(commands.isAwaited(0, 2));
+  EXPECT_FALSE(commands.take(0, forward(0.3), JOYSTICK, 2));  // that of tick 2
+  EXPECT_FALSE(commands.isAwaited(0, 2));
+  EXPECT_EQ(commands.take(0, forward(0.4), JOYSTICK, 2), CommandRefusal::SECOND_IN_TICK);
+  EXPECT_EQ(speeds(commands, 2, 3), std::vector<double>{0.3});
+  EXPECT_EQ(commands.countsOf(0).taken, 3U);
+  EXPECT_EQ(commands.countsOf(0).late, 1U);
+  EXPECT_EQ(commands.countsOf(0).missed, 1U);
+}
+
+TEST(RobotCommands, ALateCommandIsExecutedIfNoOtherOneComes) {
+  RobotCommands commands = makeCommands(true);
+  commands.take(0, forward(0.1), JOYSTICK, 0);
+  commands.giveUp(1);
+  commands.take(0, forward(0.2), JOYSTICK, 2);
+  EXPECT_TRUE(commands.giveUp(2).empty());
+  EXPECT_EQ(speeds(commands, 2, 3), std::vector<double>{0.2});
+  EXPECT_EQ(commands.countsOf(0).missed, 1U);
+  EXPECT_FALSE(commands.take(0, forward(0.3), JOYSTICK, 3));  // not late: the one of tick 2 will not come
+  EXPECT_FALSE(commands.isAwaited(0, 3));
+  EXPECT_EQ(commands.countsOf(0).late, 1U);
+}
+
+TEST(RobotCommands, ALateCommandOfASlowControllerKeepsThePeriod) {
+  RobotCommands commands = makeCommands(true, 1, 0.3);
+  commands.take(0, forward(0.1), JOYSTICK, 10);
+  commands.giveUp(13);
+  commands.take(0, forward(0.2), JOYSTICK, 14);
+  EXPECT_EQ(commands.countsOf(0).late, 1U);
+  EXPECT_FALSE(commands.isAwaited(0, 15));
+  EXPECT_TRUE(commands.isAwaited(0, 16));
+}
+
+TEST(RobotCommands, TheFirstCommandOfAnAbsentRobotIsNotLate) {
+  RobotCommands commands = makeCommands(true);
+  commands.take(0, forward(0.1), JOYSTICK, 0);
+  commands.giveUp(1);
+  commands.giveUp(2);
+  commands.take(0, forward(0.2), JOYSTICK, 9);
+  EXPECT_EQ(commands.countsOf(0).late, 0U);
+  EXPECT_FALSE(commands.isAwaited(0, 9));
+  EXPECT_TRUE(commands.isAwaited(0, 10));
+}
+
 TEST(RobotCommands, ASlowControllerIsAwaitedOncePerPeriod) {
   RobotCommands commands = makeCommands(true, 1, 0.3);
   commands.take(0, forward(1.0), JOYSTICK, 10);

@@ -29,6 +29,7 @@ struct ControllerParameters {
   double command_deadline = 0.5;     ///< ~command_deadline: timeout for these commands [s], wall clock
   double command_period = 0.0;       ///< ~command_period: simulated time between two of them [s]; 0: every tick
   bool publish_localisation = true;  ///< ~publish_localisation: map -> odom of the robots
+  bool visible_people_only = false;  ///< ~visible_people_only: people_poses and people of those that a scanner sees
   std::string trajectories;          ///< ~trajectories: folder of recordings; empty: none
   bool ends_launch = false;          ///< ~ends_launch: end the parent roslaunch after the last episode
 };

@@ -29,7 +29,8 @@ Vector2 fromVector3(const geometry_msgs::Vector3& vector);
 /// @brief Writes agents, obstacles, tick and time; not header and episode.
 void toMessage(const World& world, social_crowd::AgentStates& message);
 
-/// @brief Writes the metrics of the episode and of each agent; not header, episode, instance and counts of answers.
+/// @brief Writes the metrics of the episode, of each agent and of each robot; not header, episode, instance and counts
+/// of answers.
 void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message);
 
 /// @brief Writes the start of an episode; not header, episode and instance.

@@ -34,10 +34,17 @@ class CrowdBroadcaster {
   void publishScenario(const Episode& episode, std::uint64_t instance);
   /// @brief Publishes the walls if they have changed since the last call, or are those of another episode.
   void publishWalls(const Episode& episode);
-  void publishResult(const Episode& episode, std::uint64_t instance, std::uint64_t missed, std::uint64_t dropped);
+  /// @param number of the episode
+  void publishResult(const EpisodeResult& result, std::uint64_t number, std::uint64_t instance, std::uint64_t missed,
+                     std::uint64_t dropped);
 
   /// @brief Returns a header with frame map and the present time (simulated time with ~publish_clock).
   std_msgs::Header header() const;
+  /// @brief The time at the end of a tick of this duration [s] that is about to be executed: without ~publish_clock,
+  /// the present time, as ticks take almost no time.
+  ros::Time timeIn(double tick_duration) const {
+    return publish_clock_ ? clock_ + ros::Duration(tick_duration) : ros::Time::now();
+  }
 
  private:
   void publishMap(const OccupancyMap& map);

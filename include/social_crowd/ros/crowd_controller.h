@@ -16,9 +16,10 @@
 #include "social_crowd/ros/controller_parameters.h"
 #include "social_crowd/ros/crowd_broadcaster.h"
 #include "social_crowd/ros/main_loop.h"
-#include "social_crowd/ros/robot_interfaces.h"
+#include "social_crowd/ros/robot_interface.h"
 #include "social_crowd/ros/services.h"
 #include "social_crowd/simulation/episode.h"
+#include "social_crowd/simulation/robot_record.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/world/scenario.h"
 
@@ -94,7 +95,7 @@ class CrowdController {
   ros::NodeHandle node_;
   AnswerCollector answers_;
   CrowdBroadcaster broadcaster_;
-  RobotInterfaces robots_;
+  RobotInterface robots_;
 
   ScenarioList scenarios_;
   std::string scenario_name_;
@@ -110,6 +111,7 @@ class CrowdController {
   std::vector<double> headings_;  // of the agents at the end of the last episode [rad]
   bool cut_off_ = false;          // the episode was replaced during a tick
   Metrics metrics_;
+  RobotSummary robot_summary_;
 
   Clock next_tick_;
   bool paused_;

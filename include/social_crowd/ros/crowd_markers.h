@@ -55,6 +55,7 @@ class CrowdMarkers {
   ros::Subscriber agents_;
   ros::Subscriber scenario_;
   ros::Subscriber walls_;
+  ros::Subscriber robots_;
   ros::Subscriber learner_status_;
   ros::Subscriber perceptions_;  // only while there are subscribers, because these messages are large
   ros::WallTimer timer_;

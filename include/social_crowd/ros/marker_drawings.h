@@ -1,6 +1,7 @@
 #pragma once
 
 #include <social_crowd/AgentStates.h>
+#include <social_crowd/RobotStates.h>
 #include <social_crowd/Scenario.h>
 #include <visualization_msgs/Marker.h>
 
@@ -25,13 +26,26 @@ visualization_msgs::Marker drawGoals(const social_crowd::AgentStates& states);
 visualization_msgs::Marker drawObstacles(const social_crowd::AgentStates& states);
 visualization_msgs::Marker drawWalls(const std::vector<social_crowd::Wall>& walls);
 
+/// @brief Filled footprints of the robots.
+visualization_msgs::Marker drawRobots(const social_crowd::RobotStates& states);
+/// @brief Arrows on the robots; in the namespace of the robots.
+visualization_msgs::Marker drawRobotHeadings(const social_crowd::RobotStates& states);
+/// @brief Red outlines of the robots in contact with people; in the namespace of the robots.
+visualization_msgs::Marker drawRobotContacts(const social_crowd::RobotStates& states);
+/// @brief Crosses; in the namespace of the agents' goals.
+visualization_msgs::Marker drawRobotGoals(const social_crowd::RobotStates& states);
+
+/// @brief Bodies that have walked paths.
+enum class Walkers { AGENTS, ROBOTS };
 /// @brief The settled parts of the paths, which are rarely drawn again.
-visualization_msgs::Marker drawSettledPaths(const WalkedPaths& paths);
+visualization_msgs::Marker drawSettledPaths(const WalkedPaths& paths, Walkers walkers);
 /// @brief The remaining parts of the paths, up to the present positions.
-visualization_msgs::Marker drawRecentPaths(const WalkedPaths& paths);
+visualization_msgs::Marker drawRecentPaths(const WalkedPaths& paths, Walkers walkers);
 
 /// @brief Whether the last position of the agent can be drawn.
 bool hasPlace(const social_crowd::AgentState& agent);
+/// @brief The same of a robot.
+bool hasPlace(const social_crowd::RobotState& robot);
 /// @brief Whether the agent walks and all its values can be drawn.
 bool isOnFloor(const social_crowd::AgentState& agent);
 

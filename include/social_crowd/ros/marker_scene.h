@@ -2,6 +2,7 @@
 
 #include <social_crowd/AgentStates.h>
 #include <social_crowd/LearnerStatus.h>
+#include <social_crowd/RobotStates.h>
 #include <social_crowd/Scenario.h>
 #include <social_crowd/Walls.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -57,6 +58,7 @@ class MarkerScene {
   explicit MarkerScene(const MarkerOptions& options);
 
   void take(const social_crowd::AgentStates::ConstPtr& message);
+  void take(const social_crowd::RobotStates::ConstPtr& message);
   void take(const social_crowd::Scenario& message);
   void take(const social_crowd::Walls& message);
   /// @throws InputError if the perception of the chosen agent is invalid
@@ -83,6 +85,8 @@ class MarkerScene {
   std::vector<social_crowd::Wall> walls_;
   Perceptions perceptions_;  // of the chosen agent only, or empty
   WalkedPaths paths_;
+  social_crowd::RobotStates::ConstPtr robots_;  // never null
+  WalkedPaths robot_paths_;
   bool changed_ = false;
 };
 

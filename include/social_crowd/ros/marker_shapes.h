@@ -40,6 +40,8 @@ class TriangleMarker : public ListMarker {
   void addTriangle(const Vector2& a, const Vector2& b, const Vector2& c, const Colour& colour);
   /// @param circle see unitCircle()
   void addDisc(const Vector2& centre, double radius, const std::vector<Vector2>& circle, const Colour& colour);
+  /// @brief A polygon that does not cross itself; it may be concave. @param corners in either direction
+  void addPolygon(std::vector<Vector2> corners, const Colour& colour);
   /// @brief A ring between two radii [m].
   void addRing(const Vector2& centre, double inner, double outer, const std::vector<Vector2>& circle,
                const Colour& colour);
@@ -63,6 +65,8 @@ class LineMarker : public ListMarker {
   void addLine(const Vector2& from, const Vector2& to, const Colour& colour);
   /// @param circle see unitCircle()
   void addCircle(const Vector2& centre, double radius, const std::vector<Vector2>& circle, const Colour& colour);
+  /// @param corners of a closed line
+  void addPolygon(const std::vector<Vector2>& corners, const Colour& colour);
   /// @brief Two lines like an X.
   void addCross(const Vector2& centre, double size, const Colour& colour);
 };

@@ -19,6 +19,7 @@ constexpr const char* OBSTACLES = "obstacles";
 constexpr const char* WALLS = "walls";
 constexpr const char* RADII = "radii";
 constexpr const char* SECTORS = "sectors";
+constexpr const char* ROBOTS = "robots";
 
 /// @brief Drawing order, lowest first.
 enum class Layer { SECTORS = 1, OBSTACLES, WALLS, PATHS, GOALS, RADII, BODIES, HEADINGS, CONTACTS };
@@ -30,7 +31,8 @@ constexpr double WALL_WIDTH = 0.06;
 constexpr double RADIUS_WIDTH = 0.02;
 constexpr double CONTACT_WIDTH = 0.06;
 constexpr double GOAL_WIDTH = 0.045;
-constexpr double GOAL_SIZE = 0.13;  ///< length of an arm of the cross
+constexpr double GOAL_SIZE = 0.13;        ///< length of an arm of the cross
+constexpr double ROBOT_GOAL_SIZE = 0.26;  ///< the same, of a robot
 
 // Arrow of a heading, in radii of the body: positions ahead of the centre and to the side.
 constexpr double ARROW_TIP = 0.78;
@@ -57,6 +59,7 @@ Colour ofRadius(std::size_t distance_class, std::size_t classes);
 /// @brief Colour of an occupied sector (translucent) by its class.
 Colour ofSector(std::size_t distance_class, std::size_t classes);
 Colour ofContact();
+Colour ofRobot();
 Colour ofHeading();
 Colour ofObstacle();
 Colour ofWall();

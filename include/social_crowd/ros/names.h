@@ -25,6 +25,7 @@ constexpr const char* SCAN_CLOUD = "scan_cloud";      ///< sensor_msgs/PointClou
 constexpr const char* GOAL = "goal";                  ///< geometry_msgs/PoseStamped, latched: its present goal
 constexpr const char* NEW_GOAL = "new_goal";          ///< geometry_msgs/PoseStamped: any node -> crowd_controller
 constexpr const char* PEOPLE_POSES = "people_poses";  ///< geometry_msgs/PoseArray
+constexpr const char* PEOPLE = "people";              ///< people_msgs/People, where people_msgs is installed
 constexpr const char* FOOTPRINT = "footprint";        ///< geometry_msgs/PolygonStamped
 
 // Services; private names below the node.

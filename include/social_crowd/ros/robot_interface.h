@@ -1,71 +1,84 @@
 #pragma once
 
-#include <geometry_msgs/PoseStamped.h>
-#include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
+#include <social_crowd/RobotObservation.h>
+#include <social_crowd/RobotStates.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
 
-#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "social_crowd/ros/robot_messages.h"
+#include "social_crowd/ros/command_collector.h"
+#include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/pose_collector.h"
+#include "social_crowd/ros/robot_topics.h"
+#include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/robot_senses.h"
-#include "social_crowd/world/world.h"
 
 namespace crowd {
 
-/// @brief Topics and frames of one robot, in its namespace.
+/// @brief Commands, poses, sensors and topics of all robots of the crowd controller, which calls begin() for each
+/// episode, then ask(), wait(), observe() and publish() in each tick. Without robots it advertises and publishes
+/// nothing. All functions run in the main loop, which wait() serves. docs/protocol.md describes the protocol.
 class RobotInterface {
  public:
-  /// What happens with messages.
-  struct Handlers {
-    std::function<void(const Twist& command, const std::string& node)> command;
-    std::function<void(const geometry_msgs::PoseStamped& goal)> goal;
-  };
+  /// @param node whose callbacks `loop` serves @param clock the present time, simulated time with ~publish_clock
+  RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
+                 std::function<ros::Time()> clock);
 
-  /// @param node whose callbacks the main loop serves
-  RobotInterface(const ros::NodeHandle& node, const RobotStart& start, RobotId id, Handlers handlers);
+  /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.
+  void begin(Episode& episode);
+  /// @brief The commands of the coming tick are awaited from now on.
+  void ask() { commands_.ask(); }
+  /// @brief Waits for the commands of the tick and moves external robots. @return see CommandCollector::wait()
+  /// @param end returns the time of the end of the tick
+  bool wait(const std::function<ros::Time()>& end);
+  /// @brief Takes note of the moves of the last tick.
+  void observe();
+  /// @brief Publishes transforms, states and sensors. @param begins the episode begins
+  void publish(const ros::Time& now, bool begins);
 
-  /// @brief Publishes what subscribers see of the robot after a tick; its scan if it is due.
-  void publish(const World& world, RobotSenses& senses, const ros::Time& now);
-  /// @brief Publishes the present goal again, if it has changed or an episode begins.
-  void publishGoal(const Robot& robot, const ros::Time& now, bool begins);
-  /// @brief An episode begins: a scan is due. @param start of a robot of the same name and namespace
-  void begin(const RobotStart& start) {
-    start_ = start;
-    scanned_at_ = ros::Time();
-  }
-
-  /// @brief Appends the transforms map -> odom (with `localised`) -> base_link.
-  void addTransforms(const Robot& robot, const Odometry& odometry, const ros::Time& now, bool localised,
-                     std::vector<geometry_msgs::TransformStamped>& transforms) const;
-  /// @brief The transform base_link -> laser, which never changes.
-  geometry_msgs::TransformStamped mountTransform(const ros::Time& now) const;
-
-  /// @brief Scan of the robot as a message. @param ranges may be empty
-  sensor_msgs::LaserScan scanMessage(const std::vector<float>& ranges, double tick_duration,
-                                     const ros::Time& now) const;
+  const CommandCollector& commands() const { return commands_; }
+  /// @brief Writes what the robots got from elsewhere in this episode.
+  void writeInput(std::vector<RobotResult>& results) const;
+  /// @brief From now on these commands are executed instead of those from topics, none is awaited, and contacts are
+  /// collected.
+  void beginSteps(const CommandCollector::Commands& commands);
+  /// @brief Ends that.
+  void endSteps();
+  /// @brief What all robots observe now, with the contacts of all ticks since beginSteps(), or, without that, of the
+  /// last tick. @param with_scan with ranges
+  std::vector<social_crowd::RobotObservation> observations(const ros::Time& now, bool with_scan);
 
  private:
-  void publishScan(const World& world, RobotSenses& senses, const ros::Time& now);
-  void publishPeople(const World& world, const ros::Time& now);
-  std_msgs::Header header(const std::string& frame, const ros::Time& now) const;
+  const std::vector<Robot>& robots() const { return episode_->world().robots(); }
+  RobotInput inputOf(RobotId robot) const;
+  void advertise();
+  void takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal);
+  void publishTransforms(const ros::Time& now);
+  void publishMounts(const ros::Time& now);
+  social_crowd::RobotStates states(const ros::Time& now) const;
 
-  RobotId id_;
-  RobotStart start_;
-  std::string prefix_;    // of frames
-  ros::Time scanned_at_;  // zero: not yet in this episode
-  std::optional<Vector2> goal_;
-  ros::Publisher odometry_;
-  ros::Publisher scan_;
-  ros::Publisher cloud_;
-  ros::Publisher people_;
-  ros::Publisher footprint_;
-  ros::Publisher goals_;
-  ros::Subscriber commands_;
-  ros::Subscriber new_goals_;
+  ros::NodeHandle node_;
+  std::function<ros::Time()> clock_;
+  const bool publish_localisation_;
+  const bool visible_people_only_;
+  Episode* episode_ = nullptr;
+  std::unique_ptr<RobotSenses> senses_;
+  std::uint64_t scanned_changes_ = 0;                // Episode::changes() at the last scans
+  std::vector<std::vector<RobotContact>> contacts_;  // by robot; empty: they are not collected
+  CommandCollector commands_;
+  PoseCollector poses_;
+  std::vector<std::string> advertised_;  // names and namespaces of the robots
+  std::vector<std::unique_ptr<RobotTopics>> topics_;
+  ros::Publisher states_;
+  std::optional<tf2_ros::TransformBroadcaster> transforms_;
+  std::optional<tf2_ros::StaticTransformBroadcaster> static_transforms_;
 };
 
 }  // namespace crowd

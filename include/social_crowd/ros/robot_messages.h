@@ -8,17 +8,23 @@
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <social_crowd/RobotObservation.h>
+#include <social_crowd/RobotResult.h>
 #include <social_crowd/RobotState.h>
 
 #include <string>
 #include <vector>
 
+#include "social_crowd/ros/pose_collector.h"
 #include "social_crowd/simulation/robot_commands.h"
+#include "social_crowd/simulation/robot_result.h"
 #include "social_crowd/simulation/robot_senses.h"
 #include "social_crowd/world/world.h"
 
 /// Conversions of robots and their sensors to messages. The caller sets headers, unless it says otherwise.
 namespace crowd {
+
+/// @brief What the names of the robot's frames begin with.
+std::string framePrefix(const RobotStart& start);
 
 Twist fromMessage(const geometry_msgs::Twist& message);
 geometry_msgs::Twist toMessage(const Twist& twist);
@@ -31,7 +37,9 @@ Pose relativePose(const Pose& from, const Pose& to);
 /// @brief Pose in the frame that `frame` is given in of something at `pose` in `frame`.
 Pose composedPose(const Pose& frame, const Pose& pose);
 
-nav_msgs::Odometry toMessage(const Odometry& odometry);
+/// @brief Pose, twist and covariances. The variances of what is not measured (height, roll, pitch) are 1e6; the others
+/// are at least 1e-6, as filters need positive ones.
+nav_msgs::Odometry toMessage(const Odometry& odometry, const OdometryCovariance& covariance);
 /// @brief Description and ranges of a scan; `ranges` may be empty. @param tick_duration [s]
 sensor_msgs::LaserScan toMessage(const ScanSpec& spec, const std::vector<float>& ranges, double tick_duration);
 /// @brief The points that rays hit, at height 0 of the sensor frame.
@@ -39,10 +47,13 @@ sensor_msgs::PointCloud2 toCloud(const ScanSpec& spec, const std::vector<float>&
 /// @brief Corners of the robot, in its base frame; of a disc, of a polygon around it.
 geometry_msgs::Polygon toMessage(const Footprint& footprint);
 
-/// @brief All fields but the counts of commands.
+/// @brief All fields but the counts of commands and poses.
 social_crowd::RobotState toMessage(const Robot& robot, RobotId id);
 void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message);
-/// @brief All fields but header and scan.
-social_crowd::RobotObservation toObservation(const Robot& robot, const World& world);
+void writeCounts(const PoseInput& input, social_crowd::RobotState& message);
+social_crowd::RobotResult toMessage(const RobotResult& result);
+/// @brief All fields but header and scan. @param contacts those of the ticks that are observed
+social_crowd::RobotObservation toObservation(const Robot& robot, const World& world,
+                                             const std::vector<RobotContact>& contacts);
 
 }  // namespace crowd

@@ -23,6 +23,9 @@ struct Scan {
   std::vector<BodyNumber> hits;
 };
 
+/// @brief Number of ticks between two scans, at least one: the period, rounded. @param tick_duration [s]
+std::uint64_t scanTicks(const ScanSpec& spec, double tick_duration);
+
 /// @brief Angle between two rays [rad].
 double angleIncrement(const ScanSpec& spec);
 

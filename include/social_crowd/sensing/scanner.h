@@ -31,6 +31,8 @@ class Scanner {
   explicit Scanner(const ScanSpec& spec);
 
   const ScanSpec& spec() const { return spec_; }
+  /// @brief The result of the last call of scan().
+  const Scan& last() const { return scan_; }
   /// @brief Casts all rays. Of bodies at the same distance, the lowest number counts.
   /// @param sensor in `map` @return valid until the next call
   const Scan& scan(const Pose& sensor, const Span<ScanTarget>& targets, const Span<ScanEdge>& edges,

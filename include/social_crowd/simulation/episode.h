@@ -65,6 +65,9 @@ class Episode {
   /// @brief Why way-finding is left out, although the scene is with it: the floor is too large. Empty if it is not.
   const std::string& wayFindingProblem() const { return way_finding_problem_; }
 
+  /// @brief Number of changes of the world, ticks included.
+  std::uint64_t changes() const { return changes_; }
+
   /// @brief Changes of the world between two ticks, see World; perceptions() reflect them.
   /// @throws InputError as World does; with way-finding also if an agent cannot reach its goal then because of its own
   /// new place, goal or route (WayLengths::requireWay()), or if the floor would become too large. The world is
@@ -118,6 +121,7 @@ class Episode {
   WayLengths way_lengths_;  // for changes by users, which do not affect the ways of the population if they are refused
   std::string way_finding_problem_;
   std::uint64_t number_;
+  std::uint64_t changes_ = 0;
   ObjectPool<std::shared_ptr<Perceptions>> buffers_;
   std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // latest
   bool may_be_held_ = false;                                    // `perceptions_` were shared with a caller

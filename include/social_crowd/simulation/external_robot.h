@@ -10,7 +10,7 @@ namespace crowd {
 /// @brief What is wrong with a pose of a robot that moves elsewhere.
 enum class PoseProblem : std::uint8_t {
   NOT_FINITE = 0,  ///< ignored
-  BACKWARDS = 1,   ///< older than the last one; ignored
+  BACKWARDS = 1,   ///< older than the last one; ignored, unless the last one is of a later clock
   JUMP = 2,        ///< too far from the last one for its greatest speed; used, without a motion between them
   GAP = 3,         ///< long after the last one; used, with the velocity 0
 };
@@ -38,12 +38,15 @@ class ExternalRobot {
     Pose pose;                           ///< in `map`
     Vector2 velocity = Vector2::Zero();  ///< `map` [m/s]
     bool jumped = false;                 ///< it did not move there since the last call
-    bool stale = false;                  ///< no pose has arrived for MAX_GAP
+    bool stale = false;                  ///< the stamp of its last pose is not within MAX_GAP of the time
   };
 
   /// @param max_speed [m/s] @param tick_duration [s]
   ExternalRobot(double max_speed, double tick_duration) : max_speed_(max_speed), tick_duration_(tick_duration) {}
 
+  /// @brief An episode begins: counts begin at zero, and the robot is put where its last pose is.
+  /// @param max_speed [m/s] @param tick_duration [s]
+  void begin(double max_speed, double tick_duration);
   /// @brief Takes a pose in `map` that was measured at `stamp` [s]. A pose with the stamp of the last one is ignored.
   /// @return what is wrong with it
   std::optional<PoseProblem> take(const Pose& pose, double stamp);
@@ -52,11 +55,17 @@ class ExternalRobot {
   std::optional<State> at(double time);
 
   const PoseCounts& counts() const { return counts_; }
+  /// @brief Whether the robot was stale at the last call of at(); without any pose, from MAX_GAP after the first call.
+  bool isStale() const { return stale_; }
+  /// @brief Stamp of the last pose [s]; empty: there was none.
+  const std::optional<double>& stamp() const { return stamp_; }
 
  private:
   double max_speed_;
   double tick_duration_;
   std::optional<double> stamp_;  // of the last pose [s]
+  std::optional<double> began_;  // time of the first call of at() in the episode [s]
+  std::optional<double> asked_;  // time of the last call of at() [s]
   Pose pose_;
   Vector2 velocity_ = Vector2::Zero();
   bool jumped_ = true;  // since the last call of at(); the first pose is one

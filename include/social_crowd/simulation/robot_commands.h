@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -25,6 +26,7 @@ struct CommandCounts {
   std::uint64_t taken = 0;
   std::uint64_t timeouts = 0;                             ///< stops because no command arrived for too long
   std::uint64_t missed = 0;                               ///< commands that were awaited in vain
+  std::uint64_t late = 0;                                 ///< taken, but after the end of the wait for them
   std::array<std::uint64_t, COMMAND_REFUSALS> refused{};  ///< by cause
 };
 
@@ -42,6 +44,10 @@ struct CommandSettings {
 /// stop. The publisher whose command was accepted last holds the robot until it has been silent for the timeout;
 /// commands of others are refused. In lockstep a robot is awaited from its first command on, until it has missed
 /// several in a row, and again from its next command on.
+///
+/// A command has no number of a tick, so in lockstep the first one after a missed one is taken as late: it is executed
+/// at once and counted, and the tick goes on waiting for the command of its own, which replaces it. So a single delay
+/// does not shift all later commands by a tick. A tick whose own command does not come then is not counted as missed.
 class RobotCommands {
  public:
   explicit RobotCommands(const CommandSettings& settings) : settings_(settings) {}
@@ -70,7 +76,9 @@ class RobotCommands {
   struct Record {
     std::uint64_t timeout = 0;  // [ticks]
     Twist command;
-    std::optional<std::uint64_t> taken_at;  // tick of the last accepted command
+    std::optional<std::uint64_t> taken_at;   // tick of the last accepted command
+    std::optional<std::uint64_t> missed_at;  // first tick that missed its command since the last accepted one
+    std::uint64_t due = 0;                   // tick from which on the next command is awaited
     PublisherId holder = 0;
     bool is_stopped = true;  // timed out, and counted
     bool heard = false;
@@ -80,6 +88,8 @@ class RobotCommands {
   };
 
   std::uint64_t ticksOf(double seconds) const;
+  std::uint64_t period() const { return std::max<std::uint64_t>(1, ticksOf(settings_.period)); }
+  void noteTiming(Record& record, std::uint64_t tick) const;
   std::optional<CommandRefusal> causeOf(const Record& record, const Twist& command, PublisherId publisher,
                                         std::uint64_t tick) const;
   static bool isHeld(const Record& record, std::uint64_t tick);

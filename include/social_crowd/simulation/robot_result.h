@@ -11,13 +11,16 @@ namespace crowd {
 
 /// @brief Commands and poses that a robot got from elsewhere in an episode. Headless controllers count none of them.
 struct RobotInput {
-  std::uint64_t taken = 0;     ///< commands that were executed
-  std::uint64_t missed = 0;    ///< commands that did not come in time
-  std::uint64_t timeouts = 0;  ///< stops because no command came for RobotStart::cmd_timeout
-  std::uint64_t refused = 0;   ///< invalid commands and those of other publishers
-  std::uint64_t jumps = 0;     ///< of the pose
-  std::uint64_t gaps = 0;      ///< in the poses
-  std::uint64_t stale = 0;     ///< periods without a pose
+  std::uint64_t taken = 0;        ///< commands that were executed
+  std::uint64_t missed = 0;       ///< commands that did not come in time
+  std::uint64_t late = 0;         ///< commands that came after the end of the wait for them; they are among those taken
+  std::uint64_t timeouts = 0;     ///< stops because no command came for RobotStart::cmd_timeout
+  std::uint64_t refused = 0;      ///< invalid commands and those of other publishers
+  std::uint64_t poses_taken = 0;  ///< poses that were used
+  std::uint64_t poses_refused = 0;  ///< invalid poses, those older than the last one, and those in unknown frames
+  std::uint64_t jumps = 0;          ///< of the pose
+  std::uint64_t gaps = 0;           ///< in the poses
+  std::uint64_t stale = 0;          ///< periods without a pose
 };
 
 /// @brief Results of a robot in an episode (docs/robots.md, Metrics). Names are those of HuNavSim where it has the

@@ -84,6 +84,13 @@ struct Robot {
   bool hasGoal() const { return !goals.empty(); }
   /// @brief The present goal, or the last one after arrival [m], `map`; hasGoal() must hold.
   const Vector2& goal() const { return goals[next_goal]; }
+  /// @brief Length of the straight lines from here via all goals that are left [m]; 0 without goals.
+  double remainingDistance() const {
+    double length = 0.0;
+    Vector2 from = pose.position;
+    for (std::size_t i = next_goal; i < goals.size(); from = goals[i++]) length += (goals[i] - from).norm();
+    return length;
+  }
 };
 
 }  // namespace crowd

@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""Metrics of robots: through ROS the same as those of `evaluate`, bit for bit."""
+import csv
+import io
+import math
+
+import support
+from robots import RobotTestCase, command, scenario
+from social_crowd.msg import EpisodeResult, RobotResult
+
+# Two robots drive straight ahead through people who cross their way; only one gets to its goal in time.
+CROSSING = """
+name: crossing
+duration: 14
+goal_tolerance: 0.3
+contact: solid
+agents:
+  - {count: 6, position: {box: [[-2, -6], [2, -3]]}, goal: {box: [[-2, 6], [2, 9]]}, speed: 1.2, radius: 0.25}
+  - {count: 6, position: {box: [[-2, 3], [2, 6]]}, goal: {box: [[-2, -9], [2, -6]]}, speed: 1.2, radius: 0.25}
+robots:
+  - {name: tug, position: [-6, 0], goal: [6, 0], heading: 0, radius: 0.3, max_speed: 1.0, yields: nobody}
+  - {name: cart, position: [-5, 1], goal: [15, 1], heading: 0, max_speed: 0.5,
+     footprint: [[-0.4, -0.3], [0.4, -0.3], [0.4, 0.3], [-0.4, 0.3]]}
+"""
+SPEEDS = {'tug': 1.0, 'cart': 0.5}
+SEED = 8  # somebody walks into the first robot
+# `evaluate --people-delay` compares two runs.
+WITHOUT_ROS = {'people_compared', 'people_delay', 'people_detour'}
+
+
+def straight(observed):
+    """Returns the command of `evaluate --robot straight` for a robot whose goal lies straight ahead."""
+    if observed.arrived:
+        return command(0.0)
+    return command(SPEEDS[observed.name] * min(1.0, observed.goal.x))
+
+
+class RobotResultsTest(RobotTestCase):
+    """What is published and logged at the end of an episode."""
+
+    def headless_rows(self, file):
+        """Returns the rows of `evaluate --robots-csv` by robot."""
+        table = self.path('robots.csv')
+        self.tool('evaluate', '--q-table', support.ANTICIPATION_TABLE, '--robot', 'straight', '--robots-csv', table,
+                  '--episodes', 1, '--seed', SEED, file)
+        return {row['robot']: row for row in csv.DictReader(io.StringIO(support.read_text(table)))}
+
+    def test_the_same_metrics_as_without_ros(self):
+        expected = self.headless_rows(self.write('crossing.yaml', CROSSING))
+        self.assertEqual((expected['tug']['success'], expected['cart']['timeout']), ('1', '1'))
+        self.assertGreater(int(expected['tug']['person_on_robot_collisions']), 0)
+        results = self.listen('episode_results', EpisodeResult)
+        self.start_learner(q_table=support.ANTICIPATION_TABLE)
+        self.start_all(CROSSING, learner=False, seed=SEED)
+        results.wait_connected()
+        response = self.step_robots(ticks=0)
+        while not response.done:
+            names = [observed.name for observed in response.observations]
+            response = self.step_robots(names, [straight(observed) for observed in response.observations])
+        result = results.wait()
+        self.assertEqual([robot.robot for robot in result.robots], ['tug', 'cart'])
+        for robot in result.robots:
+            self.assert_same(robot, expected[robot.robot])
+        support.wait_for(lambda: 'robots: 1 of 2 arrived after' in self.controller.output(), 'a line in the log')
+
+    def assert_same(self, robot, row):
+        """Compares all fields of a message with a row of the CSV file."""
+        for name in RobotResult.__slots__:
+            got, expected = getattr(robot, name), row[name]
+            if isinstance(got, float):
+                self.assertTrue(got == float(expected) or math.isnan(got) and expected == 'nan',
+                                f'{name} of {robot.robot}: {got!r}, expected {expected}')
+            else:
+                self.assertEqual(str(int(got)) if isinstance(got, (bool, int)) else got, expected, name)
+        self.assertEqual(set(row) - set(RobotResult.__slots__) - {'episode', 'scenario'} - WITHOUT_ROS, set())
+
+    def test_commands_and_poses_are_counted(self):
+        text = scenario(duration=1) + scenario().split('robots:\n')[1].replace('tug', 'cart').replace(
+            '[1, 0]', '[1, 3]').replace('max_speed', 'drive: external, max_speed')
+        results = self.listen('episode_results', EpisodeResult)
+        self.start_all(text, publish_clock=True)
+        results.wait_connected()
+        self.send(self.publisher('tug/cmd_vel', type(command(0.0))), command(math.nan), 1)
+        support.wait_for(lambda: self.walk() and results.messages, 'the end of the episode')
+        tug, cart = results.wait().robots
+        self.assertEqual((tug.commands_refused, tug.commands_taken, tug.pose_stale), (1, 0, 0))
+        self.assertEqual((cart.commands_refused, cart.poses_taken, cart.pose_stale), (0, 0, 1))
+
+
+if __name__ == '__main__':
+    support.run('robot_results_test')
