@@ -64,7 +64,7 @@ void readDrive(const YamlMap& map, const Units& units, RobotStart& start) {
 void readCourtesy(const YamlMap& map, RobotStart& start) {
   start.perceived = map.flag("perceived", true);
   start.yields = YIELDS.read(map, start.perceived ? Yields::CROWD : Yields::NOBODY);
-  const bool crowd_yields = start.yields == Yields::CROWD || start.yields == Yields::BOTH;
+  const bool crowd_yields = doesCrowdYield(start.yields);
   if (start.perceived || !crowd_yields) return;
   throwProblem(map.placeOf("yields"), map.need("yields"),
                "'" + YIELDS.nameOf(start.yields) + "' needs perceived: true");

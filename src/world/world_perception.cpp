@@ -125,7 +125,7 @@ Span<NearDisc> World::withRobots(const Span<NearDisc>& found, const Vision& visi
 }
 
 Neighbour World::seenRobot(const Robot& robot, const Agent& agent) {
-  const bool is_yielded_to = robot.start.yields == Yields::CROWD || robot.start.yields == Yields::BOTH;
+  const bool is_yielded_to = doesCrowdYield(robot.start.yields);
   const Rotation frame(agent.ahead);
   return {frame.intoFrame(robot.pose.position - agent.pose.position), frame.intoFrame(robot.velocity),
           robot.perceived_radius, is_yielded_to ? NeighbourKind::ROBOT : NeighbourKind::UNYIELDED_ROBOT};

@@ -20,6 +20,9 @@ using RobotId = std::uint32_t;
 enum class Yields : std::uint8_t { CROWD = 0, ROBOT = 1, BOTH = 2, NOBODY = 3 };
 inline constexpr EnumNames<Yields, 4> YIELDS{"yields", {"crowd", "robot", "both", "nobody"}};
 
+/// @brief Whether agents give way to the robot.
+constexpr bool doesCrowdYield(Yields yields) { return yields == Yields::CROWD || yields == Yields::BOTH; }
+
 /// @brief Time after which a robot without a command stops, by default [s].
 constexpr double DEFAULT_COMMAND_TIMEOUT = 0.5;
 
