@@ -127,6 +127,14 @@ bool RobotInterfaces::wait() {
   return true;
 }
 
+bool RobotInterfaces::isAnyUnattended() const {
+  if (held_) return false;
+  return std::any_of(robots().begin(), robots().end(), [this](const Robot& robot) {
+    const bool drives = robot.start.drive != Drive::EXTERNAL && robot.hasGoal() && !robot.hasArrived();
+    return drives && commands_.isUnattended(static_cast<RobotId>(&robot - robots().data()));
+  });
+}
+
 void RobotInterfaces::warnOfAbsence(const std::vector<RobotId>& absent) const {
   for (const RobotId robot : absent) {
     ROS_WARN(

@@ -68,6 +68,10 @@ bool RobotCommands::isAwaited(RobotId robot, std::uint64_t tick) const {
   return !record.taken_at || tick >= *record.taken_at + std::max<std::uint64_t>(1, ticksOf(settings_.period));
 }
 
+bool RobotCommands::isUnattended(RobotId robot) const {
+  return settings_.lockstep && (!records_[robot].heard || records_[robot].absent);
+}
+
 bool RobotCommands::isAnyAwaited(std::uint64_t tick) const {
   for (RobotId robot = 0; robot < records_.size(); ++robot) {
     if (isAwaited(robot, tick)) return true;

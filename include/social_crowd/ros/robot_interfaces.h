@@ -40,6 +40,8 @@ class RobotInterfaces {
   /// @brief Serves the main loop until no command is awaited any more, or for ~command_deadline, and hands the commands
   /// to the episode. @return false if another episode has begun or the node shuts down
   bool wait();
+  /// @brief Whether a robot that is on its way to a goal has no controller in lockstep: it starts, or is absent.
+  bool isAnyUnattended() const;
   /// @brief Takes note of the moves of the last tick.
   void observe() { senses_->observe(episode_->world()); }
   /// @brief Publishes transforms, states and sensors. @param begins the episode begins
