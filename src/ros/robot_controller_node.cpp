@@ -13,6 +13,7 @@ namespace crowd {
 namespace {
 
 constexpr std::uint32_t QUEUE = 10;    // messages
+constexpr std::uint32_t NEWEST = 1;    // message: older scans are not worth a command
 constexpr double WARNING_PERIOD = 10;  // [s]
 const ros::WallDuration IDLE(0.1);     // between two checks for shutdown
 constexpr double LEAST = 1e-3;         // of lengths, speeds and accelerations
@@ -66,14 +67,14 @@ RobotControllerNode::RobotControllerNode(const ros::NodeHandle& node, const ros:
     : parameters_(readRobotControllerParameters(private_node)),
       node_(loop_.adopt(node)),
       listener_(frames_),
-      located_scans_(frames_, parameters_.map_frame, QUEUE, node_) {
+      located_scans_(frames_, parameters_.map_frame, NEWEST, node_) {
   located_scans_.registerCallback([this](const sensor_msgs::LaserScan::ConstPtr& scan) { takeScan(*scan); });
   commands_ = node_.advertise<geometry_msgs::Twist>(names::CMD_VEL, QUEUE);
   goals_ = node_.subscribe<geometry_msgs::PoseStamped>(names::GOAL, QUEUE, [this](const auto& goal) { goal_ = goal; });
   const boost::function<void(const sensor_msgs::LaserScan::ConstPtr&)> add = [this](const auto& scan) {
     located_scans_.add(scan);
   };
-  scans_ = node_.subscribe<sensor_msgs::LaserScan>(names::SCAN, QUEUE, add, ros::VoidConstPtr(),
+  scans_ = node_.subscribe<sensor_msgs::LaserScan>(names::SCAN, NEWEST, add, ros::VoidConstPtr(),
                                                    ros::TransportHints().tcpNoDelay());
 }
 

@@ -25,8 +25,8 @@ struct RobotControllerParameters {
 /// @throws InputError that lists all invalid parameters
 RobotControllerParameters readRobotControllerParameters(const ros::NodeHandle& private_node);
 
-/// @brief Node that drives one robot by its laser scan and its goal alone (reactiveCommand()): an example to be replaced
-/// by one's own controller.
+/// @brief Node that drives one robot by its laser scan and its goal alone (reactiveCommand()): an example to be
+/// replaced by one's own controller.
 ///
 /// It answers each message on `scan` with one on `cmd_vel`, as soon as tf has the robot's pose at the time of the scan:
 /// the same scans, poses and goals give the same commands. Without a goal, and at the goal, the command is to stand.
