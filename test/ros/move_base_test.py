@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """move_base.launch: the navigation stack drives a robot among people.
 
-Skipped where move_base is not built. In willow skipped without its map: the environment variable SOCIAL_CROWD_WILLOW, or
+Skipped where move_base is not built. In willow skipped without its map: that of the variable SOCIAL_CROWD_WILLOW, or
 ../shared/data/maps/willow.yaml beside the package.
 """
 import os
