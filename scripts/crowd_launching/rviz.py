@@ -15,9 +15,9 @@ from .view import scale_for
 PATIENCE = 10.0  # [s] time to wait for a scenario
 
 
-def configuration():
-    """Returns RViz's configuration as YAML, with the scale for the current crowd."""
-    file = os.path.join(rospkg.RosPack().get_path('social_crowd'), 'rviz', 'social_crowd.rviz')
+def configuration(view):
+    """Returns a configuration of RViz as YAML, with the scale for the current crowd."""
+    file = os.path.join(rospkg.RosPack().get_path('social_crowd'), 'rviz', view + '.rviz')
     with open(file, encoding='utf-8') as stream:
         settings = yaml.safe_load(stream)
     try:
@@ -36,7 +36,7 @@ def main():
         return 1
     rospy.init_node('rviz', disable_signals=True)
     ends_launch = rospy.get_param('~ends_launch', False)
-    settings = configuration()
+    settings = configuration(rospy.get_param('~view', 'social_crowd'))
     rospy.signal_shutdown('RViz uses this node name')
     with tempfile.TemporaryDirectory(prefix='social_crowd_rviz_') as folder:
         file = os.path.join(folder, 'social_crowd.rviz')

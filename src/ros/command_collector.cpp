@@ -84,6 +84,14 @@ bool CommandCollector::wait() {
   return true;
 }
 
+bool CommandCollector::isAnyUnattended() const {
+  if (held_) return false;
+  return std::any_of(robots().begin(), robots().end(), [this](const Robot& robot) {
+    const bool drives = robot.start.drive != Drive::EXTERNAL && robot.hasGoal() && !robot.hasArrived();
+    return drives && commands_.isUnattended(static_cast<RobotId>(&robot - robots().data()));
+  });
+}
+
 Twist CommandCollector::commandFor(RobotId robot) {
   if (held_) {
     const auto held = held_->find(robot);

@@ -223,8 +223,11 @@ void CrowdController::serveUntil(const Clock& until) {
 }
 
 void CrowdController::keepPace() {
-  if (parameters_.real_time_factor <= 0.0) return;
-  next_tick_ += ros::WallDuration(episode_->scene().tick_duration / parameters_.real_time_factor);
+  double factor = parameters_.real_time_factor;
+  // The controller of the robot can start or come back during the episode.
+  if ((factor <= 0.0 || factor > 1.0) && robots_.commands().isAnyUnattended()) factor = 1.0;
+  if (factor <= 0.0) return;
+  next_tick_ += ros::WallDuration(episode_->scene().tick_duration / factor);
   if ((Clock::now() - next_tick_).toSec() > MAX_LAG) next_tick_ = Clock::now();
   if (Clock::now() >= next_tick_) return;
   broadcaster_.publishAgents(*episode_);

@@ -129,11 +129,23 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
   const double time = world.time();
   const auto has_priority = [&](AgentId other) { return givesWayTo(agent, world.agents()[other], time); };
   if (isStuck(walks_[agent.id], time)) {
+    if (isBlockedByRobot(world, agent)) return true;
     const Span<Walker> near = walkersNear(world, agent, REACH);
     return std::any_of(near.begin(), near.end(), [&](const Walker& other) { return has_priority(other.agent); });
   }
   if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
   return std::any_of(retreating_.begin(), retreating_.end(), has_priority);
+}
+
+/// Whether a robot that agents give way to is ahead of an agent, or touches it.
+bool DeadlockResolver::isBlockedByRobot(const World& world, const Agent& agent) const {
+  const auto blocks = [&](const Robot& robot) {
+    if (!robot.start.perceived || !doesCrowdYield(robot.start.yields)) return false;
+    const Vector2 offset = robot.pose.position - agent.pose.position;
+    const double gap = offset.norm() - agent.radius - robot.perceived_radius;
+    return gap < REACH && offset.dot(walks_[agent.id].course) > (gap < TOUCH ? -BESIDE : 0.0);
+  };
+  return std::any_of(world.robots().begin(), world.robots().end(), blocks);
 }
 
 /// Whether another agent blocks an agent that is stuck or in the way of one that walks back, and has priority.

@@ -79,6 +79,10 @@ bool RobotCommands::isAwaited(RobotId robot, std::uint64_t tick) const {
   return settings_.lockstep && record.heard && !record.absent && tick >= record.due;
 }
 
+bool RobotCommands::isUnattended(RobotId robot) const {
+  return settings_.lockstep && (!records_[robot].heard || records_[robot].absent);
+}
+
 bool RobotCommands::isAnyAwaited(std::uint64_t tick) const {
   for (RobotId robot = 0; robot < records_.size(); ++robot) {
     if (isAwaited(robot, tick)) return true;

@@ -11,7 +11,8 @@
 namespace crowd {
 namespace {
 
-constexpr int MAX_TRIES = 1000;  // draws of a robot before the scenario is rejected
+constexpr int MAX_TRIES = 1000;      // draws of a robot before the scenario is rejected
+constexpr int MAX_GOAL_TRIES = 100;  // draws of a goal on the map before the whole robot is drawn again
 
 class RobotPlacement {
  public:
@@ -46,13 +47,27 @@ class RobotPlacement {
   RobotStart draw(const RobotGroup& group) {
     RobotStart robot = group.start;
     robot.position = group.position.draw(random_, scene_.free_space.get());
-    for (const Region& goal : group.goals) robot.goals.push_back(goal.draw(random_, scene_.free_space.get()));
+    for (std::size_t i = 0; i < group.goals.size(); ++i) {
+      robot.goals.push_back(drawGoal(group, i, i == 0 ? robot.position : robot.goals.back()));
+    }
     if (group.heading) {
       robot.heading = wrapAngle(group.heading->draw(random_));
     } else if (!robot.goals.empty()) {
       robot.heading = bearingOf(robot.goals.front() - robot.position);
     }
     return robot;
+  }
+
+  /// A goal anywhere on the map is drawn until it can be reached: a robot with many goals would find no place
+  /// otherwise.
+  Vector2 drawGoal(const RobotGroup& group, std::size_t i, const Vector2& from) {
+    const Region& region = group.goals[i];
+    Vector2 goal = region.draw(random_, scene_.free_space.get());
+    for (int tries = 1; region.kind == Region::Kind::FREE && tries < MAX_GOAL_TRIES; ++tries) {
+      if (placed_.canStandAt(goal, group.start.footprint.reach()) && areConnected(from, goal, group, i)) break;
+      goal = region.draw(random_, scene_.free_space.get());
+    }
+    return goal;
   }
 
   /// Fixed goals at which the robot does not fit whatever its heading.

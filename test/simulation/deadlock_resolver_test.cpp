@@ -10,6 +10,7 @@
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/evaluation.h"
 #include "social_crowd/world/scenario_reader.h"
+#include "support/robots.h"
 #include "support/two_ways.h"
 
 namespace crowd {
@@ -20,8 +21,8 @@ using two_ways::walker;
 /// Agents in a solid world without walls, which walk straight to what they perceive as their goal.
 class Crowd {
  public:
-  explicit Crowd(const std::vector<AgentStart>& agents)
-      : world(scenes::halfSeconds(scenes::solid(scenes::scene(agents)))) {
+  explicit Crowd(const std::vector<AgentStart>& agents, const std::vector<RobotStart>& robots = {})
+      : world(robots::with(robots, scenes::halfSeconds(scenes::solid(scenes::scene(agents))))) {
     for (const AgentStart& start : agents) trails.push_back({start.position});
   }
 
@@ -73,6 +74,22 @@ TEST(DeadlockResolver, OneOfTwoGivesWay) {
   // They have been stuck since 3.5 s at the latest, and did not move by PROGRESS for STUCK_TIME before it.
   EXPECT_GE(crowd.world.time(), 3.3 - DeadlockResolver::PROGRESS + DeadlockResolver::STUCK_TIME);
   EXPECT_LE(crowd.world.time(), 3.5 + DeadlockResolver::STUCK_TIME + DeadlockResolver::TURN_TIME);
+}
+
+/// An agent walks against a robot that stands 2 m ahead of it; returns whether it gives way within 10 s.
+bool givesWayToRobot(Yields yields) {
+  RobotStart robot = robots::robot({0.0, 0.0});
+  robot.yields = yields;
+  Crowd crowd({walker({-2.0, 0.0}, {9.0, 0.0})}, {robot});
+  crowd.walkUntilAnyGivesWay(10.0);
+  return crowd.givesWay(0);
+}
+
+TEST(DeadlockResolver, GivesWayToARobotIfTheCrowdYields) {
+  EXPECT_TRUE(givesWayToRobot(Yields::CROWD));
+  EXPECT_TRUE(givesWayToRobot(Yields::BOTH));
+  EXPECT_FALSE(givesWayToRobot(Yields::ROBOT));
+  EXPECT_FALSE(givesWayToRobot(Yields::NOBODY));
 }
 
 /// The trail has a corner: agent 0 came from the south.

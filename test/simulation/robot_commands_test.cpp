@@ -172,6 +172,20 @@ TEST(RobotCommands, TheFirstCommandOfAnAbsentRobotIsNotLate) {
   EXPECT_TRUE(commands.isAwaited(0, 10));
 }
 
+TEST(RobotCommands, ARobotIsUnattendedBeforeItsFirstCommandAndWhileItIsAbsent) {
+  RobotCommands commands = makeCommands(true);
+  EXPECT_TRUE(commands.isUnattended(0));
+  commands.take(0, forward(1.0), JOYSTICK, 0);
+  EXPECT_FALSE(commands.isUnattended(0));
+  commands.giveUp(1);
+  EXPECT_FALSE(commands.isUnattended(0));
+  commands.giveUp(2);
+  EXPECT_TRUE(commands.isUnattended(0));
+  commands.take(0, forward(1.0), JOYSTICK, 3);
+  EXPECT_FALSE(commands.isUnattended(0));
+  EXPECT_FALSE(makeCommands().isUnattended(0));  // commands are not awaited at all
+}
+
 TEST(RobotCommands, ASlowControllerIsAwaitedOncePerPeriod) {
   RobotCommands commands = makeCommands(true, 1, 0.3);
   commands.take(0, forward(1.0), JOYSTICK, 10);

@@ -59,6 +59,24 @@ TEST_F(ScenarioMap, TheRadiusOfItsFreeSpaceIsAtLeastThatOfTheAgents) {
   EXPECT_NE(errorWith("map.yaml\nfree_radius: 0.6", agent).find("no agent of the scenario fits"), std::string::npos);
 }
 
+/// Two rooms of 4 m, with a wall of 1 m between them. All twelve goals and the start are in one room in one of 4096
+/// draws.
+TEST_F(ScenarioMap, ARobotWithManyGoalsOnTheMapStaysInItsRoom) {
+  folder_.write("map.pgm", "P2 9 1 255 255 255 255 255 0 255 255 255 255\n");
+  std::string goals = "{map: free}";
+  for (int i = 1; i < 12; ++i) goals += ", {map: free}";
+  const std::string text =
+      "name: n\nduration: 60\ngoal_tolerance: 0.01\nmap: map.yaml\nfree_radius: 0.2\nrobots: [{name: r, position: "
+      "{map: "
+      "free}, radius: 0.2, max_speed: 1, goals: [" +
+      goals + "]}]\n";
+  const ScenarioList scenarios = parseScenarios(text, folder_.file("s.yaml"));
+  for (std::uint64_t instance = 0; instance < 20; ++instance) {
+    const RobotStart robot = scenarios.scene(1, instance).robots.at(0);
+    for (const Vector2& goal : robot.goals) EXPECT_EQ(goal.x() < 4.0, robot.position.x() < 4.0) << instance;
+  }
+}
+
 /// There is no wall within 1 m of (8, 0.5), in the middle of the occupied cells.
 TEST_F(ScenarioMap, GoalsInOccupiedCellsAreRefused) {
   const auto expected = [&](const std::string& goal) {

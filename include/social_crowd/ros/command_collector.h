@@ -41,6 +41,8 @@ class CommandCollector {
   /// @brief Serves the main loop until no command is awaited any more, or for ~command_deadline, and hands the commands
   /// to the episode. @return false if another episode has begun or the node shuts down
   bool wait();
+  /// @brief Whether a robot that is on its way to a goal has no controller in lockstep: it starts, or is absent.
+  bool isAnyUnattended() const;
 
   /// @brief Commands by the names of robots. @throws InputError that names what is wrong, or if there are no robots
   Commands commandsOf(const std::vector<std::string>& names, const std::vector<geometry_msgs::Twist>& commands) const;

@@ -15,6 +15,7 @@ namespace crowd {
 ///
 /// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. It gives way to an agent ahead, or one that
 /// touches it, if that has priority:
+/// - A robot that the crowd gives way to has priority over all agents.
 /// - An agent that could not walk back at its last attempt has priority over one that could.
 /// - Of agents that walk in opposite directions, the one whose direction is nearer to an axis has priority; the axis is
 ///   the same for all agents and turns every TURN_TIME.
@@ -67,6 +68,7 @@ class DeadlockResolver {
   /// The walkers that may be within a distance of an agent [m], by x; the agent itself is among them.
   Span<Walker> walkersNear(const World& world, const Agent& agent, double distance);
   bool mustGiveWay(const World& world, const Agent& agent);
+  bool isBlockedByRobot(const World& world, const Agent& agent) const;
   bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
   std::vector<Vector2> contactsOf(const World& world, const Agent& agent);
   void retreat(World& world, const Agent& agent);

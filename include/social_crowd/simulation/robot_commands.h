@@ -64,6 +64,8 @@ class RobotCommands {
   /// @brief Whether the tick should wait for a command of the robot.
   bool isAwaited(RobotId robot, std::uint64_t tick) const;
   bool isAnyAwaited(std::uint64_t tick) const;
+  /// @brief Whether the robot is not awaited in lockstep because it was never commanded, or is absent.
+  bool isUnattended(RobotId robot) const;
   /// @brief Counts the commands that are still awaited as missed. @return the robots that are not awaited any more
   std::vector<RobotId> giveUp(std::uint64_t tick);
 

@@ -1,0 +1,107 @@
+#include "social_crowd/ros/robot_controller_node.h"
+
+#include <tf2/utils.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/names.h"
+#include "social_crowd/ros/parameters.h"
+#include "social_crowd/ros/robot_messages.h"
+#include "social_crowd/simulation/reactive_rule.h"
+
+namespace crowd {
+namespace {
+
+constexpr std::uint32_t QUEUE = 10;    // messages
+constexpr std::uint32_t NEWEST = 1;    // message: older scans are not worth a command
+constexpr double WARNING_PERIOD = 10;  // [s]
+const ros::WallDuration IDLE(0.1);     // between two checks for shutdown
+constexpr double LEAST = 1e-3;         // of lengths, speeds and accelerations
+constexpr double MOST = 1e3;
+
+/// The scanner that a message describes, mounted at a pose of the robot's frame.
+ScanSpec scannerOf(const sensor_msgs::LaserScan& message, const Pose& mount) {
+  ScanSpec scanner;
+  scanner.rays = static_cast<std::uint32_t>(message.ranges.size());
+  scanner.first_angle = static_cast<double>(message.angle_min);
+  scanner.last_angle = static_cast<double>(message.angle_max);
+  scanner.min_range = static_cast<double>(message.range_min);
+  scanner.max_range = static_cast<double>(message.range_max);
+  scanner.mount = mount;
+  return scanner;
+}
+
+Pose toPose(const geometry_msgs::TransformStamped& transform) {
+  const geometry_msgs::Vector3& translation = transform.transform.translation;
+  return {{translation.x, translation.y}, tf2::getYaw(transform.transform.rotation)};
+}
+
+Drive readDrive(Parameters& parameters) {
+  const std::string name = parameters.text("drive", DRIVES.nameOf(Drive::DIFFERENTIAL));
+  for (const Drive drive : {Drive::DIFFERENTIAL, Drive::HOLONOMIC, Drive::ACKERMANN}) {
+    if (DRIVES.nameOf(drive) == name) return drive;
+  }
+  parameters.complain("drive", "expected differential, holonomic or ackermann, got '" + name + "'");
+  return Drive::DIFFERENTIAL;
+}
+
+}  // namespace
+
+RobotControllerParameters readRobotControllerParameters(const ros::NodeHandle& private_node) {
+  Parameters parameters(private_node);
+  RobotControllerParameters read;
+  RobotStart& robot = read.robot;
+  robot.drive = readDrive(parameters);
+  robot.footprint.radius = parameters.number("radius", 0.3, LEAST, MOST);
+  robot.limits.max_speed = parameters.number("max_speed", 1.0, LEAST, MOST);
+  robot.limits.max_rotation = parameters.number("max_rotation", robot.limits.max_rotation, LEAST, MOST);
+  robot.limits.max_acceleration = parameters.number("acceleration", robot.limits.max_acceleration, LEAST, MOST);
+  read.goal_tolerance = parameters.number("goal_tolerance", read.goal_tolerance, LEAST, MOST);
+  read.base_frame = parameters.text("base_frame", read.base_frame);
+  read.map_frame = parameters.text("map_frame", read.map_frame);
+  parameters.finish();
+  return read;
+}
+
+RobotControllerNode::RobotControllerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : parameters_(readRobotControllerParameters(private_node)),
+      node_(loop_.adopt(node)),
+      listener_(frames_),
+      located_scans_(frames_, parameters_.map_frame, NEWEST, node_) {
+  located_scans_.registerCallback([this](const sensor_msgs::LaserScan::ConstPtr& scan) { takeScan(*scan); });
+  commands_ = node_.advertise<geometry_msgs::Twist>(names::CMD_VEL, QUEUE);
+  goals_ = node_.subscribe<geometry_msgs::PoseStamped>(names::GOAL, QUEUE, [this](const auto& goal) { goal_ = goal; });
+  const boost::function<void(const sensor_msgs::LaserScan::ConstPtr&)> add = [this](const auto& scan) {
+    located_scans_.add(scan);
+  };
+  scans_ = node_.subscribe<sensor_msgs::LaserScan>(names::SCAN, NEWEST, add, ros::VoidConstPtr(),
+                                                   ros::TransportHints().tcpNoDelay());
+}
+
+void RobotControllerNode::run() {
+  while (!loop_.isClosed()) loop_.run(IDLE);
+}
+
+void RobotControllerNode::takeScan(const sensor_msgs::LaserScan& scan) {
+  try {
+    commands_.publish(toMessage(commandFor(scan)));
+  } catch (const tf2::TransformException& error) {
+    ROS_WARN_THROTTLE(WARNING_PERIOD, "the robot stands: %s", error.what());
+    commands_.publish(geometry_msgs::Twist());
+  }
+}
+
+Twist RobotControllerNode::commandFor(const sensor_msgs::LaserScan& scan) {
+  if (goal_ == nullptr) return {};
+  const ros::Time& time = scan.header.stamp;
+  const std::string& base = parameters_.base_frame;
+  geometry_msgs::Point goal;
+  tf2::doTransform(goal_->pose.position, goal, frames_.lookupTransform(base, goal_->header.frame_id, time));
+  const Vector2 offset = fromPoint(goal);
+  if (offset.norm() < parameters_.goal_tolerance) return {};
+  RobotStart robot = parameters_.robot;
+  robot.scan = scannerOf(scan, toPose(frames_.lookupTransform(base, scan.header.frame_id, time)));
+  return reactiveCommand(robot, offset, scan.ranges);
+}
+
+}  // namespace crowd

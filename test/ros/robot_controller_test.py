@@ -1,0 +1,51 @@
+#!/usr/bin/python3
+"""robot.launch: robots that are driven by their laser scans arrive, without touching people."""
+import support
+from robot_launching import RobotLaunchTestCase
+
+# Two robots change places in a hall with six people; a wall is between them.
+SWAP = """
+name: swap
+duration: 90
+goal_tolerance: 0.3
+contact: solid
+ends: robots
+agents:
+  - {count: 6, position: {box: [[-5, -5], [5, -2]]}, goal: {box: [[-5, 2], [5, 5]]}, speed: 1.0, radius: 0.25}
+walls:
+  - [[0, -1], [0, 0.5]]
+robots:
+  - {name: tug, position: [-5, 0], goal: [5, 0], radius: 0.3, max_speed: 1}
+  - {name: cart, position: [5, 1], goal: [-5, 1], radius: 0.3, max_speed: 1}
+"""
+
+
+class RobotControllerTest(RobotLaunchTestCase):
+    """The example controller."""
+
+    def test_crosses_a_hall_with_people(self):
+        launched = self.drive('robot.launch', real_time_factor='fast', episodes=1, seed=3)
+        self.assert_ends_well(launched)
+        self.wait_until_arrived()
+        self.assert_nobody_was_touched()
+        # Each tick waits for its command, however fast the crowd walks.
+        robot = self.robots()[0]
+        self.assertEqual((robot.commands_missed, robot.commands_repeated, robot.command_timeouts), (0, 0, 0))
+        self.assertGreater(robot.commands_taken, 100)
+
+    def test_two_robots_in_namespaces(self):
+        launched = self.drive('robot.launch', scenario=self.write('swap.yaml', SWAP), robots='tug cart',
+                              real_time_factor='fast', episodes=1)
+        self.assert_ends_well(launched)
+        self.wait_until_arrived()
+        self.assert_nobody_was_touched()
+
+    def test_invalid_parameters(self):
+        node = self.start_node('robot_controller', 'robot_controller', {'drive': 'car', 'radius': -1.0, 'speed': 2.0})
+        self.assertEqual(node.wait(), 1)
+        support.assert_says(node.output(), "~drive: expected differential, holonomic or ackermann, got 'car'",
+                            '~radius', "~speed: there is no such parameter")
+
+
+if __name__ == '__main__':
+    support.run('robot_controller_test')

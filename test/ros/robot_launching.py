@@ -1,0 +1,30 @@
+"""Base of the tests of launch files with robots."""
+import rospy
+import support
+from launching import LaunchTestCase
+from social_crowd.msg import RobotState, RobotStates
+
+
+class RobotLaunchTestCase(LaunchTestCase):
+    """Runs a launch file with robots and listens to them."""
+
+    def drive(self, file, **arguments):
+        """Starts a launch file and listens to its robots."""
+        self.addCleanup(rospy.delete_param, '/use_sim_time')
+        self.states = self.listen('robots', RobotStates)
+        return self.launch(file, **arguments)
+
+    def robots(self):
+        """Returns the present states of all robots; none before the first message."""
+        return self.states.messages[-1].robots if self.states.messages else []
+
+    def wait_until_arrived(self, seconds=support.PATIENCE):
+        """Waits until all robots are at their last goals."""
+        support.wait_for(lambda: self.robots() and all(robot.status == RobotState.ARRIVED for robot in self.robots()),
+                         'the arrival of all robots', seconds)
+
+    def assert_nobody_was_touched(self):
+        """Checks that no robot was in contact with people in any tick."""
+        touched = {(message.tick, robot.name, robot.contacts) for message in self.states.messages
+                   for robot in message.robots if robot.contacts}
+        self.assertEqual(touched, set())
