@@ -72,11 +72,20 @@ void CommandCollector::ask() {
   wait_until_ = Clock::now() + ros::WallDuration(deadline_);
 }
 
-bool CommandCollector::wait() {
+bool CommandCollector::awaitLast() {
+  ask();
+  return await();
+}
+
+bool CommandCollector::await() {
   while (!held_ && !cancelled_ && !loop_.isClosed() && commands_.isAnyAwaited(tick()) && Clock::now() < wait_until_) {
     loop_.run(std::max(ros::WallDuration(0.0), std::min(IDLE, wait_until_ - Clock::now())));
   }
-  if (cancelled_ || loop_.isClosed()) return false;
+  return !cancelled_ && !loop_.isClosed();
+}
+
+bool CommandCollector::wait() {
+  if (!await()) return false;
   if (!held_) warnOfAbsence(commands_.giveUp(tick()));
   for (RobotId robot = 0; robot < robots().size(); ++robot) {
     if (robots()[robot].start.drive != Drive::EXTERNAL) episode_->commandRobot(robot, commandFor(robot));

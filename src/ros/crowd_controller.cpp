@@ -162,7 +162,7 @@ void CrowdController::endEpisode() {
   logResult(result);
   if (trajectory_file_) trajectory_file_->append(trajectory_);
   ++instance_;
-  if (++ended_episodes_ != parameters_.episodes) beginEpisode();
+  if (++ended_episodes_ != parameters_.episodes && robots_.awaitLast()) beginEpisode();
 }
 
 void CrowdController::logResult(const EpisodeResult& result) {

@@ -21,10 +21,11 @@ namespace {
 // Sharing may wait for other learners; other services must remain available.
 constexpr unsigned SERVICE_THREADS = 4;
 constexpr std::uint32_t QUEUE = 100;  // messages
+constexpr bool LATCHED = true;
 const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
 const ros::WallDuration STATUS_PATIENCE(3.0);  // until the controller should have received the status
 constexpr double WARNING_PERIOD = 5.0;         // [s]
-const ros::WallDuration STATUS_PERIOD(0.5);    // minimum time between two status messages because of new episodes
+const ros::WallDuration STATUS_PERIOD(0.5);    // minimum time between two status messages, unless something changes
 
 /// Returns the absolute path of a file in a request; relative paths are relative to the working directory of the node.
 std::string absolutePath(const std::string& file) {
@@ -55,9 +56,12 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       services_(private_node, SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
   for (const std::string& warning : parameters.warnings) ROS_WARN("%s", warning.c_str());
-  // Not latched: roscpp keeps one latched message for each topic of a process, and nodelets share the topic.
+  // roscpp keeps one latched message for each topic of a process, and nodelets share the topic. So each learner also
+  // sends its own status to new subscribers of other processes, and in its own process when it is needed, see
+  // isSufficient().
   const auto greet = [this](const ros::SingleSubscriberPublisher& subscriber) { subscriber.publish(status()); };
-  status_publisher_ = node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, greet);
+  status_publisher_ =
+      node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, greet, {}, {}, LATCHED);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
   perceptions_subscriber_ = subscribeToTicks<PerceptionsMessage>(
       node_, names::PERCEPTIONS, QUEUE, [this](const auto& event) { takePerceptions(*event.getMessage()); });
@@ -128,6 +132,7 @@ bool LearnerNode::isSufficient(const PerceptionsMessage& message) {
     return true;
   }
   if (insufficient_since_.isZero()) insufficient_since_ = now;
+  if (now - last_status_ >= STATUS_PERIOD) publishStatus();
   if (now - insufficient_since_ > STATUS_PATIENCE) {
     ROS_WARN_THROTTLE(WARNING_PERIOD,
                       "perceptions are not answered, because they contain less than the model needs: %s instead of %s. "

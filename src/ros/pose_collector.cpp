@@ -75,7 +75,7 @@ void PoseCollector::begin(Episode& episode) {
 
 void PoseCollector::take(Source& source, const nav_msgs::Odometry& message) {
   const std::optional<Pose> pose = toMap(source, message.header.frame_id, poseOf(message.pose.pose));
-  if (pose) take(source, *pose, message.header.stamp.isZero() ? clock_() : message.header.stamp);
+  if (pose) take(source, *pose, message.header.stamp);
 }
 
 std::optional<Pose> PoseCollector::toMap(Source& source, const std::string& frame, const Pose& pose) {
@@ -100,7 +100,8 @@ void PoseCollector::takeTransform(Source& source) {
   }
 }
 
-void PoseCollector::take(Source& source, const Pose& pose, const ros::Time& stamp) {
+void PoseCollector::take(Source& source, const Pose& pose, const ros::Time& measured) {
+  const ros::Time stamp = measured.isZero() ? clock_() : measured;  // static transforms have none
   const std::optional<double> last = source.robot.stamp();
   const std::optional<PoseProblem> problem = source.robot.take(pose, stamp.toSec());
   if (!problem) return;

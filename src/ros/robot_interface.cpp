@@ -138,12 +138,11 @@ void RobotInterface::endSteps() {
 
 void RobotInterface::publish(const ros::Time& now, bool begins) {
   if (robots().empty()) return;
+  // Goals come before the scans, which controllers answer.
+  for (RobotId robot = 0; robot < robots().size(); ++robot) topics_[robot]->publishGoal(robots()[robot], now, begins);
   publishTransforms(now);
   if (begins) publishMounts(now);
-  for (RobotId robot = 0; robot < robots().size(); ++robot) {
-    topics_[robot]->publish(episode_->world(), *senses_, now);
-    topics_[robot]->publishGoal(robots()[robot], now, begins);
-  }
+  for (const auto& topics : topics_) topics->publish(episode_->world(), *senses_, now);
   if (states_.getNumSubscribers() > 0) states_.publish(states(now));
 }
 

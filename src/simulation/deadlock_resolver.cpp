@@ -57,7 +57,12 @@ void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& pa
   }
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
-    if (!walksBack(walks_[agent.id]) && mustGiveWay(world, agent)) startRetreat(agent, time);
+    if (walksBack(walks_[agent.id])) continue;
+    if (mustGiveWay(world, agent)) {
+      startRetreat(agent, time);
+    } else if (isStuck(walks_[agent.id], time)) {
+      slideAlongWalls(world, agent);
+    }
   }
   std::sort(retreating_.begin(), retreating_.end());
   for (const AgentId agent : retreating_) retreat(world, world.agents()[agent]);
@@ -167,24 +172,38 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
   return forms_arch && ahead > 0.0 && !walksBack(its) && its.remaining < own.remaining;
 }
 
+/// Appends unit vectors from an agent to the walls that it touches.
+void DeadlockResolver::addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts) {
+  near_walls_.clear();
+  world.wallIndex().findNear(agent.pose.position, agent.radius + CONTACT, near_walls_);
+  for (const std::uint32_t wall : near_walls_) {
+    const Vector2 offset = nearestPoint(world.wallIndex().walls()[wall], agent.pose.position) - agent.pose.position;
+    if (offset.norm() > 0.0) contacts.emplace_back(offset.normalized());
+  }
+}
+
 /// Returns unit vectors from an agent to the walls and agents that it touches.
 std::vector<Vector2> DeadlockResolver::contactsOf(const World& world, const Agent& agent) {
-  const Vector2& place = agent.pose.position;
   std::vector<Vector2> contacts;
-  const auto add = [&](const Vector2& offset, double distance) {
-    const double length = offset.norm();
-    if (length > 0.0 && length < distance + CONTACT) contacts.emplace_back(offset / length);
-  };
   for (const Walker& walker : walkersNear(world, agent, CONTACT)) {
     const Agent& other = world.agents()[walker.agent];
-    if (other.id != agent.id) add(other.pose.position - place, agent.radius + other.radius);
+    const Vector2 offset = other.pose.position - agent.pose.position;
+    const double length = offset.norm();
+    const bool touches = length > 0.0 && length < agent.radius + other.radius + CONTACT;
+    if (other.id != agent.id && touches) contacts.emplace_back(offset / length);
   }
-  std::vector<std::uint32_t> walls;
-  world.wallIndex().findNear(place, agent.radius + CONTACT, walls);
-  for (const std::uint32_t wall : walls) {
-    add(nearestPoint(world.wallIndex().walls()[wall], place) - place, agent.radius);
-  }
+  addWallContacts(world, agent, contacts);
   return contacts;
+}
+
+/// An agent may be pushed into a gap beside the mesh, from which the straight line to its corner leads into a wall.
+void DeadlockResolver::slideAlongWalls(World& world, const Agent& agent) {
+  std::vector<Vector2> contacts;
+  addWallContacts(world, agent, contacts);
+  if (contacts.empty()) return;
+  const Vector2 way = agent.perceivedGoal() - agent.pose.position;
+  const std::optional<Vector2> slid = slideAlong(way.normalized(), contacts);
+  if (slid) world.setWaypoint(agent.id, agent.pose.position + BACK * *slid);
 }
 
 void DeadlockResolver::retreat(World& world, const Agent& agent) {

@@ -40,6 +40,7 @@ std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
       problem = PoseProblem::JUMP;
     } else if (passed > MAX_GAP) {
       ++counts_.gaps;
+      jumped_ = true;  // it is not known where it was in between
       problem = PoseProblem::GAP;
     } else {
       velocity_ = way / passed;

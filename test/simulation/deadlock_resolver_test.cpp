@@ -159,6 +159,20 @@ TEST(DeadlockResolver, AnAgentThatCannotWalkBackHasPriority) {
   EXPECT_FALSE(crowd.givesWay(first));
 }
 
+/// The way is (1, 0), and the wall runs from the lower left to the upper right in front of the agent; without the part
+/// towards the wall, (1, -1) / sqrt(2), it is (1, 1) / 2.
+TEST(DeadlockResolver, AnAgentThatIsStuckAloneSlidesAlongTheWall) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0})});
+  const double across = 0.2 * std::sqrt(0.5);
+  const Vector2 touch(across, -across);
+  crowd.world.addWall({touch - Vector2(0.3, 0.3), touch + Vector2(0.1, 0.1)});
+  const Agent& agent = crowd.world.agents()[0];
+  while (!agent.has_waypoint && crowd.world.time() < 60.0) crowd.stand();
+  EXPECT_GE(crowd.world.time(), DeadlockResolver::STUCK_TIME);
+  ASSERT_TRUE(agent.has_waypoint);
+  EXPECT_NEAR(((agent.waypoint - agent.pose.position).normalized() - Vector2(1.0, 1.0).normalized()).norm(), 0.0, 1e-9);
+}
+
 /// Agent 0 came from the south and is on its way to the east. Nobody can move.
 TEST(DeadlockResolver, AnAgentThatCouldNotWalkBackOnItsTrailTriesTheOppositeOfItsDirection) {
   std::vector<AgentStart> agents = {walker({-0.25, -2.5}, {-0.25, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})};

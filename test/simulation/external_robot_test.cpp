@@ -56,9 +56,13 @@ TEST(ExternalRobot, ReportsGaps) {
   ExternalRobot robot = makeRobot();
   robot.take(at(0.0), 1.0);
   EXPECT_FALSE(robot.take(at(0.1), 1.5));
+  EXPECT_TRUE(robot.at(1.5)->jumped);  // the first pose
   EXPECT_EQ(robot.take(at(0.2), 2.25), PoseProblem::GAP);
   EXPECT_EQ(robot.at(2.25)->velocity.x(), 0.0);
-  EXPECT_EQ(robot.counts().gaps, 1U);
+  EXPECT_TRUE(robot.take(at(0.3), 3.0).has_value());
+  EXPECT_TRUE(robot.at(3.0)->jumped);
+  EXPECT_FALSE(robot.at(3.0)->jumped);
+  EXPECT_EQ(robot.counts().gaps, 2U);
 }
 
 TEST(ExternalRobot, StandsStillWhileItsPoseIsStale) {

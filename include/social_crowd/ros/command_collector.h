@@ -41,6 +41,9 @@ class CommandCollector {
   /// @brief Serves the main loop until no command is awaited any more, or for ~command_deadline, and hands the commands
   /// to the episode. @return false if another episode has begun or the node shuts down
   bool wait();
+  /// @brief Waits for the answers to the last scans of an episode, so that the next one does not take them for its own.
+  /// @return false if another episode has begun or the node shuts down
+  bool awaitLast();
   /// @brief Whether a robot that is on its way to a goal has no controller in lockstep: it starts, or is absent.
   bool isAnyUnattended() const;
 
@@ -61,6 +64,7 @@ class CommandCollector {
   void warnOfLateness(RobotId robot, const std::string& node);
   void warnOfAbsence(const std::vector<RobotId>& absent) const;
   Twist commandFor(RobotId robot);
+  bool await();
 
   MainLoop& loop_;
   const double deadline_;  // of the commands of a tick [s]

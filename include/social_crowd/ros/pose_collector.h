@@ -57,7 +57,7 @@ class PoseCollector {
 
   void take(Source& source, const nav_msgs::Odometry& message);
   void takeTransform(Source& source);
-  void take(Source& source, const Pose& pose, const ros::Time& stamp);
+  void take(Source& source, const Pose& pose, const ros::Time& measured);
   /// Pose in `map` of something in a frame; empty, with a warning, if tf does not know the frame.
   std::optional<Pose> toMap(Source& source, const std::string& frame, const Pose& pose);
   void warn(const Source& source, Problem problem, const std::string& text);

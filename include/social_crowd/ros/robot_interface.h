@@ -38,6 +38,8 @@ class RobotInterface {
   /// @brief Waits for the commands of the tick and moves external robots. @return see CommandCollector::wait()
   /// @param end returns the time of the end of the tick
   bool wait(const std::function<ros::Time()>& end);
+  /// @brief At the end of an episode: see CommandCollector::awaitLast().
+  bool awaitLast() { return robots().empty() || commands_.awaitLast(); }
   /// @brief Takes note of the moves of the last tick.
   void observe();
   /// @brief Publishes transforms, states and sensors. @param begins the episode begins

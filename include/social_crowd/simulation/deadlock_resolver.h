@@ -27,6 +27,8 @@ namespace crowd {
 /// Where it touches walls or other agents, it slides along them. RETREAT_TIME is short, since agents that walk back are
 /// in the way of those behind them. Afterwards the agent walks on for WALK_TIME before it can be stuck again.
 ///
+/// An agent that is stuck and has nobody to give way to slides along the walls that it touches.
+///
 /// Call contract: update() once per tick, after waypoints were set.
 class DeadlockResolver {
  public:
@@ -70,13 +72,16 @@ class DeadlockResolver {
   bool mustGiveWay(const World& world, const Agent& agent);
   bool isBlockedByRobot(const World& world, const Agent& agent) const;
   bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
+  void addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
   std::vector<Vector2> contactsOf(const World& world, const Agent& agent);
+  void slideAlongWalls(World& world, const Agent& agent);
   void retreat(World& world, const Agent& agent);
 
   std::vector<Walk> walks_;          // by id
   std::vector<AgentId> retreating_;  // of this tick
-  std::vector<Walker> walkers_;      // of this tick, by x; empty until it is needed
-  double largest_radius_ = 0.0;      // of the walkers [m]
+  std::vector<std::uint32_t> near_walls_;
+  std::vector<Walker> walkers_;  // of this tick, by x; empty until it is needed
+  double largest_radius_ = 0.0;  // of the walkers [m]
 };
 
 }  // namespace crowd

@@ -12,7 +12,7 @@ enum class PoseProblem : std::uint8_t {
   NOT_FINITE = 0,  ///< ignored
   BACKWARDS = 1,   ///< older than the last one; ignored, unless the last one is of a later clock
   JUMP = 2,        ///< too far from the last one for its greatest speed; used, without a motion between them
-  GAP = 3,         ///< long after the last one; used, with the velocity 0
+  GAP = 3,         ///< long after the last one; used, at a standstill, without a motion between them
 };
 
 /// @brief Numbers of poses of a robot that moves elsewhere, in an episode.
