@@ -16,7 +16,10 @@ constexpr std::uint32_t QUEUE = 10;    // messages
 constexpr std::uint32_t NEWEST = 1;    // message: older scans are not worth a command
 constexpr double WARNING_PERIOD = 10;  // [s]
 const ros::WallDuration IDLE(0.1);     // between two checks for shutdown
-constexpr double LEAST = 1e-3;         // of lengths, speeds and accelerations
+const ros::WallDuration TF_PATIENCE(0.2);
+const ros::WallDuration FIRST_TF_PATIENCE(0.02);  // ticks do not wait for a first answer, so it must be in time
+const ros::WallDuration TF_CHECK(0.0002);
+constexpr double LEAST = 1e-3;  // of lengths, speeds and accelerations
 constexpr double MOST = 1e3;
 
 /// The scanner that a message describes, mounted at a pose of the robot's frame.
@@ -64,17 +67,13 @@ RobotControllerParameters readRobotControllerParameters(const ros::NodeHandle& p
 }
 
 RobotControllerNode::RobotControllerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : parameters_(readRobotControllerParameters(private_node)),
-      node_(loop_.adopt(node)),
-      listener_(frames_),
-      located_scans_(frames_, parameters_.map_frame, NEWEST, node_) {
-  located_scans_.registerCallback([this](const sensor_msgs::LaserScan::ConstPtr& scan) { takeScan(*scan); });
+    : parameters_(readRobotControllerParameters(private_node)), node_(loop_.adopt(node)), listener_(frames_) {
   commands_ = node_.advertise<geometry_msgs::Twist>(names::CMD_VEL, QUEUE);
   goals_ = node_.subscribe<geometry_msgs::PoseStamped>(names::GOAL, QUEUE, [this](const auto& goal) { goal_ = goal; });
-  const boost::function<void(const sensor_msgs::LaserScan::ConstPtr&)> add = [this](const auto& scan) {
-    located_scans_.add(scan);
+  const boost::function<void(const sensor_msgs::LaserScan::ConstPtr&)> take = [this](const auto& scan) {
+    takeScan(*scan);
   };
-  scans_ = node_.subscribe<sensor_msgs::LaserScan>(names::SCAN, NEWEST, add, ros::VoidConstPtr(),
+  scans_ = node_.subscribe<sensor_msgs::LaserScan>(names::SCAN, NEWEST, take, ros::VoidConstPtr(),
                                                    ros::TransportHints().tcpNoDelay());
 }
 
@@ -84,11 +83,26 @@ void RobotControllerNode::run() {
 
 void RobotControllerNode::takeScan(const sensor_msgs::LaserScan& scan) {
   try {
-    commands_.publish(toMessage(commandFor(scan)));
+    if (awaitTransform(scan)) {
+      commands_.publish(toMessage(commandFor(scan)));
+      has_answered_ = true;
+    } else if (has_answered_) {  // else tf begins later than the scans
+      ROS_WARN_THROTTLE(WARNING_PERIOD, "a scan is not answered: tf does not lead from '%s' to '%s' at its time",
+                        parameters_.map_frame.c_str(), scan.header.frame_id.c_str());
+    }
   } catch (const tf2::TransformException& error) {
     ROS_WARN_THROTTLE(WARNING_PERIOD, "the robot stands: %s", error.what());
     commands_.publish(geometry_msgs::Twist());
   }
+}
+
+bool RobotControllerNode::awaitTransform(const sensor_msgs::LaserScan& scan) const {
+  const auto is_known = [&] {
+    return frames_.canTransform(parameters_.map_frame, scan.header.frame_id, scan.header.stamp);
+  };
+  const ros::WallTime end = ros::WallTime::now() + (has_answered_ ? TF_PATIENCE : FIRST_TF_PATIENCE);
+  while (!is_known() && ros::WallTime::now() < end) TF_CHECK.sleep();
+  return is_known();
 }
 
 Twist RobotControllerNode::commandFor(const sensor_msgs::LaserScan& scan) {

@@ -30,7 +30,8 @@ class RobotControllerTest(RobotLaunchTestCase):
         self.assert_nobody_was_touched()
         # Each tick waits for its command, however fast the crowd walks.
         robot = self.robots()[0]
-        self.assertEqual((robot.commands_missed, robot.commands_repeated, robot.command_timeouts), (0, 0, 0))
+        self.assertEqual((robot.commands_missed, robot.command_timeouts), (0, 0))
+        self.assertLessEqual(robot.commands_repeated, 1)  # when the controller starts
         self.assertGreater(robot.commands_taken, 100)
 
     def test_two_robots_in_namespaces(self):

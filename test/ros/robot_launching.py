@@ -1,4 +1,6 @@
 """Base of the tests of launch files with robots."""
+import re
+
 import rospy
 import support
 from launching import LaunchTestCase
@@ -13,6 +15,13 @@ class RobotLaunchTestCase(LaunchTestCase):
         self.addCleanup(rospy.delete_param, '/use_sim_time')
         self.states = self.listen('robots', RobotStates)
         return self.launch(file, **arguments)
+
+    def assert_ends_well(self, launched):
+        """Checks that a launch ends without errors. Of a controller that starts, two commands may fall into a tick."""
+        self.assertEqual(launched.wait(), 0, launched.output())
+        self.assertNotRegex(launched.output(), 'REQUIRED process|has died')
+        complaints = re.findall(r'.*\[ ?(?:WARN|ERROR|FATAL)\].*|.*(?:exit code|escalating|Traceback).*', launched.output())
+        self.assertEqual([text for text in complaints if 'the robot has a command for this tick already' not in text], [])
 
     def robots(self):
         """Returns the present states of all robots; none before the first message."""

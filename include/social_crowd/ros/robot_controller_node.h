@@ -4,7 +4,6 @@
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/message_filter.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <string>
@@ -28,8 +27,9 @@ RobotControllerParameters readRobotControllerParameters(const ros::NodeHandle& p
 /// @brief Node that drives one robot by its laser scan and its goal alone (reactiveCommand()): an example to be
 /// replaced by one's own controller.
 ///
-/// It answers each message on `scan` with one on `cmd_vel`, as soon as tf has the robot's pose at the time of the scan:
-/// the same scans, poses and goals give the same commands. Without a goal, and at the goal, the command is to stand.
+/// It answers each message on `scan` with one on `cmd_vel`, when tf has the robot's pose at the time of the scan: the
+/// same scans, poses and goals give the same commands. A scan without such a pose is not answered. Without a goal, and
+/// at the goal, the command is to stand.
 class RobotControllerNode {
  public:
   /// @throws InputError that lists invalid parameters
@@ -40,6 +40,9 @@ class RobotControllerNode {
 
  private:
   void takeScan(const sensor_msgs::LaserScan& scan);
+  /// Waits for the transform of a scan, which may arrive a little later than the scan; its listener has its own thread.
+  /// Returns whether it has arrived.
+  bool awaitTransform(const sensor_msgs::LaserScan& scan) const;
   Twist commandFor(const sensor_msgs::LaserScan& scan);
 
   const RobotControllerParameters parameters_;
@@ -47,11 +50,11 @@ class RobotControllerNode {
   ros::NodeHandle node_;
   tf2_ros::Buffer frames_;
   tf2_ros::TransformListener listener_;
-  tf2_ros::MessageFilter<sensor_msgs::LaserScan> located_scans_;  // scans whose transforms are known
   ros::Publisher commands_;
   ros::Subscriber scans_;
   ros::Subscriber goals_;
   geometry_msgs::PoseStamped::ConstPtr goal_;  // null: none
+  bool has_answered_ = false;
 };
 
 }  // namespace crowd
