@@ -56,7 +56,7 @@ def parser():
     found = argparse.ArgumentParser(
         prog='robot_benchmark', formatter_class=argparse.RawDescriptionHelpFormatter, epilog=EXAMPLES,
         description='Measures robots among people: success, contacts by cause, time, discomfort, and what they cost '
-                    'people, in the\nshipped scenarios and in the setting of CrowdNav. Shares have 95 %% intervals.')
+                    'people, in the\nshipped scenarios and in the setting of CrowdNav. Shares have 95 % intervals.')
     found.add_argument('--robot', type=wanted_robot, action='append', dest='robots', metavar='NAME[=FILE.csv]',
                        help=f'{", ".join(ROBOTS)}, or a robot that was driven elsewhere and its record; may be '
                             'given several times (default: all of these)')
