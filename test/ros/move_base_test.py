@@ -6,11 +6,11 @@ Skipped where move_base is not built. In willow skipped without its map: that of
 """
 import os
 
+import rospkg
+import rospy
 import support
 from geometry_msgs.msg import PoseStamped
 from robot_launching import RobotLaunchTestCase
-from roslib.packages import find_node
-import rospy
 
 GOALS = 10
 WILLOW = """
@@ -36,7 +36,7 @@ class MoveBaseTest(RobotLaunchTestCase):
 
     def setUp(self):
         super().setUp()
-        if not find_node('move_base', 'move_base'):
+        if 'move_base' not in rospkg.RosPack().list():
             self.skip('move_base is not in the environment in which the package was configured')
 
     def goals(self):
