@@ -59,7 +59,7 @@ void ProtectiveStop::findPeople(const Robot& robot, const std::vector<Agent>& ag
   }
 }
 
-/// Whether it touches nobody if it moves at a twist for a tick and then brakes.
+/// Returns whether the robot does not touch any person if it moves at this twist for a tick and then brakes.
 bool ProtectiveStop::isFree(const Robot& robot, Twist twist, double tick_duration) const {
   if (people_.empty()) return true;
   const RobotStart& start = robot.start;

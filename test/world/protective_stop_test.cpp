@@ -100,7 +100,7 @@ TEST(ProtectiveStopProperty, NeverTouchesPeopleThatStand) {
 TEST(ProtectiveStop, TestsTheTwistThatTheLimitsPermit) {
   // It drives at 2 m/s towards the person at (1, 0), and needs 1.9 m to stop. From x = -2 m on it is commanded a curve
   // of radius 1 m, which passes the person until it is 1.3 m away. But its rotation changes by 0.01 rad/s in a tick
-  // only, so that it drives on nearly straight: it must brake at once.
+  // only, so that it continues nearly straight. It has to brake in this tick.
   RobotStart start = robot({-6.0, 0.0});
   start.limits = {2.0, 2.0, 1.0, 0.1, 0.0};
   start.yields = Yields::ROBOT;

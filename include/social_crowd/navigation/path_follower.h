@@ -42,7 +42,7 @@ class PathFollower {
   static constexpr double REACHED = 0.1;          // distance at which a corner is reached [m]
   static constexpr double DETOUR_SHARE = 1.2;     // a way back to the present corner may be longer than the straight
   static constexpr double DETOUR = 0.5;           // line by this factor and by this length [m]
-  // A person that stays in a crowd is not sent back for good: from another place, another exit may be nearer.
+  // In a crowd a person is pushed off its way many times; from where it is then, another exit may be nearer.
   static constexpr int MAX_RETURNS = 3;   // to the way, before a new one is found
   static constexpr int CHECK_TICKS = 10;  // it is checked after this time at the latest
 

@@ -41,6 +41,7 @@ class RobotControllerNode {
  private:
   void takeScan(const sensor_msgs::LaserScan& scan);
   /// Waits for the transform of a scan, which may arrive a little later than the scan; its listener has its own thread.
+  /// The timeout of tf2_ros::Buffer is in simulated time, which stands still while the tick waits for the command.
   /// Returns whether it has arrived.
   bool awaitTransform(const sensor_msgs::LaserScan& scan) const;
   Twist commandFor(const sensor_msgs::LaserScan& scan);

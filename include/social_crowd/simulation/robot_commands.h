@@ -45,9 +45,9 @@ struct CommandSettings {
 /// commands of others are refused. In lockstep a robot is awaited from its first command on, until it has missed
 /// several in a row, and again from its next command on.
 ///
-/// A command has no number of a tick, so in lockstep the first one after a missed one is taken as late: it is executed
-/// at once and counted, and the tick goes on waiting for the command of its own, which replaces it. So a single delay
-/// does not shift all later commands by a tick. A tick whose own command does not come then is not counted as missed.
+/// A command has no number of a tick, so in lockstep the first one after a missed one counts as late: it is executed
+/// at once, and the tick continues to wait for its own command, which replaces it. A single delay therefore does not
+/// shift all later commands by a tick. A tick whose own command does not come then is not counted as missed.
 class RobotCommands {
  public:
   explicit RobotCommands(const CommandSettings& settings) : settings_(settings) {}
