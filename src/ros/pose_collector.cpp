@@ -28,10 +28,6 @@ Pose poseOf(const geometry_msgs::Pose& message) {
   return {fromPoint(message.position), is_rotation ? tf2::getYaw(q) : std::numeric_limits<double>::quiet_NaN()};
 }
 
-Pose poseOf(const geometry_msgs::Transform& message) {
-  return {fromVector3(message.translation), tf2::getYaw(message.rotation)};
-}
-
 }  // namespace
 
 void PoseCollector::subscribe(const Episode& episode) {
@@ -82,7 +78,7 @@ std::optional<Pose> PoseCollector::toMap(Source& source, const std::string& fram
   if (frame.empty() || frame == names::MAP_FRAME) return pose;
   try {
     const auto transform = frames_.lookupTransform(names::MAP_FRAME, frame, LATEST);
-    return composedPose(poseOf(transform.transform), pose);
+    return composedPose(fromMessage(transform.transform), pose);
   } catch (const tf2::TransformException& error) {
     ++source.without_frame;
     warn(source, Problem::WITHOUT_FRAME,
@@ -94,7 +90,7 @@ std::optional<Pose> PoseCollector::toMap(Source& source, const std::string& fram
 void PoseCollector::takeTransform(Source& source) {
   try {
     const auto transform = frames_.lookupTransform(names::MAP_FRAME, source.base, LATEST);
-    take(source, poseOf(transform.transform), transform.header.stamp);
+    take(source, fromMessage(transform.transform), transform.header.stamp);
   } catch (const tf2::TransformException&) {
     // Not there yet: the robot is stale after a while.
   }

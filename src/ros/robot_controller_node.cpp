@@ -1,6 +1,5 @@
 #include "social_crowd/ros/robot_controller_node.h"
 
-#include <tf2/utils.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include "social_crowd/ros/conversions.h"
@@ -32,11 +31,6 @@ ScanSpec scannerOf(const sensor_msgs::LaserScan& message, const Pose& mount) {
   scanner.max_range = static_cast<double>(message.range_max);
   scanner.mount = mount;
   return scanner;
-}
-
-Pose toPose(const geometry_msgs::TransformStamped& transform) {
-  const geometry_msgs::Vector3& translation = transform.transform.translation;
-  return {{translation.x, translation.y}, tf2::getYaw(transform.transform.rotation)};
 }
 
 Drive readDrive(Parameters& parameters) {
@@ -114,7 +108,7 @@ Twist RobotControllerNode::commandFor(const sensor_msgs::LaserScan& scan) {
   const Vector2 offset = fromPoint(goal);
   if (offset.norm() < parameters_.goal_tolerance) return {};
   RobotStart robot = parameters_.robot;
-  robot.scan = scannerOf(scan, toPose(frames_.lookupTransform(base, scan.header.frame_id, time)));
+  robot.scan = scannerOf(scan, fromMessage(frames_.lookupTransform(base, scan.header.frame_id, time).transform));
   return reactiveCommand(robot, offset, scan.ranges);
 }
 

@@ -1,6 +1,8 @@
 #include "social_crowd/ros/robot_messages.h"
 
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <tf2/utils.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <algorithm>
 #include <array>
@@ -58,6 +60,10 @@ std::string framePrefix(const RobotStart& start) { return start.name_space.empty
 
 Twist fromMessage(const geometry_msgs::Twist& message) {
   return {{message.linear.x, message.linear.y}, message.angular.z};
+}
+
+Pose fromMessage(const geometry_msgs::Transform& message) {
+  return {fromVector3(message.translation), tf2::getYaw(message.rotation)};
 }
 
 geometry_msgs::Twist toMessage(const Twist& twist) {

@@ -27,6 +27,8 @@ namespace crowd {
 std::string framePrefix(const RobotStart& start);
 
 Twist fromMessage(const geometry_msgs::Twist& message);
+/// @brief The pose of a frame in its parent; rotations other than about the vertical axis are left out.
+Pose fromMessage(const geometry_msgs::Transform& message);
 geometry_msgs::Twist toMessage(const Twist& twist);
 geometry_msgs::Pose toMessage(const Pose& pose);
 
