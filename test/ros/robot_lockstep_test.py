@@ -5,6 +5,7 @@ import support
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from robots import RobotTestCase, command, scenario
+from social_crowd.msg import EpisodeResult
 
 TICKS = 40
 
@@ -26,10 +27,11 @@ class RobotLockstepTest(RobotTestCase):
         self.addCleanup(subscriber.unregister)
         support.wait_for(lambda: subscriber.get_num_connections() > 0, 'odometry')
 
-    def begin(self, **parameters):
+    def begin(self, text=None, **parameters):
         """Starts the nodes and an episode in which commands are awaited from the first tick on. Returns a publisher of
         commands."""
-        self.start_all(publish_clock=True, robot_lockstep=True, **dict({'command_deadline': 60.0}, **parameters))
+        self.start_all(text, publish_clock=True, robot_lockstep=True,
+                       **dict({'command_deadline': 60.0}, **parameters))
         publisher = self.commander()
         self.send(publisher, Twist(), 1)
         self.succeed('crowd_controller/reset', keep_seed=True)
@@ -54,6 +56,21 @@ class RobotLockstepTest(RobotTestCase):
         self.assertEqual((state.commands_taken, state.commands_missed, state.commands_late, state.command_timeouts),
                          (TICKS, 0, 0, 0))
         self.assertEqual(state.pose, self.exact_pose())
+
+    def test_the_answer_to_the_last_odometry_of_an_episode_is_not_a_command_of_the_next_one(self):
+        results = self.listen('episode_results', EpisodeResult)
+        publisher = self.begin(scenario(duration=1), real_time_factor='fast', episodes=4)
+        results.wait_connected()
+        self.answer(publisher)
+        self.succeed('crowd_controller/reset', keep_seed=True)
+        self.succeed('crowd_controller/pause', data=False)
+        support.wait_for(lambda: len(results.messages) == 4, 'all results')
+        robots = [message.robots[0] for message in results.messages]
+        # The rotations differ from tick to tick, so a command of another tick changes their sum.
+        self.assertEqual([(robot.commands_taken, robot.commands_missed, robot.commands_late) for robot in robots],
+                         [(10, 0, 0)] * 4)
+        self.assertEqual([robot.cumulative_heading_changes for robot in robots],
+                         [robots[0].cumulative_heading_changes] * 4)
 
     def test_a_late_command_does_not_shift_those_that_follow(self):
         publisher = self.begin(command_deadline=3.0)
