@@ -8,8 +8,9 @@ from crowd_experiments.records import read_csv
 from crowd_experiments.runs import RunError
 
 NEEDED = ('episode', 'scenario', 'robot', 'success', 'time_to_reach_goal', 'robot_on_person_collisions',
-          'person_on_robot_collisions', 'mutual_collisions', 'personal_space_time', 'people_compared', 'people_delay',
-          'people_detour')
+          'person_on_robot_collisions', 'mutual_collisions', 'personal_space_time')
+# Of `evaluate --people-delay` only: a run through ROS has no run without robots to compare with.
+PEOPLE = {'people_compared': 0.0, 'people_delay': math.nan, 'people_detour': math.nan}
 CAUSES = ('robot_on_person_collisions', 'person_on_robot_collisions', 'mutual_collisions')
 CONFIDENCE = 1.959964  # standard deviations of a 95 % interval
 
@@ -24,6 +25,8 @@ def read_record(file):
     if missing:
         raise RunError(f'{file}: expected a record as of `evaluate --robots-csv`, got one without the columns '
                        f'{", ".join(missing)}')
+    for name, without in PEOPLE.items():
+        record.setdefault(name, numpy.full(len(record['episode']), without))
     return record
 
 
@@ -35,7 +38,8 @@ def rows_of(record, scenario):
 
 def joined(records):
     """Returns the rows of several records as one."""
-    return {name: numpy.concatenate([numpy.array(record[name]) for record in records]) for name in NEEDED}
+    return {name: numpy.concatenate([numpy.array(record[name]) for record in records])
+            for name in (*NEEDED, *PEOPLE)}
 
 
 @dataclasses.dataclass(frozen=True)

@@ -7,9 +7,7 @@ Skipped where move_base is not built. In willow skipped without its map: that of
 import os
 
 import rospkg
-import rospy
 import support
-from geometry_msgs.msg import PoseStamped
 from robot_launching import RobotLaunchTestCase
 
 GOALS = 10
@@ -48,15 +46,7 @@ class MoveBaseTest(RobotLaunchTestCase):
         launched = self.drive('move_base.launch', real_time_factor=20)
         self.wait_until_arrived(PATIENCE)
         self.assertEqual(len(self.goals()), 9)
-        # As the tool "2D Nav Goal" of RViz.
-        publisher = rospy.Publisher(f'{self.namespace}/move_base_simple/goal', PoseStamped, queue_size=1)
-        self.addCleanup(publisher.unregister)
-        support.wait_for(lambda: publisher.get_num_connections() > 0, 'a subscriber of move_base_simple/goal')
-        goal = PoseStamped()
-        goal.header.frame_id = 'map'
-        goal.pose.position.x, goal.pose.position.y, goal.pose.orientation.w = 12.0, 8.3, 1.0
-        publisher.publish(goal)
-        support.wait_for(lambda: (12.0, 8.3) in self.goals(), 'the new goal')
+        self.send_nav_goal(12.0, 8.3)
         self.wait_until_arrived(PATIENCE)
         self.assertLess(abs(self.robots()[0].pose.x - 12.0), 0.31)
         self.assert_nobody_was_touched()

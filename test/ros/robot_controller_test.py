@@ -34,6 +34,12 @@ class RobotControllerTest(RobotLaunchTestCase):
         self.assertLessEqual(robot.commands_repeated, 1)  # when the controller starts
         self.assertGreater(robot.commands_taken, 100)
 
+    def test_goes_where_2d_nav_goal_sends_it(self):
+        launched = self.drive('robot.launch', real_time_factor=5, seed=3)
+        support.wait_for(self.robots, 'the robot')
+        self.send_nav_goal(self.robots()[0].pose.x, self.robots()[0].pose.y + 1.0)
+        self.assertEqual(launched.stop(), 0)
+
     def test_two_robots_in_namespaces(self):
         launched = self.drive('robot.launch', scenario=self.write('swap.yaml', SWAP), robots='tug cart',
                               real_time_factor='fast', episodes=1)

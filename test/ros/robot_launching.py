@@ -3,6 +3,7 @@ import re
 
 import rospy
 import support
+from geometry_msgs.msg import PoseStamped
 from launching import LaunchTestCase
 from social_crowd.msg import RobotState, RobotStates
 
@@ -24,6 +25,18 @@ class RobotLaunchTestCase(LaunchTestCase):
         complaints = re.findall(signs, launched.output())
         twice = 'the robot has a command for this tick already'
         self.assertEqual([text for text in complaints if twice not in text], [])
+
+    def send_nav_goal(self, x, y):
+        """Publishes a goal as the tool 2D Nav Goal of RViz does, and waits until it is that of the robot."""
+        publisher = rospy.Publisher(f'{self.namespace}/move_base_simple/goal', PoseStamped, queue_size=1)
+        self.addCleanup(publisher.unregister)
+        support.wait_for(lambda: publisher.get_num_connections() > 0, 'a subscriber of move_base_simple/goal')
+        goal = PoseStamped()
+        goal.header.frame_id = 'map'
+        goal.pose.position.x, goal.pose.position.y, goal.pose.orientation.w = x, y, 1.0
+        publisher.publish(goal)
+        support.wait_for(lambda: self.robots() and (self.robots()[0].goal.x, self.robots()[0].goal.y) == (x, y),
+                         'the new goal')
 
     def robots(self):
         """Returns the present states of all robots; none before the first message."""

@@ -65,6 +65,15 @@ class MeasuresTest:
         with pytest.raises(RunError, match=said):
             read_record(file)
 
+    def test_people_are_optional(self, tmp_path):
+        """A record of runs through ROS has no people's delay."""
+        file = tmp_path / 'ros.csv'
+        lines = (COLUMNS + ROWS).splitlines()
+        file.write_text(''.join(','.join(line.split(',')[:-3]) + '\n' for line in lines), encoding='utf-8')
+        record = read_record(file)
+        assert not record['people_compared'].any()
+        assert numpy.isnan(record['people_delay']).all()
+
 
 class TablesTest:
     """The tables of the page."""
@@ -114,9 +123,13 @@ class RobotBenchmarkTest:
         assert_says(page, '| straight | 1 x 2 |', '| tug | 2 x 1-3 | 3 (30-95 %)', '| robot_crossing | straight | 2 (',
                     '| robot_door | tug |', '| robot visible | ORCA, published | 500 | 500 (99-100 %) |',
                     '| robot invisible | straight | 3 | ')
-        # People walk round a robot that they see only: the invisible scenario differs.
         record = read_record(runner.path('results/runs/straight/crowdnav_visible/robots.csv'))
         assert numpy.count_nonzero(record['people_compared']) == 3
+        # People walk round a robot only if they see it.
+        unseen = read_record(runner.path('results/runs/straight/crowdnav_invisible/robots.csv'))
+        assert numpy.sum(unseen['robot_on_person_collisions'] + unseen['mutual_collisions'] +
+                         unseen['person_on_robot_collisions']) > 0
+        assert not numpy.array_equal(unseen['minimum_clearance'], record['minimum_clearance'])
         assert 'perceived: false' in read_text(runner.path('results/scenarios/perceived_false/robot_circle_5.yaml'))
         again = self.benchmark(runner, '--table', '--placements', '2', '--crowdnav-episodes', '3')
         assert again.wait() == 0, again.output()
