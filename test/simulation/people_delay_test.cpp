@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/world/scenario_reader.h"
+#include "support/evaluations.h"
 
 namespace crowd {
 namespace {
@@ -58,13 +56,7 @@ EpisodeResult walk(const std::string& robots, bool people_delay) {
   EvaluationPlan plan;
   plan.robot_controller = "straight";
   plan.people_delay = people_delay;
-  EpisodeResult result;
-  evaluate(loadQTable(SOURCE_DIR "/config/q_tables/anticipation.txt"), parseScenarios(text, "s.yaml"), plan,
-           [&](EvaluatedEpisode& walked) {
-             result = walked.result;
-             return true;
-           });
-  return result;
+  return evaluations::evaluateOnce(text, plan);
 }
 
 TEST(PeopleDelay, IsZeroIfTheRobotIsNotMet) {

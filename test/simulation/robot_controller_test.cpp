@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/world/scenario_reader.h"
 #include "support/anticipation.h"
 #include "support/error_of.h"
+#include "support/evaluations.h"
 #include "support/robots.h"
 
 namespace crowd {
@@ -17,13 +16,7 @@ using robots::robotTo;
 EpisodeResult walk(const std::string& text, const std::string& controller) {
   EvaluationPlan plan;
   plan.robot_controller = controller;
-  EpisodeResult result;
-  evaluate(loadQTable(SOURCE_DIR "/config/q_tables/anticipation.txt"), parseScenarios(text, "s.yaml"), plan,
-           [&](EvaluatedEpisode& walked) {
-             result = walked.result;
-             return true;
-           });
-  return result;
+  return evaluations::evaluateOnce(text, plan);
 }
 
 /// The ticks until a robot alone arrives at (4, 3) from the origin, with an initial heading [degrees].

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/evaluation.h"
 #include "social_crowd/world/scenario_reader.h"
 
@@ -71,6 +72,17 @@ inline std::vector<EvaluatedEpisode> evaluateAll(const EvaluationPlan& plan) {
     return true;
   });
   return all;
+}
+
+/// The result of the first episode of a scenario with the table `anticipation`.
+inline EpisodeResult evaluateOnce(const std::string& scenario, const EvaluationPlan& plan) {
+  EpisodeResult result;
+  evaluate(loadQTable(SOURCE_DIR "/config/q_tables/anticipation.txt"), parseScenarios(scenario, "s.yaml"), plan,
+           [&](EvaluatedEpisode& walked) {
+             result = walked.result;
+             return true;
+           });
+  return result;
 }
 
 /// Requires equal results and trajectories, bit for bit.
