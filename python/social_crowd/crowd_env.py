@@ -11,7 +11,7 @@ class CrowdEnvError(RuntimeError):
 
 
 def default_reward(before, after):
-    """Returns by how much the way via the remaining goals became shorter [m], minus 1 if the robot was in contact with people.
+    """Returns by how much the way via the remaining goals became shorter [m], minus 1 in contact with people.
 
     Both arguments are messages RobotObservation, before and after a step. A goal counts as reached within its
     tolerance, so the way may become shorter there by up to twice the tolerance.
@@ -69,8 +69,8 @@ class CrowdEnv:
     def step(self, action):
         """Drives at (speed ahead [m/s], rotation [rad/s]), or (ahead, left, rotation) for a holonomic robot.
 
-        Returns observation, reward, terminated (arrived, or was in contact with people in this step), truncated (the episode is
-        over) and a dict of information.
+        Returns observation, reward, terminated (arrived, or in contact with people in this step), truncated (the
+        episode is over) and a dict of information.
         """
         if self._observed is None:
             raise CrowdEnvError('call reset() first')
