@@ -29,18 +29,8 @@ Vector2 priorityDirection(double time) {
 /// Direction to the point of a path at LOOKAHEAD: agents in front of a door all walk in the same direction.
 Vector2 directionOf(const RemainingPath& path, const Agent& agent) {
   constexpr double LOOKAHEAD = 3.0;  // [m]
-  Vector2 from = agent.pose.position;
-  double left = LOOKAHEAD;
-  for (const Vector2& corner : path) {
-    const double length = (corner - from).norm();
-    if (length > left) {
-      from += left / length * (corner - from);
-      break;
-    }
-    left -= length;
-    from = corner;
-  }
-  const Vector2 offset = from - agent.pose.position;
+  const Vector2& place = agent.pose.position;
+  const Vector2 offset = pointAlong({path.data(), path.size()}, place, LOOKAHEAD) - place;
   const double length = offset.norm();
   return length > 0.0 ? Vector2(offset / length) : agent.ahead;
 }

@@ -7,12 +7,23 @@
 namespace crowd {
 namespace {
 
-constexpr double SAMPLE = 0.15;           // distance between the points of a path that are looked up [m]
-constexpr double LANE_MARGIN = 0.15;      // between an agent in the lane and agents beside it [m]
-constexpr double LANE_LENGTH = 3.0;       // [m]
-constexpr double STOP_MARGIN = 0.15;      // agents are held this far outside of the zone [m]
-constexpr double ONE_WAY_ZONE = 0.9;      // radius of the zone without traffic in the other direction [m]
-constexpr double HEADWAY = 0.55;          // between agents that are admitted one after the other [m]
+constexpr double SAMPLE = 0.15;       // distance between the points of a path that are looked up [m]
+constexpr double LANE_MARGIN = 0.15;  // between an agent in the lane and agents beside it [m]
+constexpr double LANE_LENGTH = 3.0;   // [m]
+constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
+constexpr double ONE_WAY_ZONE = 0.9;  // radius of the zone without traffic in the other direction [m]
+// Of agents that are admitted one behind the other [m], and the width that each needs besides its diameter [m].
+constexpr double ONE_WAY_HEADWAY = 0.5;
+constexpr double ONE_WAY_MARGIN = 0.1;
+constexpr double TWO_WAY_HEADWAY = 0.55;
+constexpr double TWO_WAY_MARGIN = 0.15;
+
+constexpr double FILE_MARGIN = 0.1;     // two agents do not walk side by side where less is left beside them [m]
+constexpr double FILE_DISTANCE = 0.6;   // from where agents enter one behind the other [m]
+constexpr double FILE_GAP = 0.35;       // to the agent ahead [m]
+constexpr double FILE_BESIDE = 0.1;     // behind the line beside an agent [m]
+constexpr double SAME_DIRECTION = 0.3;  // cosine of the angle up to which directions are the same
+
 constexpr double WAITING_DISTANCE = 1.2;  // from a mouth [m]
 constexpr double WAITING_WIDTH = 2.4;     // of the floor there, less the diameter of an agent [m]
 constexpr double QUEUE_GAP = 0.2;         // between agents that wait: agents that touch each other block each other [m]
@@ -139,19 +150,31 @@ void RightOfWay::admit(std::size_t passage, PassageState& state) const {
     return claim.distance > 0.0 && claim.mouth != state.direction && !state.isAdmitted(claim.agent);
   };
   const bool two_way = std::any_of(state.claims.begin(), state.claims.end(), waits_elsewhere);
-  const auto side_by_side =
-      std::max<std::size_t>(1, static_cast<std::size_t>((*passages_)[passage].width / (2.0 * radius_ + LANE_MARGIN)));
+  const Spacing room = spacing(passage, two_way);
   for (const Claim& claim : state.claims) {
     if (two_way && state.served >= BATCH_SIZE) return;
     if (claim.mouth != state.direction || state.isAdmitted(claim.agent)) continue;
     const auto is_too_near = [&](const Claim& other) {
-      return other.distance > claim.distance - HEADWAY && state.isAdmitted(other.agent);
+      return other.distance > claim.distance - room.length && state.isAdmitted(other.agent);
     };
     const auto too_near = std::count_if(state.claims.begin(), state.claims.end(), is_too_near);
-    if (static_cast<std::size_t>(too_near) >= side_by_side) return;
+    if (static_cast<std::size_t>(too_near) >= room.abreast) return;
     state.admitted.push_back({claim.agent});
     ++state.served;
   }
+}
+
+/// People of one direction walk staggered, so that their number is in proportion to the width, which need not be a
+/// multiple of that of a person. With traffic in the other direction they could wedge.
+RightOfWay::Spacing RightOfWay::spacing(std::size_t passage, bool two_way) const {
+  const double width = (*passages_)[passage].width;
+  if (two_way) {
+    const double abreast = std::max(1.0, std::floor(width / (2.0 * radius_ + TWO_WAY_MARGIN)));
+    return {static_cast<std::size_t>(abreast), TWO_WAY_HEADWAY};
+  }
+  const double lanes = std::max(1.0, width / (2.0 * radius_ + ONE_WAY_MARGIN));
+  const double abreast = std::ceil(lanes);
+  return {static_cast<std::size_t>(abreast), ONE_WAY_HEADWAY * abreast / lanes};
 }
 
 /// Gives the right of way to the others after a batch, or if no agent of this direction claims it.
@@ -220,6 +243,31 @@ void RightOfWay::guideWaiting(const Mouth& mouth, bool two_way, const Claim& cla
     }
   }
   world.setWaypoint(claim.agent, mouth.centre + (LANE_LENGTH + 1.0) * mouth.outward);
+}
+
+void RightOfWay::formSingleFiles(World& world, const DeadlockResolver& deadlocks) const {
+  for (std::size_t passage = 0; passage < states_.size(); ++passage) {
+    const bool is_narrow = (*passages_)[passage].width <= 4.0 * radius_ + FILE_MARGIN;
+    if (!states_[passage].is_controlled && is_narrow) formSingleFile(states_[passage], deadlocks, world);
+  }
+}
+
+void RightOfWay::formSingleFile(const PassageState& state, const DeadlockResolver& deadlocks, World& world) const {
+  for (auto claim = state.claims.begin(); claim != state.claims.end(); ++claim) {
+    const bool is_in_front = claim->distance > 0.0 && claim->distance <= FILE_DISTANCE;
+    if (!is_in_front || deadlocks.walksBack(claim->agent)) continue;
+    const Vector2& course = deadlocks.course(claim->agent);
+    const Vector2& place = world.agents()[claim->agent].pose.position;
+    const auto is_ahead = [&](const Claim& earlier) {
+      if (deadlocks.walksBack(earlier.agent)) return false;
+      const Vector2 offset = world.agents()[earlier.agent].pose.position - place;
+      const bool is_same_direction = earlier.distance > 0.0
+                                         ? earlier.mouth == claim->mouth
+                                         : deadlocks.course(earlier.agent).dot(course) > SAME_DIRECTION;
+      return is_same_direction && offset.norm() < 2.0 * radius_ + FILE_GAP && offset.dot(course) > -FILE_BESIDE;
+    };
+    if (std::any_of(state.claims.begin(), claim, is_ahead)) world.setYielding(claim->agent, true);
+  }
 }
 
 }  // namespace crowd

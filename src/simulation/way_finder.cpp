@@ -7,13 +7,19 @@
 namespace crowd {
 namespace {
 
-constexpr double LANE_WIDTH = 3.2;      // agents keep right where the floor is narrower, less their diameter [m]
-constexpr double LANE_STEP = 0.2;       // of the measurement of the width [m]
-constexpr double LANE_SHARE = 0.1;      // distance of the lane from the right side, as a share of the width
-constexpr double LANE_MARGIN = 0.15;    // and its smallest value [m]
-constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
-constexpr double LANE_REACHED = 0.4;    // [m]
-constexpr double AIM_DISTANCE = 0.25;   // an agent aims at the same point until it has moved this far [m]
+constexpr double LANE_WIDTH = 3.2;         // agents keep right where the floor is narrower, less their diameter [m]
+constexpr double LANE_STEP = 0.2;          // of the measurement of the width [m]
+constexpr double LANE_SHARE = 0.1;         // distance of the lane from the right side, as a share of the width
+constexpr double LANE_MARGIN = 0.15;       // and its smallest value [m]
+constexpr double LANE_LOOKAHEAD = 3.0;     // [m]
+constexpr double LANE_REACHED = 0.4;       // [m]
+constexpr double AIM_DISTANCE = 0.25;      // an agent aims at the same point until it has moved this far [m]
+constexpr double SLOW_SHARE = 0.8;         // an agent below this share of its maximum speed is slowed down
+constexpr double SPREAD_RATE = 1.0;        // at which it moves outwards in front of a corner [m/s]
+constexpr double SPREAD_STEP = 0.5;        // at which its aim is chosen again [m]
+constexpr double MAX_SPREAD = 8.0;         // [m]
+constexpr double SPREAD_LOOKAHEAD = 10.0;  // [m]
+constexpr double SPREAD_WIDTH = 6.0;       // of the floor beside the corner [m]
 
 }  // namespace
 
@@ -32,6 +38,7 @@ void WayFinder::update(World& world) {
   }
   right_of_way_->update(world, paths_);
   deadlocks_.update(world, paths_);
+  right_of_way_->formSingleFiles(world, deadlocks_);
 }
 
 void WayFinder::adoptLayout(World& world) {
@@ -63,10 +70,14 @@ void WayFinder::release(World& world) {
 void WayFinder::lead(const Agent& agent, World& world) {
   Way& way = agents_[agent.id];
   RemainingPath& path = paths_[agent.id];
+  const bool waits = agent.yielding || agent.held;
   world.setYielding(agent.id, false);
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way = Way();
     way.follower.emplace(agent.goal());
+  }
+  if (!waits && agent.velocity.norm() < SLOW_SHARE * agent.max_speed) {
+    way.spread = std::min(MAX_SPREAD, way.spread + SPREAD_RATE * world.tickDuration());
   }
   const Vector2 next = nextPoint(agent, way);
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
@@ -114,14 +125,21 @@ bool WayFinder::areConnected(const Vector2& from, const Vector2& to) {
 /// In corridors agents walk on the right, so that agents in opposite directions do not meet head-on.
 Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
   const Vector2& position = agent.pose.position;
+  if (way.aim && way.aim->corner != next) way.spread = 0.0;
   bool is_due = !way.aim || way.aim->corner != next || (position - way.aim->from).norm() >= AIM_DISTANCE;
+  if (way.aim && way.spread >= way.aim->spread + SPREAD_STEP) {
+    is_due = true;
+    way.lane.reset();
+  }
   if (way.lane) {
     const Vector2 offset = way.lane->place - position;
     const bool is_passed = offset.dot(way.lane->forward) <= 0.0 || offset.norm() < LANE_REACHED;
     is_due = is_due || is_passed;
     if (is_passed || (is_due && !query.isStraight(position, way.lane->place))) way.lane.reset();
   }
-  if (is_due) way.aim = Aim{way.lane ? way.lane->place : chooseAim(agent, next, way, query), next, position};
+  if (is_due) {
+    way.aim = Aim{way.lane ? way.lane->place : chooseAim(agent, next, way, query), next, position, way.spread};
+  }
   return way.aim->point;
 }
 
@@ -132,6 +150,10 @@ Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, 
   const double distance = (next - position).norm();
   if (distance < LANE_REACHED || (corners.size() < 2 && distance < LANE_LOOKAHEAD)) return next;
   const Vector2 direction = (next - position) / distance;
+  if (const auto place = placeOutside(agent, next, way, query)) {
+    way.lane = Lane{*place, (direction + (corners[1] - next).normalized()).normalized()};
+    return *place;
+  }
   const bool is_corner = distance < LANE_LOOKAHEAD;
   const Vector2 forward = is_corner ? Vector2((direction + (corners[1] - next).normalized()).normalized()) : direction;
   const Vector2 ahead = position + std::min(distance, LANE_LOOKAHEAD) * direction;
@@ -140,6 +162,25 @@ Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, 
   if (place == ahead || !query.isStraight(position, place)) return next;
   if (is_corner) way.lane = Lane{place, forward};
   return place;
+}
+
+/// Where an agent that was slowed down passes a corner with a wide floor beside it: not at the corner, where the others
+/// are, but farther outside. The longer it was slowed down, the farther.
+std::optional<Vector2> WayFinder::placeOutside(const Agent& agent, const Vector2& next, const Way& way,
+                                               NavigationMesh::Query& query) {
+  const Vector2& position = agent.pose.position;
+  const Span<Vector2> corners = way.follower->corners();
+  const double distance = (next - position).norm();
+  if (corners.size() < 2 || way.spread < SPREAD_STEP || distance > SPREAD_LOOKAHEAD) return std::nullopt;
+  const Vector2 direction = (next - position) / distance;
+  const Vector2 beyond = pointAlong({corners.begin() + 1, corners.size() - 1}, next, SPREAD_WIDTH);
+  const Vector2 outward = (direction - (beyond - next).normalized()).normalized();
+  // The floor must be wide on both sides of the corner: this is not so at a door.
+  const Vector2 wide = next + SPREAD_WIDTH * outward;
+  if (!query.isStraight(next, wide) || !query.isStraight(wide, beyond)) return std::nullopt;
+  const Vector2 place = next + way.spread * outward;
+  const bool is_free = query.isStraight(position, place) && query.isStraight(place, beyond);
+  return is_free ? std::optional<Vector2>(place) : std::nullopt;
 }
 
 /// Whether the floor is bounded on both sides all along this line.

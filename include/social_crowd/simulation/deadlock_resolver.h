@@ -42,6 +42,11 @@ class DeadlockResolver {
   /// @param paths of all agents, by id; empty for those that have none
   void update(World& world, const std::vector<RemainingPath>& paths);
 
+  /// @brief Whether an agent walks back, as of the last update().
+  bool walksBack(AgentId agent) const { return walksBack(walks_[agent]); }
+  /// @brief Direction of an agent's path, or back if it walks back [unit vector], as of the last update().
+  const Vector2& course(AgentId agent) const { return walks_[agent].course; }
+
  private:
   struct Walk {
     std::deque<Vector2> trail;               // places at intervals, the latest one last [m]

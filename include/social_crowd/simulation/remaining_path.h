@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "social_crowd/world/geometry.h"
+#include "social_crowd/world/span.h"
 
 namespace crowd {
 
@@ -17,6 +18,18 @@ inline double lengthOf(const RemainingPath& path, Vector2 from) {
     from = corner;
   }
   return length;
+}
+
+/// @brief The point of a path at a distance from its start, or its end if it is shorter [m].
+/// @param path its corners @param from its start [m]
+inline Vector2 pointAlong(Span<Vector2> path, Vector2 from, double distance) {
+  for (const Vector2& corner : path) {
+    const double length = (corner - from).norm();
+    if (length > distance) return from + distance / length * (corner - from);
+    distance -= length;
+    from = corner;
+  }
+  return from;
 }
 
 }  // namespace crowd

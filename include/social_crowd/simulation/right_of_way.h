@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "social_crowd/navigation/passages.h"
+#include "social_crowd/simulation/deadlock_resolver.h"
 #include "social_crowd/simulation/remaining_path.h"
 #include "social_crowd/world/world.h"
 
@@ -15,10 +16,15 @@ namespace crowd {
 /// agents do not block each other there. Deterministic; depends only on the world and the earlier calls.
 ///
 /// At most one direction at a time has the right of way in a passage. Agents of that direction are admitted in the
-/// order of their distance, as many at a time as fit side by side; the next one when an admitted one has entered. After
-/// BATCH_SIZE agents the others have their turn. Agents that wait stay outside of a zone in front of the mouth; if
-/// there is traffic in the other direction, the zone contains a lane for agents that come out. If no agent makes
-/// progress, because agents that wait are in the way of others, all are released for some seconds.
+/// order of their distance: without traffic in the other direction at a rate in proportion to the width, otherwise as
+/// many at a time as fit side by side, with room between them. After BATCH_SIZE agents the others have their turn.
+/// Agents that wait stay outside of a zone in front of the mouth; if there is traffic in the other direction, the zone
+/// contains a lane for agents that come out. If no agent makes progress, because agents that wait are in the way of
+/// others, all are released for some seconds.
+///
+/// Passages without room to wait are not controlled. In those that are too narrow for two agents side by side, agents
+/// of the same direction enter one behind the other (formSingleFiles()): two agents that enter together would be
+/// wedged.
 ///
 /// Call contract: update() once per tick, after the agents have moved and waypoints were set.
 class RightOfWay {
@@ -36,6 +42,10 @@ class RightOfWay {
   /// @brief Holds agents that must wait (World::setYielding), and sends those that are in the way of others aside
   /// (World::setWaypoint). @param paths of all agents, by id; empty for those that have none
   void update(World& world, const std::vector<RemainingPath>& paths);
+  /// @brief Holds agents in front of narrow passages that are not controlled while another agent of their direction is
+  /// beside or ahead of them (World::setYielding). @param deadlocks after its update() of this tick; agents that walk
+  /// back are not held
+  void formSingleFiles(World& world, const DeadlockResolver& deadlocks) const;
 
  private:
   /// The next passage on the path of an agent.
@@ -47,6 +57,11 @@ class RightOfWay {
   struct Admitted {
     AgentId agent = 0;
     double remaining = std::numeric_limits<double>::infinity();  // length of its path when it last made progress [m]
+  };
+  /// Agents in a passage: at most `abreast` within `length` of the path.
+  struct Spacing {
+    std::size_t abreast;
+    double length;  // [m]
   };
   struct PassageState {
     std::vector<Claim> claims;  // of this tick, nearest first
@@ -66,10 +81,12 @@ class RightOfWay {
   static void noteProgress(const World& world, const std::vector<RemainingPath>& paths, PassageState& state);
   void admit(std::size_t passage, PassageState& state) const;
   void chooseDirection(PassageState& state) const;
+  Spacing spacing(std::size_t passage, bool two_way) const;
   void guide(std::size_t passage, const PassageState& state, World& world) const;
   static bool isBehindAnother(const World& world, std::vector<Claim>::const_iterator first,
                               std::vector<Claim>::const_iterator claim);
   void guideWaiting(const Mouth& mouth, bool two_way, const Claim& claim, World& world) const;
+  void formSingleFile(const PassageState& state, const DeadlockResolver& deadlocks, World& world) const;
   std::size_t nearestMouth(std::size_t passage, const Vector2& place) const;
 
   std::shared_ptr<const Passages> passages_;

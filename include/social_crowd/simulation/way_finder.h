@@ -19,7 +19,9 @@ namespace crowd {
 /// way to it instead (World::setWaypoint). Learners and learning are the same as without.
 ///
 /// Ways are found for the radius of the largest agent. They keep COMFORTABLE_MARGIN from walls where there is room. At
-/// narrow passages agents go one direction after the other (RightOfWay). Deterministic; depends only on the world.
+/// narrow passages agents go one direction after the other (RightOfWay). An agent that is slowed down in front of a
+/// corner with a wide floor beside it passes the corner farther outside, so that a crowd uses the width. Deterministic;
+/// depends only on the world.
 ///
 /// An agent whose goal is behind closed gates walks up to them. One whose goal is out of reach stays, unless it sees
 /// it.
@@ -60,6 +62,7 @@ class WayFinder {
     Vector2 point;
     Vector2 corner;  // the next corner of the path then
     Vector2 from;    // place of the agent then
+    double spread;   // that of the way then [m]
   };
   /// Way of one agent.
   struct Way {
@@ -67,6 +70,7 @@ class WayFinder {
     std::optional<Aim> aim;
     std::optional<PathFollower> follower;
     Floor floor = Floor::COMFORTABLE;
+    double spread = 0.0;  // grows while the agent is slowed down in front of its corner: how far outside it passes [m]
     bool out_of_reach = false;
   };
 
@@ -76,6 +80,8 @@ class WayFinder {
   bool areConnected(const Vector2& from, const Vector2& to);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   Vector2 chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
+  static std::optional<Vector2> placeOutside(const Agent& agent, const Vector2& next, const Way& way,
+                                             NavigationMesh::Query& query);
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
   Sides floorBeside(const Vector2& place, const Vector2& forward, double radius) const;
   Vector2 laneBeside(const Vector2& place, const Vector2& forward, double radius) const;
