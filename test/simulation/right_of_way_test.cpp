@@ -60,16 +60,29 @@ AgentStart east(double x, double y) { return walker({x, y}, {4.5, 0.0}); }
 AgentStart west(double x, double y) { return walker({x, y}, {-4.5, 0.0}); }
 
 TEST(RightOfWay, TheNearestAgentGoesFirst) {
-  Door door({east(-1.3, 0.0), east(-1.0, 0.3)});
+  Door door({east(-1.3, 0.0), east(-1.0, 0.3)}, 0.5);
   EXPECT_FALSE(door.mayWalk(0));
   EXPECT_TRUE(door.mayWalk(1));
   while (!door.isInside(door.agent(1))) door.step();
   EXPECT_TRUE(door.mayWalk(0));
 }
 
+/// 1.2 m is 2.4 times the width of an agent with its margin, 0.5 m: 3 agents within 3 / 2.4 * 0.5 m = 0.625 m.
+TEST(RightOfWay, AgentsOfOneDirectionGoInProportionToTheWidth) {
+  Door door({east(-0.9, 0.4), east(-0.9, -0.4), east(-1.2, 0.0), east(-1.3, 0.5)}, 1.2);
+  EXPECT_TRUE(door.mayWalk(0));
+  EXPECT_TRUE(door.mayWalk(1));
+  EXPECT_TRUE(door.mayWalk(2));
+  EXPECT_FALSE(door.mayWalk(3));
+  Door narrow({east(-0.9, 0.0), east(-1.2, 0.3), east(-1.6, 0.0)}, 0.5);
+  EXPECT_TRUE(narrow.mayWalk(0));
+  EXPECT_FALSE(narrow.mayWalk(1));
+  EXPECT_FALSE(narrow.mayWalk(2));
+}
+
 /// Two bodies of 0.4 m fit into 1.2 m.
-TEST(RightOfWay, AsManyGoAtATimeAsFitSideBySide) {
-  Door door({east(-0.9, 0.4), east(-0.9, -0.4), east(-1.15, 0.0)}, 1.2);
+TEST(RightOfWay, WithOncomingTrafficAsManyGoAtATimeAsFitSideBySide) {
+  Door door({east(-0.9, 0.4), east(-0.9, -0.4), east(-1.2, 0.0), west(1.5, 1.5)}, 1.2);
   EXPECT_TRUE(door.mayWalk(0));
   EXPECT_TRUE(door.mayWalk(1));
   EXPECT_FALSE(door.mayWalk(2));
@@ -101,18 +114,46 @@ TEST(RightOfWay, AnAgentThatLeavesGivesItToTheNext) {
   EXPECT_TRUE(door.mayWalk(1));
 }
 
-/// A corridor of 1.6 m, in which agents can pass each other, with a door of 0.8 m: none can wait beside the others.
-TEST(RightOfWay, ThereIsNoneWithoutRoomToWait) {
+/// A corridor of 1.6 m, in which agents can pass each other, with a door: none can wait beside the others.
+FloorPlan corridorWithDoor(double width) {
   FloorPlan floor = floors::room({-8.0, -0.8}, {8.0, 0.8});
-  floor.walls.push_back({{0.0, -0.8}, {0.0, -0.4}});
-  floor.walls.push_back({{0.0, 0.4}, {0.0, 0.8}});
+  floor.walls.push_back({{0.0, -0.8}, {0.0, -0.5 * width}});
+  floor.walls.push_back({{0.0, 0.5 * width}, {0.0, 0.8}});
+  return floor;
+}
+
+TEST(RightOfWay, ThereIsNoneWithoutRoomToWait) {
   const std::vector<AgentStart> agents = {walker({-1.0, 0.0}, {7.0, 0.0}), walker({1.2, 0.0}, {-7.0, 0.0})};
-  Door door(agents, 0.8, floor);
+  Door door(agents, 0.8, corridorWithDoor(0.8));
   EXPECT_TRUE(door.mayWalk(0));
   EXPECT_TRUE(door.mayWalk(1));
   Door with_room(agents, 0.8);
   EXPECT_TRUE(with_room.mayWalk(0));
   EXPECT_FALSE(with_room.mayWalk(1));
+}
+
+/// Two agents side by side would be wedged in a door of 0.8 m, but not in one of 1.1 m.
+TEST(RightOfWay, AgentsEnterNarrowDoorsWithoutRoomToWaitOneBehindTheOther) {
+  const std::vector<AgentStart> agents = {walker({-0.75, 0.2}, {7.0, 0.0}), walker({-0.7, -0.25}, {7.0, 0.0}),
+                                          walker({0.75, 0.0}, {-7.0, 0.0})};
+  const auto formFiles = [](Door& door) {
+    DeadlockResolver deadlocks;
+    const std::vector<RemainingPath> paths = two_ways::findPaths(door.world);
+    deadlocks.update(door.world, paths);
+    door.right_of_way.update(door.world, paths);
+    door.right_of_way.formSingleFiles(door.world, deadlocks);
+  };
+  Door door(agents, 0.8, corridorWithDoor(0.8));
+  formFiles(door);
+  EXPECT_TRUE(door.agent(0).yielding);  // farther away than agent 1
+  EXPECT_FALSE(door.agent(1).yielding);
+  EXPECT_FALSE(door.agent(2).yielding);  // walks in the other direction
+  door.world.removeAgent(1);
+  formFiles(door);
+  EXPECT_FALSE(door.agent(0).yielding);
+  Door wider(agents, 1.1, corridorWithDoor(1.1));
+  formFiles(wider);
+  EXPECT_FALSE(wider.agent(0).yielding);
 }
 
 /// Without progress for 4 s all agents are released for 3 s (docs/way_finding.md).

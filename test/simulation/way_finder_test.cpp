@@ -88,6 +88,51 @@ TEST(WayFinder, WalksStraightOnWideFloor) {
   EXPECT_EQ(led.agent().perceivedGoal(), Vector2(9.0, 0.0));
 }
 
+/// Two corridors that meet at a right angle; their inner corner is at (0, 0).
+std::vector<Segment> rightAngle(double width) {
+  return {{{-20.0, 0.0}, {0.0, 0.0}},       {{0.0, 0.0}, {0.0, 20.0}},       {{-20.0, -width}, {width, -width}},
+          {{width, -width}, {width, 20.0}}, {{-20.0, 0.0}, {-20.0, -width}}, {{0.0, 20.0}, {width, 20.0}}};
+}
+
+/// An agent 4 m in front of a corner that stands still, as if others were in its way.
+Led slowedDown(double width, double time) {
+  Led led({walker({-4.0, -0.5}, {0.5, 18.0})}, rightAngle(width));
+  while (led.world.time() < time) {
+    led.world.step({});
+    led.ways.update(led.world);
+  }
+  return led;
+}
+
+TEST(WayFinder, ACrowdUsesTheWidthOfACorner) {
+  // It passes 1 m farther outside for each second that it was slowed down, but not in a narrow corridor.
+  EXPECT_LT(slowedDown(12.0, 0.2).agent().perceivedGoal().norm(), 0.6);
+  const Vector2 outside = slowedDown(12.0, 3.0).agent().perceivedGoal();
+  EXPECT_NEAR(outside.norm(), 3.0, 0.8);
+  EXPECT_GT(outside.x(), 1.0);
+  EXPECT_LT(outside.y(), -1.0);
+  EXPECT_LT(slowedDown(4.0, 3.0).agent().perceivedGoal().norm(), 0.6);
+}
+
+TEST(WayFinder, AnAgentBesideTheCornerWalksOnToItsGoal) {
+  Led led = slowedDown(12.0, 3.0);
+  led.walk(40.0);
+  EXPECT_TRUE(led.agent().hasArrived());
+}
+
+TEST(WayFinder, ACrowdDoesNotSpreadInFrontOfADoor) {
+  // From the side, the way turns at the edge of the door.
+  std::vector<Segment> walls = floors::room({-12.0, -12.0}, {12.0, 12.0}).walls;
+  walls.push_back({{0.0, -12.0}, {0.0, -1.0}});
+  walls.push_back({{0.0, 1.0}, {0.0, 12.0}});
+  Led led({walker({-1.0, 6.0}, {6.0, 0.0})}, walls);
+  while (led.world.time() < 3.0) {
+    led.world.step({});
+    led.ways.update(led.world);
+  }
+  EXPECT_LT((led.agent().perceivedGoal() - Vector2(0.0, 1.0)).norm(), 0.6);
+}
+
 TEST(WayFinder, ANewGoalHasANewWay) {
   Led led({walker({-8.0, 0.0}, {9.0, 0.0})}, corridor(2.0));
   led.walk(5.0);
