@@ -67,7 +67,7 @@ TEST(RightOfWay, TheNearestAgentGoesFirst) {
   EXPECT_TRUE(door.mayWalk(0));
 }
 
-/// 1.2 m is 2.4 times the width of an agent with its margin, 0.5 m: 3 agents within 3 / 2.4 * 0.5 m = 0.625 m.
+/// 1.2 m is 2.26 times the width of an agent with its margin, 0.53 m: 3 agents within 3 / 2.26 * 0.52 m = 0.69 m.
 TEST(RightOfWay, AgentsOfOneDirectionGoInProportionToTheWidth) {
   Door door({east(-0.9, 0.4), east(-0.9, -0.4), east(-1.2, 0.0), east(-1.3, 0.5)}, 1.2);
   EXPECT_TRUE(door.mayWalk(0));
