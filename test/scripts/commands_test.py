@@ -27,7 +27,7 @@ def run_here(runner, *command):
 class RosrunTest:
     """rosrun social_crowd PROGRAM."""
 
-    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce', 'show_crowd',
+    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'film', 'reproduce', 'show_crowd',
                                       'learner_crew', 'pedsim_import', 'robot_benchmark', 'validate'])
     def test_names_are_unique(self, runner, name):
         status, output = run_here(runner, 'rosrun', 'social_crowd', name, '--help')
