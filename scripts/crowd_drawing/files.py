@@ -12,6 +12,7 @@ from crowd_drawing.population import Population
 
 HEADER = ['instance', 'tick', 'agent', 'x', 'y']
 DEFAULT_TICK = 0.1  # [s]
+DEFAULT_RADIUS = 0.25  # [m] of recorded people without a scenario
 HERE = pathlib.Path(__file__).resolve().parent
 # Folders that may contain config/scenarios: the source tree, and PREFIX/share for programs in PREFIX/lib/social_crowd.
 HOMES = [HERE.parents[1], HERE.parents[2] / 'share' / 'social_crowd']
@@ -84,8 +85,8 @@ class Scene:
 
     def radius_of(self, agent):
         """Returns the radius of an agent; those of sources follow the agents of the start."""
-        radii = self.population.source_radii
-        return radii[0] if agent >= len(self.agents) and radii else self.agents[agent]['radius']
+        radii = self.population.source_radii or [DEFAULT_RADIUS]
+        return self.agents[agent]['radius'] if agent < len(self.agents) else radii[0]
 
     def need(self, condition, where, expected, got):
         if not condition:

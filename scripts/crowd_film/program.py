@@ -13,12 +13,14 @@ from crowd_experiments.runs import RunError
 from crowd_film.errors import FilmError
 from crowd_film.production import MEGABYTE, WRITERS, Settings, make
 from crowd_film.video import need_ffmpeg
-from crowd_film.recording import load, table_for, walk
+from crowd_recordings.shown import read_shown
+from crowd_film.recording import table_for, walk
 
 EXAMPLES = '''examples:
   film place_station --start 20 --duration 40 --output station.gif
   film place_office --speed 8 --max-size 3 --output office.webp
   film circle6 --trajectories recordings/circle6.csv --output circle6.mp4
+  film --trajectories obsmat.txt --duration 60 --output people.gif
 
 One episode is walked with `evaluate`, or a recording of `evaluate --trajectories` is shown. MP4 needs ffmpeg.
 Robots are shown at their start. Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
@@ -30,12 +32,15 @@ def parser():
                                      description='Makes a film of a scenario: GIF, WebP or MP4. Needs neither a '
                                      'display nor ROS running.', epilog=EXAMPLES)
     add = result.add_argument
-    add('scenario', metavar='SCENARIO', help='a scenario file, or a name in config/scenarios')
+    add('scenario', nargs='?', metavar='SCENARIO', help='a scenario file, or a name in config/scenarios; not required '
+        'with --trajectories')
     add('--output', type=pathlib.Path, required=True, metavar='FILE', help='FILE.gif, FILE.webp or FILE.mp4')
     add('--q-table', type=pathlib.Path, metavar='FILE',
         help='Q-table (default: human for scenarios place_*, else anticipation)')
     add('--seed', type=whole, default=1, metavar='N', help='seed of the episode (default: 1)')
-    add('--trajectories', type=pathlib.Path, metavar='FILE.csv', help='show this recording of the scenario')
+    add('--trajectories', type=pathlib.Path, metavar='FILE',
+        help="show this recording: CSV of evaluate, JuPedSim's text format, or obsmat.txt")
+    add('--frame-rate', type=above_zero, metavar='HZ', help='of the recording, in place of that in the file')
     add('--instance', type=whole, metavar='N', help='episode of the recording (default: the first)')
     add('--start', type=at_least_zero, default=0.0, metavar='S', help='simulated time of the first frame [s]')
     add('--duration', type=above_zero, default=float('inf'), metavar='S',
@@ -56,9 +61,10 @@ def parser():
 
 def settings_of(arguments, scene):
     """Returns the settings of the film."""
-    return Settings(arguments.output, scene.name if arguments.title is None else arguments.title, arguments.start,
-                    arguments.duration, arguments.speed, arguments.fps, arguments.size, arguments.max_size,
-                    arguments.view)
+    name = scene.name or arguments.trajectories.stem
+    title = name if arguments.title is None else arguments.title
+    return Settings(arguments.output, title, arguments.start, arguments.duration, arguments.speed, arguments.fps,
+                    arguments.size, arguments.max_size, arguments.view)
 
 
 def produce(arguments):
@@ -66,7 +72,8 @@ def produce(arguments):
     if arguments.output.suffix.lower() == '.mp4':
         need_ffmpeg()
     if arguments.trajectories:
-        scene, tracks = load(arguments.scenario, arguments.trajectories, arguments.instance)
+        scene, tracks, _ = read_shown(arguments.trajectories, arguments.scenario, arguments.instance,
+                                      arguments.frame_rate)
     else:
         with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
             table = arguments.q_table or table_for(arguments.scenario)
@@ -85,6 +92,8 @@ def main(words=None):
         checked.error('--view: expected X0 < X1 and Y0 < Y1')
     if arguments.output.suffix.lower() not in WRITERS:
         checked.error(f"--output: expected a name with {', '.join(WRITERS)}, got '{arguments.output}'")
+    if not (arguments.scenario or arguments.trajectories):
+        checked.error('expected a SCENARIO or --trajectories')
     signal.signal(signal.SIGTERM, interrupt)
     try:
         produce(arguments)

@@ -1,12 +1,11 @@
-"""What a film shows: a scene and the walks of its people, recorded before or walked for the film."""
+"""Walks an episode for a film."""
 import pathlib
 import subprocess
 import sys
 
-from crowd_drawing.files import HOMES, find_scenario, read_scene, read_walks
+from crowd_drawing.files import HOMES, find_scenario
 from crowd_experiments.runs import RunError
-from crowd_film.errors import FilmError
-from crowd_film.tracks import track_of
+from crowd_recordings.shown import read_shown
 
 
 def table_for(scenario):
@@ -27,14 +26,5 @@ def walk(scenario, evaluate, table, seed, folder):
     done = subprocess.run(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     if done.returncode != 0:
         raise RunError(done.stdout.decode(errors='replace').strip())
-    return load(folder / file.name, folder / f'{file.stem}.csv', None)
-
-
-def load(scenario, trajectories, instance):
-    """Reads a recording. Returns the scene of its instance, and the Tracks by agent. Raises InputError, OSError."""
-    instance, walks = read_walks(trajectories, instance)
-    scene = read_scene(find_scenario(scenario), instance)
-    if max(walks) >= len(scene.agents) and not scene.population.source_areas:
-        raise FilmError(f'{trajectories}: instance {instance} has an agent {max(walks)}, but {scene.place} has '
-                        f'{len(scene.agents)} agents, counted from 0')
-    return scene, {agent: track_of(walk, scene.tick) for agent, walk in sorted(walks.items())}
+    scene, tracks, _ = read_shown(folder / f'{file.stem}.csv', folder / file.name)
+    return scene, tracks

@@ -14,9 +14,9 @@ import pytest
 from crowd_film.frames import FramePainter
 from crowd_film.pictures import write_gif
 from crowd_film.production import Settings, frame_times
-from crowd_film.recording import load
 from crowd_film.stage import DPI, FOOT, Stage
-from crowd_film.tracks import track_of
+from crowd_recordings.shown import read_shown
+from crowd_recordings.tracks import track_of
 from programs import PATIENCE, assert_says, in_package, read_text, tools_folder, wait_for
 
 FILM = in_package('scripts', 'film')
@@ -85,7 +85,7 @@ class FrameTest:
     """The pixels of a frame."""
 
     def painter(self, runner):
-        scene, tracks = load(runner.write('line.yaml', LINE), runner.write('line.csv', WALKS), None)
+        scene, tracks, _ = read_shown(runner.write('line.csv', WALKS), runner.write('line.yaml', LINE))
         stage = Stage(scene, tracks, 'line', 600)
         return FramePainter(stage, scene, tracks), stage
 
