@@ -10,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 MOST_COLUMNS = 3  # of panels
 PANEL = 3.9, 2.9  # [inch]
 BAND_ALPHA = 0.2
+LEGEND_LINE = 0.22  # [inch]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -54,7 +55,9 @@ def draw_curves(file, runs, measures, window, title=''):
     labels = list(dict.fromkeys(run.label for run in runs))
     columns = min(MOST_COLUMNS, len(measures))
     rows = -(-len(measures) // columns)
-    figure, axes = new_figure(rows, columns, PANEL[0] * columns, PANEL[1] * rows)
+    heights = [PANEL[1]] * rows + [LEGEND_LINE * len(labels) + 0.4]
+    figure, axes = new_figure(rows + 1, columns, PANEL[0] * columns, sum(heights),
+                              gridspec_kw={'height_ratios': heights})
     for panel, measure in zip(axes.flat, measures):
         for label, colour in zip(labels, colours_of(len(labels))):
             draw_band(panel, band_of(label, [run for run in runs if run.label == label], measure.column, window),
@@ -66,7 +69,9 @@ def draw_curves(file, runs, measures, window, title=''):
         panel.set_ylim(*measure.limits)
     for panel in list(axes.flat)[len(measures):]:
         panel.set_axis_off()
-    axes.flat[0].legend(loc='best')
+    below = axes[-1, 0].legend(*axes.flat[0].get_legend_handles_labels(), loc='upper left',
+                               frameon=False)
+    below.set_in_layout(False)  # it may be wider than the panel above it
     if title:
         figure.suptitle(title, fontsize=12)
     return save(figure, file)

@@ -63,11 +63,17 @@ def walking_chapters(groups, folder):
                   for label, sources in groups.items()}
         chosen = {label: sources for label, sources in chosen.items() if sources}
         name = f'{scenario}.png'
-        paths.add_figure(draw_paths(folder / f'paths_{name}', scenario, chosen),
-                         f'{scenario}: paths of the first episode; circles: ends.')
-        crowding.add_figure(draw_separations(folder / f'separation_{name}', chosen),
-                            f'{scenario}: distance from each person to the nearest other one, every 0.5 s.')
-        crowding.add_figure(draw_speeds(folder / f'speed_{name}', chosen),
-                            f'{scenario}: speed over one second against the number of people within 2 m, including the '
-                            'person, divided by the area. Bars: standard deviation; at least 20 values each.')
-    return [paths, crowding]
+        add(paths, draw_paths(folder / f'paths_{name}', chosen),
+            f'{scenario}: paths of the first episode; circles: ends.')
+        add(crowding, draw_separations(folder / f'separation_{name}', chosen),
+            f'{scenario}: distance from each person to the nearest other one, every 0.5 s.')
+        add(crowding, draw_speeds(folder / f'speed_{name}', chosen),
+            f'{scenario}: speed over one second against the number of people within 2 m, including the person, divided '
+            'by the area. Bars: standard deviation; at least 20 values each.')
+    return [paths, *([crowding] if crowding.parts else [])]
+
+
+def add(chapter, file, caption):
+    """Adds a figure, if there is one."""
+    if file is not None:
+        chapter.add_figure(file, caption)

@@ -1,4 +1,6 @@
 """Figures of a report."""
+import textwrap
+
 import numpy
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import Scene, find_scenario, read_scene, read_walks
@@ -9,7 +11,9 @@ from crowd_experiments.style import new_figure, save
 from crowd_report.crowding import separations, speed_by_density, speeds_and_densities
 
 WIDTH = 5.6  # [inch] of a panel
-ROOM = 0.4  # [inch] for its title
+ROOM = 0.5  # [inch] for its title
+MOST_COLUMNS = 3  # of panels
+TITLE_WIDTH = 44  # [characters]
 BIN = 0.1  # [m] of the histogram
 FARTHEST = 4.0  # [m]
 MOST_OPAQUE = 30  # paths; more are paler
@@ -23,9 +27,11 @@ def scene_of(file):
         return Scene({}, str(file))
 
 
-def draw_paths(target, scenario, groups):
+def draw_paths(target, groups):
     """Draws the paths of the first episode of each label's first file. Groups: sources by label. Returns the file."""
-    figure, axes = new_figure(1, len(groups), WIDTH * len(groups), WIDTH)
+    columns = min(MOST_COLUMNS, len(groups))
+    rows = -(-len(groups) // columns)
+    figure, axes = new_figure(rows, columns, WIDTH * columns, WIDTH * rows)
     ratios = []
     for panel, (label, sources) in zip(axes.flat, groups.items()):
         _, walks = read_walks(sources[0].file, None)
@@ -33,8 +39,10 @@ def draw_paths(target, scenario, groups):
         ratios.append(height / width)
         panel.set_xlabel('x [m]')
         panel.set_ylabel('y [m]')
-        panel.set_title(f'{label}: {scenario}')
-    figure.set_size_inches(WIDTH * len(groups), min(1.5, max(ratios)) * WIDTH + ROOM)
+        panel.set_title('\n'.join(textwrap.wrap(label, TITLE_WIDTH)))
+    for panel in list(axes.flat)[len(groups):]:
+        panel.set_axis_off()
+    figure.set_size_inches(WIDTH * columns, (min(1.5, max(ratios)) * WIDTH + ROOM) * rows)
     return save(figure, target)
 
 
@@ -64,15 +72,18 @@ def tracks_of(sources):
 
 
 def draw_separations(target, groups):
-    """Draws the histogram of the distances to the nearest person, for each label. Returns the file."""
+    """Draws the histogram of the distances to the nearest person, for each label. Returns the file, or None if nobody
+    had company."""
+    apart = {label: numpy.concatenate([separations(*track) for track in tracks_of(sources)])
+             for label, sources in groups.items()}
+    if not any(map(len, apart.values())):
+        return None
     figure, axes = new_figure(1, 1, 1.5 * WIDTH, 0.75 * WIDTH)
-    bins = numpy.arange(0, FARTHEST + BIN, BIN)
-    for (label, sources), colour in zip(groups.items(), colours_of(len(groups))):
-        apart = numpy.concatenate([separations(*track) for track in tracks_of(sources)])
-        if len(apart):
-            weights = numpy.full(len(apart), 100 / len(apart))
-            axes[0, 0].hist(apart, bins, weights=weights, histtype='step', linewidth=1.6, color=colour,
-                            label=f'{label} (least {apart.min():.2f} m)')
+    for (label, values), colour in zip(apart.items(), colours_of(len(apart))):
+        if len(values):
+            axes[0, 0].hist(values, numpy.arange(0, FARTHEST + BIN, BIN), histtype='step', linewidth=1.6, color=colour,
+                            weights=numpy.full(len(values), 100 / len(values)),
+                            label=f'{label} (least {values.min():.2f} m)')
     axes[0, 0].set_xlabel('distance to the nearest person, centre to centre [m]')
     axes[0, 0].set_ylabel('share of all moments [%]')
     axes[0, 0].set_xlim(0, FARTHEST)
@@ -81,17 +92,21 @@ def draw_separations(target, groups):
 
 
 def draw_speeds(target, groups):
-    """Draws mean speed against density, with the standard deviation, for each label. Returns the file."""
-    figure, axes = new_figure(1, 1, 1.5 * WIDTH, 0.75 * WIDTH)
-    for (label, sources), colour in zip(groups.items(), colours_of(len(groups))):
+    """Draws mean speed against density, with the standard deviation, for each label. Returns the file, or None if there
+    was only one density."""
+    points = {}
+    for label, sources in groups.items():
         pairs = [speeds_and_densities(*track) for track in tracks_of(sources)]
-        points = speed_by_density(*map(numpy.concatenate, zip(*pairs)))
-        if len(points):
-            axes[0, 0].errorbar(*points.T[:2], yerr=points[:, 2], color=colour, marker='o', markersize=4, capsize=3,
+        points[label] = speed_by_density(*map(numpy.concatenate, zip(*pairs)))
+    if len({density for rows in points.values() for density in rows[:, 0]}) < 2:
+        return None
+    figure, axes = new_figure(1, 1, 1.5 * WIDTH, 0.75 * WIDTH)
+    for (label, rows), colour in zip(points.items(), colours_of(len(points))):
+        if len(rows):
+            axes[0, 0].errorbar(*rows.T[:2], yerr=rows[:, 2], color=colour, marker='o', markersize=4, capsize=3,
                                 linewidth=1.2, label=label)
     axes[0, 0].set_xlabel('people within 2 m [1/m²]')
     axes[0, 0].set_ylabel('speed [m/s]')
     axes[0, 0].set_ylim(bottom=0)
-    if axes[0, 0].get_legend_handles_labels()[1]:
-        axes[0, 0].legend()
+    axes[0, 0].legend()
     return save(figure, target)

@@ -11,6 +11,7 @@ METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%
 MEASURES = [('arrived', 'success [%]', 100, 1), ('touched', 'contact [%]', 100, 1),
             ('collided', 'collision [%]', 100, 1), ('path_ratio', 'path', 1, 3), ('time_ratio', 'time', 1, 3),
             ('turn_per_metre', 'turning [rad/m]', 1, 2)]
+OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people who have arrived, as in the metrics
 
 
 def metrics_rows(groups):
@@ -45,6 +46,8 @@ def samples(sources, scenario, column):
         if values is None:
             continue
         chosen = numpy.array([name == scenario for name in columns['scenario']]) & numpy.isfinite(values)
+        if column not in OF_ALL:
+            chosen &= columns['arrived'] > 0
         numbers = columns['episode'][chosen]
         episodes.append([values[chosen][numbers == episode].mean() for episode in numpy.unique(numbers)])
     if len(episodes) == 1:

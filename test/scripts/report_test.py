@@ -26,6 +26,7 @@ RECORD_FILE = '''episode,scenario,agent,arrived,touched,path_ratio
 0,one,1,%s,0,nan
 1,one,0,1,1,2
 1,one,1,1,0,4
+1,one,2,0,0,90
 '''
 
 
@@ -114,17 +115,17 @@ class TableTest:
     def test_samples(self, runner):
         """Of one file: the episodes. Of several: the files. Values that are not finite are left out."""
         groups = self.sources(runner, RECORD_FILE, a=(0,), b=(0, 1))
-        assert samples(groups['a'], 'one', 'arrived') == [0.5, 1]
-        assert samples(groups['a'], 'one', 'path_ratio') == [1.5, 3]
-        assert samples(groups['b'], 'one', 'arrived') == [0.75, 1]
+        assert samples(groups['a'], 'one', 'arrived') == [0.5, pytest.approx(2 / 3)]
+        assert samples(groups['a'], 'one', 'path_ratio') == [1.5, 3]  # of those who have arrived
+        assert samples(groups['b'], 'one', 'arrived') == pytest.approx([7 / 12, 5 / 6])
         assert samples(groups['a'], 'two', 'arrived') == []
 
     def test_comparison(self, runner):
         groups = self.sources(runner, RECORD_FILE, a=(1, 1, 1), b=(0, 0, 0), c=(1,))
         header, rows = comparison_rows(groups)
         assert header[3:] == ['a', 'this', 'difference', '95 % interval', 'differs']
-        assert rows[0] == ['b', 'one', 'success [%]', '100.0', '75.0', '-25.0', '-25.0 to -25.0', 'yes']
-        assert rows[1] == ['b', 'one', 'contact [%]', '25.0', '25.0', '+0.0', '+0.0 to +0.0', 'no']
+        assert rows[0] == ['b', 'one', 'success [%]', '83.3', '58.3', '-25.0', '-25.0 to -25.0', 'yes']
+        assert rows[1] == ['b', 'one', 'contact [%]', '16.7', '16.7', '+0.0', '+0.0 to +0.0', 'no']
         assert [row[0] for row in rows] == ['b'] * 3 + ['c'] * 3
 
     def test_sources(self, runner):
