@@ -6,12 +6,13 @@ from crowd_drawing.motion import place_of
 from crowd_drawing.picture import OBSTACLE_COLOUR, colours_of
 from crowd_drawing.population import is_open
 from crowd_drawing.surroundings import GATE_COLOUR
-from crowd_film.stage import ROBOT_COLOUR
+from crowd_film.stage import DPI, ROBOT_COLOUR
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_rgb
 
 TRAIL = 2.5  # [s]
 TRAIL_POINTS = 9
+NOSE = 0.09  # [m] width of the line that shows a heading
 CIRCLE = numpy.array([(math.cos(angle), math.sin(angle)) for angle in numpy.linspace(0, 2 * math.pi, 33)])
 OPEN, SHUT = (0, (1, 2)), '-'  # line styles of gates
 
@@ -32,7 +33,7 @@ class FramePainter:
         self.ends = self.add_discs(5.8, linewidths=1.2)
         self.bodies = self.add_discs(7, linewidths=0.6, edgecolors='0.15')
         self.noses = axes.add_collection(LineCollection([], colors='white', zorder=8, capstyle='round',
-                                                        linewidths=max(1.0, 0.09 * stage.scale * 72 / 100)))
+                                                        linewidths=max(0.5, NOSE * stage.scale * 72 / DPI)))
         self.robots = axes.add_collection(LineCollection([], colors='0.15', linewidths=1.4, zorder=8))
         self.clock = stage.clock()
         self.moving = [*self.gates, self.trails, self.goals, self.ends, self.bodies, self.noses, self.robots,

@@ -4,6 +4,7 @@ import PIL.Image
 
 WHITE = 126  # its number in the palette of a GIF, after the other colours
 TRANSPARENT = 127
+NO_DITHER = 0  # the name differs between versions of PIL
 WEBP = {'quality': 80, 'method': 4}
 
 
@@ -21,7 +22,7 @@ def write_gif(file, frames, samples, duration):
 def palette_of(samples):
     """Returns a picture whose palette has the colours of sample frames, and white in all further places."""
     mosaic = PIL.Image.fromarray(numpy.vstack(samples))
-    palette = mosaic.quantize(WHITE, method=PIL.Image.Quantize.MEDIANCUT, dither=PIL.Image.Dither.NONE)
+    palette = mosaic.quantize(WHITE, method=PIL.Image.MEDIANCUT, dither=NO_DITHER)
     colours = palette.getpalette()[:3 * WHITE]
     palette.putpalette(colours + [255] * (3 * 256 - len(colours)))
     return palette
@@ -31,7 +32,7 @@ def changes(frames, palette):
     """Yields pictures with a palette, whose pixels are transparent where they are those of the frame before."""
     before = None
     for frame in frames:
-        picture = PIL.Image.fromarray(frame).quantize(palette=palette, dither=PIL.Image.Dither.NONE)
+        picture = PIL.Image.fromarray(frame).quantize(palette=palette, dither=NO_DITHER)
         indices = numpy.minimum(numpy.asarray(picture), WHITE)
         indices[(frame == 255).all(axis=2)] = WHITE  # quantize() takes a colour near it
         changed = indices if before is None else numpy.where(indices == before, numpy.uint8(TRANSPARENT), indices)

@@ -17,7 +17,8 @@ from matplotlib import pyplot
 WRITERS = {'.gif': write_gif, '.webp': write_webp, '.mp4': write_mp4}
 SAMPLES = 6  # frames that determine the palette of a GIF
 MEGABYTE = 1e6
-SAFETY = 0.93  # of the size at the next attempt
+SAFETY = 0.97  # of the size at the next attempt
+SHRINKAGE = 0.7  # of the logarithm of the sides for that of the bytes; 0.5 would be that of an area
 
 
 @dataclasses.dataclass(frozen=True)
@@ -61,7 +62,7 @@ def make(settings, scene, tracks):
             megabytes = part.stat().st_size / MEGABYTE
             if megabytes <= settings.max_megabytes:
                 break
-            size = int(SAFETY * size * math.sqrt(settings.max_megabytes / megabytes))
+            size = int(SAFETY * size * (settings.max_megabytes / megabytes)**SHRINKAGE)
             if size < LEAST_WIDTH:
                 raise FilmError(f'the film has {megabytes:.1f} MB with {width} x {height} pixels, more than '
                                 f'{settings.max_megabytes:g} MB; give a shorter --duration, a lower --fps, a higher '

@@ -1,6 +1,5 @@
 """Positions and headings of recorded people at any time between two ticks."""
 import dataclasses
-import math
 
 import numpy
 
@@ -53,4 +52,4 @@ def headings_of(times, places):
         return numpy.zeros(len(times))
     latest = numpy.maximum.accumulate(numpy.where(moves, numpy.arange(len(times)), -1))
     latest[latest < 0] = numpy.argmax(moves)  # before the first motion: its heading
-    return numpy.unwrap(numpy.arctan2(motion[latest, 1], motion[latest, 0]), period=2 * math.pi)
+    return numpy.unwrap(numpy.arctan2(motion[latest, 1], motion[latest, 0]))

@@ -5,7 +5,7 @@ import numpy
 from crowd_experiments.style import SETTINGS, save
 from crowd_tables.axes import arranged, explanation, label_axes
 from crowd_tables.summary import greedy_actions, row_values, row_visits
-from matplotlib import colormaps, pyplot, rc_context
+from matplotlib import pyplot, rc_context
 from matplotlib.colors import LogNorm, Normalize
 
 UNVISITED = '0.88'  # colour
@@ -59,7 +59,7 @@ def visit_scale(visits):
 
 def draw_pictures(figure, panels, meaning, pictures, colours, scale, title, short):
     """Draws the panels of one kind of number, with a colour bar. `short`: the title where there are many panels."""
-    colour_map = copy.copy(colormaps[colours])
+    colour_map = copy.copy(pyplot.get_cmap(colours))
     colour_map.set_bad(UNVISITED)
     for i, (axes, picture) in enumerate(zip(panels, pictures)):
         image = axes.imshow(numpy.ma.masked_invalid(picture), cmap=colour_map, norm=scale, aspect='auto',
