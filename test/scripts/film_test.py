@@ -129,6 +129,23 @@ class FrameTest:
             difference = numpy.abs(got.astype(int) - expected.astype(int)).max(axis=2)
             assert numpy.mean(difference > 40) < 0.002, numpy.mean(difference > 40)
 
+    def test_unchanged_pixels_cost_nothing(self, runner):
+        painter, _ = self.painter(runner)
+        first, other = painter.draw(0), painter.draw(0.2)
+        for name, count in (('short', 1), ('long', 9)):
+            write_gif(runner.path(f'{name}.gif'), iter([first] + [other] * count), [first, other], 100)
+        size = {name: os.path.getsize(runner.path(f'{name}.gif')) for name in ('short', 'long')}
+        assert size['long'] < 1.2 * size['short']
+
+    def test_gates(self, runner):
+        """An open gate is a dotted line, with fewer pixels of its colour."""
+        gate = 'gates: {door: {wall: [[0, 1], [4, 1]], open: [[1, 2]]}}\n'
+        scene, tracks, _ = read_shown(runner.write('line.csv', WALKS), runner.write('line.yaml', LINE + gate))
+        painter = FramePainter(Stage(scene, tracks, 'line', 600), scene, tracks)
+        shut, opened, later = ((painter.draw(time) == (224, 123, 0)).all(axis=2).sum() for time in (0.9, 1.5, 2.1))
+        assert opened < 0.7 * shut
+        assert later == shut
+
     def test_dots_per_inch(self, runner):
         """Line widths are given in points of 1/72 inch."""
         assert self.painter(runner)[1].figure.dpi == DPI

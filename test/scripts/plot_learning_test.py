@@ -22,7 +22,7 @@ RECORD = '''episode,scenario,agent,arrived,touched,path_per_gain
 1,two,1,0,0,5
 2,one,0,1,0,nan
 2,one,1,1,0,nan
-3,two,0,1,0,nan
+3,two,0,1,0,inf
 3,two,1,1,0,nan
 '''
 

@@ -16,7 +16,7 @@ from programs import (CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package,
                       wait_for)
 
 SWEEP = '''config: config.yaml
-parameters: {learning.gamma: [0.1, 0.9], learning.alpha: 0.2}
+parameters: {learning.gamma: [0.1, 0.8], learning.alpha: 0.3}
 seeds: [3, 5]
 train: {episodes: %d}
 evaluate: {scenarios: [circle6], episodes: 2, seed: 1000}
@@ -58,7 +58,7 @@ class FileTest:
 
     def test_grid(self, runner):
         found = read_sweep(write_sweep(runner))
-        assert found.combinations() == [({'learning.gamma': gamma, 'learning.alpha': 0.2}, {}) for gamma in (0.1, 0.9)]
+        assert found.combinations() == [({'learning.gamma': gamma, 'learning.alpha': 0.3}, {}) for gamma in (0.1, 0.8)]
         assert (found.seeds, found.train_episodes, found.episodes, found.evaluate_seed) == ([3, 5], 4, 2, 1000)
         assert str(found.scenarios[0]) == CIRCLE6
         assert str(found.config) == runner.path('config.yaml')
@@ -87,7 +87,7 @@ class FileTest:
         ('config: config.yaml', 'x: 1', ["unknown key 'x'"]),
         ('config: config.yaml\n', '', ['expected either config or q_table']),
         ('config: config.yaml', f'q_table: {NEAREST_TABLE}', ['with q_table nothing is trained']),
-        ('[0.1, 0.9]', '[]', ['parameters.learning.gamma: expected at least one value']),
+        ('[0.1, 0.8]', '[]', ['parameters.learning.gamma: expected at least one value']),
         ('[3, 5]', '[3, 3]', ['seeds: expected a number of seeds, or a list of different ones, got [3, 3]']),
         ('[3, 5]', '0', ['seeds: expected a number of seeds']),
         ('episodes: 2', 'episodes: two', ["evaluate.episodes: expected a whole number from 1, got 'two'"]),
@@ -113,12 +113,12 @@ class ProgramTest:
         assert status == 0, output
         assert_says(output, '4 runs, 0 of them done before', 'results/report.html')
         page = read_text(runner.path('results/report.html'))
-        assert_says(page, 'Sweep grid', 'gamma=0.1 alpha=0.2', 'gamma=0.9 alpha=0.2', 'Learning curves', 'Paths',
+        assert_says(page, 'Sweep grid', 'gamma=0.1 alpha=0.3', 'gamma=0.8 alpha=0.3', 'Learning curves', 'Paths',
                     'Differences')
         before = stamps(runner)
         assert len(before) == 4
-        config = yaml.safe_load(read_text(runner.path('results/configs/001_gamma=0.9_alpha=0.2.yaml')))
-        assert (config['learning']['gamma'], config['learning']['alpha']) == (0.9, 0.2)
+        config = yaml.safe_load(read_text(runner.path('results/configs/001_gamma=0.8_alpha=0.3.yaml')))
+        assert (config['learning']['gamma'], config['learning']['alpha']) == (0.8, 0.3)
         status, output = sweep(runner, runner.path('grid.yaml'))
         assert_says(output, '4 runs, 4 of them done before')
         assert (status, stamps(runner)) == (0, before)
@@ -133,9 +133,9 @@ class ProgramTest:
         folder = pathlib.Path(runner.path('results/runs'))
         tables = {str(file.parent.relative_to(folder)): file.read_bytes() for file in folder.glob('*/*/table.txt')}
         assert len(set(tables.values())) == 4
-        config = runner.path('results/configs/000_gamma=0.1_alpha=0.2.yaml')
+        config = runner.path('results/configs/000_gamma=0.1_alpha=0.3.yaml')
         runner.tool('train', config, '--seed', 5, '--episodes', 4, '--output', runner.path('t.txt'))
-        assert tables['000_gamma=0.1_alpha=0.2/seed_5'] == pathlib.Path(runner.path('t.txt')).read_bytes()
+        assert tables['000_gamma=0.1_alpha=0.3/seed_5'] == pathlib.Path(runner.path('t.txt')).read_bytes()
 
     def test_scenarios_without_training(self, runner):
         status, output = sweep(runner, runner.write('grid.yaml', TABLE_SWEEP))
@@ -148,13 +148,13 @@ class ProgramTest:
     def test_dry_run(self, runner):
         status, output = sweep(runner, write_sweep(runner), '--dry-run')
         assert status == 0, output
-        assert_says(output, '# gamma=0.1 alpha=0.2, seed 3', '--seed 5 --output table.txt', '--episodes 2 --csv')
+        assert_says(output, '# gamma=0.1 alpha=0.3, seed 3', '--seed 5 --output table.txt', '--episodes 2 --csv')
         assert not os.path.exists(runner.path('results/runs'))
 
     def test_interrupted_and_continued(self, runner):
         """The first run is short, the others are long: what is done is kept."""
         runner.write('config.yaml', config_text(CIRCLE6, 6))
-        text = (SWEEP % 1).replace('learning.gamma: [0.1, 0.9]', 'training.episodes: [1, 1000000]')
+        text = (SWEEP % 1).replace('learning.gamma: [0.1, 0.8]', 'training.episodes: [1, 1000000]')
         file = runner.write('grid.yaml', text.replace('train: {episodes: 1}\n', '').replace('[3, 5]', '[3]'))
         process = runner.start('sweep', command(runner, file, '--jobs', '2'))
         wait_for(lambda: len(stamps(runner)) == 1, 'the first run')
