@@ -70,7 +70,8 @@ class ReplayTest(LaunchTestCase):
         scenario = self.scenarios.wait(what='of the recording')
         self.assertEqual((scenario.name, scenario.tick_duration, scenario.max_ticks), ('corridor', 0.05, 3))
         self.assertEqual([(wall.from_.x, wall.to.x, wall.to.y) for wall in scenario.walls], [(0, 4, -1)])
-        self.assertEqual([(agent.agent, agent.pose.y, agent.goal.y) for agent in scenario.agents], [(0, 0, 0), (1, 1, 1.5)])
+        self.assertEqual([(agent.agent, agent.pose.y, agent.goal.y) for agent in scenario.agents],
+                         [(0, 0, 0), (1, 1, 1.5)])
         self.go_on()
         self.assertEqual(node.wait(), 0)
         self.states.wait_at(0, 3)
