@@ -8,7 +8,8 @@ import signal
 import subprocess
 import sys
 
-from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, REPOSITORY, interrupt, positive
+from crowd_experiments.numbers import positive
+from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, REPOSITORY, interrupt
 from crowd_experiments.runs import RunError
 
 from . import document, profile, table

@@ -12,6 +12,7 @@ from crowd_drawing.population import Population
 
 HEADER = ['instance', 'tick', 'agent', 'x', 'y']
 DEFAULT_TICK = 0.1  # [s]
+DEFAULT_RADIUS = 0.25  # [m] of recorded people without a scenario
 HERE = pathlib.Path(__file__).resolve().parent
 # Folders that may contain config/scenarios: the source tree, and PREFIX/share for programs in PREFIX/lib/social_crowd.
 HOMES = [HERE.parents[1], HERE.parents[2] / 'share' / 'social_crowd']
@@ -77,14 +78,15 @@ class Scene:
         self.name = str(document.get('name', ''))
         self.agents = self.entries(document, 'agents', self.agent)
         self.obstacles = self.entries(document, 'obstacles', self.obstacle)
+        self.robots = [self.robot(robot, f'robots[{i}]') for i, robot in enumerate(self.listed(document, 'robots'))]
         self.walls = [self.wall(wall, f'walls[{i}]') for i, wall in enumerate(self.listed(document, 'walls'))]
         self.map = None  # MapPicture
         self.population = Population(self, document)
 
     def radius_of(self, agent):
         """Returns the radius of an agent; those of sources follow the agents of the start."""
-        radii = self.population.source_radii
-        return radii[0] if agent >= len(self.agents) and radii else self.agents[agent]['radius']
+        radii = self.population.source_radii or [DEFAULT_RADIUS]
+        return self.agents[agent]['radius'] if agent < len(self.agents) else radii[0]
 
     def need(self, condition, where, expected, got):
         if not condition:
@@ -157,6 +159,20 @@ class Scene:
             'to_and_fro': self.points(entry.get('to_and_fro', {}), f'{where}.to_and_fro'),
             'waypoints': self.points(entry.get('waypoints', {}), f'{where}.waypoints'),
             'speed': self.number(entry.get('speed', 0), f'{where}.speed') * self.speed_unit,
+        }
+
+    def robot(self, entry, where):
+        """Reads a robot: its place and heading at the start [rad], and the radius of a disc that contains it."""
+        self.need(isinstance(entry, dict), where, 'a map', entry)
+        for needed in ('position', 'footprint' if 'footprint' in entry else 'radius'):
+            self.need(needed in entry, where, f'a {needed}', entry)
+        heading = entry.get('heading', 0)
+        radians = heading.get('radians') if isinstance(heading, dict) else None  # as `evaluate --scenes` writes it
+        corners = self.points(entry.get('footprint', {}), f'{where}.footprint')
+        return {
+            'position': self.point(entry['position'], f'{where}.position'),
+            'heading': math.radians(self.number(heading, f'{where}.heading')) if radians is None else radians,
+            'radius': max(math.hypot(*corner) for corner in corners) if corners else self.radius(entry, where),
         }
 
     def wall(self, wall, where):

@@ -8,7 +8,7 @@ SOURCE_COLOUR, SINK_COLOUR, GATE_COLOUR = '#8ecbf5', '#a5dba0', '#e07b00'
 
 
 def draw_surroundings(picture, scene, time):
-    """Draws everything but agents, obstacles and walls; gates as they are at a time [s]."""
+    """Draws everything but agents, robots, obstacles and walls; gates as they are at a time [s], none if it is None."""
     population = scene.population
     if scene.map is not None:
         draw_map(picture, scene.map)
@@ -24,7 +24,7 @@ def draw_surroundings(picture, scene, time):
     if population.queues:
         picture.further_entries.append(Line2D([], [], color='0.45', marker='o', markersize=4, linestyle=':',
                                               label='queue'))
-    for wall, periods in population.gates:
+    for wall, periods in population.gates if time is not None else []:
         style = (0, (1, 2)) if is_open(periods, time) else '-'
         picture.axes.plot(*zip(*wall), color=GATE_COLOUR, linewidth=2.5, linestyle=style, zorder=4)
     if population.gates:

@@ -17,7 +17,8 @@ code, pre { background: #f4f4f4; } pre { padding: 0.7em; overflow-x: auto; }
 
 
 def write_page(file, title, program, chapters, intro):
-    """Writes a self-contained HTML file with embedded figures. `program` is the name of the program that made it."""
+    """Writes a self-contained HTML file with embedded figures. `program` is the name of the program that makes a
+    chapter when it is called with the chapter's name; None: there is none, and the page names no commands."""
     contents = ''.join(f'<li><a href="#{chapter.name}">{html.escape(chapter.title)}</a></li>\n' for chapter in chapters)
     body = ''.join(chapter_html(chapter, program) for chapter in chapters)
     file.write_text(
@@ -27,22 +28,24 @@ def write_page(file, title, program, chapters, intro):
 
 
 def chapter_html(chapter, program):
+    heading = f'<h2 id="{chapter.name}">{html.escape(chapter.title)}</h2>\n'
+    if program is None:
+        return heading + ''.join(part_html(part) for part in chapter.parts)
     command = f'scripts/{program} {chapter.name}'
     parts = ''.join(part_html(part, command) for part in chapter.parts)
     commands = html.escape('\n'.join(chapter.commands))
-    return (f'<h2 id="{chapter.name}">{html.escape(chapter.title)}</h2>\n'
-            f'<p>Command for this chapter: <code>{command}</code></p>\n{parts}'
+    return (f'{heading}<p>Command for this chapter: <code>{command}</code></p>\n{parts}'
             f'<details><summary>The commands of one of its runs</summary><pre>{commands}</pre></details>\n')
 
 
-def part_html(part, command):
+def part_html(part, command=None):
     if isinstance(part, Table):
         return table_html(part)
     if isinstance(part, Figure):
         picture = base64.b64encode(part.file.read_bytes()).decode()
+        origin = f'<br><code>{command}</code>: figures/{part.file.name}' if command else ''
         return (f'<figure><img src="data:image/png;base64,{picture}" alt="{html.escape(part.caption)}">\n'
-                f'<figcaption>{html.escape(part.caption)}<br><code>{command}</code>: '
-                f'figures/{part.file.name}</figcaption></figure>\n')
+                f'<figcaption>{html.escape(part.caption)}{origin}</figcaption></figure>\n')
     return f'<p>{html.escape(part)}</p>\n'
 
 

@@ -11,6 +11,7 @@ import textwrap
 import time
 
 from .document import fill_document
+from .numbers import positive
 from .page import write_page, write_tables
 from .progress import text_of
 from .runs import RunError, Runner
@@ -109,13 +110,6 @@ class Program:
                 for table in chapter.tables():
                     print_table(table)
         return chapters
-
-
-def positive(text):
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError('expected a number above 0')
-    return number
 
 
 def find_tools(given):

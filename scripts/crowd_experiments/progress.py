@@ -7,11 +7,12 @@ PLAIN_PERIOD = 10.0  # [s] between two lines without a terminal
 
 
 class ProgressBar:
-    """Shows the progress of runs of different lengths."""
+    """Shows the progress of runs of different lengths, or of other things: `name` is their plural."""
 
-    def __init__(self, total, runs):
+    def __init__(self, total, runs, name='runs'):
         self.total = total
         self.runs = runs
+        self.name = name
         self.done = 0.0
         self.runs_done = 0
         self.start = time.monotonic()
@@ -33,7 +34,8 @@ class ProgressBar:
         share = self.done / self.total if self.total else 1.0
         bar = '#' * round(share * WIDTH)
         left = text_of((now - self.start) * (1 - share) / share) if share else '?'
-        line = f'[{bar:.<{WIDTH}}] {self.runs_done}/{self.runs} runs  took {text_of(now - self.start)}  left {left}'
+        line = (f'[{bar:.<{WIDTH}}] {self.runs_done}/{self.runs} {self.name}  took {text_of(now - self.start)}  '
+                f'left {left}')
         sys.stderr.write(f'\r{line}\x1b[K' if self.is_terminal else f'{line}\n')
         sys.stderr.flush()
 

@@ -8,6 +8,7 @@ from .launch_end import end_launch
 from .program import Program
 
 STAY = '--stay'
+NO_FILE = 'none'  # default of replay.launch
 FIRST_BYTES = b'#ROSBAG'
 
 
@@ -23,14 +24,17 @@ def problem_of(file):
 def main():
     """Plays the bag of the command line. Returns the exit status."""
     arguments = [word for word in sys.argv[1:] if word != STAY]
+    files = [word for word in arguments if not word.startswith('-') and ':=' not in word]
+    if files in ([], [NO_FILE]):
+        print('play_bag: no recording is given; expected bag:=FILE or trajectories:=FILE', file=sys.stderr)
+        return 2
     player = Program([roslib.packages.find_node('rosbag', 'play')[0], *arguments])
     status = player.wait()
     if player.is_stopped:
         return status
     if status == 0 and STAY not in sys.argv:
         end_launch()
-    files = [word for word in arguments if not word.startswith('-') and ':=' not in word]
-    problem = problem_of(files[-1]) if status != 0 and files else ''
+    problem = problem_of(files[-1]) if status != 0 else ''
     if problem:
         print('play_bag: %s' % problem, file=sys.stderr)
     return status

@@ -7,8 +7,9 @@ import sys
 import typing
 
 from crowd_experiments.document import fill_document
+from crowd_experiments.numbers import positive
 from crowd_experiments.program import (EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, find_config, find_tools, interrupt,
-                                       positive, print_table)
+                                       print_table)
 from crowd_experiments.runs import RunError, Runner
 
 from .catalogue import CROWDNAV_EPISODES, PLACEMENTS, ROBOTS, SCENARIOS

@@ -7,8 +7,9 @@ import time
 
 from crowd_experiments.chapter import Chapter
 from crowd_experiments.document import fill_document
+from crowd_experiments.numbers import positive
 from crowd_experiments.program import (EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, find_config, find_tools, interrupt,
-                                       positive, print_table)
+                                       print_table)
 from crowd_experiments.progress import text_of
 from crowd_experiments.runs import RunError
 

@@ -221,10 +221,8 @@ class ReplayTest(LaunchTestCase):
         launched = self.launch('replay.launch', bag=self.write('no.bag', 'no bag'))
         self.assert_ends_with(launched, f"{self.path('no.bag')} is not a bag")
 
-    def test_requires_a_bag(self):
-        launched = self.launch('replay.launch')
-        self.assertNotEqual(launched.wait(), 0)
-        self.assert_says(launched.output(), "requires the 'bag' arg to be set")
+    def test_requires_a_recording(self):
+        self.assert_ends_with(self.launch('replay.launch'), 'no recording is given', 'bag:=FILE or trajectories:=FILE')
 
 
 if __name__ == '__main__':

@@ -27,8 +27,10 @@ def run_here(runner, *command):
 class RosrunTest:
     """rosrun social_crowd PROGRAM."""
 
-    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce', 'show_crowd',
-                                      'learner_crew', 'pedsim_import', 'robot_benchmark', 'validate'])
+    @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'convert_trajectories',
+                                      'draw_q_table', 'film', 'learner_crew', 'pedsim_import', 'plot_learning',
+                                      'replay', 'report', 'reproduce', 'robot_benchmark', 'show_crowd', 'sweep',
+                                      'validate'])
     def test_names_are_unique(self, runner, name):
         status, output = run_here(runner, 'rosrun', 'social_crowd', name, '--help')
         assert status == 0, output

@@ -1,0 +1,1 @@
+"""Learning curves: results by episode, over several runs."""

@@ -1,0 +1,68 @@
+"""Records of training runs, and their means over windows of episodes."""
+import csv
+import dataclasses
+
+import numpy
+from crowd_drawing.errors import InputError
+
+EPISODE, SCENARIO = 'episode', 'scenario'
+TEXTS = (SCENARIO, 'robot')
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """A record of one training: arrays by the names of its columns; one entry for every agent of every episode."""
+    label: str  # of the group of runs that it belongs to
+    file: str
+    columns: dict
+
+
+def read_run(label, file, scenario=None):
+    """Reads a record of `train --record`, or its rows of one scenario. Raises InputError, OSError."""
+    with open(file, newline='', encoding='utf-8', errors='replace') as stream:
+        rows = csv.reader(stream)
+        names = next(rows, [])
+        if EPISODE not in names:
+            raise InputError(f"{file}:1: expected a record of `train --record`, with a column '{EPISODE}'")
+        chosen, texts, scenarios = [], [i for i, name in enumerate(names) if name in TEXTS], set()
+        of_scenario = names.index(SCENARIO) if SCENARIO in names else None
+        for row in rows:
+            if len(row) != len(names):
+                raise InputError(f'{file}:{rows.line_num}: expected {len(names)} values, got {len(row)}')
+            if of_scenario is not None:
+                scenarios.add(row[of_scenario])
+                if scenario not in (None, row[of_scenario]):
+                    continue
+            chosen.append(numbers_of(file, rows.line_num, names, row, texts))
+    if not chosen:
+        raise InputError(f'{file}: has no rows' + ('' if scenario is None else
+                         f" of a scenario '{scenario}'; there are {', '.join(sorted(scenarios))}"))
+    values = numpy.array(chosen)
+    return Run(label, file, {name: values[:, i] for i, name in enumerate(names) if i not in texts})
+
+
+def numbers_of(file, line, names, row, texts):
+    """Returns the values of a row; texts are replaced by 0."""
+    try:
+        return [0.0 if i in texts else float(value) for i, value in enumerate(row)]
+    except ValueError:
+        wrong = next(name for i, name in enumerate(names) if i not in texts and not is_number(row[i]))
+        raise InputError(f"{file}:{line}: expected a number in the column '{wrong}'") from None
+
+
+def is_number(text):
+    """Returns whether a text is a number."""
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def window_means(run, column, window):
+    """Returns the mean of the finite values of a column in each window of episodes; nan where there are none."""
+    values, windows = run.columns[column], (run.columns[EPISODE] // window).astype(int)
+    known = numpy.isfinite(values)
+    count = numpy.bincount(windows[known], minlength=windows.max() + 1)
+    total = numpy.bincount(windows[known], values[known], minlength=windows.max() + 1)
+    return numpy.divide(total, count, out=numpy.full(len(count), numpy.nan), where=count > 0)

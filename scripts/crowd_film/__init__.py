@@ -1,0 +1,1 @@
+"""Films of scenarios and of recorded crowds, without a display."""

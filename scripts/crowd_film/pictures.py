@@ -1,0 +1,49 @@
+"""Writes films as moving pictures: GIF and WebP."""
+import numpy
+import PIL.Image
+
+WHITE = 126  # its number in the palette of a GIF, after the other colours
+TRANSPARENT = 127
+NO_DITHER = 0  # the name differs between versions of PIL
+WEBP = {'quality': 80, 'method': 4}
+
+
+def write_gif(file, frames, samples, duration):
+    """Writes frames, arrays of RGB bytes, as a GIF that is repeated forever.
+
+    All frames have the colours of `samples`, some of the frames. Pixels that do not change are transparent, which makes
+    the file small. Duration: of a frame [ms], a multiple of 10."""
+    palette = palette_of(samples)
+    pictures = changes(frames, palette)
+    next(pictures).save(file, format='GIF', save_all=True, append_images=pictures, duration=duration, loop=0,
+                        disposal=1, transparency=TRANSPARENT, optimize=False)
+
+
+def palette_of(samples):
+    """Returns a picture whose palette has the colours of sample frames, and white in all further places."""
+    mosaic = PIL.Image.fromarray(numpy.vstack(samples))
+    palette = mosaic.quantize(WHITE, method=PIL.Image.MEDIANCUT, dither=NO_DITHER)
+    colours = palette.getpalette()[:3 * WHITE]
+    palette.putpalette(colours + [255] * (3 * 256 - len(colours)))
+    return palette
+
+
+def changes(frames, palette):
+    """Yields pictures with a palette, whose pixels are transparent where they are those of the frame before."""
+    before = None
+    for frame in frames:
+        picture = PIL.Image.fromarray(frame).quantize(palette=palette, dither=NO_DITHER)
+        indices = numpy.minimum(numpy.asarray(picture), WHITE)
+        indices[(frame == 255).all(axis=2)] = WHITE  # quantize() takes a colour near it
+        changed = indices if before is None else numpy.where(indices == before, numpy.uint8(TRANSPARENT), indices)
+        result = PIL.Image.fromarray(changed, mode='P')
+        result.putpalette(palette.getpalette()[:3 * (TRANSPARENT + 1)])
+        before = indices
+        yield result
+
+
+def write_webp(file, frames, _samples, duration):
+    """Writes frames, arrays of RGB bytes, as an animated WebP that is repeated forever. Duration: of a frame [ms]."""
+    pictures = (PIL.Image.fromarray(frame) for frame in frames)
+    next(pictures).save(file, format='WEBP', save_all=True, append_images=list(pictures), duration=duration, loop=0,
+                        **WEBP)

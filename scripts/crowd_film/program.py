@@ -1,0 +1,109 @@
+"""The program `film`."""
+import argparse
+import csv
+import pathlib
+import signal
+import sys
+import tempfile
+
+from crowd_drawing.errors import InputError
+from crowd_experiments.numbers import above_zero, at_least_zero, pixels, whole
+from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, find_tools, interrupt
+from crowd_experiments.runs import RunError
+from crowd_film.errors import FilmError
+from crowd_film.production import MEGABYTE, WRITERS, Settings, make
+from crowd_film.video import need_ffmpeg
+from crowd_recordings.shown import read_shown
+from crowd_film.recording import table_for, walk
+
+EXAMPLES = '''examples:
+  film place_station --start 20 --duration 40 --output station.gif
+  film place_office --speed 8 --max-size 3 --output office.webp
+  film circle6 --trajectories recordings/circle6.csv --output circle6.mp4
+  film --trajectories obsmat.txt --duration 60 --output people.gif
+
+One episode is walked with `evaluate`, or a recording of `evaluate --trajectories` is shown. MP4 needs ffmpeg.
+Robots are shown at their start. Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+
+
+def parser():
+    """Returns the parser of the command line."""
+    result = argparse.ArgumentParser(prog='film', formatter_class=argparse.RawDescriptionHelpFormatter,
+                                     description='Makes a film of a scenario: GIF, WebP or MP4. Needs neither a '
+                                     'display nor ROS running.', epilog=EXAMPLES)
+    add = result.add_argument
+    add('scenario', nargs='?', metavar='SCENARIO', help='a scenario file, or a name in config/scenarios; not required '
+        'with --trajectories')
+    add('--output', type=pathlib.Path, required=True, metavar='FILE', help='FILE.gif, FILE.webp or FILE.mp4')
+    add('--q-table', type=pathlib.Path, metavar='FILE',
+        help='Q-table (default: human for scenarios place_*, else anticipation)')
+    add('--seed', type=whole, default=1, metavar='N', help='seed of the episode (default: 1)')
+    add('--trajectories', type=pathlib.Path, metavar='FILE',
+        help="show this recording: CSV of evaluate, JuPedSim's text format, or obsmat.txt")
+    add('--frame-rate', type=above_zero, metavar='HZ', help='of the recording, in place of that in the file')
+    add('--instance', type=whole, metavar='N', help='episode of the recording (default: the first)')
+    add('--start', type=at_least_zero, default=0.0, metavar='S', help='simulated time of the first frame [s]')
+    add('--duration', type=above_zero, default=float('inf'), metavar='S',
+        help='simulated time that is shown [s] (default: to the end)')
+    add('--speed', type=above_zero, default=Settings.speed, metavar='X',
+        help='simulated seconds in a second of the film (default: %(default)g)')
+    add('--fps', type=above_zero, default=Settings.fps, metavar='N',
+        help='frames in a second of the film (default: %(default)g); a GIF has at most 100')
+    add('--size', type=pixels, default=Settings.size, metavar='N', help='longer side [pixels] (default: %(default)d)')
+    add('--view', type=float, nargs=4, metavar=('X0', 'Y0', 'X1', 'Y1'), help='part of the scene that is shown [m]')
+    add('--max-size', type=above_zero, default=float('inf'), metavar='MB',
+        help='greatest size of the file [MB]; a larger film is made again with fewer pixels')
+    add('--title', help="title of the film (default: the scenario's name)")
+    add('--tools', type=pathlib.Path, metavar='FOLDER', help='folder of `evaluate` (default: that of this program; if '
+        'it is not there, the package is built)')
+    return result
+
+
+def settings_of(arguments, scene):
+    """Returns the settings of the film."""
+    name = scene.name or arguments.trajectories.stem
+    title = name if arguments.title is None else arguments.title
+    return Settings(arguments.output, title, arguments.start, arguments.duration, arguments.speed, arguments.fps,
+                    arguments.size, arguments.max_size, arguments.view)
+
+
+def produce(arguments):
+    """Reads or walks the episode, and makes the film."""
+    if arguments.output.suffix.lower() == '.mp4':
+        need_ffmpeg()
+    if arguments.trajectories:
+        scene, tracks, _ = read_shown(arguments.trajectories, arguments.scenario, arguments.instance,
+                                      arguments.frame_rate)
+    else:
+        with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
+            table = arguments.q_table or table_for(arguments.scenario)
+            scene, tracks = walk(arguments.scenario, find_tools(arguments.tools) / 'evaluate', table, arguments.seed,
+                                 pathlib.Path(folder))
+    width, height, frames = make(settings_of(arguments, scene), scene, tracks)
+    megabytes = arguments.output.stat().st_size / MEGABYTE
+    print(f'{arguments.output}: {frames} frames of {width} x {height} pixels, {megabytes:.2f} MB')
+
+
+def main(words=None):
+    """Runs the program with command line words. Returns the exit status."""
+    checked = parser()
+    arguments = checked.parse_args(words)
+    if arguments.view and not (arguments.view[0] < arguments.view[2] and arguments.view[1] < arguments.view[3]):
+        checked.error('--view: expected X0 < X1 and Y0 < Y1')
+    if arguments.output.suffix.lower() not in WRITERS:
+        checked.error(f"--output: expected a name with {', '.join(WRITERS)}, got '{arguments.output}'")
+    if not (arguments.scenario or arguments.trajectories):
+        checked.error('expected a SCENARIO or --trajectories')
+    signal.signal(signal.SIGTERM, interrupt)
+    try:
+        produce(arguments)
+    except KeyboardInterrupt:
+        print('film: interrupted, nothing was written', file=sys.stderr)
+        return EXIT_INTERRUPTED
+    except OSError as error:
+        print(f'film: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
+        return EXIT_FAILED
+    except (FilmError, InputError, RunError, ValueError, csv.Error) as error:
+        print(f'film: {error}', file=sys.stderr)
+        return EXIT_FAILED
+    return EXIT_FINE

@@ -1,0 +1,1 @@
+"""Recorded crowds: formats of files, conversions, positions between ticks, replay."""

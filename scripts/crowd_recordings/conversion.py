@@ -1,0 +1,55 @@
+"""The program `convert_trajectories`."""
+import argparse
+import csv
+import pathlib
+import sys
+
+from crowd_drawing.errors import InputError
+from crowd_drawing.files import DEFAULT_TICK
+from crowd_experiments.numbers import above_zero, whole
+from crowd_recordings.formats import WRITERS, read_recording, write_recording
+
+EXAMPLES = '''examples:
+  convert_trajectories recordings/circle6.csv --output circle6.txt      for PedPy and JuPedSim
+  convert_trajectories obsmat.txt --output people.csv                   for plot_paths and film
+
+A CSV file has no frame rate: give the duration of a tick with --frame-rate, unless it is 0.1 s.
+Exit status: 0 success, 1 an error, 2 wrong usage.'''
+
+
+def parser():
+    """Returns the parser of the command line."""
+    result = argparse.ArgumentParser(
+        prog='convert_trajectories', formatter_class=argparse.RawDescriptionHelpFormatter, epilog=EXAMPLES,
+        description="Converts recorded trajectories: CSV files of `evaluate --trajectories`, JuPedSim's text format, "
+        'and obsmat.txt of the ETH and UCY data sets (input only).')
+    result.add_argument('input', metavar='IN', help='a recording; its format is recognised')
+    result.add_argument('--output', type=pathlib.Path, required=True, metavar='OUT',
+                        help="OUT.csv, or OUT.txt in JuPedSim's format")
+    result.add_argument('--instance', type=whole, metavar='N', help='episode of a CSV file (default: the first)')
+    result.add_argument('--frame-rate', type=above_zero, metavar='HZ',
+                        help='frames in a second, in place of that of IN (CSV: 10; obsmat.txt: 2.5)')
+    return result
+
+
+def main(words=None):
+    """Runs the program with command line words. Returns the exit status."""
+    checked = parser()
+    arguments = checked.parse_args(words)
+    if arguments.output.suffix.lower() not in WRITERS:
+        checked.error(f"--output: expected a name with {' or '.join(WRITERS)}, got '{arguments.output}'")
+    try:
+        recording = read_recording(arguments.input, arguments.instance).at_rate(arguments.frame_rate)
+        if recording.frame_duration is None:
+            recording = recording.at_rate(1 / DEFAULT_TICK)
+        write_recording(arguments.output, recording)
+    except OSError as error:
+        print(f'convert_trajectories: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
+        return 1
+    except (InputError, csv.Error) as error:
+        print(f'convert_trajectories: {error}', file=sys.stderr)
+        return 1
+    rows = sum(map(len, recording.walks.values()))
+    print(f'{arguments.output}: {len(recording.walks)} people, {rows} positions, '
+          f'{1 / recording.frame_duration:g} frames a second')
+    return 0

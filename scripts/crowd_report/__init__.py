@@ -1,0 +1,1 @@
+"""Reports: one page with the results of runs, side by side."""

@@ -1,0 +1,71 @@
+"""The program `report`."""
+import argparse
+import csv
+import os
+import pathlib
+import sys
+import tempfile
+
+from crowd_drawing.errors import InputError
+from crowd_experiments.page import write_page
+from crowd_report.chapters import chapters_of
+from crowd_report.inputs import HEADERS, RECORD, source_of
+
+EXAMPLES = '''examples:
+  for table in anticipation human; do rosrun social_crowd evaluate --q-table config/q_tables/$table.txt --episodes 20 \\
+      --csv $table/metrics.csv --record $table/record.csv --trajectories $table circle6 place_corner; done
+  report */*.csv --output report.html
+  report one=a/metrics.csv other=b/metrics.csv --training one=a/learning.csv other=b/learning.csv --output report.html
+
+The kind of a file is recognised by its header: ''' + '; '.join(program for _, program in HEADERS.values()) + '''.
+Files with the same label are runs of the same thing, such as seeds; the default label is the name of the folder.
+Exit status: 0 success, 1 an error, 2 wrong usage.'''
+
+
+def parser():
+    """Returns the parser of the command line."""
+    result = argparse.ArgumentParser(prog='report', formatter_class=argparse.RawDescriptionHelpFormatter,
+                                     epilog=EXAMPLES, description='Writes a page with the results of runs, which needs '
+                                     'no other file: metrics, comparison, learning curves, paths, separation, speed '
+                                     'against density.')
+    result.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
+    result.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV', help='records of `train`')
+    result.add_argument('--output', type=pathlib.Path, required=True, metavar='FILE.html', help='the page')
+    result.add_argument('--title', default='Crowd report', help='title of the page (default: %(default)s)')
+    return result
+
+
+def write_report(output, title, sources, training):
+    """Writes the page; it appears when it is complete. Raises InputError, OSError."""
+    part = output.with_name(f'.{output.name}.part')
+    try:
+        with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
+            chapters = chapters_of(sources, training, pathlib.Path(folder))
+            labels = dict.fromkeys(source.label for source in [*sources, *training])
+            write_page(part, title, None, chapters, f"{len(sources) + len(training)} files of {', '.join(labels)}.")
+        os.replace(part, output)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def main(words=None):
+    """Runs the program with command line words. Returns the exit status."""
+    checked = parser()
+    arguments = checked.parse_args(words)
+    if not (arguments.files or arguments.training):
+        checked.error('expected at least one file')
+    try:
+        sources, training = ([source_of(word) for word in words] for words in (arguments.files, arguments.training))
+        for source in training:
+            if source.kind != RECORD:
+                raise InputError(f'{source.file}: --training: expected a record of `train`, with the header '
+                                 f'{HEADERS[RECORD][0]}...')
+        write_report(arguments.output, arguments.title, sources, training)
+    except OSError as error:
+        print(f'report: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
+        return 1
+    except (InputError, ValueError, csv.Error) as error:
+        print(f'report: {error}', file=sys.stderr)
+        return 1
+    print(f'{arguments.output}: {arguments.output.stat().st_size / 1e6:.1f} MB')
+    return 0

@@ -1,0 +1,80 @@
+"""Tables of a report: metrics, and differences of runs with their confidence intervals."""
+import numpy
+from crowd_experiments.confidence import bootstrap_difference, mean_interval
+from crowd_report.inputs import columns_of
+
+# Column of `evaluate --csv`, title, decimals.
+METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%]', 1),
+                  ('collision_pct', 'collision [%]', 1), ('path_ratio', 'path', 3), ('time_ratio', 'time', 3),
+                  ('turn_rad_per_m', 'turning [rad/m]', 2), ('blocked_per_agent', 'blocked', 2)]
+# Column of a record, title, factor, decimals.
+MEASURES = [('arrived', 'success [%]', 100, 1), ('touched', 'contact [%]', 100, 1),
+            ('collided', 'collision [%]', 100, 1), ('path_ratio', 'path', 1, 3), ('time_ratio', 'time', 1, 3),
+            ('turn_per_metre', 'turning [rad/m]', 1, 2)]
+OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people who have arrived, as in the metrics
+
+
+def metrics_rows(groups):
+    """Returns header and rows of the table of metrics. Groups: sources of metrics by label. With several files of a
+    label, a value is their mean, plus or minus half of its 95 % confidence interval."""
+    rows = []
+    for label, sources in groups.items():
+        files = [columns_of(source) for source in sources]
+        for scenario in dict.fromkeys(name for columns in files for name in columns['scenario']):
+            cells = [metric_cell(files, scenario, column, decimals) for column, _, decimals in METRIC_COLUMNS]
+            rows.append([label, scenario, str(len(files)), *cells])
+    return ['', 'scenario', 'runs', *(title for _, title, _ in METRIC_COLUMNS)], rows
+
+
+def metric_cell(files, scenario, column, decimals):
+    """Returns the text of a metric."""
+    values = [columns[column][i] for columns in files for i, name in enumerate(columns['scenario'])
+              if name == scenario and column in columns]
+    mean, low, _ = mean_interval([value for value in values if numpy.isfinite(value)])
+    if not numpy.isfinite(mean):
+        return '-'
+    return f'{mean:.{decimals}f}' + (f' ± {mean - low:.{decimals}f}' if numpy.isfinite(low) else '')
+
+
+def samples(sources, scenario, column):
+    """Returns independent values of a column: the means of files if there are several, else of the episodes of the one
+    file. People of an episode depend on each other."""
+    episodes = []
+    for source in sources:
+        columns = columns_of(source)
+        values = columns.get(column)
+        if values is None:
+            continue
+        chosen = numpy.array([name == scenario for name in columns['scenario']]) & numpy.isfinite(values)
+        if column not in OF_ALL:
+            chosen &= columns['arrived'] > 0
+        numbers = columns['episode'][chosen]
+        episodes.append([values[chosen][numbers == episode].mean() for episode in numpy.unique(numbers)])
+    if len(episodes) == 1:
+        return episodes[0]
+    return [float(numpy.mean(means)) for means in episodes if means]
+
+
+def comparison_rows(groups):
+    """Returns header and rows of the comparison of all labels with the first one. Groups: sources of records by
+    label."""
+    labels, rows = list(groups), []
+    scenarios = list(dict.fromkeys(name for source in groups[labels[0]] for name in columns_of(source)['scenario']))
+    for label in labels[1:]:
+        for scenario in scenarios:
+            for column, title, factor, decimals in MEASURES:
+                first, second = (factor * numpy.array(samples(groups[name], scenario, column))
+                                 for name in (labels[0], label))
+                if len(first) and len(second):
+                    rows.append([label, scenario, title, *comparison_cells(first, second, decimals)])
+    return ['', 'scenario', '', labels[0], 'this', 'difference', '95 % interval', 'differs'], rows
+
+
+def comparison_cells(first, second, decimals):
+    """Returns both means, their difference, its interval, and whether zero lies outside."""
+    means = [f'{values.mean():.{decimals}f}' for values in (first, second)]
+    difference, low, high = bootstrap_difference(first, second)
+    if min(len(first), len(second)) < 2:
+        return [*means, f'{difference:+.{decimals}f}', 'unknown: one value', '']
+    return [*means, f'{difference:+.{decimals}f}', f'{low:+.{decimals}f} to {high:+.{decimals}f}',
+            'yes' if low > 0 or high < 0 else 'no']

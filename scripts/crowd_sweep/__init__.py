@@ -1,0 +1,1 @@
+"""Sweeps: training and evaluation over a grid of parameters and seeds."""

@@ -1,0 +1,60 @@
+"""The runs of a sweep."""
+import dataclasses
+import pathlib
+import re
+
+from crowd_experiments.runs import Run
+from crowd_experiments.variations import vary_config, vary_scenario
+
+TABLE, LEARNING, METRICS, RECORD = 'table.txt', 'learning.csv', 'metrics.csv', 'record.csv'
+TRAJECTORIES = 'trajectories'  # folder
+ONE_THREAD = ['--threads', 1]  # runs are parallel
+
+
+@dataclasses.dataclass(frozen=True)
+class Member:
+    """A run of a combination with a seed."""
+    label: str  # of the combination
+    seed: int
+    run: Run
+
+
+def label_of(changes):
+    """Returns a short name for changes, such as `gamma=0.9 alpha=0.1`; `all` without changes."""
+    return ' '.join(f"{path.split('.')[-1]}={value_text(value)}" for path, value in changes.items()) or 'all'
+
+
+def value_text(value):
+    """Returns a value as a short text."""
+    if isinstance(value, dict):
+        return ','.join(f'{key}:{value_text(part)}' for key, part in value.items())
+    return ','.join(map(value_text, value)) if isinstance(value, list) else str(value)
+
+
+def plan(sweep, setting):
+    """Returns the Members of a Sweep. Varied configurations and scenarios are written to the results folder."""
+    members = []
+    for index, (config_changes, scenario_changes) in enumerate(sweep.combinations()):
+        label = label_of({**config_changes, **scenario_changes})
+        name = f"{index:03d}_{re.sub(r'[^A-Za-z0-9=.,_-]+', '_', label)[:60]}"
+        scenarios = [vary_scenario(setting, file, scenario_changes, f'{name}/{file.stem}') if scenario_changes else file
+                     for file in sweep.scenarios]
+        config = vary_config(setting, sweep.config, config_changes, name) if sweep.config else None
+        members += [Member(label, seed, run_of(sweep, setting, name, config, scenarios, seed)) for seed in sweep.seeds]
+    return members
+
+
+def run_of(sweep, setting, name, config, scenarios, seed):
+    """Returns the commands of a combination with a seed."""
+    commands, table = [], sweep.q_table
+    if config:
+        table = TABLE
+        episodes = ['--episodes', sweep.train_episodes] if sweep.train_episodes else []
+        commands.append([setting.tool('train'), config, '--seed', seed, '--output', TABLE, '--record', LEARNING,
+                         *episodes, *ONE_THREAD])
+    evaluate = [setting.tool('evaluate'), '--q-table', table, '--seed',
+                seed if sweep.evaluate_seed is None else sweep.evaluate_seed, *ONE_THREAD]
+    commands.append([*evaluate, '--episodes', sweep.episodes, '--csv', METRICS, '--record', RECORD, *scenarios])
+    if sweep.trajectories and seed == sweep.seeds[0]:
+        commands.append([*evaluate, '--episodes', 1, '--trajectories', TRAJECTORIES, *scenarios])
+    return Run(pathlib.Path(setting.run_folder(name, f'seed_{seed}')), commands)

@@ -1,0 +1,1 @@
+"""Pictures of Q-tables, with their rows explained."""

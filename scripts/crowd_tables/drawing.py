@@ -1,0 +1,88 @@
+"""Draws a Q-table as heat maps of values and visits."""
+import copy
+
+import numpy
+from crowd_experiments.style import SETTINGS, save
+from crowd_tables.axes import arranged, explanation, label_axes
+from crowd_tables.summary import greedy_actions, row_values, row_visits
+from matplotlib import pyplot, rc_context
+from matplotlib.colors import LogNorm, Normalize
+
+UNVISITED = '0.88'  # colour
+OUTLIERS = 2  # [%] of the values at each end that have the colours of the ends
+MOST_ARROWS = 400
+VALUE_OF = {'anticipation': 'mean value of the row, weighted by visits'}
+# Size of a panel [inch], and panels side by side; by state set.
+SHAPES = {'nearest_obstacle': (5.6, 6.2, 2), 'anticipation': (15.5, 5.2, 1)}
+SHAPE_OF_MANY = (3.5, 3.1, 4)
+
+
+def draw_table(file, table, meaning, title):
+    """Draws the values and below, or beside them, the visits of all rows. Returns the file."""
+    width, height, columns = SHAPES.get(meaning.type, SHAPE_OF_MANY)
+    values = arranged(meaning, row_values(table, meaning.type))
+    visits = arranged(meaning, row_visits(table).astype(float))
+    visits[visits == 0] = numpy.nan
+    rows = -(-2 * len(values) // columns)
+    text = explanation(meaning)
+    with rc_context(SETTINGS):
+        figure = pyplot.figure(figsize=(width * columns, height * rows + 0.2 * text.count('\n') + 1.0),
+                               layout='constrained')
+        grid = figure.add_gridspec(rows + 1, columns, height_ratios=[height] * rows + [0.2 * text.count('\n') + 0.3])
+        panels = [figure.add_subplot(grid[i // columns, i % columns]) for i in range(2 * len(values))]
+        draw_pictures(figure, panels[:len(values)], meaning, values, 'viridis', value_scale(values),
+                      VALUE_OF.get(meaning.type, 'highest value of a visited action'), 'value')
+        draw_pictures(figure, panels[len(values):], meaning, visits, 'magma', visit_scale(visits), 'visits',
+                      'visits')
+        if meaning.type == 'nearest_obstacle':
+            add_arrows(panels[0], table, meaning, values)
+        below = figure.add_subplot(grid[rows, :])
+        below.set_axis_off()
+        below.text(0, 1, text, va='top', fontsize=9, transform=below.transAxes)
+        figure.suptitle(title, fontsize=12)
+    return save(figure, file)
+
+
+def value_scale(values):
+    """Returns the scale of colours of values, without outliers."""
+    known = values[numpy.isfinite(values)]
+    if not len(known):
+        return Normalize(0, 1)
+    low, high = numpy.percentile(known, [OUTLIERS, 100 - OUTLIERS])
+    return Normalize(low, high) if high > low else Normalize(low - 1, low + 1)
+
+
+def visit_scale(visits):
+    """Returns the logarithmic scale of colours of visits."""
+    return LogNorm(1, max(10.0, float(numpy.nanmax(visits)) if numpy.isfinite(visits).any() else 10.0))
+
+
+def draw_pictures(figure, panels, meaning, pictures, colours, scale, title, short):
+    """Draws the panels of one kind of number, with a colour bar. `short`: the title where there are many panels."""
+    colour_map = copy.copy(pyplot.get_cmap(colours))
+    colour_map.set_bad(UNVISITED)
+    for i, (axes, picture) in enumerate(zip(panels, pictures)):
+        image = axes.imshow(numpy.ma.masked_invalid(picture), cmap=colour_map, norm=scale, aspect='auto',
+                            interpolation='nearest')
+        label_axes(axes, meaning)
+        name = meaning.quantities[meaning.panels[0]].classes[i] if meaning.panels else ''
+        axes.set_title(f'{short}, goal {name}' if name else title, fontsize=9 if name else 11)
+    extend = 'both' if isinstance(scale, Normalize) and not isinstance(scale, LogNorm) else 'neither'
+    bar = figure.colorbar(image, ax=panels, shrink=0.9, pad=0.01, extend=extend)
+    bar.set_label(f'{title} (grey: not visited)', fontsize=9)
+
+
+def add_arrows(axes, table, meaning, values):
+    """Draws the greedy action of each visited row of the thesis's moves: up is straight ahead."""
+    rotations = table.header['action_set'].get('rotations', 8)
+    if table.header['action_set'].get('type') != 'kings_moves' or len(meaning.digits) > MOST_ARROWS:
+        return
+    greedy, bright = greedy_actions(table), value_scale(values)
+    for row, (goal, obstacle) in enumerate(meaning.digits):
+        value = values[0, obstacle, goal]
+        if numpy.isfinite(value):
+            stays = greedy[row] >= rotations
+            axes.text(goal, obstacle, '•' if stays else '↑', rotation=0 if stays else 360 / rotations * greedy[row],
+                      ha='center', va='center', color='black' if bright(value) > 0.6 else 'white', fontsize=11,
+                      rotation_mode='anchor' if stays else 'default')
+    axes.set_title(f'{axes.get_title()}\narrow: greedy action (up: ahead)')

@@ -1,0 +1,67 @@
+"""The program `draw_q_table`."""
+import argparse
+import pathlib
+import sys
+
+from crowd_drawing.errors import InputError
+from crowd_experiments.numbers import whole
+from crowd_tables.actions import action_names
+from crowd_tables.drawing import draw_table
+from crowd_tables.state_sets import meaning_of
+from crowd_tables.summary import row_visits
+from crowd_tables.table import read_table
+
+EXAMPLES = '''examples:
+  draw_q_table config/q_tables/thesis_nearest.txt --output nearest.png
+  draw_q_table config/q_tables/human.txt --row 1234
+
+Exit status: 0 success, 1 an error, 2 wrong usage.'''
+
+
+def parser():
+    """Returns the parser of the command line."""
+    result = argparse.ArgumentParser(prog='draw_q_table', description='Draws the values and visits of all rows of a '
+                                     'Q-table as heat maps, or explains one row.', epilog=EXAMPLES,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result.add_argument('table', metavar='FILE', help='a Q-table file')
+    result.add_argument('--output', type=pathlib.Path, metavar='FILE', help='picture, such as table.png or table.pdf')
+    result.add_argument('--row', type=whole, metavar='N', help='print what row N means, with visits and values')
+    result.add_argument('--title', help='title of the picture (default: the name of the file)')
+    return result
+
+
+def explain(table, meaning, row):
+    """Prints the meaning of a row, and visits and value of each action."""
+    if row >= table.header['rows']:
+        raise InputError(f"--row: expected 0 to {table.header['rows'] - 1}, got {row}")
+    print(f'row {row}: {meaning.describe(row)}')
+    names = action_names(table)
+    width = max(map(len, names))
+    for name, visits, value in zip(names, table.visits[row], table.values[row]):
+        print(f'  {name:{width}}  {visits:>9} visits' + (f'  value {value:.6g}' if visits else ''))
+
+
+def main(words=None):
+    """Runs the program with command line words. Returns the exit status."""
+    checked = parser()
+    arguments = checked.parse_args(words)
+    if arguments.output is None and arguments.row is None:
+        checked.error('expected --output or --row')
+    try:
+        table = read_table(arguments.table)
+        meaning = meaning_of(table)
+        if arguments.row is not None:
+            explain(table, meaning, arguments.row)
+        if arguments.output is not None:
+            visits = row_visits(table)
+            subtitle = f'{(visits > 0).sum()} of {len(visits)} rows visited, {visits.sum()} visits'
+            draw_table(arguments.output, table, meaning, f'{arguments.title or pathlib.Path(arguments.table).name}: '
+                       f'{meaning.type}, {subtitle}')
+            print(f'{arguments.output}: {subtitle}')
+    except OSError as error:
+        print(f'draw_q_table: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
+        return 1
+    except (InputError, ValueError) as error:
+        print(f'draw_q_table: {error}', file=sys.stderr)
+        return 1
+    return 0

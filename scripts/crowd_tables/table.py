@@ -1,0 +1,63 @@
+"""Reads Q-table files (docs/learning.md, "Q-table files")."""
+import dataclasses
+import itertools
+
+import numpy
+import yaml
+from crowd_drawing.errors import InputError
+
+MAGIC = 'social_crowd Q-table 1'
+NEEDED = ('state_set', 'action_set', 'rows', 'actions', 'visited_rows')
+
+
+@dataclasses.dataclass(frozen=True)
+class Table:
+    """A Q-table: its header, and visits and values as arrays (row, action). Values that were never visited are 0."""
+    file: str
+    header: dict
+    visits: numpy.ndarray
+    values: numpy.ndarray
+
+
+def read_table(file):
+    """Reads a Q-table file. The checksum is not verified. Raises InputError, OSError."""
+    with open(file, encoding='utf-8', errors='replace') as stream:
+        if next(stream, '').rstrip('\n') != MAGIC:
+            raise InputError(f"{file}:1: is not a Q-table; expected '{MAGIC}'")
+        lines = list(itertools.takewhile(lambda line: not line.startswith('---'), stream))
+        header = header_of(file, ''.join(lines))
+        shape = header['rows'], header['actions']
+        visits, values = numpy.zeros(shape, dtype=numpy.int64), numpy.zeros(shape)
+        first = len(lines) + 3  # number of the first line with a row
+        for line in range(first, first + header['visited_rows']):
+            row, *cells = next(stream, '').split() or ['']
+            put(f'{file}:{line}', row, cells, visits, values)
+    return Table(str(file), header, visits, values)
+
+
+def header_of(file, text):
+    """Returns the header as a map."""
+    try:
+        header = yaml.safe_load(text)
+        missing = [key for key in NEEDED if key not in header]
+    except (yaml.YAMLError, TypeError) as error:
+        raise InputError(f"{file}: the header is not a map: {' '.join(str(error).split())}") from None
+    if missing:
+        raise InputError(f"{file}: the header has no {', '.join(missing)}")
+    for key in NEEDED[2:]:
+        if not isinstance(header[key], int) or header[key] < 0:
+            raise InputError(f"{file}: {key}: expected a whole number, got '{header[key]}'")
+    return header
+
+
+def put(place, row, cells, visits, values):
+    """Stores a line: the number of a row, and visits and value of each action."""
+    try:
+        number = int(row)
+        numbers = [float(cell) for cell in cells]
+    except ValueError:
+        number, numbers = -1, []
+    if not (0 <= number < len(visits) and len(numbers) == 2 * visits.shape[1] and numpy.isfinite(numbers).all()):
+        raise InputError(f'{place}: expected a row from 0 to {len(visits) - 1}, with visits and value of '
+                         f'{visits.shape[1]} actions')
+    visits[number], values[number] = numbers[::2], numbers[1::2]
