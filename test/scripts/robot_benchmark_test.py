@@ -149,8 +149,8 @@ class RobotBenchmarkTest:
         assert not os.path.exists(runner.path('results/runs/straight_stop/crowdnav_invisible'))
 
     @pytest.mark.parametrize('words, said', [
-        (['--robot', 'move_base'],
-         'expected straight, reactive, learned, straight_stop, learned_stop, or NAME=FILE.csv'),
+        (['--robot', 'move_bus'],
+         'expected straight, reactive, learned, straight_stop, learned_stop, move_base, move_base_people, or NAME='),
         (['--robot', 'straight=file.csv'], 'NAME=FILE.csv with another name'),
         (['--scenarios', 'robot_dor'], "invalid choice: 'robot_dor'"),
         (['--placements', '0'], 'expected a number above 0'),
