@@ -1,8 +1,8 @@
 #include "social_crowd/ros/people_layer.h"
 
 #include <costmap_2d/cost_values.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <tf2/exceptions.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +120,7 @@ void PeopleLayer::readParameters() {
   timeout_ = number("timeout", timeout_, 0.0, UNLIMITED);
 }
 
-double PeopleLayer::number(const std::string& name, double present, double low, double high) const {
+double PeopleLayer::number(const std::string& name, double present, double low, double high) {
   XmlRpc::XmlRpcValue value;
   if (!parameters_.getParamCached(name, value)) return present;
   double number = std::nan("");
@@ -129,8 +129,10 @@ double PeopleLayer::number(const std::string& name, double present, double low, 
   if (std::isfinite(number) && number >= low && number <= high) return number;
   std::ostringstream got;
   got << value;
-  ROS_WARN_THROTTLE(WARN_PERIOD, "%s/%s: expected a number from %g to %g, got %s; it stays %g",
-                    parameters_.getNamespace().c_str(), name.c_str(), low, high, got.str().c_str(), present);
+  if (std::exchange(reported_[name], got.str()) != got.str()) {
+    ROS_WARN("%s/%s: expected a number from %g to %g, got %s; it stays %g", parameters_.getNamespace().c_str(),
+             name.c_str(), low, high, got.str().c_str(), present);
+  }
   return present;
 }
 

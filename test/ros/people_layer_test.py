@@ -153,7 +153,7 @@ class PeopleLayerTest(support.CrowdTestCase):
         self.wait_for_cost(-2.05, 1.05, lambda cost: cost == published(200), 'the cost of the next place')
         self.assert_costs((-2.05, 1.05), 0.5, [(x / 4, y / 4) for x in range(-18, 20) for y in range(-10, 18)])
         self.place_robot(-3.0)
-        support.wait_for(lambda: self.costmaps.messages[-1].info.origin.position.x < -7.9, 'the window to move')
+        support.wait_for(lambda: self.costmaps.messages[-1].info.origin.position.x < -7.5, 'the window to move')
         self.assert_costs((-2.05, 1.05), 0.5, [(x / 4, y / 4) for x in range(-30, 6) for y in range(-10, 18)])
 
     def test_old_data_are_not_used(self):

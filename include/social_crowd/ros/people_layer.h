@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <social_crowd/AgentStates.h>
 
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -49,7 +50,7 @@ class PeopleLayer : public costmap_2d::Layer {
   void keep(People people);
   void readParameters();
   /// The parameter; the present value if it is not set or wrong, which is reported.
-  double number(const std::string& name, double present, double low, double high) const;
+  double number(const std::string& name, double present, double low, double high);
   /// Personal spaces in the frame of the costmap of the people who are near it; none if the data are too old.
   std::vector<PersonalSpace> spacesOf(const People& people) const;
   bool isNear(const Bounds& bounds) const;
@@ -59,6 +60,7 @@ class PeopleLayer : public costmap_2d::Layer {
   PersonalSpaceSpec spec_;
   bool draws_ = true;     // ~enabled; the member of the base class would keep old costs from being cleared
   double timeout_ = 1.0;  // [s]
+  std::map<std::string, std::string> reported_;  // wrong values, by parameter
   std::mutex mutex_;
   People people_;                      // of the last message; guarded by mutex_
   std::vector<PersonalSpace> spaces_;  // of this update
