@@ -53,7 +53,7 @@ def launch_arguments(scenario, robot):
     found = {
         'scenario': scenario.absolute(),
         'map': 'map' in document,
-        'robots': ' '.join(entry.get('namespace', '') for entry in robots),
+        'robots': ' '.join(entry.get('namespace', entry['name'] if len(robots) > 1 else '') for entry in robots),
         'radius': max(entry['radius'] for entry in robots),
         'goal_tolerance': document.get('goal_tolerance', 0.3),
         'command_period': document.get('tick', 0.1),
