@@ -44,7 +44,7 @@ void PeopleLayer::onInitialize() {
   enabled_ = true;
   parameters_ = ros::NodeHandle("~/" + name_);
   readParameters();
-  std::string source = parameters_.param<std::string>("source", USUAL_SOURCE);
+  auto source = parameters_.param<std::string>("source", USUAL_SOURCE);
   if (source != USUAL_SOURCE && source != names::AGENTS) {
     ROS_ERROR("%s/source: expected %s, got '%s', which is not used", parameters_.getNamespace().c_str(),
               USUAL_SOURCE == std::string(names::AGENTS) ? "agents (the package was built without people_msgs)"
