@@ -29,7 +29,7 @@ robots:
 # In willow, a robot at a wall; the way to the goal leads round the end of this wall.
 AT_WALL = """
 name: at_wall
-duration: 60
+duration: 300
 goal_tolerance: 0.3
 contact: solid
 ends: robots
@@ -37,7 +37,8 @@ map: {map}
 agents:
   - {{position: [30, 23], goal: [31, 23], speed: 1, radius: 0.2}}
 robots:
-  - {{name: tug, position: [23.855910092929747, 23.750000000000004], heading: 18.4, goal: [25.07, 19.53], radius: 0.25}}
+  - {{name: tug, position: [23.855910092929747, 23.750000000000004], heading: {{radians: 0.3207410594324909}},
+     goal: [25.070992518336414, 19.533664217575726], radius: 0.25, max_speed: 1}}
 """
 # Two robots change places in a hall with four people; a wall is between them.
 SWAP = """
@@ -92,6 +93,7 @@ class MoveBaseTest(RobotLaunchTestCase):
         """Drives through an episode, at the end of which all robots are at their last goals and nobody was touched."""
         launched = self.drive('move_base.launch', **dict({'real_time_factor': 20, 'episodes': 1}, **arguments))
         self.assertEqual(launched.wait(PATIENCE), 0)
+        self.assertNotIn('REQUIRED process', launched.output())
         self.wait_until_arrived()
         self.assert_nobody_was_touched()
         return launched

@@ -28,7 +28,8 @@ class RosrunTest:
     """rosrun social_crowd PROGRAM."""
 
     @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'reproduce', 'show_crowd',
-                                      'learner_crew', 'pedsim_import', 'robot_benchmark', 'validate'])
+                                      'learner_crew', 'pedsim_import', 'robot_benchmark', 'validate',
+                                      'goal_sender', 'drive_robots', 'record_robots'])
     def test_names_are_unique(self, runner, name):
         status, output = run_here(runner, 'rosrun', 'social_crowd', name, '--help')
         assert status == 0, output
