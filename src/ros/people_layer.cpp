@@ -55,7 +55,7 @@ void PeopleLayer::onInitialize() {
   subscribe(source, parameters_.param<std::string>("topic", source));
 }
 
-void PeopleLayer::subscribe(const std::string& source, const std::string& topic) {
+void PeopleLayer::subscribe([[maybe_unused]] const std::string& source, const std::string& topic) {
   ros::NodeHandle node;
   const auto hints = ros::TransportHints().tcpNoDelay();
 #ifdef SOCIAL_CROWD_PEOPLE_MSGS
