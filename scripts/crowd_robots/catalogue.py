@@ -10,7 +10,10 @@ ROBOTS = {
     'straight_stop': ('straight', {'yields': 'both'}),  # with protective stop
     'learned_stop': ('learned', {'yields': 'both'}),
 }
+# Robots that drive_robots drives through ROS, and their arguments of move_base.launch.
+DRIVEN = {'move_base': {}, 'move_base_people': {'people_layer': True}}
 PLACEMENTS = 20  # episodes of each scenario
+ROS_PLACEMENTS = 5  # the same for DRIVEN
 
 # CrowdNav's setting: a circle of 4 m, five people, bodies of 0.3 m, 1 m/s, 25 s.
 CROWDNAV = 'robot_circle_5'

@@ -12,7 +12,7 @@ from crowd_experiments.program import (EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED,
                                        print_table)
 from crowd_experiments.runs import RunError, Runner
 
-from .catalogue import CROWDNAV_EPISODES, PLACEMENTS, ROBOTS, SCENARIOS
+from .catalogue import CROWDNAV_EPISODES, DRIVEN, PLACEMENTS, ROBOTS, ROS_PLACEMENTS, SCENARIOS
 from .measures import joined, read_record
 from .runs import RECORD, Benchmark
 from .tables import chapter_of
@@ -20,7 +20,8 @@ from .tables import chapter_of
 EXAMPLES = '''examples:
   scripts/robot_benchmark                                 all robots that `evaluate` drives, in all scenarios
   scripts/robot_benchmark --robot learned --scenarios robot_door robot_queue
-  scripts/robot_benchmark --robot move_base=episodes.csv  adds a robot that was driven elsewhere, such as through ROS
+  scripts/robot_benchmark --robot move_base --robot move_base_people   through ROS, where move_base is
+  scripts/robot_benchmark --robot other=episodes.csv      adds a robot that was driven elsewhere
   scripts/robot_benchmark --table                         the tables of the results so far, without running anything
   scripts/robot_benchmark --document docs/robots.md       also updates the tables of the page
 
@@ -36,7 +37,7 @@ Exit status: 0 success, 1 a run failed or an input is wrong, 2 wrong usage, 130 
 
 @dataclasses.dataclass(frozen=True)
 class WantedRobot:
-    """One of ROBOTS, or a robot with a record of its own."""
+    """One of ROBOTS or DRIVEN, or a robot with a record of its own."""
     name: str
     file: typing.Optional[pathlib.Path] = None
 
@@ -44,12 +45,12 @@ class WantedRobot:
 def wanted_robot(text):
     """Reads NAME or NAME=FILE."""
     name, equals, file = text.partition('=')
-    if equals and name and file and name not in ROBOTS:
+    if equals and name and file and name not in (*ROBOTS, *DRIVEN):
         return WantedRobot(name, pathlib.Path(file))
-    if not equals and name in ROBOTS:
+    if not equals and name in (*ROBOTS, *DRIVEN):
         return WantedRobot(name)
-    raise argparse.ArgumentTypeError(f"expected {', '.join(ROBOTS)}, or NAME=FILE.csv with another name, got "
-                                     f"'{text}'")
+    names = ', '.join((*ROBOTS, *DRIVEN))
+    raise argparse.ArgumentTypeError(f"expected {names}, or NAME=FILE.csv with another name, got '{text}'")
 
 
 def parser():
@@ -59,12 +60,14 @@ def parser():
         description='Measures robots among people: success, contacts by cause, time, discomfort, and what they cost '
                     'people, in the\nshipped scenarios and in the setting of CrowdNav. Shares have 95 % intervals.')
     found.add_argument('--robot', type=wanted_robot, action='append', dest='robots', metavar='NAME[=FILE.csv]',
-                       help=f'{", ".join(ROBOTS)}, or a robot that was driven elsewhere and its record; may be '
-                            'given several times (default: all of these)')
+                       help=f'{", ".join(ROBOTS)}; {", ".join(DRIVEN)} (through ROS); or a robot that was driven '
+                            'elsewhere and its record; may be given several times (default: those not through ROS)')
     found.add_argument('--scenarios', nargs='+', choices=SCENARIOS, default=SCENARIOS, metavar='NAME',
                        help=f'of {", ".join(SCENARIOS)} (default: all)')
     found.add_argument('--placements', type=positive, default=PLACEMENTS, metavar='N',
                        help='episodes of each scenario (default: %(default)s)')
+    found.add_argument('--ros-placements', type=positive, default=ROS_PLACEMENTS, metavar='N',
+                       help='the same for robots that are driven through ROS (default: %(default)s)')
     found.add_argument('--crowdnav-episodes', type=int, default=CROWDNAV_EPISODES, metavar='N',
                        help="episodes in CrowdNav's setting; 0: leave it out (default: %(default)s)")
     found.add_argument('--table', action='store_true', help='print the tables of stored results; runs nothing')
@@ -107,7 +110,8 @@ def benchmark_of(arguments):
     if not q_table.is_file():
         raise RunError(f'{q_table}: there is no such Q-table')
     return Benchmark(find_tools(arguments.tools) / 'evaluate', q_table, find_config() / 'scenarios',
-                     arguments.output.absolute(), arguments.placements, arguments.crowdnav_episodes)
+                     arguments.output.absolute(), arguments.placements, arguments.ros_placements,
+                     arguments.crowdnav_episodes)
 
 
 def carry_out(benchmark, arguments):
@@ -132,7 +136,7 @@ def carry_out(benchmark, arguments):
 def report(benchmark, document):
     """Prints the tables of all stored results, and updates the document."""
     records, crowdnav = {}, {}
-    for robot in ROBOTS:
+    for robot in (*ROBOTS, *DRIVEN):
         done = [run for run in (benchmark.run_of(robot, name) for name in SCENARIOS) if run.is_done()]
         if done:
             records[robot] = joined([read_record(run.folder / RECORD) for run in done])

@@ -7,10 +7,11 @@ import yaml
 
 from crowd_experiments.runs import Run
 
-from .catalogue import CROWDNAV, CROWDNAV_KEYS, ROBOTS, VISIBLE
+from .catalogue import CROWDNAV, CROWDNAV_KEYS, DRIVEN, ROBOTS, VISIBLE
 from .measures import read_record
 
 RECORD = 'robots.csv'  # in a run's folder
+DRIVER = pathlib.Path(__file__).resolve().parents[1] / 'drive_robots'
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,15 +22,22 @@ class Benchmark:
     scenarios: pathlib.Path  # folder of the scenario files
     output: pathlib.Path
     placements: int
+    ros_placements: int  # of robots that are driven through ROS
     crowdnav_episodes: int
 
     def run_of(self, robot, scenario):
         """Returns the run of a robot in a scenario."""
+        if robot in DRIVEN:
+            command = [DRIVER, '--robot', robot, '--q-table', self.q_table, '--episodes', self.ros_placements,
+                       '--robots-csv', RECORD, self.scenario({}, scenario)]
+            return Run(self.output / 'runs' / robot / scenario, [command], 10.0 * self.ros_placements)
         return self.run(robot, scenario, scenario, {}, self.placements)
 
     def crowdnav_runs(self, robot):
         """Returns the runs of a robot in CrowdNav's setting, by VISIBLE and INVISIBLE. There are none where people do
-        not see a robot that both sides give way to."""
+        not see a robot that both sides give way to, and none through ROS."""
+        if robot in DRIVEN:
+            return {}
         return {kind: self.run(robot, f'crowdnav_{kind}', CROWDNAV, keys, self.crowdnav_episodes)
                 for kind, keys in CROWDNAV_KEYS.items() if kind == VISIBLE or not ROBOTS[robot][1]}
 

@@ -7,6 +7,17 @@
 #include "world/finite_checks.h"
 
 namespace crowd {
+namespace {
+
+/// A disc touches nothing by turning, so it goes on to turn for the rest of the tick [s]; other robots stand.
+void stopAtImpact(Robot& robot, double rest) {
+  const bool turns = robot.start.footprint.isDisc() && robot.start.drive != Drive::ACKERMANN;
+  robot.twist = {Vector2::Zero(), turns ? robot.twist.rotation : 0.0};
+  robot.pose.heading = wrapAngle(robot.pose.heading + rest * robot.twist.rotation);
+}
+
+}  // namespace
+
 void World::addRobot(const RobotStart& start) {
   Robot& robot = robots_.emplace_back();
   robot.start = start;
@@ -114,7 +125,7 @@ void World::moveRobots() {
     const RobotSweep& sweep = robot_sweeps_[i];
     robot.pose = sweep.at(1.0);
     robot.blocked = sweep.stoppedAt() < 1.0 && !(robot.twist.linear.isZero(0.0) && robot.twist.rotation == 0.0);
-    if (sweep.stoppedAt() < 1.0) robot.twist = Twist();
+    if (sweep.stoppedAt() < 1.0) stopAtImpact(robot, (1.0 - sweep.stoppedAt()) * tick_duration_);
     robot.velocity = Rotation(robot.pose.heading).outOfFrame(robot.twist.linear);
   }
 }

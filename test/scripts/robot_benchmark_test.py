@@ -1,6 +1,7 @@
 """scripts/robot_benchmark: measures, tables, and the command line."""
 import math
 import os
+import subprocess
 
 import numpy
 import pytest
@@ -149,8 +150,8 @@ class RobotBenchmarkTest:
         assert not os.path.exists(runner.path('results/runs/straight_stop/crowdnav_invisible'))
 
     @pytest.mark.parametrize('words, said', [
-        (['--robot', 'move_base'],
-         'expected straight, reactive, learned, straight_stop, learned_stop, or NAME=FILE.csv'),
+        (['--robot', 'move_bus'],
+         'expected straight, reactive, learned, straight_stop, learned_stop, move_base, move_base_people, or NAME='),
         (['--robot', 'straight=file.csv'], 'NAME=FILE.csv with another name'),
         (['--scenarios', 'robot_dor'], "invalid choice: 'robot_dor'"),
         (['--placements', '0'], 'expected a number above 0'),
@@ -178,3 +179,52 @@ class RobotBenchmarkTest:
         wait_for(lambda: os.path.exists(log) and 'evaluate' in read_text(log), 'the first run')
         assert running.stop() == 130, running.output()
         assert_says(running.output(), 'Interrupted; the finished runs are kept in')
+
+
+def has_move_base():
+    """Returns whether move_base is in the environment."""
+    try:
+        return subprocess.run(['rospack', 'find', 'move_base'], capture_output=True, check=False).returncode == 0
+    except OSError:
+        return False
+
+
+class DriveRobotsTest:
+    """scripts/drive_robots."""
+
+    def drive(self, runner, scenario, *words, environment=None):
+        """Starts the program with a record in the test's folder."""
+        return runner.start('drive_robots', [in_package('scripts', 'drive_robots'), '--robots-csv',
+                                             runner.path('robots.csv'), *words, scenario], environment)
+
+    @pytest.mark.skipif(not has_move_base(), reason='move_base is not in the environment')
+    def test_records_through_ros(self, runner):
+        """Holonomic robots, ticks of 0.25 s and no map."""
+        driven = self.drive(runner, in_package('config', 'scenarios', 'robot_circle_5.yaml'), '--episodes', '2')
+        assert driven.wait() == 0, driven.output()
+        record = read_record(runner.path('robots.csv'))
+        assert list(record['episode']) == [0, 1]
+        assert set(record['scenario']) == {'robot_circle_5'}
+        assert (record['commands_taken'] > 20).all()
+
+    def test_without_move_base(self, runner):
+        refused = self.drive(runner, in_package('config', 'scenarios', 'robot_hall.yaml'),
+                             environment={'ROS_PACKAGE_PATH': runner.path('')})
+        assert refused.wait() == 1, refused.output()
+        assert_says(refused.output(), 'drive_robots: move_base is not in the ROS environment')
+
+    @pytest.mark.parametrize('text, said', [
+        ('name: empty\n', 'expected a scenario with robots'),
+        ('robots:\n  - {name: tug}\n', 'robots: expected the key radius for each robot')])
+    def test_scenarios_that_it_cannot_drive(self, runner, text, said):
+        refused = self.drive(runner, runner.write('scenario.yaml', text))
+        assert refused.wait() == 1, refused.output()
+        assert_says(refused.output(), 'scenario.yaml: ' + said)
+        assert not os.path.exists(runner.path('robots.csv'))
+
+    @pytest.mark.parametrize('words, said', [
+        (['--episodes', '0'], 'expected a number above 0'), (['--robot', 'bus'], "invalid choice: 'bus'")])
+    def test_wrong_usage(self, runner, words, said):
+        refused = self.drive(runner, 'scenario.yaml', *words)
+        assert refused.wait() == 2, refused.output()
+        assert_says(refused.output(), said)

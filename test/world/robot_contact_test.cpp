@@ -50,6 +50,27 @@ TEST(RobotContact, WallsStopARobot) {
   EXPECT_FALSE(world.robots()[0].blocked);
 }
 
+TEST(RobotContact, ADiscGoesOnToTurnAtAWall) {
+  // It stops after 0.05 s of the tick of 0.1 s, and turns by 0.5 rad/s for all of it.
+  const Scene at_wall = solid(with({robot({0.0, 0.0})}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}})));
+  World world(at_wall);
+  world.commandRobot(0, {{1.0, 0.0}, 0.5});
+  world.step({});
+  EXPECT_TRUE(world.robots()[0].blocked);
+  EXPECT_NEAR(world.robots()[0].pose.heading, 0.05, NEAR);
+  EXPECT_EQ(world.robots()[0].twist.rotation, 0.5);
+  EXPECT_EQ(world.robots()[0].twist.linear, Vector2(0.0, 0.0));
+
+  RobotStart car = robot({0.0, 0.0});
+  car.drive = Drive::ACKERMANN;  // it turns on curves only
+  World other(solid(with({car}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}}))));
+  other.commandRobot(0, {{1.0, 0.0}, 0.5});
+  other.step({});
+  EXPECT_TRUE(other.robots()[0].blocked);
+  EXPECT_LT(other.robots()[0].pose.heading, 0.03);
+  EXPECT_EQ(other.robots()[0].twist.rotation, 0.0);
+}
+
 TEST(RobotContact, ARobotThatDrivesIntoAPersonStops) {
   World world = afterTick(solid(facing(0.05)), true);
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);

@@ -1,0 +1,108 @@
+"""The command line of scripts/drive_robots: `evaluate --robot` for robots that move_base drives."""
+import argparse
+import os
+import pathlib
+import shutil
+import socket
+import subprocess
+import sys
+
+import yaml
+
+from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, positive
+from crowd_experiments.runs import RunError
+from crowd_launching.program import Program
+
+from .catalogue import DRIVEN
+from .measures import read_record
+
+EXAMPLES = '''example:
+  scripts/drive_robots --robot move_base --episodes 5 --robots-csv /tmp/robots.csv config/scenarios/robot_hall.yaml
+
+It starts a ROS master of its own and move_base.launch, as fast as possible. The first episode is restarted when
+move_base has sent its first command. move_base and its planners have to be in the ROS environment; for move_base_people
+the package has to be built where costmap_2d is.
+
+Exit status: 0 success, 1 not all episodes were recorded or an input is wrong, 2 wrong usage.'''
+
+
+def parser():
+    """Returns the parser of the command line."""
+    found = argparse.ArgumentParser(
+        prog='drive_robots', formatter_class=argparse.RawDescriptionHelpFormatter, epilog=EXAMPLES,
+        description='Drives the robots of a scenario through ROS and writes their results as `evaluate --robots-csv` '
+                    'does.')
+    found.add_argument('--robot', choices=DRIVEN, default='move_base',
+                       help='move_base with DWA, or also with the costs of PeopleLayer (default: %(default)s)')
+    found.add_argument('--episodes', type=positive, default=1, metavar='N', help='(default: %(default)s)')
+    found.add_argument('--seed', type=int, default=1, metavar='S', help='of placements (default: %(default)s)')
+    found.add_argument('--q-table', type=pathlib.Path, metavar='FILE', help='of the people (default: anticipation)')
+    found.add_argument('--robots-csv', type=pathlib.Path, required=True, metavar='FILE', help='results of the robots')
+    found.add_argument('scenario', type=pathlib.Path, metavar='SCENARIO.yaml')
+    return found
+
+
+def launch_arguments(scenario, robot):
+    """Returns the arguments of move_base.launch for a scenario file and a robot of DRIVEN."""
+    document = yaml.safe_load(scenario.read_text(encoding='utf-8'))
+    robots = document.get('robots') if isinstance(document, dict) else None
+    if not robots:
+        raise RunError(f'{scenario}: expected a scenario with robots')
+    if any('radius' not in entry for entry in robots):
+        raise RunError(f'{scenario}: robots: expected the key radius for each robot')
+    found = {
+        'scenario': scenario.absolute(),
+        'map': 'map' in document,
+        'robots': ' '.join(entry.get('namespace', entry['name'] if len(robots) > 1 else '') for entry in robots),
+        'radius': max(entry['radius'] for entry in robots),
+        'goal_tolerance': document.get('goal_tolerance', 0.3),
+        'command_period': document.get('tick', 0.1),
+    }
+    return {**found, **DRIVEN[robot]}
+
+
+def text_of(value):
+    """Returns a value as roslaunch reads it."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def free_port():
+    """Returns a port on which nothing listens."""
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
+def drive(arguments):
+    """Runs the launch file. Returns the exit status."""
+    settings = launch_arguments(arguments.scenario, arguments.robot)
+    if not shutil.which('roslaunch') or subprocess.run(['rospack', 'find', 'move_base'], stdout=subprocess.DEVNULL,
+                                                       stderr=subprocess.DEVNULL, check=False).returncode != 0:
+        raise RunError('move_base is not in the ROS environment; source the setup file of its workspace')
+    record = arguments.robots_csv.absolute()
+    record.unlink(missing_ok=True)
+    settings.update(robots_csv=record, episodes=arguments.episodes, seed=arguments.seed, rviz=False,
+                    real_time_factor='fast')
+    if arguments.q_table:
+        settings['q_table'] = arguments.q_table.absolute()
+    os.environ.update(ROS_MASTER_URI=f'http://127.0.0.1:{free_port()}', ROS_HOSTNAME='127.0.0.1')
+    launched = Program(['roslaunch', 'social_crowd', 'move_base.launch',
+                        *(f'{name}:={text_of(value)}' for name, value in settings.items())])
+    status = launched.wait()
+    if launched.is_stopped or status != 0:
+        return status or EXIT_FAILED
+    count = len(read_record(record)['episode'])
+    expected = arguments.episodes * len(settings['robots'].split() or [''])
+    if count != expected:
+        raise RunError(f'{record}: expected {expected} rows, got {count}; see the messages above')
+    return EXIT_FINE
+
+
+def main(words=None):
+    """Runs the program with command line words. Returns the exit status."""
+    arguments = parser().parse_args(words)
+    try:
+        return drive(arguments)
+    except (RunError, OSError, yaml.YAMLError) as error:
+        print(f'drive_robots: {error}', file=sys.stderr)
+        return EXIT_FAILED

@@ -1,0 +1,109 @@
+"""Records the results of robots that nodes drive, see scripts/record_robots."""
+import threading
+
+import rospy
+from crowd_launching.launch_end import end_launch
+from social_crowd.msg import EpisodeResult, RobotResult, RobotStates
+from social_crowd.srv import Reset
+
+PEOPLE = {'people_compared': '0', 'people_delay': 'nan', 'people_detour': 'nan'}  # needs a second run without robots
+BEFORE_PEOPLE = 'personal_space_intrusions'
+
+
+def columns():
+    """Returns the names of the columns, which are those of `evaluate --robots-csv`."""
+    fields = [name for name in RobotResult.__slots__ if name != 'robot']
+    place = fields.index(BEFORE_PEOPLE) + 1
+    return ['episode', 'scenario', 'robot', *fields[:place], *PEOPLE, *fields[place:]]
+
+
+def row_of(result, robot):
+    """Returns the cells of a robot in an episode."""
+    values = {**PEOPLE, 'episode': str(result.instance), 'scenario': result.scenario, 'robot': robot.robot}
+    return [values[name] if name in values else text_of(getattr(robot, name)) for name in columns()]
+
+
+def text_of(value):
+    """Returns a number that is read as the same number; 1 and 0 for True and False."""
+    return repr(value) if isinstance(value, float) else str(int(value))
+
+
+class Recorder:
+    """Writes a row for each robot at the end of an episode; ends the launch after ~episodes.
+
+    With ~restart the crowd controller is reset when all robots were commanded, so that the time in which their nodes
+    start is not part of the first episode.
+    """
+
+    def __init__(self, file):
+        self.file = file
+        self.write(columns())
+        self.left = rospy.get_param('~episodes', 0)  # 0: no limit
+        self.is_done = threading.Event()
+        self.episode = None  # the present one
+        self.first = None if rospy.get_param('~restart', False) else 0  # number of the first episode to record
+        self.is_driven = threading.Event()
+        self.subscribers = [
+            rospy.Subscriber('robots', RobotStates, self.note_commands, queue_size=100),
+            rospy.Subscriber('episode_results', EpisodeResult, self.take, queue_size=100)]
+
+    def write(self, cells):
+        """Writes a line at once, as the node may be stopped after it."""
+        self.file.write(','.join(cells) + '\n')
+        self.file.flush()
+
+    def note_commands(self, states):
+        """Notes the number of the episode, and whether all robots were commanded in it."""
+        self.episode = states.episode
+        if all(robot.commands_taken > 0 for robot in states.robots):
+            self.is_driven.set()
+            if self.first is not None:
+                self.subscribers[0].unregister()
+
+    def take(self, result):
+        """Writes the results of an episode."""
+        if self.first is None or result.episode < self.first or self.is_done.is_set():
+            return
+        for robot in result.robots:
+            self.write(row_of(result, robot))
+        self.left -= 1
+        if self.left == 0:
+            self.is_done.set()
+
+    def run(self):
+        """Restarts the episodes if that is wanted, then records until the node is shut down or all is recorded."""
+        if self.first is None:
+            wait_for(self.is_driven)
+            self.restart()
+        wait_for(self.is_done)
+        if self.is_done.is_set():
+            end_launch()
+
+    def restart(self):
+        """Restarts with the first episode, of which no result can have come before the answer of the controller."""
+        rospy.wait_for_service('crowd_controller/reset')
+        self.first = self.episode + 1
+        answer = rospy.ServiceProxy('crowd_controller/reset', Reset)(keep_seed=True)
+        if not answer.success:
+            raise rospy.ROSException('crowd_controller/reset: ' + answer.message)
+
+
+def wait_for(event):
+    """Waits for an event or the shutdown of the node."""
+    while not event.wait(0.1) and not rospy.is_shutdown():
+        pass
+
+
+def main():
+    """Records until the node is shut down. Returns the exit status."""
+    rospy.init_node('record_robots')
+    name = rospy.get_param('~file', '')
+    try:
+        with open(name, 'w', encoding='utf-8') as file:
+            Recorder(file).run()
+    except rospy.ROSInterruptException:
+        pass
+    except (OSError, rospy.ROSException) as error:
+        rospy.logfatal('~file: %s', error)
+        return 1
+    return 0
