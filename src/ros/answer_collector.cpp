@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint32_t QUEUE = 1000;          // messages; many learners may answer at the same time
 const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
 const ros::WallDuration WARNING_PERIOD(5.0);   // of warnings about missing answers
+constexpr double NOTABLE_SILENCE = 1.0;        // [s]
 constexpr double USUAL_START = 3.0;            // [s] of a learner, without a warning
 const ros::WallDuration FIRST_ASK_AGAIN(0.1);  // doubled each time
 
@@ -194,6 +195,16 @@ double AnswerCollector::silence(const std::vector<AgentId>& agents) const {
   const Clock now = since;
   for (const AgentId agent : agents) since = std::min(since, silent_since_[agent]);
   return (now - since).toSec();
+}
+
+std::vector<AgentId> AnswerCollector::unanswered(const World& world) const {
+  std::vector<AgentId> agents = walkingAgents(world);
+  const Clock limit = Clock::now() - ros::WallDuration(NOTABLE_SILENCE);
+  const auto is_answered = [&](AgentId agent) {
+    return agent >= silent_since_.size() || silent_since_[agent].isZero() || silent_since_[agent] > limit;
+  };
+  agents.erase(std::remove_if(agents.begin(), agents.end(), is_answered), agents.end());
+  return agents;
 }
 
 std::string AnswerCollector::reasonForSilence() const {

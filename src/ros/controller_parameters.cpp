@@ -14,11 +14,13 @@ constexpr double MAX_RATE = 1e6;         // [Hz]
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 constexpr const char* FAST = "fast";
 
+bool isRealTimeFactor(double factor) { return factor >= 0.0 && factor <= MAX_REAL_TIME_FACTOR; }
+
 double readRealTimeFactor(Parameters& parameters, double otherwise) {
   const std::string text = parameters.text("real_time_factor", toText(otherwise));
   if (text == FAST) return 0.0;
   const std::optional<double> factor = toNumber(text);
-  if (factor && *factor >= 0.0 && *factor <= MAX_REAL_TIME_FACTOR) return *factor;
+  if (factor && isRealTimeFactor(*factor)) return *factor;
   parameters.complain("real_time_factor",
                       "expected 'fast' or a factor of real time from 0 (fast) to 1e6, got '" + text + "'");
   return otherwise;
@@ -66,6 +68,13 @@ void readRobots(Parameters& parameters, ControllerParameters& read) {
 }
 
 }  // namespace
+
+void requireRealTimeFactor(double factor) {
+  if (isRealTimeFactor(factor)) return;
+  throw InputError("factor: expected a factor of real time from 0 (as fast as possible) to 1e6, got " + toText(factor));
+}
+
+std::string realTimeFactorText(double factor) { return factor > 0.0 ? toText(factor) : FAST; }
 
 ControllerParameters readControllerParameters(const ros::NodeHandle& private_node) {
   Parameters parameters(private_node);

@@ -26,9 +26,12 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       node_(loop_.adopt(node)),
       answers_(loop_, node_, parameters_),
       broadcaster_(node_, parameters_),
+      name_(private_node.getNamespace()),
       robots_(loop_, node_, parameters_, [this] { return broadcaster_.header().stamp; }),
       seed_(parameters_.seed),
       paused_(parameters_.paused),
+      real_time_factor_(parameters_.real_time_factor),
+      status_(node_, [this] { return status(); }),
       services_(private_node, SERVICE_THREADS) {
   useScenarios(readScenarios(parameters_.scenarios), parameters_.name);
   advertiseServices();
@@ -200,6 +203,7 @@ void CrowdController::walkTurn() {
   if (tick_ended_) broadcaster_.publishAgents(*episode_);
   if (!answers_.wait(*episode_)) return;  // ask again, or another episode has begun, or the node shuts down
   if (tick_ended_ && !robots_.wait([this] { return broadcaster_.timeIn(episode_->scene().tick_duration); })) return;
+  decisions_ += answers_.answers().size();
   tick_ended_ = episode_->step(answers_.answers());
   if (tick_ended_) endTick();
 }
@@ -223,7 +227,7 @@ void CrowdController::serveUntil(const Clock& until) {
 }
 
 void CrowdController::keepPace() {
-  double factor = parameters_.real_time_factor;
+  double factor = real_time_factor_;
   // The controller of the robot can start or come back during the episode.
   if ((factor <= 0.0 || factor > 1.0) && robots_.commands().isAnyUnattended()) factor = 1.0;
   if (factor <= 0.0) return;

@@ -1,17 +1,13 @@
 // Services of the crowd controller. Handlers run in service threads and access the world through the main loop.
 
-#include <social_crowd/LoadScenario.h>
 #include <social_crowd/Reset.h>
 #include <social_crowd/Step.h>
 #include <std_srvs/SetBool.h>
 
 #include <utility>
 
-#include "social_crowd/common/files.h"
 #include "social_crowd/ros/crowd_controller.h"
 #include "social_crowd/ros/names.h"
-#include "social_crowd/world/scenario_files.h"
-#include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
 namespace {
@@ -26,6 +22,7 @@ std::string CrowdController::place() const {
 
 std::future<void> CrowdController::pause(bool paused) {
   paused_ = paused;
+  status_.publish();
   if (!paused) {
     finishSteps();
     noteRest();
@@ -89,15 +86,7 @@ void CrowdController::advertiseServices() {
       response.message = "restarted " + scenario_name_ + ", seed " + std::to_string(seed_) + ": " + place();
     });
   });
-  services_.serve<social_crowd::LoadScenario>(names::LOAD_SCENARIO, [this](const auto& request, auto& response) {
-    const std::string file = findScenario(request.scenario, "", parameters_.scenario_folder);
-    ScenarioList scenarios = readScenarios(file);  // may throw; nothing has been replaced yet
-    response.documents = static_cast<std::uint32_t>(scenarios.size());
-    loop_.ask<void>([&] {
-      useScenarios(std::move(scenarios), stemOf(file));
-      response.message = "loaded " + file + ": " + place();
-    });
-  });
+  advertiseScenarioServices();
   advertiseRobotServices();
   advertiseWorldServices();
 }

@@ -1,6 +1,7 @@
 // Services of the crowd controller that change the world. Handlers access it through the main loop, between two ticks.
 
 #include <social_crowd/AddWall.h>
+#include <social_crowd/MoveObstacle.h>
 #include <social_crowd/RemoveAgent.h>
 #include <social_crowd/RemoveObstacle.h>
 #include <social_crowd/RemoveWall.h>
@@ -16,6 +17,22 @@
 #include "social_crowd/ros/names.h"
 
 namespace crowd {
+namespace {
+
+/// Moves an obstacle to another place; it keeps its velocity. @return its new number
+/// @throws InputError as Episode does; nothing has changed then
+std::size_t moveObstacle(Episode& episode, std::size_t number, const Vector2& position) {
+  const World& world = episode.world();
+  if (number >= world.obstacles().size()) episode.removeObstacle(number);  // throws
+  const double radius = world.obstacles()[number].radius;
+  const ObstaclePath::Motion motion = world.obstacles()[number].path.at(world.time());
+  const bool keeps = world.obstacles()[number].path.kind() == ObstaclePath::Kind::STRAIGHT;
+  const std::size_t moved = episode.spawnObstacle(position, keeps ? motion.velocity : Vector2(Vector2::Zero()), radius);
+  episode.removeObstacle(number);
+  return moved - 1;
+}
+
+}  // namespace
 
 void CrowdController::advertiseWorldServices() {
   services_.serve<social_crowd::SpawnAgent>(names::SPAWN_AGENT, [this](const auto& request, auto& response) {
@@ -53,6 +70,14 @@ void CrowdController::advertiseWorldServices() {
     loop_.ask<void>([&] {
       episode_->removeObstacle(request.obstacle);
       response.message = "obstacle " + std::to_string(request.obstacle) + " removed at " + place();
+    });
+  });
+  services_.serve<social_crowd::MoveObstacle>(names::MOVE_OBSTACLE, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      response.obstacle =
+          static_cast<std::uint32_t>(moveObstacle(*episode_, request.obstacle, fromPoint(request.position)));
+      response.message = "obstacle " + std::to_string(request.obstacle) + " moved, and is obstacle " +
+                         std::to_string(response.obstacle) + " now, at " + place();
     });
   });
   services_.serve<social_crowd::Teleport>(names::TELEPORT, [this](const auto& request, auto& response) {

@@ -1,6 +1,8 @@
 #include "social_crowd/ros/crowd_markers.h"
 
 #include <geometry_msgs/TransformStamped.h>
+#include <social_crowd/ChooseAgent.h>
+#include <std_msgs/Int32.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "social_crowd/ros/conversions.h"
@@ -12,8 +14,9 @@ namespace {
 
 constexpr std::uint32_t QUEUE = 100;        // messages
 constexpr std::uint32_t MARKERS_QUEUE = 2;  // messages; only the newest is used
-constexpr double WARNING_PERIOD = 10.0;     // [s]
-const ros::WallDuration IDLE(0.1);          // between two checks for shutdown
+constexpr bool LATCHED = true;
+constexpr double WARNING_PERIOD = 10.0;  // [s]
+const ros::WallDuration IDLE(0.1);       // between two checks for shutdown
 const ros::WallDuration REPEAT_AFTER(1.0);
 
 constexpr double MIN_RATE = 0.1;       // [Hz]
@@ -46,12 +49,15 @@ MarkerParameters readMarkerParameters(const ros::NodeHandle& private_node) {
 }
 
 CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
-    : CrowdMarkers(node, readMarkerParameters(private_node)) {}
+    : CrowdMarkers(node, private_node, readMarkerParameters(private_node)) {}
 
-CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& parameters)
+CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                           const MarkerParameters& parameters)
     : node_(loop_.adopt(node)),
-      shows_sectors_(parameters.options.agent != MarkerOptions::NO_AGENT),
-      scene_(parameters.options) {
+      scene_(parameters.options),
+      chosen_(node_.advertise<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE, LATCHED)),
+      services_(private_node, 1) {
+  choose(parameters.options.agent);
   publisher_ = node_.advertise<visualization_msgs::MarkerArray>(names::MARKERS, MARKERS_QUEUE);
   agents_ = node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
                                                        [this](const auto& message) { scene_.take(message); });
@@ -65,10 +71,28 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& 
   learner_status_ = subscribe<social_crowd::LearnerStatus>(names::LEARNER_STATUS);
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters.rate),
                                  [this](const ros::WallTimerEvent& /*event*/) { publish(); });
+  services_.serve<social_crowd::ChooseAgent>(names::CHOOSE_AGENT, [this](const auto& request, auto& response) {
+    if (request.agent < MarkerOptions::NO_AGENT) {
+      throw InputError("agent: expected a number, or -1 for none, got " + std::to_string(request.agent));
+    }
+    loop_.ask<void>([&] { choose(request.agent); });
+    response.message = request.agent < 0 ? "no agent is shown" : "agent " + std::to_string(request.agent) + " is shown";
+  });
 }
 
 void CrowdMarkers::run() {
+  services_.start();
   while (!loop_.isClosed()) loop_.run(IDLE);
+  loop_.close();
+  services_.stop();
+}
+
+void CrowdMarkers::choose(std::int64_t agent) {
+  shows_sectors_ = agent != MarkerOptions::NO_AGENT;
+  scene_.choose(agent);
+  std_msgs::Int32 message;
+  message.data = static_cast<std::int32_t>(agent);
+  chosen_.publish(message);
 }
 
 void CrowdMarkers::takeScenario(const social_crowd::Scenario& message) {

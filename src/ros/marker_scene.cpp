@@ -134,6 +134,12 @@ void MarkerScene::show(const AgentStates::ConstPtr& states) {
   changed_ = true;
 }
 
+void MarkerScene::choose(std::int64_t agent) {
+  options_.agent = agent;
+  perceptions_ = Perceptions();
+  changed_ = true;
+}
+
 void MarkerScene::take(const PerceptionsMessage& message) {
   const Perceptions& content = message.content();
   Perceptions own = only(options_.agent, content);

@@ -41,17 +41,6 @@ fs::path installedScenarios() {
   return {};
 }
 
-/// Names of the scenarios in a folder, in alphabetical order.
-std::vector<std::string> namesIn(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == EXTENSION) names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 /// How a scenario of that name can be given: as a bare name is, or as a file in the same folder as another path.
 std::string asGiven(const std::string& name, const fs::path& path, bool is_bare) {
   return is_bare ? name : (path.parent_path() / (name + EXTENSION)).string();
@@ -59,7 +48,7 @@ std::string asGiven(const std::string& name, const fs::path& path, bool is_bare)
 
 [[noreturn]] void throwNoScenario(const fs::path& path, const fs::path& file, const fs::path& folder, bool is_bare) {
   const fs::path searched = is_bare ? folder : fs::absolute(file).lexically_normal().parent_path();
-  std::vector<std::string> names = sortedByNearness(path.stem().string(), namesIn(searched));
+  std::vector<std::string> names = sortedByNearness(path.stem().string(), scenarioNames(searched.string()));
   const std::string nearest = nearestName(path.stem().string(), names);
   const std::string hint = nearest.empty() ? "" : ", did you mean '" + asGiven(nearest, path, is_bare) + "'?";
   for (std::string& name : names) name = asGiven(name, path, is_bare);
@@ -75,6 +64,16 @@ std::string asGiven(const std::string& name, const fs::path& path, bool is_bare)
 std::string shippedScenarios() {
   const fs::path installed = installedScenarios();
   return installed.empty() ? std::string(SCENARIOS_IN_SOURCE) : installed.string();
+}
+
+std::vector<std::string> scenarioNames(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+    if (entry.path().extension() == EXTENSION) names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string findScenario(const std::string& name_or_file, const std::string& base, const std::string& folder) {

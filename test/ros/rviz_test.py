@@ -6,7 +6,6 @@ The crowd is far from the origin, and has to be in view all the same.
 
 import os
 import shutil
-import signal
 import subprocess
 import tempfile
 import unittest
@@ -14,7 +13,7 @@ import unittest
 import roslib.packages
 import rospy
 import rostest
-from matplotlib.image import imread
+from screens import Screen, end
 from support import wait_for
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -31,31 +30,18 @@ class RvizTest(unittest.TestCase):
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
-        read, write = os.pipe()
-        self.screen = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', '1280x800x24'],
-                                       pass_fds=[write], stderr=subprocess.DEVNULL)
-        os.close(write)
-        with os.fdopen(read) as displays:
-            number = displays.readline().strip()
-        self.environment = dict(os.environ, DISPLAY=':' + number, LIBGL_ALWAYS_SOFTWARE='1')
+        self.screen = Screen('1280x800x24')
         command = roslib.packages.find_node('social_crowd', 'show_crowd')[0]
-        self.rviz = subprocess.Popen([command, '__name:=rviz'], env=self.environment)
+        self.rviz = subprocess.Popen([command, '__name:=rviz'], env=self.screen.environment)
 
     def tearDown(self):
-        for process in (self.rviz, self.screen):
-            process.send_signal(signal.SIGTERM)
-            try:
-                process.wait(10.0)
-            except subprocess.TimeoutExpired:
-                process.kill()
+        end(self.rviz)
+        self.screen.close()
         self.folder.cleanup()
 
     def screenshot(self):
         """Returns the pixels of the screen, or None if there is no picture yet."""
-        file = os.path.join(self.folder.name, 'shot.png')
-        command = ['import', '-window', 'root', 'png24:' + file]  # in colour, also while the screen is still grey
-        taken = subprocess.run(command, env=self.environment, stderr=subprocess.DEVNULL, check=False)
-        return imread(file) if taken.returncode == 0 else None
+        return self.screen.picture(os.path.join(self.folder.name, 'shot.png'))
 
     def shows(self, colour, least):
         """Returns whether the screen has a minimum number of pixels of a colour."""

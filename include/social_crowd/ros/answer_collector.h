@@ -37,6 +37,8 @@ class AnswerCollector {
   void publishLast(Episode& episode, const std_msgs::Header& header);
 
   const std::vector<AgentAction>& answers() const { return lockstep_.answers(); }
+  /// @brief Agents on their way without an answer for more than a second.
+  std::vector<AgentId> unanswered(const World& world) const;
   std::uint64_t missedCount() const { return lockstep_.missedCount(); }
   std::uint64_t droppedCount() const { return lockstep_.droppedCount(); }
 

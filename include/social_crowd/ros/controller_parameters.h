@@ -34,6 +34,11 @@ struct ControllerParameters {
   bool ends_launch = false;          ///< ~ends_launch: end the parent roslaunch after the last episode
 };
 
+/// @throws InputError unless it is a factor of real time from 0 (as fast as possible) to 1e6
+void requireRealTimeFactor(double factor);
+/// @brief The factor as text, `fast` for 0.
+std::string realTimeFactorText(double factor);
+
 /// @throws InputError that lists all invalid parameters
 ControllerParameters readControllerParameters(const ros::NodeHandle& private_node);
 

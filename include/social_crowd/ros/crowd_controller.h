@@ -14,6 +14,7 @@
 
 #include "social_crowd/ros/answer_collector.h"
 #include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/ros/controller_status.h"
 #include "social_crowd/ros/crowd_broadcaster.h"
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/robot_interface.h"
@@ -50,6 +51,7 @@ class CrowdController {
 
   void advertiseServices();
   void advertiseRobotServices();
+  void advertiseScenarioServices();
   void advertiseWorldServices();
   void advertisePopulationServices();
 
@@ -86,6 +88,7 @@ class CrowdController {
   /// Waits in a service thread; false after the timeout. @throws Error if the node shuts down first
   bool waitFor(const std::future<void>& done, std::chrono::milliseconds timeout) const;
   std::string place() const;
+  social_crowd::ControllerStatus status() const;
   void logResult(const EpisodeResult& result);
   /// Logs what is wrong with the ways of the present episode, if anything is.
   void warnOfWays(const EpisodeResult& result, const char* when) const;
@@ -95,6 +98,7 @@ class CrowdController {
   ros::NodeHandle node_;
   AnswerCollector answers_;
   CrowdBroadcaster broadcaster_;
+  std::string name_;  // of the node; its services are below it
   RobotInterface robots_;
 
   ScenarioList scenarios_;
@@ -115,12 +119,15 @@ class CrowdController {
 
   Clock next_tick_;
   bool paused_;
+  double real_time_factor_;      // 0: as fast as possible
+  std::uint64_t decisions_ = 0;  // executed since the start of the node
   std::unique_ptr<PendingSteps> pending_steps_;
   std::vector<std::promise<void>> waiting_for_rest_;
 
   std::optional<TrajectoryFile> trajectory_file_;
   std::string trajectory_;  // rows of the present episode
 
+  ControllerStatusPublisher status_;
   Services services_;  // last member: its threads use all others
 };
 

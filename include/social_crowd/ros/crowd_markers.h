@@ -5,6 +5,7 @@
 
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/marker_scene.h"
+#include "social_crowd/ros/services.h"
 
 namespace crowd {
 
@@ -35,7 +36,7 @@ class CrowdMarkers {
   void stop() { loop_.close(); }
 
  private:
-  CrowdMarkers(const ros::NodeHandle& node, const MarkerParameters& parameters);
+  CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& private_node, const MarkerParameters& parameters);
   /// Subscribes to a topic and passes its messages to the scene.
   template <typename Message>
   ros::Subscriber subscribe(const char* topic);
@@ -44,12 +45,15 @@ class CrowdMarkers {
   void publishFrame(const Vector2& middle);
   void subscribeToPerceptions(bool wanted);
   void publish();
+  /// Chooses the agent whose sectors are shown, and tells it on `chosen_agent`.
+  void choose(std::int64_t agent);
 
   MainLoop loop_;
   ros::NodeHandle node_;
-  bool shows_sectors_;
+  bool shows_sectors_ = false;
   MarkerScene scene_;
   ros::Publisher publisher_;
+  ros::Publisher chosen_;
   tf2_ros::StaticTransformBroadcaster frame_broadcaster_;
   std::string scenario_name_;  // scenario of the present frame
   ros::Subscriber agents_;
@@ -61,6 +65,7 @@ class CrowdMarkers {
   ros::WallTimer timer_;
   ros::WallTime last_whole_;  // time of the last complete drawing
   std::uint32_t listeners_ = 0;
+  Services services_;  // last member: its thread uses all others
 };
 
 }  // namespace crowd

@@ -66,6 +66,9 @@ class MarkerScene {
   /// @throws InputError if the model in the status is invalid; nothing has changed then
   void take(const social_crowd::LearnerStatus& message);
 
+  /// @brief Chooses the agent whose occupied sectors are shown; NO_AGENT: none.
+  void choose(std::int64_t agent);
+
   /// @brief Whether the scene has changed since draw().
   bool hasChanged() const { return changed_; }
 

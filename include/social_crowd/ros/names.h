@@ -10,10 +10,13 @@ constexpr const char* SCENARIO = "scenario";        ///< Scenario, latched: crow
 constexpr const char* WALLS = "walls";              ///< Walls, latched: crowd_controller -> visualisation
 constexpr const char* MAP = "map";                  ///< nav_msgs/OccupancyGrid, latched: crowd_controller -> RViz
 constexpr const char* EPISODE_RESULTS = "episode_results";  ///< EpisodeResult: crowd_controller -> any node
-constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, latched: learner -> all
-constexpr const char* MARKERS = "markers";                  ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
-constexpr const char* CLOCK = "/clock";                     ///< rosgraph_msgs/Clock; absolute, as ROS requires
-constexpr const char* TF = "/tf";                           ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
+constexpr const char* CONTROLLER_STATUS =
+    "controller_status";                                  ///< ControllerStatus: crowd_controller -> user interfaces
+constexpr const char* LEARNER_STATUS = "learner_status";  ///< LearnerStatus, latched: learner -> all
+constexpr const char* MARKERS = "markers";                ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
+constexpr const char* CHOSEN_AGENT = "chosen_agent";      ///< std_msgs/Int32, latched: crowd_markers -> any node
+constexpr const char* CLOCK = "/clock";                   ///< rosgraph_msgs/Clock; absolute, as ROS requires
+constexpr const char* TF = "/tf";                         ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
 
 constexpr const char* ROBOTS = "robots";  ///< RobotStates: crowd_controller -> any node
 
@@ -34,6 +37,9 @@ constexpr const char* STEP = "step";
 constexpr const char* STEP_ROBOTS = "step_robots";
 constexpr const char* RESET = "reset";
 constexpr const char* LOAD_SCENARIO = "load_scenario";
+constexpr const char* LIST_SCENARIOS = "list_scenarios";
+constexpr const char* SAVE_SCENARIO = "save_scenario";
+constexpr const char* SET_REAL_TIME_FACTOR = "set_real_time_factor";
 constexpr const char* SPAWN_AGENT = "spawn_agent";
 constexpr const char* REMOVE_AGENT = "remove_agent";
 constexpr const char* SET_GOAL = "set_goal";
@@ -44,6 +50,8 @@ constexpr const char* ADD_WALL = "add_wall";
 constexpr const char* REMOVE_WALL = "remove_wall";
 constexpr const char* SPAWN_OBSTACLE = "spawn_obstacle";
 constexpr const char* REMOVE_OBSTACLE = "remove_obstacle";
+constexpr const char* MOVE_OBSTACLE = "move_obstacle";
+constexpr const char* CHOOSE_AGENT = "choose_agent";
 constexpr const char* SAVE_Q_TABLE = "save_q_table";
 constexpr const char* LOAD_Q_TABLE = "load_q_table";
 constexpr const char* SHARE_Q_TABLE = "share_q_table";

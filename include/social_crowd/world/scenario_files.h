@@ -1,11 +1,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace crowd {
 
 /// @brief Folder of the shipped scenarios: the installed one, or else the one in the source tree.
 std::string shippedScenarios();
+
+/// @brief Names of the scenarios in a folder, in alphabetical order; none if it cannot be read.
+std::vector<std::string> scenarioNames(const std::string& folder = shippedScenarios());
 
 /// @brief Resolves a scenario file or scenario name to a file.
 ///

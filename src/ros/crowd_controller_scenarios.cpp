@@ -1,0 +1,89 @@
+// Scenario files, pace and status of the crowd controller. Handlers of services access the world through the main loop.
+
+#include <social_crowd/ListScenarios.h>
+#include <social_crowd/LoadScenario.h>
+#include <social_crowd/SaveScenario.h>
+#include <social_crowd/SetRealTimeFactor.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "social_crowd/common/files.h"
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/ros/crowd_controller.h"
+#include "social_crowd/ros/floor_scene.h"
+#include "social_crowd/ros/names.h"
+#include "social_crowd/world/scenario_files.h"
+#include "social_crowd/world/scenario_reader.h"
+#include "social_crowd/world/scene_document.h"
+
+namespace crowd {
+namespace {
+
+/// Checks that a scenario file with this content begins with the same scene. In a ghost world, for example, agents may
+/// overlap, which no scenario may at its start. @throws InputError with the cause
+void requireReadable(const std::string& document, const std::string& file) {
+  try {
+    parseScenarios(document, file).scene(0, 0);
+  } catch (const InputError& error) {
+    throw InputError("not saved, as no scenario can begin like this: " + std::string(error.what()));
+  }
+}
+
+}  // namespace
+
+void CrowdController::advertiseScenarioServices() {
+  services_.serve<social_crowd::LoadScenario>(names::LOAD_SCENARIO, [this](const auto& request, auto& response) {
+    const std::string file = findScenario(request.scenario, "", parameters_.scenario_folder);
+    ScenarioList scenarios = readScenarios(file);  // may throw; nothing has been replaced yet
+    response.documents = static_cast<std::uint32_t>(scenarios.size());
+    loop_.ask<void>([&] {
+      useScenarios(std::move(scenarios), stemOf(file));
+      response.message = "loaded " + file + ": " + place();
+      status_.publish();
+    });
+  });
+  services_.serve<social_crowd::ListScenarios>(names::LIST_SCENARIOS, [this](const auto& /*request*/, auto& response) {
+    response.folder = parameters_.scenario_folder;
+    response.names = scenarioNames(parameters_.scenario_folder);
+    response.message = std::to_string(response.names.size()) + " scenarios in " + response.folder;
+  });
+  services_.serve<social_crowd::SaveScenario>(names::SAVE_SCENARIO, [this](const auto& request, auto& response) {
+    if (request.file.empty()) throw InputError("file: expected a file name, got an empty text");
+    const std::filesystem::path file = std::filesystem::absolute(request.file).lexically_normal();
+    const auto scene = loop_.ask<Scene>([&] { return sceneOnFloor(*episode_, map_ == nullptr); });
+    const std::string document = toDocument(scene, file.parent_path().string());
+    requireReadable(document, file.string());
+    replaceFile(file.string(), document);
+    response.message = "saved " + countsText(scene) + " to " + file.string();
+  });
+  services_.serve<social_crowd::SetRealTimeFactor>(
+      names::SET_REAL_TIME_FACTOR, [this](const auto& request, auto& response) {
+        requireRealTimeFactor(request.factor);
+        loop_.ask<void>([&] {
+          real_time_factor_ = request.factor;
+          next_tick_ = Clock::now();
+          response.message = "real_time_factor: " + realTimeFactorText(real_time_factor_) + " since " + place();
+          status_.publish();
+        });
+      });
+}
+
+social_crowd::ControllerStatus CrowdController::status() const {
+  social_crowd::ControllerStatus status;
+  toMessage(episode_->world(), status);
+  status.header = broadcaster_.header();
+  status.episode = episode_->number();
+  status.node = name_;
+  status.paused = paused_ ? 1 : 0;
+  status.real_time_factor = real_time_factor_;
+  status.scenario = scenario_name_;
+  status.seed = seed_;
+  status.decisions = decisions_;
+  status.missed_answers = answers_.missedCount();
+  status.dropped_answers = answers_.droppedCount();
+  status.unanswered = answers_.unanswered(episode_->world());
+  return status;
+}
+
+}  // namespace crowd

@@ -1,0 +1,97 @@
+#include "rviz/drawing_tools.h"
+
+#include <social_crowd/AddWall.h>
+#include <social_crowd/SpawnAgent.h>
+#include <social_crowd/SpawnObstacle.h>
+
+#include <cmath>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/names.h"
+
+namespace crowd {
+namespace {
+
+constexpr double LEAST_DRAG = 0.1;  // [m]; a shorter one is a click
+constexpr float LEAST_RADIUS = 0.01F;
+constexpr float MOST_RADIUS = 100.0F;
+constexpr double GOAL_MARK = 0.2;  // [m]
+
+bool isClick(const Vector2& from, const Vector2& to) { return (to - from).norm() < LEAST_DRAG; }
+
+rviz::FloatProperty* limited(rviz::FloatProperty* property, float least, float most) {
+  property->setMin(least);
+  property->setMax(most);
+  return property;
+}
+
+}  // namespace
+
+AddAgentTool::AddAgentTool()
+    : FloorTool("Add agent",
+                "<b>Press</b> where the agent is to stand, <b>release</b> at its goal. Right button: abandon"),
+      max_speed_(limited(new rviz::FloatProperty("Max speed", 1.3F, "[m/s]", getPropertyContainer()), 0.01F, 100.0F)),
+      radius_(limited(new rviz::FloatProperty("Radius", 0.25F, "Of the body [m]", getPropertyContainer()), LEAST_RADIUS,
+                      MOST_RADIUS)) {}
+
+FloorOutline AddAgentTool::outline(const Vector2& from, const Vector2& to) const {
+  FloorOutline lines = crossOutline(to, GOAL_MARK);
+  lines.push_back(circleOutline(from, radius_->getFloat()));
+  lines.push_back({from, to});
+  return lines;
+}
+
+void AddAgentTool::finish(const Vector2& from, const Vector2& to) {
+  if (isClick(from, to)) return say("Add agent: drag from its place to its goal");
+  const Vector2 way = to - from;
+  social_crowd::SpawnAgent::Request request;
+  request.pose.x = from.x();
+  request.pose.y = from.y();
+  request.pose.theta = std::atan2(way.y(), way.x());
+  request.goal = toPoint(to);
+  request.max_speed = max_speed_->getFloat();
+  request.radius = radius_->getFloat();
+  call<social_crowd::SpawnAgent>(names::SPAWN_AGENT, request);
+}
+
+AddObstacleTool::AddObstacleTool()
+    : FloorTool("Add obstacle", "<b>Press</b> at the centre, <b>release</b> at the rim. Right button: abandon"),
+      radius_(limited(new rviz::FloatProperty("Radius", 0.4F, "Of an obstacle that is added by a click [m]",
+                                              getPropertyContainer()),
+                      LEAST_RADIUS, MOST_RADIUS)) {}
+
+double AddObstacleTool::radiusOf(const Vector2& from, const Vector2& to) const {
+  return isClick(from, to) ? radius_->getFloat() : (to - from).norm();
+}
+
+FloorOutline AddObstacleTool::outline(const Vector2& from, const Vector2& to) const {
+  return {circleOutline(from, radiusOf(from, to))};
+}
+
+void AddObstacleTool::finish(const Vector2& from, const Vector2& to) {
+  social_crowd::SpawnObstacle::Request request;
+  request.position = toPoint(from);
+  request.radius = radiusOf(from, to);
+  call<social_crowd::SpawnObstacle>(names::SPAWN_OBSTACLE, request);
+}
+
+DrawWallTool::DrawWallTool()
+    : FloorTool("Draw wall",
+                "<b>Press</b> at one end of the wall, <b>release</b> at the other. Right button: abandon") {}
+
+FloorOutline DrawWallTool::outline(const Vector2& from, const Vector2& to) const { return {{from, to}}; }
+
+void DrawWallTool::finish(const Vector2& from, const Vector2& to) {
+  if (isClick(from, to)) return say("Draw wall: drag from one end of the wall to the other");
+  social_crowd::AddWall::Request request;
+  request.begin = toPoint(from);
+  request.end = toPoint(to);
+  call<social_crowd::AddWall>(names::ADD_WALL, request);
+}
+
+}  // namespace crowd
+
+PLUGINLIB_EXPORT_CLASS(crowd::AddAgentTool, rviz::Tool)
+PLUGINLIB_EXPORT_CLASS(crowd::AddObstacleTool, rviz::Tool)
+PLUGINLIB_EXPORT_CLASS(crowd::DrawWallTool, rviz::Tool)

@@ -1,0 +1,50 @@
+#include "rviz/node_watch.h"
+
+#include <ros/service.h>
+
+#include <chrono>
+#include <utility>
+
+namespace crowd {
+namespace {
+
+constexpr std::chrono::seconds PERIOD(1);
+constexpr bool PRINTS_FAILURE = false;
+
+}  // namespace
+
+NodeWatch::NodeWatch(std::function<void(const std::string& service, bool reachable)> report)
+    : report_(std::move(report)), thread_([this] { run(); }) {}
+
+NodeWatch::~NodeWatch() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    closing_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void NodeWatch::watch(const std::vector<std::string>& services) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (services == services_) return;
+    services_ = services;
+    has_new_ = true;
+  }
+  changed_.notify_all();
+}
+
+void NodeWatch::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!closing_) {
+    has_new_ = false;
+    const std::vector<std::string> services = services_;
+    lock.unlock();
+    for (const std::string& service : services) report_(service, ros::service::exists(service, PRINTS_FAILURE));
+    lock.lock();
+    changed_.wait_for(lock, PERIOD, [&] { return closing_ || has_new_; });
+  }
+}
+
+}  // namespace crowd

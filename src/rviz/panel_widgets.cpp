@@ -1,0 +1,244 @@
+#include "rviz/panel_widgets.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace crowd {
+namespace {
+
+constexpr int MOST_TICKS = 100'000;
+constexpr double MOST_SPEED = 1000.0;
+constexpr int MOST_AGENTS = 1'000'000;
+
+template <typename Widget>
+Widget* named(const char* name, const char* tip = "") {
+  auto* const widget = new Widget;  // owned by the layout's widget
+  widget->setObjectName(name);
+  widget->setToolTip(tip);
+  return widget;
+}
+
+QPushButton* makeButton(const char* name, const char* text, const char* tip) {
+  auto* const button = named<QPushButton>(name, tip);
+  button->setText(text);
+  button->setMinimumWidth(1);
+  return button;
+}
+
+QDoubleSpinBox* makeNumber(const char* name, double most, int decimals, double step, const char* tip) {
+  auto* const box = named<QDoubleSpinBox>(name, tip);
+  box->setRange(0.0, most);
+  box->setDecimals(decimals);
+  box->setSingleStep(step);
+  box->setKeyboardTracking(false);  // a number counts when it is complete
+  return box;
+}
+
+QSpinBox* makeCount(const char* name, int least, int most, const char* tip) {
+  auto* const box = named<QSpinBox>(name, tip);
+  box->setRange(least, most);
+  box->setKeyboardTracking(false);
+  return box;
+}
+
+QComboBox* makeChoice(const char* name, const QStringList& entries, const char* tip) {
+  auto* const box = named<QComboBox>(name, tip);
+  box->addItems(entries);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(8);
+  return box;
+}
+
+QLabel* makeText(const char* name, const char* tip = "") {
+  auto* const label = named<QLabel>(name, tip);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QHBoxLayout* row(std::initializer_list<QWidget*> widgets) {
+  auto* const layout = new QHBoxLayout;
+  layout->setSpacing(4);
+  for (QWidget* const widget : widgets) layout->addWidget(widget);
+  return layout;
+}
+
+QFormLayout* makeForm(QWidget* parent) {
+  auto* const form = new QFormLayout(parent);
+  form->setContentsMargins(6, 4, 6, 4);
+  form->setVerticalSpacing(3);
+  form->setHorizontalSpacing(8);
+  return form;
+}
+
+template <typename Box, typename Value>
+void showNumber(Box* box, Value value) {
+  const auto* const edit = box->template findChild<QLineEdit*>();
+  if (box->hasFocus() && edit->isModified()) return;
+  const QSignalBlocker blocker(box);
+  if (box->value() != value) box->setValue(value);
+}
+
+void showChoice(QComboBox* box, const std::string& entry) {
+  const QString text = QString::fromStdString(entry);
+  if (box->currentText() == text) return;
+  const QSignalBlocker blocker(box);
+  if (!text.isEmpty() && box->findText(text) < 0) box->addItem(text);
+  box->setCurrentIndex(box->findText(text));
+}
+
+void showChoices(QComboBox* box, const std::vector<std::string>& entries, const std::string& entry) {
+  QStringList wanted;
+  for (const std::string& one : entries) wanted.append(QString::fromStdString(one));
+  const QString chosen = QString::fromStdString(entry);
+  if (!chosen.isEmpty() && !wanted.contains(chosen)) wanted.append(chosen);
+  QStringList present;
+  for (int i = 0; i < box->count(); ++i) present.append(box->itemText(i));
+  if (wanted != present) {
+    const QSignalBlocker blocker(box);
+    box->clear();
+    box->addItems(wanted);
+    box->setCurrentIndex(-1);
+  }
+  showChoice(box, entry);
+}
+
+void showText(QLabel* label, const std::string& text) {
+  const QString shown = text.empty() ? QString("-") : QString::fromStdString(text);
+  if (label->text() != shown) label->setText(shown);
+}
+
+void enable(bool enabled, std::initializer_list<QWidget*> widgets) {
+  for (QWidget* const widget : widgets) widget->setEnabled(enabled);
+}
+
+}  // namespace
+
+PanelWidgets::PanelWidgets(QWidget* parent)
+    : play(makeButton("play", "Play", "Let the crowd walk")),
+      pause(makeButton("pause", "Pause", "Pause before the next tick")),
+      step(makeButton("step", "Step", "Walk this number of ticks while paused")),
+      ticks(makeCount("ticks", 1, MOST_TICKS, "Number of ticks of a step")),
+      reset(makeButton("reset", "Reset", "Restart the scenario with the same seed")),
+      speed(makeNumber("speed", MOST_SPEED, 2, 0.5, "Factor of real time; 0: as fast as possible")),
+      scenario(makeChoice("scenario", {}, "Scenarios of the controller; a choice loads one")),
+      open_scenario(makeButton("open_scenario", "Open...", "Load a scenario file")),
+      save_scenario(makeButton("save_scenario", "Save floor as...", "Save what is on the floor as a scenario file")),
+      learner(makeChoice("learner", {}, "The learner that the controls below change")),
+      mode(makeChoice("mode", {"demo", "training"}, "demo: greedy, the table does not change; training: learns")),
+      epsilon(makeNumber("epsilon", 1.0, 4, 0.01, "Probability of a random decision in training mode")),
+      alpha(makeNumber("alpha", 1.0, 4, 0.01, "Learning rate")),
+      gamma(makeNumber("gamma", 1.0, 4, 0.01, "Discount")),
+      save_table(makeButton("save_table", "Save...", "Save the Q-table to a file")),
+      load_table(makeButton("load_table", "Load...", "Replace the Q-table by that of a file")),
+      share_table(makeButton("share_table", "Share", "Give the table of the shown agent to all agents")),
+      share_method(makeChoice("share_method", {"merge", "replace"}, "What receiving agents do with the shared table")),
+      state(makeText("state")),
+      episode(makeText("episode", "Number of the episode")),
+      tick(makeText("tick", "Ticks and simulated time since the start of the episode")),
+      success(makeText("success", "Agents that have reached their last goal")),
+      contact(makeText("contact", "Agents that were in contact in the episode so far")),
+      collision(
+          makeText("collision", "Agents that were in collision, as the thesis defines it, in the episode so far")),
+      decisions(makeText("decisions", "Decisions of the learners per second of the wall clock")),
+      missing(makeText("missing", "Agents that have had no answer of a learner for more than a second")),
+      table(makeText("table", "Q-table of the learner")),
+      agent(
+          makeCount("agent", -1, MOST_AGENTS, "The agent whose radii and sectors are shown; also that of 2D Nav Goal")),
+      name_space(named<QLineEdit>("name_space")),
+      message(makeText("message", "Result of the last request")) {
+  ticks->setSuffix(" ticks");
+  speed->setSpecialValueText("fast");
+  speed->setSuffix(" x real time");
+  agent->setSpecialValueText("none");
+  share_method->setMinimumContentsLength(5);
+
+  auto* const content = new QWidget;
+  auto* const column = new QVBoxLayout(content);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->setSpacing(4);
+  column->addLayout(row({play, pause, reset}));
+  column->addLayout(row({step, ticks}));
+
+  auto* const walking = new QGroupBox("Crowd");
+  QFormLayout* form = makeForm(walking);
+  form->addRow("State", state);
+  form->addRow("Speed", speed);
+  form->addRow("Scenario", row({scenario, open_scenario}));
+  form->addRow("Floor", save_scenario);
+  form->addRow("Episode", episode);
+  form->addRow("Tick", tick);
+  form->addRow("Arrived", success);
+  form->addRow("Contact", contact);
+  form->addRow("Collision", collision);
+  form->addRow("Decisions/s", decisions);
+  form->addRow("No answer", missing);
+  form->addRow("Agent", agent);
+  column->addWidget(walking);
+
+  auto* const learning = new QGroupBox("Learning");
+  form = makeForm(learning);
+  form->addRow("Learner", learner);
+  form->addRow("Mode", mode);
+  form->addRow("Epsilon", epsilon);
+  form->addRow("Alpha", alpha);
+  form->addRow("Gamma", gamma);
+  form->addRow("Q-table", table);
+  form->addRow("", row({save_table, load_table}));
+  form->addRow("", row({share_table, share_method}));
+  column->addWidget(learning);
+
+  form = makeForm(nullptr);
+  form->addRow("Namespace", name_space);
+  column->addLayout(form);
+  column->addWidget(message);
+  column->addStretch();
+
+  auto* const scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* const frame = new QVBoxLayout(parent);
+  frame->setContentsMargins(0, 0, 0, 0);
+  frame->addWidget(scroll);
+}
+
+void PanelWidgets::show(const PanelView& view) {
+  enable(view.has_controller, {reset, speed, scenario, open_scenario, save_scenario});
+  play->setEnabled(view.can_play);
+  pause->setEnabled(view.can_pause);
+  enable(view.can_step, {step, ticks});
+  enable(view.has_learner, {mode, epsilon, alpha, gamma, save_table, load_table});
+  learner->setEnabled(!view.learners.empty());
+  enable(view.can_share, {share_table, share_method});
+  agent->setEnabled(view.has_markers);
+
+  showNumber(speed, view.speed);
+  showChoices(scenario, view.scenarios, view.scenario);
+  showChoices(learner, view.learners, view.learner);
+  showChoice(mode, view.mode);
+  showNumber(epsilon, view.epsilon);
+  showNumber(alpha, view.alpha);
+  showNumber(gamma, view.gamma);
+  showNumber(agent, static_cast<int>(view.chosen_agent));
+
+  showText(state, view.state);
+  showText(episode, view.episode);
+  showText(tick, view.tick);
+  showText(success, view.success);
+  showText(contact, view.contact);
+  showText(collision, view.collision);
+  showText(decisions, view.decisions);
+  showText(missing, view.missing);
+  showText(table, view.table);
+  if (message->text() != QString::fromStdString(view.message)) message->setText(QString::fromStdString(view.message));
+  message->setStyleSheet(view.is_error ? "color: #b00020" : "");
+}
+
+}  // namespace crowd

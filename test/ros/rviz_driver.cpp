@@ -1,0 +1,66 @@
+// RViz as a test sees it: the program `rviz`, and answers about its widgets on the standard input and output, so that
+// the test can click where a widget is. A request is a line "place NAME", "text NAME" or "enabled NAME"; the answer is
+// a line.
+
+#include <rviz/visualizer_app.h>
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSocketNotifier>
+#include <QWidget>
+#include <iostream>
+#include <string>
+
+namespace {
+
+QWidget* findWidget(const QString& name, int index) {
+  int found = 0;
+  for (QWidget* const widget : QApplication::allWidgets()) {
+    if (widget->objectName() == name && widget->isVisible() && found++ == index) return widget;
+  }
+  return nullptr;
+}
+
+QString textOf(const QWidget* widget) {
+  if (const auto* const label = qobject_cast<const QLabel*>(widget)) return label->text();
+  if (const auto* const button = qobject_cast<const QAbstractButton*>(widget)) return button->text();
+  if (const auto* const box = qobject_cast<const QAbstractSpinBox*>(widget)) return box->text();
+  if (const auto* const choice = qobject_cast<const QComboBox*>(widget)) return choice->currentText();
+  if (const auto* const line = qobject_cast<const QLineEdit*>(widget)) return line->text();
+  return widget->windowTitle();
+}
+
+/// The answer to a request. @param name of the object; with "#N" behind it the N-th widget of that name
+std::string answer(const std::string& verb, const std::string& name) {
+  const QStringList parts = QString::fromStdString(name).split('#');
+  const QWidget* const widget = findWidget(parts[0], parts.size() > 1 ? parts[1].toInt() : 0);
+  if (widget == nullptr) return "none";
+  if (verb == "enabled") return widget->isEnabled() ? "yes" : "no";
+  if (verb == "text") return textOf(widget).replace('\n', ' ').toStdString();
+  const QPoint middle = widget->mapToGlobal(widget->rect().center());
+  return std::to_string(middle.x()) + " " + std::to_string(middle.y());
+}
+
+void serve() {
+  std::string line;
+  if (!std::getline(std::cin, line)) return QApplication::closeAllWindows();
+  const std::size_t gap = line.find(' ');
+  std::cout << "answer: " << answer(line.substr(0, gap), gap == std::string::npos ? "" : line.substr(gap + 1))
+            << std::endl;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication app(argc, argv);
+  rviz::VisualizerApp visualizer;
+  visualizer.setApp(&app);
+  if (!visualizer.init(argc, argv)) return 1;
+  QSocketNotifier requests(0, QSocketNotifier::Read);
+  QObject::connect(&requests, &QSocketNotifier::activated, [] { serve(); });
+  return QApplication::exec();
+}

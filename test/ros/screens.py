@@ -1,0 +1,119 @@
+"""A separate screen (Xvfb), and RViz on it, which tests use as a person would: with mouse and keyboard."""
+import os
+import signal
+import subprocess
+import threading
+
+from matplotlib.image import imread
+from roslib.packages import find_node
+from support import in_package, wait_for
+
+SIZE = '1280x900x24'
+
+
+class Screen:
+    """A screen on which programs draw in software."""
+
+    def __init__(self, size=SIZE):
+        read, write = os.pipe()
+        self.process = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', size],
+                                        pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as displays:
+            number = displays.readline().strip()
+        self.variables = {'DISPLAY': ':' + number, 'LIBGL_ALWAYS_SOFTWARE': '1'}
+        self.environment = dict(os.environ, **self.variables)
+
+    def picture(self, file):
+        """Writes a PNG file of the screen. Returns its pixels [rows, columns, rgb], or None if there are none yet."""
+        command = ['import', '-window', 'root', 'png24:' + file]  # in colour, also while the screen is still grey
+        taken = subprocess.run(command, env=self.environment, stderr=subprocess.DEVNULL, check=False)
+        return imread(file) if taken.returncode == 0 else None
+
+    def use(self, *words):
+        """Moves the mouse, clicks and types, as xdotool does."""
+        subprocess.run(['xdotool', *map(str, words)], env=self.environment, check=True, stdout=subprocess.DEVNULL)
+
+    def close(self):
+        """Ends the screen."""
+        end(self.process)
+
+
+class DrivenRviz:
+    """RViz with the panel, by the program rviz_driver, which tells where widgets are."""
+
+    def __init__(self, screen, namespace, name='rviz', configuration=in_package('rviz', 'social_crowd.rviz'), log=None):
+        self.screen = screen
+        self.lock = threading.Lock()
+        self.log = open(log or os.devnull, 'ab')
+        command = find_node('social_crowd', 'rviz_driver')[:1] + ['-d', configuration, '__name:=' + name]
+        environment = dict(screen.environment, ROS_NAMESPACE=namespace)
+        self.process = subprocess.Popen(command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        stderr=self.log)
+
+    def ask(self, verb, widget):
+        """Asks for the place, text or state of a widget. Returns the answer, None if there is no such widget."""
+        with self.lock:
+            self.process.stdin.write(f'{verb} {widget}\n'.encode())
+            self.process.stdin.flush()
+            for line in self.process.stdout:
+                if line.startswith(b'answer: '):
+                    answer = line.decode()[len('answer: '):].rstrip('\n')
+                    return None if answer == 'none' else answer
+        raise AssertionError('RViz has ended')
+
+    def text(self, widget):
+        """Returns the text that a widget shows."""
+        return self.ask('text', widget)
+
+    def is_enabled(self, widget):
+        """Returns whether a widget is enabled."""
+        return self.ask('enabled', widget) == 'yes'
+
+    def place(self, widget):
+        """Waits for a widget. Returns the middle of it on the screen [pixels]."""
+        return [int(word) for word in wait_for(lambda: self.ask('place', widget), f'the widget {widget}').split()]
+
+    def wait_enabled(self, widget, enabled=True):
+        """Waits until a widget is enabled, or is not."""
+        wait_for(lambda: self.ask('enabled', widget) == ('yes' if enabled else 'no'),
+                 f'{widget} to be {"en" if enabled else "dis"}abled')
+
+    def wait_text(self, widget, fits, what):
+        """Waits until a widget shows a text that meets the condition. Returns the text."""
+        return wait_for(lambda: (lambda text: text is not None and fits(text) and (text or ' '))(self.text(widget)),
+                        f'{widget} to show {what}')
+
+    def click(self, widget):
+        """Clicks on a widget, when it is enabled."""
+        self.wait_enabled(widget)
+        self.screen.use('mousemove', *self.place(widget), 'click', 1)
+
+    def enter(self, widget, text):
+        """Replaces the text of a field, when it is enabled."""
+        self.wait_enabled(widget)
+        self.screen.use('mousemove', *self.place(widget), 'click', 1)
+        self.screen.use('key', 'ctrl+a')
+        self.screen.use('type', '--delay', 1, text)
+        self.screen.use('key', 'Return')
+
+    def close(self):
+        """Closes its windows. Returns its exit status."""
+        if self.process.poll() is None:
+            self.process.stdin.close()
+        status = self.process.wait(60.0)
+        self.log.close()
+        return status
+
+    def clean_up(self):
+        """Ends it, if it is still running."""
+        end(self.process)
+
+
+def end(process):
+    """Ends a program."""
+    process.send_signal(signal.SIGTERM)
+    try:
+        process.wait(10.0)
+    except subprocess.TimeoutExpired:
+        process.kill()
