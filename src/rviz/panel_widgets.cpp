@@ -164,6 +164,7 @@ PanelWidgets::PanelWidgets(QWidget* parent)
   column->setSpacing(4);
   column->addLayout(row({play, pause, reset}));
   column->addLayout(row({step, ticks}));
+  column->addWidget(message);
 
   auto* const walking = new QGroupBox("Crowd");
   QFormLayout* form = makeForm(walking);
@@ -196,7 +197,6 @@ PanelWidgets::PanelWidgets(QWidget* parent)
   form = makeForm(nullptr);
   form->addRow("Namespace", name_space);
   column->addLayout(form);
-  column->addWidget(message);
   column->addStretch();
 
   auto* const scroll = new QScrollArea;

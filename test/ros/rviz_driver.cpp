@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QSocketNotifier>
 #include <QWidget>
 #include <iostream>
@@ -17,10 +18,17 @@
 
 namespace {
 
+/// A widget is known by its object name, its class, or the text of a button.
+bool isCalled(const QWidget* widget, const QString& name) {
+  const auto* const button = qobject_cast<const QAbstractButton*>(widget);
+  return widget->objectName() == name || widget->metaObject()->className() == name ||
+         (button != nullptr && button->text() == name);
+}
+
 QWidget* findWidget(const QString& name, int index) {
   int found = 0;
   for (QWidget* const widget : QApplication::allWidgets()) {
-    if (widget->objectName() == name && widget->isVisible() && found++ == index) return widget;
+    if (isCalled(widget, name) && widget->isVisible() && found++ == index) return widget;
   }
   return nullptr;
 }
@@ -34,13 +42,21 @@ QString textOf(const QWidget* widget) {
   return widget->windowTitle();
 }
 
-/// The answer to a request. @param name of the object; with "#N" behind it the N-th widget of that name
+/// Scrolls so that a widget can be clicked on, as a user would do.
+void scrollTo(QWidget* widget) {
+  for (QWidget* outer = widget->parentWidget(); outer != nullptr; outer = outer->parentWidget()) {
+    if (auto* const area = qobject_cast<QScrollArea*>(outer)) area->ensureWidgetVisible(widget);
+  }
+}
+
+/// The answer to a request. @param name of the widget, see isCalled(); with "#N" behind it the N-th widget of that name
 std::string answer(const std::string& verb, const std::string& name) {
   const QStringList parts = QString::fromStdString(name).split('#');
-  const QWidget* const widget = findWidget(parts[0], parts.size() > 1 ? parts[1].toInt() : 0);
+  QWidget* const widget = findWidget(parts[0], parts.size() > 1 ? parts[1].toInt() : 0);
   if (widget == nullptr) return "none";
   if (verb == "enabled") return widget->isEnabled() ? "yes" : "no";
   if (verb == "text") return textOf(widget).replace('\n', ' ').toStdString();
+  scrollTo(widget);
   const QPoint middle = widget->mapToGlobal(widget->rect().center());
   return std::to_string(middle.x()) + " " + std::to_string(middle.y());
 }

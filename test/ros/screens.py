@@ -3,6 +3,7 @@ import os
 import signal
 import subprocess
 import threading
+import time
 
 from matplotlib.image import imread
 from roslib.packages import find_node
@@ -71,8 +72,16 @@ class DrivenRviz:
         return self.ask('enabled', widget) == 'yes'
 
     def place(self, widget):
-        """Waits for a widget. Returns the middle of it on the screen [pixels]."""
-        return [int(word) for word in wait_for(lambda: self.ask('place', widget), f'the widget {widget}').split()]
+        """Waits for a widget that has come to rest. Returns the middle of it on the screen [pixels]."""
+        places = [None]
+
+        def is_at_rest():
+            places.append(self.ask('place', widget))
+            time.sleep(0.05)
+            return places[-1] is not None and places[-1] == places[-2]
+
+        wait_for(is_at_rest, f'the widget {widget}')
+        return [int(word) for word in places[-1].split()]
 
     def wait_enabled(self, widget, enabled=True):
         """Waits until a widget is enabled, or is not."""
@@ -96,6 +105,18 @@ class DrivenRviz:
         self.screen.use('key', 'ctrl+a')
         self.screen.use('type', '--delay', 1, text)
         self.screen.use('key', 'Return')
+
+    def choose(self, widget, entry):
+        """Chooses an entry of a choice by its text, when it is enabled."""
+        self.click(widget)
+        wait_for(lambda: self.ask('place', 'QComboBoxPrivateContainer'), f'the entries of {widget}')
+        self.screen.use('type', entry)  # goes to the entry that begins so
+        self.screen.use('key', 'Return')
+        self.wait_text(widget, lambda text: text == entry, entry)
+
+    def choose_file(self, file):
+        """Chooses a file in a dialog."""
+        self.enter('fileNameEdit', file)
 
     def close(self):
         """Closes its windows. Returns its exit status."""

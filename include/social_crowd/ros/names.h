@@ -15,8 +15,10 @@ constexpr const char* CONTROLLER_STATUS =
 constexpr const char* LEARNER_STATUS = "learner_status";  ///< LearnerStatus, latched: learner -> all
 constexpr const char* MARKERS = "markers";                ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
 constexpr const char* CHOSEN_AGENT = "chosen_agent";      ///< std_msgs/Int32, latched: crowd_markers -> any node
-constexpr const char* CLOCK = "/clock";                   ///< rosgraph_msgs/Clock; absolute, as ROS requires
-constexpr const char* TF = "/tf";                         ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
+constexpr const char* CHOSEN_AGENT_GOAL = "chosen_agent/goal";  ///< geometry_msgs/PoseStamped: RViz -> crowd_editor
+constexpr const char* EDITOR = "crowd_editor";  ///< namespace of interactive markers: crowd_editor <-> RViz
+constexpr const char* CLOCK = "/clock";         ///< rosgraph_msgs/Clock; absolute, as ROS requires
+constexpr const char* TF = "/tf";               ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
 
 constexpr const char* ROBOTS = "robots";  ///< RobotStates: crowd_controller -> any node
 

@@ -1,0 +1,103 @@
+#include "rviz/editor_handles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/names.h"
+
+namespace crowd {
+namespace {
+
+using Kind = EditorHandle::Kind;
+using social_crowd::AgentState;
+using visualization_msgs::InteractiveMarker;
+using visualization_msgs::InteractiveMarkerControl;
+using visualization_msgs::Marker;
+using visualization_msgs::MenuEntry;
+
+constexpr double GOAL_RADIUS = 0.25;  // [m]
+constexpr double RIM = 0.05;          // of the disc around a body [m]
+constexpr double THICKNESS = 0.02;    // [m]
+constexpr double HEIGHT = 0.15;       // above the discs of crowd_markers [m]
+
+std_msgs::ColorRGBA colourOf(Kind kind) {
+  std_msgs::ColorRGBA colour;
+  colour.r = kind == Kind::GOAL ? 0.1F : 0.2F;
+  colour.g = kind == Kind::GOAL ? 0.6F : 0.4F;
+  colour.b = kind == Kind::GOAL ? 0.3F : 0.9F;
+  colour.a = 0.18F;
+  return colour;
+}
+
+InteractiveMarkerControl controlOf(const EditorHandle& handle) {
+  InteractiveMarkerControl control;
+  control.name = "move";
+  control.always_visible = 1;
+  control.interaction_mode = InteractiveMarkerControl::MOVE_PLANE;
+  control.orientation_mode = InteractiveMarkerControl::FIXED;
+  control.orientation.w = control.orientation.y = std::sqrt(0.5);  // the x axis, normal to the plane, points up
+  Marker disc;
+  disc.type = Marker::CYLINDER;
+  disc.pose.orientation.w = 1.0;
+  disc.pose.position.z = HEIGHT;
+  disc.scale.x = disc.scale.y = 2.0 * (handle.radius + RIM);
+  disc.scale.z = THICKNESS;
+  disc.color = colourOf(handle.kind);
+  control.markers.push_back(disc);
+  return control;
+}
+
+MenuEntry entryOf(EditorEntry entry, const std::string& title) {
+  MenuEntry menu;
+  menu.id = static_cast<std::uint32_t>(entry);
+  menu.title = title;
+  menu.command_type = MenuEntry::FEEDBACK;
+  return menu;
+}
+
+}  // namespace
+
+EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent) {
+  EditorHandles handles;
+  const auto walking =
+      static_cast<std::size_t>(std::count_if(states.agents.begin(), states.agents.end(), [](const AgentState& agent) {
+        return agent.status == AgentState::WALKING;
+      }));
+  for (const AgentState& agent : states.agents) {
+    if (agent.status != AgentState::WALKING || (walking > most && agent.agent != chosen_agent)) continue;
+    const std::string number = std::to_string(agent.agent);
+    handles["agent_" + number] = {
+        Kind::AGENT, agent.agent, {agent.pose.x, agent.pose.y}, agent.pose.theta, agent.radius};
+    handles["goal_" + number] = {Kind::GOAL, agent.agent, fromPoint(agent.goal), 0.0, GOAL_RADIUS};
+  }
+  if (states.obstacles.size() > most) return handles;
+  for (const social_crowd::ObstacleState& obstacle : states.obstacles) {
+    handles["obstacle_" + std::to_string(obstacle.obstacle)] = {Kind::OBSTACLE, obstacle.obstacle,
+                                                                fromPoint(obstacle.position), 0.0, obstacle.radius};
+  }
+  return handles;
+}
+
+geometry_msgs::Pose poseOf(const EditorHandle& handle) {
+  geometry_msgs::Pose pose;
+  pose.position = toPoint(handle.place);
+  pose.orientation.w = 1.0;
+  return pose;
+}
+
+InteractiveMarker markerOf(const std::string& name, const EditorHandle& handle) {
+  InteractiveMarker marker;
+  marker.header.frame_id = names::MAP_FRAME;
+  marker.name = name;
+  marker.pose = poseOf(handle);
+  marker.scale = static_cast<float>(2.0 * handle.radius);
+  marker.controls.push_back(controlOf(handle));
+  if (handle.kind != Kind::GOAL) marker.menu_entries.push_back(entryOf(EditorEntry::REMOVE, "Remove " + name));
+  if (handle.kind != Kind::OBSTACLE) {
+    marker.menu_entries.push_back(entryOf(EditorEntry::SHOW, "Show agent " + std::to_string(handle.number)));
+  }
+  return marker;
+}
+
+}  // namespace crowd

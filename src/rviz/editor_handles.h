@@ -1,0 +1,40 @@
+#pragma once
+
+#include <social_crowd/AgentStates.h>
+#include <visualization_msgs/InteractiveMarker.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "social_crowd/world/geometry.h"
+
+namespace crowd {
+
+/// @brief Something on the floor that a user can drag in RViz.
+struct EditorHandle {
+  enum class Kind { AGENT, GOAL, OBSTACLE };
+  Kind kind = Kind::AGENT;
+  std::uint32_t number = 0;         ///< of the agent or obstacle
+  Vector2 place = Vector2::Zero();  ///< [m], `map`
+  double heading = 0.0;             ///< of an agent [rad], `map`
+  double radius = 0.0;              ///< [m]
+};
+
+/// @brief Handles by the names of their markers, such as agent_3, goal_3 and obstacle_0.
+using EditorHandles = std::map<std::string, EditorHandle>;
+
+/// @brief The handles of agents on their way with their goals, and of obstacles. Of a kind with more than `most`, no
+/// handles are made, except those of the chosen agent.
+EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent);
+
+/// @brief The marker of a handle: a translucent disc that moves on the floor, with a menu.
+visualization_msgs::InteractiveMarker markerOf(const std::string& name, const EditorHandle& handle);
+
+/// @brief The pose of such a marker.
+geometry_msgs::Pose poseOf(const EditorHandle& handle);
+
+/// @brief Entries of the menu of a handle. SHOW chooses the agent; obstacles have REMOVE alone.
+enum class EditorEntry : std::uint32_t { REMOVE = 1, SHOW = 2 };
+
+}  // namespace crowd

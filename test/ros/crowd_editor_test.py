@@ -1,0 +1,127 @@
+#!/usr/bin/python3
+"""The node crowd_editor: interactive markers, and goals for the chosen agent."""
+import rospy
+import support
+from controlling import ControllerTestCase
+from geometry_msgs.msg import Point, Pose, PoseStamped
+from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerUpdate
+
+SCENE = """
+name: scene
+duration: 60
+goal_tolerance: 0.3
+agents:
+  - {position: [0, 0], goal: [20, 0], speed: 0.5, radius: 0.25}
+  - {position: [0, 10], goal: [20, 10], speed: 0.5, radius: 0.25}
+obstacles:
+  - {position: [0, 30], radius: 0.4}
+"""
+
+
+class CrowdEditorTest(ControllerTestCase):
+    """A paused crowd with an editor and a user, who is a publisher of feedback."""
+
+    def start_editor(self, **parameters):
+        """Starts the nodes and listens."""
+        self.start_all(SCENE)
+        self.start_node('crowd_markers', 'crowd_markers', {})
+        self.start_node('crowd_editor', 'crowd_editor', parameters)
+        self.updates = self.listen('crowd_editor/update', InteractiveMarkerUpdate)
+        self.user = rospy.Publisher(f'{self.namespace}/crowd_editor/feedback', InteractiveMarkerFeedback, queue_size=10)
+        support.wait_for(self.user.get_num_connections, 'the editor')
+
+    def names(self):
+        """Returns the names of the markers that RViz has now."""
+        names = set()
+        for update in list(self.updates.messages):
+            names -= set(update.erases)
+            names |= {marker.name for marker in update.markers}
+        return names
+
+    def wait_names(self, *names):
+        """Waits until RViz has exactly these markers."""
+        support.wait_for(lambda: self.names() == set(names), f'the markers {names}')
+
+    def send(self, marker, event, x=0.0, y=0.0, entry=0):
+        """Sends what RViz sends when a user does something with a marker."""
+        self.user.publish(InteractiveMarkerFeedback(client_id='user', marker_name=marker, event_type=event,
+                                                    menu_entry_id=entry, pose=Pose(position=Point(x, y, 0.0))))
+
+    def drag(self, marker, x, y):
+        """Drags a marker and drops it."""
+        for event in (InteractiveMarkerFeedback.MOUSE_DOWN, InteractiveMarkerFeedback.POSE_UPDATE,
+                      InteractiveMarkerFeedback.MOUSE_UP):
+            self.send(marker, event, x, y)
+
+    def pose_of(self, marker):
+        """Returns where RViz shows a marker."""
+        place = None
+        for update in list(self.updates.messages):
+            for one in update.markers + update.poses:
+                if one.name == marker:
+                    place = (one.pose.position.x, one.pose.position.y)
+        return place
+
+    def wait_state(self, fits, what):
+        """Walks until the state meets the condition. Returns it."""
+        return support.wait_for(lambda: (lambda state: fits(state) and state)(self.walk()), what)
+
+    ALL = 'agent_0', 'goal_0', 'agent_1', 'goal_1', 'obstacle_0'
+
+    def test_markers_follow_the_crowd(self):
+        self.start_editor()
+        self.wait_names(*self.ALL)
+        state = self.walk(5)
+        place = state.agents[0].pose.x, state.agents[0].pose.y
+        support.wait_for(lambda: self.pose_of('agent_0') == place, 'the marker of agent 0')
+        self.do('remove_agent', agent=1)
+        self.walk()
+        self.wait_names('agent_0', 'goal_0', 'obstacle_0')
+
+    def test_dropped_markers_move_agents_goals_and_obstacles(self):
+        self.start_editor()
+        self.wait_names(*self.ALL)
+        self.drag('agent_0', 5.0, 3.0)
+        self.wait_state(lambda state: state.agents[0].pose.x >= 5.0, 'agent 0 at its new place')
+        self.drag('goal_1', 6.0, 6.0)
+        self.wait_state(lambda state: (state.agents[1].goal.x, state.agents[1].goal.y) == (6.0, 6.0), 'the new goal')
+        self.drag('obstacle_0', 1.0, 20.0)
+        self.wait_state(lambda state: state.obstacles[0].position.y == 20.0, 'the obstacle at its new place')
+
+    def test_refused_drop_puts_the_marker_back(self):
+        self.start_editor()
+        self.wait_names(*self.ALL)
+        self.drag('agent_0', 0.0, 30.0)  # in the obstacle
+        support.wait_for(lambda: self.pose_of('agent_0') == (0.0, 0.0) and len(self.updates.messages) > 2,
+                         'the marker at the place of the agent')
+        self.assertEqual(self.walk().agents[0].pose.y, 0.0)
+
+    def test_menu_removes_and_chooses(self):
+        self.start_editor()
+        self.wait_names(*self.ALL)
+        self.send('goal_1', InteractiveMarkerFeedback.MENU_SELECT, entry=2)
+        self.send('obstacle_0', InteractiveMarkerFeedback.MENU_SELECT, entry=1)
+        self.wait_state(lambda state: not state.obstacles, 'a floor without obstacles')
+        self.send('agent_0', InteractiveMarkerFeedback.MENU_SELECT, entry=1)
+        self.wait_state(lambda state: state.agents[0].status == 2, 'the removed agent')
+
+    def test_of_many_agents_the_chosen_one_has_markers(self):
+        self.start_editor(max_handles=1)
+        self.wait_names('agent_0', 'goal_0', 'obstacle_0')
+        self.succeed('crowd_markers/choose_agent', agent=1)
+        self.wait_names('agent_1', 'goal_1', 'obstacle_0')
+
+    def test_goal_is_that_of_the_chosen_agent(self):
+        self.start_editor(max_handles=1)
+        self.succeed('crowd_markers/choose_agent', agent=1)
+        self.wait_names('agent_1', 'goal_1', 'obstacle_0')
+        goals = rospy.Publisher(f'{self.namespace}/chosen_agent/goal', PoseStamped, queue_size=10)
+        support.wait_for(goals.get_num_connections, 'the editor')
+        goal = PoseStamped(pose=Pose(position=Point(3.0, 4.0, 0.0)))
+        goal.header.frame_id = 'map'
+        goals.publish(goal)
+        self.wait_state(lambda state: (state.agents[1].goal.x, state.agents[1].goal.y) == (3.0, 4.0), 'the goal')
+
+
+if __name__ == '__main__':
+    support.run('crowd_editor_test')

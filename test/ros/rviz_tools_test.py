@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+"""The tools in a real RViz on a separate screen: dragging on the floor with the mouse."""
+import support
+from controlling import ControllerTestCase
+from screens import DrivenRviz, Screen
+from social_crowd.msg import Walls
+
+# The centre of the scene is the origin, so it is in the middle of the view.
+SCENE = """
+name: scene
+duration: 60
+goal_tolerance: 0.3
+agents:
+  - {position: [-3, 0], goal: [3, 0], speed: 0.5, radius: 0.25}
+  - {position: [0, -3], goal: [0, 3], speed: 0.5, radius: 0.25}
+obstacles:
+  - {position: [3, 3], radius: 0.4}
+  - {position: [-3, -3], radius: 0.4}
+"""
+SCALE = 66.0  # [pixels/m], that of rviz/social_crowd.rviz
+CLOSE = 0.05  # [m]; three pixels
+
+
+class ToolsTestCase(ControllerTestCase):
+    """RViz with a paused crowd in the middle of its view."""
+
+    def setUp(self):
+        super().setUp()
+        self.screen = Screen()
+        self.addCleanup(self.screen.close)
+        self.walls = self.listen('walls', Walls)
+        self.start_all(SCENE)
+        self.start_node('crowd_markers', 'crowd_markers', {})
+        self.start_node('crowd_editor', 'crowd_editor', {})
+        self.rviz = DrivenRviz(self.screen, self.namespace, log=self.path('rviz.log'))
+        self.addCleanup(self.rviz.clean_up)
+        self.rviz.wait_enabled('step')
+
+    def pixel(self, x, y):
+        """Returns where a point of the floor [m] is on the screen."""
+        middle = self.rviz.place('rviz::RenderPanel')
+        return round(middle[0] + SCALE * x), round(middle[1] - SCALE * y)
+
+    def drag(self, begin, end):
+        """Drags with the left button from one point of the floor to another [m]."""
+        self.screen.use('mousemove', *self.pixel(*begin))
+        self.screen.use('mousedown', 1)
+        for share in (0.25, 0.5, 0.75, 1.0):
+            self.screen.use('mousemove', *self.pixel(*(b + share * (e - b) for b, e in zip(begin, end))))
+        self.screen.use('mouseup', 1)
+
+    def newest(self, fits, what):
+        """Waits until the newest state of the agents meets the condition. Returns it."""
+        return support.wait_for(lambda: self.agents.messages and fits(self.agents.messages[-1]) and
+                                self.agents.messages[-1], what)
+
+    def state_after(self, fits, what):
+        """Walks single ticks until the state meets the condition. Returns it."""
+        return support.wait_for(lambda: (lambda state: fits(state) and state)(self.walk()), what)
+
+    def assert_close(self, got, expected):
+        """Checks that a point is where the mouse was."""
+        self.assertLess(max(abs(got.x - expected[0]), abs(got.y - expected[1])), CLOSE, (got, expected))
+
+
+class DrawingTest(ToolsTestCase):
+    """Tools that add to the floor."""
+
+    def test_agent_is_added(self):
+        self.rviz.click('Add agent')
+        self.drag((-2, 2), (2, 2))
+        state = self.state_after(lambda state: len(state.agents) == 3, 'a third agent')
+        self.assert_close(state.agents[2].goal, (2, 2))
+        self.assertAlmostEqual(state.agents[2].pose.y, 2, delta=CLOSE)
+        self.assertAlmostEqual(state.agents[2].max_speed, 1.3, places=6)
+
+    def test_obstacle_is_added(self):
+        self.rviz.click('Add obstacle')
+        self.drag((1, 1), (1.6, 1))
+        state = self.state_after(lambda state: len(state.obstacles) == 3, 'a third obstacle')
+        self.assert_close(state.obstacles[2].position, (1, 1))
+        self.assertAlmostEqual(state.obstacles[2].radius, 0.6, delta=CLOSE)
+
+    def test_wall_is_drawn(self):
+        self.rviz.click('Draw wall')
+        self.drag((-1, 1), (1, 2))
+        walls = self.walls.wait(lambda message: len(message.walls) == 1, 'with a wall')
+        self.assert_close(walls.walls[0].from_, (-1, 1))
+        self.assert_close(walls.walls[0].to, (1, 2))
+
+    def test_right_button_abandons(self):
+        self.rviz.click('Draw wall')
+        self.screen.use('mousemove', *self.pixel(-1, 1), 'mousedown', 1, 'mousemove', *self.pixel(1, 1))
+        self.screen.use('click', 3, 'mouseup', 1)
+        self.drag((-1, 2), (1, 2))
+        walls = self.walls.wait(lambda message: message.walls, 'with a wall')
+        self.assertEqual(len(walls.walls), 1)
+        self.assert_close(walls.walls[0].from_, (-1, 2))
+
+    def test_refusal_leaves_the_floor_as_it_is(self):
+        self.rviz.click('Add agent')
+        self.drag((3, 3), (0, 0))  # in the obstacle
+        self.drag((-2, 2), (2, 2))
+        state = self.state_after(lambda state: len(state.agents) > 2, 'a third agent')
+        self.assert_close(state.agents[2].goal, (2, 2))
+
+
+class MovingTest(ToolsTestCase):
+    """Interactive markers, and the tool 2D Nav Goal."""
+
+    def setUp(self):
+        super().setUp()
+        self.rviz.click('Interact')
+
+    def drag_until(self, begin, end, fits, what):
+        """Drags until the state meets the condition; at first RViz may not have the markers yet."""
+        def drag_and_look():
+            self.drag(begin, end)
+            return fits(self.walk())
+        support.wait_for(drag_and_look, what)
+
+    def test_goal_is_dragged(self):
+        self.drag_until((3, 0), (2, 2), lambda state: abs(state.agents[0].goal.x - 2) < CLOSE, 'the goal')
+        self.assert_close(self.walk().agents[0].goal, (2, 2))
+
+    def test_obstacle_is_dragged(self):
+        def is_there(state):
+            return any(abs(obstacle.position.x - 1.5) < CLOSE for obstacle in state.obstacles)
+        self.drag_until((3, 3), (1.5, 1.5), is_there, 'the obstacle')
+        self.assertEqual(len(self.walk().obstacles), 2)
+
+    def test_agent_is_dragged(self):
+        def is_there(state):
+            return abs(state.agents[0].pose.y - 1.5) < 0.5
+        self.drag_until((-3, 0), (-2, 1.5), is_there, 'the agent')
+
+    def test_nav_goal_is_that_of_the_chosen_agent(self):
+        self.succeed('crowd_markers/choose_agent', agent=1)
+
+        def send_and_look():
+            self.rviz.click('2D Nav Goal')
+            self.drag((-2, 1), (-2, 2))
+            return abs(self.walk().agents[1].goal.x + 2) < CLOSE
+        support.wait_for(send_and_look, 'the goal of the chosen agent')
+        self.assert_close(self.walk().agents[1].goal, (-2, 1))
+
+
+if __name__ == '__main__':
+    support.run('rviz_tools_test')

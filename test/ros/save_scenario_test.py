@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+"""Services that change and save what is on the floor."""
+import os
+
+import support
+from controlling import ControllerTestCase
+
+# Everything that moves, in a solid world; coordinates have no exact decimals after a few ticks.
+FULL = """
+name: full
+duration: 60
+goal_tolerance: 0.3
+contact: solid
+agents:
+  - {position: [0, 0], goals: [[7, 1], [9, 9]], speed: 0.7, radius: 0.25}
+  - {position: [0, 5], goal: [9, 4], speed: 1.1, radius: 0.3}
+  - {position: [0, 9], goal: [9, 8], speed: 1.1, radius: 0.3}
+obstacles:
+  - {position: [5, 20], radius: 0.4}
+  - {position: [5, 22], radius: 0.4, velocity: [0.3, 0.1]}
+  - {position: [0, 30], radius: 0.4, to_and_fro: [[0.5, 30]], speed: 0.3}
+  - {position: [5, 30], radius: 0.4, waypoints: [[6, 30], [6, 31]], speed: 0.7}
+walls:
+  - [[-3, -3], [-3, 3]]
+robots:
+  - {name: tug, position: [20, 0], goal: [26, 0], radius: 0.3, max_speed: 1}
+"""
+
+
+def moves_of(state):
+    """Returns positions and headings of agents on their way, and positions of obstacles."""
+    return ([(agent.pose.x, agent.pose.y, agent.pose.theta, agent.goal.x, agent.goal.y, agent.max_speed, agent.radius)
+             for agent in state.agents if agent.status == agent.WALKING],
+            [(obstacle.position.x, obstacle.position.y, obstacle.radius) for obstacle in state.obstacles])
+
+
+class SaveScenarioTest(ControllerTestCase):
+    """What is on the floor, as a scenario file."""
+
+    def save_and_load(self):
+        """Saves and loads. Returns the states before and after."""
+        file = self.path('floor.yaml')
+        saved = self.do('save_scenario', file=file)
+        self.assert_says(saved.message, file)
+        before = self.agents.messages[-1]
+        self.do('load_scenario', scenario=file)
+        return before, self.agents.wait(lambda state: state.episode > before.episode and state.tick == 0, 'at its start')
+
+    def test_file_reads_back_the_same(self):
+        self.start_all(FULL)
+        self.walk(37)
+        self.do('remove_agent', agent=2)
+        self.do('spawn_agent', pose={'x': -1.1, 'y': 7.7, 'theta': 0.3}, goal={'x': 3.3, 'y': 7.7}, max_speed=1.3,
+                radius=0.21)
+        self.do('add_wall', begin={'x': -2.1, 'y': -3.0}, end={'x': -2.1, 'y': 3.0})
+        self.walk()
+        before, after = self.save_and_load()
+        self.assertEqual(moves_of(after), moves_of(before))
+        scenario = self.scenarios.wait(lambda message: message.episode == after.episode)
+        self.assertEqual([(wall.from_.x, wall.to.x) for wall in scenario.walls], [(-3, -3), (-2.1, -2.1)])
+
+    def test_obstacles_go_on_as_before(self):
+        """Also those along waypoints, at any point of their ways."""
+        self.start_all(FULL)
+        for ticks in (5, 12, 17, 29):
+            with self.subTest(ticks=ticks):
+                self.walk(ticks)
+                self.do('save_scenario', file=self.path('floor.yaml'))
+                expected = moves_of(self.walk(25))[1]
+                self.do('load_scenario', scenario=self.path('floor.yaml'))
+                got = moves_of(self.walk(25))[1]
+                for one, other in zip(got, expected):
+                    for a, b in zip(one, other):
+                        self.assertAlmostEqual(a, b, places=9)
+
+    def test_goals_that_are_left_are_saved(self):
+        self.start_all('name: two\nduration: 60\ngoal_tolerance: 0.3\nagents:\n'
+                       '  - {position: [0, 0], goals: [[1, 0], [9, 0]], speed: 1, radius: 0.25}\n')
+        state = support.wait_for(lambda: (lambda s: s.agents[0].goal.x == 9 and s)(self.walk()), 'the second goal')
+        before, after = self.save_and_load()
+        self.assertEqual((before, after.agents[0].goal.x), (state, 9))
+        self.assertNotIn('[1, 0]', support.read_text(self.path('floor.yaml')))
+
+    def test_places_keep_their_population_and_map(self):
+        self.start_all(support.read_text(support.in_package('config', 'scenarios', 'place_office.yaml')).replace(
+            '../maps', support.in_package('config', 'maps')))
+        self.walk(30)
+        before, after = self.save_and_load()
+        self.assertEqual(moves_of(after), moves_of(before))
+        self.walk(5)
+
+    def test_floor_that_no_scenario_can_have_is_refused(self):
+        """In a ghost world agents may walk through each other."""
+        self.start_all('name: ghosts\nduration: 60\ngoal_tolerance: 0.3\nway_finding: false\nagents:\n'
+                       '  - {position: [0, 0], goal: [4, 0], speed: 1, radius: 0.25}\n'
+                       'obstacles:\n  - {position: [1.0, 0], radius: 0.4, velocity: [-0.5, 0]}\n')
+        support.wait_for(lambda: self.walk().agents[0].in_contact, 'a contact')
+        file = self.write('floor.yaml', 'before')
+        self.refuse('save_scenario', 'not saved', 'overlap', file=file)
+        self.assertEqual(support.read_text(file), 'before')
+
+    def test_invalid_files_are_refused(self):
+        self.start_all()
+        self.refuse('save_scenario', 'expected a file name', file='')
+        self.refuse('save_scenario', '/none/of/these', file='/none/of/these/floor.yaml')
+        self.assertFalse(os.path.exists('/none'))
+
+
+class MoveObstacleTest(ControllerTestCase):
+    """Service ~move_obstacle."""
+
+    def test_obstacle_is_moved_and_keeps_its_velocity(self):
+        self.start_all(FULL)
+        response = self.do('move_obstacle', obstacle=1, position={'x': 40.0, 'y': 50.0})
+        self.assertEqual(response.obstacle, 3)
+        moved = self.walk().obstacles[3]
+        self.assertAlmostEqual(moved.position.x, 40.03)
+        self.assertAlmostEqual(moved.position.y, 50.01)
+        self.assertEqual(moved.radius, 0.4)
+
+    def test_wrong_places_are_refused(self):
+        self.start_all(FULL)
+        self.refuse('move_obstacle', 'obstacle', '7', obstacle=7, position={'x': 40.0, 'y': 50.0})
+        before = self.walk()
+        self.refuse('move_obstacle', 'overlap', obstacle=0, position={'x': 0.2, 'y': 5.0})
+        self.assertEqual(len(self.walk().obstacles), len(before.obstacles))
+        self.assertEqual(self.walk().obstacles[0].position.y, 20)
+
+
+if __name__ == '__main__':
+    support.run('save_scenario_test')
