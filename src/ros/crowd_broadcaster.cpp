@@ -52,7 +52,7 @@ void CrowdBroadcaster::publishClock() {
 }
 
 bool CrowdBroadcaster::hasPublishedAgents(const Episode& episode) const {
-  return agents_published_ == std::pair(episode.number(), episode.world().tick());
+  return agents_published_ == std::pair(episode.number(), episode.changes());
 }
 
 void CrowdBroadcaster::publishAgents(const Episode& episode) {
@@ -64,7 +64,7 @@ void CrowdBroadcaster::publishAgents(const Episode& episode) {
 void CrowdBroadcaster::publishAgentsNow(const Episode& episode) {
   publishWalls(episode);
   if (hasPublishedAgents(episode)) return;
-  agents_published_ = {episode.number(), episode.world().tick()};
+  agents_published_ = {episode.number(), episode.changes()};
   agents_published_at_ = ros::SteadyTime::now();
   if (agents_.getNumSubscribers() > 0) publishStates(episode);
   if (frames_broadcaster_ && frames_subscribers_.getNumSubscribers() > 0) publishFrames(episode);

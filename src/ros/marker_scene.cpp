@@ -17,15 +17,6 @@ using social_crowd::RobotState;
 using social_crowd::RobotStates;
 using visualization_msgs::Marker;
 
-AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& scenario) {
-  const auto states = boost::make_shared<AgentStates>();
-  states->episode = scenario.episode;
-  states->tick = scenario.tick;
-  states->agents = scenario.agents;
-  states->obstacles = scenario.obstacles;
-  return states;
-}
-
 /// Copies a part of a list; nothing if it lies beyond the list, so that requireValid() finds the copy invalid.
 template <typename List>
 void copyPart(const List& list, std::uint32_t first, std::uint32_t count, List& copy) {
@@ -89,6 +80,15 @@ void KnownStateSets::take(const social_crowd::LearnerStatus& status) {
 const StateSet* KnownStateSets::of(AgentId agent) const {
   const auto own = own_.find(agent);
   return own == own_.end() ? for_all_.get() : own->second.get();
+}
+
+social_crowd::AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& scenario) {
+  const auto states = boost::make_shared<social_crowd::AgentStates>();
+  states->episode = scenario.episode;
+  states->tick = scenario.tick;
+  states->agents = scenario.agents;
+  states->obstacles = scenario.obstacles;
+  return states;
 }
 
 MarkerScene::MarkerScene(const MarkerOptions& options)

@@ -8,6 +8,7 @@
 #include <social_crowd/Teleport.h>
 
 #include "social_crowd/ros/conversions.h"
+#include "social_crowd/ros/marker_scene.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/parameters.h"
 
@@ -41,7 +42,9 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
       node_(loop_.adopt(node)),
       states_(boost::make_shared<social_crowd::AgentStates>()),
       server_(names::EDITOR, "", HAS_THREAD) {
-  subscribers_ = {node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
+  subscribers_ = {node_.subscribe<social_crowd::Scenario>(names::SCENARIO, QUEUE,
+                                                          [this](const auto& message) { takeScenario(*message); }),
+                  node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
                                                              [this](const auto& message) { states_ = message; }),
                   node_.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE,
                                                    [this](const auto& message) { chosen_agent_ = message->data; }),
@@ -49,6 +52,11 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
                                                               [this](const auto& message) { takeGoal(*message); })};
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters_.rate),
                                  [this](const ros::WallTimerEvent& /*event*/) { update(); });
+}
+
+void CrowdEditor::takeScenario(const social_crowd::Scenario& scenario) {
+  if (scenario.episode == states_->episode && !states_->agents.empty()) return;
+  states_ = statesAtStart(scenario);
 }
 
 void CrowdEditor::run() {

@@ -4,6 +4,7 @@
 #include <interactive_markers/interactive_marker_server.h>
 #include <ros/ros.h>
 #include <social_crowd/AgentStates.h>
+#include <social_crowd/Scenario.h>
 #include <std_msgs/Int32.h>
 
 #include <map>
@@ -44,6 +45,8 @@ class CrowdEditor {
  private:
   using Feedback = visualization_msgs::InteractiveMarkerFeedback;
 
+  /// Takes the start of an episode, as a paused controller does not repeat the present state.
+  void takeScenario(const social_crowd::Scenario& scenario);
   void update();
   /// Takes the feedback that has come since the last call.
   void takeFeedback();

@@ -18,15 +18,15 @@ using visualization_msgs::MenuEntry;
 
 constexpr double GOAL_RADIUS = 0.25;  // [m]
 constexpr double RIM = 0.05;          // of the disc around a body [m]
-constexpr double THICKNESS = 0.02;    // [m]
-constexpr double HEIGHT = 0.15;       // above the discs of crowd_markers [m]
+constexpr double TALL = 2.0;          // encloses the markers of a body, which cannot be dragged [m]
+constexpr double FLAT = 0.3;          // the same, of a goal [m]
 
 std_msgs::ColorRGBA colourOf(Kind kind) {
   std_msgs::ColorRGBA colour;
   colour.r = kind == Kind::GOAL ? 0.1F : 0.2F;
   colour.g = kind == Kind::GOAL ? 0.6F : 0.4F;
   colour.b = kind == Kind::GOAL ? 0.3F : 0.9F;
-  colour.a = 0.18F;
+  colour.a = 0.15F;
   return colour;
 }
 
@@ -37,12 +37,12 @@ InteractiveMarkerControl controlOf(const EditorHandle& handle) {
   control.interaction_mode = InteractiveMarkerControl::MOVE_PLANE;
   control.orientation_mode = InteractiveMarkerControl::FIXED;
   control.orientation.w = control.orientation.y = std::sqrt(0.5);  // the x axis, normal to the plane, points up
-  Marker disc;
+  Marker disc;                                                     // a cylinder, seen from above
   disc.type = Marker::CYLINDER;
   disc.pose.orientation.w = 1.0;
-  disc.pose.position.z = HEIGHT;
+  disc.scale.z = handle.kind == Kind::GOAL ? FLAT : TALL;
+  disc.pose.position.z = 0.5 * disc.scale.z;
   disc.scale.x = disc.scale.y = 2.0 * (handle.radius + RIM);
-  disc.scale.z = THICKNESS;
   disc.color = colourOf(handle.kind);
   control.markers.push_back(disc);
   return control;

@@ -28,7 +28,7 @@ using EditorHandles = std::map<std::string, EditorHandle>;
 /// handles are made, except those of the chosen agent.
 EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent);
 
-/// @brief The marker of a handle: a translucent disc that moves on the floor, with a menu.
+/// @brief The marker of a handle: a translucent cylinder that moves on the floor, with a menu.
 visualization_msgs::InteractiveMarker markerOf(const std::string& name, const EditorHandle& handle);
 
 /// @brief The pose of such a marker.

@@ -200,6 +200,7 @@ class PanelSettingsTest(PanelTestCase):
         rviz.click('save_scenario')
         rviz.choose_file(self.path('floor.yaml'))
         rviz.wait_text('message', lambda text: 'floor.yaml' in text, 'the file')
+        rviz.click('rviz::RenderPanel')  # the keyboard is that of the window again
         self.screen.use('key', 'ctrl+s')
         support.wait_for(lambda: self.panel_of(file).get('Ticks') == 12, 'the saved configuration')
         self.assertEqual(self.panel_of(file)['Folder'], self.folder)

@@ -4,6 +4,7 @@ import os
 
 import support
 from controlling import ControllerTestCase
+from geometry_msgs.msg import Point, Pose2D
 
 # Everything that moves, in a solid world; coordinates have no exact decimals after a few ticks.
 FULL = """
@@ -50,9 +51,9 @@ class SaveScenarioTest(ControllerTestCase):
         self.start_all(FULL)
         self.walk(37)
         self.do('remove_agent', agent=2)
-        self.do('spawn_agent', pose={'x': -1.1, 'y': 7.7, 'theta': 0.3}, goal={'x': 3.3, 'y': 7.7}, max_speed=1.3,
+        self.do('spawn_agent', pose=Pose2D(-1.1, 7.7, 0.3), goal=Point(3.3, 7.7, 0), max_speed=1.3,
                 radius=0.21)
-        self.do('add_wall', begin={'x': -2.1, 'y': -3.0}, end={'x': -2.1, 'y': 3.0})
+        self.do('add_wall', begin=Point(-2.1, -3, 0), end=Point(-2.1, 3, 0))
         self.walk()
         before, after = self.save_and_load()
         self.assertEqual(moves_of(after), moves_of(before))
@@ -86,14 +87,17 @@ class SaveScenarioTest(ControllerTestCase):
             '../maps', support.in_package('config', 'maps')))
         self.walk(30)
         before, after = self.save_and_load()
-        self.assertEqual(moves_of(after), moves_of(before))
+        # Agents begin their routes again, so that their goals may be others.
+        poses = [[row[:3] + row[5:] for row in moves_of(state)[0]] for state in (before, after)]
+        self.assertEqual(poses[1], poses[0])
+        self.assertTrue(poses[0])
         self.walk(5)
 
     def test_floor_that_no_scenario_can_have_is_refused(self):
         """In a ghost world agents may walk through each other."""
         self.start_all('name: ghosts\nduration: 60\ngoal_tolerance: 0.3\nway_finding: false\nagents:\n'
                        '  - {position: [0, 0], goal: [4, 0], speed: 1, radius: 0.25}\n'
-                       'obstacles:\n  - {position: [1.0, 0], radius: 0.4, velocity: [-0.5, 0]}\n')
+                       'obstacles:\n  - {position: [6, 0], radius: 1, velocity: [-4, 0]}\n')
         support.wait_for(lambda: self.walk().agents[0].in_contact, 'a contact')
         file = self.write('floor.yaml', 'before')
         self.refuse('save_scenario', 'not saved', 'overlap', file=file)
@@ -111,7 +115,7 @@ class MoveObstacleTest(ControllerTestCase):
 
     def test_obstacle_is_moved_and_keeps_its_velocity(self):
         self.start_all(FULL)
-        response = self.do('move_obstacle', obstacle=1, position={'x': 40.0, 'y': 50.0})
+        response = self.do('move_obstacle', obstacle=1, position=Point(40, 50, 0))
         self.assertEqual(response.obstacle, 3)
         moved = self.walk().obstacles[3]
         self.assertAlmostEqual(moved.position.x, 40.03)
@@ -120,9 +124,9 @@ class MoveObstacleTest(ControllerTestCase):
 
     def test_wrong_places_are_refused(self):
         self.start_all(FULL)
-        self.refuse('move_obstacle', 'obstacle', '7', obstacle=7, position={'x': 40.0, 'y': 50.0})
+        self.refuse('move_obstacle', 'obstacle', '7', obstacle=7, position=Point(40, 50, 0))
         before = self.walk()
-        self.refuse('move_obstacle', 'overlap', obstacle=0, position={'x': 0.2, 'y': 5.0})
+        self.refuse('move_obstacle', 'taken by agent 1', obstacle=0, position=Point(0.2, 5, 0))
         self.assertEqual(len(self.walk().obstacles), len(before.obstacles))
         self.assertEqual(self.walk().obstacles[0].position.y, 20)
 

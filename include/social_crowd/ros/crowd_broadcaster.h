@@ -26,8 +26,8 @@ class CrowdBroadcaster {
   void advanceClock(double seconds);
   /// @brief With ~publish_clock, publishes the simulated clock.
   void publishClock();
-  /// @brief Publishes agents and, with ~publish_tf, tf, if they have subscribers. Does nothing if those of this tick
-  /// were already published or the rate would be exceeded.
+  /// @brief Publishes agents and, with ~publish_tf, tf, if they have subscribers. Does nothing if the world has
+  /// not changed since, or the rate would be exceeded.
   void publishAgents(const Episode& episode);
   /// @brief The same regardless of the rate, before a pause of unknown length.
   void publishAgentsNow(const Episode& episode);
@@ -57,7 +57,7 @@ class CrowdBroadcaster {
   ros::Time clock_;
   ros::WallDuration agents_period_;
   ros::SteadyTime agents_published_at_;
-  std::optional<std::pair<std::uint64_t, std::uint64_t>> agents_published_;  // episode and tick
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> agents_published_;  // episode, and number of changes
   ros::Publisher agents_;
   ObjectPool<social_crowd::AgentStatesPtr> states_;
   ros::Publisher scenario_;

@@ -41,6 +41,9 @@ class KnownStateSets {
 /// finite are ignored.
 Vector2 middleOf(const social_crowd::Scenario& scenario);
 
+/// @brief The state of agents and obstacles at the start of an episode.
+social_crowd::AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& scenario);
+
 /// @brief Options of the visualisation.
 struct MarkerOptions {
   enum class Radii { NONE, CHOSEN, ALL };
