@@ -196,7 +196,8 @@ double PanelModel::tableAgent() const {
 }
 
 double PanelModel::decisionRate() const {
-  if (decisions_.size() < 2) return 0.0;
+  const bool rests = status_.paused && !isPending(Kind::STEP);
+  if (rests || decisions_.size() < 2) return 0.0;
   const auto& [first, count] = decisions_.front();
   return static_cast<double>(decisions_.back().second - count) / (decisions_.back().first - first);
 }

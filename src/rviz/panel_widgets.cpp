@@ -152,7 +152,9 @@ PanelWidgets::PanelWidgets(QWidget* parent)
           makeCount("agent", -1, MOST_AGENTS, "The agent whose radii and sectors are shown; also that of 2D Nav Goal")),
       name_space(named<QLineEdit>("name_space")),
       message(makeText("message", "Result of the last request")) {
-  ticks->setSuffix(" ticks");
+  const auto name_ticks = [box = ticks](int count) { box->setSuffix(count == 1 ? " tick" : " ticks"); };
+  QObject::connect(ticks, static_cast<void (QSpinBox::*)(int)>(&QSpinBox::valueChanged), ticks, name_ticks);
+  name_ticks(ticks->value());
   speed->setSpecialValueText("fast");
   speed->setSuffix(" x real time");
   agent->setSpecialValueText("none");

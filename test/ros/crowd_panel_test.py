@@ -181,7 +181,10 @@ class PanelTroubleTest(PanelTestCase):
         rviz.enter('ticks', '3')
         rviz.click('step')
         rviz.wait_text('tick', lambda text: text.startswith('3 '), 'tick 3')
-        rviz.wait_text('decisions', lambda text: text != '0', 'decisions')
+        rviz.click('play')
+        rviz.wait_text('decisions', lambda text: text not in ('0', '-'), 'decisions')
+        rviz.click('pause')
+        rviz.wait_text('decisions', lambda text: text == '0', 'no decisions')
 
 
 class PanelSettingsTest(PanelTestCase):

@@ -45,7 +45,8 @@ class SaveScenarioTest(ControllerTestCase):
         self.assert_says(saved.message, file)
         before = self.agents.messages[-1]
         self.do('load_scenario', scenario=file)
-        return before, self.agents.wait(lambda state: state.episode > before.episode and state.tick == 0, 'at its start')
+        after = self.agents.wait(lambda state: state.episode > before.episode and state.tick == 0, 'at its start')
+        return before, after
 
     def test_file_reads_back_the_same(self):
         self.start_all(FULL)

@@ -180,6 +180,17 @@ TEST(PanelModel, showsCountsAndRates) {
   EXPECT_EQ(view.missing, "2, 5; 7 answers missed");
 }
 
+TEST(PanelModel, countsNoDecisionsWhilePaused) {
+  PanelModel model = present();
+  ControllerInfo info = paused();
+  model.take(info, 0.0);
+  info.decisions = 100;
+  model.take(info, 1.0);
+  EXPECT_EQ(model.view().decisions, "0");
+  model.step(5);
+  EXPECT_EQ(model.view().decisions, "100");
+}
+
 TEST(PanelModel, countsDecisionsOfTheLastSecondsOnly) {
   PanelModel model = present();
   ControllerInfo info = walking();
