@@ -54,6 +54,7 @@ void PanelModel::take(ControllerInfo controller, double now) {
 void PanelModel::take(LearnerInfo learner) {
   const std::string node = learner.node;
   learners_[node] = std::move(learner);
+  reachable_.insert(node);  // it has just spoken; not all of many learners are watched
 }
 
 void PanelModel::noteReachable(const std::string& node, bool reachable) {
@@ -175,10 +176,13 @@ std::string PanelModel::learnerEntry() const {
 std::vector<const LearnerInfo*> PanelModel::learners() const {
   const std::string entry = learnerEntry();
   std::vector<const LearnerInfo*> chosen;
+  std::vector<const LearnerInfo*> present;
   for (const auto& [node, learner] : learners_) {
-    if (entry == ALL_LEARNERS || entry == node) chosen.push_back(&learner);
+    if (entry != ALL_LEARNERS && entry != node) continue;
+    chosen.push_back(&learner);
+    if (isReachable(node)) present.push_back(&learner);
   }
-  return chosen;
+  return present.empty() ? chosen : present;
 }
 
 const LearnerInfo* PanelModel::tableLearner() const {

@@ -78,7 +78,7 @@ class PanelModel {
   /// The number that such a request asks for; without one, the present value.
   double wanted(const PanelRequest& like, double present) const;
   void dropRequests(const std::string& node);
-  /// Learners that the chosen entry stands for.
+  /// Learners that the chosen entry stands for; without those that are away, if others are there.
   std::vector<const LearnerInfo*> learners() const;
   /// The one of these whose tables are meant; null: none.
   const LearnerInfo* tableLearner() const;

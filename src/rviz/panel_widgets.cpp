@@ -1,12 +1,11 @@
 #include "rviz/panel_widgets.h"
 
-#include <QFormLayout>
-#include <QGridLayout>
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include "rviz/widget_kit.h"
 
 namespace crowd {
 namespace {
@@ -15,65 +14,61 @@ constexpr int MOST_TICKS = 100'000;
 constexpr double MOST_SPEED = 1000.0;
 constexpr int MOST_AGENTS = 1'000'000;
 
-template <typename Widget>
-Widget* named(const char* name, const char* tip = "") {
-  auto* const widget = new Widget;  // owned by the layout's widget
-  widget->setObjectName(name);
-  widget->setToolTip(tip);
-  return widget;
+QGroupBox* crowdGroup(const PanelWidgets& w) {
+  auto* const group = new QGroupBox("Crowd");
+  QFormLayout* const form = makeForm(group);
+  form->addRow("State", w.state);
+  form->addRow("Speed", w.speed);
+  form->addRow("Scenario", makeRow({w.scenario, w.open_scenario}));
+  form->addRow("Floor", w.save_scenario);
+  form->addRow("Episode", w.episode);
+  form->addRow("Tick", w.tick);
+  form->addRow("Arrived", w.success);
+  form->addRow("Contact", w.contact);
+  form->addRow("Collision", w.collision);
+  form->addRow("Decisions/s", w.decisions);
+  form->addRow("No answer", w.missing);
+  form->addRow("Agent", w.agent);
+  return group;
 }
 
-QPushButton* makeButton(const char* name, const char* text, const char* tip) {
-  auto* const button = named<QPushButton>(name, tip);
-  button->setText(text);
-  button->setMinimumWidth(1);
-  return button;
+QGroupBox* learningGroup(const PanelWidgets& w) {
+  auto* const group = new QGroupBox("Learning");
+  QFormLayout* const form = makeForm(group);
+  form->addRow("Learner", w.learner);
+  form->addRow("Mode", w.mode);
+  form->addRow("Epsilon", w.epsilon);
+  form->addRow("Alpha", w.alpha);
+  form->addRow("Gamma", w.gamma);
+  form->addRow("Q-table", w.table);
+  form->addRow("", makeRow({w.save_table, w.load_table}));
+  form->addRow("", makeRow({w.share_table, w.share_method}));
+  return group;
 }
 
-QDoubleSpinBox* makeNumber(const char* name, double most, int decimals, double step, const char* tip) {
-  auto* const box = named<QDoubleSpinBox>(name, tip);
-  box->setRange(0.0, most);
-  box->setDecimals(decimals);
-  box->setSingleStep(step);
-  box->setKeyboardTracking(false);  // a number counts when it is complete
-  return box;
-}
-
-QSpinBox* makeCount(const char* name, int least, int most, const char* tip) {
-  auto* const box = named<QSpinBox>(name, tip);
-  box->setRange(least, most);
-  box->setKeyboardTracking(false);
-  return box;
-}
-
-QComboBox* makeChoice(const char* name, const QStringList& entries, const char* tip) {
-  auto* const box = named<QComboBox>(name, tip);
-  box->addItems(entries);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(8);
-  return box;
-}
-
-QLabel* makeText(const char* name, const char* tip = "") {
-  auto* const label = named<QLabel>(name, tip);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
-QHBoxLayout* row(std::initializer_list<QWidget*> widgets) {
-  auto* const layout = new QHBoxLayout;
-  layout->setSpacing(4);
-  for (QWidget* const widget : widgets) layout->addWidget(widget);
-  return layout;
-}
-
-QFormLayout* makeForm(QWidget* parent) {
-  auto* const form = new QFormLayout(parent);
-  form->setContentsMargins(6, 4, 6, 4);
-  form->setVerticalSpacing(3);
-  form->setHorizontalSpacing(8);
-  return form;
+/// Puts all controls below each other, in an area that scrolls where RViz leaves little space.
+void layOut(const PanelWidgets& w, QWidget* parent) {
+  auto* const content = new QWidget;
+  auto* const column = new QVBoxLayout(content);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->setSpacing(4);
+  column->addLayout(makeRow({w.play, w.pause, w.reset}));
+  column->addLayout(makeRow({w.step, w.ticks}));
+  column->addWidget(w.message);
+  column->addWidget(crowdGroup(w));
+  column->addWidget(learningGroup(w));
+  QFormLayout* const settings = makeForm(nullptr);
+  settings->addRow("Namespace", w.name_space);
+  column->addLayout(settings);
+  column->addStretch();
+  auto* const scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* const frame = new QVBoxLayout(parent);
+  frame->setContentsMargins(0, 0, 0, 0);
+  frame->addWidget(scroll);
 }
 
 template <typename Box, typename Value>
@@ -159,56 +154,7 @@ PanelWidgets::PanelWidgets(QWidget* parent)
   speed->setSuffix(" x real time");
   agent->setSpecialValueText("none");
   share_method->setMinimumContentsLength(5);
-
-  auto* const content = new QWidget;
-  auto* const column = new QVBoxLayout(content);
-  column->setContentsMargins(4, 4, 4, 4);
-  column->setSpacing(4);
-  column->addLayout(row({play, pause, reset}));
-  column->addLayout(row({step, ticks}));
-  column->addWidget(message);
-
-  auto* const walking = new QGroupBox("Crowd");
-  QFormLayout* form = makeForm(walking);
-  form->addRow("State", state);
-  form->addRow("Speed", speed);
-  form->addRow("Scenario", row({scenario, open_scenario}));
-  form->addRow("Floor", save_scenario);
-  form->addRow("Episode", episode);
-  form->addRow("Tick", tick);
-  form->addRow("Arrived", success);
-  form->addRow("Contact", contact);
-  form->addRow("Collision", collision);
-  form->addRow("Decisions/s", decisions);
-  form->addRow("No answer", missing);
-  form->addRow("Agent", agent);
-  column->addWidget(walking);
-
-  auto* const learning = new QGroupBox("Learning");
-  form = makeForm(learning);
-  form->addRow("Learner", learner);
-  form->addRow("Mode", mode);
-  form->addRow("Epsilon", epsilon);
-  form->addRow("Alpha", alpha);
-  form->addRow("Gamma", gamma);
-  form->addRow("Q-table", table);
-  form->addRow("", row({save_table, load_table}));
-  form->addRow("", row({share_table, share_method}));
-  column->addWidget(learning);
-
-  form = makeForm(nullptr);
-  form->addRow("Namespace", name_space);
-  column->addLayout(form);
-  column->addStretch();
-
-  auto* const scroll = new QScrollArea;
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* const frame = new QVBoxLayout(parent);
-  frame->setContentsMargins(0, 0, 0, 0);
-  frame->addWidget(scroll);
+  layOut(*this, parent);
 }
 
 void PanelWidgets::show(const PanelView& view) {

@@ -298,6 +298,27 @@ TEST(PanelModel, greysOutALearnerThatIsAway) {
   EXPECT_TRUE(model.view().has_learner);
 }
 
+TEST(PanelModel, changesManyLearnersAlthoughFewAreWatched) {
+  PanelModel model = present();
+  for (std::uint32_t agent = 0; agent < 50; ++agent) model.take(learner("/learner_" + std::to_string(agent), {agent}));
+  model.setMode("training");
+  EXPECT_EQ(model.takeRequests().size(), 50U);
+}
+
+TEST(PanelModel, leavesOutLearnersThatAreAway) {
+  PanelModel model = present();
+  addLearner(model, learner("/learner", {0, 1}));
+  model.noteReachable("/learner", false);
+  addLearner(model, learner("/learner_1", {1}));
+  model.takeChosenAgent(1);
+  EXPECT_TRUE(model.view().has_learner);
+  model.setMode("training");
+  EXPECT_EQ(nodesOf(model.takeRequests()), std::vector<std::string>{"/learner_1"});
+  model.take(learner("/learner", {0, 1}));  // it is back
+  model.setMode("demo");
+  EXPECT_EQ(nodesOf(model.takeRequests()), std::vector<std::string>{"/learner"}) << "the other one is busy";
+}
+
 TEST(PanelModel, watchesFewOfManyLearners) {
   PanelModel model = present();
   for (std::uint32_t agent = 0; agent < 1000; ++agent)
