@@ -1,6 +1,7 @@
 #include "rviz/floor_tool.h"
 
 #include <OgrePlane.h>
+#include <OgrePose.h>
 #include <OgreQuaternion.h>
 #include <OgreVector3.h>
 #include <rviz/display_context.h>
@@ -96,21 +97,16 @@ void FloorTool::draw(const FloorOutline& outline) {
 
 int FloorTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   const std::optional<Vector2> point = pointAt(event.viewport, event.x, event.y);
-  if (event.rightDown()) {
-    abandon();
-  } else if (!point) {
-    return 0;
-  } else if (event.leftDown()) {
-    from_ = point;
-    draw(outline(*from_, *point));
-  } else if (event.leftUp() && from_) {
-    const Vector2 from = *from_;
+  if (event.rightDown()) abandon();
+  if (!point) return Render;
+  if (event.leftDown()) from_ = point;
+  if (!from_) return 0;
+  const Vector2 from = *from_;
+  if (event.leftUp()) {
     abandon();
     finish(from, *point);
-  } else if (from_ && event.left()) {
-    draw(outline(*from_, *point));
   } else {
-    return 0;
+    draw(outline(from, *point));
   }
   return Render;
 }

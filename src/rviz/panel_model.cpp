@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -227,7 +228,7 @@ void PanelModel::showController(PanelView& view) const {
   view.success = shareText(status_.arrived, status_.agents);
   view.contact = shareText(status_.touched, status_.agents);
   view.collision = shareText(status_.collided, status_.agents);
-  view.decisions = countText(static_cast<std::uint64_t>(decisionRate() + 0.5));
+  view.decisions = countText(static_cast<std::uint64_t>(std::llround(decisionRate())));
   view.missing = agentsText(status_.unanswered);
   if (status_.missed_answers > 0) view.missing += "; " + countText(status_.missed_answers) + " answers missed";
 }
