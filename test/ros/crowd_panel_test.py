@@ -2,6 +2,7 @@
 """The panel in a real RViz on a separate screen, used with mouse and keyboard."""
 import os
 import shutil
+import signal
 
 import support
 import yaml
@@ -160,6 +161,23 @@ class PanelTroubleTest(PanelTestCase):
         self.assertEqual(rviz.close(), 0)
         self.assertTrue(self.controller.is_running())
         self.do('pause', data=False)
+
+    def test_rviz_goes_on_while_the_controller_hangs(self):
+        rviz = self.open_both()
+        self.addCleanup(self.controller.signal, signal.SIGCONT)
+        self.controller.signal(signal.SIGSTOP)
+        rviz.click('play')
+        rviz.enter('epsilon', '0.25')
+        self.wait_learner(lambda status: status.epsilon == 0.25, 'a change of the learner')
+        self.controller.signal(signal.SIGCONT)
+        self.wait_status(lambda status: not status.paused, 'a walking crowd')
+
+    def test_rviz_is_closed_while_the_controller_hangs(self):
+        rviz = self.open_both()
+        self.addCleanup(self.controller.signal, signal.SIGCONT)
+        self.controller.signal(signal.SIGSTOP)
+        rviz.click('reset')
+        self.assertEqual(rviz.close(), 0)
 
     def test_two_panels(self):
         self.start_all()

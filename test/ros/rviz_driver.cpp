@@ -53,7 +53,7 @@ void scrollTo(QWidget* widget) {
 std::string answer(const std::string& verb, const std::string& name) {
   const QStringList parts = QString::fromStdString(name).split('#');
   QWidget* const widget = findWidget(parts[0], parts.size() > 1 ? parts[1].toInt() : 0);
-  if (widget == nullptr) return "none";
+  if (widget == nullptr) return "no such widget";
   if (verb == "enabled") return widget->isEnabled() ? "yes" : "no";
   if (verb == "text") return textOf(widget).replace('\n', ' ').toStdString();
   scrollTo(widget);

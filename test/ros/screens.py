@@ -60,7 +60,7 @@ class DrivenRviz:
             for line in self.process.stdout:
                 if line.startswith(b'answer: '):
                     answer = line.decode()[len('answer: '):].rstrip('\n')
-                    return None if answer == 'none' else answer
+                    return None if answer == 'no such widget' else answer
         raise AssertionError('RViz has ended')
 
     def text(self, widget):
