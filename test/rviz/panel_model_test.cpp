@@ -281,6 +281,13 @@ TEST(PanelModel, namesTheShownAgentWhenItsTableIsItsOwn) {
   EXPECT_DOUBLE_EQ(requests[0].number, 2.0);
   EXPECT_EQ(requests[0].text, "/tmp/table.txt");
   model.noteDone(requests[0], true, "saved");
+  model.take(learner("/learner", {0, 1, 2}));  // one table now
+  model.saveTable("/tmp/table.txt");
+  requests = model.takeRequests();
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_DOUBLE_EQ(requests[0].number, 0.0);
+  model.noteDone(requests[0], true, "saved");
+  model.take(learner("/learner", {0, 1, 2}, true));
   model.takeChosenAgent(7);  // nobody's
   model.saveTable("/tmp/table.txt");
   EXPECT_DOUBLE_EQ(model.takeRequests().at(0).number, 0.0);
