@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """The tools in a real RViz on a separate screen: dragging on the floor with the mouse."""
+import time
+
 import support
 from controlling import ControllerTestCase
 from screens import DrivenRviz, Screen
@@ -18,6 +20,7 @@ obstacles:
   - {position: [-3, -3], radius: 0.4}
 """
 SCALE = 66.0  # [pixels/m], that of rviz/social_crowd.rviz
+HOVERS, HOVER = 10, 0.1  # moves before a drag, and the time between them [s]
 CLOSE = 0.05  # [m]; three pixels
 
 
@@ -43,8 +46,11 @@ class ToolsTestCase(ControllerTestCase):
 
     def drag(self, begin, end):
         """Drags with the left button from one point of the floor to another [m]."""
-        self.screen.use('mousemove', *self.pixel(*begin))
-        self.screen.use('mousedown', 1)
+        x, y = self.pixel(*begin)
+        for jiggle in range(HOVERS):  # a drag of a marker that RViz has not noticed under the mouse turns the view
+            self.screen.use('mousemove', x + jiggle % 2, y)
+            time.sleep(HOVER)
+        self.screen.use('mousemove', x, y, 'mousedown', 1)
         for share in (0.25, 0.5, 0.75, 1.0):
             self.screen.use('mousemove', *self.pixel(*(b + share * (e - b) for b, e in zip(begin, end))))
         self.screen.use('mouseup', 1)
