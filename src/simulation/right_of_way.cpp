@@ -18,11 +18,10 @@ constexpr double ONE_WAY_MARGIN = 0.13;
 constexpr double TWO_WAY_HEADWAY = 0.55;
 constexpr double TWO_WAY_MARGIN = 0.15;
 
-constexpr double FILE_MARGIN = 0.1;     // two agents do not walk side by side where less is left beside them [m]
-constexpr double FILE_DISTANCE = 0.6;   // from where agents enter one behind the other [m]
-constexpr double FILE_GAP = 0.35;       // to the agent ahead [m]
-constexpr double FILE_BESIDE = 0.1;     // behind the line beside an agent [m]
-constexpr double SAME_DIRECTION = 0.3;  // cosine of the angle up to which directions are the same
+constexpr double FILE_MARGIN = 0.1;    // two agents do not walk side by side where less is left beside them [m]
+constexpr double FILE_DISTANCE = 0.6;  // from where agents enter one behind the other [m]
+constexpr double FILE_GAP = 0.35;      // to the agent ahead [m]
+constexpr double FILE_BESIDE = 0.1;    // behind the line beside an agent [m]
 
 constexpr double WAITING_DISTANCE = 1.2;  // from a mouth [m]
 constexpr double WAITING_WIDTH = 2.4;     // of the floor there, less the diameter of an agent [m]
@@ -261,10 +260,8 @@ void RightOfWay::formSingleFile(const PassageState& state, const DeadlockResolve
     const auto is_ahead = [&](const Claim& earlier) {
       if (deadlocks.walksBack(earlier.agent)) return false;
       const Vector2 offset = world.agents()[earlier.agent].pose.position - place;
-      const bool is_same_direction = earlier.distance > 0.0
-                                         ? earlier.mouth == claim->mouth
-                                         : deadlocks.course(earlier.agent).dot(course) > SAME_DIRECTION;
-      return is_same_direction && offset.norm() < 2.0 * radius_ + FILE_GAP && offset.dot(course) > -FILE_BESIDE;
+      const bool is_in_way = earlier.distance == 0.0 || earlier.mouth == claim->mouth;
+      return is_in_way && offset.norm() < 2.0 * radius_ + FILE_GAP && offset.dot(course) > -FILE_BESIDE;
     };
     if (std::any_of(state.claims.begin(), claim, is_ahead)) world.setYielding(claim->agent, true);
   }

@@ -151,6 +151,10 @@ TEST(RightOfWay, AgentsEnterNarrowDoorsWithoutRoomToWaitOneBehindTheOther) {
   door.world.removeAgent(1);
   formFiles(door);
   EXPECT_FALSE(door.agent(0).yielding);
+  Door occupied({walker({-0.7, 0.1}, {7.0, 0.0}), walker({0.0, 0.0}, {-7.0, 0.0})}, 0.8, corridorWithDoor(0.8));
+  formFiles(occupied);
+  EXPECT_TRUE(occupied.agent(0).yielding);
+  EXPECT_FALSE(occupied.agent(1).yielding);  // inside
   Door wider(agents, 1.1, corridorWithDoor(1.1));
   formFiles(wider);
   EXPECT_FALSE(wider.agent(0).yielding);

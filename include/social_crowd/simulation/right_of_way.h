@@ -22,9 +22,8 @@ namespace crowd {
 /// contains a lane for agents that come out. If no agent makes progress, because agents that wait are in the way of
 /// others, all are released for some seconds.
 ///
-/// Passages without room to wait are not controlled. In those that are too narrow for two agents side by side, agents
-/// of the same direction enter one behind the other (formSingleFiles()): two agents that enter together would be
-/// wedged.
+/// Passages without room to wait are not controlled. Those that are too narrow for two agents side by side are entered
+/// by one agent after the other (formSingleFiles()): two agents in them would be wedged.
 ///
 /// Call contract: update() once per tick, after the agents have moved and waypoints were set.
 class RightOfWay {
@@ -42,9 +41,9 @@ class RightOfWay {
   /// @brief Holds agents that must wait (World::setYielding), and sends those that are in the way of others aside
   /// (World::setWaypoint). @param paths of all agents, by id; empty for those that have none
   void update(World& world, const std::vector<RemainingPath>& paths);
-  /// @brief Holds agents in front of narrow passages that are not controlled while another agent of their direction is
-  /// beside or ahead of them (World::setYielding). @param deadlocks after its update() of this tick; agents that walk
-  /// back are not held
+  /// @brief Holds agents in front of narrow passages that are not controlled (World::setYielding) while an agent
+  /// inside, or one that enters at the same mouth, is beside or ahead of them. @param deadlocks after its update() of
+  /// this tick; agents that walk back are not held
   void formSingleFiles(World& world, const DeadlockResolver& deadlocks) const;
 
  private:
