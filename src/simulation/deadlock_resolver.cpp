@@ -186,13 +186,14 @@ std::vector<Vector2> DeadlockResolver::contactsOf(const World& world, const Agen
   return contacts;
 }
 
-/// An agent may be pushed into a gap beside the mesh, from which the straight line to its corner leads into a wall.
+/// An agent may be pushed into a gap beside the mesh, from which the straight line to its corner leads into a wall, or
+/// side by side with another agent into a door.
 void DeadlockResolver::slideAlongWalls(World& world, const Agent& agent) {
-  std::vector<Vector2> contacts;
-  addWallContacts(world, agent, contacts);
-  if (contacts.empty()) return;
+  std::vector<Vector2> walls;
+  addWallContacts(world, agent, walls);
+  if (walls.empty()) return;
   const Vector2 way = agent.perceivedGoal() - agent.pose.position;
-  const std::optional<Vector2> slid = slideAlong(way.normalized(), contacts);
+  const std::optional<Vector2> slid = slideAlong(way.normalized(), contactsOf(world, agent));
   if (slid) world.setWaypoint(agent.id, agent.pose.position + BACK * *slid);
 }
 

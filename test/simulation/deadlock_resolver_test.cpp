@@ -174,6 +174,16 @@ TEST(DeadlockResolver, AnAgentThatIsStuckAloneSlidesAlongTheWall) {
 }
 
 /// Agent 0 came from the south and is on its way to the east. Nobody can move.
+/// Between a wall on its right and an agent on its left, which has a longer way and so gives way.
+TEST(DeadlockResolver, AnAgentThatIsWedgedSlidesAlongWallAndAgent) {
+  Crowd crowd({walker({0.0, 0.0}, {9.6, 2.8}), walker({0.0, 0.4}, {19.2, 6.0})});
+  crowd.world.addWall({{-0.3, -0.2}, {0.3, -0.2}});
+  const Agent& agent = crowd.world.agents()[0];
+  while (!agent.has_waypoint && crowd.world.time() < 60.0) crowd.stand();
+  ASSERT_TRUE(agent.has_waypoint);
+  EXPECT_NEAR(((agent.waypoint - agent.pose.position).normalized() - Vector2::UnitX()).norm(), 0.0, 1e-9);
+}
+
 TEST(DeadlockResolver, AnAgentThatCouldNotWalkBackOnItsTrailTriesTheOppositeOfItsDirection) {
   std::vector<AgentStart> agents = {walker({-0.25, -2.5}, {-0.25, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})};
   agents[0].goals.emplace_back(9.0, 0.0);

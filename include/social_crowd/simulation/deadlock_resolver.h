@@ -27,7 +27,8 @@ namespace crowd {
 /// Where it touches walls or other agents, it slides along them. RETREAT_TIME is short, since agents that walk back are
 /// in the way of those behind them. Afterwards the agent walks on for WALK_TIME before it can be stuck again.
 ///
-/// An agent that is stuck, and does not have to give way to another agent, slides along the walls that it touches.
+/// An agent that is stuck, and does not have to give way to another agent, slides along the walls that it touches, and
+/// along the agents between which and a wall it is wedged.
 ///
 /// Call contract: update() once per tick, after waypoints were set.
 class DeadlockResolver {
