@@ -103,11 +103,15 @@ Twist randomCommand(KeyedRandom& random) {
   return {{random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)}, random.uniform(-2.0, 2.0)};
 }
 
+/// Between the disc that the agent perceives of the robot and its own [m]; below 0 beside a long footprint.
+double gapBetween(const Robot& robot, const Agent& agent) {
+  return (robot.pose.position - agent.pose.position).norm() - agent.radius - robot.perceived_radius;
+}
+
 /// How far the robot, at its present velocity, comes short of the agent in a tick [m]; below 0: it reaches it.
 double shortfall(const World& world, const Robot& robot, const Agent& agent) {
   const Vector2 towards = robot.pose.position - agent.pose.position;
-  const double gap = towards.norm() - agent.radius - robot.perceived_radius;
-  return gap + world.tickDuration() * towards.normalized().dot(robot.velocity);
+  return gapBetween(robot, agent) + world.tickDuration() * towards.normalized().dot(robot.velocity);
 }
 
 /// Mostly towards a robot, where contacts may happen.
@@ -143,8 +147,10 @@ TEST(RobotSeparation, AgentsNeverMoveIntoRobotsNorIntoTheirReach) {
         for (const RobotContact& contact : world.robots()[id].contacts) {
           if (!contact.begins) continue;
           ++contacts;
-          EXPECT_NE(contact.cause, ContactCause::PERSON) << "tick " << tick;
-          EXPECT_LT(shortfall(before, before.robots()[id], before.agents()[contact.agent]), 0.0) << "tick " << tick;
+          const Robot& robot = before.robots()[id];
+          const Agent& agent = before.agents()[contact.agent];
+          if (gapBetween(robot, agent) >= 0.0) EXPECT_NE(contact.cause, ContactCause::PERSON) << "tick " << tick;
+          EXPECT_LT(shortfall(before, robot, agent), 0.0) << "tick " << tick;
         }
       }
     }

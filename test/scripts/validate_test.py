@@ -60,7 +60,7 @@ class ValidateTest:
     @pytest.mark.parametrize('words, said', [
         (['rimea_99'], "no case 'rimea_99'; there are rimea_1, "),
         (['rimea_2'], "no case 'rimea_2': walking up stairs"),
-        (['rimea_1', '--seeds', '0'], 'expected a number above 0'),
+        (['rimea_1', '--seeds', '0'], 'expected a whole number from 1'),
         (['rimea_1', '--sedes', '2'], '--sedes'),
     ])
     def test_wrong_usage(self, runner, words, said):
