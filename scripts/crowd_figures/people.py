@@ -27,7 +27,7 @@ BUILDS = [Build('broad', 0.20, 0.155, 0.155, False, False), Build('slim', 0.17, 
 
 
 def chain(start, lengths, angles):
-    """Points of a limb from its start, given lengths of its parts and their angles to the vertical [degrees], ahead > 0."""
+    """Points of a limb from its start, lengths of its parts and angles to the vertical [degrees], ahead > 0."""
     points = [numpy.array(start, float)]
     for length, angle in zip(lengths, numpy.radians(angles)):
         points.append(points[-1] + length * numpy.array([math.sin(angle), 0.0, -math.cos(angle)]))
