@@ -17,7 +17,7 @@ using social_crowd::AgentStates;
 using visualization_msgs::Marker;
 
 constexpr std::array<const char*, 2> BUILDS = {"broad", "slim"};
-constexpr std::array<const char*, marker_style::FIGURE_PARTS> PARTS = {"hair", "head", "shirt", "legs"};
+constexpr std::array<const char*, marker_style::FIGURE_PARTS> PARTS = {"head", "shirt", "dark"};
 constexpr double BODY_RADIUS = 0.25;  // of a person of the meshes' width [m]
 
 Marker markerOf(std::uint32_t agent, std::size_t part) {
@@ -30,8 +30,7 @@ Marker markerOf(std::uint32_t agent, std::size_t part) {
 
 std::string meshOf(std::uint32_t agent, std::size_t part, int frame) {
   std::string mesh = std::string("package://social_crowd/meshes/") + BUILDS[agent % BUILDS.size()] + '_' + PARTS[part];
-  const auto kind = static_cast<FigurePart>(part);
-  if (kind == FigurePart::SHIRT || kind == FigurePart::LEGS) mesh += '_' + std::to_string(frame);
+  if (static_cast<FigurePart>(part) != FigurePart::HEAD) mesh += '_' + std::to_string(frame);
   return mesh + ".stl";
 }
 

@@ -100,18 +100,14 @@ Colour ofSector(std::size_t distance_class, std::size_t classes) {
 }
 
 Colour ofFigure(FigurePart part, std::uint32_t agent) {
-  static const std::array<Colour, 4> hair = {make(0.2, 0.15, 0.12), make(0.4, 0.27, 0.17), make(0.72, 0.55, 0.32),
-                                             make(0.68, 0.67, 0.65)};
   static const std::array<Colour, 3> skin = {make(0.87, 0.69, 0.58), make(0.74, 0.54, 0.41), make(0.45, 0.31, 0.23)};
-  static const std::array<Colour, 4> legs = {make(0.3, 0.34, 0.5), make(0.5, 0.5, 0.53), make(0.7, 0.62, 0.5),
-                                             make(0.4, 0.52, 0.7)};
+  static const std::array<Colour, 4> dark = {make(0.28, 0.24, 0.22), make(0.47, 0.34, 0.24), make(0.34, 0.37, 0.46),
+                                             make(0.55, 0.54, 0.54)};
   switch (part) {
-    case FigurePart::HAIR:
-      return pick(hair, agent, 1);
     case FigurePart::HEAD:
-      return pick(skin, agent, 2);
-    case FigurePart::LEGS:
-      return pick(legs, agent, 3);
+      return pick(skin, agent, 1);
+    case FigurePart::DARK:
+      return pick(dark, agent, 2);
     case FigurePart::SHIRT:
       break;
   }
@@ -122,7 +118,7 @@ Colour ofFigure(FigurePart part, std::uint32_t agent) {
 
 double figureHeight(std::uint32_t agent) {
   static constexpr std::array<double, 5> HEIGHTS = {0.92, 0.96, 1.0, 1.03, 1.06};
-  return pick(HEIGHTS, agent, 4);
+  return pick(HEIGHTS, agent, 3);
 }
 
 Colour underFigure(std::uint32_t agent) { return withAlpha(ofAgent(agent), 0.45); }

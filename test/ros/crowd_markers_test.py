@@ -19,7 +19,7 @@ from visualization_msgs.msg import Marker
 PACKAGE = 'social_crowd'
 NODE = 'crowd_markers'
 KINDS = {'bodies', 'headings', 'goals', 'paths', 'obstacles', 'walls', 'radii', 'sectors', 'robots'}
-PARTS = 4  # markers of a figure
+PARTS = 3  # markers of a figure
 COLLISION_RADIUS, VISION_RADIUS = 0.6, 1.5  # [m]
 MODEL = f'''state_set: {{type: %s, collision_radius: {COLLISION_RADIUS}, vision_radius: {VISION_RADIUS}}}
 action_set: {{type: kings_moves, rotations: 8}}
@@ -319,11 +319,11 @@ class CrowdMarkersTest(unittest.TestCase):
     def test_people_step_with_the_distance_walked_and_stand(self):
         people = self.show_people()
         self.begin(agent_at(0, 0.0, 0.0))
-        standing = ['broad_hair', 'broad_head', 'broad_legs_8', 'broad_shirt_8']
+        standing = ['broad_dark_8', 'broad_head', 'broad_shirt_8']
         wait_for(lambda: self.meshes(people, 0) == standing, 'standing')
         for x, frame in ((0.2, 1), (0.6, 3), (1.3, 7), (1.5, 0)):  # a cycle of 8 frames is 1.4 m
             self.show(agent_at(0, x, 0.0))
-            wait_for(lambda frame=frame: self.meshes(people, 0)[2:] == [f'broad_legs_{frame}', f'broad_shirt_{frame}'],
+            wait_for(lambda frame=frame: self.meshes(people, 0)[::2] == [f'broad_dark_{frame}', f'broad_shirt_{frame}'],
                      f'frame {frame} at {x} m')
         for _ in range(3):
             self.show(agent_at(0, 1.5, 0.0))

@@ -62,9 +62,9 @@ Colour faded(const Colour& colour, double strength);
 Colour ofRadius(std::size_t distance_class, std::size_t classes);
 /// @brief Colour of an occupied sector (translucent) by its class.
 Colour ofSector(std::size_t distance_class, std::size_t classes);
-/// @brief Parts of a person's figure.
-enum class FigurePart { HAIR, HEAD, SHIRT, LEGS };
-constexpr std::size_t FIGURE_PARTS = 4;
+/// @brief Parts of a person's figure; the dark ones are hair, trousers or skirt, and shoes.
+enum class FigurePart { HEAD, SHIRT, DARK };
+constexpr std::size_t FIGURE_PARTS = 3;
 /// @brief Colour of a part; the shirt has the colour of the agent.
 Colour ofFigure(FigurePart part, std::uint32_t agent);
 /// @brief Height of the figure of an agent, as a factor of that of the meshes (1.75 m).
