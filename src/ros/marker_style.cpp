@@ -100,14 +100,14 @@ Colour ofSector(std::size_t distance_class, std::size_t classes) {
 }
 
 Colour ofFigure(FigurePart part, std::uint32_t agent) {
-  static const std::array<Colour, 3> skin = {make(0.87, 0.69, 0.58), make(0.74, 0.54, 0.41), make(0.45, 0.31, 0.23)};
-  static const std::array<Colour, 4> dark = {make(0.28, 0.24, 0.22), make(0.47, 0.34, 0.24), make(0.34, 0.37, 0.46),
+  static const std::array<Colour, 3> SKIN = {make(0.87, 0.69, 0.58), make(0.74, 0.54, 0.41), make(0.45, 0.31, 0.23)};
+  static const std::array<Colour, 4> DARK = {make(0.28, 0.24, 0.22), make(0.47, 0.34, 0.24), make(0.34, 0.37, 0.46),
                                              make(0.55, 0.54, 0.54)};
   switch (part) {
     case FigurePart::HEAD:
-      return pick(skin, agent, 1);
+      return pick(SKIN, agent, 1);
     case FigurePart::DARK:
-      return pick(dark, agent, 2);
+      return pick(DARK, agent, 2);
     case FigurePart::SHIRT:
       break;
   }

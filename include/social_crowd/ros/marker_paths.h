@@ -19,8 +19,8 @@ double pathTimeFor(std::size_t walkers);
 class WalkedPaths {
  public:
   struct Point {
-    Vector2 position;  ///< [m], `map`
-    double time;       ///< when the agent was there [s]
+    Vector2 position = Vector2::Zero();  ///< [m], `map`
+    double time = 0.0;                   ///< when the agent was there [s]
   };
   struct Path {
     std::vector<Point> points;      ///< oldest first
