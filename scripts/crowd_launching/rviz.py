@@ -1,4 +1,5 @@
 """Runs RViz with a configuration for the current crowd."""
+import concurrent.futures
 import os
 import sys
 import tempfile
@@ -28,16 +29,24 @@ def configuration(view):
     return yaml.safe_dump(settings, sort_keys=False)
 
 
+def prepare():
+    """Returns the configuration, and whether closing RViz ends the launch, by the parameters of this node."""
+    rospy.init_node('rviz', disable_signals=True)
+    try:
+        return configuration(rospy.get_param('~view', 'social_crowd')), rospy.get_param('~ends_launch', False)
+    finally:
+        rospy.signal_shutdown('RViz uses this node name')
+
+
 def main():
     """Runs RViz until it is closed. Returns its exit status."""
     if not os.environ.get('DISPLAY'):
         print('show_crowd: there is no display for RViz (DISPLAY is not set); start the launch file with rviz:=false',
               file=sys.stderr)
         return 1
-    rospy.init_node('rviz', disable_signals=True)
-    ends_launch = rospy.get_param('~ends_launch', False)
-    settings = configuration(rospy.get_param('~view', 'social_crowd'))
-    rospy.signal_shutdown('RViz uses this node name')
+    # In a process that ends: a server of rospy keeps a processor busy after the shutdown of the node.
+    with concurrent.futures.ProcessPoolExecutor(1) as process:
+        settings, ends_launch = process.submit(prepare).result()
     with tempfile.TemporaryDirectory(prefix='social_crowd_rviz_') as folder:
         file = os.path.join(folder, 'social_crowd.rviz')
         with open(file, 'w', encoding='utf-8') as stream:

@@ -22,6 +22,7 @@ const ros::WallDuration REPEAT_AFTER(1.0);
 constexpr double MIN_RATE = 0.1;       // [Hz]
 constexpr double MAX_RATE = 1e3;       // [Hz]
 constexpr double MAX_PATH_STEP = 1e3;  // [m]
+constexpr double MAX_PATH_TIME = 1e9;  // [s]
 constexpr std::int64_t MAX_PATH_POINTS = 10'000'000;
 
 MarkerOptions::Radii readRadii(Parameters& parameters) {
@@ -30,6 +31,14 @@ MarkerOptions::Radii readRadii(Parameters& parameters) {
   if (text == "all") return MarkerOptions::Radii::ALL;
   if (text != "chosen") parameters.complain("radii", "expected none, chosen or all, got '" + text + "'");
   return MarkerOptions::Radii::CHOSEN;
+}
+
+MarkerOptions::Figures readFigures(Parameters& parameters) {
+  const std::string text = parameters.text("figures", "auto");
+  if (text == "discs") return MarkerOptions::Figures::DISCS;
+  if (text == "people") return MarkerOptions::Figures::PEOPLE;
+  if (text != "auto") parameters.complain("figures", "expected auto, discs or people, got '" + text + "'");
+  return MarkerOptions::Figures::AUTO;
 }
 
 }  // namespace
@@ -41,6 +50,8 @@ MarkerParameters readMarkerParameters(const ros::NodeHandle& private_node) {
   read.rate = parameters.number("rate", read.rate, MIN_RATE, MAX_RATE);
   options.agent = parameters.whole("agent", options.agent, MarkerOptions::NO_AGENT, INT32_MAX);
   options.radii = readRadii(parameters);
+  options.figures = readFigures(parameters);
+  options.path_time = parameters.number("path_time", options.path_time, 0.0, MAX_PATH_TIME);
   options.path_step = parameters.number("path_step", options.path_step, 0.0, MAX_PATH_STEP);
   options.path_points = static_cast<std::size_t>(
       parameters.whole("path_points", static_cast<std::int64_t>(options.path_points), 1, MAX_PATH_POINTS));

@@ -53,6 +53,14 @@ marker_style::Colour pathColour(Walkers walkers, std::uint32_t body) {
   return marker_style::paler(walkers == Walkers::AGENTS ? marker_style::ofAgent(body) : marker_style::ofRobot());
 }
 
+void addPiece(LineMarker& marker, const WalkedPaths& paths, const WalkedPaths::Point& from,
+              const WalkedPaths::Point& to, const marker_style::Colour& colour) {
+  const double begin = paths.strengthAt(from.time);
+  const double end = paths.strengthAt(to.time);
+  if (end <= 0.0) return;
+  marker.addLine(from.position, to.position, marker_style::faded(colour, begin), marker_style::faded(colour, end));
+}
+
 }  // namespace
 
 bool hasPlace(const AgentState& agent) { return isDrawable(agent.pose.x) && isDrawable(agent.pose.y); }
@@ -62,12 +70,13 @@ bool isOnFloor(const AgentState& agent) {
          isDrawable(agent.radius);
 }
 
-Marker drawBodies(const AgentStates& states) {
+Marker drawBodies(const AgentStates& states, bool figures) {
   TriangleMarker marker(marker_style::BODIES, 0, Layer::BODIES);
   const std::vector<Vector2> circle = circleFor(states.agents.size());
   for (const AgentState& agent : states.agents) {
     if (!isOnFloor(agent)) continue;
-    marker.addDisc(poseOf(agent).position, agent.radius, circle, marker_style::ofAgent(agent.agent));
+    const auto colour = figures ? marker_style::underFigure(agent.agent) : marker_style::ofAgent(agent.agent);
+    marker.addDisc(poseOf(agent).position, agent.radius, circle, colour);
   }
   return marker.finish();
 }
@@ -84,10 +93,10 @@ Marker drawContacts(const AgentStates& states) {
   return marker.finish();
 }
 
-Marker drawHeadings(const AgentStates& states) {
+Marker drawHeadings(const AgentStates& states, bool figures) {
   TriangleMarker marker(marker_style::HEADINGS, 0, Layer::HEADINGS);
   for (const AgentState& agent : states.agents) {
-    if (isOnFloor(agent)) marker.addArrow(poseOf(agent), agent.radius, marker_style::ofHeading());
+    if (!figures && isOnFloor(agent)) marker.addArrow(poseOf(agent), agent.radius, marker_style::ofHeading());
   }
   return marker.finish();
 }
@@ -163,7 +172,7 @@ Marker drawSettledPaths(const WalkedPaths& paths, Walkers walkers) {
   LineMarker marker(marker_style::PATHS, firstPathOf(walkers), Layer::PATHS, marker_style::PATH_WIDTH);
   for (const auto& [body, path] : paths.paths()) {
     const auto colour = pathColour(walkers, body);
-    for (std::size_t i = 1; i < path.settled; ++i) marker.addLine(path.points[i - 1], path.points[i], colour);
+    for (std::size_t i = 1; i < path.settled; ++i) addPiece(marker, paths, path.points[i - 1], path.points[i], colour);
   }
   return marker.finish();
 }
@@ -173,9 +182,11 @@ Marker drawRecentPaths(const WalkedPaths& paths, Walkers walkers) {
   for (const auto& [body, path] : paths.paths()) {
     const auto colour = pathColour(walkers, body);
     for (std::size_t i = std::max<std::size_t>(path.settled, 1); i < path.points.size(); ++i) {
-      marker.addLine(path.points[i - 1], path.points[i], colour);
+      addPiece(marker, paths, path.points[i - 1], path.points[i], colour);
     }
-    if (path.tip != path.points.back()) marker.addLine(path.points.back(), path.tip, colour);
+    if (path.tip != path.points.back().position) {
+      addPiece(marker, paths, path.points.back(), {path.tip, path.tip_time}, colour);
+    }
   }
   return marker.finish();
 }

@@ -1,6 +1,7 @@
 #include "social_crowd/ros/marker_scene.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <utility>
@@ -102,6 +103,7 @@ void MarkerScene::take(const AgentStates::ConstPtr& message) { show(message); }
 
 void MarkerScene::take(const RobotStates::ConstPtr& message) {
   if (message->episode != robots_->episode || message->tick < robots_->tick) robot_paths_.clear();
+  robot_paths_.setTimes(states_->time, pathTime(message->robots.size()));
   for (const RobotState& robot : message->robots) {
     if (hasPlace(robot)) robot_paths_.add(robot.robot, {robot.pose.x, robot.pose.y});
   }
@@ -124,13 +126,33 @@ void MarkerScene::take(const social_crowd::Walls& message) {
   changed_ = true;
 }
 
+bool MarkerScene::showsFigures() const {
+  if (options_.figures != MarkerOptions::Figures::AUTO) return options_.figures == MarkerOptions::Figures::PEOPLE;
+  return countWalkers() <= MarkerOptions::MOST_FIGURES;
+}
+
+std::size_t MarkerScene::countWalkers() const {
+  return static_cast<std::size_t>(std::count_if(states_->agents.begin(), states_->agents.end(), isOnFloor));
+}
+
+double MarkerScene::pathTime(std::size_t walkers) const {
+  return options_.path_time > 0.0 ? options_.path_time : pathTimeFor(walkers);
+}
+
 void MarkerScene::show(const AgentStates::ConstPtr& states) {
   // A bag that is played repeatedly may begin with the episode with which it ends.
-  if (states->episode != states_->episode || states->tick < states_->tick) paths_.clear();
+  if (states->episode != states_->episode || states->tick < states_->tick) {
+    paths_.clear();
+    figures_.clear();
+    most_walkers_ = 0;
+  }
+  states_ = states;
+  most_walkers_ = std::max(most_walkers_, countWalkers());
+  paths_.setTimes(states->time, pathTime(most_walkers_));
   for (const AgentState& agent : states->agents) {
     if (hasPlace(agent)) paths_.add(agent.agent, {agent.pose.x, agent.pose.y});
   }
-  states_ = states;
+  figures_.take(*states);
   changed_ = true;
 }
 
@@ -195,9 +217,16 @@ Marker MarkerScene::drawOccupiedSectors() const {
 
 visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {
   visualization_msgs::MarkerArray array;
-  array.markers = {drawBodies(*states_), drawContacts(*states_), drawHeadings(*states_),
-                   drawGoals(*states_),  drawWalls(walls_),      drawObstacles(*states_),
-                   drawRadii(),          drawOccupiedSectors()};
+  const bool figures = showsFigures();
+  array.markers = {drawBodies(*states_, figures),
+                   drawContacts(*states_),
+                   drawHeadings(*states_, figures),
+                   drawGoals(*states_),
+                   drawWalls(walls_),
+                   drawObstacles(*states_),
+                   drawRadii(),
+                   drawOccupiedSectors()};
+  figures_.draw(*states_, figures, whole, array);
   drawPaths(paths_, Walkers::AGENTS, whole, array);
   if (!robots_->robots.empty() || robot_paths_.isUnsettled()) {
     for (const auto& draw : {drawRobots, drawRobotHeadings, drawRobotContacts, drawRobotGoals}) {

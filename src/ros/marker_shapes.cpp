@@ -134,9 +134,9 @@ LineMarker::LineMarker(const char* kind, int id, marker_style::Layer layer, doub
   marker_.scale.x = width;
 }
 
-void LineMarker::addLine(const Vector2& from, const Vector2& to, const Colour& colour) {
-  addPoint(from, colour);
-  addPoint(to, colour);
+void LineMarker::addLine(const Vector2& from, const Vector2& to, const Colour& begin, const Colour& end) {
+  addPoint(from, begin);
+  addPoint(to, end);
 }
 
 void LineMarker::addCircle(const Vector2& centre, double radius, const std::vector<Vector2>& circle,

@@ -21,6 +21,8 @@ struct Tone {
 constexpr std::array<Tone, 3> TONES = {{{0.75, 0.9}, {0.85, 0.68}, {0.5, 0.8}}};
 constexpr std::uint32_t TONE_RUN = 5;  // number of consecutive agents with the same tone
 
+constexpr double LIGHT = 1.35;    // of shirts: RViz draws meshes darker than lists
+constexpr double FLOOR = 0.98;    // grey value
 constexpr double PALENESS = 0.4;  // 0: not at all, 1: white
 
 Colour make(double red, double green, double blue, double alpha = 1.0) {
@@ -30,6 +32,12 @@ Colour make(double red, double green, double blue, double alpha = 1.0) {
   colour.b = static_cast<float>(blue);
   colour.a = static_cast<float>(alpha);
   return colour;
+}
+
+/// Picks one of several values for an agent, independently of its colour and of other choices.
+template <typename Values>
+const auto& pick(const Values& values, std::uint32_t agent, std::uint32_t choice) {
+  return values[(agent + choice) * 2'654'435'761U / 65'536U % values.size()];  // Knuth's multiplicative hash
 }
 
 Colour withAlpha(Colour colour, double alpha) {
@@ -78,6 +86,11 @@ Colour paler(const Colour& colour) {
   return make(shade(colour.r), shade(colour.g), shade(colour.b), colour.a);
 }
 
+Colour faded(const Colour& colour, double strength) {
+  const auto mix = [strength](double value) { return FLOOR + (value - FLOOR) * strength; };
+  return make(mix(colour.r), mix(colour.g), mix(colour.b), colour.a);
+}
+
 Colour ofRadius(std::size_t distance_class, std::size_t classes) {
   return distance_class < classes ? make(0.85, 0.2, 0.15) : make(0.95, 0.62, 0.1);
 }
@@ -85,6 +98,30 @@ Colour ofRadius(std::size_t distance_class, std::size_t classes) {
 Colour ofSector(std::size_t distance_class, std::size_t classes) {
   return withAlpha(ofRadius(distance_class, classes), distance_class < classes ? 0.4 : 0.35);
 }
+
+Colour ofFigure(FigurePart part, std::uint32_t agent) {
+  static const std::array<Colour, 3> SKIN = {make(0.87, 0.69, 0.58), make(0.74, 0.54, 0.41), make(0.45, 0.31, 0.23)};
+  static const std::array<Colour, 4> DARK = {make(0.28, 0.24, 0.22), make(0.47, 0.34, 0.24), make(0.34, 0.37, 0.46),
+                                             make(0.55, 0.54, 0.54)};
+  switch (part) {
+    case FigurePart::HEAD:
+      return pick(SKIN, agent, 1);
+    case FigurePart::DARK:
+      return pick(DARK, agent, 2);
+    case FigurePart::SHIRT:
+      break;
+  }
+  const Colour shirt = ofAgent(agent);
+  const auto lit = [](double value) { return std::min(1.0, LIGHT * value); };
+  return make(lit(shirt.r), lit(shirt.g), lit(shirt.b));
+}
+
+double figureHeight(std::uint32_t agent) {
+  static constexpr std::array<double, 5> HEIGHTS = {0.92, 0.96, 1.0, 1.03, 1.06};
+  return pick(HEIGHTS, agent, 3);
+}
+
+Colour underFigure(std::uint32_t agent) { return withAlpha(ofAgent(agent), 0.45); }
 
 Colour ofContact() { return make(0.9, 0.0, 0.05); }
 Colour ofRobot() { return make(0.2, 0.14, 0.42); }

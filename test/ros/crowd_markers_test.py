@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The node crowd_markers: messages written by hand, and the markers that RViz would show."""
 import math
+import os
 import subprocess
 import unittest
 
@@ -11,12 +12,14 @@ from geometry_msgs.msg import Point, Pose2D
 from picturing import Picture, agent_at, fills, sectors_of
 from social_crowd.msg import (AgentPerception, AgentState, AgentStates, LearnerStatus, ObstacleState, Neighbour,
                               Perceptions, RobotState, RobotStates, Scenario, Wall)
-from support import PATIENCE, wait_for
+from support import PATIENCE, in_package, wait_for
 from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import Marker
 
 PACKAGE = 'social_crowd'
 NODE = 'crowd_markers'
 KINDS = {'bodies', 'headings', 'goals', 'paths', 'obstacles', 'walls', 'radii', 'sectors', 'robots'}
+PARTS = 3  # markers of a figure
 COLLISION_RADIUS, VISION_RADIUS = 0.6, 1.5  # [m]
 MODEL = f'''state_set: {{type: %s, collision_radius: {COLLISION_RADIUS}, vision_radius: {VISION_RADIUS}}}
 action_set: {{type: kings_moves, rotations: 8}}
@@ -41,8 +44,8 @@ class CrowdMarkersTest(unittest.TestCase):
         self.picture = Picture('markers')
         self.addCleanup(self.picture.close)
         for publisher in (self.agents, self.scenario, self.status, self.robots):
-            wait_for(lambda publisher=publisher: publisher.get_num_connections() == 2,
-                     f'both nodes subscribe to {publisher.name}')
+            wait_for(lambda publisher=publisher: publisher.get_num_connections() == 4,
+                     f'all nodes subscribe to {publisher.name}')
         wait_for(lambda: self.perceptions.get_num_connections() == 1, 'one node subscribes to perceptions')
         CrowdMarkersTest.episode += 1
         self.tick = 0
@@ -277,6 +280,93 @@ class CrowdMarkersTest(unittest.TestCase):
         self.begin(agent_at(0, 0.0, 0.0))  # without robots
         wait_for(lambda: 'robots' not in self.picture.kinds() and not self.picture.points('paths'), 'no robot')
 
+    # Walking people
+
+    def show_people(self):
+        people = Picture('people_markers')
+        self.addCleanup(people.close)
+        wait_for(people.markers, 'the node with people draws')
+        return people
+
+    @staticmethod
+    def meshes(people, agent):
+        """Returns the names of the meshes of an agent."""
+        return sorted(marker.mesh_resource.split('/')[-1][:-len('.stl')] for marker in people.markers('figures')
+                      if marker.id // PARTS == agent)
+
+    def test_people_are_meshes_that_exist_at_the_poses_of_the_agents(self):
+        people = self.show_people()
+        small = agent_at(3, 5.0, 2.0)
+        small.radius, small.pose.theta = 0.2, math.pi / 2.0
+        self.begin(small)
+        wait_for(lambda: len(people.markers('figures')) == PARTS == len(self.meshes(people, 3)), 'one figure')
+        self.assertNotIn('headings', people.kinds())
+        for marker in people.markers('figures'):
+            self.assertEqual(marker.type, Marker.MESH_RESOURCE)
+            prefix = 'package://social_crowd/'
+            self.assertTrue(marker.mesh_resource.startswith(prefix), marker.mesh_resource)
+            self.assertTrue(os.path.exists(in_package(marker.mesh_resource[len(prefix):])), marker.mesh_resource)
+            self.assertEqual((marker.pose.position.x, marker.pose.position.y), (5.0, 2.0))
+            self.assertAlmostEqual(marker.pose.orientation.z, math.sin(math.pi / 4.0))
+            self.assertAlmostEqual(marker.scale.x, 0.2 / 0.25)
+            self.assertEqual((marker.header.frame_id, marker.color.a), ('map', 1.0))
+        shirt = [marker.color for marker in people.markers('figures') if 'shirt' in marker.mesh_resource]
+        self.begin(agent_at(4, 5.0, 2.0))
+        wait_for(lambda: self.meshes(people, 4) and not self.meshes(people, 3), 'another agent')
+        others = [marker.color for marker in people.markers('figures') if 'shirt' in marker.mesh_resource]
+        self.assertNotEqual(shirt, others)
+
+    def test_people_step_with_the_distance_walked_and_stand(self):
+        people = self.show_people()
+        self.begin(agent_at(0, 0.0, 0.0))
+        standing = ['broad_dark_8', 'broad_head', 'broad_shirt_8']
+        wait_for(lambda: self.meshes(people, 0) == standing, 'standing')
+        for x, frame in ((0.2, 1), (0.6, 3), (1.3, 7), (1.5, 0)):  # a cycle of 8 frames is 1.4 m
+            self.show(agent_at(0, x, 0.0))
+            wait_for(lambda frame=frame: self.meshes(people, 0)[::2] == [f'broad_dark_{frame}', f'broad_shirt_{frame}'],
+                     f'frame {frame} at {x} m')
+        for _ in range(3):
+            self.show(agent_at(0, 1.5, 0.0))
+        wait_for(lambda: self.meshes(people, 0) == standing, 'standing again')
+
+    def test_people_who_leave_are_deleted(self):
+        people = self.show_people()
+        self.begin(*(agent_at(i, i, 0.0) for i in range(3)))
+        wait_for(lambda: len(people.markers('figures')) == 3 * PARTS, 'three figures')
+        arrived = agent_at(1, 1.0, 0.0, status=AgentState.ARRIVED)
+        self.show(agent_at(0, 0.0, 0.0), arrived, agent_at(2, 2.0, 0.0))
+        wait_for(lambda: not self.meshes(people, 1) and len(people.markers('figures')) == 2 * PARTS, 'one has arrived')
+        self.show(agent_at(0, 0.0, 0.0))
+        wait_for(lambda: len(people.markers('figures')) == PARTS, 'one is not in the message')
+        CrowdMarkersTest.episode += 1
+        self.begin(agent_at(7, 0.0, 0.0))
+        wait_for(lambda: self.meshes(people, 7) and not self.meshes(people, 0), 'another episode')
+
+    def test_large_crowds_are_discs(self):
+        people = self.show_people()
+        crowd = [agent_at(i, i % 25, i // 25) for i in range(201)]
+        self.begin(*crowd[:200])
+        wait_for(lambda: len(people.markers('figures')) == 200 * PARTS, '200 figures')
+        self.show(*crowd)
+        wait_for(lambda: people.body_count() == 201 and not people.markers('figures'), '201 discs')
+        self.show(*crowd[:200])
+        wait_for(lambda: not people.body_count() and len(people.markers('figures')) == 200 * PARTS, '200 figures again')
+
+    def test_old_parts_of_paths_fade_and_vanish(self):
+        fading = Picture('fading_markers')
+        self.addCleanup(fading.close)
+        wait_for(fading.markers, 'the node with fading paths draws')
+        self.begin(agent_at(0, 0.0, 0.0))
+        for second in range(11):
+            self.show(agent_at(0, float(second), 0.0), time=float(second))
+        wait_for(lambda: {x for x, _ in fading.points('paths')} == {7.0, 8.0, 9.0, 10.0}, 'the last 4 s of the path')
+        colours = {round(point.x): colour.g for marker in fading.markers('paths')
+                   for point, colour in zip(marker.points, marker.colors)}
+        self.assertEqual(sorted(colours, key=colours.get), [10, 9, 8, 7])  # older ones are nearer to white
+        wait_for(lambda: (0.0, 0.0) in self.picture.points('paths'), 'the whole path of the other node')
+
+    # Errors
+
     def test_ignores_invalid_messages(self):
         nan = float('nan')
         self.begin(agent_at(0, 0.0, 0.0), walls=[Wall(to=Point(nan, 0.0, 0.0)), Wall(to=Point(1.0, 0.0, 0.0))])
@@ -294,12 +384,13 @@ class CrowdMarkersTest(unittest.TestCase):
 
     def test_error_names_all_invalid_parameters(self):
         command = roslib.packages.find_node(PACKAGE, NODE)[0]
-        arguments = ['__name:=bad_markers', '_rate:=-1', '_radii:=some', '_agent:=0.5', '_colour:=red']
+        arguments = ['__name:=bad_markers', '_rate:=-1', '_radii:=some', '_agent:=0.5', '_figures:=ghosts',
+                     '_colour:=red']
         run = subprocess.run([command] + arguments, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              timeout=PATIENCE, check=False)
         output = run.stdout.decode()
         self.assertEqual(run.returncode, 1, output)
-        for name in ('~rate', '~radii', '~agent', '~colour'):
+        for name in ('~rate', '~radii', '~agent', '~figures', '~colour'):
             self.assertIn(f'{name}: ', output)
 
 

@@ -154,7 +154,7 @@ class RobotBenchmarkTest:
          'expected straight, reactive, learned, straight_stop, learned_stop, move_base, move_base_people, or NAME='),
         (['--robot', 'straight=file.csv'], 'NAME=FILE.csv with another name'),
         (['--scenarios', 'robot_dor'], "invalid choice: 'robot_dor'"),
-        (['--placements', '0'], 'expected a number above 0'),
+        (['--placements', '0'], 'expected a whole number from 1'),
     ])
     def test_wrong_usage(self, runner, words, said):
         refused = self.benchmark(runner, *words)
@@ -223,7 +223,7 @@ class DriveRobotsTest:
         assert not os.path.exists(runner.path('robots.csv'))
 
     @pytest.mark.parametrize('words, said', [
-        (['--episodes', '0'], 'expected a number above 0'), (['--robot', 'bus'], "invalid choice: 'bus'")])
+        (['--episodes', '0'], 'expected a whole number from 1'), (['--robot', 'bus'], "invalid choice: 'bus'")])
     def test_wrong_usage(self, runner, words, said):
         refused = self.drive(runner, 'scenario.yaml', *words)
         assert refused.wait() == 2, refused.output()

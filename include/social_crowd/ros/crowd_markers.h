@@ -11,7 +11,8 @@ namespace crowd {
 
 /// @brief Parameters of the node crowd_markers; see MarkerOptions for the other defaults.
 struct MarkerParameters {
-  MarkerOptions options;  ///< ~agent (-1: none), ~radii (none, chosen or all), ~path_step [m], ~path_points
+  MarkerOptions options;  ///< ~agent (-1: none), ~radii (none, chosen or all), ~figures (auto, discs or people),
+                          ///< ~path_time [s], ~path_step [m], ~path_points
   double rate = 20.0;     ///< ~rate: maximum rate of markers [Hz], wall clock
 };
 

@@ -15,12 +15,12 @@
 /// not walk have no body, heading and radii. Values that are not finite are not drawn.
 namespace crowd {
 
-/// @brief Filled discs in the agents' colours.
-visualization_msgs::Marker drawBodies(const social_crowd::AgentStates& states);
+/// @brief Filled discs in the agents' colours. @param figures whether people stand on them: the discs are faint then
+visualization_msgs::Marker drawBodies(const social_crowd::AgentStates& states, bool figures);
 /// @brief Red rims of the bodies that are in contact; in the namespace of the bodies.
 visualization_msgs::Marker drawContacts(const social_crowd::AgentStates& states);
-/// @brief Arrows on the bodies.
-visualization_msgs::Marker drawHeadings(const social_crowd::AgentStates& states);
+/// @brief Arrows on the bodies. @param figures whether people stand on them, who have no arrows
+visualization_msgs::Marker drawHeadings(const social_crowd::AgentStates& states, bool figures);
 /// @brief Crosses in the agents' colours; also of agents that have arrived.
 visualization_msgs::Marker drawGoals(const social_crowd::AgentStates& states);
 visualization_msgs::Marker drawObstacles(const social_crowd::AgentStates& states);

@@ -14,6 +14,7 @@
 
 #include "social_crowd/learning/states/obstacle_classes.h"
 #include "social_crowd/learning/states/state_set.h"
+#include "social_crowd/ros/marker_figures.h"
 #include "social_crowd/ros/marker_paths.h"
 #include "social_crowd/ros/tick_messages.h"
 #include "social_crowd/world/geometry.h"
@@ -47,10 +48,14 @@ social_crowd::AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& 
 /// @brief Options of the visualisation.
 struct MarkerOptions {
   enum class Radii { NONE, CHOSEN, ALL };
+  enum class Figures { AUTO, DISCS, PEOPLE };
   static constexpr std::int64_t NO_AGENT = -1;
+  static constexpr std::size_t MOST_FIGURES = 200;  ///< with AUTO, larger crowds are shown as discs
 
   std::int64_t agent = 0;            ///< the agent whose occupied sectors are shown; NO_AGENT: none
   Radii radii = Radii::CHOSEN;       ///< agents around which the limits of the distance classes are shown
+  Figures figures = Figures::AUTO;   ///< agents as discs or as walking people
+  double path_time = 0.0;            ///< time for which walked paths are shown [s]; 0: see pathTimeFor()
   double path_step = 0.05;           ///< distance between two points of a path [m]
   std::size_t path_points = 40'000;  ///< maximum number of points of all paths together
 };
@@ -80,6 +85,10 @@ class MarkerScene {
   visualization_msgs::MarkerArray draw(bool whole);
 
  private:
+  bool showsFigures() const;
+  /// Returns the number of agents on the floor.
+  std::size_t countWalkers() const;
+  double pathTime(std::size_t walkers) const;
   void show(const social_crowd::AgentStates::ConstPtr& states);
   const social_crowd::AgentState* findChosen() const;
   visualization_msgs::Marker drawRadii() const;
@@ -91,6 +100,8 @@ class MarkerScene {
   std::vector<social_crowd::Wall> walls_;
   Perceptions perceptions_;  // of the chosen agent only, or empty
   WalkedPaths paths_;
+  std::size_t most_walkers_ = 0;  // at a time in the episode
+  WalkingFigures figures_;
   social_crowd::RobotStates::ConstPtr robots_;  // never null
   WalkedPaths robot_paths_;
   bool changed_ = false;

@@ -62,7 +62,9 @@ class LineMarker : public ListMarker {
   /// @param width of the lines [m]
   LineMarker(const char* kind, int id, marker_style::Layer layer, double width);
 
-  void addLine(const Vector2& from, const Vector2& to, const Colour& colour);
+  void addLine(const Vector2& from, const Vector2& to, const Colour& colour) { addLine(from, to, colour, colour); }
+  /// @brief A line whose colour changes along it.
+  void addLine(const Vector2& from, const Vector2& to, const Colour& begin, const Colour& end);
   /// @param circle see unitCircle()
   void addCircle(const Vector2& centre, double radius, const std::vector<Vector2>& circle, const Colour& colour);
   /// @param corners of a closed line

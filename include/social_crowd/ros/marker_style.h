@@ -20,6 +20,7 @@ constexpr const char* WALLS = "walls";
 constexpr const char* RADII = "radii";
 constexpr const char* SECTORS = "sectors";
 constexpr const char* ROBOTS = "robots";
+constexpr const char* FIGURES = "figures";
 
 /// @brief Drawing order, lowest first.
 enum class Layer { SECTORS = 1, OBSTACLES, WALLS, PATHS, GOALS, RADII, BODIES, HEADINGS, CONTACTS };
@@ -28,7 +29,7 @@ constexpr double LAYER_HEIGHT = 0.02;  ///< distance between two layers [m]; RVi
 // Sizes [m].
 constexpr double PATH_WIDTH = 0.035;
 constexpr double WALL_WIDTH = 0.06;
-constexpr double RADIUS_WIDTH = 0.02;
+constexpr double RADIUS_WIDTH = 0.012;
 constexpr double CONTACT_WIDTH = 0.06;
 constexpr double GOAL_WIDTH = 0.045;
 constexpr double GOAL_SIZE = 0.13;        ///< length of an arm of the cross
@@ -52,12 +53,24 @@ std::size_t cornersFor(std::size_t bodies);
 Colour ofAgent(std::uint32_t agent);
 /// @brief Returns the colour mixed with white.
 Colour paler(const Colour& colour);
+/// @brief Returns the colour mixed with that of the floor in rviz/social_crowd.rviz: 1 the colour, 0 the floor. RViz
+/// ignores the opacity of the points of lines.
+Colour faded(const Colour& colour, double strength);
 /// @brief Colour of the circle that limits a distance class. The last limit is the radius of vision (amber), the others
 /// are collision radii (red).
 /// @param classes number of classes
 Colour ofRadius(std::size_t distance_class, std::size_t classes);
 /// @brief Colour of an occupied sector (translucent) by its class.
 Colour ofSector(std::size_t distance_class, std::size_t classes);
+/// @brief Parts of a person's figure; the dark ones are hair, trousers or skirt, and shoes.
+enum class FigurePart { HEAD, SHIRT, DARK };
+constexpr std::size_t FIGURE_PARTS = 3;
+/// @brief Colour of a part; the shirt has the colour of the agent.
+Colour ofFigure(FigurePart part, std::uint32_t agent);
+/// @brief Height of the figure of an agent, as a factor of that of the meshes (1.75 m).
+double figureHeight(std::uint32_t agent);
+/// @brief Colour of the floor that the body of an agent with a figure covers.
+Colour underFigure(std::uint32_t agent);
 Colour ofContact();
 Colour ofRobot();
 Colour ofHeading();

@@ -1,0 +1,1 @@
+"""Modules of scripts/draw_figures."""

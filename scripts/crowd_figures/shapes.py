@@ -1,0 +1,56 @@
+"""Closed shapes of triangles: arrays [triangle, corner, coordinate] in m; x ahead, y left, z up.
+
+Seen from outside, the corners of a triangle are counterclockwise.
+"""
+import numpy
+
+
+def loft(rings):
+    """A closed shape through rings [corner, coordinate], counterclockwise as seen from the end of the shape."""
+    triangles = []
+    count = len(rings[0])
+    for low, high in zip(rings, rings[1:]):
+        for i in range(count):
+            j = (i + 1) % count
+            triangles += [(low[i], low[j], high[j]), (low[i], high[j], high[i])]
+    for ring, order in ((rings[0], -1), (rings[-1], 1)):
+        triangles += [(ring[0], *ring[i:i + 2][::order]) for i in range(1, count - 1)]
+    return numpy.array(triangles)
+
+
+def ellipse(centre, ahead, left, corners):
+    """A horizontal ring with these half axes [m]."""
+    angles = numpy.arange(corners) * 2 * numpy.pi / corners
+    return numpy.array(centre) + numpy.stack([ahead * numpy.cos(angles), left * numpy.sin(angles), 0 * angles], axis=1)
+
+
+def ellipsoid(centre, half_axes, corners, rings):
+    """An ellipsoid; its poles are small flat ends."""
+    bends = numpy.linspace(-1.35, 1.35, rings)
+    return loft([ellipse((centre[0], centre[1], centre[2] + half_axes[2] * numpy.sin(bend)),
+                         half_axes[0] * numpy.cos(bend), half_axes[1] * numpy.cos(bend), corners) for bend in bends])
+
+
+def limb(points, radii, corners=6):
+    """A tube through points [m] of a vertical plane along x, with a radius [m] at each of them."""
+    points = numpy.array(points, float)
+    ways = numpy.diff(points, axis=0)
+    ways /= numpy.linalg.norm(ways, axis=1)[:, None]
+    ways = numpy.concatenate([ways[:1], ways[:-1] + ways[1:], ways[-1:]])
+    angles = numpy.arange(corners) * 2 * numpy.pi / corners
+    rings = []
+    for point, way, radius in zip(points, ways, radii):
+        across = numpy.array([0.0, 1.0, 0.0])
+        other = numpy.cross(way / numpy.linalg.norm(way), across)
+        rings.append(point + radius * (numpy.cos(angles)[:, None] * across - numpy.sin(angles)[:, None] * other))
+    return loft([ring[::-1] for ring in rings])
+
+
+def join(*shapes):
+    """Several shapes as one."""
+    return numpy.concatenate(shapes)
+
+
+def volume(shape):
+    """Volume of a closed shape [m^3]; negative if its corners are clockwise."""
+    return float(numpy.einsum('ij,ij->i', shape[:, 0], numpy.cross(shape[:, 1], shape[:, 2])).sum() / 6)

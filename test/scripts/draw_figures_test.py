@@ -1,0 +1,66 @@
+"""scripts/draw_figures: the meshes of the package are those that it makes; bodies that stand on the floor."""
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / 'scripts'))
+from crowd_figures import gait  # noqa: E402
+from crowd_figures.shapes import ellipse, limb, loft, volume  # noqa: E402
+from crowd_figures.stl import TRIANGLE  # noqa: E402
+
+
+def read(file):
+    """Returns the triangles of a binary STL file."""
+    content = file.read_bytes()
+    rows = numpy.frombuffer(content[84:], TRIANGLE)
+    assert len(rows) == int.from_bytes(content[80:84], 'little')
+    return rows
+
+
+@pytest.fixture(scope='module')
+def made(tmp_path_factory):
+    folder = tmp_path_factory.mktemp('figures') / 'meshes'
+    command = [str(ROOT / 'scripts' / 'draw_figures'), '--output', str(folder)]
+    run = subprocess.run(command, stdout=subprocess.PIPE, check=False)
+    assert run.returncode == 0
+    assert b'38 meshes' in run.stdout
+    return folder
+
+
+def test_meshes_of_the_package_are_up_to_date_and_small(made):
+    shipped = sorted((ROOT / 'meshes').iterdir())
+    assert [file.name for file in shipped] == sorted(file.name for file in made.iterdir())
+    for file in shipped:
+        assert numpy.allclose(read(file)['corners'], read(made / file.name)['corners'], atol=1e-5), file.name
+    assert sum(file.stat().st_size for file in shipped) < 300_000
+
+
+def test_lower_foot_is_on_the_floor(made):
+    for file in made.glob('*_dark_*.stl'):
+        assert abs(read(file)['corners'][:, :, 2].min()) < 1e-6, file.name
+
+
+def test_people_are_as_tall_and_wide_as_people(made):
+    for build in 'broad', 'slim':
+        corners = numpy.concatenate([read(file)['corners'] for file in made.glob(f'{build}_*.stl')])
+        assert 1.7 < corners[:, :, 2].max() < 1.8
+        assert 0.4 < numpy.ptp(corners[:, :, 1]) < 0.6
+
+
+def test_shapes_are_closed_with_the_outside_outwards():
+    # A prism with a regular hexagon of radius 0.1 m and a length of 0.5 m.
+    assert volume(limb([(0, 0, 0.5), (0, 0, 0)], (0.1, 0.1))) == pytest.approx(1.5 * 3 ** 0.5 * 0.01 * 0.5)
+    assert volume(limb([(0, 0, 0), (0.5, 0, 0)], (0.1, 0.1))) == pytest.approx(1.5 * 3 ** 0.5 * 0.01 * 0.5)
+    assert volume(loft([ellipse((0, 0, z), 0.1, 0.1, 4) for z in (0, 1)])) == pytest.approx(0.02)
+
+
+def test_gait_is_that_of_a_walk():
+    assert gait.joints(gait.FRAMES)[0][:3] == (0.0, 0.0, 0.0)  # who stands has straight legs
+    for frame in range(gait.FRAMES):
+        left, right = gait.joints(frame)
+        assert numpy.allclose(left, gait.joints((frame + gait.FRAMES // 2) % gait.FRAMES)[1])
+        assert (left[0] - right[0]) * (left[2] - right[2]) < 0  # arms swing against legs
