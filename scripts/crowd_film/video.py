@@ -1,4 +1,5 @@
 """Writes films as MP4, with the program ffmpeg."""
+import itertools
 import shutil
 import subprocess
 
@@ -26,7 +27,7 @@ def write_mp4(file, frames, _samples, duration):
                '-pix_fmt', 'yuv420p', '-movflags', '+faststart', '-f', 'mp4', str(file)]
     ffmpeg = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     try:
-        for frame in (first, *frames):
+        for frame in itertools.chain([first], frames):  # not all of them at once in memory
             ffmpeg.stdin.write(frame.tobytes())
     except BrokenPipeError:
         pass  # ffmpeg has failed; its message follows

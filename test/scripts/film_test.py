@@ -15,6 +15,7 @@ from crowd_film.frames import FramePainter
 from crowd_film.pictures import write_gif
 from crowd_film.production import Settings, frame_times
 from crowd_film.stage import DPI, FOOT, Stage
+from crowd_film.video import write_mp4
 from crowd_recordings.shown import read_shown
 from crowd_recordings.tracks import track_of
 from programs import PATIENCE, assert_says, in_package, read_text, tools_folder, wait_for
@@ -149,6 +150,38 @@ class FrameTest:
     def test_dots_per_inch(self, runner):
         """Line widths are given in points of 1/72 inch."""
         assert self.painter(runner)[1].figure.dpi == DPI
+
+
+class Encoder:
+    """Stands for ffmpeg. Notes how many frames were drawn whenever one is written."""
+    returncode = 0
+
+    def __init__(self, drawn):
+        self.drawn, self.noted, self.stdin = drawn, [], self
+
+    def write(self, _):
+        self.noted.append(len(self.drawn))
+
+    def communicate(self):
+        return b'', b''
+
+
+class VideoTest:
+    """MP4."""
+
+    def test_frames_are_not_collected(self, monkeypatch):
+        """Each frame is written before the next one is drawn: those of a long film do not fit in memory."""
+        drawn = []
+        encoder = Encoder(drawn)
+
+        def frames():
+            for number in range(50):
+                drawn.append(number)
+                yield numpy.full((2, 4, 3), number, dtype=numpy.uint8)
+        monkeypatch.setattr('crowd_film.video.need_ffmpeg', lambda: 'ffmpeg')
+        monkeypatch.setattr('crowd_film.video.subprocess.Popen', lambda *_, **__: encoder)
+        write_mp4('film.mp4', frames(), None, 50)
+        assert encoder.noted == list(range(1, 51))
 
 
 class TimeTest:
