@@ -8,6 +8,7 @@ from crowd_curves.bands import band_of, default_window
 from crowd_curves.drawing import draw_curves, measures_of
 from crowd_curves.records import read_run
 from crowd_drawing.errors import InputError
+from crowd_experiments.labels import labelled
 from crowd_experiments.numbers import positive
 
 EXAMPLES = '''examples:
@@ -38,15 +39,10 @@ def parser():
     return result
 
 
-def labelled(word):
-    """Returns label and file of a word of the command line."""
-    label, sign, file = word.partition('=')
-    return (label, file) if sign else ('', word)
-
-
 def plot(arguments):
     """Reads the records, draws the curves, and prints the last point of each."""
-    runs = [read_run(*labelled(word), arguments.scenario) for word in arguments.records]
+    named = [labelled(word) for word in arguments.records]
+    runs = [read_run(label or '', file, arguments.scenario) for label, file in named]
     columns = arguments.columns.split(',') if arguments.columns else None
     for column in columns or []:
         for run in runs:

@@ -41,9 +41,13 @@ class Messages:
         return AgentStates(header=Header(stamp=stamp, frame_id=FRAME), episode=episode, tick=tick,
                            time=tick * self.tick_duration, agents=self.agents(tick), obstacles=self.obstacles(tick))
 
+    def time_of(self, tick):
+        """Returns the time of a tick in the recording [s], whose first tick may be later than 0."""
+        return self.first + tick * self.tick_duration
+
     def agents(self, tick):
         """Returns the states of all people who have appeared by a tick."""
-        time = self.first + tick * self.tick_duration
+        time = self.time_of(tick)
         soon = 0.5 * self.tick_duration  # times are multiples of the tick up to rounding
         return [self.agent(number, track, time, time > track.times[-1] + soon)
                 for number, track in enumerate(self.tracks) if track.times[0] <= time + soon]
@@ -60,9 +64,9 @@ class Messages:
 
     def obstacles(self, tick):
         """Returns the states of the obstacles whose place is known."""
+        time = self.time_of(tick)
         known = [obstacle for obstacle in self.scene.obstacles if obstacle['position'] is not None]
-        return [ObstacleState(obstacle=number, radius=obstacle['radius'],
-                              position=Point(*place_of(obstacle, tick * self.tick_duration), 0))
+        return [ObstacleState(obstacle=number, radius=obstacle['radius'], position=Point(*place_of(obstacle, time), 0))
                 for number, obstacle in enumerate(known)]
 
 

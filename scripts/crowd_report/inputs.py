@@ -4,6 +4,7 @@ import pathlib
 
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import HEADER
+from crowd_experiments.labels import labelled
 from crowd_experiments.records import read_csv
 
 METRICS, RECORD, TRAJECTORIES = 'metrics', 'record', 'trajectories'
@@ -24,13 +25,13 @@ class Source:
 def source_of(word):
     """Returns the Source of a word of the command line, [LABEL=]FILE. The default label is the name of the file's
     folder. Raises InputError, OSError."""
-    label, sign, name = word.partition('=')
-    file = pathlib.Path(name if sign else word)
+    label, name = labelled(word)
+    file = pathlib.Path(name)
     with open(file, encoding='utf-8', errors='replace') as stream:
         first = next(stream, '').strip()
     for kind, (header, _) in HEADERS.items():
         if first.startswith(header):
-            return Source(label if sign else file.resolve().parent.name, kind, file)
+            return Source(file.resolve().parent.name if label is None else label, kind, file)
     expected = ', '.join(f'{header}... ({program})' for header, program in HEADERS.values())
     raise InputError(f'{file}:1: expected one of the headers {expected}')
 

@@ -86,6 +86,18 @@ class ReplayTest(LaunchTestCase):
         self.assertAlmostEqual(self.states.messages[2].obstacles[0].position.y, 0.2)
         self.assertEqual(self.states.messages[2].header.frame_id, 'map')
 
+    def test_a_recording_that_begins_later(self):
+        """The moving obstacle is where it was at the time of the people: at tick 3 at 0.15 s * 2 m/s."""
+        walk = 'instance,tick,agent,x,y\n0,3,0,0,0\n0,4,0,0.05,0\n'
+        node = self.start_replay(trajectories=self.write('walk.csv', walk), scenario=self.write('c.yaml', CORRIDOR))
+        scenario = self.scenarios.wait(what='of the recording')
+        self.assertAlmostEqual(scenario.obstacles[0].position.y, 0.3)
+        self.go_on()
+        self.assertEqual(node.wait(), 0)
+        self.states.wait_at(0, 1)
+        places = [states.obstacles[0].position.y for states in self.states.messages]
+        self.assertEqual([round(place, 9) for place in places], [0.3, 0.4])
+
     def test_people_filmed_from_above(self):
         """Frames of 0.4 s are interpolated to ticks of 0.1 s. People are numbered as they come."""
         node = self.start_replay(trajectories=self.write('obsmat.txt', OBSMAT))
@@ -116,17 +128,20 @@ class ReplayTest(LaunchTestCase):
 
     def test_pause(self):
         """No tick comes while it is paused; then it goes on with the next one."""
-        node = self.start_replay(trajectories=self.write('obsmat.txt', OBSMAT), rate=1.0)
+        walk = 'instance,tick,agent,x,y\n' + ''.join(f'0,{tick},0,{tick / 10},0\n' for tick in range(1000))
+        self.start_replay(trajectories=self.write('long.csv', walk), rate=1.0)
         self.go_on()
         self.states.wait_at(0, 1)
         self.assertEqual(self.succeed('replay/pause', data=True).message, 'paused')
-        last = self.states.messages[-1].tick
-        self.succeed('replay/pause', data=True)  # a further message would have come with the tick under way
-        self.assertLessEqual(self.states.messages[-1].tick, last + 1)
+        paused = rospy.get_time()
+        support.wait_for(lambda: rospy.get_time() > paused + 0.6, 'the time of six ticks')
+        continued = rospy.get_time()
         self.succeed('replay/pause', data=False)
-        self.assertEqual(node.wait(), 0)
-        self.states.wait_at(0, 8)
-        self.assertEqual([states.tick for states in self.states.messages], list(range(9)))
+        self.states.wait_at(0, 12)
+        messages = self.states.messages[:13]
+        self.assertEqual([states.tick for states in messages], list(range(13)))
+        meanwhile = [states.tick for states in messages if paused < states.header.stamp.to_sec() < continued]
+        self.assertLessEqual(len(meanwhile), 1)  # the tick under way
 
     def test_loop(self):
         """The second time is another episode with the same positions."""

@@ -116,6 +116,19 @@ class ProgramTest:
         with PIL.Image.open(runner.path('curves.png')) as picture:
             assert len(set(picture.convert('RGB').getdata())) > 100  # curves, bands and texts
 
+    def test_folders_of_sweeps(self, runner):
+        """Signs in the names of folders end no label; the file may be relative or missing."""
+        os.mkdir(runner.path('000_gamma=0.1'))
+        runner.write('000_gamma=0.1/learning.csv', RECORD)
+        for word in ('000_gamma=0.1/learning.csv', runner.path('000_gamma=0.1/learning.csv'),
+                     'one=000_gamma=0.1/learning.csv'):
+            status, output = plot(runner, word, '--output', 'curves.png')
+            assert status == 0, output
+            assert ('one, ' in output) == word.startswith('one')
+        status, output = plot(runner, 'runs/000_gamma=0.1/none.csv', '--output', 'curves.png')
+        assert status == 1
+        assert_says(output, 'plot_learning: runs/000_gamma=0.1/none.csv: No such file')
+
     def test_further_columns(self, runner):
         """Columns of other programs are drawn as they are called."""
         runner.write('r.csv', 'episode,arrived,reward,pauses\n0,1,-3.5,2\n1,1,-2.5,4\n')

@@ -133,6 +133,11 @@ class TableTest:
         file = runner.write('small/r.csv', RECORD_FILE % 1)
         assert (source_of(file).label, source_of(file).kind) == ('small', RECORD)
         assert source_of(f'large={file}').label == 'large'
+        swept = '000_gamma=0.1_alpha=0.3/r.csv'  # a folder of `sweep`
+        os.mkdir(runner.path(os.path.dirname(swept)))
+        file = runner.write(swept, RECORD_FILE % 1)
+        assert (source_of(file).label, str(source_of(file).file)) == ('000_gamma=0.1_alpha=0.3', file)
+        assert (source_of(f'b={file}').label, str(source_of(f'b={file}').file)) == ('b', file)
         assert source_of(runner.write('m.csv', METRICS_FILE % 1)).kind == METRICS
         with pytest.raises(InputError, match='x.csv:1: expected one of the headers scenario,instances'):
             source_of(runner.write('x.csv', 'a,b\n'))
