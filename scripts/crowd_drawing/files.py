@@ -18,12 +18,17 @@ HERE = pathlib.Path(__file__).resolve().parent
 HOMES = [HERE.parents[1], HERE.parents[2] / 'share' / 'social_crowd']
 
 
+def shipped_scenarios():
+    """Returns the package's scenario files by their names."""
+    return {file.stem: file for home in HOMES for file in sorted((home / 'config' / 'scenarios').glob('*.yaml'))}
+
+
 def find_scenario(name_or_file):
     """Returns the given file if it exists, otherwise the package's scenario of that name."""
     path = pathlib.Path(name_or_file)
     if path.exists() or path.parent != pathlib.Path('.') or path.suffix not in ('', '.yaml'):
         return name_or_file
-    scenarios = {file.stem: file for home in HOMES for file in sorted((home / 'config' / 'scenarios').glob('*.yaml'))}
+    scenarios = shipped_scenarios()
     if path.stem in scenarios:
         return scenarios[path.stem]
     near = difflib.get_close_matches(path.stem, scenarios)

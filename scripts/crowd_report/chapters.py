@@ -2,8 +2,9 @@
 from crowd_curves.bands import default_window
 from crowd_curves.drawing import draw_curves, measures_of
 from crowd_curves.records import read_run
+from crowd_drawing.files import DEFAULT_TICK
 from crowd_experiments.chapter import Chapter
-from crowd_report.figures import draw_paths, draw_separations, draw_speeds
+from crowd_report.figures import draw_paths, draw_separations, draw_speeds, scenario_of
 from crowd_report.inputs import METRICS, RECORD, TRAJECTORIES, of_kind
 from crowd_report.tables import comparison_rows, metrics_rows
 
@@ -62,15 +63,21 @@ def walking_chapters(groups, folder):
         chosen = {label: [source for source in sources if source.file.stem == scenario]
                   for label, sources in groups.items()}
         chosen = {label: sources for label, sources in chosen.items() if sources}
-        name = f'{scenario}.png'
+        name, note = f'{scenario}.png', note_of(source.file for sources in chosen.values() for source in sources)
         add(paths, draw_paths(folder / f'paths_{name}', chosen),
-            f'{scenario}: paths of the first episode; circles: ends.')
+            f'{scenario}: paths of the first episode; circles: ends.{note}')
         add(crowding, draw_separations(folder / f'separation_{name}', chosen),
-            f'{scenario}: distance from each person to the nearest other one, every 0.5 s.')
+            f'{scenario}: distance from each person to the nearest other one, every 0.5 s.{note}')
         add(crowding, draw_speeds(folder / f'speed_{name}', chosen),
             f'{scenario}: speed over one second against the number of people within 2 m, including the person, divided '
-            'by the area. Bars: standard deviation; at least 20 values each.')
+            f'by the area. Bars: standard deviation; at least 20 values each.{note}')
     return [paths, *([crowding] if crowding.parts else [])]
+
+
+def note_of(files):
+    """Returns the part of a caption that says which files of trajectories have no known scenario."""
+    unknown = [str(file) for file in files if scenario_of(file) is None]
+    return f" Scenario unknown, a tick of {DEFAULT_TICK} s assumed: {', '.join(unknown)}." if unknown else ''
 
 
 def add(chapter, file, caption):

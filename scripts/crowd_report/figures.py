@@ -2,8 +2,7 @@
 import textwrap
 
 import numpy
-from crowd_drawing.errors import InputError
-from crowd_drawing.files import Scene, find_scenario, read_scene, read_walks
+from crowd_drawing.files import Scene, read_scene, read_walks, shipped_scenarios
 from crowd_drawing.picture import Picture, colours_of
 from crowd_drawing.surroundings import draw_surroundings
 from crowd_experiments.records import read_tracks
@@ -19,12 +18,17 @@ FARTHEST = 4.0  # [m]
 MOST_OPAQUE = 30  # paths; more are paler
 
 
+def scenario_of(file):
+    """Returns the scenario file of a file of trajectories: NAME.yaml beside it, as `evaluate --scenes` writes it, else
+    the package's scenario of this name; None if there is neither."""
+    beside = file.with_suffix('.yaml')
+    return beside if beside.is_file() else shipped_scenarios().get(file.stem)
+
+
 def scene_of(file):
-    """Returns the scenario whose name a file of trajectories has; an empty scene if there is none."""
-    try:
-        return read_scene(find_scenario(file.stem), 0)
-    except (InputError, OSError):
-        return Scene({}, str(file))
+    """Returns the scenario of a file of trajectories; an empty scene if it is unknown. Raises InputError, OSError."""
+    scenario = scenario_of(file)
+    return read_scene(scenario, 0) if scenario else Scene({}, str(file))
 
 
 def draw_paths(target, groups):

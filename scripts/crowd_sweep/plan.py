@@ -56,5 +56,6 @@ def run_of(sweep, setting, name, config, scenarios, seed):
                 seed if sweep.evaluate_seed is None else sweep.evaluate_seed, *ONE_THREAD]
     commands.append([*evaluate, '--episodes', sweep.episodes, '--csv', METRICS, '--record', RECORD, *scenarios])
     if sweep.trajectories and seed == sweep.seeds[0]:
-        commands.append([*evaluate, '--episodes', 1, '--trajectories', TRAJECTORIES, *scenarios])
+        commands.append([*evaluate, '--episodes', 1, '--trajectories', TRAJECTORIES, '--scenes', TRAJECTORIES,
+                         *scenarios])
     return Run(pathlib.Path(setting.run_folder(name, f'seed_{seed}')), commands)

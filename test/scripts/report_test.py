@@ -4,6 +4,7 @@ import html.parser
 import io
 import math
 import os
+import pathlib
 import re
 import subprocess
 
@@ -12,6 +13,7 @@ import PIL.Image
 import pytest
 from crowd_drawing.errors import InputError
 from crowd_report.crowding import separations, speed_by_density, speeds_and_densities
+from crowd_report.figures import scenario_of, scene_of, tracks_of
 from crowd_report.inputs import METRICS, RECORD, of_kind, source_of
 from crowd_report.tables import comparison_rows, metrics_rows, samples
 from learning_files import config_text
@@ -188,6 +190,20 @@ class ProgramTest:
         runner.write('street.csv', 'instance,tick,agent,x,y\n' + rows)
         status, output = report(runner, 'people=street.csv', '--output', 'report.html')
         assert status == 0, output
+        assert 'Scenario unknown, a tick of 0.1 s assumed: street.csv.' in ' '.join(Page(read_text(runner.path('report.html'))).texts)
+
+    def test_the_scenario_beside_a_recording(self, runner, monkeypatch):
+        """It comes before the package's, whose tick is 0.1 s; a folder of this name is no scenario."""
+        os.mkdir(runner.path('circle6'))
+        file = pathlib.Path(runner.write('circle6.csv', 'instance,tick,agent,x,y\n0,0,0,0,0\n'))
+        monkeypatch.chdir(runner.folder)
+        assert (str(scenario_of(file)), len(scene_of(file).agents)) == (CIRCLE6, 6)
+        runner.write('circle6.yaml', 'tick: 0.05\n')
+        assert (scenario_of(file), scene_of(file).tick) == (file.with_suffix('.yaml'), 0.05)
+        assert [tick for _, tick in tracks_of([source_of(str(file))])] == [0.05]
+        runner.write('circle6.yaml', 'tick: slow\n')
+        with pytest.raises(InputError, match='circle6.yaml: document 1: tick: expected a number'):
+            scene_of(file)
 
     @pytest.mark.parametrize('status, arguments, words', [
         (2, ['--output', 'a.html'], ['expected at least one file']),

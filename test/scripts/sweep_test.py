@@ -8,6 +8,7 @@ import subprocess
 import pytest
 import yaml
 from crowd_drawing.errors import InputError
+from crowd_report.figures import scene_of
 from crowd_sweep.plan import label_of
 from crowd_sweep.program import EXAMPLES
 from crowd_sweep.sweep_file import read_sweep
@@ -144,6 +145,14 @@ class ProgramTest:
         page = read_text(runner.path('results/report.html'))
         assert_says(page, 'radius=0.2', 'radius=0.25')
         assert 'Learning curves' not in page and 'Paths' not in page
+
+    def test_varied_ticks_are_those_of_the_report(self, runner):
+        """Each recording is measured in the scenario that it was made in."""
+        text = TABLE_SWEEP.replace('agents.*.radius: [0.2, 0.25]', 'tick: [0.05, 0.1]')
+        status, output = sweep(runner, runner.write('grid.yaml', text.replace(', trajectories: false', '')))
+        assert status == 0, output
+        files = sorted(pathlib.Path(runner.path('results/runs')).glob('*/seed_1/trajectories/*.csv'))
+        assert [(file.name, scene_of(file).tick) for file in files] == [('circle6.csv', 0.05), ('circle6.csv', 0.1)]
 
     def test_dry_run(self, runner):
         status, output = sweep(runner, write_sweep(runner), '--dry-run')
