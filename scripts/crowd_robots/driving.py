@@ -9,7 +9,7 @@ import sys
 
 import yaml
 
-from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, positive
+from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, positive
 from crowd_experiments.runs import RunError
 from crowd_launching.program import Program
 
@@ -23,7 +23,8 @@ It starts a ROS master of its own and move_base.launch, as fast as possible. The
 move_base has sent its first command. move_base and its planners have to be in the ROS environment; for move_base_people
 the package has to be built where costmap_2d is.
 
-Exit status: 0 success, 1 not all episodes were recorded or an input is wrong, 2 wrong usage.'''
+FILE of --robots-csv is written when all episodes are recorded. Exit status: 0 success, 1 not all episodes were recorded
+or an input is wrong, 2 wrong usage, 130 interrupted.'''
 
 
 def parser():
@@ -48,12 +49,15 @@ def launch_arguments(scenario, robot):
     robots = document.get('robots') if isinstance(document, dict) else None
     if not robots:
         raise RunError(f'{scenario}: expected a scenario with robots')
-    if any('radius' not in entry for entry in robots):
+    if not isinstance(robots, list) or any(not isinstance(entry, dict) or 'radius' not in entry for entry in robots):
         raise RunError(f'{scenario}: robots: expected the key radius for each robot')
+    for number, entry in enumerate(robots):
+        if len(robots) > 1 and not (entry.get('namespace') or entry.get('name')):
+            raise RunError(f'{scenario}: robots[{number}]: expected a name or a namespace, as there are several robots')
     found = {
         'scenario': scenario.absolute(),
         'map': 'map' in document,
-        'robots': ' '.join(entry.get('namespace', entry['name'] if len(robots) > 1 else '') for entry in robots),
+        'robots': ' '.join(entry.get('namespace') or (entry['name'] if len(robots) > 1 else '') for entry in robots),
         'radius': max(entry['radius'] for entry in robots),
         'goal_tolerance': document.get('goal_tolerance', 0.3),
         'command_period': document.get('tick', 0.1),
@@ -80,8 +84,9 @@ def drive(arguments):
                                                        stderr=subprocess.DEVNULL, check=False).returncode != 0:
         raise RunError('move_base is not in the ROS environment; source the setup file of its workspace')
     record = arguments.robots_csv.absolute()
-    record.unlink(missing_ok=True)
-    settings.update(robots_csv=record, episodes=arguments.episodes, seed=arguments.seed, rviz=False,
+    part = record.with_name(f'.{record.name}.part')  # an earlier record stays until this one is complete
+    part.unlink(missing_ok=True)
+    settings.update(robots_csv=part, episodes=arguments.episodes, seed=arguments.seed, rviz=False,
                     real_time_factor='fast')
     if arguments.q_table:
         settings['q_table'] = arguments.q_table.absolute()
@@ -89,12 +94,16 @@ def drive(arguments):
     launched = Program(['roslaunch', 'social_crowd', 'move_base.launch',
                         *(f'{name}:={text_of(value)}' for name, value in settings.items())])
     status = launched.wait()
-    if launched.is_stopped or status != 0:
-        return status or EXIT_FAILED
-    count = len(read_record(record)['episode'])
+    if launched.is_stopped:
+        print('drive_robots: interrupted' + (f'; recorded so far: {part}' if part.exists() else ''), file=sys.stderr)
+        return EXIT_INTERRUPTED
+    if status != 0:
+        return status
+    count = len(read_record(part)['episode'])
     expected = arguments.episodes * len(settings['robots'].split() or [''])
     if count != expected:
-        raise RunError(f'{record}: expected {expected} rows, got {count}; see the messages above')
+        raise RunError(f'{part}: expected {expected} rows, got {count}; see the messages above')
+    os.replace(part, record)
     return EXIT_FINE
 
 

@@ -1,12 +1,14 @@
 """scripts/robot_benchmark: measures, tables, and the command line."""
 import math
 import os
+import pathlib
 import subprocess
 
 import numpy
 import pytest
 from crowd_experiments.runs import RunError
 from crowd_robots.catalogue import CROWDNAV_ORCA, INVISIBLE, VISIBLE
+from crowd_robots.driving import launch_arguments
 from crowd_robots.measures import Summary, interval, read_record, rows_of
 from crowd_robots.tables import chapter_of, number_text
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
@@ -213,7 +215,47 @@ class DriveRobotsTest:
         assert refused.wait() == 1, refused.output()
         assert_says(refused.output(), 'drive_robots: move_base is not in the ROS environment')
 
+    def launched(self, runner, lines):
+        """Starts the program with a shell script in place of roslaunch, which gets the file to record in $record, and
+        an earlier record."""
+        os.mkdir(runner.path('programs'))
+        finds = 'for word; do case $word in robots_csv:=*) record=${word#robots_csv:=};; esac; done\n'
+        for name, text in (('rospack', 'exit 0\n'), ('roslaunch', finds + lines)):
+            os.chmod(runner.write(f'programs/{name}', '#!/bin/sh\n' + text), 0o755)
+        runner.write('robots.csv', 'earlier')
+        runner.write('rows.csv', COLUMNS + ROWS)
+        return self.drive(runner, in_package('config', 'scenarios', 'robot_hall.yaml'), '--episodes', '4',
+                          environment={'PATH': runner.path('programs') + ':' + os.environ['PATH']})
+
+    def test_a_complete_record_replaces_the_earlier_one(self, runner):
+        driven = self.launched(runner, f'cp {runner.path("rows.csv")} "$record"\n')
+        assert driven.wait() == 0, driven.output()
+        assert read_text(runner.path('robots.csv')) == COLUMNS + ROWS
+        assert not os.path.exists(runner.path('.robots.csv.part'))
+
+    @pytest.mark.parametrize('lines, said', [
+        ('exit 1\n', ''), ('head -n 3 rows.csv > "$record"\n', '.robots.csv.part: expected 4 rows, got 2')])
+    def test_an_earlier_record_is_not_lost(self, runner, lines, said):
+        driven = self.launched(runner, lines.replace('rows.csv', runner.path('rows.csv')))
+        assert driven.wait() == 1, driven.output()
+        assert_says(driven.output(), said)
+        assert read_text(runner.path('robots.csv')) == 'earlier'
+
+    def test_drive_interrupted(self, runner):
+        driven = self.launched(runner, f'echo > {runner.path("began")}\nexec sleep 60\n')
+        wait_for(lambda: os.path.exists(runner.path('began')), 'roslaunch')
+        assert driven.stop() == 130, driven.output()
+        assert_says(driven.output(), 'drive_robots: interrupted')
+        assert read_text(runner.path('robots.csv')) == 'earlier'
+
+    def test_names_of_robots(self, runner):
+        """An empty name space counts as none, and with a name space no name is required."""
+        text = "robots:\n  - {radius: 0.3, namespace: a}\n  - {radius: 0.2, name: b, namespace: ''}\n"
+        file = pathlib.Path(runner.write('scenario.yaml', text))
+        assert launch_arguments(file, 'move_base')['robots'] == 'a b'
+
     @pytest.mark.parametrize('text, said', [
+        ('robots:\n  - {radius: 1, name: a}\n  - {radius: 1}\n', 'robots[1]: expected a name or a namespace'),
         ('name: empty\n', 'expected a scenario with robots'),
         ('robots:\n  - {name: tug}\n', 'robots: expected the key radius for each robot')])
     def test_scenarios_that_it_cannot_drive(self, runner, text, said):
