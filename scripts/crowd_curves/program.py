@@ -18,7 +18,7 @@ EXAMPLES = '''examples:
   plot_learning small=a_1.csv small=a_2.csv large=b_1.csv large=b_2.csv --output comparison.png
 
 A curve is the mean over the runs of a label, in windows of episodes; the band is the 95 % confidence interval of the
-mean (Student's t). A single run has no band. Exit status: 0 success, 1 an error, 2 wrong usage.'''
+mean (Student's t). A single run has no band. Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 
 def parser():

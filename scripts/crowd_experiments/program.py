@@ -11,6 +11,7 @@ import textwrap
 import time
 
 from .document import fill_document
+from .interruption import EXIT_INTERRUPTED, interrupt
 from .numbers import positive
 from .page import write_page, write_tables
 from .progress import text_of
@@ -20,7 +21,7 @@ from .setting import Setting
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ('train', 'evaluate')
 LONGEST_CELL = 80  # [characters] of a printed table
-EXIT_FINE, EXIT_FAILED, EXIT_INTERRUPTED = 0, 1, 130
+EXIT_FINE, EXIT_FAILED = 0, 1
 
 
 @dataclasses.dataclass(frozen=True)
@@ -163,7 +164,3 @@ def print_table(table):
         for line in itertools.zip_longest(*row, fillvalue=''):
             print('  '.join(f'{cell:<{width}}' if i == 0 else f'{cell:>{width}}'
                             for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
-
-
-def interrupt(_signal, _frame):
-    raise KeyboardInterrupt

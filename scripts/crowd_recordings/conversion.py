@@ -1,6 +1,7 @@
 """The program `convert_trajectories`."""
 import argparse
 import csv
+import math
 import pathlib
 import sys
 
@@ -11,10 +12,10 @@ from crowd_recordings.formats import WRITERS, read_recording, write_recording
 
 EXAMPLES = '''examples:
   convert_trajectories recordings/circle6.csv --output circle6.txt      for PedPy and JuPedSim
-  convert_trajectories obsmat.txt --output people.csv                   for plot_paths and film
+  convert_trajectories obsmat.txt --output people.csv                   for plot_paths; film needs --frame-rate 2.5
 
-A CSV file has no frame rate: give the duration of a tick with --frame-rate, unless it is 0.1 s.
-Exit status: 0 success, 1 an error, 2 wrong usage.'''
+A CSV file has no frame rate: give it with --frame-rate, unless it is 10 Hz (a tick of 0.1 s).
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 
 def parser():
@@ -52,4 +53,7 @@ def main(words=None):
     rows = sum(map(len, recording.walks.values()))
     print(f'{arguments.output}: {len(recording.walks)} people, {rows} positions, '
           f'{1 / recording.frame_duration:g} frames a second')
+    if arguments.output.suffix.lower() == '.csv' and not math.isclose(recording.frame_duration, DEFAULT_TICK):
+        print(f'A CSV file has no frame rate: give --frame-rate {1 / recording.frame_duration:g} to programs that read '
+              'it.')
     return 0

@@ -19,7 +19,7 @@ EXAMPLES = '''examples:
 
 The kind of a file is recognised by its header: ''' + '; '.join(program for _, program in HEADERS.values()) + '''.
 Files with the same label are runs of the same thing, such as seeds; the default label is the name of the folder.
-Exit status: 0 success, 1 an error, 2 wrong usage.'''
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 
 def parser():

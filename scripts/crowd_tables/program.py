@@ -15,7 +15,7 @@ EXAMPLES = '''examples:
   draw_q_table config/q_tables/thesis_nearest.txt --output nearest.png
   draw_q_table config/q_tables/human.txt --row 1234
 
-Exit status: 0 success, 1 an error, 2 wrong usage.'''
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 
 def parser():

@@ -5,7 +5,7 @@ import shutil
 import subprocess
 
 import pytest
-from programs import CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE, assert_says, in_package, read_text
+from programs import CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE, assert_says, in_package, read_text, wait_for
 from roslib.packages import find_node
 
 WALK = 'instance,tick,agent,x,y\n0,0,0,0,0\n0,1,0,1,0\n'
@@ -22,6 +22,33 @@ def run_here(runner, *command):
     done = subprocess.run(list(map(str, command)), cwd=runner.folder, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
     return done.returncode, done.stdout.decode(errors='replace')
+
+
+class InterruptionTest:
+    """Ctrl-C."""
+
+    @pytest.mark.parametrize('name, output', [('report', 'a.html'), ('plot_learning', 'a.png'),
+                                              ('draw_q_table', 'a.png'), ('convert_trajectories', 'a.csv')])
+    def test_ends_with_a_message(self, runner, name, output):
+        """While it reads a pipe into which nothing is written."""
+        pipe = runner.path('pipe')
+        os.mkfifo(pipe)
+        process = runner.start(name, [in_package('scripts', name), pipe, '--output', runner.path(output)])
+        writer = wait_for(lambda: opened(pipe), f'{name} to read')
+        try:
+            assert process.stop() == 130, process.output()
+        finally:
+            os.close(writer)
+        assert process.output() == f'{name}: interrupted\n'
+        assert not os.path.exists(runner.path(output))
+
+
+def opened(pipe):
+    """Opens a pipe for writing if a program reads it. Returns the descriptor, or None."""
+    try:
+        return os.open(pipe, os.O_WRONLY | os.O_NONBLOCK)
+    except OSError:
+        return None
 
 
 class RosrunTest:

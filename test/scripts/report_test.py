@@ -190,7 +190,8 @@ class ProgramTest:
         runner.write('street.csv', 'instance,tick,agent,x,y\n' + rows)
         status, output = report(runner, 'people=street.csv', '--output', 'report.html')
         assert status == 0, output
-        assert 'Scenario unknown, a tick of 0.1 s assumed: street.csv.' in ' '.join(Page(read_text(runner.path('report.html'))).texts)
+        assert 'Scenario unknown, a tick of 0.1 s assumed: street.csv.' in \
+            ' '.join(Page(read_text(runner.path('report.html'))).texts)
 
     def test_the_scenario_beside_a_recording(self, runner, monkeypatch):
         """It comes before the package's, whose tick is 0.1 s; a folder of this name is no scenario."""
