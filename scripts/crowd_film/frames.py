@@ -23,8 +23,9 @@ class FramePainter:
     def __init__(self, stage, scene, tracks):
         self.stage, self.scene, self.tracks = stage, scene, tracks
         # People in the order of their entry have colours that are easy to distinguish.
-        colours = colours_of(max([len(scene.agents), *(agent + 1 for agent in tracks)]))
-        self.colours = {agent: to_rgb(colours[agent]) for agent in tracks}
+        # Without agents in a scenario the numbers are those of a recording, which may be large.
+        order = sorted({*range(len(scene.agents)), *tracks})
+        self.colours = {agent: to_rgb(colour) for agent, colour in zip(order, colours_of(len(order)))}
         axes = stage.picture.axes
         self.gates = [axes.plot(*zip(*wall), color=GATE_COLOUR, linewidth=2.5, zorder=4)[0]
                       for wall, _ in scene.population.gates]

@@ -3,6 +3,7 @@ import dataclasses
 import pathlib
 import re
 
+from crowd_drawing.errors import InputError
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import vary_config, vary_scenario
 
@@ -35,7 +36,9 @@ def plan(sweep, setting):
     """Returns the Members of a Sweep. Varied configurations and scenarios are written to the results folder."""
     members = []
     for index, (config_changes, scenario_changes) in enumerate(sweep.combinations()):
-        label = label_of({**config_changes, **scenario_changes})
+        label = ' '.join(label_of(changes) for changes in (config_changes, scenario_changes) if changes) or label_of({})
+        if any(member.label == label for member in members):
+            raise InputError(f"{sweep.file}: two combinations have the label '{label}'; expected values that differ")
         name = f"{index:03d}_{re.sub(r'[^A-Za-z0-9=.,_-]+', '_', label)[:60]}"
         scenarios = [vary_scenario(setting, file, scenario_changes, f'{name}/{file.stem}') if scenario_changes else file
                      for file in sweep.scenarios]

@@ -90,6 +90,8 @@ class Reader:
         lists = {str(path): values if isinstance(values, list) else [values] for path, values in grid.items()}
         for path, values in lists.items():
             self.need(values, f'{key}.{path}', 'at least one value', values)
+            self.need(all(value not in values[:i] for i, value in enumerate(values)), f'{key}.{path}',
+                      'different values', values)
         return lists
 
     def seeds(self, value):

@@ -53,7 +53,7 @@ def meaning_of(table):
     """Returns the Meaning of a Table's rows. Raises InputError if the state set is unknown or has another number of
     rows."""
     state_set = table.header['state_set']
-    kind = state_set.get('type') if isinstance(state_set, dict) else state_set
+    kind = state_set.get('type')
     if kind not in READERS:
         raise InputError(f"{table.file}: state_set: expected one of {', '.join(READERS)}, got '{kind}'")
     try:

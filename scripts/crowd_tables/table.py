@@ -8,6 +8,7 @@ from crowd_drawing.errors import InputError
 
 MAGIC = 'social_crowd Q-table 1'
 NEEDED = ('state_set', 'action_set', 'rows', 'actions', 'visited_rows')
+MOST_VALUES = 10**8  # of a table; they have to fit in memory
 
 
 @dataclasses.dataclass(frozen=True)
@@ -44,9 +45,15 @@ def header_of(file, text):
         raise InputError(f"{file}: the header is not a map: {' '.join(str(error).split())}") from None
     if missing:
         raise InputError(f"{file}: the header has no {', '.join(missing)}")
+    for key in NEEDED[:2]:
+        if not isinstance(header[key], dict):
+            raise InputError(f"{file}: {key}: expected a map, got '{header[key]}'")
     for key in NEEDED[2:]:
         if not isinstance(header[key], int) or header[key] < 0:
             raise InputError(f"{file}: {key}: expected a whole number, got '{header[key]}'")
+    if header['rows'] * header['actions'] > MOST_VALUES:
+        raise InputError(f"{file}: rows: expected at most {MOST_VALUES} values, got {header['rows']} rows of "
+                         f"{header['actions']} actions")
     return header
 
 

@@ -138,12 +138,21 @@ class TableTest:
         assert names[:3] == ['0° from the goal', 'left 10° from the goal', 'right 10° from the goal']
         assert (names[13], names[14], names[-1]) == ('180° from the goal', '0° from the goal, slow', 'stay')
 
+    @pytest.mark.parametrize('rotations', ['0', 'many'])
+    def test_actions_that_are_none(self, runner, rotations):
+        text = (HEADER % ('{type: occupancy}', 52489)).replace('rotations: 4', f'rotations: {rotations}')
+        with pytest.raises(InputError, match='t.txt: action_set: '):
+            action_names(read_table(runner.write('t.txt', text)))
+
     @pytest.mark.parametrize('old, new, words', [
         ('social_crowd Q-table 1', 'instance,tick', ["t.txt:1: is not a Q-table; expected 'social_crowd Q-table 1'"]),
         ('rows: 137\n', '', ['t.txt: the header has no rows']),
         ('rows: 137', 'rows: 140', ['t.txt: rows: expected 137', 'got 140']),
         ('rows: 137', 'rows: many', ["t.txt: rows: expected a whole number, got 'many'"]),
         ('type: nearest_obstacle', 'type: nearest', ["state_set: expected one of nearest_obstacle", "got 'nearest'"]),
+        ('state_set: {', 'state_set: occupancy # {', ["state_set: expected a map, got 'occupancy'"]),
+        ('action_set: {', 'action_set: kings_moves # {', ["action_set: expected a map, got 'kings_moves'"]),
+        ('rows: 137', 'rows: 1000000000000', ['rows: expected at most 100000000 values, got 1000000000000 rows']),
         ('\n0 0 0', '\n0 none 0', ['t.txt:15: expected a row from 0 to 136, with visits and value of 8 actions']),
         ('\n20 ', '\n200 ', ['t.txt:16: expected a row from 0 to 136']),
         ('visited_rows: 2', 'visited_rows: 3', ['t.txt:17: expected a row from 0']),

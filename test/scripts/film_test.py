@@ -138,6 +138,15 @@ class FrameTest:
         size = {name: os.path.getsize(runner.path(f'{name}.gif')) for name in ('short', 'long')}
         assert size['long'] < 1.2 * size['short']
 
+    def test_people_with_large_numbers(self, runner):
+        """The numbers of a recording's people are arbitrary; memory is that of the people."""
+        rows = ''.join(f'{frame} {person} {frame / 10} 0 {person % 7} 0 0 0\n'
+                       for frame in range(3) for person in (5, 10**12))
+        scene, tracks, _ = read_shown(runner.write('obsmat.txt', rows))
+        painter = FramePainter(Stage(scene, tracks, 'people', 600), scene, tracks)
+        assert set(painter.colours) == {5, 10**12}
+        assert painter.colours[5] != painter.colours[10**12]
+
     def test_gates(self, runner):
         """An open gate is a dotted line, with fewer pixels of its colour."""
         gate = 'gates: {door: {wall: [[0, 1], [4, 1]], open: [[1, 2]]}}\n'

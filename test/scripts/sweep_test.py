@@ -8,8 +8,9 @@ import subprocess
 import pytest
 import yaml
 from crowd_drawing.errors import InputError
+from crowd_experiments.setting import Setting
 from crowd_report.figures import scene_of
-from crowd_sweep.plan import label_of
+from crowd_sweep.plan import label_of, plan
 from crowd_sweep.program import EXAMPLES
 from crowd_sweep.sweep_file import read_sweep
 from learning_files import config_text
@@ -74,6 +75,21 @@ class FileTest:
             'gamma=0.9 epsilon=from:1,to:0'
         assert label_of({}) == 'all'
 
+    def test_equal_labels_are_refused(self, runner):
+        """Runs with the same label would count as seeds of one combination."""
+        setting = Setting(pathlib.Path(tools_folder()), pathlib.Path(in_package('config')), pathlib.Path(runner.folder))
+        text = TABLE_SWEEP.replace('[0.2, 0.25]', "[0.2, '0.2']")
+        with pytest.raises(InputError, match="grid.yaml: two combinations have the label 'radius=0.2'"):
+            plan(read_sweep(runner.write('grid.yaml', text)), setting)
+
+    def test_equal_keys_of_configuration_and_scenario(self, runner):
+        """Both are in the label."""
+        runner.write('config.yaml', config_text(CIRCLE6, 6))
+        text = SWEEP % 4 + 'scenario_parameters: {learning.gamma: [7]}\n'
+        setting = Setting(pathlib.Path(tools_folder()), pathlib.Path(in_package('config')), pathlib.Path(runner.folder))
+        labels = [member.label for member in plan(read_sweep(runner.write('grid.yaml', text)), setting)]
+        assert labels[0] == 'gamma=0.1 alpha=0.3 gamma=7'
+
     def test_examples(self, runner):
         """Those of --help and of docs/tools.md are read without an error."""
         shown = re.search(r'FILE.yaml:\n(.*?)\n\n', EXAMPLES, re.DOTALL)[1]
@@ -89,6 +105,7 @@ class FileTest:
         ('config: config.yaml\n', '', ['expected either config or q_table']),
         ('config: config.yaml', f'q_table: {NEAREST_TABLE}', ['with q_table nothing is trained']),
         ('[0.1, 0.8]', '[]', ['parameters.learning.gamma: expected at least one value']),
+        ('[0.1, 0.8]', '[0.5, 0.5]', ['parameters.learning.gamma: expected different values, got [0.5, 0.5]']),
         ('[3, 5]', '[3, 3]', ['seeds: expected a number of seeds, or a list of different ones, got [3, 3]']),
         ('[3, 5]', '0', ['seeds: expected a number of seeds']),
         ('episodes: 2', 'episodes: two', ["evaluate.episodes: expected a whole number from 1, got 'two'"]),
