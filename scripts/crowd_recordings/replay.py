@@ -1,4 +1,5 @@
 """The node `replay`: plays a recording back as a crowd."""
+import math
 import os
 import pathlib
 import sys
@@ -60,6 +61,18 @@ class Replay:
         return True
 
 
+def is_number(value):
+    """Returns whether a value is a finite number from 0."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < math.inf
+
+
+# By the type of the default: whether a value fits, and what is expected.
+KINDS = {bool: (lambda value: isinstance(value, bool), 'true or false'),
+         str: (lambda value: isinstance(value, str), 'a text'),
+         int: (lambda value: is_number(value) and value == int(value), 'a whole number from 0'),
+         float: (is_number, 'a number from 0')}
+
+
 def read_parameters():
     """Returns the parameters, with defaults. Raises InputError with all that are invalid."""
     given = rospy.get_param('~', {})
@@ -67,14 +80,9 @@ def read_parameters():
                 for name in given if name not in DEFAULTS]
     read = dict(DEFAULTS, **{name: value for name, value in given.items() if name in DEFAULTS})
     for name, default in DEFAULTS.items():
-        value = read[name]
-        is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
-        fits = isinstance(value, bool) if isinstance(default, bool) else \
-            is_number and value >= 0 if isinstance(default, (int, float)) else isinstance(value, str)
-        if not fits:
-            expected = 'true or false' if isinstance(default, bool) else \
-                'a text' if isinstance(default, str) else 'a number from 0'
-            problems.append(f"~{name}: expected {expected}, got '{value}'")
+        fits, expected = KINDS[type(default)]
+        if not fits(read[name]):
+            problems.append(f"~{name}: expected {expected}, got '{read[name]}'")
     if not problems and not read['rate'] > 0:
         problems.append(f"~rate: expected a number above 0, got '{read['rate']}'")
     if not problems and not read['trajectories']:

@@ -12,7 +12,8 @@ from crowd_report.chapters import chapters_of
 from crowd_report.inputs import HEADERS, RECORD, source_of
 
 EXAMPLES = '''examples:
-  for table in anticipation human; do rosrun social_crowd evaluate --q-table config/q_tables/$table.txt --episodes 20 \\
+  for table in anticipation human; do mkdir -p $table
+      rosrun social_crowd evaluate --q-table config/q_tables/$table.txt --episodes 20 \\
       --csv $table/metrics.csv --record $table/record.csv --trajectories $table circle6 place_corner; done
   report */*.csv --output report.html
   report one=a/metrics.csv other=b/metrics.csv --training one=a/learning.csv other=b/learning.csv --output report.html

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """The node replay and replay.launch with trajectories: recorded people on the topics of a crowd."""
+import math
+
 import rospy
 import support
 from launching import LaunchTestCase
@@ -170,6 +172,9 @@ class ReplayTest(LaunchTestCase):
                 ({'trajectories': 'walk.csv'}, ['there is no file /', 'walk.csv; give an absolute path']),
                 ({'trajectories': 'a', 'rate': -1.0, 'lop': True},
                  ['~rate: expected a number from 0', '~lop: there is no', 'trajectories, scenario']),
+                ({'trajectories': 'a', 'instance': 1.7, 'rate': math.inf, 'frame_rate': math.nan},
+                 ["~instance: expected a whole number from 0, got '1.7'", "~rate: expected a number from 0, got 'inf'",
+                  "~frame_rate: expected a number from 0, got 'nan'"]),
                 ({'trajectories': self.write('a.csv', 'x')}, ['a.csv:1: is not a recording']),
                 ({'trajectories': self.write('w.csv', WALK), 'scenario': 'circel6'}, ["did you mean 'circle6'?"])):
             node = self.start_replay(**parameters)
