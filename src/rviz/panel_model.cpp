@@ -21,10 +21,14 @@ bool areOfOneLine(const PanelRequest& a, const PanelRequest& b) {
   return a.node == b.node && (a.kind == Kind::STEP) == (b.kind == Kind::STEP);
 }
 
-/// Requests of which the last one counts; others are all made.
+bool isSave(const PanelRequest& request) {
+  return request.kind == Kind::SAVE_SCENARIO || request.kind == Kind::SAVE_TABLE;
+}
+
+/// Requests of which the last one counts; others are all made, such as those to save different files.
 bool isReplacedBy(const PanelRequest& old, const PanelRequest& request) {
-  return old.kind == request.kind && old.node == request.node &&
-         (old.kind != Kind::SET_PARAMETER || old.text == request.text);
+  const bool has_name = old.kind == Kind::SET_PARAMETER || isSave(old);
+  return old.kind == request.kind && old.node == request.node && (!has_name || old.text == request.text);
 }
 
 bool serves(const LearnerInfo& learner, std::int64_t agent) {
@@ -72,6 +76,11 @@ void PanelModel::noteReachable(const std::string& node, bool reachable) {
 
 void PanelModel::dropRequests(const std::string& node) {
   const auto is_for = [&](const PanelRequest& request) { return request.node == node; };
+  for (const PanelRequest& request : waiting_) {
+    if (!is_for(request) || !isSave(request)) continue;
+    message_ = request.text + " is not saved: " + node + " is away";
+    is_error_ = true;
+  }
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_for), waiting_.end());
 }
 

@@ -140,6 +140,32 @@ TEST(PanelModel, callsANodeForOneRequestAtATimeAndTheNewestOfAKindWins) {
   EXPECT_TRUE(third[0].flag);
 }
 
+TEST(PanelModel, savesAllFilesThatWereAskedForWhileACallIsInProgress) {
+  PanelModel model = present();
+  model.reset();
+  PanelRequest running = model.takeRequests().at(0);
+  for (const char* const file : {"a.yaml", "b.yaml", "b.yaml"}) model.saveScenario(file);
+  std::vector<std::string> saved;
+  while (true) {
+    model.noteDone(running, true, "");
+    const std::vector<PanelRequest> requests = model.takeRequests();
+    if (requests.empty()) break;
+    running = requests.at(0);
+    saved.push_back(running.text);
+  }
+  EXPECT_EQ(saved, (std::vector<std::string>{"a.yaml", "b.yaml"}));
+}
+
+TEST(PanelModel, saysThatAWaitingSaveIsNotDoneWhenItsNodeGoesAway) {
+  PanelModel model = present();
+  model.reset();
+  ASSERT_EQ(model.takeRequests().size(), 1U);
+  model.saveScenario("a.yaml");
+  model.noteReachable(CONTROLLER, false);
+  EXPECT_EQ(model.view().message, "a.yaml is not saved: /crowd_controller is away");
+  EXPECT_TRUE(model.view().is_error);
+}
+
 TEST(PanelModel, pausesWhileStepsAreInProgress) {
   PanelModel model = present();
   model.take(paused(), 0.0);
