@@ -57,6 +57,7 @@ void PeopleLayer::onInitialize() {
 
 void PeopleLayer::subscribe([[maybe_unused]] const std::string& source, const std::string& topic) {
   ros::NodeHandle node;
+  topic_ = node.resolveName(topic);
   const auto hints = ros::TransportHints().tcpNoDelay();
 #ifdef SOCIAL_CROWD_PEOPLE_MSGS
   if (source == names::PEOPLE) {
@@ -96,8 +97,7 @@ void PeopleLayer::keep(People people) {
   const auto is_bad = [](const Person& person) { return !person.place.allFinite() || !person.velocity.allFinite(); };
   const auto bad = std::remove_if(people.people.begin(), people.people.end(), is_bad);
   if (bad != people.people.end()) {
-    ROS_WARN_THROTTLE(WARN_PERIOD, "%s: people whose position or velocity is not finite are left out",
-                      subscriber_.getTopic().c_str());
+    ROS_WARN_THROTTLE(WARN_PERIOD, "%s: people whose position or velocity is not finite are left out", topic_.c_str());
     people.people.erase(bad, people.people.end());
   }
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -140,7 +140,7 @@ std::vector<PersonalSpace> PeopleLayer::spacesOf(const People& people) const {
   if (!draws_ || people.people.empty()) return {};
   const double age = (ros::Time::now() - people.header.stamp).toSec();
   if (std::abs(age) > timeout_) {
-    ROS_WARN_THROTTLE(WARN_PERIOD, "%s: the people are %.1f s old and not used", subscriber_.getTopic().c_str(), age);
+    ROS_WARN_THROTTLE(WARN_PERIOD, "%s: the people are %.1f s old and not used", topic_.c_str(), age);
     return {};
   }
   Pose frame;
@@ -148,7 +148,7 @@ std::vector<PersonalSpace> PeopleLayer::spacesOf(const People& people) const {
     frame = fromMessage(
         tf_->lookupTransform(layered_costmap_->getGlobalFrameID(), people.header.frame_id, ros::Time()).transform);
   } catch (const tf2::TransformException& error) {
-    ROS_WARN_THROTTLE(WARN_PERIOD, "%s: the people are not used: %s", subscriber_.getTopic().c_str(), error.what());
+    ROS_WARN_THROTTLE(WARN_PERIOD, "%s: the people are not used: %s", topic_.c_str(), error.what());
     return {};
   }
   const Rotation rotation(frame.heading);

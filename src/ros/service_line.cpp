@@ -1,14 +1,20 @@
 #include "social_crowd/ros/service_line.h"
 
+#include <chrono>
+
 namespace crowd {
 
 ServiceLine::~ServiceLine() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    closing_ = true;
-    client_.shutdown();
-  }
+  std::unique_lock<std::mutex> lock(mutex_);
+  closing_ = true;
   changed_.notify_all();
+  // A persistent client connects again if its call begins after shutdown(), so this is repeated until the call has
+  // ended.
+  while (!done_) {
+    client_.shutdown();
+    changed_.wait_for(lock, std::chrono::milliseconds(50));
+  }
+  lock.unlock();
   thread_.join();
 }
 
@@ -30,13 +36,15 @@ void ServiceLine::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
     changed_.wait(lock, [&] { return closing_ || !tasks_.empty(); });
-    if (closing_) return;
+    if (closing_) break;
     const std::function<void()> task = std::move(tasks_.front());
     tasks_.pop_front();
     lock.unlock();
     task();
     lock.lock();
   }
+  done_ = true;
+  changed_.notify_all();
 }
 
 }  // namespace crowd

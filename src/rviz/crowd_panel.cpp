@@ -13,6 +13,18 @@ constexpr auto NUMBER_CHANGED = static_cast<void (QDoubleSpinBox::*)(double)>(&Q
 constexpr auto COUNT_CHANGED = static_cast<void (QSpinBox::*)(int)>(&QSpinBox::valueChanged);
 constexpr auto CHOSEN = static_cast<void (QComboBox::*)(int)>(&QComboBox::activated);
 
+/// Reads the name of a node; keeps the present one if the setting is not a valid name.
+void readName(const rviz::Config& config, const QString& key, QString& name) {
+  QString read = name;
+  config.mapGetString(key, &read);
+  std::string problem;
+  if (ros::names::validate(read.toStdString(), problem)) {
+    name = read;
+  } else {
+    ROS_WARN("CrowdPanel, %s: %s", key.toStdString().c_str(), problem.c_str());
+  }
+}
+
 }  // namespace
 
 CrowdPanel::CrowdPanel(QWidget* parent) : rviz::Panel(parent), folder_(QDir::homePath()), widgets_(this) {
@@ -118,8 +130,8 @@ void CrowdPanel::load(const rviz::Config& config) {
   QString learner;
   int ticks = widgets_.ticks->value();
   config.mapGetString("Namespace", &name_space);
-  config.mapGetString("Controller", &controller_);
-  config.mapGetString("Markers", &markers_);
+  readName(config, "Controller", controller_);
+  readName(config, "Markers", markers_);
   config.mapGetString("Folder", &folder_);
   config.mapGetString("Learner", &learner);
   config.mapGetInt("Ticks", &ticks);

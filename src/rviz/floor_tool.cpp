@@ -49,8 +49,12 @@ void FloorTool::abandon() {
 
 void FloorTool::say(const std::string& text) { setStatus(QString::fromStdString(text)); }
 
-std::string FloorTool::serviceName(const char* service) const {
-  return ros::NodeHandle().resolveName(controller_->getStdString()) + "/" + service;
+std::optional<std::string> FloorTool::controllerName() {
+  const std::string name = controller_->getStdString();
+  std::string problem;
+  if (ros::names::validate(name, problem)) return ros::NodeHandle().resolveName(name);
+  tell(false, "Controller: " + problem);
+  return std::nullopt;
 }
 
 void FloorTool::tell(bool success, const std::string& message) {
@@ -98,6 +102,7 @@ void FloorTool::draw(const FloorOutline& outline) {
 int FloorTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   const std::optional<Vector2> point = pointAt(event.viewport, event.x, event.y);
   if (event.rightDown()) abandon();
+  if (!point && event.leftUp()) abandon();
   if (!point) return Render;
   if (event.leftDown()) from_ = point;
   if (!from_) return 0;

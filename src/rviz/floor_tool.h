@@ -47,7 +47,9 @@ class FloorTool : public rviz::Tool {
   /// Calls a service of the controller whose response has `success` and `message`.
   template <typename Service>
   void call(const char* service, const typename Service::Request& request) {
-    line_->add<Service>(serviceName(service), request, [this](const typename Service::Response& response) {
+    const std::optional<std::string> controller = controllerName();
+    if (!controller) return;
+    line_->add<Service>(*controller + "/" + service, request, [this](const typename Service::Response& response) {
       tell(response.success != 0, response.message);
     });
   }
@@ -55,7 +57,8 @@ class FloorTool : public rviz::Tool {
   void say(const std::string& text);
 
  private:
-  std::string serviceName(const char* service) const;
+  /// The full name of the controller; nothing if the property has no valid name, which is reported.
+  std::optional<std::string> controllerName();
   /// Keeps an answer until update(). Thread-safe.
   void tell(bool success, const std::string& message);
   /// The point of the floor under the mouse [m], `map`.

@@ -36,6 +36,7 @@ QComboBox* makeChoice(const char* name, const QStringList& entries, const char* 
 QLabel* makeText(const char* name, const char* tip) {
   auto* const label = named<QLabel>(name, tip);
   label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
 }

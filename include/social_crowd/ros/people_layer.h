@@ -56,7 +56,7 @@ class PeopleLayer : public costmap_2d::Layer {
   bool isNear(const Bounds& bounds) const;
 
   ros::NodeHandle parameters_;
-  ros::Subscriber subscriber_;
+  std::string topic_;
   PersonalSpaceSpec spec_;
   bool draws_ = true;     // ~enabled; the member of the base class would keep old costs from being cleared
   double timeout_ = 1.0;  // [s]
@@ -65,6 +65,7 @@ class PeopleLayer : public costmap_2d::Layer {
   People people_;                      // of the last message; guarded by mutex_
   std::vector<PersonalSpace> spaces_;  // of this update
   std::vector<Bounds> drawn_;          // of the last update, joined: one or none
+  ros::Subscriber subscriber_;         // last member: its callback uses all others
 };
 
 }  // namespace crowd

@@ -57,6 +57,7 @@ class ServiceLine {
   std::deque<std::function<void()>> tasks_;
   ros::ServiceClient client_;  // of the call in progress
   bool closing_ = false;
+  bool done_ = false;   // the thread takes no more tasks
   std::thread thread_;  // last member: it uses all others
 };
 
