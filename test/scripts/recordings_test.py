@@ -144,8 +144,8 @@ class ConversionTest:
     def test_obsmat_to_csv(self, runner):
         runner.write('obsmat.txt', OBSMAT)
         status, output = convert(runner, 'obsmat.txt', '--output', 'people.csv')
-        assert (status, output) == (0, 'people.csv: 2 people, 3 positions, 2.5 frames a second\nA CSV file has no frame '
-                                    'rate: give --frame-rate 2.5 to programs that read it.\n')
+        assert (status, output) == (0, 'people.csv: 2 people, 3 positions, 2.5 frames a second\n'
+                                    'A CSV file has no frame rate: give --frame-rate 2.5 to programs that read it.\n')
         assert read_text(runner.path('people.csv')) == \
             'instance,tick,agent,x,y\n0,0,5,8.5,3.5\n0,1,5,9.1,3.6\n0,2,9,-1.0,2.0\n'
 
