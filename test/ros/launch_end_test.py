@@ -116,7 +116,7 @@ class ArgumentsTest(LaunchTestCase):
         return {name: word for name, word in defaults.items() if word in ('none', 'table', 'config')}
 
     def test_lists_only_required_arguments_as_required(self):
-        for file, required in (('demo.launch', []), ('train.launch', ['output']), ('replay.launch', ['bag'])):
+        for file, required in (('demo.launch', []), ('train.launch', ['output']), ('replay.launch', [])):
             told = self.ask('--ros-args', 'social_crowd', file).partition('Optional Arguments:')
             self.assertEqual(re.findall(r'^  (\w+): ', told[0], re.MULTILINE), required)
             self.assertIn('rviz (default', told[2])

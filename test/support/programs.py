@@ -105,7 +105,9 @@ class Process:
         self.name = name
         self.log = log
         self.is_given_up = False  # killed intentionally; its exit status is ignored
-        environment = dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED='1', **(environment or {}))
+        # The output of roscpp and of Python is read while the program runs.
+        unbuffered = {'ROSCONSOLE_STDOUT_LINE_BUFFERED': '1', 'PYTHONUNBUFFERED': '1'}
+        environment = {**os.environ, **unbuffered, **(environment or {})}
         with open(log, 'wb') as stream:
             self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stream, stderr=stream,
                                             env=environment)
