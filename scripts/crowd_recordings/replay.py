@@ -29,7 +29,8 @@ class Replay:
         self.runs, self.closed = threading.Event(), threading.Event()
         if not is_paused:
             self.runs.set()
-        rospy.on_shutdown(self.closed.set)
+        # By another thread: a signal handler runs in the main thread, which may hold the lock of the event in wait().
+        rospy.on_shutdown(lambda: threading.Thread(target=self.closed.set, daemon=True).start())
         self.scenario = rospy.Publisher('scenario', Scenario, queue_size=QUEUE, latch=True)
         self.agents = rospy.Publisher('agents', AgentStates, queue_size=QUEUE)
         self.map = rospy.Publisher('map', OccupancyGrid, queue_size=1, latch=True)
