@@ -172,9 +172,8 @@ void DeadlockResolver::addWallContacts(const World& world, const Agent& agent, s
   }
 }
 
-/// Returns unit vectors from an agent to the walls and agents that it touches.
-std::vector<Vector2> DeadlockResolver::contactsOf(const World& world, const Agent& agent) {
-  std::vector<Vector2> contacts;
+/// Appends unit vectors from an agent to the agents that it touches.
+void DeadlockResolver::addAgentContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts) {
   for (const Walker& walker : walkersNear(world, agent, CONTACT)) {
     const Agent& other = world.agents()[walker.agent];
     const Vector2 offset = other.pose.position - agent.pose.position;
@@ -182,18 +181,18 @@ std::vector<Vector2> DeadlockResolver::contactsOf(const World& world, const Agen
     const bool touches = length > 0.0 && length < agent.radius + other.radius + CONTACT;
     if (other.id != agent.id && touches) contacts.emplace_back(offset / length);
   }
-  addWallContacts(world, agent, contacts);
-  return contacts;
 }
 
 /// An agent may be pushed into a gap beside the mesh, from which the straight line to its corner leads into a wall, or
 /// side by side with another agent into a door.
 void DeadlockResolver::slideAlongWalls(World& world, const Agent& agent) {
-  std::vector<Vector2> walls;
-  addWallContacts(world, agent, walls);
-  if (walls.empty()) return;
+  std::vector<Vector2> contacts;
+  addAgentContacts(world, agent, contacts);
+  const std::size_t agents = contacts.size();
+  addWallContacts(world, agent, contacts);
+  if (contacts.size() == agents) return;
   const Vector2 way = agent.perceivedGoal() - agent.pose.position;
-  const std::optional<Vector2> slid = slideAlong(way.normalized(), contactsOf(world, agent));
+  const std::optional<Vector2> slid = slideAlong(way.normalized(), contacts);
   if (slid) world.setWaypoint(agent.id, agent.pose.position + BACK * *slid);
 }
 
@@ -206,7 +205,10 @@ void DeadlockResolver::retreat(World& world, const Agent& agent) {
     const Vector2 back = trail.back() - place;
     if (back.norm() > 0.0) walk.course = back.normalized();
   }
-  const std::optional<Vector2> slid = slideAlong(walk.course, contactsOf(world, agent));
+  std::vector<Vector2> contacts;
+  addAgentContacts(world, agent, contacts);
+  addWallContacts(world, agent, contacts);
+  const std::optional<Vector2> slid = slideAlong(walk.course, contacts);
   const Vector2 straight = walk.leaves_trail ? Vector2(place + BACK * walk.course) : trail.back();
   world.setWaypoint(agent.id, slid ? Vector2(place + BACK * *slid) : straight);
 }

@@ -12,7 +12,7 @@ constexpr double LANE_MARGIN = 0.15;  // between an agent in the lane and agents
 constexpr double LANE_LENGTH = 3.0;   // [m]
 constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
 constexpr double ONE_WAY_ZONE = 0.9;  // radius of the zone without traffic in the other direction [m]
-// Of agents that are admitted one behind the other [m], and the width that each needs besides its diameter [m].
+// Room for each admitted agent: length along the path [m], and width besides its diameter [m].
 constexpr double ONE_WAY_HEADWAY = 0.52;
 constexpr double ONE_WAY_MARGIN = 0.13;
 constexpr double TWO_WAY_HEADWAY = 0.55;

@@ -150,12 +150,13 @@ Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, 
   const double distance = (next - position).norm();
   if (distance < LANE_REACHED || (corners.size() < 2 && distance < LANE_LOOKAHEAD)) return next;
   const Vector2 direction = (next - position) / distance;
-  if (const auto place = placeOutside(agent, next, way, query)) {
-    way.lane = Lane{*place, (direction + (corners[1] - next).normalized()).normalized()};
+  const auto past_corner = [&] { return Vector2((direction + (corners[1] - next).normalized()).normalized()); };
+  if (const auto place = placeOutside(position, next, way, query)) {
+    way.lane = Lane{*place, past_corner()};
     return *place;
   }
   const bool is_corner = distance < LANE_LOOKAHEAD;
-  const Vector2 forward = is_corner ? Vector2((direction + (corners[1] - next).normalized()).normalized()) : direction;
+  const Vector2 forward = is_corner ? past_corner() : direction;
   const Vector2 ahead = position + std::min(distance, LANE_LOOKAHEAD) * direction;
   if (!isCorridor(position, ahead, direction, agent.radius)) return next;
   Vector2 place = laneBeside(ahead, forward, agent.radius);
@@ -166,9 +167,8 @@ Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, 
 
 /// Where an agent that was slowed down passes a corner with a wide floor beside it: not at the corner, where the others
 /// are, but farther outside. The longer it was slowed down, the farther.
-std::optional<Vector2> WayFinder::placeOutside(const Agent& agent, const Vector2& next, const Way& way,
+std::optional<Vector2> WayFinder::placeOutside(const Vector2& position, const Vector2& next, const Way& way,
                                                NavigationMesh::Query& query) {
-  const Vector2& position = agent.pose.position;
   const Span<Vector2> corners = way.follower->corners();
   const double distance = (next - position).norm();
   if (corners.size() < 2 || way.spread < SPREAD_STEP || distance > SPREAD_LOOKAHEAD) return std::nullopt;

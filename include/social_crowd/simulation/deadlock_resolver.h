@@ -79,7 +79,7 @@ class DeadlockResolver {
   bool isBlockedByRobot(const World& world, const Agent& agent) const;
   bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
   void addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
-  std::vector<Vector2> contactsOf(const World& world, const Agent& agent);
+  void addAgentContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
   void slideAlongWalls(World& world, const Agent& agent);
   void retreat(World& world, const Agent& agent);
 

@@ -45,8 +45,8 @@ struct CommandSettings {
 /// commands of others are refused. In lockstep a robot is awaited from its first command on, until it has missed
 /// several in a row, and again from its next command on.
 ///
-/// A command has no number of a tick, so in lockstep the first one after a missed one counts as late: it is executed
-/// at once, and the tick continues to wait for its own command, which replaces it. A single delay therefore does not
+/// A command has no number of a tick, so in lockstep the first one after a missed one counts as late: the robot
+/// executes it, unless the tick's own command arrives in time and replaces it. A single delay therefore does not
 /// shift all later commands by a tick. A tick whose own command does not come then is not counted as missed.
 class RobotCommands {
  public:

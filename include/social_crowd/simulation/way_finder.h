@@ -80,7 +80,7 @@ class WayFinder {
   bool areConnected(const Vector2& from, const Vector2& to);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   Vector2 chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
-  static std::optional<Vector2> placeOutside(const Agent& agent, const Vector2& next, const Way& way,
+  static std::optional<Vector2> placeOutside(const Vector2& position, const Vector2& next, const Way& way,
                                              NavigationMesh::Query& query);
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
   Sides floorBeside(const Vector2& place, const Vector2& forward, double radius) const;
