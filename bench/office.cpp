@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "social_crowd/common/random.h"
@@ -74,7 +75,8 @@ class Places {
       starts_.push_back(place);
       return place;
     }
-    throw std::runtime_error("there are not enough free places on the map");
+    throw std::runtime_error("the map has free places for " + std::to_string(starts_.size()) +
+                             " people only, fewer than the benchmark walks; expected a larger map");
   }
 
   Vector2 drawGoal(KeyedRandom& random) const {

@@ -21,6 +21,7 @@ class Benchmark:
     ratio_bar: float = None
     ratio_is_rate: bool = False
     ros: bool = False  # measured through ROS
+    mpi: bool = False  # measured under mpirun
     repetitions: int = None  # None: as requested on the command line
 
     def ratio(self, value, yardstick):
@@ -51,6 +52,10 @@ BENCHMARKS = (
               'one thread', AGENT_STEPS, 2e6, 'finding the 16 nearest neighbours alone'),
     Benchmark('crowd_step_10000_two_threads', 'the same, two threads', AGENT_STEPS, None, 'one thread', ratio_bar=1.8,
               ratio_is_rate=True),
+    Benchmark('crowd_step_mpi_2', 'the same, 100,000 agents, two ranks of one thread (MPI)', AGENT_STEPS, None,
+              'one process with two threads', ratio_bar=0.8, ratio_is_rate=True, mpi=True),
+    Benchmark('crowd_step_mpi_2_parts', 'the same', AGENT_STEPS, None, 'two separate crowds of half the agents',
+              ratio_bar=0.85, ratio_is_rate=True, mpi=True),
     Benchmark('ros_lockstep_1000', 'ROS lockstep, 1,000 agents, one learner node', TICKS, 250,
               'a bare round trip of such messages, plus the headless step', ratio_bar=1.6, ros=True),
     Benchmark('ros_lockstep_12', 'ROS lockstep, 12 agents, one learner node', TICKS, 6000, 'the same', ratio_bar=1.6,

@@ -69,7 +69,7 @@ class CoreBenchmarks:
                 cwd=folder, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                 check=False)
             if done.returncode != 0:
-                raise RunError(f'{self.program} failed:\n{done.stdout}')
+                raise RunError(f'{PROGRAM}: {(done.stdout.strip().splitlines() or ["no message"])[-1]}')
             with open(output, encoding='utf-8') as stream:
                 text = stream.read()
         return json.loads(text)['benchmarks'] if text.strip() else []

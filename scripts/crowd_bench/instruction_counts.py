@@ -91,9 +91,10 @@ def is_fine(count, kept):
 def main(words=None):
     """Runs scripts/count_instructions with command line words. Returns the exit status."""
     parser = argparse.ArgumentParser(
-        prog='count_instructions',
-        description=f'Counts the instructions of small runs and compares them with those in {KEPT.name}. Exit status: '
-                    f'0 if all differ by less than {TOLERANCE:g} %%, 1 otherwise.')
+        prog='count_instructions', formatter_class=argparse.RawDescriptionHelpFormatter,
+        description=f'Counts the instructions of small runs and compares them with those in {KEPT.name}.',
+        epilog='example:\n  scripts/count_instructions\n\nExit status: 0 all differ by less than '
+               f'{TOLERANCE:g} %, 1 an error or a larger difference, 2 wrong usage.')
     parser.add_argument('--keep', action='store_true', help='store these counts instead of comparing them')
     parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER', help='folder of train and evaluate')
     arguments = parser.parse_args(words)

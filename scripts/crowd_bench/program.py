@@ -12,13 +12,14 @@ from crowd_experiments.numbers import positive
 from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, REPOSITORY, interrupt
 from crowd_experiments.runs import RunError
 
-from . import document, profile, table
+from . import document, profile, rank_benchmarks, table
 from .catalogue import BENCHMARKS
 from .core_benchmarks import PROGRAM, CoreBenchmarks
+from .rank_scaling import RANK_SWEEPS
 from .sweeps import SWEEPS
 
 ROS_MODULE = 'crowd_bench.ros_benchmarks'
-ALL = {entry.name: entry for entry in (*BENCHMARKS, *SWEEPS, *profile.PROFILES)}
+ALL = {entry.name: entry for entry in (*BENCHMARKS, *SWEEPS, *RANK_SWEEPS, *profile.PROFILES)}
 BUILD = REPOSITORY / '.build'
 
 
@@ -28,9 +29,10 @@ def parse_arguments(words):
         description='Measures the performance of the package; each benchmark is compared with its yardstick. Builds '
                     'the package.',
         epilog='benchmarks (run by default):\n' + listed(BENCHMARKS, 'what')
-               + '\nsweeps:\n' + listed(SWEEPS, 'title') + '\nprofiles, with callgrind:\n'
+               + '\nsweeps:\n' + listed((*SWEEPS, *RANK_SWEEPS), 'title') + '\nprofiles, with callgrind:\n'
                + listed(profile.PROFILES, 'title')
-               + '\nall: all of them\n\nCtrl-C keeps the results so far. Exit status: 0 success, 1 a measurement '
+               + '\nall: all of them\n\nexample:\n  scripts/bench crowd_step_map_1000 --json bench.json\n\n'
+                 'Ctrl-C keeps the results so far. Exit status: 0 success, 1 a measurement '
                  'failed, 2 wrong usage, 130 interrupted.')
     parser.add_argument('names', nargs='*', metavar='NAME', choices=[*ALL, 'all', []], help='see below')
     parser.add_argument('--json', type=pathlib.Path, metavar='FILE',
@@ -78,7 +80,7 @@ class Measuring:
     def measure(self, entry):
         """Measures a benchmark, a sweep or a profile."""
         progress(entry.name)
-        if entry in SWEEPS:
+        if entry in (*SWEEPS, *RANK_SWEEPS):
             self.measure_sweep(entry)
         elif entry in profile.PROFILES:
             self.measure_profile(entry)
@@ -86,16 +88,24 @@ class Measuring:
             self.measure_benchmark(entry)
 
     def measure_benchmark(self, benchmark):
-        result = measure_ros(benchmark.name) if benchmark.ros else self.core.measure(benchmark)
+        if benchmark.mpi:
+            result = rank_benchmarks.run(self.folder, benchmark, self.core.repetitions)
+        else:
+            result = measure_ros(benchmark.name) if benchmark.ros else self.core.measure(benchmark)
         if result is None:
-            return report(f'{benchmark.name}: left out, there is no {ROS_MODULE}')
+            return report(f"{benchmark.name}: left out, there is no {'mpirun' if benchmark.mpi else ROS_MODULE}")
         self.results.append(result)
         if self.json:
             table.write_json(self.json, self.results)
         report(table.line(result, benchmark))
 
     def measure_sweep(self, sweep):
-        points = self.core.sweep(sweep.name, sweep.unit)
+        if sweep in RANK_SWEEPS:
+            points = rank_benchmarks.weak_scaling(self.folder)
+            if not points:
+                return report(f'{sweep.name}: left out, there is no mpirun')
+        else:
+            points = self.core.sweep(sweep.name, sweep.unit)
         self.sweeps.append((sweep, points, sweep.draw(points, self.plots / f'{sweep.name}.png')))
         header, rows = sweep.table(points)
         report('\n'.join([f'{sweep.name}: {", ".join(header)}', *('  ' + '  '.join(row) for row in rows)]))

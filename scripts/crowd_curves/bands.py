@@ -20,9 +20,14 @@ class Band:
     high: numpy.ndarray
 
 
+def episodes_of(runs):
+    """Returns the number of episodes of the longest run."""
+    return int(max(run.columns[EPISODE].max() + 1 for run in runs))
+
+
 def default_window(runs):
     """Returns a number of episodes for which a curve has about fifty points."""
-    return max(1, round(max(run.columns[EPISODE].max() + 1 for run in runs) / WINDOWS))
+    return max(1, round(episodes_of(runs) / WINDOWS))
 
 
 def band_of(label, runs, column, window):
@@ -33,6 +38,5 @@ def band_of(label, runs, column, window):
     for i, curve in enumerate(curves):
         table[i, :len(curve)] = curve
     points = numpy.array([mean_interval(values[numpy.isfinite(values)]) for values in table.T])
-    last = max(run.columns[EPISODE].max() + 1 for run in runs)
-    episodes = numpy.minimum(window * numpy.arange(1, length + 1), last)
+    episodes = numpy.minimum(window * numpy.arange(1, length + 1), episodes_of(runs))
     return Band(label, len(runs), episodes, *points.T)

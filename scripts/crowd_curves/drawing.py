@@ -27,18 +27,22 @@ class Measure:
         return [numpy.clip(self.factor * values, *self.range) for values in (band.mean, band.low, band.high)]
 
 
+FROM_ZERO = {'limits': (0, None), 'range': (0, numpy.inf)}
 PERCENT = {'factor': 100.0, 'limits': (-3, 103), 'range': (0, 100)}
 # Those whose columns the records have are drawn.
 MEASURES = [
     Measure('arrived', 'success [%]', **PERCENT),
     Measure('touched', 'contact [%]', **PERCENT),
     Measure('collided', 'collision [%]', **PERCENT),
+    Measure('success', 'success [%]', **PERCENT),
+    Measure('contact', 'contact [%]', **PERCENT),
+    Measure('collision', 'collision [%]', **PERCENT),
     Measure('reward', 'reward'),
-    Measure('visited_rows', 'visited rows'),
-    Measure('epsilon', 'epsilon', limits=(0, None)),
-    Measure('ticks', 'decisions in an episode', limits=(0, None)),
+    Measure('visited_rows', 'visited rows', **FROM_ZERO),
+    Measure('epsilon', 'epsilon', **FROM_ZERO),
+    Measure('ticks', 'decisions in an episode', **FROM_ZERO),
     Measure('gain_per_tick', 'distance gained [m a decision]'),
-    Measure('turn_per_metre', 'turning [rad/m]', limits=(0, None)),
+    Measure('turn_per_metre', 'turning [rad/m]', **FROM_ZERO),
 ]
 
 

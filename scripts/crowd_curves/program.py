@@ -4,61 +4,105 @@ import csv
 import pathlib
 import sys
 
-from crowd_curves.bands import band_of, default_window
+from crowd_curves.bands import band_of, default_window, episodes_of
 from crowd_curves.drawing import draw_curves, measures_of
-from crowd_curves.records import read_run
+from crowd_curves.records import by_scenario, read_run
 from crowd_drawing.errors import InputError
+from crowd_experiments.confidence import t_quantile
 from crowd_experiments.labels import labelled
 from crowd_experiments.numbers import positive
 
 EXAMPLES = '''examples:
   for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\
-      --output table_$seed.txt --record learning_$seed.csv; done
+      --output table_$seed.txt --log learning_$seed.csv; done
   plot_learning learning_*.csv --output learning.png
-  plot_learning small=a_1.csv small=a_2.csv large=b_1.csv large=b_2.csv --output comparison.png
+  plot_learning small=a_1.csv small=a_2.csv small=a_3.csv large=b_1.csv large=b_2.csv large=b_3.csv \\
+      --output comparison.png
 
 A curve is the mean over the runs of a label, in windows of episodes; the band is the 95 % confidence interval of the
-mean (Student's t). A single run has no band. Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+mean (Student's t). A single run has no band, and that of two runs is too wide to be of use. Trainings may still run: a
+row that is not complete yet is left out.
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 
 def parser():
     """Returns the parser of the command line."""
     result = argparse.ArgumentParser(prog='plot_learning', description='Draws learning curves over several seeds, from '
-                                     'records of `train --record`.', epilog=EXAMPLES,
+                                     'logs of `train --log` or records of `train --record`.', epilog=EXAMPLES,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument('records', nargs='+', metavar='[LABEL=]CSV', help='a record for each run; runs with the same '
-                        'label are one curve')
+    result.add_argument('records', nargs='+', metavar='[LABEL=]CSV', help='a log or record for each run; runs with the '
+                        'same label are one curve')
     result.add_argument('--output', type=pathlib.Path, required=True, metavar='FILE',
                         help='picture, such as learning.png, .svg or .pdf')
     result.add_argument('--window', type=positive, metavar='N',
-                        help='number of episodes in a point of a curve (default: a fiftieth of all)')
+                        help='number of episodes in a point of a curve, at most all (default: a fiftieth of all)')
     result.add_argument('--columns', metavar='NAME,...', help='columns of the records that are drawn (default: '
                         'success, contact, collision and others, as far as the records have them)')
-    result.add_argument('--scenario', metavar='NAME', help='only episodes of this scenario')
+    which = result.add_mutually_exclusive_group()
+    which.add_argument('--scenario', metavar='NAME', help='only episodes of this scenario')
+    which.add_argument('--each-scenario', action='store_true', help='a curve for each scenario (default: all together)')
     result.add_argument('--title', default='', help='title of the picture')
     return result
 
 
-def plot(arguments):
-    """Reads the records, draws the curves, and prints the last point of each."""
+def read_runs(arguments):
+    """Returns the runs of the command line."""
     named = [labelled(word) for word in arguments.records]
-    runs = [read_run(label or '', file, arguments.scenario) for label, file in named]
+    runs = [read_run(label or '', file, arguments.scenario, grows=True) for label, file in named]
+    return [part for run in runs for part in by_scenario(run)] if arguments.each_scenario else runs
+
+
+def window_of(arguments, runs):
+    """Returns the number of episodes in a point of a curve."""
+    if arguments.window is None:
+        return default_window(runs)
+    if arguments.window > episodes_of(runs):
+        raise InputError(f'--window: expected at most {episodes_of(runs)}, the number of episodes, got '
+                         f'{arguments.window}')
+    return arguments.window
+
+
+def measures_for(arguments, runs):
+    """Returns the measures that are drawn."""
     columns = arguments.columns.split(',') if arguments.columns else None
     for column in columns or []:
         for run in runs:
             if column not in run.columns:
                 raise InputError(f"{run.file}: has no column '{column}'; there are {', '.join(run.columns)}")
-    measures, window = measures_of(runs, columns), arguments.window or default_window(runs)
+    measures = measures_of(runs, columns)
     if not measures:
-        raise InputError('the records have no common column to draw; name some with --columns')
+        raise InputError('the files have no common column to draw; name some with --columns')
+    return measures
+
+
+def hints(groups):
+    """Returns texts about curves that can be misread, given the runs of each label."""
+    found = []
+    mixed = {run.scenarios for runs in groups.values() for run in runs if len(run.scenarios) > 1}
+    for scenarios in sorted(mixed):
+        found.append(f"curves are means over {len(scenarios)} scenarios ({', '.join(scenarios)}): choose one with "
+                     '--scenario, or draw a curve for each with --each-scenario')
+    if any(len(runs) == 2 for runs in groups.values()):
+        found.append(f'the band of two runs is {t_quantile(1):.3g} standard errors wide on each side, that of three '
+                     f'{t_quantile(2):.2g}: train with more seeds')
+    return found
+
+
+def plot(arguments):
+    """Reads the files, draws the curves, and prints the last point of each."""
+    runs = read_runs(arguments)
+    measures, window = measures_for(arguments, runs), window_of(arguments, runs)
     draw_curves(arguments.output, runs, measures, window, arguments.title)
+    groups = {label: [run for run in runs if run.label == label] for label in dict.fromkeys(run.label for run in runs)}
     print(f'{arguments.output}: the last {window} of the episodes, mean (95 % confidence interval):')
-    for label in dict.fromkeys(run.label for run in runs):
+    for label, group in groups.items():
         for measure in measures:
-            band = band_of(label, [run for run in runs if run.label == label], measure.column, window)
+            band = band_of(label, group, measure.column, window)
             mean, low, high = (values[-1] for values in measure.shown(band))
             spread = f'{low:.4g} to {high:.4g}' if band.runs > 1 else 'one run'
-            print(f"  {label + ', ' if label else ''}{measure.title}: {mean:.4g} ({spread})")
+            print(f"  {label + ', ' if label else ''}{measure.title}: {mean:.4g} ({spread})", flush=True)
+    for hint in hints(groups):
+        print(f'plot_learning: {hint}', file=sys.stderr)
 
 
 def main(words=None):

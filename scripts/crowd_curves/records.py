@@ -1,9 +1,10 @@
-"""Records of training runs, and their means over windows of episodes."""
+"""Records and logs of training runs, and their means over windows of episodes."""
 import csv
 import dataclasses
 
 import numpy
 from crowd_drawing.errors import InputError
+from crowd_drawing.lines import complete_lines, ended_lines
 
 EPISODE, SCENARIO = 'episode', 'scenario'
 TEXTS = (SCENARIO, 'robot')
@@ -11,19 +12,24 @@ TEXTS = (SCENARIO, 'robot')
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """A record of one training: arrays by the names of its columns; one entry for every agent of every episode."""
+    """A record or log of one training: arrays by the names of its columns, with one entry for every agent of every
+    episode, or for every episode."""
     label: str  # of the group of runs that it belongs to
     file: str
     columns: dict
+    scenarios: tuple = ()  # of its rows, in alphabetical order; empty without such a column
 
 
-def read_run(label, file, scenario=None):
-    """Reads a record of `train --record`, or its rows of one scenario. Raises InputError, OSError."""
+def read_run(label, file, scenario=None, grows=False):
+    """Reads a record of `train --record` or a log of `train --log`, or its rows of one scenario. `grows`: the training
+    may still run, so that a last line without an end is left out; otherwise it is an error. Raises InputError,
+    OSError."""
     with open(file, newline='', encoding='utf-8', errors='replace') as stream:
-        rows = csv.reader(stream)
+        rows = csv.reader(ended_lines(stream) if grows else complete_lines(stream, file))
         names = next(rows, [])
         if EPISODE not in names:
-            raise InputError(f"{file}:1: expected a record of `train --record`, with a column '{EPISODE}'")
+            raise InputError(f'{file}:1: expected a record of `train --record` or a log of `train --log`, with a '
+                             f"column '{EPISODE}'")
         chosen, texts, scenarios = [], [i for i, name in enumerate(names) if name in TEXTS], set()
         of_scenario = names.index(SCENARIO) if SCENARIO in names else None
         for row in rows:
@@ -38,7 +44,14 @@ def read_run(label, file, scenario=None):
         raise InputError(f'{file}: has no rows' + ('' if scenario is None else
                          f" of a scenario '{scenario}'; there are {', '.join(sorted(scenarios))}"))
     values = numpy.array(chosen)
-    return Run(label, file, {name: values[:, i] for i, name in enumerate(names) if i not in texts})
+    return Run(label, file, {name: values[:, i] for i, name in enumerate(names) if i not in texts},
+               tuple(sorted(scenarios)) if scenario is None else (scenario,))
+
+
+def by_scenario(run):
+    """Returns a run for each scenario of a run, which may still grow. Raises InputError, OSError."""
+    return [read_run(f'{run.label} {scenario}'.strip(), run.file, scenario, grows=True)
+            for scenario in run.scenarios] or [run]
 
 
 def numbers_of(file, line, names, row, texts):

@@ -7,6 +7,7 @@ import pathlib
 import yaml
 
 from crowd_drawing.errors import InputError
+from crowd_drawing.lines import complete_lines
 from crowd_drawing.maps import read_map
 from crowd_drawing.population import Population
 
@@ -38,11 +39,13 @@ def find_scenario(name_or_file):
 
 
 def read_walks(file, instance):
-    """Returns the instance and its trajectories by agent: lists of (tick, x, y) [m]. Default: the first instance."""
+    """Returns the instance and its trajectories by agent: lists of (tick, x, y) [m]. Default: the first instance.
+
+    Raises InputError, also if an agent has two positions in a tick of this instance, and OSError."""
     walks = {}
     instances = set()
     with open(file, newline='', encoding='utf-8', errors='replace') as stream:
-        rows = csv.reader(stream)
+        rows = csv.reader(complete_lines(stream, file))
         if next(rows, None) != HEADER:
             raise InputError(f"{file}:1: expected the header {','.join(HEADER)}")
         for row in rows:
@@ -58,16 +61,17 @@ def read_walks(file, instance):
             if instance is None:
                 instance = row_instance
             if row_instance == instance:
-                walks.setdefault(agent, []).append((tick, x, y))
+                places = walks.setdefault(agent, {})
+                if tick in places:
+                    raise InputError(f'{file}:{rows.line_num}: agent {agent} is in tick {tick} for the second time')
+                places[tick] = (x, y)
     if not instances:
         raise InputError(f'{file}: has no trajectory')
     if not walks:
         least, most = min(instances), max(instances)
         expected = least if least == most else f'{least} to {most}'
         raise InputError(f'{file}: has no instance {instance}, expected {expected}')
-    for walk in walks.values():
-        walk.sort()
-    return instance, walks
+    return instance, {agent: [(tick, *places[tick]) for tick in sorted(places)] for agent, places in walks.items()}
 
 
 class Scene:

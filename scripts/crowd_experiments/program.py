@@ -5,7 +5,6 @@ import itertools
 import os
 import pathlib
 import signal
-import subprocess
 import sys
 import textwrap
 import time
@@ -17,9 +16,8 @@ from .page import write_page, write_tables
 from .progress import text_of
 from .runs import RunError, Runner
 from .setting import Setting
+from .tools import REPOSITORY, find_tools
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-TOOLS = ('train', 'evaluate')
 LONGEST_CELL = 80  # [characters] of a printed table
 EXIT_FINE, EXIT_FAILED = 0, 1
 
@@ -62,7 +60,9 @@ class Program:
             prog=self.name, formatter_class=argparse.RawDescriptionHelpFormatter, description=self.description,
             epilog=f'experiments:\n{described}\n  {"all":18} all of them\n\n'
                    'Completed runs are kept unless one of their programs, configurations or scenarios has changed. '
-                   'Ctrl-C keeps the\nfinished runs; the same command continues from there.')
+                   'Ctrl-C keeps the\nfinished runs; the same command continues from there.\n\n'
+                   f'example:\n  scripts/{self.name} {self.experiments[0].NAME} --results results --processes 2\n\n'
+                   'Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.')
         names = [experiment.NAME for experiment in self.experiments]
         parser.add_argument('experiments', nargs='+', choices=[*names, 'all'], metavar='EXPERIMENT', help='see below')
         parser.add_argument('--results', type=pathlib.Path, default=pathlib.Path('results'), metavar='FOLDER',
@@ -111,22 +111,6 @@ class Program:
                 for table in chapter.tables():
                     print_table(table)
         return chapters
-
-
-def find_tools(given):
-    """Returns the folder of the programs; builds them in a clone if they are not in the folder of this program."""
-    folder = given or pathlib.Path(sys.argv[0]).parent
-    if all(os.access(folder / tool, os.X_OK) for tool in TOOLS):
-        return folder.resolve()
-    if given:
-        raise RunError(f'{given}: has no train and evaluate')
-    print('Building (takes minutes the first time)', flush=True)
-    built = subprocess.run([REPOSITORY / 'scripts' / 'build'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                           text=True, check=False)
-    if built.returncode != 0:
-        raise RunError(f'{built.stdout}\nthe package does not build')
-    build = os.environ.get('SOCIAL_CROWD_BUILD', REPOSITORY / '.build')
-    return pathlib.Path(build).resolve() / 'devel' / 'lib' / 'social_crowd'
 
 
 def find_config():

@@ -2,23 +2,52 @@
 import csv
 
 import numpy
+from crowd_drawing.errors import InputError
+from crowd_drawing.lines import complete_lines
 
 TEXTS = ('scenario', 'robot')
 
 
 def read_csv(file):
-    """Returns the columns of a CSV file by their names: arrays of numbers, lists of texts."""
-    with open(file, newline='', encoding='utf-8') as stream:
-        rows = csv.reader(stream)
-        names = next(rows)
-        columns = list(zip(*rows)) or [()] * len(names)
-    return {name: list(column) if name in TEXTS else numpy.array(list(map(float, column)))
+    """Returns the columns of a CSV file by their names: arrays of numbers, lists of texts. Raises InputError if
+    there is no header, a row is not complete, or a value is not a number, and OSError."""
+    with open(file, newline='', encoding='utf-8', errors='replace') as stream:
+        rows = csv.reader(complete_lines(stream, file))
+        names = next(rows, None)
+        if names is None:
+            raise InputError(f'{file}: expected a header, got an empty file')
+        columns = list(zip(*complete_rows(rows, file, len(names)))) or [()] * len(names)
+    return {name: list(column) if name in TEXTS else numbers_of(column, file, name)
             for name, column in zip(names, columns)}
 
 
+def complete_rows(rows, file, count):
+    """Yields the rows of a csv.reader, each of which must have this number of values."""
+    for row in rows:
+        if len(row) != count:
+            raise InputError(f'{file}:{rows.line_num}: expected {count} values, got {len(row)}')
+        yield row
+
+
+def numbers_of(column, file, name):
+    """Returns a column as an array of numbers."""
+    numbers = numpy.empty(len(column))
+    for i, text in enumerate(column):
+        try:
+            numbers[i] = float(text)
+        except ValueError:
+            raise InputError(f"{file}:{i + 2}: expected a number in the column '{name}', got '{text}'") from None
+    return numbers
+
+
 def read_tracks(file):
-    """Returns the recorded places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left."""
-    rows = numpy.loadtxt(file, delimiter=',', skiprows=1, ndmin=2)
+    """Returns the recorded places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left. Raises
+    InputError, OSError."""
+    try:
+        with open(file, encoding='utf-8', errors='replace') as stream:
+            rows = numpy.loadtxt(complete_lines(stream, file), delimiter=',', skiprows=1, ndmin=2)
+    except ValueError as error:
+        raise InputError(f'{file}: {error}') from None
     tracks = {}
     for instance in numpy.unique(rows[:, 0]):
         of_instance = rows[rows[:, 0] == instance]

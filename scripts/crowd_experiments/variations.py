@@ -4,6 +4,7 @@ import math
 import pathlib
 
 import yaml
+from crowd_drawing.files import shipped_scenarios
 
 LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the faster implementation, if available
 DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
@@ -19,8 +20,14 @@ def vary_config(setting, base, changes, name, scenarios=None):
     file = base if isinstance(base, pathlib.Path) else setting.config_file(base)
     config = changed(read_documents(file)[0], changes)
     training = config['training']
-    training['scenarios'] = [str((file.parent / scenario).resolve()) for scenario in scenarios or training['scenarios']]
+    training['scenarios'] = [scenario_path(file, name) for name in scenarios or training['scenarios']]
     return write_if_new(setting.results / 'configs' / f'{name}.yaml', file, [config])
+
+
+def scenario_path(config, name):
+    """Returns the scenario file of a training configuration: relative to it, else the package's of this name."""
+    near = (config.parent / name).resolve()
+    return str(near if near.exists() else shipped_scenarios().get(name, near))
 
 
 def vary_scenario(setting, base, changes, name):

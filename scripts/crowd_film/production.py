@@ -17,6 +17,7 @@ from matplotlib import pyplot
 WRITERS = {'.gif': write_gif, '.webp': write_webp, '.mp4': write_mp4}
 SAMPLES = 6  # frames that determine the palette of a GIF
 MEGABYTE = 1e6
+MOST_GIGABYTES = 1.5  # of all frames of a WebP film, which are kept until the last one is drawn
 SAFETY = 0.97  # of the size at the next attempt
 SHRINKAGE = 0.7  # of the logarithm of the sides for that of the bytes; 0.5 would be that of an area
 
@@ -47,7 +48,11 @@ def frame_times(settings, tracks):
     end = min(settings.start + settings.duration, max(track.times[-1] for track in tracks.values()))
     if end < settings.start:
         raise InputError(f'--start: the recording ends at {end:g} s, got {settings.start:g}')
-    return [settings.start + i * step for i in range(int((end - settings.start) / step + 1e-9) + 1)]
+    frames = int((end - settings.start) / step + 1e-9) + 1
+    if frames < 2:
+        raise InputError(f'--speed: the film would have one frame, as the recording ends at {end:g} s; got '
+                         f'{settings.speed:g}')
+    return [settings.start + i * step for i in range(frames)]
 
 
 def make(settings, scene, tracks):
@@ -77,6 +82,11 @@ def make(settings, scene, tracks):
 def shoot(file, settings, scene, tracks, times):
     """Writes a film to a file. Returns its width and height [pixels]."""
     stage = Stage(scene, tracks, settings.title, settings.size, settings.view)
+    gigabytes = 3 * stage.width * stage.height * len(times) / 1e9
+    if settings.output.suffix.lower() == '.webp' and gigabytes > MOST_GIGABYTES:
+        raise FilmError(f'a WebP film of {len(times)} frames with {stage.width} x {stage.height} pixels would need '
+                        f'{gigabytes:.1f} GB of memory, more than {MOST_GIGABYTES:g}; expected .gif or .mp4, or a '
+                        'shorter --duration')
     painter = FramePainter(stage, scene, tracks)
     samples = [painter.draw(time) for time in times[::max(1, len(times) // SAMPLES)]]
     bar = ProgressBar(len(times), len(times), 'frames')

@@ -7,14 +7,15 @@ import sys
 import tempfile
 
 from crowd_drawing.errors import InputError
+from crowd_drawing.outputs import check_output
 from crowd_experiments.numbers import above_zero, at_least_zero, pixels, whole
 from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, find_tools, interrupt
 from crowd_experiments.runs import RunError
 from crowd_film.errors import FilmError
 from crowd_film.production import MEGABYTE, WRITERS, Settings, make
 from crowd_film.video import need_ffmpeg
-from crowd_recordings.shown import read_shown
 from crowd_film.recording import table_for, walk
+from crowd_recordings.shown import read_shown
 
 EXAMPLES = '''examples:
   film place_station --start 20 --duration 40 --output station.gif
@@ -37,7 +38,7 @@ def parser():
     add('--output', type=pathlib.Path, required=True, metavar='FILE', help='FILE.gif, FILE.webp or FILE.mp4')
     add('--q-table', type=pathlib.Path, metavar='FILE',
         help='Q-table (default: human for scenarios place_*, else anticipation)')
-    add('--seed', type=whole, default=1, metavar='N', help='seed of the episode (default: 1)')
+    add('--seed', type=whole, metavar='N', help='seed of the episode (default: 1)')
     add('--trajectories', type=pathlib.Path, metavar='FILE',
         help="show this recording: CSV of evaluate, JuPedSim's text format, or obsmat.txt")
     add('--frame-rate', type=above_zero, metavar='HZ', help='of the recording, in place of that in the file')
@@ -69,6 +70,7 @@ def settings_of(arguments, scene):
 
 def produce(arguments):
     """Reads or walks the episode, and makes the film."""
+    check_output(arguments.output)
     if arguments.output.suffix.lower() == '.mp4':
         need_ffmpeg()
     if arguments.trajectories:
@@ -77,7 +79,8 @@ def produce(arguments):
     else:
         with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
             table = arguments.q_table or table_for(arguments.scenario)
-            scene, tracks = walk(arguments.scenario, find_tools(arguments.tools) / 'evaluate', table, arguments.seed,
+            seed = 1 if arguments.seed is None else arguments.seed
+            scene, tracks = walk(arguments.scenario, find_tools(arguments.tools) / 'evaluate', table, seed,
                                  pathlib.Path(folder))
     width, height, frames = make(settings_of(arguments, scene), scene, tracks)
     megabytes = arguments.output.stat().st_size / MEGABYTE
@@ -94,6 +97,9 @@ def main(words=None):
         checked.error(f"--output: expected a name with {', '.join(WRITERS)}, got '{arguments.output}'")
     if not (arguments.scenario or arguments.trajectories):
         checked.error('expected a SCENARIO or --trajectories')
+    for name, value in (('--q-table', arguments.q_table), ('--seed', arguments.seed)):
+        if arguments.trajectories and value is not None:
+            checked.error(f'{name}: a recording is not walked again; expected either {name} or --trajectories')
     signal.signal(signal.SIGTERM, interrupt)
     try:
         produce(arguments)

@@ -1,4 +1,5 @@
 """The unchanging part of a film: the place, its frame, and the strips above and below."""
+from crowd_drawing.errors import InputError
 from crowd_drawing.picture import OBSTACLE_COLOUR, Picture
 from crowd_drawing.surroundings import draw_surroundings
 from matplotlib import pyplot
@@ -43,6 +44,7 @@ class Stage:
         axes = self.picture.axes
         self.picture.frame()
         if view is not None:
+            check_view(view, axes.get_xlim(), axes.get_ylim())
             axes.set_xlim(view[0], view[2])
             axes.set_ylim(view[1], view[3])
         axes.set_axis_off()
@@ -87,3 +89,11 @@ def mark_of(label, colour, marker):
 def even(number):
     """Returns the nearest even number; most video formats need even sides."""
     return 2 * round(number / 2)
+
+
+def check_view(view, x_limits, y_limits):
+    """Raises InputError if nothing of a scene with these limits is in a view."""
+    if view[0] >= x_limits[1] or view[2] <= x_limits[0] or view[1] >= y_limits[1] or view[3] <= y_limits[0]:
+        corners = ' '.join(f'{value:g}' for value in (x_limits[0], y_limits[0], x_limits[1], y_limits[1]))
+        raise InputError(f"--view: nothing of the scene is there, which is in {corners}; got "
+                         f"{' '.join(f'{value:g}' for value in view)}")

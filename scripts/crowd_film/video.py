@@ -27,7 +27,7 @@ def write_mp4(file, frames, _samples, duration):
                '-pix_fmt', 'yuv420p', '-movflags', '+faststart', '-f', 'mp4', str(file)]
     ffmpeg = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     try:
-        for frame in itertools.chain([first], frames):  # not all of them at once in memory
+        for frame in itertools.chain([first], frames):  # memory holds one frame, not the film
             ffmpeg.stdin.write(frame.tobytes())
     except BrokenPipeError:
         pass  # ffmpeg has failed; its message follows

@@ -2,17 +2,25 @@
 import argparse
 import csv
 import pathlib
+import subprocess
+import sys
 
 from . import door_flow, fundamental_diagram
 from .time_gap_table import add_time_gap
 
 DESCRIPTION = '''Measures speed against density in corridors and the flow through doors, and writes tables
 (CSV) and figures; or makes a Q-table whose agents keep a time gap from one whose agents do not.'''
+EXAMPLES = '''examples:
+  scripts/flows measure human.txt --evaluate .build/devel/lib/social_crowd/evaluate --data DATA --output flows
+  scripts/flows time-gap anticipation.txt my_human.txt --time-gap 0.9 --width 0.8
+
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 
 def parser():
     """Returns the parser of the command line."""
-    result = argparse.ArgumentParser(prog='flows', description=DESCRIPTION)
+    result = argparse.ArgumentParser(prog='flows', description=DESCRIPTION, epilog=EXAMPLES,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = result.add_subparsers(dest='command', required=True)
     measure = commands.add_parser('measure', help='measure the crowds of one or more Q-tables')
     measure.add_argument('tables', nargs='+', type=pathlib.Path, metavar='Q_TABLE')
@@ -31,10 +39,15 @@ def parser():
 def main(words=None):
     """Executes a command line. Returns the exit status."""
     arguments = parser().parse_args(words)
-    if arguments.command == 'time-gap':
-        add_time_gap(arguments.q_table, arguments.output, arguments.time_gap, arguments.width)
-        return 0
-    return measure_all(arguments)
+    try:
+        if arguments.command == 'time-gap':
+            add_time_gap(arguments.q_table, arguments.output, arguments.time_gap, arguments.width)
+        else:
+            measure_all(arguments)
+    except (OSError, ValueError, subprocess.CalledProcessError) as error:
+        print(f'flows: {error}', file=sys.stderr)
+        return 1
+    return 0
 
 
 def measure_all(arguments):
@@ -51,7 +64,6 @@ def measure_all(arguments):
         speeds[table.stem], doors[table.stem] = values, door_rows
     fundamental_diagram.plot(speeds, arguments.data, arguments.output / fundamental_diagram.FIGURE)
     door_flow.plot(doors, arguments.data, arguments.output / door_flow.FIGURE)
-    return 0
 
 
 def write_rows(file, header, rows):

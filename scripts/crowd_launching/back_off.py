@@ -1,5 +1,6 @@
 """Drives a robot back or ahead a little, away from what it touches."""
 import math
+import threading
 
 import rospy
 from geometry_msgs.msg import Twist
@@ -15,9 +16,11 @@ SILENCE = rospy.Duration(0.6)  # another node may command the robot when this on
 
 class BackOff:
     """Drives straight back by ~back_off metres, or ahead if something that it touches holds the robot, while nothing is
-    in its way. Messages of the odometry are the clock: a command follows each."""
+    in its way. Messages of the odometry are the clock: a command follows each. drive() is called in a thread of rospy,
+    the others in that of the goal sender."""
 
     def __init__(self):
+        self.lock = threading.Lock()
         self.way = rospy.get_param('~back_off', 0.3)
         self.radius = rospy.get_param('~radius', 0.25)
         self.start = None  # position [m] in odom
@@ -38,18 +41,26 @@ class BackOff:
         """Returns whether the robot has backed off; begins if it has not."""
         if self.way <= 0.0:
             return True
-        self.is_active = self.ended is None
-        return self.ended is not None and rospy.get_rostime() - self.ended > SILENCE
+        with self.lock:
+            self.is_active = self.ended is None
+            return self.ended is not None and rospy.get_rostime() - self.ended > SILENCE
 
     def stop(self):
-        """Stops, so that the next call of is_done() begins again."""
-        self.is_active = False
-        self.start = self.ended = None
+        """Stops the robot if it is on the way, so that the next call of is_done() begins again."""
+        with self.lock:
+            if self.is_active:
+                self.commands.publish(Twist())
+            self.is_active = False
+            self.start = self.ended = None
 
     def drive(self, odometry):
         """Commands the robot after a message of its odometry."""
-        if not self.is_active:
-            return
+        with self.lock:
+            if self.is_active:
+                self.drive_on(odometry)
+
+    def drive_on(self, odometry):
+        """Commands the robot that is on the way."""
         place, now = odometry.pose.pose.position, odometry.header.stamp
         if self.start is None:
             self.start, self.begun, self.direction = place, now, -1.0

@@ -11,9 +11,16 @@ from social_crowd.msg import Scenario
 
 from .launch_end import end_launch
 from .program import Program
-from .view import scale_for
+from .view import draws_in_software, scale_for
 
 PATIENCE = 10.0  # [s] time to wait for a scenario
+
+
+def remove_controls(settings):
+    """Removes the panel and the tools of this package from a configuration: a recording has no nodes to call."""
+    manager = settings['Visualization Manager']
+    for holder, key in ((settings, 'Panels'), (manager, 'Tools')):
+        holder[key] = [entry for entry in holder[key] if not entry['Class'].startswith('social_crowd/')]
 
 
 def configuration(view):
@@ -21,6 +28,8 @@ def configuration(view):
     file = os.path.join(rospkg.RosPack().get_path('social_crowd'), 'rviz', view + '.rviz')
     with open(file, encoding='utf-8') as stream:
         settings = yaml.safe_load(stream)
+    if not rospy.get_param('~controls', True):
+        remove_controls(settings)
     try:
         scenario = rospy.wait_for_message('scenario', Scenario, PATIENCE)
         settings['Visualization Manager']['Views']['Current']['Scale'] = scale_for(scenario)
@@ -29,11 +38,19 @@ def configuration(view):
     return yaml.safe_dump(settings, sort_keys=False)
 
 
+def options():
+    """Returns options of RViz: in software, smooth edges take more time than all else together."""
+    wanted = rospy.get_param('~anti_aliasing', 'auto')
+    smooth = not draws_in_software(os.environ) if wanted == 'auto' else wanted
+    return [] if smooth else ['--disable-anti-aliasing']
+
+
 def prepare():
-    """Returns the configuration, and whether closing RViz ends the launch, by the parameters of this node."""
+    """Returns the configuration, options, and whether closing RViz ends the launch, by the parameters of this node."""
     rospy.init_node('rviz', disable_signals=True)
     try:
-        return configuration(rospy.get_param('~view', 'social_crowd')), rospy.get_param('~ends_launch', False)
+        view = rospy.get_param('~view', 'social_crowd')
+        return configuration(view), options(), rospy.get_param('~ends_launch', False)
     finally:
         rospy.signal_shutdown('RViz uses this node name')
 
@@ -46,12 +63,12 @@ def main():
         return 1
     # In a process that ends: a server of rospy keeps a processor busy after the shutdown of the node.
     with concurrent.futures.ProcessPoolExecutor(1) as process:
-        settings, ends_launch = process.submit(prepare).result()
+        settings, chosen, ends_launch = process.submit(prepare).result()
     with tempfile.TemporaryDirectory(prefix='social_crowd_rviz_') as folder:
         file = os.path.join(folder, 'social_crowd.rviz')
         with open(file, 'w', encoding='utf-8') as stream:
             stream.write(settings)
-        rviz = Program(['rviz', '-d', file, *sys.argv[1:]])
+        rviz = Program(['rviz', '-d', file, *chosen, *sys.argv[1:]])
         status = rviz.wait()
     if ends_launch and status == 0 and not rviz.is_stopped:
         end_launch()

@@ -1,7 +1,16 @@
-"""Scale with which RViz shows a whole scenario."""
+"""How RViz shows a scenario: scale, and whether it draws in software."""
+import glob
+
 VIEW = 900.0, 700.0  # [pixels] available in a window of the configuration's size
 MARGIN = 1.0  # [m] around it
 LEAST, MOST = 0.5, 100.0  # [pixels/m]
+GRAPHICS = '/dev/dri/*', '/dev/nvidia[0-9]*', '/dev/dxg'  # devices with which OpenGL draws in hardware
+
+
+def draws_in_software(environment, devices=GRAPHICS):
+    """Returns whether OpenGL draws without graphics hardware here, as far as that can be known."""
+    forced = environment.get('LIBGL_ALWAYS_SOFTWARE', '').lower() in ('1', 'true', 'yes', 'y')
+    return forced or not any(glob.glob(device) for device in devices)
 
 
 def sides_of(scenario):

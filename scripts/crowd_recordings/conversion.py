@@ -7,6 +7,7 @@ import sys
 
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import DEFAULT_TICK
+from crowd_drawing.outputs import check_output
 from crowd_experiments.numbers import above_zero, whole
 from crowd_recordings.formats import WRITERS, read_recording, write_recording
 
@@ -40,6 +41,7 @@ def main(words=None):
     if arguments.output.suffix.lower() not in WRITERS:
         checked.error(f"--output: expected a name with {' or '.join(WRITERS)}, got '{arguments.output}'")
     try:
+        check_output(arguments.output)
         recording = read_recording(arguments.input, arguments.instance).at_rate(arguments.frame_rate)
         if recording.frame_duration is None:
             recording = recording.at_rate(1 / DEFAULT_TICK)
@@ -51,7 +53,8 @@ def main(words=None):
         print(f'convert_trajectories: {error}', file=sys.stderr)
         return 1
     rows = sum(map(len, recording.walks.values()))
-    print(f'{arguments.output}: {len(recording.walks)} people, {rows} positions, '
+    people = '1 person' if len(recording.walks) == 1 else f'{len(recording.walks)} people'
+    print(f'{arguments.output}: {people}, {rows} positions, '
           f'{1 / recording.frame_duration:g} frames a second')
     if arguments.output.suffix.lower() == '.csv' and not math.isclose(recording.frame_duration, DEFAULT_TICK):
         print(f'A CSV file has no frame rate: give --frame-rate {1 / recording.frame_duration:g} to programs that read '

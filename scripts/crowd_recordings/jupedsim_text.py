@@ -3,9 +3,11 @@
 Lines `id frame x y [z ...]`, separated by white space, in metres or centimetres; comments begin with #. One of them
 has the frame rate, `# framerate: 10.00`, and one the unit, `# id frame x/m y/m z/m`.
 """
+import argparse
 import re
 
 from crowd_drawing.errors import InputError
+from crowd_experiments.numbers import above_zero
 from crowd_recordings.recording import Recording, collect, numbers_of
 
 RATE = re.compile(r'framerate\s*:?\s*([-+.\deE]+)')
@@ -36,15 +38,9 @@ def read(file, stream):
 def duration_of(file, line, rate):
     """Returns the time between two frames [s] of a frame rate in a header."""
     try:
-        return 1 / above_zero(float(rate))
-    except ValueError:
+        return 1 / above_zero(rate)
+    except (ValueError, argparse.ArgumentTypeError):
         raise InputError(f"{file}:{line}: expected a frame rate above 0, got '{rate}'") from None
-
-
-def above_zero(number):
-    if not number > 0:
-        raise ValueError
-    return number
 
 
 def write(stream, recording):

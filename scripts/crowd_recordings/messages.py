@@ -30,10 +30,10 @@ class Messages:
     def scenario(self, episode, stamp):
         """Returns the Scenario of an episode. It has all people at their first places, so that a view of the scenario
         contains all that follows."""
-        everybody = [self.agent(number, track, track.times[0], False) for number, track in enumerate(self.tracks)]
+        people = [self.agent(number, track, track.times[0], False) for number, track in enumerate(self.tracks)]
         return Scenario(header=Header(stamp=stamp, frame_id=FRAME), episode=episode, name=self.scene.name or self.name,
                         instance=episode, tick_duration=self.tick_duration, max_ticks=self.last_tick,
-                        agents=everybody, obstacles=self.obstacles(0),
+                        agents=people, obstacles=self.obstacles(0),
                         walls=[wall_of(wall) for wall in self.scene.walls])
 
     def states(self, episode, tick, stamp):

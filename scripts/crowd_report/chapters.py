@@ -10,8 +10,8 @@ from crowd_report.tables import comparison_rows, metrics_rows
 
 
 def chapters_of(sources, training, folder):
-    """Returns the chapters for which there are files; `training`: records of `train` as Sources. Figures are written to
-    a folder."""
+    """Returns the chapters for which there are files; `training`: logs and records of `train` as Sources. Figures
+    are written to a folder."""
     made = [metrics_chapter(of_kind(sources, METRICS)), comparison_chapter(of_kind(sources, RECORD)),
             learning_chapter(training, folder), *walking_chapters(of_kind(sources, TRAJECTORIES), folder)]
     return [chapter for chapter in made if chapter is not None]
@@ -45,11 +45,12 @@ def learning_chapter(training, folder):
     """Returns the learning curves."""
     if not training:
         return None
-    runs = [read_run(source.label, source.file) for source in training]
-    window = default_window(runs)
-    file = draw_curves(folder / 'curves.png', runs, measures_of(runs), window)
     chapter = Chapter('learning', 'Learning curves')
-    chapter.add_figure(file, f'Means over {window} episodes and over the runs, with 95 % confidence bands (t).')
+    for kind in dict.fromkeys(source.kind for source in training):  # logs and records have other columns
+        runs = [read_run(source.label, source.file) for source in training if source.kind == kind]
+        window = default_window(runs)
+        file = draw_curves(folder / f'curves_{kind}.png', runs, measures_of(runs), window)
+        chapter.add_figure(file, f'Means over {window} episodes and over the runs, with 95 % confidence bands (t).')
     return chapter
 
 

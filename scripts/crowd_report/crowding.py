@@ -27,9 +27,9 @@ def distances(places):
 
 
 def speeds_and_densities(track, tick):
-    """Returns speed [m/s] and density [1/m2] of each person who is there for a second, at moments 0.5 s apart. The
-    speed is the displacement in this second, divided by it; the density is the number of people within 2 m in its
-    middle, including the person, divided by the area of this disc."""
+    """Returns speed [m/s] and density [1/m2] of each person that is recorded for a whole second, at moments 0.5 s
+    apart. The speed is the displacement in this second, divided by it; the density is the number of people within 2 m
+    in its middle, including the person, divided by the area of this disc."""
     span, half = stride(SPAN, tick), stride(SPAN, tick) // 2
     speeds, densities = [], []
     for start in range(0, len(track) - span, stride(STEP, tick)):

@@ -76,8 +76,8 @@ def tracks_of(sources):
 
 
 def draw_separations(target, groups):
-    """Draws the histogram of the distances to the nearest person, for each label. Returns the file, or None if nobody
-    had company."""
+    """Draws the histogram of the distances to the nearest person, for each label. Returns the file, or None if no
+    moment has two people."""
     apart = {label: numpy.concatenate([separations(*track) for track in tracks_of(sources)])
              for label, sources in groups.items()}
     if not any(map(len, apart.values())):

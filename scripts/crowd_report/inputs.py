@@ -7,9 +7,10 @@ from crowd_drawing.files import HEADER
 from crowd_experiments.labels import labelled
 from crowd_experiments.records import read_csv
 
-METRICS, RECORD, TRAJECTORIES = 'metrics', 'record', 'trajectories'
-# First columns, by kind.
+METRICS, LOG, RECORD, TRAJECTORIES = 'metrics', 'log', 'record', 'trajectories'
+# First columns, by kind; those of a log begin with those of a record.
 HEADERS = {METRICS: ('scenario,instances,success_pct', '`evaluate --csv`'),
+           LOG: ('episode,scenario,agents', '`train --log`'),
            RECORD: ('episode,scenario,agent', '`train` or `evaluate --record`'),
            TRAJECTORIES: (','.join(HEADER), '`evaluate --trajectories`')}
 
@@ -38,12 +39,9 @@ def source_of(word):
 
 def columns_of(source):
     """Returns the columns of a file of metrics or of a record, by name. Raises InputError."""
-    try:
-        columns = read_csv(source.file)
-    except ValueError as error:
-        raise InputError(f'{source.file}: {error}') from None
-    if not all(len(column) == len(columns['scenario']) > 0 for column in columns.values()):
-        raise InputError(f'{source.file}: has no complete rows')
+    columns = read_csv(source.file)
+    if not columns['scenario']:
+        raise InputError(f'{source.file}: has no rows')
     return columns
 
 

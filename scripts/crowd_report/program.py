@@ -7,15 +7,16 @@ import sys
 import tempfile
 
 from crowd_drawing.errors import InputError
+from crowd_drawing.outputs import check_output
 from crowd_experiments.page import write_page
 from crowd_report.chapters import chapters_of
-from crowd_report.inputs import HEADERS, RECORD, source_of
+from crowd_report.inputs import HEADERS, LOG, RECORD, source_of
 
 EXAMPLES = '''examples:
   for table in anticipation human; do mkdir -p $table
       rosrun social_crowd evaluate --q-table config/q_tables/$table.txt --episodes 20 \\
       --csv $table/metrics.csv --record $table/record.csv --trajectories $table circle6 place_corner; done
-  report */*.csv --output report.html
+  report anticipation/*.csv human/*.csv --output report.html
   report one=a/metrics.csv other=b/metrics.csv --training one=a/learning.csv other=b/learning.csv --output report.html
 
 The kind of a file is recognised by its header: ''' + '; '.join(program for _, program in HEADERS.values()) + '''.
@@ -30,7 +31,8 @@ def parser():
                                      'no other file: metrics, comparison, learning curves, paths, separation, speed '
                                      'against density.')
     result.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
-    result.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV', help='records of `train`')
+    result.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV',
+                        help='logs or records of `train`')
     result.add_argument('--output', type=pathlib.Path, required=True, metavar='FILE.html', help='the page')
     result.add_argument('--title', default='Crowd report', help='title of the page (default: %(default)s)')
     return result
@@ -55,12 +57,17 @@ def main(words=None):
     arguments = checked.parse_args(words)
     if not (arguments.files or arguments.training):
         checked.error('expected at least one file')
+    if arguments.output.suffix.lower() not in ('.html', '.htm'):
+        checked.error(f"--output: expected FILE.html, got '{arguments.output}'")
     try:
+        check_output(arguments.output)
         sources, training = ([source_of(word) for word in words] for words in (arguments.files, arguments.training))
         for source in training:
-            if source.kind != RECORD:
-                raise InputError(f'{source.file}: --training: expected a record of `train`, with the header '
-                                 f'{HEADERS[RECORD][0]}...')
+            if source.kind not in (LOG, RECORD):
+                raise InputError(f'{source.file}: --training: expected a record or log of `train`, with the header '
+                                 f'{HEADERS[RECORD][0]}... or {HEADERS[LOG][0]}...')
+        training += [source for source in sources if source.kind == LOG]
+        sources = [source for source in sources if source.kind != LOG]
         write_report(arguments.output, arguments.title, sources, training)
     except OSError as error:
         print(f'report: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)

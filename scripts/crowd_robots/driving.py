@@ -3,7 +3,6 @@ import argparse
 import os
 import pathlib
 import shutil
-import socket
 import subprocess
 import sys
 
@@ -11,6 +10,7 @@ import yaml
 
 from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, positive
 from crowd_experiments.runs import RunError
+from crowd_launching.ports import free_port
 from crowd_launching.program import Program
 
 from .catalogue import DRIVEN
@@ -68,13 +68,6 @@ def launch_arguments(scenario, robot):
 def text_of(value):
     """Returns a value as roslaunch reads it."""
     return str(value).lower() if isinstance(value, bool) else str(value)
-
-
-def free_port():
-    """Returns a port on which nothing listens."""
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
 
 
 def drive(arguments):

@@ -4,6 +4,7 @@ import math
 
 import numpy
 
+from crowd_drawing.errors import InputError
 from crowd_experiments.records import read_csv
 from crowd_experiments.runs import RunError
 
@@ -19,7 +20,7 @@ def read_record(file):
     """Returns the columns of a record of robots by their names. Raises RunError if it is not one."""
     try:
         record = read_csv(file)
-    except (ValueError, StopIteration) as error:
+    except InputError as error:
         raise RunError(f'{file}: expected a record of robots as CSV, got something else ({error})') from error
     missing = [name for name in NEEDED if name not in record]
     if missing:

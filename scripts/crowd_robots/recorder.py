@@ -1,5 +1,7 @@
 """Records the results of robots that nodes drive, see scripts/record_robots."""
+import math
 import threading
+import time
 
 import rospy
 from crowd_launching.launch_end import end_launch
@@ -7,6 +9,7 @@ from social_crowd.msg import EpisodeResult, RobotResult, RobotStates
 from social_crowd.srv import Reset
 
 PEOPLE = {'people_compared': '0', 'people_delay': 'nan', 'people_detour': 'nan'}  # needs a second run without robots
+LONG = 10.0  # [s] between two warnings
 BEFORE_PEOPLE = 'personal_space_intrusions'
 
 
@@ -41,6 +44,7 @@ class Recorder:
         self.left = rospy.get_param('~episodes', 0)  # 0: no limit
         self.is_done = threading.Event()
         self.episode = None  # the present one
+        self.waiting = []  # names of robots without a command
         self.first = None if rospy.get_param('~restart', False) else 0  # number of the first episode to record
         self.is_driven = threading.Event()
         self.subscribers = [
@@ -48,14 +52,15 @@ class Recorder:
             rospy.Subscriber('episode_results', EpisodeResult, self.take, queue_size=100)]
 
     def write(self, cells):
-        """Writes a line at once, as the node may be stopped after it."""
+        """Writes a line immediately, as the node may be stopped after it."""
         self.file.write(','.join(cells) + '\n')
         self.file.flush()
 
     def note_commands(self, states):
         """Notes the number of the episode, and whether all robots were commanded in it."""
         self.episode = states.episode
-        if all(robot.commands_taken > 0 for robot in states.robots):
+        self.waiting = [robot.name for robot in states.robots if robot.commands_taken == 0]
+        if not self.waiting:
             self.is_driven.set()
             if self.first is not None:
                 self.subscribers[0].unregister()
@@ -73,11 +78,18 @@ class Recorder:
     def run(self):
         """Restarts the episodes if that is wanted, then records until the node is shut down or all is recorded."""
         if self.first is None:
-            wait_for(self.is_driven)
+            self.wait_for_commands()
+            if rospy.is_shutdown():
+                return
             self.restart()
         wait_for(self.is_done)
         if self.is_done.is_set():
             end_launch()
+
+    def wait_for_commands(self):
+        """Waits until all robots were commanded, and says every ten seconds which were not."""
+        while not wait_for(self.is_driven, LONG) and not rospy.is_shutdown():
+            rospy.logwarn('waiting for the first command of %s', ', '.join(self.waiting) or 'the robots')
 
     def restart(self):
         """Restarts with the first episode, of which no result can have come before the answer of the controller."""
@@ -88,10 +100,12 @@ class Recorder:
             raise rospy.ROSException('crowd_controller/reset: ' + answer.message)
 
 
-def wait_for(event):
-    """Waits for an event or the shutdown of the node."""
-    while not event.wait(0.1) and not rospy.is_shutdown():
+def wait_for(event, seconds=math.inf):
+    """Waits for an event, or the shutdown of the node, at most this long. Returns whether the event has come."""
+    end = time.monotonic() + seconds
+    while not event.wait(0.1) and not rospy.is_shutdown() and time.monotonic() < end:
         pass
+    return event.is_set()
 
 
 def main():
@@ -103,7 +117,10 @@ def main():
             Recorder(file).run()
     except rospy.ROSInterruptException:
         pass
-    except (OSError, rospy.ROSException) as error:
+    except OSError as error:
         rospy.logfatal('~file: %s', error)
+        return 1
+    except (rospy.ROSException, rospy.ServiceException) as error:
+        rospy.logfatal('%s', error)
         return 1
     return 0

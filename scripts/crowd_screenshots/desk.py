@@ -1,21 +1,16 @@
 """A separate screen with a launch file on it, and a mouse."""
 import os
+import shutil
 import signal
-import socket
 import subprocess
 import tempfile
 import time
 
+from crowd_launching.ports import free_port
+
 SIZE = '1280x800x24'
 PATIENCE = 120.0  # [s]
 PERIOD = 0.2  # [s] between two looks
-
-
-def free_port():
-    """Returns a port that nobody uses now."""
-    with socket.socket() as taken:
-        taken.bind(('127.0.0.1', 0))
-        return taken.getsockname()[1]
 
 
 class Desk:
@@ -59,9 +54,12 @@ class Desk:
             return ':' + displays.readline().strip()
 
     def run(self, *command):
-        """Runs a command on the screen. Returns its output; None if it failed."""
-        done = subprocess.run(list(map(str, command)), env=self.environment, stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL, check=False)
+        """Runs a command on the screen. Returns its output; None if it failed or hung."""
+        try:
+            done = subprocess.run(list(map(str, command)), env=self.environment, stdout=subprocess.PIPE,
+                                  stderr=subprocess.DEVNULL, check=False, timeout=PATIENCE)
+        except subprocess.TimeoutExpired:
+            return None
         return done.stdout.decode() if done.returncode == 0 else None
 
     def wait_for(self, command, what, words=''):
@@ -81,10 +79,18 @@ class Desk:
 
     def mouse(self, *words):
         """Moves and clicks, with the words of xdotool."""
-        self.run('xdotool', *words)
+        if self.run('xdotool', *words) is None:
+            raise RuntimeError(f'xdotool failed: {words}')
 
-    def take(self, file, seconds=2.0):
-        """Waits until RViz has drawn, and writes a picture of the screen."""
+    def take(self, file, seconds=2.0, crop=None):
+        """Waits until RViz has drawn, and writes a picture of the screen. Returns its file.
+
+        `crop`: width, height, left and top of a part [pixels].
+        """
         time.sleep(seconds)
-        if self.run('import', '-window', 'root', 'png24:' + str(file)) is None:
+        part = ['-crop', '{}x{}+{}+{}'.format(*crop), '+repage'] if crop else []
+        fresh = os.path.join(self.folder.name, file.name)
+        if self.run('import', '-window', 'root', *part, 'png24:' + fresh) is None:
             raise RuntimeError(f'{file} cannot be written')
+        shutil.copyfile(fresh, file)
+        return file

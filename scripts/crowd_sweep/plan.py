@@ -26,7 +26,10 @@ def label_of(changes):
 
 
 def value_text(value):
-    """Returns a value as a short text."""
+    """Returns a value as a short text, such as 0.3..0.02/500 for a schedule over 500 episodes."""
+    if isinstance(value, dict) and {'from', 'to', 'episodes'} <= set(value):
+        more = [str(part) for key, part in value.items() if key not in ('from', 'to', 'episodes')]
+        return ','.join([f"{value['from']}..{value['to']}/{value['episodes']}", *more])
     if isinstance(value, dict):
         return ','.join(f'{key}:{value_text(part)}' for key, part in value.items())
     return ','.join(map(value_text, value)) if isinstance(value, list) else str(value)

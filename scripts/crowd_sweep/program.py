@@ -2,6 +2,7 @@
 import argparse
 import os
 import pathlib
+import shlex
 import signal
 import sys
 
@@ -14,6 +15,7 @@ from crowd_experiments.setting import Setting
 from crowd_report.inputs import METRICS, RECORD, TRAJECTORIES, Source
 from crowd_report.program import write_report
 from crowd_sweep import plan as planning
+from crowd_sweep.checks import check_configurations
 from crowd_sweep.sweep_file import read_sweep
 
 REPORT = 'report.html'
@@ -43,7 +45,8 @@ def parser():
     result.add_argument('--results', type=pathlib.Path, metavar='FOLDER',
                         help='folder of all results (default: results/NAME of FILE)')
     result.add_argument('--force', action='store_true', help='repeat all runs')
-    result.add_argument('--dry-run', action='store_true', help='print the commands of all runs, and run nothing')
+    result.add_argument('--dry-run', action='store_true', help='write the configurations, check each by an episode of '
+                        'training, and print the commands of all runs')
     result.add_argument('--tools', type=pathlib.Path, metavar='FOLDER', help='folder of train and evaluate (default: '
                         'that of this program; if they are not there, the package is built)')
     return result
@@ -80,9 +83,12 @@ def run(arguments):
     results = (arguments.results or pathlib.Path('results') / arguments.file.stem).absolute()
     setting = Setting(find_tools(arguments.tools), find_config(), results)
     members = planning.plan(sweep, setting)
+    check_configurations(sweep, setting, members)
     if arguments.dry_run:
         for member in members:
-            print(f'# {member.label}, seed {member.seed}', *member.run.lines(), sep='\n')
+            folder = shlex.quote(str(member.run.folder))
+            print(f'# {member.label}, seed {member.seed}', f'mkdir -p {folder} && cd {folder}', *member.run.lines(),
+                  sep='\n')
         return EXIT_FINE
     if not carry_out(setting, [Experiment(members)], arguments):
         return EXIT_INTERRUPTED

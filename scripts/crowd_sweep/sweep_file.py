@@ -77,9 +77,9 @@ class Reader:
         self.need(isinstance(value, dict), where, 'a map', value)
         for key in value:
             near = difflib.get_close_matches(str(key), keys, 1)
-            hint = f", did you mean '{near[0]}'" if near else ''
+            hint = f", did you mean '{near[0]}'?" if near else '.'
             if key not in keys:
-                raise InputError(f"{self.file}: {where + ': ' if where else ''}unknown key '{key}'{hint}? Known are "
+                raise InputError(f"{self.file}: {where + ': ' if where else ''}unknown key '{key}'{hint} Known are "
                                  f"{', '.join(keys)}")
         return value
 

@@ -1,9 +1,12 @@
 """The program `draw_q_table`."""
 import argparse
+import os
 import pathlib
 import sys
 
 from crowd_drawing.errors import InputError
+from crowd_drawing.files import HOMES
+from crowd_drawing.outputs import check_output
 from crowd_experiments.numbers import whole
 from crowd_tables.actions import action_names
 from crowd_tables.drawing import draw_table
@@ -13,9 +16,18 @@ from crowd_tables.table import read_table
 
 EXAMPLES = '''examples:
   draw_q_table config/q_tables/thesis_nearest.txt --output nearest.png
-  draw_q_table config/q_tables/human.txt --row 1234
+  draw_q_table human --row 1234
 
 Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+
+
+PICTURES = ('.png', '.pdf', '.svg')
+
+
+def table_file(name):
+    """Returns the given file if it exists, otherwise the package's Q-table of that name."""
+    files = [home / 'config' / 'q_tables' / f'{name}.txt' for home in HOMES]
+    return name if os.path.exists(name) else next((str(file) for file in files if file.is_file()), name)
 
 
 def parser():
@@ -23,7 +35,7 @@ def parser():
     result = argparse.ArgumentParser(prog='draw_q_table', description='Draws the values and visits of all rows of a '
                                      'Q-table as heat maps, or explains one row.', epilog=EXAMPLES,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument('table', metavar='FILE', help='a Q-table file')
+    result.add_argument('table', metavar='FILE', help='a Q-table file, or a name in config/q_tables')
     result.add_argument('--output', type=pathlib.Path, metavar='FILE', help='picture, such as table.png or table.pdf')
     result.add_argument('--row', type=whole, metavar='N', help='print what row N means, with visits and values')
     result.add_argument('--title', help='title of the picture (default: the name of the file)')
@@ -47,8 +59,12 @@ def main(words=None):
     arguments = checked.parse_args(words)
     if arguments.output is None and arguments.row is None:
         checked.error('expected --output or --row')
+    if arguments.output and arguments.output.suffix.lower() not in PICTURES:
+        checked.error(f"--output: expected a name with {', '.join(PICTURES)}, got '{arguments.output}'")
     try:
-        table = read_table(arguments.table)
+        if arguments.output:
+            check_output(arguments.output)
+        table = read_table(table_file(arguments.table))
         meaning = meaning_of(table)
         if arguments.row is not None:
             explain(table, meaning, arguments.row)

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -47,6 +49,15 @@ std::string missingFolderOf(const std::string& file) {
 
 /// Some special files claim to be larger than any memory.
 constexpr std::uintmax_t MOST_RESERVED = 1U << 26U;  // [bytes]
+
+constexpr const char* TEMPORARY = ".tmp";  // follows the name of a file, and is followed by the number of a process
+
+/// The file that a name stands for: a link stays a link when its file is replaced.
+std::string targetOf(const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::path resolved = std::filesystem::canonical(file, ignored);
+  return resolved.empty() ? file : resolved.string();
+}
 
 /// Writes all to a temporary file and flushes it to the disk. Errors name the file that it replaces.
 void writeDurably(const std::string& temporary, const std::string& content, const std::string& file) {
@@ -90,10 +101,8 @@ std::string readFile(const std::string& file) {
 }
 
 void replaceFile(const std::string& file, const std::string& content) {
-  std::error_code ignored;
-  const std::filesystem::path resolved = std::filesystem::canonical(file, ignored);  // a link stays a link
-  const std::string target = resolved.empty() ? file : resolved.string();
-  const std::string temporary = target + ".tmp" + std::to_string(::getpid());
+  const std::string target = targetOf(file);
+  const std::string temporary = target + TEMPORARY + std::to_string(::getpid());
   try {
     writeDurably(temporary, content, file);
     if (std::rename(temporary.c_str(), target.c_str()) != 0) throwSystem(file, "cannot be replaced");
@@ -103,13 +112,36 @@ void replaceFile(const std::string& file, const std::string& content) {
   }
 }
 
+void removeTemporaries(const std::string& file) {
+  const std::filesystem::path target = targetOf(file);
+  const std::string begin = target.filename().string() + TEMPORARY;
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.compare(0, begin.size(), begin) != 0) continue;
+    pid_t process = 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + begin.size(), end, process);
+    const bool is_ended = read.ec == std::errc() && read.ptr == end && process > 0 && ::kill(process, 0) != 0;
+    if (is_ended && errno == ESRCH) std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
 void requireReplaceable(const std::string& file) {
   if (std::error_code ignored; std::filesystem::is_directory(file, ignored)) {
     throw FileError(file + ": cannot be written: " + std::strerror(EISDIR) + inFull(file));
   }
-  std::string folder = std::filesystem::path(file).parent_path().string();
+  std::string folder = std::filesystem::path(targetOf(file)).parent_path().string();
   if (folder.empty()) folder = ".";
   if (::access(folder.c_str(), W_OK | X_OK) != 0) throwUnwritable(file);
+}
+
+void requireGrowable(const std::string& file) {
+  std::error_code ignored;
+  const bool is_file = std::filesystem::exists(file, ignored) && !std::filesystem::is_directory(file, ignored);
+  if (!is_file) return requireReplaceable(file);
+  if (::access(file.c_str(), W_OK) != 0) throwUnwritable(file);
 }
 
 GrowingFile::GrowingFile(std::string file, const std::string& first_line)
@@ -117,9 +149,30 @@ GrowingFile::GrowingFile(std::string file, const std::string& first_line)
   append(first_line);
 }
 
+GrowingFile::GrowingFile(std::string file, std::uint64_t size) : file_(std::move(file)), size_(size) {
+  std::error_code problem;
+  std::filesystem::resize_file(file_, size, problem);
+  errno = problem.value();
+  if (problem) throwUnwritable(file_);
+  stream_.open(file_, std::ios::binary | std::ios::app);
+  if (!stream_) throwUnwritable(file_);
+}
+
 void GrowingFile::append(const std::string& text) {
   stream_ << text << std::flush;
   if (!stream_) throwUnwritable(file_);
+  size_ += text.size();
+}
+
+void GrowingFile::flushToDisk() {
+  // Streams have no descriptor; the data of a file are the same through any of its descriptors.
+  const int descriptor = ::open(file_.c_str(), O_WRONLY | O_CLOEXEC);  // NOLINT(*-vararg)
+  if (descriptor < 0) throwUnwritable(file_);
+  const bool fine = ::fsync(descriptor) == 0 || errno == EINVAL;  // pipes and devices have no disk
+  const int reason = errno;
+  ::close(descriptor);
+  errno = reason;
+  if (!fine) throwUnwritable(file_);
 }
 
 void makeFolder(const std::string& folder) {

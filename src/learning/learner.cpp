@@ -47,6 +47,7 @@ void Learner::beginEpisode(std::uint64_t episode) {
   episode_ = episode;
   chance_ = KeyedRandom(options_.seed, KeyedRandom::EXPLORATION, {episode});
   parameters_.epsilon = epsilon_.at(episode);
+  episode_reward_ = 0.0;
   forgetDecisions();
 }
 
@@ -171,14 +172,14 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
     return;
   }
   QTable& table = tables_.writable(place);
+  const double reward = (*model_.reward)(memory.before, seen, now.arrived ? 0 : rows[0]);
   if (now.arrived) {
-    memory.learner.learnTerminal(table, (*model_.reward)(memory.before, seen, 0), parameters_, learning_rates_,
-                                 mirror_);
+    memory.learner.learnTerminal(table, reward, parameters_, learning_rates_, mirror_);
   } else {
-    const double reward = (*model_.reward)(memory.before, seen, rows[0]);
     memory.learner.learn(table, reward, rows, parameters_, learning_rates_, mirror_);
     if (perceptions.last) memory.learner.resetTraces();
   }
+  episode_reward_ += reward;
   ++decisions_;
 }
 
@@ -203,6 +204,29 @@ inline Action Learner::explore(const KeyedRandom& chance, const Perceptions& per
 inline double Learner::tieOf(const Perceptions& perceptions, AgentId agent) const {
   if (parameters_.ties == Ties::FIRST) return FIRST_OF_TIES;
   return KeyedRandom(options_.seed, KeyedRandom::TIES, {perceptions.episode, perceptions.tick, agent}).uniform();
+}
+
+std::optional<DecisionValues> Learner::valuesOf(const Perceptions& perceptions, const RelativeActions& actions,
+                                                AgentId agent) const {
+  const auto is_its = [agent](const auto& entry) { return entry.agent == agent; };
+  const auto answer = std::find_if(actions.agents.begin(), actions.agents.end(), is_its);
+  const auto self = std::find_if(perceptions.agents.begin(), perceptions.agents.end(), is_its);
+  if (answer == actions.agents.end() || self == perceptions.agents.end()) return std::nullopt;
+  DecisionValues values;
+  values.chosen = workspace_.choices[static_cast<std::size_t>(answer - actions.agents.begin())].action;
+  DecisionWorkspace workspace;
+  const auto index = static_cast<std::size_t>(self - perceptions.agents.begin());
+  perceive(
+      perceptions, index, index + 1, [this](AgentId id) { return placeOf(id); }, workspace);
+  findRows(workspace);
+  const QTable& table = tableOf(agent);
+  const Rows rows = rowsOf(workspace, 0);
+  for (Action action = 0; action < table.actions(); ++action) {
+    const Row row = rows[action];
+    values.moves.push_back(
+        {moveAt(workspace.moves.data(), action), row, table.value(row, action), table.visits(row, action)});
+  }
+  return values;
 }
 
 std::vector<AgentId> Learner::servedAgents() const {
@@ -259,6 +283,12 @@ Learner::Taken Learner::takeTable(AgentId agent, QTable table, TakeMethod method
 void Learner::restart(QTable table) {
   checkShape(table);
   tables_.restart(std::move(table));
+}
+
+void Learner::restart(AgentId agent, QTable table) {
+  if (tables_.use() == TableUse::SHARED) return restart(std::move(table));
+  checkShape(table);
+  tables_.restart(addAgent(agent), std::move(table));
 }
 
 void Learner::forgetDecisions() {

@@ -12,7 +12,9 @@ namespace crowd {
 /// @brief Reads a text line by line and counts the lines.
 class LineReader {
  public:
-  LineReader(std::string_view text, std::string name) : rest_(text), unsummed_(text), name_(std::move(name)) {}
+  /// @param lines_before number of lines before the text, for messages
+  LineReader(std::string_view text, std::string name, std::size_t lines_before = 0)
+      : rest_(text), unsummed_(text), name_(std::move(name)), line_(lines_before) {}
 
   bool atEnd() const { return rest_.empty(); }
 
@@ -55,7 +57,7 @@ class LineReader {
   std::string_view unsummed_;
   Checksum checksum_;
   std::string name_;
-  std::size_t line_ = 0;
+  std::size_t line_;
 };
 
 }  // namespace crowd

@@ -8,6 +8,7 @@
 
 #include "learning/line_reader.h"
 #include "learning/q_table_format.h"
+#include "learning/q_table_text.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/learning/q_table_file.h"
@@ -217,27 +218,30 @@ class SourcesReader {
   std::vector<std::uint64_t> sums_;    // of all sources so far
 };
 
-void readSources(LineReader& lines, const Header& header, QTable& table) {
-  Contributions others;
-  if (header.other_sources > 0) {
-    SourcesReader reader(lines, table);
-    for (std::size_t i = 0; i < header.other_sources; ++i) {
-      others.push_back(reader.read(others.empty() ? NO_SOURCE : others.back().source, header.source));
-    }
-  }
-  table.setSources(header.source, std::move(others));
+}  // namespace
+
+void readRows(LineReader& lines, std::size_t count, QTable& table) {
+  std::int64_t before = -1;
+  for (std::size_t i = 0; i < count; ++i) before = readRow(lines, before, table);
 }
 
-}  // namespace
+Contributions readSources(LineReader& lines, std::size_t count, SourceId own, const QTable& table) {
+  Contributions sources;
+  if (count == 0) return sources;
+  SourcesReader reader(lines, table);
+  for (std::size_t i = 0; i < count; ++i) {
+    sources.push_back(reader.read(sources.empty() ? NO_SOURCE : sources.back().source, own));
+  }
+  return sources;
+}
 
 TrainedTable parseQTable(const std::string& text, const std::string& name) {
   LineReader lines(text, name);
   readMagic(lines);
   const Header header = readHeader(lines);
   QTable table(header.rows, header.actions);
-  std::int64_t before = -1;
-  for (Row i = 0; i < header.visited_rows; ++i) before = readRow(lines, before, table);
-  readSources(lines, header, table);
+  readRows(lines, header.visited_rows, table);
+  table.setSources(header.source, readSources(lines, header.other_sources, header.source, table));
   const std::string_view last = lines.next("the checksum after " + std::to_string(header.visited_rows) + " rows and " +
                                            std::to_string(header.other_sources) + " other sources");
   const std::string expected = std::string(CHECKSUM_KEY) + lines.sumUpTo(last.data()).text();

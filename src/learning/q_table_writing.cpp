@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "learning/q_table_format.h"
+#include "learning/q_table_text.h"
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
@@ -93,17 +94,30 @@ void appendSource(const Contribution& contribution, std::string& text) {
 
 }  // namespace
 
-std::string toText(const TrainedTable& trained) {
+std::vector<Row> storedRows(const QTable& table) {
   std::vector<Row> rows;
-  for (Row row = 0; row < trained.table.rows(); ++row) {
-    if (isStored(trained.table, row)) rows.push_back(row);
+  for (Row row = 0; row < table.rows(); ++row) {
+    if (isStored(table, row)) rows.push_back(row);
   }
+  return rows;
+}
+
+void appendRows(const QTable& table, const std::vector<Row>& rows, std::string& text) {
+  // Avoids reallocations; reserved pages that are not written to need no memory.
+  text.reserve(text.size() + rows.size() * (MAX_ROW_SIZE + table.actions() * MAX_ENTRY_SIZE));
+  for (const Row row : rows) appendRow(table, row, text);
+}
+
+void appendSources(const Contributions& sources, std::string& text) {
+  for (const Contribution& contribution : sources) appendSource(contribution, text);
+}
+
+std::string toText(const TrainedTable& trained) {
+  const std::vector<Row> rows = storedRows(trained.table);
   const Sources sources(trained.table);
   std::string text = headerOf(trained, sources, rows.size());
-  // Avoids reallocations; reserved pages that are not written to need no memory.
-  text.reserve(text.size() + rows.size() * (MAX_ROW_SIZE + trained.table.actions() * MAX_ENTRY_SIZE));
-  for (const Row row : rows) appendRow(trained.table, row, text);
-  for (const Contribution& contribution : sources.listed) appendSource(contribution, text);
+  appendRows(trained.table, rows, text);
+  appendSources(sources.listed, text);
   Checksum checksum;
   checksum.add(text);
   return text.append(CHECKSUM_KEY).append(checksum.text()).append("\n");

@@ -2,4 +2,7 @@
 
 #include "social_crowd/ros/node_main.h"
 
-int main(int argc, char** argv) { return crowd::runNode<crowd::CrowdMarkers>(argc, argv, "crowd_markers"); }
+int main(int argc, char** argv) {
+  return crowd::runNode<crowd::CrowdMarkers>(argc, argv, "crowd_markers",
+                                             {"Publishes the crowd as markers for RViz.", "_figures:=discs _agent:=2"});
+}

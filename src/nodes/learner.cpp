@@ -2,4 +2,9 @@
 
 #include "social_crowd/ros/node_main.h"
 
-int main(int argc, char** argv) { return crowd::runNode<crowd::LearnerNode>(argc, argv, "learner"); }
+int main(int argc, char** argv) {
+  return crowd::runNode<crowd::LearnerNode>(
+      argc, argv, "learner",
+      {"Decides for agents by a Q-table, and goes on learning in training mode.",
+       "_q_table:=$(rospack find social_crowd)/config/q_tables/anticipation.txt _agents:=\"[0, 1]\""});
+}

@@ -2,4 +2,9 @@
 
 #include "social_crowd/ros/node_main.h"
 
-int main(int argc, char** argv) { return crowd::runNode<crowd::RobotControllerNode>(argc, argv, "robot_controller"); }
+int main(int argc, char** argv) {
+  return crowd::runNode<crowd::RobotControllerNode>(
+      argc, argv, "robot_controller",
+      {"Drives a robot to its goals by its laser scan; an example to be replaced by your own.",
+       "__ns:=tug _radius:=0.25"});
+}

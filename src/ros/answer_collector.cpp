@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t QUEUE = 1000;          // messages; many learners may answer at the same time
 const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
 const ros::WallDuration WARNING_PERIOD(5.0);   // of warnings about missing answers
-constexpr double NOTABLE_SILENCE = 1.0;        // [s]
+constexpr double SILENCE_LIMIT = 1.0;          // [s]
 constexpr double USUAL_START = 3.0;            // [s] of a learner, without a warning
 const ros::WallDuration FIRST_ASK_AGAIN(0.1);  // doubled each time
 
@@ -37,8 +37,7 @@ std::vector<AgentId> walkingAgents(const World& world) {
 }  // namespace
 
 AnswerCollector::AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const ControllerParameters& parameters)
-    : start_deadline_(parameters.start_deadline),
-      answer_deadline_(parameters.answer_deadline),
+    : parameters_(parameters),
       run_(ros::WallTime::now().toNSec()),  // no two controllers start in the same nanosecond
       loop_(loop),
       lockstep_(parameters.misses_until_absent),
@@ -57,6 +56,7 @@ void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event)
   if (run != RunCheck::OWN) return;
   perceptions_.markHeard(node);
   const std::vector<RefusedAnswer>& refused = lockstep_.take(message.content, learner);
+  for (const RefusedAnswer& answer : refused) earlier_.late += answer.cause == Refusal::TOO_LATE ? 1 : 0;
   if (refused.size() < message.content.agents.size()) learners_.noteTaken(learner);
   if (!refused.empty()) learners_.noteRefused(refused);
 }
@@ -96,6 +96,7 @@ void AnswerCollector::ask(Episode& episode, const std_msgs::Header& header) {
   header_ = header;
   useWidestVision(episode);
   asked_ = agentsToAsk(episode.perceptions());
+  lockstep_.setMissesUntilAbsent(parameters_.misses_until_absent);
   lockstep_.open(episode.number(), episode.perceptions().tick, asked_);
   perceptions_.publish(toMessage(episode, header), true);
   asked_at_ = Clock::now();
@@ -126,7 +127,12 @@ void AnswerCollector::endWait() {
 void AnswerCollector::cancel() {
   cancelled_ = true;
   endWait();
+  earlier_ = totals();
   lockstep_.resetCounts();
+}
+
+AnswerCounts AnswerCollector::totals() const {
+  return {earlier_.missed + missedCount(), earlier_.dropped + droppedCount(), earlier_.late};
 }
 
 void AnswerCollector::publishLast(Episode& episode, const std_msgs::Header& header) {
@@ -139,20 +145,20 @@ void AnswerCollector::serveUntil(const Clock& deadline) {
 }
 
 void AnswerCollector::awaitPresent() {
-  const Clock deadline = asked_at_ + ros::WallDuration(answer_deadline_);
-  while (!isInterrupted() && !lockstep_.isComplete() && Clock::now() < deadline) {
+  const auto deadline = [this] { return deadlineOf(parameters_.answer_deadline); };
+  while (!isInterrupted() && !lockstep_.isComplete() && Clock::now() < deadline()) {
     askAgain();
-    serveUntil(deadline);
+    serveUntil(deadline());
   }
 }
 
 void AnswerCollector::awaitNewcomers(const Episode& episode) {
-  const Clock deadline = asked_at_ + ros::WallDuration(start_deadline_);
+  const auto deadline = [this] { return deadlineOf(parameters_.start_deadline); };
   while (!isInterrupted() && lockstep_.awaitsNewcomer()) {
     warnOfSilence();
     askAgain();
-    if (Clock::now() >= deadline) return giveUpOnNewcomers(episode);
-    serveUntil(deadline);
+    if (Clock::now() >= deadline()) return giveUpOnNewcomers(episode);
+    serveUntil(deadline());
   }
 }
 
@@ -165,7 +171,7 @@ void AnswerCollector::giveUpOnNewcomers(const Episode& episode) {
 void AnswerCollector::awaitAny(const Episode& episode) {
   // If all agents are absent, a tick lasts as long as in real time, so that learners can come back during the episode.
   const double turn = episode.scene().tick_duration / static_cast<double>(episode.turnsOfTick());
-  const Clock deadline = asked_at_ + ros::WallDuration(std::min(answer_deadline_, turn));
+  const Clock deadline = deadlineOf(std::min(parameters_.answer_deadline, turn));
   while (!isInterrupted() && lockstep_.isDeserted() && Clock::now() < deadline) {
     warnOfSilence();
     serveUntil(deadline);
@@ -199,7 +205,7 @@ double AnswerCollector::silence(const std::vector<AgentId>& agents) const {
 
 std::vector<AgentId> AnswerCollector::unanswered(const World& world) const {
   std::vector<AgentId> agents = walkingAgents(world);
-  const Clock limit = Clock::now() - ros::WallDuration(NOTABLE_SILENCE);
+  const Clock limit = Clock::now() - ros::WallDuration(SILENCE_LIMIT);
   const auto is_answered = [&](AgentId agent) {
     return agent >= silent_since_.size() || silent_since_[agent].isZero() || silent_since_[agent] > limit;
   };

@@ -21,7 +21,7 @@ CommandSettings settingsOf(const ControllerParameters& parameters) {
 }  // namespace
 
 CommandCollector::CommandCollector(MainLoop& loop, const ControllerParameters& parameters)
-    : loop_(loop), deadline_(parameters.command_deadline), commands_(settingsOf(parameters)) {}
+    : loop_(loop), parameters_(parameters), commands_(settingsOf(parameters)) {}
 
 void CommandCollector::begin(Episode& episode) {
   cancelled_ = true;
@@ -29,6 +29,19 @@ void CommandCollector::begin(Episode& episode) {
   std::vector<double> timeouts;
   for (const Robot& robot : robots()) timeouts.push_back(robot.start.cmd_timeout);
   commands_.begin(timeouts, episode.scene().tick_duration);
+}
+
+CommandCounts CommandCollector::totals() const {
+  CommandCounts totals;
+  for (RobotId robot = 0; robot < robots().size(); ++robot) {
+    const CommandCounts& counts = countsOf(robot);
+    totals.taken += counts.taken;
+    totals.timeouts += counts.timeouts;
+    totals.missed += counts.missed;
+    totals.late += counts.late;
+    for (std::size_t i = 0; i < counts.refused.size(); ++i) totals.refused[i] += counts.refused[i];
+  }
+  return totals;
 }
 
 PublisherId CommandCollector::numberOf(const std::string& node) {
@@ -64,12 +77,13 @@ void CommandCollector::warnOfLateness(RobotId robot, const std::string& node) {
   ROS_WARN(
       "robot '%s': a command of node %s came after the %g s of ~command_deadline; it is executed now, unless that of "
       "this tick comes in time. Further ones are only counted, on %s",
-      robots()[robot].start.name.c_str(), node.c_str(), deadline_, names::ROBOTS);
+      robots()[robot].start.name.c_str(), node.c_str(), parameters_.command_deadline, names::ROBOTS);
 }
 
 void CommandCollector::ask() {
   cancelled_ = false;
-  wait_until_ = Clock::now() + ros::WallDuration(deadline_);
+  commands_.setMissesUntilAbsent(parameters_.misses_until_absent);
+  wait_until_ = Clock::now() + ros::WallDuration(parameters_.command_deadline);
 }
 
 bool CommandCollector::awaitLast() {
@@ -113,7 +127,7 @@ void CommandCollector::warnOfAbsence(const std::vector<RobotId>& absent) const {
   for (const RobotId robot : absent) {
     ROS_WARN(
         "robot '%s': no command within %g s in several ticks in a row; it is not waited for until its next command",
-        robots()[robot].start.name.c_str(), deadline_);
+        robots()[robot].start.name.c_str(), parameters_.command_deadline);
   }
 }
 

@@ -8,21 +8,16 @@
 namespace crowd {
 namespace {
 
-constexpr double MAX_REAL_TIME_FACTOR = 1e6;
-constexpr double MAX_DEADLINE = 3600.0;  // [s]
-constexpr double MAX_RATE = 1e6;         // [Hz]
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 constexpr const char* FAST = "fast";
 
-bool isRealTimeFactor(double factor) { return factor >= 0.0 && factor <= MAX_REAL_TIME_FACTOR; }
-
 double readRealTimeFactor(Parameters& parameters, double otherwise) {
-  const std::string text = parameters.text("real_time_factor", toText(otherwise));
+  const std::string expected = "'fast' or " + toText(ControllerParameters::REAL_TIME_FACTOR);
+  const std::string text = parameters.text("real_time_factor", toText(otherwise), expected);
   if (text == FAST) return 0.0;
   const std::optional<double> factor = toNumber(text);
-  if (factor && isRealTimeFactor(*factor)) return *factor;
-  parameters.complain("real_time_factor",
-                      "expected 'fast' or a factor of real time from 0 (fast) to 1e6, got '" + text + "'");
+  if (factor && ControllerParameters::REAL_TIME_FACTOR.contains(*factor)) return *factor;
+  parameters.complain("real_time_factor", "expected " + expected + ", got '" + text + "'");
   return otherwise;
 }
 
@@ -58,8 +53,8 @@ void readScenario(Parameters& parameters, ControllerParameters& read) {
 
 void readRobots(Parameters& parameters, ControllerParameters& read) {
   read.robot_lockstep = parameters.flag("robot_lockstep", read.robot_lockstep);
-  read.command_deadline = parameters.number("command_deadline", read.command_deadline, 1e-3, MAX_DEADLINE);
-  read.command_period = parameters.number("command_period", read.command_period, 0.0, MAX_DEADLINE);
+  read.command_deadline = parameters.number("command_deadline", read.command_deadline, ControllerParameters::DEADLINE);
+  read.command_period = parameters.number("command_period", read.command_period, ControllerParameters::COMMAND_PERIOD);
   read.publish_localisation = parameters.flag("publish_localisation", read.publish_localisation);
   read.visible_people_only = parameters.flag("visible_people_only", read.visible_people_only);
   if (read.robot_lockstep && !read.publish_clock) {
@@ -70,8 +65,8 @@ void readRobots(Parameters& parameters, ControllerParameters& read) {
 }  // namespace
 
 void requireRealTimeFactor(double factor) {
-  if (isRealTimeFactor(factor)) return;
-  throw InputError("factor: expected a factor of real time from 0 (as fast as possible) to 1e6, got " + toText(factor));
+  const NumberRange& range = ControllerParameters::REAL_TIME_FACTOR;
+  if (!range.contains(factor)) throw InputError("factor: expected " + toText(range) + ", got " + toText(factor));
 }
 
 std::string realTimeFactorText(double factor) { return factor > 0.0 ? toText(factor) : FAST; }
@@ -87,11 +82,14 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
       static_cast<std::uint64_t>(parameters.whole("episodes", static_cast<std::int64_t>(read.episodes), 0, MAX_WHOLE));
   read.real_time_factor = readRealTimeFactor(parameters, read.real_time_factor);
   read.paused = parameters.flag("paused", read.paused);
-  read.start_deadline = parameters.number("start_deadline", read.start_deadline, 0.0, MAX_DEADLINE);
-  read.answer_deadline = parameters.number("answer_deadline", read.answer_deadline, 1e-3, MAX_DEADLINE);
+  read.start_deadline = parameters.number("start_deadline", read.start_deadline, ControllerParameters::START_DEADLINE);
+  read.answer_deadline = parameters.number("answer_deadline", read.answer_deadline, ControllerParameters::DEADLINE);
+  const NumberRange& misses = ControllerParameters::MISSES;
   read.misses_until_absent =
-      static_cast<int>(parameters.whole("misses_until_absent", read.misses_until_absent, 1, MAX_WHOLE));
-  read.agents_rate = parameters.number("agents_rate", read.agents_rate, 0.0, MAX_RATE);
+      static_cast<int>(parameters.whole("misses_until_absent", read.misses_until_absent,
+                                        static_cast<std::int64_t>(misses.low), static_cast<std::int64_t>(misses.high)));
+  read.agents_rate = parameters.number("agents_rate", read.agents_rate, ControllerParameters::AGENTS_RATE);
+  read.diagnostic_period = readDiagnosticPeriod(parameters);
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
   read.publish_clock = parameters.flag("publish_clock", read.publish_clock);
   readRobots(parameters, read);
@@ -99,6 +97,26 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.ends_launch = parameters.flag("ends_launch", read.ends_launch);
   parameters.finish();
   return read;
+}
+
+LiveParameters<ControllerParameters> liveControllerParameters() {
+  using P = ControllerParameters;
+  LiveParameters<P> live;
+  live.add({"real_time_factor", "factor of real time; 0: as fast as possible", P::REAL_TIME_FACTOR, {}},
+           &P::real_time_factor);
+  live.add({"paused", "pause before the next tick", {}, {}}, &P::paused);
+  live.add({"start_deadline", "timeout for learners that have never answered [s]", P::START_DEADLINE, {}},
+           &P::start_deadline);
+  live.add({"answer_deadline", "timeout for an answer [s]", P::DEADLINE, {}}, &P::answer_deadline);
+  live.add({"misses_until_absent",
+            "consecutive missed answers until an agent, or commands until a robot, is absent",
+            P::MISSES,
+            {}},
+           &P::misses_until_absent);
+  live.add({"command_deadline", "timeout for the commands of robots [s]", P::DEADLINE, {}}, &P::command_deadline);
+  live.add({"agents_rate", "maximum rate of the topic agents and of tf [Hz]; 0: every tick", P::AGENTS_RATE, {}},
+           &P::agents_rate);
+  return live;
 }
 
 }  // namespace crowd

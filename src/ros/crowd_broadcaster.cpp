@@ -20,7 +20,7 @@ CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParamet
     : node_(node),
       publish_clock_(parameters.publish_clock),
       clock_(1, 0),  // ROS takes zero as no time received yet
-      agents_period_(parameters.agents_rate > 0.0 ? 1.0 / parameters.agents_rate : 0.0),
+      parameters_(parameters),
       agents_(node.advertise<social_crowd::AgentStates>(names::AGENTS, QUEUE)),
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
       walls_(node.advertise<social_crowd::Walls>(names::WALLS, QUEUE, LATCHED)),
@@ -55,10 +55,14 @@ bool CrowdBroadcaster::hasPublishedAgents(const Episode& episode) const {
   return agents_published_ == std::pair(episode.number(), episode.changes());
 }
 
+bool CrowdBroadcaster::isDueToPublishAgents() const {
+  const double rate = parameters_.agents_rate;
+  return rate <= 0.0 || (ros::SteadyTime::now() - agents_published_at_).toSec() * rate >= 1.0;
+}
+
 void CrowdBroadcaster::publishAgents(const Episode& episode) {
   publishWalls(episode);
-  const bool is_due = agents_period_.isZero() || ros::SteadyTime::now() - agents_published_at_ >= agents_period_;
-  if (is_due) publishAgentsNow(episode);
+  if (isDueToPublishAgents()) publishAgentsNow(episode);
 }
 
 void CrowdBroadcaster::publishAgentsNow(const Episode& episode) {
@@ -102,8 +106,9 @@ void CrowdBroadcaster::publishScenario(const Episode& episode, std::uint64_t ins
   scenario_.publish(message);
   publishWalls(episode);
   const std::shared_ptr<const OccupancyMap>& map = episode.scene().map;
-  if (map != nullptr && map != map_published_) publishMap(*map);
-  if (map != nullptr) map_published_ = map;
+  if (map == map_published_) return;
+  publishMap(map != nullptr ? *map : OccupancyMap());
+  map_published_ = map;
 }
 
 void CrowdBroadcaster::publishWalls(const Episode& episode) {

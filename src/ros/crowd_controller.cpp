@@ -18,6 +18,7 @@ const ros::WallDuration IDLE(0.1);         // between two checks for shutdown
 const ros::WallDuration FLUSH(0.25);       // until the last messages have left the process
 const ros::WallDuration LAUNCH_END(20.0);  // until roslaunch has shut the node down
 constexpr double MAX_LAG = 0.5;            // [s] behind real time; a larger lag is not caught up
+constexpr double MAX_WAIT = 1e6;           // [s] for the next tick; ros::WallDuration holds no more than 68 years
 
 }  // namespace
 
@@ -29,12 +30,15 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       name_(private_node.getNamespace()),
       robots_(loop_, node_, parameters_, [this] { return broadcaster_.header().stamp; }),
       seed_(parameters_.seed),
-      paused_(parameters_.paused),
-      real_time_factor_(parameters_.real_time_factor),
       status_(node_, [this] { return status(); }),
+      reconfigure_(loop_.adopt(private_node), live_.descriptions(), live_.valuesOf(ControllerParameters()),
+                   {[this] { return live_.valuesOf(parameters_); },
+                    [this](const LiveValues& values) { use(live_.changed(parameters_, values)); }}),
+      diagnostics_(node_, private_node, parameters_.diagnostic_period, [this] { takeSample(); }),
       services_(private_node, SERVICE_THREADS) {
   useScenarios(readScenarios(parameters_.scenarios), parameters_.name);
   advertiseServices();
+  addDiagnostics();
   if (!parameters_.map_topic.empty()) {
     map_subscriber_ = node_.subscribe<nav_msgs::OccupancyGrid>(parameters_.map_topic, 1,
                                                                [this](const auto& message) { takeMap(*message); });
@@ -209,6 +213,7 @@ void CrowdController::walkTurn() {
 }
 
 void CrowdController::endTick() {
+  ++ticks_;
   broadcaster_.advanceClock(episode_->scene().tick_duration);
   robots_.observe();
   robots_.publish(broadcaster_.header().stamp, false);
@@ -226,12 +231,25 @@ void CrowdController::serveUntil(const Clock& until) {
   } while (!loop_.isClosed() && !cut_off_ && Clock::now() < until);
 }
 
-void CrowdController::keepPace() {
-  double factor = real_time_factor_;
+double CrowdController::presentFactor() const {
+  const double factor = parameters_.real_time_factor;
   // The controller of the robot can start or come back during the episode.
-  if ((factor <= 0.0 || factor > 1.0) && robots_.commands().isAnyUnattended()) factor = 1.0;
+  const bool waits = (factor <= 0.0 || factor > 1.0) && robots_.commands().isAnyUnattended();
+  return waits ? 1.0 : factor;
+}
+
+void CrowdController::use(const ControllerParameters& parameters) {
+  if (parameters.real_time_factor != parameters_.real_time_factor) next_tick_ = Clock::now();
+  const bool pauses = parameters.paused != parameters_.paused;
+  parameters_ = parameters;
+  if (pauses) pause(parameters.paused);
+  status_.publish();
+}
+
+void CrowdController::keepPace() {
+  const double factor = presentFactor();
   if (factor <= 0.0) return;
-  next_tick_ += ros::WallDuration(episode_->scene().tick_duration / factor);
+  next_tick_ += ros::WallDuration(std::min(episode_->scene().tick_duration / factor, MAX_WAIT));
   if ((Clock::now() - next_tick_).toSec() > MAX_LAG) next_tick_ = Clock::now();
   if (Clock::now() >= next_tick_) return;
   broadcaster_.publishAgents(*episode_);

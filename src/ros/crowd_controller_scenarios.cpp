@@ -61,10 +61,10 @@ void CrowdController::advertiseScenarioServices() {
       names::SET_REAL_TIME_FACTOR, [this](const auto& request, auto& response) {
         requireRealTimeFactor(request.factor);
         loop_.ask<void>([&] {
-          real_time_factor_ = request.factor;
-          next_tick_ = Clock::now();
-          response.message = "real_time_factor: " + realTimeFactorText(real_time_factor_) + " since " + place();
-          status_.publish();
+          ControllerParameters parameters = parameters_;
+          parameters.real_time_factor = request.factor;
+          use(parameters);
+          response.message = "real_time_factor: " + realTimeFactorText(request.factor) + " since " + place();
         });
       });
 }
@@ -75,8 +75,8 @@ social_crowd::ControllerStatus CrowdController::status() const {
   status.header = broadcaster_.header();
   status.episode = episode_->number();
   status.node = name_;
-  status.paused = paused_ ? 1 : 0;
-  status.real_time_factor = real_time_factor_;
+  status.paused = parameters_.paused ? 1 : 0;
+  status.real_time_factor = parameters_.real_time_factor;
   status.scenario = scenario_name_;
   status.seed = seed_;
   status.decisions = decisions_;

@@ -21,7 +21,7 @@ std::string CrowdController::place() const {
 }
 
 std::future<void> CrowdController::pause(bool paused) {
-  paused_ = paused;
+  parameters_.paused = paused;
   status_.publish();
   if (!paused) {
     finishSteps();
@@ -38,7 +38,7 @@ std::future<void> CrowdController::pause(bool paused) {
 }
 
 std::future<void> CrowdController::beginSteps(std::uint32_t ticks, std::function<void(bool over)> observe) {
-  if (!paused_) throw InputError("the crowd is walking: call ~pause first");
+  if (!parameters_.paused) throw InputError("the crowd is walking: call ~pause first");
   if (pending_steps_ != nullptr) throw InputError("another step request is in progress");
   pending_steps_ = std::make_unique<PendingSteps>();
   pending_steps_->left = ticks;
@@ -86,6 +86,7 @@ void CrowdController::advertiseServices() {
       response.message = "restarted " + scenario_name_ + ", seed " + std::to_string(seed_) + ": " + place();
     });
   });
+  reconfigure_.serve(services_, loop_);
   advertiseScenarioServices();
   advertiseRobotServices();
   advertiseWorldServices();

@@ -1,5 +1,7 @@
 // Services of the crowd controller that change the world. Handlers access it through the main loop, between two ticks.
 
+#include <social_crowd/AddGate.h>
+#include <social_crowd/AddSource.h>
 #include <social_crowd/AddWall.h>
 #include <social_crowd/MoveObstacle.h>
 #include <social_crowd/RemoveAgent.h>
@@ -17,19 +19,56 @@
 #include "social_crowd/ros/names.h"
 
 namespace crowd {
+
 namespace {
 
-/// Moves an obstacle to another place; it keeps its velocity. @return its new number
-/// @throws InputError as Episode does; nothing has changed then
-std::size_t moveObstacle(Episode& episode, std::size_t number, const Vector2& position) {
-  const World& world = episode.world();
-  if (number >= world.obstacles().size()) episode.removeObstacle(number);  // throws
-  const double radius = world.obstacles()[number].radius;
-  const ObstaclePath::Motion motion = world.obstacles()[number].path.at(world.time());
-  const bool keeps = world.obstacles()[number].path.kind() == ObstaclePath::Kind::STRAIGHT;
-  const std::size_t moved = episode.spawnObstacle(position, keeps ? motion.velocity : Vector2(Vector2::Zero()), radius);
-  episode.removeObstacle(number);
-  return moved - 1;
+Region pointRegion(const geometry_msgs::Point& point) {
+  Region region;
+  region.first = fromPoint(point);
+  return region;
+}
+
+SourceDescription sourceOf(const social_crowd::AddSource::Request& request, const Episode& episode) {
+  SourceDescription source;
+  source.agents.position = pointRegion(request.position);
+  source.agents.max_speed = {request.max_speed, request.max_speed};
+  source.agents.radius = {request.radius, request.radius};
+  source.rate = request.rate;
+  if (request.count > 0) source.count = request.count;
+  if (request.route.empty()) {
+    source.agents.goals = {pointRegion(request.goal)};
+  } else {
+    const auto& population = episode.scene().population;
+    const std::vector<RouteDescription> routes = population ? population->routes : std::vector<RouteDescription>();
+    source.agents.route = findName(routes, request.route);
+    if (!source.agents.route) throw InputError(unknownNameText("route", request.route, namesOf(routes)));
+  }
+  return source;
+}
+
+std::string newGateName(const Episode& episode) {
+  const auto& population = episode.scene().population;
+  for (std::size_t i = 0;; ++i) {
+    std::string name = "gate_" + std::to_string(i);
+    if (!population || !findName(population->gates, name)) return name;
+  }
+}
+
+GateDescription gateOf(const social_crowd::AddGate::Request& request) {
+  GateDescription gate;
+  gate.name = request.gate;
+  gate.wall = {fromPoint(request.begin), fromPoint(request.end)};
+  gate.open = request.open != 0;
+  if (request.open_from.size() != request.open_until.size()) {
+    throw InputError("open_until: expected as many times as in open_from, " + std::to_string(request.open_from.size()) +
+                     ", got " + std::to_string(request.open_until.size()));
+  }
+  if (request.open_from.empty()) return gate;
+  gate.open_in.emplace();
+  for (std::size_t i = 0; i < request.open_from.size(); ++i) {
+    gate.open_in->push_back({request.open_from[i], request.open_until[i]});
+  }
+  return gate;
 }
 
 }  // namespace
@@ -74,10 +113,8 @@ void CrowdController::advertiseWorldServices() {
   });
   services_.serve<social_crowd::MoveObstacle>(names::MOVE_OBSTACLE, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
-      response.obstacle =
-          static_cast<std::uint32_t>(moveObstacle(*episode_, request.obstacle, fromPoint(request.position)));
-      response.message = "obstacle " + std::to_string(request.obstacle) + " moved, and is obstacle " +
-                         std::to_string(response.obstacle) + " now, at " + place();
+      episode_->moveObstacle(request.obstacle, fromPoint(request.position));
+      response.message = "obstacle " + std::to_string(request.obstacle) + " moved at " + place();
     });
   });
   services_.serve<social_crowd::Teleport>(names::TELEPORT, [this](const auto& request, auto& response) {
@@ -107,6 +144,21 @@ void CrowdController::advertisePopulationServices() {
       episode_->setRoute(request.agent, request.route);
       response.message =
           "agent " + std::to_string(request.agent) + " is on the route " + request.route + " since " + place();
+    });
+  });
+  services_.serve<social_crowd::AddSource>(names::ADD_SOURCE, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      response.source = static_cast<std::uint32_t>(episode_->addSource(sourceOf(request, *episode_)));
+      response.message = "source " + std::to_string(response.source) + " added at " + place();
+    });
+  });
+  services_.serve<social_crowd::AddGate>(names::ADD_GATE, [this](const auto& request, auto& response) {
+    GateDescription gate = gateOf(request);
+    loop_.ask<void>([&] {
+      if (gate.name.empty()) gate.name = newGateName(*episode_);
+      episode_->addGate(gate);
+      response.gate = gate.name;
+      response.message = "gate " + gate.name + " added at " + place();
     });
   });
   services_.serve<social_crowd::SetGate>(names::SET_GATE, [this](const auto& request, auto& response) {

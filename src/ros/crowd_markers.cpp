@@ -19,14 +19,13 @@ constexpr double WARNING_PERIOD = 10.0;  // [s]
 const ros::WallDuration IDLE(0.1);       // between two checks for shutdown
 const ros::WallDuration REPEAT_AFTER(1.0);
 
-constexpr double MIN_RATE = 0.1;       // [Hz]
-constexpr double MAX_RATE = 1e3;       // [Hz]
-constexpr double MAX_PATH_STEP = 1e3;  // [m]
-constexpr double MAX_PATH_TIME = 1e9;  // [s]
+constexpr NumberRange RATE{0.1, 1e3, "Hz"};
+constexpr NumberRange PATH_STEP{0.0, 1e3, "m"};
+constexpr NumberRange PATH_TIME{0.0, 1e9, "s"};
 constexpr std::int64_t MAX_PATH_POINTS = 10'000'000;
 
 MarkerOptions::Radii readRadii(Parameters& parameters) {
-  const std::string text = parameters.text("radii", "chosen");
+  const std::string text = parameters.text("radii", "chosen", "none, chosen or all");
   if (text == "none") return MarkerOptions::Radii::NONE;
   if (text == "all") return MarkerOptions::Radii::ALL;
   if (text != "chosen") parameters.complain("radii", "expected none, chosen or all, got '" + text + "'");
@@ -34,7 +33,7 @@ MarkerOptions::Radii readRadii(Parameters& parameters) {
 }
 
 MarkerOptions::Figures readFigures(Parameters& parameters) {
-  const std::string text = parameters.text("figures", "auto");
+  const std::string text = parameters.text("figures", "auto", "auto, discs or people");
   if (text == "discs") return MarkerOptions::Figures::DISCS;
   if (text == "people") return MarkerOptions::Figures::PEOPLE;
   if (text != "auto") parameters.complain("figures", "expected auto, discs or people, got '" + text + "'");
@@ -47,12 +46,13 @@ MarkerParameters readMarkerParameters(const ros::NodeHandle& private_node) {
   Parameters parameters(private_node);
   MarkerParameters read;
   MarkerOptions& options = read.options;
-  read.rate = parameters.number("rate", read.rate, MIN_RATE, MAX_RATE);
+  read.rate = parameters.number("rate", read.rate, RATE);
   options.agent = parameters.whole("agent", options.agent, MarkerOptions::NO_AGENT, INT32_MAX);
+  read.values = parameters.flag("values", read.values);
   options.radii = readRadii(parameters);
   options.figures = readFigures(parameters);
-  options.path_time = parameters.number("path_time", options.path_time, 0.0, MAX_PATH_TIME);
-  options.path_step = parameters.number("path_step", options.path_step, 0.0, MAX_PATH_STEP);
+  options.path_time = parameters.number("path_time", options.path_time, PATH_TIME);
+  options.path_step = parameters.number("path_step", options.path_step, PATH_STEP);
   options.path_points = static_cast<std::size_t>(
       parameters.whole("path_points", static_cast<std::int64_t>(options.path_points), 1, MAX_PATH_POINTS));
   parameters.finish();
@@ -65,6 +65,7 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& p
 CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                            const MarkerParameters& parameters)
     : node_(loop_.adopt(node)),
+      shows_values_(parameters.values),
       scene_(parameters.options),
       chosen_(node_.advertise<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE, LATCHED)),
       services_(private_node, 1) {
@@ -79,6 +80,7 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& p
       node_.subscribe<social_crowd::Walls>(names::WALLS, QUEUE, [this](const auto& message) { scene_.take(*message); });
   robots_ = node_.subscribe<social_crowd::RobotStates>(names::ROBOTS, QUEUE,
                                                        [this](const auto& message) { scene_.take(message); });
+  map_ = subscribe<nav_msgs::OccupancyGrid>(names::MAP);
   learner_status_ = subscribe<social_crowd::LearnerStatus>(names::LEARNER_STATUS);
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters.rate),
                                  [this](const ros::WallTimerEvent& /*event*/) { publish(); });
@@ -99,7 +101,7 @@ void CrowdMarkers::run() {
 }
 
 void CrowdMarkers::choose(std::int64_t agent) {
-  shows_sectors_ = agent != MarkerOptions::NO_AGENT;
+  has_chosen_ = agent != MarkerOptions::NO_AGENT;
   scene_.choose(agent);
   std_msgs::Int32 message;
   message.data = static_cast<std::int32_t>(agent);
@@ -139,11 +141,20 @@ void CrowdMarkers::subscribeToPerceptions(bool wanted) {
   perceptions_ = wanted ? subscribe<PerceptionsMessage>(names::PERCEPTIONS) : ros::Subscriber();
 }
 
+void CrowdMarkers::subscribeToValues(bool wanted) {
+  if (wanted == static_cast<bool>(values_)) return;
+  values_ = ros::Subscriber();
+  if (!wanted) return;
+  values_ = node_.subscribe<social_crowd::DecisionValues>(names::DECISION_VALUES, QUEUE,
+                                                          [this](const auto& message) { scene_.take(message); });
+}
+
 void CrowdMarkers::publish() {
   const std::uint32_t listeners = publisher_.getNumSubscribers();
   const bool newcomers = listeners > listeners_;
   listeners_ = listeners;
-  subscribeToPerceptions(listeners > 0 && shows_sectors_);
+  subscribeToPerceptions(listeners > 0 && has_chosen_);
+  subscribeToValues(listeners > 0 && has_chosen_ && shows_values_);
   if (listeners == 0) return;
   const ros::WallTime now = ros::WallTime::now();
   const bool whole = newcomers || now - last_whole_ >= REPEAT_AFTER || now < last_whole_;

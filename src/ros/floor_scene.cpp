@@ -1,7 +1,6 @@
 #include "social_crowd/ros/floor_scene.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "social_crowd/world/population.h"
 
@@ -18,42 +17,6 @@ AgentStart startOf(const Agent& agent, const Scene& scene) {
   start.leaves = agent.leaves;
   if (agent.id < scene.agents.size()) start.route = scene.agents[agent.id].route;
   return start;
-}
-
-/// The points of a path along waypoints in one round, and those of the way back.
-std::vector<Vector2> round(const ObstaclePath& path) {
-  std::vector<Vector2> points = path.points();
-  if (path.kind() == ObstaclePath::Kind::TO_AND_FRO)
-    points.insert(points.end(), path.points().rbegin() + 1, path.points().rend() - 1);
-  return points;
-}
-
-/// A path along waypoints as it goes on after a time [s].
-ObstaclePath loopAfter(const ObstaclePath& path, double time) {
-  std::vector<Vector2> points = round(path);
-  const auto length = [&](std::size_t i) { return (points[(i + 1) % points.size()] - points[i]).norm(); };
-  double around = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) around += length(i);
-  double left = std::fmod(path.speed() * time, around);
-  std::size_t last = 0;  // the point that it passed last
-  while (last + 1 < points.size() && left >= length(last)) left -= length(last++);
-  const Vector2 place = path.position(time);
-  const bool is_at_point = (points[last] - place).norm() < TOUCH_TOLERANCE;
-  std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(last), points.end());
-  if (is_at_point) {
-    points.front() = place;
-  } else {
-    std::rotate(points.begin(), points.begin() + 1, points.end());
-    points.insert(points.begin(), place);
-  }
-  return ObstaclePath::loop(std::move(points), path.speed());
-}
-
-ObstaclePath pathAfter(const ObstaclePath& path, double time) {
-  using Kind = ObstaclePath::Kind;
-  if (path.kind() == Kind::AT_REST) return path;
-  if (path.kind() == Kind::STRAIGHT) return ObstaclePath::straight(path.position(time), path.velocity(time));
-  return loopAfter(path, time);
 }
 
 bool isGate(const Segment& wall, const Scene& scene) {
@@ -107,7 +70,7 @@ Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
   }
   scene.agents = std::move(agents);
   scene.obstacles = world.obstacles();
-  for (Obstacle& obstacle : scene.obstacles) obstacle.path = pathAfter(obstacle.path, world.time());
+  for (Obstacle& obstacle : scene.obstacles) obstacle.path = obstacle.path.after(world.time());
   takeWalls(world, with_map_file, scene);
   scene.robots.clear();
   for (const Robot& robot : world.robots()) scene.robots.push_back(startOf(robot));

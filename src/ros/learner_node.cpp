@@ -52,6 +52,11 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       limiter_(learner_.model().vision()),
       // Latched, because the first answer may be published before the controller has connected.
       actions_publisher_(node_, names::ACTIONS, QUEUE),
+      decision_publisher_(node_, name_),
+      reconfigure_(loop_.adopt(private_node), live_.descriptions(), live_.valuesOf(settings()),
+                   {[this] { return live_.valuesOf(settings()); },
+                    [this](const LiveValues& values) { use(live_.changed(settings(), values)); }}),
+      diagnostics_(node_, private_node, parameters.diagnostic_period, [this] { takeSample(); }),
       taking_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
@@ -59,13 +64,14 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
   // roscpp keeps one latched message for each topic of a process, and nodelets share the topic. So each learner also
   // sends its own status to new subscribers of other processes, and in its own process when it is needed, see
   // isSufficient().
-  const auto greet = [this](const ros::SingleSubscriberPublisher& subscriber) { subscriber.publish(status()); };
+  const auto send_status = [this](const ros::SingleSubscriberPublisher& subscriber) { subscriber.publish(status()); };
   status_publisher_ =
-      node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, greet, {}, {}, LATCHED);
+      node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, send_status, {}, {}, LATCHED);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
   perceptions_subscriber_ = subscribeToTicks<PerceptionsMessage>(
       node_, names::PERCEPTIONS, QUEUE, [this](const auto& event) { takePerceptions(*event.getMessage()); });
   advertiseServices();
+  addDiagnostics();
 }
 
 void LearnerNode::run() {
@@ -88,6 +94,7 @@ void LearnerNode::takePerceptions(const PerceptionsMessage& message) {
 }
 
 void LearnerNode::answer(const PerceptionsMessage& message) {
+  last_perceptions_ = ros::WallTime::now();
   if (isRepeated(message)) return actions_publisher_.repeat();
   if (!isSufficient(message)) return;
   requireValid(message.content());
@@ -100,6 +107,7 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
   tick_ = perceptions.tick;
   const ActionsMessage::Ptr reply = replies_.next();
   learner_.decide(perceptions, reply->content);
+  answered_ += reply->content.agents.size();
   if (!reply->content.agents.empty()) {
     answered_turn_ = perceptions.turn;
     reply->run = message.run;
@@ -107,6 +115,7 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
     reply->header.stamp = message.header.stamp;
     reply->header.frame_id = names::MAP_FRAME;
     actions_publisher_.publish(reply);
+    decision_publisher_.publish(learner_, perceptions, *reply);
   }
   if (new_episode) noteEpisode();
 }
@@ -133,7 +142,7 @@ bool LearnerNode::isSufficient(const PerceptionsMessage& message) {
   }
   if (insufficient_since_.isZero()) insufficient_since_ = now;
   if (now - last_status_ >= STATUS_PERIOD) publishStatus();
-  if (now - insufficient_since_ > STATUS_PATIENCE) {
+  if (lacksVision()) {
     ROS_WARN_THROTTLE(WARNING_PERIOD,
                       "perceptions are not answered, because they contain less than the model needs: %s instead of %s. "
                       "Does the crowd controller receive '%s'?",
@@ -142,11 +151,21 @@ bool LearnerNode::isSufficient(const PerceptionsMessage& message) {
   return false;
 }
 
+bool LearnerNode::lacksVision() const {
+  return !insufficient_since_.isZero() && last_perceptions_ - insufficient_since_ > STATUS_PATIENCE;
+}
+
 void LearnerNode::noteEpisode() {
   // A table is saved after n episodes, which is when the next one begins.
   if (save_every_ > 0 && episodes_ > 0 && episodes_ % save_every_ == 0) saveAll(true);
   ++episodes_;
   if (episodes_ == 1 || ros::WallTime::now() - last_status_ >= STATUS_PERIOD) publishStatus();
+}
+
+void LearnerNode::use(const LearnerSettings& settings) {
+  learner_.setPlan(settings.plan);  // may throw; nothing has changed yet
+  learner_.setMode(settings.mode);
+  publishStatus();
 }
 
 void LearnerNode::noteStatus(const social_crowd::LearnerStatus::ConstPtr& status) {
@@ -254,23 +273,20 @@ void LearnerNode::advertiseServices() {
   });
   services_.serve<social_crowd::SetMode>(names::SET_MODE, [this](const auto& request, auto& response) {
     const Mode mode = MODES.parse(request.mode);
-    loop_.ask<void>([&] {
-      learner_.setMode(mode);
-      publishStatus();
-    });
+    loop_.ask<void>([&] { use({mode, learner_.plan()}); });
     response.message = "now in " + MODES.nameOf(mode) + " mode";
   });
   services_.serve<social_crowd::SetLearningParameters>(
       names::SET_LEARNING_PARAMETERS, [this](const auto& request, auto& response) {
         loop_.ask<void>([&] {
           const LearningPlan before = learner_.plan();
-          learner_.setPlan(changedPlan(before, request.parameters, "parameters"));
-          publishStatus();
+          use({learner_.mode(), changedPlan(before, request.parameters, "parameters")});
           const std::string changes = differences(before, learner_.plan());
           response.message = (changes.empty() ? "nothing changed" : "changed " + changes) +
                              "; present values: " + toText(learner_.plan());
         });
       });
+  reconfigure_.serve(services_, loop_);
   services_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,
                                              [this](const auto& request, auto& response) { share(request, response); });
   taking_.serve<social_crowd::TakeQTable>(names::TAKE_Q_TABLE,

@@ -1,6 +1,5 @@
 #include "social_crowd/ros/learner_parameters.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include "social_crowd/common/files.h"
@@ -18,7 +17,7 @@ std::string withoutName(const std::string& problem) { return problem.substr(prob
 template <typename Enum, std::size_t COUNT>
 Enum readNamed(Parameters& parameters, const std::string& name, Enum otherwise, const EnumNames<Enum, COUNT>& names) {
   try {
-    return names.parse(parameters.text(name, names.nameOf(otherwise)));
+    return names.parse(parameters.text(name, names.nameOf(otherwise), names.listed()));
   } catch (const InputError& error) {
     parameters.complain(name, withoutName(error.what()));
     return otherwise;
@@ -40,17 +39,13 @@ std::optional<Content> readFileOf(Parameters& parameters, const std::string& nam
 }
 
 void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
-  const auto override_with = [&](const char* name, double LearningParameters::*member) {
-    LearningParameters alone;
-    alone.*member = parameters.number(name, plan.parameters.*member, -HUGE_VAL, HUGE_VAL);
-    const std::string problem = alone.problems();
-    if (!problem.empty()) parameters.complain(name, withoutName(problem));
-    plan.parameters.*member = alone.*member;
+  const auto override_with = [&](const char* name, double LearningParameters::*member, const NumberRange& range) {
+    plan.parameters.*member = parameters.number(name, plan.parameters.*member, range);
   };
-  override_with("alpha", &LearningParameters::alpha);
-  override_with("gamma", &LearningParameters::gamma);
-  override_with("lambda", &LearningParameters::lambda);
-  override_with("epsilon", &LearningParameters::epsilon);
+  override_with("alpha", &LearningParameters::alpha, LearningParameters::ALPHA);
+  override_with("gamma", &LearningParameters::gamma, LearningParameters::GAMMA);
+  override_with("lambda", &LearningParameters::lambda, LearningParameters::FRACTION);
+  override_with("epsilon", &LearningParameters::epsilon, LearningParameters::FRACTION);
   if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
 }
 
@@ -133,6 +128,7 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   if (save_every > 0 && save_to.empty() && parameters.isSet("save_every")) {
     parameters.complain("save_every", "needs ~save_to, the file to write");
   }
+  const double diagnostic_period = readDiagnosticPeriod(parameters);
   parameters.finish();
 
   const Model model = config ? config->model : table->model;
@@ -143,6 +139,7 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
           on_share,
           save_to,
           save_to.empty() ? 0 : save_every,
+          diagnostic_period,
           findWarnings(options.mode, config, save_to)};
 }
 

@@ -1,13 +1,14 @@
 #include "social_crowd/ros/marker_scene.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <utility>
 
 #include "social_crowd/learning/model.h"
+#include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/marker_drawings.h"
+#include "social_crowd/ros/marker_map.h"
 
 namespace crowd {
 namespace {
@@ -52,7 +53,7 @@ void drawPaths(WalkedPaths& paths, Walkers walkers, bool whole, visualization_ms
 
 }  // namespace
 
-Vector2 middleOf(const social_crowd::Scenario& scenario) {
+Eigen::AlignedBox2d boundsOf(const social_crowd::Scenario& scenario) {
   Eigen::AlignedBox2d area;
   const auto add = [&](double x, double y) {
     if (std::isfinite(x) && std::isfinite(y)) area.extend(Vector2(x, y));
@@ -66,6 +67,11 @@ Vector2 middleOf(const social_crowd::Scenario& scenario) {
     add(wall.from.x, wall.from.y);
     add(wall.to.x, wall.to.y);
   }
+  return area;
+}
+
+Vector2 middleOf(const social_crowd::Scenario& scenario) {
+  const Eigen::AlignedBox2d area = boundsOf(scenario);
   return area.isEmpty() ? Vector2(Vector2::Zero()) : Vector2(area.center());
 }
 
@@ -95,6 +101,7 @@ social_crowd::AgentStates::ConstPtr statesAtStart(const social_crowd::Scenario& 
 MarkerScene::MarkerScene(const MarkerOptions& options)
     : options_(options),
       states_(boost::make_shared<AgentStates>()),
+      map_(drawMap({})),
       paths_(options.path_step, options.path_points),
       robots_(boost::make_shared<RobotStates>()),
       robot_paths_(options.path_step, options.path_points) {}
@@ -126,6 +133,11 @@ void MarkerScene::take(const social_crowd::Walls& message) {
   changed_ = true;
 }
 
+void MarkerScene::take(const nav_msgs::OccupancyGrid& message) {
+  map_ = drawMap(message.data.empty() ? OccupancyMap() : fromMessage(message));
+  map_changed_ = changed_ = true;
+}
+
 bool MarkerScene::showsFigures() const {
   if (options_.figures != MarkerOptions::Figures::AUTO) return options_.figures == MarkerOptions::Figures::PEOPLE;
   return countWalkers() <= MarkerOptions::MOST_FIGURES;
@@ -142,6 +154,7 @@ double MarkerScene::pathTime(std::size_t walkers) const {
 void MarkerScene::show(const AgentStates::ConstPtr& states) {
   // A bag that is played repeatedly may begin with the episode with which it ends.
   if (states->episode != states_->episode || states->tick < states_->tick) {
+    if (decision_ != nullptr && decision_->tick > states->tick) decision_.reset();
     paths_.clear();
     figures_.clear();
     most_walkers_ = 0;
@@ -159,6 +172,13 @@ void MarkerScene::show(const AgentStates::ConstPtr& states) {
 void MarkerScene::choose(std::int64_t agent) {
   options_.agent = agent;
   perceptions_ = Perceptions();
+  decision_.reset();
+  changed_ = true;
+}
+
+void MarkerScene::take(const social_crowd::DecisionValues::ConstPtr& message) {
+  if (message->agent != options_.agent) return;
+  decision_ = message;
   changed_ = true;
 }
 
@@ -215,6 +235,13 @@ Marker MarkerScene::drawOccupiedSectors() const {
   return drawSectors(perception.self.pose, picture->occupiedSectors(perception), picture->distanceLimits());
 }
 
+void MarkerScene::drawValues(visualization_msgs::MarkerArray& array) {
+  const AgentState* const chosen = findChosen();
+  const bool shown =
+      chosen != nullptr && isOnFloor(*chosen) && decision_ != nullptr && decision_->episode == states_->episode;
+  values_.draw(shown ? decision_.get() : nullptr, shown ? chosen->radius : 0.0, array);
+}
+
 visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {
   visualization_msgs::MarkerArray array;
   const bool figures = showsFigures();
@@ -226,6 +253,8 @@ visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {
                    drawObstacles(*states_),
                    drawRadii(),
                    drawOccupiedSectors()};
+  if (whole || map_changed_) array.markers.push_back(map_);
+  drawValues(array);
   figures_.draw(*states_, figures, whole, array);
   drawPaths(paths_, Walkers::AGENTS, whole, array);
   if (!robots_->robots.empty() || robot_paths_.isUnsettled()) {
@@ -234,7 +263,7 @@ visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {
     }
     drawPaths(robot_paths_, Walkers::ROBOTS, whole, array);
   }
-  changed_ = false;
+  changed_ = map_changed_ = false;
   return array;
 }
 

@@ -123,10 +123,31 @@ double figureHeight(std::uint32_t agent) {
 
 Colour underFigure(std::uint32_t agent) { return withAlpha(ofAgent(agent), 0.45); }
 
+Colour ofValue(double share) {
+  using Shade = std::array<double, 3>;
+  // Five shades of matplotlib's viridis.
+  static constexpr std::array<Shade, 5> SHADES = {{{0.267, 0.005, 0.329},
+                                                   {0.231, 0.322, 0.546},
+                                                   {0.128, 0.567, 0.551},
+                                                   {0.369, 0.789, 0.383},
+                                                   {0.993, 0.906, 0.144}}};
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(SHADES.size() - 1);
+  const std::size_t before = std::min(static_cast<std::size_t>(place), SHADES.size() - 2);
+  const double part = place - static_cast<double>(before);
+  const auto mix = [&](std::size_t channel) {
+    return SHADES[before][channel] + part * (SHADES[before + 1][channel] - SHADES[before][channel]);
+  };
+  return make(mix(0), mix(1), mix(2));
+}
+
+Colour ofChosenMove(bool exploration) { return exploration ? make(0.85, 0.15, 0.6) : make(0.05, 0.05, 0.05); }
+Colour ofVisits() { return make(0.1, 0.1, 0.12); }
 Colour ofContact() { return make(0.9, 0.0, 0.05); }
 Colour ofRobot() { return make(0.2, 0.14, 0.42); }
 Colour ofHeading() { return make(1.0, 1.0, 1.0); }
 Colour ofObstacle() { return make(0.42, 0.44, 0.47); }
 Colour ofWall() { return make(0.25, 0.27, 0.3); }
+
+Colour ofCell(bool occupied) { return occupied ? make(0.5, 0.5, 0.5) : make(0.87, 0.89, 0.88); }
 
 }  // namespace crowd::marker_style

@@ -15,12 +15,6 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-std::string rangeText(double low, double high) {
-  if (std::isinf(low) && std::isinf(high)) return "";
-  if (std::isinf(high)) return " of at least " + toText(low);
-  return " from " + toText(low) + " to " + toText(high);
-}
-
 /// Returns a value as YAML.
 std::string textOf(XmlRpcValue& value) {
   if (value.getType() == XmlRpcValue::TypeString) return "'" + static_cast<std::string&>(value) + "'";
@@ -82,6 +76,11 @@ XmlRpcValue* Parameters::find(const std::string& name) {
   return node_.getParam(name, value_) && !isEmptyText(value_) ? &value_ : nullptr;
 }
 
+XmlRpcValue* Parameters::find(const std::string& name, const std::string& expected, const std::string& otherwise) {
+  descriptions_[name] = expected + (otherwise.empty() ? "" : "; default " + otherwise);
+  return find(name);
+}
+
 bool Parameters::isSet(const std::string& name) { return find(name) != nullptr; }
 
 void Parameters::complain(const std::string& name, const std::string& what) {
@@ -94,53 +93,56 @@ void Parameters::expect(const std::string& name, const std::string& expected, Xm
   complain(name, "expected " + expected + ", got " + textOf(got));
 }
 
-std::string Parameters::text(const std::string& name, const std::string& otherwise) {
-  XmlRpcValue* const value = find(name);
+std::string Parameters::text(const std::string& name, const std::string& otherwise, const std::string& expected) {
+  XmlRpcValue* const value = find(name, expected, otherwise);
   if (value == nullptr) return otherwise;
   if (value->getType() == XmlRpcValue::TypeString) return *value;
   // roslaunch converts a text that looks like a number.
   if (value->getType() == XmlRpcValue::TypeInt) return std::to_string(static_cast<int>(*value));
   if (value->getType() == XmlRpcValue::TypeDouble) return toText(static_cast<double>(*value));
-  expect(name, "a text", *value);
+  expect(name, expected, *value);
   return otherwise;
 }
 
 bool Parameters::flag(const std::string& name, bool otherwise) {
-  XmlRpcValue* const value = find(name);
+  const std::string expected = "true or false";
+  XmlRpcValue* const value = find(name, expected, otherwise ? "true" : "false");
   if (value == nullptr) return otherwise;
   if (value->getType() == XmlRpcValue::TypeBoolean) return *value;
-  expect(name, "true or false", *value);
+  expect(name, expected, *value);
   return otherwise;
 }
 
-double Parameters::number(const std::string& name, double otherwise, double low, double high) {
-  XmlRpcValue* const value = find(name);
+double Parameters::number(const std::string& name, double otherwise, const NumberRange& range) {
+  XmlRpcValue* const value = find(name, toText(range), toText(otherwise));
   if (value == nullptr) return otherwise;
   double number = std::nan("");
   if (value->getType() == XmlRpcValue::TypeDouble) number = static_cast<double>(*value);
   if (value->getType() == XmlRpcValue::TypeInt) number = static_cast<int>(*value);
-  if (std::isfinite(number) && number >= low && number <= high) return number;
-  expect(name, "a number" + rangeText(low, high), *value);
+  if (range.contains(number)) return number;
+  expect(name, toText(range), *value);
   return otherwise;
 }
 
 std::int64_t Parameters::whole(const std::string& name, std::int64_t otherwise, std::int64_t low, std::int64_t high) {
-  XmlRpcValue* const value = find(name);
+  const std::string expected = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+  XmlRpcValue* const value = find(name, expected, std::to_string(otherwise));
   if (value == nullptr) return otherwise;
   if (value->getType() == XmlRpcValue::TypeInt) {
     const std::int64_t number = static_cast<int>(*value);
     if (number >= low && number <= high) return number;
   }
-  expect(name, "a whole number from " + std::to_string(low) + " to " + std::to_string(high), *value);
+  expect(name, expected, *value);
   return otherwise;
 }
 
 std::vector<std::int64_t> Parameters::wholes(const std::string& name) {
-  XmlRpcValue* const value = find(name);
+  const std::string expected = "a list of whole numbers of at least 0, such as [0, 1, 2]";
+  XmlRpcValue* const value = find(name, expected, "[]");
   if (value == nullptr) return {};
   const bool is_text = value->getType() == XmlRpcValue::TypeString;
   const auto numbers = is_text ? parseWholes(name, static_cast<std::string&>(*value)) : readWholes(*value);
-  if (!numbers) expect(name, "a list of whole numbers of at least 0, such as [0, 1, 2]", *value);
+  if (!numbers) expect(name, expected, *value);
   return numbers.value_or(Wholes());
 }
 
@@ -172,6 +174,8 @@ void Parameters::noteUnknown() {
 }
 
 void Parameters::finish() {
+  for (const auto& [name, description] : descriptions_)
+    ROS_DEBUG("parameter ~%s: %s", name.c_str(), description.c_str());
   noteUnknown();
   for (const auto& [name, what] : missing_) complain(name, what);
   if (problems_.empty()) return;

@@ -18,8 +18,9 @@ const ros::WallDuration IDLE(0.1);     // between two checks for shutdown
 const ros::WallDuration TF_PATIENCE(0.2);
 const ros::WallDuration FIRST_TF_PATIENCE(0.02);  // ticks do not wait for a first answer, so it must be in time
 const ros::WallDuration TF_CHECK(0.0002);
-constexpr double LEAST = 1e-3;  // of lengths, speeds and accelerations
-constexpr double MOST = 1e3;
+
+/// The range of lengths, speeds and accelerations.
+constexpr NumberRange rangeIn(const char* unit) { return {1e-3, 1e3, unit}; }
 
 /// The scanner that a message describes, mounted at a pose of the robot's frame.
 ScanSpec scannerOf(const sensor_msgs::LaserScan& message, const Pose& mount) {
@@ -34,7 +35,8 @@ ScanSpec scannerOf(const sensor_msgs::LaserScan& message, const Pose& mount) {
 }
 
 Drive readDrive(Parameters& parameters) {
-  const std::string name = parameters.text("drive", DRIVES.nameOf(Drive::DIFFERENTIAL));
+  const std::string name =
+      parameters.text("drive", DRIVES.nameOf(Drive::DIFFERENTIAL), "differential, holonomic or ackermann");
   for (const Drive drive : {Drive::DIFFERENTIAL, Drive::HOLONOMIC, Drive::ACKERMANN}) {
     if (DRIVES.nameOf(drive) == name) return drive;
   }
@@ -49,11 +51,11 @@ RobotControllerParameters readRobotControllerParameters(const ros::NodeHandle& p
   RobotControllerParameters read;
   RobotStart& robot = read.robot;
   robot.drive = readDrive(parameters);
-  robot.footprint.radius = parameters.number("radius", 0.3, LEAST, MOST);
-  robot.limits.max_speed = parameters.number("max_speed", 1.0, LEAST, MOST);
-  robot.limits.max_rotation = parameters.number("max_rotation", robot.limits.max_rotation, LEAST, MOST);
-  robot.limits.max_acceleration = parameters.number("acceleration", robot.limits.max_acceleration, LEAST, MOST);
-  read.goal_tolerance = parameters.number("goal_tolerance", read.goal_tolerance, LEAST, MOST);
+  robot.footprint.radius = parameters.number("radius", 0.3, rangeIn("m"));
+  robot.limits.max_speed = parameters.number("max_speed", 1.0, rangeIn("m/s"));
+  robot.limits.max_rotation = parameters.number("max_rotation", robot.limits.max_rotation, rangeIn("rad/s"));
+  robot.limits.max_acceleration = parameters.number("acceleration", robot.limits.max_acceleration, rangeIn("m/s^2"));
+  read.goal_tolerance = parameters.number("goal_tolerance", read.goal_tolerance, rangeIn("m"));
   read.base_frame = parameters.text("base_frame", read.base_frame);
   read.map_frame = parameters.text("map_frame", read.map_frame);
   parameters.finish();

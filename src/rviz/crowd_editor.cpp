@@ -7,6 +7,8 @@
 #include <social_crowd/SetGoal.h>
 #include <social_crowd/Teleport.h>
 
+#include <algorithm>
+
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/marker_scene.h"
 #include "social_crowd/ros/names.h"
@@ -30,7 +32,7 @@ EditorParameters readEditorParameters(const ros::NodeHandle& private_node) {
   EditorParameters read;
   read.controller = parameters.text("controller", read.controller);
   read.markers = parameters.text("markers", read.markers);
-  read.rate = parameters.number("rate", read.rate, 0.1, 1e3);
+  read.rate = parameters.number("rate", read.rate, {0.1, 1e3, "Hz"});
   read.most_handles = static_cast<std::size_t>(
       parameters.whole("max_handles", static_cast<std::int64_t>(read.most_handles), 0, MAX_HANDLES));
   parameters.finish();
@@ -45,7 +47,7 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
   subscribers_ = {node_.subscribe<social_crowd::Scenario>(names::SCENARIO, QUEUE,
                                                           [this](const auto& message) { takeScenario(*message); }),
                   node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
-                                                             [this](const auto& message) { states_ = message; }),
+                                                             [this](const auto& message) { takeStates(message); }),
                   node_.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE,
                                                    [this](const auto& message) { chosen_agent_ = message->data; }),
                   node_.subscribe<geometry_msgs::PoseStamped>(names::CHOSEN_AGENT_GOAL, QUEUE,
@@ -56,7 +58,12 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
 
 void CrowdEditor::takeScenario(const social_crowd::Scenario& scenario) {
   if (scenario.episode == states_->episode && !states_->agents.empty()) return;
-  states_ = statesAtStart(scenario);
+  takeStates(statesAtStart(scenario));
+}
+
+void CrowdEditor::takeStates(const social_crowd::AgentStates::ConstPtr& states) {
+  if (states->obstacles.size() < states_->obstacles.size()) ++removals_;
+  states_ = states;
 }
 
 void CrowdEditor::run() {
@@ -64,8 +71,13 @@ void CrowdEditor::run() {
 }
 
 void CrowdEditor::update() {
+  const EditorHandles handles = handlesOf(*states_, parameters_.most_handles, chosen_agent_, removals_);
+  // Feedback to handles that are gone must not be taken for that to others of the same number.
+  const bool has_lost =
+      std::any_of(shown_.begin(), shown_.end(), [&](const auto& handle) { return handles.count(handle.first) == 0; });
+  if (has_lost) show(handles);
   takeFeedback();
-  show(handlesOf(*states_, parameters_.most_handles, chosen_agent_));
+  show(handles);
 }
 
 void CrowdEditor::show(const EditorHandles& handles) {

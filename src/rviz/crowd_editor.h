@@ -47,6 +47,7 @@ class CrowdEditor {
 
   /// Takes the start of an episode, as a paused controller does not repeat the present state.
   void takeScenario(const social_crowd::Scenario& scenario);
+  void takeStates(const social_crowd::AgentStates::ConstPtr& states);
   void update();
   /// Takes the feedback that has come since the last call.
   void takeFeedback();
@@ -67,6 +68,7 @@ class CrowdEditor {
   ros::NodeHandle node_;
   social_crowd::AgentStates::ConstPtr states_;
   std::int64_t chosen_agent_ = -1;
+  std::uint64_t removals_ = 0;  // number of times that obstacles were removed
   EditorHandles shown_;
   std::map<std::string, ros::WallTime> held_;  // by handle; with the time of the last feedback
   std::mutex mutex_;

@@ -35,6 +35,14 @@ CrowdPanel::CrowdPanel(QWidget* parent) : rviz::Panel(parent), folder_(QDir::hom
   timer_.start(PERIOD);
 }
 
+void CrowdPanel::onInitialize() { followView(); }
+
+void CrowdPanel::followView() {
+  follower_.reset();
+  if (!fits_view_ || vis_manager_ == nullptr) return;
+  follower_ = std::make_unique<ViewFollower>(ros::NodeHandle(name_space_), *vis_manager_);
+}
+
 void CrowdPanel::connectNodes() {
   std::string name_space = widgets_.name_space->text().trimmed().toStdString();
   std::string problem;
@@ -48,11 +56,15 @@ void CrowdPanel::connectNodes() {
   link_.reset();
   model_ = std::make_unique<PanelModel>(controller, markers);
   link_ = std::make_unique<PanelLink>(node, controller, markers);
+  if (name_space != name_space_) {
+    name_space_ = name_space;
+    followView();
+  }
 }
 
 void CrowdPanel::refresh() {
   link_->exchange(*model_);
-  widgets_.show(model_->view());
+  widgets_.show(model_->view(ros::SteadyTime::now().toSec()));
 }
 
 void CrowdPanel::connectControls() {
@@ -135,9 +147,11 @@ void CrowdPanel::load(const rviz::Config& config) {
   config.mapGetString("Folder", &folder_);
   config.mapGetString("Learner", &learner);
   config.mapGetInt("Ticks", &ticks);
+  config.mapGetBool("Fit view", &fits_view_);
   widgets_.name_space->setText(name_space);
   widgets_.ticks->setValue(ticks);
   connectNodes();
+  followView();
   model_->chooseLearner(learner.toStdString());
 }
 
@@ -149,6 +163,7 @@ void CrowdPanel::save(rviz::Config config) const {
   config.mapSetValue("Folder", folder_);
   config.mapSetValue("Learner", QString::fromStdString(model_->chosenLearner()));
   config.mapSetValue("Ticks", widgets_.ticks->value());
+  config.mapSetValue("Fit view", fits_view_);
 }
 
 }  // namespace crowd

@@ -12,6 +12,7 @@
 #include "rviz/panel_link.h"
 #include "rviz/panel_model.h"
 #include "rviz/panel_widgets.h"
+#include "rviz/view_follower.h"
 
 namespace crowd {
 
@@ -23,12 +24,15 @@ class CrowdPanel : public rviz::Panel {
  public:
   explicit CrowdPanel(QWidget* parent = nullptr);
 
+  void onInitialize() override;
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
 
  private:
   /// Connects with the nodes of the present settings.
   void connectNodes();
+  /// Begins to fit the view, if the settings say so.
+  void followView();
   void connectControls();
   void connectFiles();
   void refresh();
@@ -43,6 +47,9 @@ class CrowdPanel : public rviz::Panel {
   QTimer timer_;
   std::unique_ptr<PanelModel> model_;
   std::unique_ptr<PanelLink> link_;
+  std::string name_space_;                  // a valid one
+  bool fits_view_ = true;                   // setting
+  std::unique_ptr<ViewFollower> follower_;  // with this setting
 };
 
 }  // namespace crowd

@@ -1,5 +1,7 @@
 #include "rviz/drawing_tools.h"
 
+#include <social_crowd/AddGate.h>
+#include <social_crowd/AddSource.h>
 #include <social_crowd/AddWall.h>
 #include <social_crowd/SpawnAgent.h>
 #include <social_crowd/SpawnObstacle.h>
@@ -16,7 +18,8 @@ namespace {
 constexpr double LEAST_DRAG = 0.1;  // [m]; a shorter one is a click
 constexpr float LEAST_RADIUS = 0.01F;
 constexpr float MOST_RADIUS = 100.0F;
-constexpr double GOAL_MARK = 0.2;  // [m]
+constexpr double GOAL_MARK = 0.2;    // [m]
+constexpr double SOURCE_MARK = 1.6;  // of the second circle, in radii of the body
 
 bool isClick(const Vector2& from, const Vector2& to) { return (to - from).norm() < LEAST_DRAG; }
 
@@ -26,20 +29,31 @@ rviz::FloatProperty* limited(rviz::FloatProperty* property, float least, float m
   return property;
 }
 
+rviz::FloatProperty* speedProperty(rviz::Property* parent) {
+  return limited(new rviz::FloatProperty("Max speed", 1.3F, "[m/s]", parent), 0.01F, 100.0F);
+}
+
+rviz::FloatProperty* bodyRadiusProperty(rviz::Property* parent) {
+  return limited(new rviz::FloatProperty("Radius", 0.25F, "Of the body [m]", parent), LEAST_RADIUS, MOST_RADIUS);
+}
+
+FloorOutline agentOutline(const Vector2& from, const Vector2& to, double radius) {
+  FloorOutline lines = crossOutline(to, GOAL_MARK);
+  lines.push_back(circleOutline(from, radius));
+  lines.push_back({from, to});
+  return lines;
+}
+
 }  // namespace
 
 AddAgentTool::AddAgentTool()
     : FloorTool("Add agent",
                 "<b>Press</b> where the agent is to stand, <b>release</b> at its goal. Right button: abandon"),
-      max_speed_(limited(new rviz::FloatProperty("Max speed", 1.3F, "[m/s]", getPropertyContainer()), 0.01F, 100.0F)),
-      radius_(limited(new rviz::FloatProperty("Radius", 0.25F, "Of the body [m]", getPropertyContainer()), LEAST_RADIUS,
-                      MOST_RADIUS)) {}
+      max_speed_(speedProperty(getPropertyContainer())),
+      radius_(bodyRadiusProperty(getPropertyContainer())) {}
 
 FloorOutline AddAgentTool::outline(const Vector2& from, const Vector2& to) const {
-  FloorOutline lines = crossOutline(to, GOAL_MARK);
-  lines.push_back(circleOutline(from, radius_->getFloat()));
-  lines.push_back({from, to});
-  return lines;
+  return agentOutline(from, to, radius_->getFloat());
 }
 
 void AddAgentTool::finish(const Vector2& from, const Vector2& to) {
@@ -90,8 +104,50 @@ void DrawWallTool::finish(const Vector2& from, const Vector2& to) {
   call<social_crowd::AddWall>(names::ADD_WALL, request);
 }
 
+AddSourceTool::AddSourceTool()
+    : FloorTool("Add source",
+                "<b>Press</b> where agents are to appear, <b>release</b> at their goal. Right button: abandon"),
+      rate_(limited(new rviz::FloatProperty("Rate", 0.5F, "Agents per second on average", getPropertyContainer()),
+                    0.001F, 100.0F)),
+      max_speed_(speedProperty(getPropertyContainer())),
+      radius_(bodyRadiusProperty(getPropertyContainer())) {}
+
+FloorOutline AddSourceTool::outline(const Vector2& from, const Vector2& to) const {
+  FloorOutline lines = agentOutline(from, to, radius_->getFloat());
+  lines.push_back(circleOutline(from, SOURCE_MARK * radius_->getFloat()));
+  return lines;
+}
+
+void AddSourceTool::finish(const Vector2& from, const Vector2& to) {
+  if (isClick(from, to)) return say("Add source: drag from its place to the goal of its agents");
+  social_crowd::AddSource::Request request;
+  request.position = toPoint(from);
+  request.goal = toPoint(to);
+  request.rate = rate_->getFloat();
+  request.max_speed = max_speed_->getFloat();
+  request.radius = radius_->getFloat();
+  call<social_crowd::AddSource>(names::ADD_SOURCE, request);
+}
+
+AddGateTool::AddGateTool()
+    : FloorTool("Add gate", "<b>Press</b> at one end of the gate, <b>release</b> at the other. Right button: abandon"),
+      open_(new rviz::BoolProperty("Open", false, "Whether it is open at first", getPropertyContainer())) {}
+
+FloorOutline AddGateTool::outline(const Vector2& from, const Vector2& to) const { return {{from, to}}; }
+
+void AddGateTool::finish(const Vector2& from, const Vector2& to) {
+  if (isClick(from, to)) return say("Add gate: drag from one end of the gate to the other");
+  social_crowd::AddGate::Request request;
+  request.begin = toPoint(from);
+  request.end = toPoint(to);
+  request.open = open_->getBool() ? 1 : 0;
+  call<social_crowd::AddGate>(names::ADD_GATE, request);
+}
+
 }  // namespace crowd
 
 PLUGINLIB_EXPORT_CLASS(crowd::AddAgentTool, rviz::Tool)
+PLUGINLIB_EXPORT_CLASS(crowd::AddGateTool, rviz::Tool)
 PLUGINLIB_EXPORT_CLASS(crowd::AddObstacleTool, rviz::Tool)
+PLUGINLIB_EXPORT_CLASS(crowd::AddSourceTool, rviz::Tool)
 PLUGINLIB_EXPORT_CLASS(crowd::DrawWallTool, rviz::Tool)

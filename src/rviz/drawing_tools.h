@@ -1,5 +1,7 @@
 #pragma once
 
+#include <rviz/properties/bool_property.h>
+
 #include "rviz/floor_tool.h"
 
 namespace crowd {
@@ -13,6 +15,20 @@ class AddAgentTool : public FloorTool {
   FloorOutline outline(const Vector2& from, const Vector2& to) const override;
   void finish(const Vector2& from, const Vector2& to) override;
 
+  rviz::FloatProperty* max_speed_;  // [m/s]
+  rviz::FloatProperty* radius_;     // [m]
+};
+
+/// @brief Tool `social_crowd/AddSource`: press where its agents are to appear, release at their goal.
+class AddSourceTool : public FloorTool {
+ public:
+  AddSourceTool();
+
+ private:
+  FloorOutline outline(const Vector2& from, const Vector2& to) const override;
+  void finish(const Vector2& from, const Vector2& to) override;
+
+  rviz::FloatProperty* rate_;       // [1/s]
   rviz::FloatProperty* max_speed_;  // [m/s]
   rviz::FloatProperty* radius_;     // [m]
 };
@@ -39,6 +55,18 @@ class DrawWallTool : public FloorTool {
  private:
   FloorOutline outline(const Vector2& from, const Vector2& to) const override;
   void finish(const Vector2& from, const Vector2& to) override;
+};
+
+/// @brief Tool `social_crowd/AddGate`: press at one end, release at the other.
+class AddGateTool : public FloorTool {
+ public:
+  AddGateTool();
+
+ private:
+  FloorOutline outline(const Vector2& from, const Vector2& to) const override;
+  void finish(const Vector2& from, const Vector2& to) override;
+
+  rviz::BoolProperty* open_;
 };
 
 }  // namespace crowd

@@ -58,7 +58,8 @@ MenuEntry entryOf(EditorEntry entry, const std::string& title) {
 
 }  // namespace
 
-EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent) {
+EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent,
+                        std::uint64_t removals) {
   EditorHandles handles;
   const auto walking =
       static_cast<std::size_t>(std::count_if(states.agents.begin(), states.agents.end(), [](const AgentState& agent) {
@@ -72,9 +73,10 @@ EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t mos
     handles["goal_" + number] = {Kind::GOAL, agent.agent, fromPoint(agent.goal), 0.0, GOAL_RADIUS};
   }
   if (states.obstacles.size() > most) return handles;
+  const std::string generation = removals == 0 ? "" : "_after_" + std::to_string(removals);
   for (const social_crowd::ObstacleState& obstacle : states.obstacles) {
-    handles["obstacle_" + std::to_string(obstacle.obstacle)] = {Kind::OBSTACLE, obstacle.obstacle,
-                                                                fromPoint(obstacle.position), 0.0, obstacle.radius};
+    handles["obstacle_" + std::to_string(obstacle.obstacle) + generation] = {
+        Kind::OBSTACLE, obstacle.obstacle, fromPoint(obstacle.position), 0.0, obstacle.radius};
   }
   return handles;
 }

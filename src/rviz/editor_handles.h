@@ -26,7 +26,10 @@ using EditorHandles = std::map<std::string, EditorHandle>;
 
 /// @brief The handles of agents on their way with their goals, and of obstacles. Of a kind with more than `most`, no
 /// handles are made, except those of the chosen agent.
-EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent);
+/// @param removals how often obstacles were removed, which renumbers others: the names of their handles change, so that
+/// what a user still does with an old one has no effect on another obstacle
+EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent,
+                        std::uint64_t removals);
 
 /// @brief The marker of a handle: a translucent cylinder that moves on the floor, with a menu.
 visualization_msgs::InteractiveMarker markerOf(const std::string& name, const EditorHandle& handle);

@@ -1,7 +1,5 @@
 #include "rviz/panel_link.h"
 
-#include <social_crowd/ControllerStatus.h>
-#include <social_crowd/LearnerStatus.h>
 #include <std_msgs/Int32.h>
 
 #include "rviz/panel_calls.h"
@@ -11,41 +9,6 @@ namespace crowd {
 namespace {
 
 constexpr std::uint32_t QUEUE = 1000;  // messages; many learners may report at the same time
-
-ControllerInfo toInfo(const social_crowd::ControllerStatus& message) {
-  ControllerInfo info;
-  info.node = message.node;
-  info.episode = message.episode;
-  info.tick = message.tick;
-  info.time = message.time;
-  info.paused = message.paused != 0;
-  info.real_time_factor = message.real_time_factor;
-  info.scenario = message.scenario;
-  info.agents = message.agents;
-  info.arrived = message.arrived;
-  info.touched = message.touched;
-  info.collided = message.collided;
-  info.decisions = message.decisions;
-  info.missed_answers = message.missed_answers;
-  info.unanswered = message.unanswered;
-  return info;
-}
-
-LearnerInfo toInfo(const social_crowd::LearnerStatus& message) {
-  LearnerInfo info;
-  info.node = message.node;
-  info.mode = message.mode;
-  info.has_own_tables = message.tables == "own";
-  info.serves_all = message.serves_all != 0;
-  info.agents = message.agents;
-  info.rows = message.rows;
-  info.visited_rows = message.visited_rows;
-  info.decisions = message.decisions;
-  info.alpha = message.alpha;
-  info.gamma = message.gamma;
-  info.epsilon = message.epsilon;
-  return info;
-}
 
 }  // namespace
 
@@ -61,16 +24,15 @@ PanelLink::PanelLink(ros::NodeHandle node, const std::string& controller, const 
   subscribers_ = {
       node.subscribe<social_crowd::ControllerStatus>(names::CONTROLLER_STATUS, QUEUE,
                                                      [this](const social_crowd::ControllerStatus::ConstPtr& message) {
-                                                       const double now = ros::SteadyTime::now().toSec();
-                                                       note([now, info = toInfo(*message)](PanelModel& model) {
-                                                         if (info.node == model.controller()) model.take(info, now);
+                                                       note([message,
+                                                             now = ros::SteadyTime::now().toSec()](PanelModel& model) {
+                                                         if (message->node == model.controller())
+                                                           model.take(*message, now);
                                                        });
                                                      }),
       node.subscribe<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE,
                                                   [this](const social_crowd::LearnerStatus::ConstPtr& message) {
-                                                    note([info = toInfo(*message)](PanelModel& model) {
-                                                      model.take(info);
-                                                    });
+                                                    note([message](PanelModel& model) { model.take(*message); });
                                                   }),
       node.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE, [this](const std_msgs::Int32::ConstPtr& message) {
         note([agent = message->data](PanelModel& model) { model.takeChosenAgent(agent); });

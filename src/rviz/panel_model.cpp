@@ -11,6 +11,8 @@
 namespace crowd {
 namespace {
 
+using social_crowd::ControllerStatus;
+using social_crowd::LearnerStatus;
 using Kind = PanelRequest::Kind;
 
 constexpr double RATE_PERIOD = 2.0;      // [s], over which decisions are counted
@@ -31,9 +33,11 @@ bool isReplacedBy(const PanelRequest& old, const PanelRequest& request) {
   return old.kind == request.kind && old.node == request.node && (!has_name || old.text == request.text);
 }
 
-bool serves(const LearnerInfo& learner, std::int64_t agent) {
-  return learner.serves_all || std::any_of(learner.agents.begin(), learner.agents.end(),
-                                           [&](std::uint32_t served) { return served == agent; });
+bool hasOwnTables(const LearnerStatus& learner) { return learner.tables == "own"; }
+
+bool serves(const LearnerStatus& learner, std::int64_t agent) {
+  return learner.serves_all != 0 || std::any_of(learner.agents.begin(), learner.agents.end(),
+                                                [&](std::uint32_t served) { return served == agent; });
 }
 
 std::string timeText(double seconds) {
@@ -47,19 +51,19 @@ std::string timeText(double seconds) {
 PanelModel::PanelModel(std::string controller, std::string markers)
     : controller_(std::move(controller)), markers_(std::move(markers)) {}
 
-void PanelModel::take(ControllerInfo controller, double now) {
-  const bool restarted = controller.decisions < status_.decisions;
+void PanelModel::take(const ControllerStatus& status, double now) {
+  const bool restarted = status.decisions < status_.decisions || status.episode < status_.episode;
   if (restarted || !has_status_) decisions_.clear();
-  decisions_.emplace_back(now, controller.decisions);
+  if (restarted && has_status_) ask({Kind::LIST_SCENARIOS, controller_});  // its folder may be another one
+  decisions_.emplace_back(now, status.decisions);
   while (now - decisions_.front().first > RATE_PERIOD) decisions_.pop_front();
-  status_ = std::move(controller);
+  status_ = status;
   has_status_ = true;
 }
 
-void PanelModel::take(LearnerInfo learner) {
-  const std::string node = learner.node;
-  learners_[node] = std::move(learner);
-  reachable_.insert(node);  // it has just spoken; not all of many learners are watched
+void PanelModel::take(const LearnerStatus& learner) {
+  learners_[learner.node] = learner;
+  reachable_.insert(learner.node);  // its status has just come; not all of many learners are watched
 }
 
 void PanelModel::noteReachable(const std::string& node, bool reachable) {
@@ -93,6 +97,7 @@ void PanelModel::noteDone(const PanelRequest& request, bool success, const std::
   if (request.kind == Kind::LIST_SCENARIOS && success) return;
   message_ = message;
   is_error_ = !success;
+  if (request.kind == Kind::SAVE_SCENARIO && success) ask({Kind::LIST_SCENARIOS, controller_});  // it may be in there
 }
 
 std::vector<std::string> PanelModel::watchedNodes() const {
@@ -101,7 +106,7 @@ std::vector<std::string> PanelModel::watchedNodes() const {
     if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
   };
   if (learners_.count(learner_) > 0) watch(learner_);
-  if (const LearnerInfo* const learner = tableLearner()) watch(learner->node);
+  if (const LearnerStatus* const learner = tableLearner()) watch(learner->node);
   for (auto learner = learners_.begin(); learner != learners_.end() && nodes.size() < MOST_WATCHED; ++learner) {
     watch(learner->first);
   }
@@ -117,7 +122,7 @@ void PanelModel::ask(PanelRequest request) {
 }
 
 void PanelModel::askLearners(const PanelRequest& request) {
-  for (const LearnerInfo* const learner : learners()) {
+  for (const LearnerStatus* const learner : learners()) {
     PanelRequest one = request;
     one.node = learner->node;
     ask(std::move(one));
@@ -125,7 +130,7 @@ void PanelModel::askLearners(const PanelRequest& request) {
 }
 
 void PanelModel::askTables(PanelRequest request) {
-  const LearnerInfo* const learner = tableLearner();
+  const LearnerStatus* const learner = tableLearner();
   if (learner == nullptr) return;
   request.node = learner->node;
   request.number = tableAgent();
@@ -183,10 +188,10 @@ std::string PanelModel::learnerEntry() const {
   return learners_.empty() ? "" : learners_.begin()->first;
 }
 
-std::vector<const LearnerInfo*> PanelModel::learners() const {
+std::vector<const LearnerStatus*> PanelModel::learners() const {
   const std::string entry = learnerEntry();
-  std::vector<const LearnerInfo*> chosen;
-  std::vector<const LearnerInfo*> present;
+  std::vector<const LearnerStatus*> chosen;
+  std::vector<const LearnerStatus*> present;
   for (const auto& [node, learner] : learners_) {
     if (entry != ALL_LEARNERS && entry != node) continue;
     chosen.push_back(&learner);
@@ -195,41 +200,42 @@ std::vector<const LearnerInfo*> PanelModel::learners() const {
   return present.empty() ? chosen : present;
 }
 
-const LearnerInfo* PanelModel::tableLearner() const {
-  const std::vector<const LearnerInfo*> chosen = learners();
+const LearnerStatus* PanelModel::tableLearner() const {
+  const std::vector<const LearnerStatus*> chosen = learners();
   if (chosen.empty()) return nullptr;
   const auto found = std::find_if(chosen.begin(), chosen.end(),
-                                  [&](const LearnerInfo* learner) { return serves(*learner, chosen_agent_); });
+                                  [&](const LearnerStatus* learner) { return serves(*learner, chosen_agent_); });
   return found != chosen.end() ? *found : chosen.front();
 }
 
 double PanelModel::tableAgent() const {
-  const LearnerInfo* const learner = tableLearner();
-  const bool is_meant = learner != nullptr && learner->has_own_tables && serves(*learner, chosen_agent_);
+  const LearnerStatus* const learner = tableLearner();
+  const bool is_meant = learner != nullptr && hasOwnTables(*learner) && serves(*learner, chosen_agent_);
   return is_meant ? static_cast<double>(std::max<std::int64_t>(0, chosen_agent_)) : 0.0;
 }
 
-double PanelModel::decisionRate() const {
-  const bool rests = status_.paused && !isPending(Kind::STEP);
-  if (rests || decisions_.size() < 2) return 0.0;
-  const auto& [first, count] = decisions_.front();
-  return static_cast<double>(decisions_.back().second - count) / (decisions_.back().first - first);
+double PanelModel::decisionRate(double now) const {
+  const bool rests = status_.paused != 0 && !isPending(Kind::STEP);
+  const auto is_recent = [&](const auto& sample) { return now - sample.first <= RATE_PERIOD; };
+  const auto first = std::find_if(decisions_.begin(), decisions_.end(), is_recent);
+  if (rests || first == decisions_.end() || now <= first->first) return 0.0;
+  return static_cast<double>(decisions_.back().second - first->second) / (now - first->first);
 }
 
 std::string PanelModel::stateText() const {
   if (!isReachable(controller_)) return controller_ + " is away";
   if (!has_status_) return "waiting for " + controller_;
   if (isPending(Kind::STEP)) return "stepping";
-  return status_.paused ? "paused" : "walking";
+  return status_.paused != 0 ? "paused" : "walking";
 }
 
-void PanelModel::showController(PanelView& view) const {
+void PanelModel::showController(PanelView& view, double now) const {
   view.state = stateText();
   if (!isReachable(controller_) || !has_status_) return;
   view.has_controller = true;
-  view.can_play = status_.paused;
-  view.can_pause = !status_.paused;
-  view.can_step = status_.paused && !isPending(Kind::STEP);
+  view.can_play = status_.paused != 0;
+  view.can_pause = !view.can_play;
+  view.can_step = view.can_play && !isPending(Kind::STEP);
   view.speed = wanted({Kind::SET_SPEED, controller_}, status_.real_time_factor);
   view.scenario = status_.scenario;
   view.episode = countText(status_.episode);
@@ -237,7 +243,7 @@ void PanelModel::showController(PanelView& view) const {
   view.success = shareText(status_.arrived, status_.agents);
   view.contact = shareText(status_.touched, status_.agents);
   view.collision = shareText(status_.collided, status_.agents);
-  view.decisions = countText(static_cast<std::uint64_t>(std::llround(decisionRate())));
+  view.decisions = countText(static_cast<std::uint64_t>(std::llround(decisionRate(now))));
   view.missing = agentsText(status_.unanswered);
   if (status_.missed_answers > 0) view.missing += "; " + countText(status_.missed_answers) + " answers missed";
 }
@@ -246,10 +252,10 @@ void PanelModel::showLearner(PanelView& view) const {
   if (learners_.size() > 1) view.learners.emplace_back(ALL_LEARNERS);
   for (const auto& [node, learner] : learners_) view.learners.push_back(node);
   view.learner = learnerEntry();
-  const LearnerInfo* const learner = tableLearner();
+  const LearnerStatus* const learner = tableLearner();
   if (learner == nullptr) return;
   view.has_learner = isReachable(learner->node);
-  view.can_share = view.has_learner && (learner->has_own_tables || learners_.size() > 1);
+  view.can_share = view.has_learner && (hasOwnTables(*learner) || learners_.size() > 1);
   const PanelRequest* const mode = findPending({Kind::SET_MODE, learner->node});
   view.mode = mode != nullptr ? mode->text : learner->mode;
   view.epsilon = wanted({Kind::SET_PARAMETER, learner->node, "epsilon"}, learner->epsilon);
@@ -260,9 +266,9 @@ void PanelModel::showLearner(PanelView& view) const {
                                        " rows visited, " + countText(learner->decisions) + " decisions";
 }
 
-PanelView PanelModel::view() const {
+PanelView PanelModel::view(double now) const {
   PanelView view;
-  showController(view);
+  showController(view, now);
   showLearner(view);
   if (learners_.empty()) view.table = "no learner";
   view.scenarios = scenarios_;

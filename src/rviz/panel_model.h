@@ -1,5 +1,8 @@
 #pragma once
 
+#include <social_crowd/ControllerStatus.h>
+#include <social_crowd/LearnerStatus.h>
+
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -12,8 +15,8 @@
 
 namespace crowd {
 
-/// @brief The logic of the panel, without Qt and ROS: what is enabled, what is shown, and which services are to be
-/// called. Its owner reports what it receives, and makes the calls of takeRequests(). Not thread-safe.
+/// @brief The logic of the panel, without Qt and a ROS master: what is enabled, what is shown, and which services are
+/// to be called. Its owner reports what it receives, and makes the calls of takeRequests(). Not thread-safe.
 ///
 /// A node is called for one request at a time; requests wait in order, and a newer request of the same kind replaces
 /// the one that waits. Steps, which may take long, have an order of their own, so that the crowd can be paused
@@ -29,8 +32,8 @@ class PanelModel {
   const std::string& controller() const { return controller_; }
 
   // What the owner receives. Times are seconds of a steady clock.
-  void take(ControllerInfo controller, double now);
-  void take(LearnerInfo learner);
+  void take(const social_crowd::ControllerStatus& status, double now);
+  void take(const social_crowd::LearnerStatus& learner);
   void takeChosenAgent(std::int64_t agent) { chosen_agent_ = agent; }
   void takeScenarios(std::vector<std::string> names) { scenarios_ = std::move(names); }
   /// @brief Reports whether a node can be called.
@@ -65,7 +68,8 @@ class PanelModel {
 
   /// @brief Requests that are to be made now.
   std::vector<PanelRequest> takeRequests();
-  PanelView view() const;
+  /// @param now seconds of the clock of take()
+  PanelView view(double now) const;
 
  private:
   void ask(PanelRequest request);
@@ -79,23 +83,24 @@ class PanelModel {
   double wanted(const PanelRequest& like, double present) const;
   void dropRequests(const std::string& node);
   /// Learners that the chosen entry stands for; without those that are away, if others are there.
-  std::vector<const LearnerInfo*> learners() const;
+  std::vector<const social_crowd::LearnerStatus*> learners() const;
   /// The one of these whose tables are meant; null: none.
-  const LearnerInfo* tableLearner() const;
+  const social_crowd::LearnerStatus* tableLearner() const;
   /// Number of the agent whose table is meant, as services expect it.
   double tableAgent() const;
   std::string learnerEntry() const;
-  double decisionRate() const;
+  /// Decisions per second of the last seconds.
+  double decisionRate(double now) const;
   std::string stateText() const;
-  void showController(PanelView& view) const;
+  void showController(PanelView& view, double now) const;
   void showLearner(PanelView& view) const;
 
   std::string controller_;
   std::string markers_;
-  ControllerInfo status_;
-  bool has_status_ = false;                      // since the controller is reachable
-  std::map<std::string, LearnerInfo> learners_;  // by node
-  std::string learner_;                          // entry that the user chose
+  social_crowd::ControllerStatus status_;
+  bool has_status_ = false;                                      // since the controller is reachable
+  std::map<std::string, social_crowd::LearnerStatus> learners_;  // by node
+  std::string learner_;                                          // entry that the user chose
   std::int64_t chosen_agent_ = -1;
   std::vector<std::string> scenarios_;
   std::set<std::string> reachable_;

@@ -6,39 +6,6 @@
 
 namespace crowd {
 
-/// @brief What the panel knows of the crowd controller, from ControllerStatus.msg, where the fields are explained.
-struct ControllerInfo {
-  std::string node;
-  std::uint64_t episode = 0;
-  std::uint64_t tick = 0;
-  double time = 0.0;  ///< [s]
-  bool paused = false;
-  double real_time_factor = 1.0;  ///< 0: as fast as possible
-  std::string scenario;
-  std::uint32_t agents = 0;
-  std::uint32_t arrived = 0;
-  std::uint32_t touched = 0;
-  std::uint32_t collided = 0;
-  std::uint64_t decisions = 0;
-  std::uint64_t missed_answers = 0;
-  std::vector<std::uint32_t> unanswered;
-};
-
-/// @brief What the panel knows of a learner, from LearnerStatus.msg, where the fields are explained.
-struct LearnerInfo {
-  std::string node;
-  std::string mode;
-  bool has_own_tables = false;
-  bool serves_all = false;
-  std::vector<std::uint32_t> agents;
-  std::uint32_t rows = 0;
-  std::uint32_t visited_rows = 0;
-  std::uint64_t decisions = 0;
-  double alpha = 0.0;
-  double gamma = 0.0;
-  double epsilon = 0.0;
-};
-
 /// @brief A call of a service that the panel is to make.
 struct PanelRequest {
   enum class Kind {

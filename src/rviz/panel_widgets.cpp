@@ -6,12 +6,12 @@
 #include <QVBoxLayout>
 
 #include "rviz/widget_kit.h"
+#include "social_crowd/ros/controller_parameters.h"
 
 namespace crowd {
 namespace {
 
 constexpr int MOST_TICKS = 100'000;
-constexpr double MOST_SPEED = 1000.0;
 constexpr int MOST_AGENTS = 1'000'000;
 
 QGroupBox* crowdGroup(const PanelWidgets& w) {
@@ -120,7 +120,8 @@ PanelWidgets::PanelWidgets(QWidget* parent)
       step(makeButton("step", "Step", "Walk this number of ticks while paused")),
       ticks(makeCount("ticks", 1, MOST_TICKS, "Number of ticks of a step")),
       reset(makeButton("reset", "Reset", "Restart the scenario with the same seed")),
-      speed(makeNumber("speed", MOST_SPEED, 2, 0.5, "Factor of real time; 0: as fast as possible")),
+      speed(makeExactNumber("speed", ControllerParameters::REAL_TIME_FACTOR.high, 0.5,
+                            "Factor of real time; 0: as fast as possible")),
       scenario(makeChoice("scenario", {}, "Scenarios of the controller; a choice loads one")),
       open_scenario(makeButton("open_scenario", "Open...", "Load a scenario file")),
       save_scenario(makeButton("save_scenario", "Save floor as...", "Save what is on the floor as a scenario file")),

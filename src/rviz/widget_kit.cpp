@@ -1,6 +1,32 @@
 #include "rviz/widget_kit.h"
 
+#include <limits>
+
 namespace crowd {
+namespace {
+
+/// Enough that no number above 0 is rounded to 0; as many as Qt supports.
+constexpr int MAX_DECIMALS = std::numeric_limits<double>::max_exponent10 + std::numeric_limits<double>::digits10;
+
+/// Shows no more decimals than its number has.
+class ExactBox : public QDoubleSpinBox {
+ public:
+  QString textFromValue(double value) const override {
+    QLocale plain = locale();
+    plain.setNumberOptions(plain.numberOptions() | QLocale::OmitGroupSeparator);
+    return plain.toString(value, 'f', QLocale::FloatingPointShortest);
+  }
+};
+
+QDoubleSpinBox* numberFrom0(QDoubleSpinBox* box, double most, int decimals, double step) {
+  box->setDecimals(decimals);
+  box->setRange(0.0, most);
+  box->setSingleStep(step);
+  box->setKeyboardTracking(false);  // a number counts when it is complete
+  return box;
+}
+
+}  // namespace
 
 QPushButton* makeButton(const char* name, const char* text, const char* tip) {
   auto* const button = named<QPushButton>(name, tip);
@@ -10,12 +36,11 @@ QPushButton* makeButton(const char* name, const char* text, const char* tip) {
 }
 
 QDoubleSpinBox* makeNumber(const char* name, double most, int decimals, double step, const char* tip) {
-  auto* const box = named<QDoubleSpinBox>(name, tip);
-  box->setRange(0.0, most);
-  box->setDecimals(decimals);
-  box->setSingleStep(step);
-  box->setKeyboardTracking(false);  // a number counts when it is complete
-  return box;
+  return numberFrom0(named<QDoubleSpinBox>(name, tip), most, decimals, step);
+}
+
+QDoubleSpinBox* makeExactNumber(const char* name, double most, double step, const char* tip) {
+  return numberFrom0(named<ExactBox>(name, tip), most, MAX_DECIMALS, step);
 }
 
 QSpinBox* makeCount(const char* name, int least, int most, const char* tip) {

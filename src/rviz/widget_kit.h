@@ -25,6 +25,8 @@ Widget* named(const char* name, const char* tip = "") {
 QPushButton* makeButton(const char* name, const char* text, const char* tip);
 /// @brief A number from 0 on, which counts when its text is complete.
 QDoubleSpinBox* makeNumber(const char* name, double most, int decimals, double step, const char* tip);
+/// @brief The same, of which all decimals are shown.
+QDoubleSpinBox* makeExactNumber(const char* name, double most, double step, const char* tip);
 /// @brief A whole number, the same.
 QSpinBox* makeCount(const char* name, int least, int most, const char* tip);
 QComboBox* makeChoice(const char* name, const QStringList& entries, const char* tip);

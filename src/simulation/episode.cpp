@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/simulation/route_check.h"
+#include "social_crowd/world/population_changes.h"
 
 namespace crowd {
 namespace {
@@ -187,6 +189,12 @@ std::size_t Episode::spawnObstacle(const Vector2& position, const Vector2& veloc
   return number;
 }
 
+void Episode::moveObstacle(std::size_t number, const Vector2& position) {
+  requireFloorAfter([&](World& world) { world.moveObstacle(number, position); });
+  world_.moveObstacle(number, position);
+  noteChange();
+}
+
 void Episode::removeObstacle(std::size_t number) {
   world_.removeObstacle(number);
   noteChange();
@@ -234,6 +242,43 @@ bool Episode::setGate(const std::string& gate, bool open) {
   const bool is_open = population_.setGate(gate, open, world_);
   noteChange();
   return is_open;
+}
+
+void Episode::adopt(PopulationDescription population) {
+  scene_.population = std::make_shared<const PopulationDescription>(std::move(population));
+  way_finder_ = WayFinder(scene_);
+  way_lengths_ = WayLengths(scene_);
+}
+
+std::size_t Episode::addSource(const SourceDescription& source) {
+  PopulationDescription population = withSource(scene_, source, world_.walls());
+  const AgentGroup& agents = source.agents;
+  if (findsWays()) {
+    WayLengths ways(scene_);
+    const Vector2& from = agents.position.first;
+    if (agents.route) {
+      RouteCheck("an agent of the source", agents.radius.high, population, PlacePicker(scene_), ways, world_)
+          .require(population.routes[*agents.route], from);
+    } else {
+      ways.requireWay("an agent of the source", world_, from, agents.goals.front().first, agents.radius.high);
+    }
+  }
+  adopt(std::move(population));
+  population_.addSource(scene_, world_);
+  noteChange();
+  return scene_.population->sources.size() - 1;
+}
+
+void Episode::addGate(const GateDescription& gate) {
+  PopulationDescription population = withGate(scene_, gate);
+  requireFloorAfter([&](World& world) {  // with agents in the gate: it waits for them
+    std::vector<Segment> walls = world.walls();
+    walls.push_back(gate.wall);
+    world.replaceWalls(std::move(walls));
+  });
+  adopt(std::move(population));
+  population_.addGate(scene_, world_);
+  noteWalls();
 }
 
 }  // namespace crowd

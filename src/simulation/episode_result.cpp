@@ -121,6 +121,7 @@ void EpisodeMonitor::observe(const World& world, ThreadPool& thread_pool) {
   const auto observe_some = [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Agent& agent = world.agents()[i];
+      if (!agent.perceives) continue;
       tracks_[i].result.removed = agent.status == AgentStatus::REMOVED;
       const bool just_arrived = agent.hasArrived() && agent.arrival_tick == ticks_;
       if (agent.isWalking() || just_arrived) observeAgent(agent, along_heading, tracks_[i]);
@@ -153,23 +154,30 @@ inline void EpisodeMonitor::observeAgent(const Agent& agent, bool along_heading,
   track.result.arrived = agent.hasArrived();
 }
 
+std::vector<EpisodeMonitor::Track> EpisodeMonitor::replaceTracks(std::vector<Track> tracks) {
+  tracks_.swap(tracks);
+  return tracks;
+}
+
+AgentResult EpisodeMonitor::resultOf(const Track& track) const {
+  AgentResult agent = track.result;
+  agent.appeared = track.begin;
+  agent.start = track.start;
+  agent.path_ratio = agent.path_length / agent.straight_length;
+  agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.max_speed / agent.straight_length;
+  agent.max_speed_ratio = track.longest_step / (tick_duration_ * track.max_speed);
+  agent.turn_per_metre = track.turn / std::max(MIN_LENGTH, agent.path_length);
+  agent.gain_per_tick = agent.ticks > 0 ? agent.distance_gained / static_cast<double>(agent.ticks) : 0.0;
+  agent.path_per_gain = agent.distance_gained > 0.0 ? agent.path_length / agent.distance_gained
+                                                    : std::numeric_limits<double>::quiet_NaN();
+  return agent;
+}
+
 EpisodeResult EpisodeMonitor::result() const {
   EpisodeResult result;
   result.scenario = scenario_;
   result.ticks = ticks_;
-  for (const Track& track : tracks_) {
-    AgentResult agent = track.result;
-    agent.appeared = track.begin;
-    agent.start = track.start;
-    agent.path_ratio = agent.path_length / agent.straight_length;
-    agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.max_speed / agent.straight_length;
-    agent.max_speed_ratio = track.longest_step / (tick_duration_ * track.max_speed);
-    agent.turn_per_metre = track.turn / std::max(MIN_LENGTH, agent.path_length);
-    agent.gain_per_tick = agent.ticks > 0 ? agent.distance_gained / static_cast<double>(agent.ticks) : 0.0;
-    agent.path_per_gain = agent.distance_gained > 0.0 ? agent.path_length / agent.distance_gained
-                                                      : std::numeric_limits<double>::quiet_NaN();
-    result.agents.push_back(agent);
-  }
+  for (const Track& track : tracks_) result.agents.push_back(resultOf(track));
   return result;
 }
 

@@ -18,14 +18,6 @@
 namespace crowd {
 namespace {
 
-Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed) {
-  Learner::Options options;
-  options.mode = Mode::DEMO;
-  options.seed = seed;
-  options.plan.parameters = trained.parameters;
-  return {trained.model, options, trained.table};
-}
-
 EvaluatedEpisode walk(Episode& episode, const EvaluationPlan& plan, Learner& learner) {
   EvaluatedEpisode walked;
   const std::uint64_t instance = episode.number();
@@ -106,6 +98,14 @@ class OrderedRun {
 };
 
 }  // namespace
+
+Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed) {
+  Learner::Options options;
+  options.mode = Mode::DEMO;
+  options.seed = seed;
+  options.plan.parameters = trained.parameters;
+  return {trained.model, options, trained.table};
+}
 
 void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
               const std::function<bool(EvaluatedEpisode&)>& deliver) {

@@ -11,7 +11,8 @@ constexpr std::size_t FEW_BLOCKS = ThreadPool::FEW_SHORT_ITEMS / BLOCK;
 }  // namespace
 
 void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
-                         std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
+                         std::vector<AgentAction>& actions, ThreadPool& thread_pool,
+                         const std::vector<AgentId>* names) {
   const std::size_t bodies = world.bodyCount();
   const std::size_t blocks = (bodies + BLOCK - 1) / BLOCK;
   if (workspaces_.size() < thread_pool.count()) workspaces_.resize(thread_pool.count());
@@ -29,14 +30,28 @@ void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision
           const std::size_t first = block * BLOCK;
           world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), workspace.perception_workspace,
                              workspace.perceptions);
-          learner.decideGreedily(workspace.perceptions, workspace.decision_workspace,
-                                 lists == 0 ? actions : decided_[block]);
+          decideBlock(learner, names, workspace, lists == 0 ? actions : decided_[block]);
         }
       },
       FEW_BLOCKS);
   for (std::size_t block = 0; block < lists; ++block) {
     actions.insert(actions.end(), decided_[block].begin(), decided_[block].end());
   }
+}
+
+void GreedyCrowd::decideBlock(const Learner& learner, const std::vector<AgentId>* names, ThreadWorkspace& workspace,
+                              std::vector<AgentAction>& actions) {
+  const std::size_t before = actions.size();
+  if (names != nullptr) {
+    workspace.ids.clear();
+    for (AgentPerception& self : workspace.perceptions.agents) {
+      workspace.ids.push_back(self.agent);
+      self.agent = (*names)[self.agent];
+    }
+  }
+  learner.decideGreedily(workspace.perceptions, workspace.decision_workspace, actions);
+  if (names == nullptr) return;
+  for (std::size_t i = 0; i < workspace.ids.size(); ++i) actions[before + i].agent = workspace.ids[i];
 }
 
 }  // namespace crowd

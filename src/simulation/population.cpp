@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/simulation/route_check.h"
@@ -245,6 +246,26 @@ void Population::dropRoute(AgentId id, World& world, EpisodeMonitor& monitor) {
   world.setLeaves(id, true);
   monitor.setEndless(id, false);
   hold(*member, world);
+}
+
+void Population::adopt(const Scene& scene, PopulationDescription description) {
+  earlier_.push_back(description_);
+  description_ = std::make_shared<const PopulationDescription>(std::move(description));
+  if (ways_) ways_.emplace(scene);
+}
+
+void Population::addSource(const Scene& scene, const World& world) {
+  PopulationDescription description = *scene.population;
+  SourceDescription& source = description.sources.back();
+  source.from = std::max(source.from, world.time());
+  adopt(scene, std::move(description));
+  const std::size_t index = description_->sources.size() - 1;
+  sources_.emplace_back(*description_, index, randomOf(seed_, SOURCE, index));
+}
+
+void Population::addGate(const Scene& scene, World& world) {
+  adopt(scene, *scene.population);
+  gates_.emplace_back(description_->gates.back()).update(world);
 }
 
 bool Population::setGate(const std::string& gate, bool open, World& world) {

@@ -1,5 +1,7 @@
 #include "social_crowd/simulation/record.h"
 
+#include <limits>
+
 #include "social_crowd/common/numbers.h"
 
 namespace crowd {
@@ -13,7 +15,21 @@ std::string fieldOf(const std::string& text) {
   return field + "\"";
 }
 
+/// NaN of nothing.
+double shareOf(std::size_t part, std::size_t whole) {
+  if (whole == 0) return std::numeric_limits<double>::quiet_NaN();
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
 }  // namespace
+
+double successShare(const EpisodeResult& result) {
+  const std::size_t expected = result.expectedCount();
+  // As in Metrics::successPercent(), the success is 1 if no agent is expected to arrive.
+  return expected == 0 && result.agentCount() > 0 ? 1.0 : shareOf(result.arrivedCount(), expected);
+}
+
+double contactShare(const EpisodeResult& result) { return shareOf(result.touchedCount(), result.agentCount()); }
 
 void appendRecordRows(std::uint64_t episode, const EpisodeResult& result, std::string& rows) {
   const std::string begin = std::to_string(episode) + "," + fieldOf(result.scenario) + ",";
@@ -28,6 +44,16 @@ void appendRecordRows(std::uint64_t episode, const EpisodeResult& result, std::s
     }
     rows += "\n";
   }
+}
+
+void appendLogRow(std::uint64_t episode, const LearnedEpisode& learned, std::string& rows) {
+  const std::size_t agents = learned.agentCount();
+  rows += std::to_string(episode) + "," + fieldOf(learned.scenario) + "," + std::to_string(agents);
+  for (const double share : {successShare(learned), contactShare(learned), shareOf(learned.collidedCount(), agents)}) {
+    rows += "," + toText(share);
+  }
+  rows += "," + toText(learned.reward) + "," + std::to_string(learned.visited_rows) + "," + toText(learned.epsilon);
+  rows += "," + std::to_string(learned.decisions) + "\n";
 }
 
 }  // namespace crowd

@@ -5,13 +5,20 @@
 namespace crowd {
 
 void appendTrajectoryRows(std::uint64_t instance, const World& world, std::string& rows) {
-  const std::string begin = std::to_string(instance) + "," + std::to_string(world.tick()) + ",";
   for (const Agent& agent : world.agents()) {
-    const bool just_arrived = agent.hasArrived() && agent.arrival_tick == world.tick();
-    if (!agent.isWalking() && !just_arrived) continue;
-    rows += begin + std::to_string(agent.id) + "," + toText(agent.pose.position.x()) + "," +
-            toText(agent.pose.position.y()) + "\n";
+    if (hasTrajectoryRow(agent, world))
+      appendTrajectoryRow(instance, world.tick(), agent.id, agent.pose.position, rows);
   }
+}
+
+bool hasTrajectoryRow(const Agent& agent, const World& world) {
+  return agent.isWalking() || (agent.hasArrived() && agent.arrival_tick == world.tick());
+}
+
+void appendTrajectoryRow(std::uint64_t instance, std::uint64_t tick, AgentId agent, const Vector2& position,
+                         std::string& rows) {
+  rows += std::to_string(instance) + "," + std::to_string(tick) + "," + std::to_string(agent) + "," +
+          toText(position.x()) + "," + toText(position.y()) + "\n";
 }
 
 TrajectoryFile::TrajectoryFile(const std::string& folder, const std::string& name)

@@ -1,20 +1,22 @@
 // Evaluates a Q-table on scenario files, without ROS.
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <thread>
 
 #include "command_line.h"
+#include "metrics_table.h"
 #include "progress_bar.h"
+#include "rank_tools.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/simulation/distributed_evaluation.h"
 #include "social_crowd/simulation/evaluation.h"
+#include "social_crowd/simulation/mpi_communicator.h"
 #include "social_crowd/simulation/record.h"
 #include "social_crowd/simulation/robot_controller.h"
 #include "social_crowd/simulation/robot_record.h"
@@ -38,43 +40,6 @@ struct Arguments {
   std::vector<std::string> scenarios;
   EvaluationPlan plan;
 };
-
-constexpr const char* CSV_HEADER =
-    "scenario,instances,success_pct,contact_pct,collision_pct,clean_pct,path_ratio,time_ratio,turn_rad_per_m,max_speed_"
-    "ratio,"
-    "blocked_per_agent\n";
-
-std::string csvRow(const std::string& name, const Metrics& metrics) {
-  std::string row = name + "," + std::to_string(metrics.episodes());
-  for (const double value : {metrics.successPercent(), metrics.contactPercent(), metrics.collisionPercent(),
-                             metrics.cleanPercent(), metrics.pathRatio(), metrics.timeRatio(), metrics.turnPerMetre(),
-                             metrics.maxSpeedRatio(), metrics.blockedMovesPerAgent()}) {
-    row += "," + toText(value);
-  }
-  return row + "\n";
-}
-
-void printHeader() {
-  std::printf("%-18s %9s %8s %8s %10s %7s %6s %6s %6s %6s %7s\n", "scenario", "instances", "success%", "contact%",
-              "collision%", "clean%", "path", "time", "rad/m", "speed", "blocked");
-}
-
-/// A number for the table; "-" if there is nothing to take the mean of, such as without any arrivals.
-std::string cell(double value, int decimals) {
-  if (std::isnan(value)) return "-";
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
-
-void printRow(const std::string& name, const Metrics& metrics) {
-  std::printf("%-18s %9llu %8.2f %8.2f %10.2f %7.1f %6s %6s %6s %6.2f %7s\n", name.c_str(),
-              static_cast<unsigned long long>(metrics.episodes()), metrics.successPercent(), metrics.contactPercent(),
-              metrics.collisionPercent(), metrics.cleanPercent(), cell(metrics.pathRatio(), 3).c_str(),
-              cell(metrics.timeRatio(), 3).c_str(), cell(metrics.turnPerMetre(), 2).c_str(), metrics.maxSpeedRatio(),
-              cell(metrics.blockedMovesPerAgent(), 2).c_str());
-  std::fflush(stdout);
-}
 
 /// Replaces the model of the table's header by that of a configuration.
 void useModelOf(const std::string& config_file, const std::string& file, TrainedTable& trained) {
@@ -169,11 +134,12 @@ struct Records {
   std::optional<GrowingFile> robots;
 };
 
-Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, const std::string& name,
-                     const ScenarioList& scenarios, Records& records) {
-  EpisodeWriter writer(arguments, name);
+Metrics evaluateFile(Communicator& ranks, const TrainedTable& trained, const Arguments& arguments,
+                     const std::string& name, const ScenarioList& scenarios, Records& records, bool& is_stopped) {
+  std::optional<EpisodeWriter> writer;
+  if (ranks.rank() == 0) writer.emplace(arguments, name);
   const std::uint64_t episodes = arguments.plan.episodes > 0 ? arguments.plan.episodes : scenarios.size();
-  ProgressBar bar(name, episodes);
+  std::optional<ProgressBar> bar(std::in_place, name, episodes);
   Metrics metrics;
   WayWarnings ways;
   RobotSummary robots;
@@ -181,54 +147,83 @@ Metrics evaluateFile(const TrainedTable& trained, const Arguments& arguments, co
   plan.warn = [&](std::uint64_t instance, const std::string& warning) {
     if (ways.is_said) return;
     ways.is_said = true;
-    bar.clear();
+    bar->clear();
     std::cerr << name << ": instance " << instance << ", at its start: " << warning << "\n";
   };
-  evaluate(trained, scenarios, plan, [&](EvaluatedEpisode& walked) {
-    writer.write(walked);
+  const auto deliver = [&](EvaluatedEpisode& walked) {
+    writer->write(walked);
     if (records.agents) records.agents->append(recordRows(walked));
     if (records.robots) records.robots->append(robotRows(walked));
     robots.add(walked.result);
     metrics.add(walked.result);
     noteWays(walked.result, ways);
-    if (bar.isDue(metrics.episodes()) && metrics.episodes() < episodes) bar.show(metrics.episodes(), "");
+    if (ranks.size() == 1 && metrics.episodes() < episodes) bar->show(metrics.episodes(), "");
     return !isInterrupted();
-  });
-  bar.clear();
+  };
+  if (ranks.size() == 1) {
+    evaluate(trained, scenarios, plan, deliver);
+    is_stopped = isInterrupted();
+  } else {
+    is_stopped = !evaluateOnRanks(ranks, trained, scenarios, plan, observerOf(name, ranks, bar), deliver);
+  }
+  bar->clear();
+  if (is_stopped && ranks.rank() == 0) {
+    std::cerr << name << ": interrupted after " << metrics.episodes() << " of " << episodes
+              << " episodes; the results are those of these\n";
+  }
   printWarnings(name, ways);
   if (!robots.text().empty()) std::cerr << name << ": " << robots.text() << "\n";
   return metrics;
 }
 
-int evaluateAll(Arguments& arguments) {
-  TrainedTable trained = loadQTable(arguments.q_table);
-  if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, trained);
+/// What the arguments name.
+struct Inputs {
+  TrainedTable trained;
+  std::vector<ScenarioList> scenarios;
+};
+
+Inputs readInputs(Arguments& arguments) {
+  Inputs inputs{loadQTable(arguments.q_table), {}};
+  if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, inputs.trained);
   arguments.plan.record = !arguments.trajectories.empty();
   arguments.plan.states = !arguments.states.empty();
   if (arguments.plan.states && arguments.states == arguments.trajectories) {
     throw InputError("--states: expected another folder than that of --trajectories, got '" + arguments.states + "'");
   }
   // All files are read before the first one is run, so that errors in any of them are reported at once.
-  std::vector<ScenarioList> scenarios;
   for (std::string& file : arguments.scenarios) {
     file = findScenario(file);
-    scenarios.push_back(readScenarios(file));
+    inputs.scenarios.push_back(readScenarios(file));
   }
   requireOwnOutputs(arguments);
+  return inputs;
+}
+
+int evaluateAll(Communicator& ranks, Arguments& arguments) {
+  std::optional<Inputs> inputs;
   Records records;
-  if (!arguments.record.empty()) records.agents.emplace(arguments.record, RECORD_HEADER);
-  if (!arguments.robots_csv.empty()) records.robots.emplace(arguments.robots_csv, robotRecordHeader());
+  doOnAllRanks(ranks, [&] { inputs = readInputs(arguments); });
+  if (ranks.size() > 1) requireSameRun(ranks, inputs->trained, arguments.scenarios, arguments.plan);
+  const bool writes = ranks.rank() == 0;
+  const auto open_records = [&] {
+    if (writes && !arguments.record.empty()) records.agents.emplace(arguments.record, RECORD_HEADER);
+    if (writes && !arguments.robots_csv.empty()) records.robots.emplace(arguments.robots_csv, robotRecordHeader());
+  };
+  doOnAllRanks(ranks, open_records);
   catchInterrupts();
-  std::string csv = CSV_HEADER;
-  printHeader();
-  for (std::size_t i = 0; i < scenarios.size() && !isInterrupted(); ++i) {
+  std::string csv = METRICS_CSV_HEADER;
+  if (writes) printHeader();
+  bool is_stopped = false;  // the same on all ranks
+  for (std::size_t i = 0; i < inputs->scenarios.size() && !is_stopped; ++i) {
     const std::string name = stemOf(arguments.scenarios[i]);
-    const Metrics metrics = evaluateFile(trained, arguments, name, scenarios[i], records);
+    const Metrics metrics =
+        evaluateFile(ranks, inputs->trained, arguments, name, inputs->scenarios[i], records, is_stopped);
+    if (!writes) continue;
     printRow(name, metrics);
     csv += csvRow(name, metrics);
   }
-  if (!arguments.csv.empty()) replaceFile(arguments.csv, csv);
-  return isInterrupted() ? EXIT_INTERRUPTED : EXIT_FINE;
+  if (writes && !arguments.csv.empty()) replaceFile(arguments.csv, csv);
+  return is_stopped ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
 int runMain(int argc, char** argv) {
@@ -245,9 +240,11 @@ int runMain(int argc, char** argv) {
   app.add_option("--seed", arguments.plan.seed, "seed of random placements and random ties")
       ->check(atLeast(0))
       ->capture_default_str();
-  app.add_option("--threads", arguments.plan.threads,
-                 "number of threads; default: one per processor; results do not depend on it")
-      ->check(CLI::Range(1, 1024));
+  const CLI::Option* const threads =
+      app.add_option(
+             "--threads", arguments.plan.threads,
+             "number of threads; default: one per processor, with mpirun one per rank; results do not depend on it")
+          ->check(CLI::Range(1, 1024));
   app.add_option("--trajectories", arguments.trajectories,
                  "folder for a file NAME.csv (instance,tick,agent,x,y) per scenario file");
   app.add_option("--scenes", arguments.plan.scenes,
@@ -268,8 +265,25 @@ int runMain(int argc, char** argv) {
   app.add_option("--robots-csv", arguments.robots_csv, "CSV file for the measures of every robot in every episode");
   app.add_option("--csv", arguments.csv, "CSV file for the metrics");
   app.add_option("SCENARIO", arguments.scenarios, "scenario files, or names of scenarios of the package")->required();
-  app.footer("Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");
-  return runTool(app, argc, argv, [&] { return evaluateAll(arguments); });
+  app.footer(
+      std::string(
+          "example:\n"
+          "  rosrun social_crowd evaluate --q-table config/q_tables/human.txt --episodes 100 --csv metrics.csv circle6 "
+          "place_corner\n\n"
+          "success%: agents that arrived; contact%: whose bodies overlapped another one or a wall; collision%: that "
+          "had "
+          "one within their collision radius; clean%: episodes in which all arrived without contact.\n"
+          "With MPI, several processes walk one crowd together, with the same results: mpirun -n 2 evaluate "
+          "--q-table Q_TABLE SCENARIO (docs/mpi.md). This program was built with") +
+      (isBuiltWithMpi() ? "" : "out") +
+      " MPI.\n"
+      "Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");
+  std::unique_ptr<Communicator> ranks;  // until the end of the process
+  return runTool(app, argc, argv, [&] {
+    ranks = joinRanks();
+    if (ranks->size() > 1 && threads->count() == 0) arguments.plan.threads = 1;
+    return runOnAllRanks(*ranks, "evaluate", [&] { return evaluateAll(*ranks, arguments); });
+  });
 }
 
 }  // namespace

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "social_crowd/common/errors.h"
 
 namespace crowd {
+namespace {
+
+constexpr double SAME_POINT = 1e-9;  // [m]; a shorter leg would have no certain direction
+
+}  // namespace
 
 ObstaclePath ObstaclePath::atRest(const Vector2& position) { return {Kind::AT_REST, {position}, Vector2::Zero(), 0.0}; }
 
@@ -49,17 +55,38 @@ ObstaclePath::ObstaclePath(Kind kind, std::vector<Vector2> points, const Vector2
   }
 }
 
-const ObstaclePath::Leg& ObstaclePath::legAt(double distance) const {
+std::pair<const ObstaclePath::Leg&, double> ObstaclePath::legAt(double t) const {
+  const double distance = std::fmod(speed_ * t, legs_.back().end);
   const auto ends_after = [](double value, const Leg& candidate) { return value < candidate.end; };
-  const auto leg = std::upper_bound(legs_.begin(), legs_.end(), distance, ends_after);
-  return leg == legs_.end() ? legs_.back() : *leg;
+  const auto found = std::upper_bound(legs_.begin(), legs_.end(), distance, ends_after);
+  const Leg& leg = found == legs_.end() ? legs_.back() : *found;
+  return {leg, distance - leg.begin};
 }
 
 ObstaclePath::Motion ObstaclePath::at(double t) const {
   if (legs_.empty()) return {points_.front() + t * velocity_, velocity_};
-  const double distance = std::fmod(speed_ * t, legs_.back().end);
-  const Leg& leg = legAt(distance);
-  return {leg.from + (distance - leg.begin) * leg.unit, speed_ * leg.unit};
+  const auto [leg, way] = legAt(t);
+  return {leg.from + way * leg.unit, speed_ * leg.unit};
+}
+
+ObstaclePath ObstaclePath::after(double t) const {
+  const Vector2 place = position(t);
+  if (legs_.empty()) return straight(place, velocity_);
+  const auto [leg, way] = legAt(t);
+  std::vector<Vector2> points;
+  for (const Leg& one : legs_) points.push_back(one.from);
+  const std::size_t passed = &leg - legs_.data();
+  const std::size_t next = (passed + 1) % legs_.size();
+  const bool is_at_next = leg.end - leg.begin - way < SAME_POINT;
+  if (way >= SAME_POINT && !is_at_next) {
+    std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(next), points.end());
+    points.insert(points.begin(), place);
+  } else {
+    const std::size_t first = is_at_next ? next : passed;
+    points[first] = place;
+    std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first), points.end());
+  }
+  return loop(std::move(points), speed_);
 }
 
 }  // namespace crowd

@@ -7,12 +7,12 @@
 namespace crowd {
 
 std::optional<Blocker> PlacedBodies::findBlocker(const Vector2& centre, double radius, double gap) const {
-  for (const Body& body : bodies_) {
-    const double depth = radius + body.radius - (body.centre - centre).norm();
-    if (depth > -gap) {
-      return Blocker{body.label.text(), depth};
-    }
-  }
+  const auto depth_of = [&](std::size_t number) {
+    return radius + discs_[number].radius - (discs_[number].centre - centre).norm();
+  };
+  const std::size_t body =
+      discs_.findFirst(centre, radius + gap, [&](std::size_t number) { return depth_of(number) > -gap; });
+  if (body != DiscBuckets::NONE) return Blocker{bodies_[body].label.text(), depth_of(body)};
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     const double depth = radius - distanceTo(walls_[i], centre);
     if (depth > -gap) {
@@ -23,9 +23,9 @@ std::optional<Blocker> PlacedBodies::findBlocker(const Vector2& centre, double r
 }
 
 std::optional<Blocker> PlacedBodies::findBlocker(const Footprint& footprint, const Pose& pose) const {
-  for (const Body& body : bodies_) {
-    const double depth = body.radius - distance(footprint, pose, body.centre);
-    if (!body.is_robot && depth > TOUCH_TOLERANCE) return Blocker{body.label.text(), depth};
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const double depth = discs_[i].radius - distance(footprint, pose, discs_[i].centre);
+    if (!bodies_[i].is_robot && depth > TOUCH_TOLERANCE) return Blocker{bodies_[i].label.text(), depth};
   }
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     if (!isCutBy(footprint, pose, walls_[i], TOUCH_TOLERANCE)) continue;
@@ -35,13 +35,14 @@ std::optional<Blocker> PlacedBodies::findBlocker(const Footprint& footprint, con
 }
 
 bool PlacedBodies::isNearGoal(const Vector2& centre, double radius) const {
-  return std::any_of(goals_.begin(), goals_.end(),
-                     [&](const Goal& goal) { return (goal.point - centre).norm() < radius + goal.radius; });
+  return goals_.isAnyNear(centre, radius, [&](std::size_t number) {
+    return (goals_[number].centre - centre).norm() < radius + goals_[number].radius;
+  });
 }
 
 bool PlacedBodies::canStandAt(const Vector2& point, double radius) const {
-  const bool body = std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& other) {
-    return other.at_rest && (other.centre - point).norm() < radius + other.radius;
+  const bool body = discs_.isAnyNear(point, radius, [&](std::size_t number) {
+    return bodies_[number].at_rest && (discs_[number].centre - point).norm() < radius + discs_[number].radius;
   });
   return !body && std::none_of(walls_.begin(), walls_.end(),
                                [&](const Segment& wall) { return distanceTo(wall, point) < radius; });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "social_crowd/world/footprint.h"
+#include "world/disc_buckets.h"
 
 namespace crowd {
 
@@ -35,14 +36,16 @@ class PlacedBodies {
 
   /// @brief Adds a disc [m]. @param at_rest whether it is static during the whole episode
   void add(const Label& label, const Vector2& centre, double radius, bool at_rest) {
-    bodies_.push_back({label, centre, radius, at_rest, false});
+    bodies_.push_back({label, at_rest, false});
+    discs_.add(centre, radius);
   }
   /// @brief Adds a robot. @param radius of the smallest disc about its position that contains it [m]
   void addRobot(const Label& label, const Vector2& centre, double radius) {
-    bodies_.push_back({label, centre, radius, false, true});
+    bodies_.push_back({label, false, true});
+    discs_.add(centre, radius);
   }
   /// @brief Adds a goal [m]. @param radius of its agent [m]
-  void addGoal(const Vector2& point, double radius) { goals_.push_back({point, radius}); }
+  void addGoal(const Vector2& point, double radius) { goals_.add(point, radius); }
 
   /// @brief Finds a body or wall that is less than `gap` [m] away from a disc.
   std::optional<Blocker> findBlocker(const Vector2& centre, double radius, double gap) const;
@@ -57,19 +60,14 @@ class PlacedBodies {
  private:
   struct Body {
     Label label;
-    Vector2 centre;
-    double radius;
     bool at_rest;
     bool is_robot;
-  };
-  struct Goal {
-    Vector2 point;
-    double radius;
   };
 
   const std::vector<Segment>& walls_;
   std::vector<Body> bodies_;
-  std::vector<Goal> goals_;
+  DiscBuckets discs_;  // of the bodies
+  DiscBuckets goals_;
 };
 
 }  // namespace crowd

@@ -5,7 +5,7 @@
 namespace crowd {
 namespace {
 
-constexpr std::int64_t MAX_COUNT = 10000;
+constexpr std::int64_t MAX_COUNT = 1000000;
 
 }  // namespace
 

@@ -1,8 +1,10 @@
 #include "social_crowd/world/solid_motion.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
+#include "social_crowd/common/random.h"
 #include "social_crowd/world/impact.h"
 
 namespace crowd {
@@ -10,6 +12,12 @@ namespace {
 
 constexpr double CELL_SIZE = 1.0;  // [m]; about the space of two agents and their steps
 constexpr std::uint32_t WALL = std::numeric_limits<std::uint32_t>::max();
+
+std::uint64_t bitsOf(double number) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &number, sizeof(bits));
+  return bits;
+}
 
 }  // namespace
 
@@ -33,7 +41,7 @@ const std::vector<SolidMotion::Outcome>& SolidMotion::move(const std::vector<Dis
   outcomes_.clear();
   for (const Body& body : bodies_) {
     const double stopped_at = body.isRobot() ? sweeps_[body.sweep].stoppedAt() : 1.0;
-    outcomes_.push_back({body.at(1.0), body.touched, body.changes > 0, stopped_at});
+    outcomes_.push_back({body.at(1.0), body.touched, body.changes > 0, stopped_at, body.history});
   }
   return outcomes_;
 }
@@ -43,6 +51,8 @@ void SolidMotion::begin(const std::vector<Disc>& discs) {
   sweeps_.clear();
   touches_.clear();
   impacts_.clear();
+  instant_ = -1.0;
+  round_ = 0;
   for (const Disc& disc : discs) {
     Body body;
     body.position = disc.position;
@@ -168,7 +178,16 @@ void SolidMotion::stop(Index agent) {
   bodies_[agent].judged = true;
 }
 
+void SolidMotion::record(Body& body) const {
+  // What follows from an impact at the same instant is found in the next round, in whichever set of bodies.
+  KeyedRandom mixed(body.history, KeyedRandom::CONTENT,
+                    {bitsOf(instant_), round_, bitsOf(body.way.x()), bitsOf(body.way.y())});
+  body.history = mixed.next();
+}
+
 void SolidMotion::settle(double now) {
+  round_ = now == instant_ ? round_ + 1 : 0;
+  instant_ = now;
   for (const Index agent : judged_) {
     Body& body = bodies_[agent];
     if (body.isRobot()) sweeps_[body.sweep].stopAt(now);
@@ -177,6 +196,7 @@ void SolidMotion::settle(double now) {
     body.way = body.pushes == 1 && !body.pushed ? body.push : Vector2::Zero();
     body.pushed = body.pushed || body.pushes > 0;
     ++body.changes;
+    record(body);
     body.judged = false;
     body.pushes = 0;
   }

@@ -17,6 +17,9 @@ namespace {
                    toText(action.rotation) + " and share " + toText(action.speed_fraction));
 }
 
+/// All solid bodies move.
+constexpr auto EVERY_BODY = [](std::size_t /*body*/) { return true; };
+
 inline void requireValid(const AgentAction& given) {
   if (!given.action.isValid()) refuse(given);
 }
@@ -89,6 +92,11 @@ void World::updateGridOf(const Agent& agent) {
 }
 
 void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
+  beginStep(actions, thread_pool);
+  endStep(thread_pool);
+}
+
+void World::beginStep(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
   assignActions(actions);
   thread_pool.run(
       assigned_actions_.size(),
@@ -99,7 +107,11 @@ void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_poo
       },
       ThreadPool::FEW_SHORT_ITEMS);
   if (hasRobots()) beginRobotMoves();
-  if (contact_ == Contact::SOLID) moveSolids([](std::size_t /*body*/) { return true; });
+  if (contact_ == Contact::SOLID) computeSolidMotions(EVERY_BODY);
+}
+
+void World::endStep(ThreadPool& thread_pool) {
+  if (contact_ == Contact::SOLID) carryOutSolidMotions(EVERY_BODY);
   if (hasGhostRobots()) {
     for (const Agent& agent : agents_) noteGhostContacts(agent, tick_duration_ * agent.velocity);
   }
@@ -217,6 +229,12 @@ inline bool World::isAnythingWithin(double distance, const Agent& agent) const {
 
 template <typename Moves>
 void World::moveSolids(const Moves& moves) {
+  computeSolidMotions(moves);
+  carryOutSolidMotions(moves);
+}
+
+template <typename Moves>
+void World::computeSolidMotions(const Moves& moves) {
   discs_.clear();
   for (const Agent& agent : agents_) {
     if (!agent.isWalking()) continue;
@@ -231,7 +249,12 @@ void World::moveSolids(const Moves& moves) {
     discs_.push_back({obstacle_motions_[i].position, way, obstacles_[i].radius, false});
   }
   if (hasRobots()) addRobotDiscs();
-  auto outcome = solid_motion_.move(discs_, walls_).begin();
+  solid_motion_.move(discs_, walls_);
+}
+
+template <typename Moves>
+void World::carryOutSolidMotions(const Moves& moves) {
+  auto outcome = solid_motion_.outcomes().begin();
   if (hasRobots()) noteSolidContacts();
   for (Agent& agent : agents_) {
     if (!agent.isWalking()) continue;

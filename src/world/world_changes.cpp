@@ -9,6 +9,17 @@
 #include "world/finite_checks.h"
 
 namespace crowd {
+namespace {
+
+/// The path of an obstacle that is at a place at time `now` [s]. Paths are functions of the time since the start of the
+/// episode: the position is extrapolated back to that time.
+ObstaclePath pathFromNow(const Vector2& position, const Vector2& velocity, double now) {
+  const bool rests = velocity == Vector2::Zero();
+  return rests ? ObstaclePath::atRest(position) : ObstaclePath::straight(position - now * velocity, velocity);
+}
+
+}  // namespace
+
 void World::addAgent(const AgentStart& start) {
   Agent& agent = agents_.emplace_back();
   agent.id = static_cast<AgentId>(agents_.size() - 1);
@@ -61,6 +72,18 @@ AgentId World::spawnAgent(const AgentStart& start) {
   addAgent(start);
   refresh();
   return agents_.back().id;
+}
+
+std::vector<Agent> World::replaceAgents(std::vector<Agent> agents) {
+  agents_.swap(agents);
+  active_count_ = 0;
+  just_arrived_count_ = 0;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    agents_[i].id = static_cast<AgentId>(i);
+    active_count_ += agents_[i].isWalking() ? 1 : 0;
+  }
+  refresh();
+  return agents;
 }
 
 void World::removeAgent(AgentId id) {
@@ -129,18 +152,29 @@ std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocit
   requireFinite("position [m]", position);
   requireFinite("velocity [m/s]", velocity);
   requireFreePlace(position, radius, true);
-  // Paths are functions of the time since the start of the episode: extrapolate the position back to that time.
-  const bool rests = velocity == Vector2::Zero();
-  obstacles_.push_back(
-      {rests ? ObstaclePath::atRest(position) : ObstaclePath::straight(position - time() * velocity, velocity),
-       radius});
+  obstacles_.push_back({pathFromNow(position, velocity, time()), radius});
   ++layout_changes_;
   refresh();
   return obstacles_.size() - 1;
 }
 
-void World::removeObstacle(std::size_t number) {
+void World::moveObstacle(std::size_t number, const Vector2& position) {
+  requireObstacle(number);
+  requireFinite("position [m]", position);
+  Obstacle& obstacle = obstacles_[number];
+  requireFreePlace(position, obstacle.radius, true);
+  const bool keeps = obstacle.path.kind() == ObstaclePath::Kind::STRAIGHT;
+  obstacle.path = pathFromNow(position, keeps ? obstacle.path.velocity(time()) : Vector2(Vector2::Zero()), time());
+  ++layout_changes_;
+  refresh();
+}
+
+void World::requireObstacle(std::size_t number) const {
   if (number >= obstacles_.size()) throw InputError("there is no obstacle " + std::to_string(number));
+}
+
+void World::removeObstacle(std::size_t number) {
+  requireObstacle(number);
   obstacles_.erase(obstacles_.begin() + static_cast<std::ptrdiff_t>(number));
   ++layout_changes_;
   refresh();

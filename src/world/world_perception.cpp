@@ -26,7 +26,7 @@ inline void World::forEachInGrid(std::size_t first, std::size_t last, const Work
       if (next < agents_.size()) prefetch(agents_[next]);
     }
     const std::uint32_t body = grid_.body(disc);
-    if (body < agents_.size()) work(agents_[body]);
+    if (body < agents_.size() && agents_[body].perceives) work(agents_[body]);
   }
 }
 

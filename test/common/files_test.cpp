@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -165,6 +166,42 @@ TEST(ReplaceFile, KeepsTheOldFileInAFolderWithoutWritePermission) {
   expectFileError(message, folder.file("file"), EACCES);
   EXPECT_EQ(readFile(folder.file("file")), "old");
   EXPECT_EQ(folder.names(), Names{"file"});
+}
+
+TEST(GrowingFile, GoesOnAfterItsFirstBytes) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("file");
+  {
+    GrowingFile grows(file, "first\n");
+    grows.append("second\n");
+    grows.flushToDisk();
+    EXPECT_EQ(grows.size(), 13U);
+    grows.append("third, cut sh");
+  }
+  GrowingFile grows(file, 13);
+  EXPECT_EQ(readFile(file), "first\nsecond\n");
+  grows.append("third\n");
+  EXPECT_EQ(grows.size(), 19U);
+  EXPECT_EQ(readFile(file), "first\nsecond\nthird\n");
+}
+
+TEST(GrowingFile, CannotGoOnInAMissingFile) {
+  const TemporaryFolder folder;
+  expectFileError(errorOf<FileError>([&] { GrowingFile(folder.file("none"), 5); }), folder.file("none"), ENOENT);
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(RemoveTemporaries, KeepsOtherFiles) {
+  const TemporaryFolder folder;
+  const std::string ended = "file.tmp" + std::to_string(INT32_MAX);  // no process has this number
+  const std::string running = "file.tmp" + std::to_string(::getpid());
+  for (const std::string& name : {std::string("file"), ended, running, "other" + ended, ended + "x"}) {
+    folder.write(name, "old");
+  }
+  removeTemporaries(folder.file("file"));
+  Names kept = {"file", running, ended + "x", "other" + ended};
+  std::sort(kept.begin(), kept.end());
+  EXPECT_EQ(folder.names(), kept);
 }
 
 TEST(MakeFolder, CreatesParentFolders) {

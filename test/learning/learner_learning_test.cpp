@@ -33,6 +33,19 @@ TEST(Learning, UpdatesTheValueOfTheLastDecision) {
   EXPECT_EQ(learner.decisions(), 2U);
 }
 
+TEST(Learning, SumsTheRewardsOfAnEpisode) {
+  Learner learner(model(), options(Mode::TRAINING));
+  decide(learner, tick(0, 0, 4.0));
+  EXPECT_EQ(learner.episodeReward(), 0.0);
+  decide(learner, tick(1, 1, 3.0));
+  decide(learner, tick(2, 0, 3.5));
+  EXPECT_EQ(learner.episodeReward(), 0.5);  // 1 - 0.5
+  decide(learner, tick(3, 0, 0.0).arrived());
+  EXPECT_EQ(learner.episodeReward(), 100.5);
+  decide(learner, PerceptionsBuilder(1, 0).agent(0, goalIn(0, 4.0)));
+  EXPECT_EQ(learner.episodeReward(), 0.0);
+}
+
 TEST(Learning, IncludesTheCostOfObstacles) {
   Learner learner(model(), options(Mode::TRAINING));
   decide(learner, tick(0, 0, 4.0));

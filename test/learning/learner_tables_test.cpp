@@ -188,6 +188,20 @@ TEST(TakeTable, MergesASavedStateOfTheSameTableOnce) {
   EXPECT_EQ(learner.takeTable(saved, TakeMethod::MERGE).newcomers.new_visits, 0U);
 }
 
+TEST(Restart, GivesATableToOneAgent) {
+  Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 5));
+  learner.restart(7, tableWith(3.0, 6));
+  EXPECT_EQ(learner.servedAgents(), std::vector<AgentId>{7});
+  EXPECT_EQ(learner.tableOf(7), tableWith(3.0, 6));
+  EXPECT_EQ(learner.tableOf(0), tableWith(2.0, 5));
+  EXPECT_EQ(learner.baseTable(), tableWith(2.0, 5));
+  EXPECT_FALSE(learner.tableOf(7).isNamed());
+  Learner shared(model(), options(Mode::TRAINING), tableWith(2.0, 5));
+  shared.restart(7, tableWith(3.0, 6));
+  EXPECT_EQ(shared.baseTable(), tableWith(3.0, 6));
+  EXPECT_THROW(shared.restart(7, QTable(1, 1)), ShapeError);
+}
+
 TEST(TakeTable, RefusesAnotherShapeAndKeepsAllTables) {
   for (const TableUse tables : {TableUse::SHARED, TableUse::OWN}) {
     Learner learner(model(), options(Mode::TRAINING, tables));

@@ -171,5 +171,21 @@ TEST(QTable, EqualityComparesEveryBit) {
   EXPECT_NE(QTable(4, 1), QTable(2, 2));
 }
 
+TEST(QTable, CountsNewRows) {
+  QTable table(4, 3);
+  table.set(0, 1, 0.0, 5);
+  EXPECT_EQ(table.newRows(), 0U);
+  table.countVisit(0, 0);  // not new: another action has visits
+  EXPECT_EQ(table.newRows(), 0U);
+  table.countVisit(1, 2);
+  table.countVisit(1, 2);
+  table.countVisit(1, 0);
+  EXPECT_EQ(table.newRows(), 1U);
+  QTable copy = table;
+  copy.countVisit(3, 1);
+  EXPECT_EQ(copy.newRows(), 2U);
+  EXPECT_EQ(table.newRows(), 1U);
+}
+
 }  // namespace
 }  // namespace crowd

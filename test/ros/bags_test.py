@@ -1,15 +1,13 @@
 #!/usr/bin/python3
 """An episode in a rosbag."""
-import xmlrpc.client
-
 import rosbag
-import rosgraph
 import support
 from broadcasting import TOPICS, BroadcastTestCase
+from recording import RecordingTestCase
 from roslib.packages import find_node
 
 
-class BagTest(BroadcastTestCase):
+class BagTest(BroadcastTestCase, RecordingTestCase):
     """An episode in a rosbag."""
 
     def record(self):
@@ -22,16 +20,6 @@ class BagTest(BroadcastTestCase):
             ('crowd_controller', 'episode_results'), ('learner', 'actions'), ('learner', 'learner_status'))}
         support.wait_for(lambda: all(self.is_heard(*pair) for pair in wanted), 'rosbag to listen to all topics')
         return recorder
-
-    def node(self, name):
-        """Returns the XML-RPC interface of a node."""
-        return xmlrpc.client.ServerProxy(rosgraph.Master('/social_crowd_test').lookupNode(f'{self.namespace}/{name}'))
-
-    def is_heard(self, node, topic):
-        """Returns whether the recorder is connected to a node's topic."""
-        connections = self.node(node).getBusInfo('/social_crowd_test')[2]
-        return any('recorder' in str(connection[1]) and connection[2] == 'o' and connection[4] == topic
-                   for connection in connections)
 
     def received(self):
         """Returns the number of messages by topic that the recorder has received."""

@@ -101,6 +101,24 @@ class CrowdEditorTest(ControllerTestCase):
         self.assertEqual(self.pose_of('agent_0'), (0.0, 0.0))
         self.assertEqual(self.walk().agents[0].pose.y, 0.0)
 
+    def test_what_is_done_with_a_handle_of_a_removed_obstacle_affects_no_other_one(self):
+        """Numbers of obstacles change when one is removed, so handles change their names."""
+        self.start_editor()
+        for x in (5.0, 8.0):
+            self.do('spawn_obstacle', position=Point(x, 30.0, 0.0), radius=0.4)
+        self.walk()
+        self.wait_names(*self.ALL, 'obstacle_1', 'obstacle_2')
+        self.send('obstacle_1', InteractiveMarkerFeedback.POSE_UPDATE, 5.0, 29.0)  # it is held
+        self.do('remove_obstacle', obstacle=0)
+        self.walk()
+        self.send('obstacle_1', InteractiveMarkerFeedback.MOUSE_UP, 5.0, 20.0)
+        self.send('obstacle_0', InteractiveMarkerFeedback.MENU_SELECT, entry=1)
+        names = 'obstacle_0_after_1', 'obstacle_1_after_1'
+        self.wait_names(*self.ALL[:4], *names)
+        self.drag(names[1], 8.0, 20.0)  # feedback is taken in its order
+        state = self.wait_state(lambda state: state.obstacles[-1].position.y == 20.0, 'the drop of the new handle')
+        self.assertEqual([(o.position.x, o.position.y) for o in state.obstacles], [(5.0, 30.0), (8.0, 20.0)])
+
     def test_menu_removes_and_chooses(self):
         self.start_editor()
         self.wait_names(*self.ALL)

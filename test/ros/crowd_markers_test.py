@@ -385,12 +385,12 @@ class CrowdMarkersTest(unittest.TestCase):
     def test_error_names_all_invalid_parameters(self):
         command = roslib.packages.find_node(PACKAGE, NODE)[0]
         arguments = ['__name:=bad_markers', '_rate:=-1', '_radii:=some', '_agent:=0.5', '_figures:=ghosts',
-                     '_colour:=red']
+                     '_values:=often', '_colour:=red']
         run = subprocess.run([command] + arguments, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              timeout=PATIENCE, check=False)
         output = run.stdout.decode()
         self.assertEqual(run.returncode, 1, output)
-        for name in ('~rate', '~radii', '~agent', '~figures', '~colour'):
+        for name in ('~rate', '~radii', '~agent', '~figures', '~values', '~colour'):
             self.assertIn(f'{name}: ', output)
 
 

@@ -5,7 +5,8 @@ import csv
 import rospy
 import support
 from robot_launching import RobotLaunchTestCase
-from social_crowd.msg import EpisodeResult
+from social_crowd.msg import EpisodeResult, RobotState, RobotStates
+from social_crowd.srv import Reset, ResetResponse
 
 EPISODES = 2
 
@@ -48,6 +49,19 @@ class RecordRobotsTest(RobotLaunchTestCase):
         results.publish(EpisodeResult())  # an episode without robots
         self.assertEqual(recorder.wait(), 0)
         self.assertEqual(len(self.rows('robots.csv')[1]), 0)
+
+    def test_a_controller_that_refuses_the_restart(self):
+        """The message is that of the controller."""
+        service = rospy.Service(f'{self.namespace}/crowd_controller/reset', Reset,
+                                lambda request: ResetResponse(False, 'not now'))
+        self.addCleanup(service.shutdown)
+        states = rospy.Publisher(f'{self.namespace}/robots', RobotStates, queue_size=10, latch=True)
+        self.addCleanup(states.unregister)
+        states.publish(RobotStates(robots=[RobotState(name='tug', commands_taken=1)]))
+        recorder = self.start_node('record_robots', 'record_robots', {'file': self.path('a.csv'), 'restart': True})
+        self.assertEqual(recorder.wait(), 1)
+        self.assert_says(recorder.output(), 'crowd_controller/reset: not now')
+        self.assertNotIn('~file', recorder.output())
 
     def test_a_file_that_cannot_be_written(self):
         recorder = self.start_node('record_robots', 'record_robots', {'file': '/nowhere/robots.csv'})

@@ -31,7 +31,9 @@ class RobotControllerTest(RobotLaunchTestCase):
         # Each tick waits for its command, however fast the crowd walks.
         robot = self.robots()[0]
         self.assertEqual((robot.commands_missed, robot.command_timeouts), (0, 0))
-        self.assertLessEqual(robot.commands_repeated, 1)  # when the controller starts
+        # Ticks do not wait before the first command. The scans on their way then (one on the wire, one in the queue, one
+        # in work) are answered, too.
+        self.assertLessEqual(robot.commands_repeated, 3)
         self.assertGreater(robot.commands_taken, 100)
 
     def test_goes_where_2d_nav_goal_sends_it(self):

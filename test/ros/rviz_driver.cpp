@@ -1,7 +1,13 @@
 // RViz as a test sees it: the program `rviz`, and answers about its widgets on the standard input and output, so that
-// the test can click where a widget is. A request is a line "place NAME", "text NAME" or "enabled NAME"; the answer is
-// a line.
+// the test can click where a widget is. A request is a line "place NAME", "size NAME", "text NAME" or "enabled NAME",
+// or "view PROPERTY" of the present view, whose answer is its value, or "frames", the number
+// of frames drawn so far; the answer is a line.
 
+#include <rviz/properties/property.h>
+#include <rviz/view_controller.h>
+#include <rviz/view_manager.h>
+#include <rviz/visualization_frame.h>
+#include <rviz/visualization_manager.h>
 #include <rviz/visualizer_app.h>
 
 #include <QAbstractButton>
@@ -49,13 +55,30 @@ void scrollTo(QWidget* widget) {
   }
 }
 
+rviz::VisualizationManager* manager() {
+  for (QWidget* const widget : QApplication::topLevelWidgets()) {
+    auto* const frame = qobject_cast<rviz::VisualizationFrame*>(widget);
+    if (frame != nullptr) return frame->getManager();
+  }
+  return nullptr;
+}
+
+/// The value of a property of the present view.
+std::string ofView(const std::string& property) {
+  rviz::ViewController* const view = manager()->getViewManager()->getCurrent();
+  return view->subProp(QString::fromStdString(property))->getValue().toString().toStdString();
+}
+
 /// The answer to a request. @param name of the widget, see isCalled(); with "#N" behind it the N-th widget of that name
 std::string answer(const std::string& verb, const std::string& name) {
+  if (verb == "view") return ofView(name);
+  if (verb == "frames") return std::to_string(manager()->getFrameCount());
   const QStringList parts = QString::fromStdString(name).split('#');
   QWidget* const widget = findWidget(parts[0], parts.size() > 1 ? parts[1].toInt() : 0);
   if (widget == nullptr) return "no such widget";
   if (verb == "enabled") return widget->isEnabled() ? "yes" : "no";
   if (verb == "text") return textOf(widget).replace('\n', ' ').toStdString();
+  if (verb == "size") return std::to_string(widget->width()) + " " + std::to_string(widget->height());
   scrollTo(widget);
   const QPoint middle = widget->mapToGlobal(widget->rect().center());
   return std::to_string(middle.x()) + " " + std::to_string(middle.y());

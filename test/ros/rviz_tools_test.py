@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """The tools in a real RViz on a separate screen: dragging on the floor with the mouse."""
+import os
+import signal
 import time
 
 import support
@@ -27,17 +29,24 @@ CLOSE = 0.05  # [m]; three pixels
 class ToolsTestCase(ControllerTestCase):
     """RViz with a paused crowd in the middle of its view."""
 
+    scene = SCENE
+
     def setUp(self):
         super().setUp()
         self.screen = Screen()
         self.addCleanup(self.screen.close)
         self.walls = self.listen('walls', Walls)
-        self.start_all(SCENE)
+        self.start_all(self.scene)
         self.start_node('crowd_markers', 'crowd_markers', {})
         self.start_node('crowd_editor', 'crowd_editor', {})
-        self.rviz = DrivenRviz(self.screen, self.namespace, log=self.path('rviz.log'))
-        self.addCleanup(self.rviz.clean_up)
-        self.rviz.wait_enabled('step')
+        self.rviz = self.open_rviz()
+
+    def open_rviz(self, name='rviz'):
+        """Opens RViz, and waits until it has found the controller."""
+        rviz = DrivenRviz(self.screen, self.namespace, name, log=self.path(f'{name}.log'))
+        self.addCleanup(rviz.clean_up)
+        rviz.wait_enabled('step')
+        return rviz
 
     def pixel(self, x, y):
         """Returns where a point of the floor [m] is on the screen."""
@@ -94,6 +103,21 @@ class DrawingTest(ToolsTestCase):
         self.assert_close(walls.walls[0].from_, (-1, 1))
         self.assert_close(walls.walls[0].to, (1, 2))
 
+    def test_source_is_added(self):
+        self.rviz.click('Add source')
+        self.drag((-2, 2), (2, 2))
+        state = self.state_after(lambda state: len(state.agents) > 2, 'an agent of the source')
+        self.assert_close(state.agents[2].goal, (2, 2))
+        self.assertAlmostEqual(state.agents[2].pose.y, 2, delta=CLOSE)
+
+    def test_gate_is_added(self):
+        self.rviz.click('Add gate')
+        self.drag((-1, 1), (1, 2))
+        walls = self.walls.wait(lambda message: len(message.walls) == 1, 'with a closed gate')
+        self.assert_close(walls.walls[0].from_, (-1, 1))
+        self.do('set_gate', gate='gate_0', open=True)
+        self.walls.wait(lambda message: not message.walls, 'without it')
+
     def test_right_button_abandons(self):
         self.rviz.click('Draw wall')
         self.screen.use('mousemove', *self.pixel(-1, 1), 'mousedown', 1, 'mousemove', *self.pixel(1, 1))
@@ -109,6 +133,73 @@ class DrawingTest(ToolsTestCase):
         self.drag((-2, 2), (2, 2))
         state = self.state_after(lambda state: len(state.agents) > 2, 'a third agent')
         self.assert_close(state.agents[2].goal, (2, 2))
+
+
+class TroubleTest(ToolsTestCase):
+    """Nodes that go away or hang, two RViz."""
+
+    def draw_wall(self, y):
+        """Draws a wall from (-1, y) to (1, y) [m]."""
+        self.rviz.click('Draw wall')
+        self.drag((-1, y), (1, y))
+
+    def warnings(self):
+        """Returns what RViz has printed."""
+        return support.read_text(self.path('rviz.log')) if os.path.exists(self.path('rviz.log')) else ''
+
+    def test_controller_goes_away_and_comes_back(self):
+        self.controller.kill()
+        self.rviz.wait_enabled('step', False)
+        self.draw_wall(1)
+        support.wait_for(lambda: 'crowd_controller/add_wall' in self.warnings(), 'a warning about the wall')
+        self.controller = self.start_controller(self.file, paused=True)
+        self.rviz.wait_enabled('step')
+        self.draw_wall(2)
+        walls = self.walls.wait(lambda message: message.walls, 'with a wall')
+        self.assertEqual(len(walls.walls), 1)
+        self.assert_close(walls.walls[0].from_, (-1, 2))
+
+    def test_rviz_is_closed_while_the_controller_hangs(self):
+        self.addCleanup(self.controller.signal, signal.SIGCONT)
+        self.controller.signal(signal.SIGSTOP)
+        self.draw_wall(1)
+        self.assertEqual(self.rviz.close(), 0)
+
+    def test_rviz_goes_on_while_the_controller_hangs(self):
+        self.addCleanup(self.controller.signal, signal.SIGCONT)
+        self.controller.signal(signal.SIGSTOP)
+        self.draw_wall(1)
+        self.assertTrue(self.rviz.is_enabled('learner'))  # RViz answers
+        self.controller.signal(signal.SIGCONT)
+        self.walls.wait(lambda message: len(message.walls) == 1, 'with a wall')
+
+    def test_two_rviz(self):
+        first, self.rviz = self.rviz, self.open_rviz('second')  # above the first one
+        self.draw_wall(1)
+        self.walls.wait(lambda message: len(message.walls) == 1, 'with a wall')
+        self.assertEqual(self.rviz.close(), 0)
+        self.rviz = first
+        self.draw_wall(2)
+        self.walls.wait(lambda message: len(message.walls) == 2, 'with two walls')
+
+
+class CrowdTest(ToolsTestCase):
+    """A thousand agents."""
+
+    scene = support.read_text(support.in_package('config', 'scenarios', 'crowd_random_1000.yaml'))
+
+    def test_wall_is_drawn_in_a_thousand_agents(self):
+        self.assertEqual(len(self.walk().agents), 1000)
+        # Where the wall may be depends on the agents: the floor is full of them.
+        self.do('set_real_time_factor', factor=0)
+        self.do('pause', data=False)
+        self.rviz.click('Draw wall')
+
+        def draw_and_look():
+            self.drag((-0.2, 0), (0.2, 0))
+            return any(message.walls for message in self.walls.messages)
+        support.wait_for(draw_and_look, 'a wall')
+        self.assertTrue(self.controller.is_running())
 
 
 class MovingTest(ToolsTestCase):

@@ -111,14 +111,70 @@ class SaveScenarioTest(ControllerTestCase):
         self.assertFalse(os.path.exists('/none'))
 
 
+class AddedPopulationTest(ControllerTestCase):
+    """Services ~add_source and ~add_gate."""
+
+    SOURCE = {'position': Point(0, 15, 0), 'goal': Point(9, 15, 0), 'rate': 5.0, 'max_speed': 1.2, 'radius': 0.2}
+    GATE = {'begin': Point(30, 0, 0), 'end': Point(30, 4, 0)}
+
+    def test_source_makes_agents_that_walk_to_the_goal(self):
+        self.start_all(FULL)
+        self.walk(3)
+        self.assertEqual(self.do('add_source', count=2, **self.SOURCE).source, 0)
+        state = support.wait_for(lambda: (lambda now: len(now.agents) == 5 and now)(self.walk()), 'two more agents')
+        self.assertEqual([(a.goal.x, a.goal.y, a.max_speed, a.radius) for a in state.agents[3:]],
+                         [(9, 15, 1.2, 0.2)] * 2)
+
+    def test_gate_is_opened_by_its_name(self):
+        self.start_all(FULL)
+        self.assertEqual(self.do('add_gate', **self.GATE).gate, 'gate_0')
+        self.assertEqual(self.do('add_gate', open_from=[0, 5], open_until=[1, 6], **self.GATE).gate, 'gate_1')
+        self.assertEqual(self.do('add_gate', gate='mine', open=True, **self.GATE).gate, 'mine')
+        self.walk()
+        self.do('set_gate', gate='gate_0', open=True)
+        self.do('set_gate', gate='mine', open=False)
+
+    def test_both_are_saved_and_read_back(self):
+        self.start_all(FULL)
+        self.do('add_source', **self.SOURCE)
+        self.do('add_gate', gate="it's", open_from=[0, 0.5], open_until=[0.25, 0.75], **self.GATE)
+        files = [self.path('first.yaml'), self.path('second.yaml')]
+        self.do('save_scenario', file=files[0])
+        self.do('load_scenario', scenario=files[0])
+        self.do('save_scenario', file=files[1])
+        first, second = (support.read_text(file).replace('second', 'first') for file in files)
+        self.assertEqual(second, first)
+        for words in ('{area: [0, 15], rate: 5, from: 0, goals: [[9, 15]], speed: 1.2, radius: 0.2}',
+                      'wall: [[30, 0], [30, 4]], open: [[0, 0.25], [0.5, 0.75]]'):
+            self.assertIn(words, first)
+
+    def test_what_no_scenario_may_have_is_refused(self):
+        self.start_all(FULL)
+        for words, change in ((['rate', 'above 0', '-1'], {'rate': -1.0}), (['radius', 'above 0'], {'radius': 0.0}),
+                              (['speed'], {'max_speed': float('nan')}),
+                              (['area', 'fits'], {'position': Point(-3, 0, 0)}),
+                              (["there is no route 'tour'"], {'route': 'tour'})):
+            self.refuse('add_source', *words, **dict(self.SOURCE, **change))
+        for words, change in ((['wall'], {'end': Point(30, 0, 0)}), (['open'], {'open_from': [3], 'open_until': [2]}),
+                              (['open_until'], {'open_from': [3]})):
+            self.refuse('add_gate', *words, **dict(self.GATE, **change))
+        self.do('add_gate', gate='door', **self.GATE)
+        self.refuse('add_gate', "there is a gate 'door' already", gate='door', **self.GATE)
+        self.do('save_scenario', file=self.path('floor.yaml'))
+        self.assertNotIn('sources', support.read_text(self.path('floor.yaml')))
+
+
 class MoveObstacleTest(ControllerTestCase):
     """Service ~move_obstacle."""
 
     def test_obstacle_is_moved_and_keeps_its_velocity(self):
         self.start_all(FULL)
-        response = self.do('move_obstacle', obstacle=1, position=Point(40, 50, 0))
-        self.assertEqual(response.obstacle, 3)
-        moved = self.walk().obstacles[3]
+        before = self.walk()
+        self.do('move_obstacle', obstacle=1, position=Point(40, 50, 0))
+        after = self.walk()
+        moved = after.obstacles[1]
+        self.assertEqual([o.radius for o in after.obstacles], [o.radius for o in before.obstacles])
+        self.assertEqual(after.obstacles[0].position, before.obstacles[0].position)
         self.assertAlmostEqual(moved.position.x, 40.03)
         self.assertAlmostEqual(moved.position.y, 50.01)
         self.assertEqual(moved.radius, 0.4)

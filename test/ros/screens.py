@@ -1,43 +1,13 @@
-"""A separate screen (Xvfb), and RViz on it, which tests use as a person would: with mouse and keyboard."""
+"""RViz on a separate screen, which tests use as a person would: with mouse and keyboard."""
 import os
-import signal
+import queue
 import subprocess
 import threading
 import time
 
-from matplotlib.image import imread
 from roslib.packages import find_node
-from support import in_package, wait_for
-
-SIZE = '1280x900x24'
-
-
-class Screen:
-    """A screen on which programs draw in software."""
-
-    def __init__(self, size=SIZE):
-        read, write = os.pipe()
-        self.process = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', size],
-                                        pass_fds=[write], stderr=subprocess.DEVNULL)
-        os.close(write)
-        with os.fdopen(read) as displays:
-            number = displays.readline().strip()
-        self.variables = {'DISPLAY': ':' + number, 'LIBGL_ALWAYS_SOFTWARE': '1'}
-        self.environment = dict(os.environ, **self.variables)
-
-    def picture(self, file):
-        """Writes a PNG file of the screen. Returns its pixels [rows, columns, rgb], or None if there are none yet."""
-        command = ['import', '-window', 'root', 'png24:' + file]  # in colour, also while the screen is still grey
-        taken = subprocess.run(command, env=self.environment, stderr=subprocess.DEVNULL, check=False)
-        return imread(file) if taken.returncode == 0 else None
-
-    def use(self, *words):
-        """Moves the mouse, clicks and types, as xdotool does."""
-        subprocess.run(['xdotool', *map(str, words)], env=self.environment, check=True, stdout=subprocess.DEVNULL)
-
-    def close(self):
-        """Ends the screen."""
-        end(self.process)
+from support import PATIENCE, in_package, wait_for
+from screen import Screen, end  # noqa: F401
 
 
 class DrivenRviz:
@@ -51,17 +21,28 @@ class DrivenRviz:
         environment = dict(screen.environment, ROS_NAMESPACE=namespace)
         self.process = subprocess.Popen(command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=self.log)
+        self.answers = queue.Queue()
+        threading.Thread(target=self.listen, daemon=True).start()
+
+    def listen(self):
+        """Keeps the answers, and None when RViz has ended. Runs in a thread, so that ask() does not wait for ever."""
+        for line in self.process.stdout:
+            if line.startswith(b'answer: '):
+                self.answers.put(line.decode()[len('answer: '):].rstrip('\n'))
+        self.answers.put(None)
 
     def ask(self, verb, widget):
         """Asks for the place, text or state of a widget. Returns the answer, None if there is no such widget."""
         with self.lock:
             self.process.stdin.write(f'{verb} {widget}\n'.encode())
             self.process.stdin.flush()
-            for line in self.process.stdout:
-                if line.startswith(b'answer: '):
-                    answer = line.decode()[len('answer: '):].rstrip('\n')
-                    return None if answer == 'no such widget' else answer
-        raise AssertionError('RViz has ended')
+            try:
+                answer = self.answers.get(timeout=PATIENCE)
+            except queue.Empty as error:
+                raise AssertionError(f'RViz does not answer {verb} {widget}') from error
+        if answer is None:
+            raise AssertionError('RViz has ended')
+        return None if answer == 'no such widget' else answer
 
     def text(self, widget):
         """Returns the text that a widget shows."""
@@ -129,12 +110,3 @@ class DrivenRviz:
     def clean_up(self):
         """Ends it, if it is still running."""
         end(self.process)
-
-
-def end(process):
-    """Ends a program."""
-    process.send_signal(signal.SIGTERM)
-    try:
-        process.wait(10.0)
-    except subprocess.TimeoutExpired:
-        process.kill()

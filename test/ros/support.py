@@ -35,6 +35,8 @@ SERVICES = {
     'teleport': srv.Teleport,
     'set_route': srv.SetRoute,
     'set_gate': srv.SetGate,
+    'add_gate': srv.AddGate,
+    'add_source': srv.AddSource,
     'add_wall': srv.AddWall,
     'remove_wall': srv.RemoveWall,
     'spawn_obstacle': srv.SpawnObstacle,

@@ -3,62 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
+
+#include "support/panels.h"
 
 namespace crowd {
 namespace {
 
+using namespace panels;  // NOLINT(google-build-using-namespace): all of it is for these tests
 using Kind = PanelRequest::Kind;
-
-constexpr const char* CONTROLLER = "/crowd_controller";
-constexpr const char* MARKERS = "/crowd_markers";
-
-ControllerInfo walking() {
-  ControllerInfo info;
-  info.node = CONTROLLER;
-  info.scenario = "circle6";
-  info.agents = 6;
-  return info;
-}
-
-ControllerInfo paused() {
-  ControllerInfo info = walking();
-  info.paused = true;
-  return info;
-}
-
-LearnerInfo learner(const std::string& node, std::vector<std::uint32_t> agents, bool own = false) {
-  LearnerInfo info;
-  info.node = node;
-  info.mode = "demo";
-  info.agents = std::move(agents);
-  info.has_own_tables = own;
-  info.epsilon = 0.1;
-  return info;
-}
-
-/// A panel whose controller and markers are there; its list of scenarios has been asked for.
-PanelModel present() {
-  PanelModel model(CONTROLLER, MARKERS);
-  model.noteReachable(CONTROLLER, true);
-  model.noteReachable(MARKERS, true);
-  for (const PanelRequest& request : model.takeRequests()) model.noteDone(request, true, "");
-  return model;
-}
-
-void addLearner(PanelModel& model, const LearnerInfo& info) {
-  model.take(info);
-  model.noteReachable(info.node, true);
-}
-
-std::vector<std::string> nodesOf(const std::vector<PanelRequest>& requests) {
-  std::vector<std::string> nodes;
-  for (const PanelRequest& request : requests) nodes.push_back(request.node);
-  return nodes;
-}
 
 TEST(PanelModel, enablesNothingBeforeNodesAreThere) {
   PanelModel model(CONTROLLER, MARKERS);
-  const PanelView view = model.view();
+  const PanelView view = model.view(NOW);
   EXPECT_FALSE(view.has_controller || view.can_play || view.can_pause || view.can_step || view.has_learner ||
                view.can_share || view.has_markers);
   EXPECT_EQ(view.state, "/crowd_controller is away");
@@ -74,19 +32,19 @@ TEST(PanelModel, asksForScenariosWhenTheControllerComes) {
   const std::vector<PanelRequest> requests = model.takeRequests();
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_EQ(requests[0].kind, Kind::LIST_SCENARIOS);
-  EXPECT_EQ(model.view().state, "waiting for /crowd_controller");
-  EXPECT_FALSE(model.view().has_controller);
+  EXPECT_EQ(model.view(NOW).state, "waiting for /crowd_controller");
+  EXPECT_FALSE(model.view(NOW).has_controller);
 }
 
 TEST(PanelModel, offersPauseWhileWalkingAndPlayAndStepWhilePaused) {
   PanelModel model = present();
   model.take(walking(), 0.0);
-  PanelView view = model.view();
+  PanelView view = model.view(NOW);
   EXPECT_TRUE(view.has_controller && view.can_pause);
   EXPECT_FALSE(view.can_play || view.can_step);
   EXPECT_EQ(view.state, "walking");
   model.take(paused(), 0.1);
-  view = model.view();
+  view = model.view(NOW);
   EXPECT_TRUE(view.can_play && view.can_step);
   EXPECT_FALSE(view.can_pause);
   EXPECT_EQ(view.state, "paused");
@@ -96,12 +54,12 @@ TEST(PanelModel, greysOutWhileTheControllerIsAwayAndComesBackWithIt) {
   PanelModel model = present();
   model.take(paused(), 0.0);
   model.noteReachable(CONTROLLER, false);
-  EXPECT_FALSE(model.view().has_controller);
-  EXPECT_TRUE(model.view().has_markers);
+  EXPECT_FALSE(model.view(NOW).has_controller);
+  EXPECT_TRUE(model.view(NOW).has_markers);
   model.noteReachable(CONTROLLER, true);
-  EXPECT_FALSE(model.view().has_controller) << "the old status is not that of the new node";
+  EXPECT_FALSE(model.view(NOW).has_controller) << "the old status is not that of the new node";
   model.take(walking(), 1.0);
-  EXPECT_TRUE(model.view().can_pause);
+  EXPECT_TRUE(model.view(NOW).can_pause);
 }
 
 TEST(PanelModel, dropsWaitingRequestsOfANodeThatGoesAway) {
@@ -113,8 +71,8 @@ TEST(PanelModel, dropsWaitingRequestsOfANodeThatGoesAway) {
   model.noteReachable(CONTROLLER, false);
   model.noteDone({Kind::PAUSE, CONTROLLER}, false, "gone");
   EXPECT_TRUE(model.takeRequests().empty());
-  EXPECT_EQ(model.view().message, "gone");
-  EXPECT_TRUE(model.view().is_error);
+  EXPECT_EQ(model.view(NOW).message, "gone");
+  EXPECT_TRUE(model.view(NOW).is_error);
 }
 
 TEST(PanelModel, callsANodeForOneRequestAtATimeAndTheNewestOfAKindWins) {
@@ -127,13 +85,13 @@ TEST(PanelModel, callsANodeForOneRequestAtATimeAndTheNewestOfAKindWins) {
   model.setSpeed(4.0);
   model.pause();
   EXPECT_TRUE(model.takeRequests().empty());
-  EXPECT_DOUBLE_EQ(model.view().speed, 4.0) << "what the user wants, until it is answered";
+  EXPECT_DOUBLE_EQ(model.view(NOW).speed, 4.0) << "what the user wants, until it is answered";
   model.noteDone(first[0], true, "done");
   const std::vector<PanelRequest> second = model.takeRequests();
   ASSERT_EQ(second.size(), 1U);
   EXPECT_DOUBLE_EQ(second[0].number, 4.0);
   model.noteDone(second[0], false, "refused");
-  EXPECT_DOUBLE_EQ(model.view().speed, 1.0) << "the present value after a refusal";
+  EXPECT_DOUBLE_EQ(model.view(NOW).speed, 1.0) << "the present value after a refusal";
   const std::vector<PanelRequest> third = model.takeRequests();
   ASSERT_EQ(third.size(), 1U);
   EXPECT_EQ(third[0].kind, Kind::PAUSE);
@@ -151,7 +109,7 @@ TEST(PanelModel, savesAllFilesThatWereAskedForWhileACallIsInProgress) {
     const std::vector<PanelRequest> requests = model.takeRequests();
     if (requests.empty()) break;
     running = requests.at(0);
-    saved.push_back(running.text);
+    if (running.kind == Kind::SAVE_SCENARIO) saved.push_back(running.text);
   }
   EXPECT_EQ(saved, (std::vector<std::string>{"a.yaml", "b.yaml"}));
 }
@@ -162,8 +120,8 @@ TEST(PanelModel, saysThatAWaitingSaveIsNotDoneWhenItsNodeGoesAway) {
   ASSERT_EQ(model.takeRequests().size(), 1U);
   model.saveScenario("a.yaml");
   model.noteReachable(CONTROLLER, false);
-  EXPECT_EQ(model.view().message, "a.yaml is not saved: /crowd_controller is away");
-  EXPECT_TRUE(model.view().is_error);
+  EXPECT_EQ(model.view(NOW).message, "a.yaml is not saved: /crowd_controller is away");
+  EXPECT_TRUE(model.view(NOW).is_error);
 }
 
 TEST(PanelModel, pausesWhileStepsAreInProgress) {
@@ -173,18 +131,18 @@ TEST(PanelModel, pausesWhileStepsAreInProgress) {
   const std::vector<PanelRequest> steps = model.takeRequests();
   ASSERT_EQ(steps.size(), 1U);
   EXPECT_DOUBLE_EQ(steps[0].number, 1000.0);
-  EXPECT_FALSE(model.view().can_step);
-  EXPECT_EQ(model.view().state, "stepping");
+  EXPECT_FALSE(model.view(NOW).can_step);
+  EXPECT_EQ(model.view(NOW).state, "stepping");
   model.play();
   EXPECT_EQ(model.takeRequests().size(), 1U);
   model.noteDone(steps[0], true, "now at episode 0, tick 1000");
-  EXPECT_TRUE(model.view().can_step);
-  EXPECT_EQ(model.view().message, "now at episode 0, tick 1000");
+  EXPECT_TRUE(model.view(NOW).can_step);
+  EXPECT_EQ(model.view(NOW).message, "now at episode 0, tick 1000");
 }
 
 TEST(PanelModel, showsCountsAndRates) {
   PanelModel model = present();
-  ControllerInfo info = walking();
+  ControllerStatus info = walking();
   info.episode = 12;
   info.tick = 1234;
   info.time = 123.4;
@@ -196,7 +154,7 @@ TEST(PanelModel, showsCountsAndRates) {
   info.unanswered = {2, 5};
   info.missed_answers = 7;
   model.take(info, 10.5);
-  const PanelView view = model.view();
+  const PanelView view = model.view(10.5);
   EXPECT_EQ(view.episode, "12");
   EXPECT_EQ(view.tick, "1 234 (123.4 s)");
   EXPECT_EQ(view.success, "4 of 6 (67 %)");
@@ -208,164 +166,69 @@ TEST(PanelModel, showsCountsAndRates) {
 
 TEST(PanelModel, countsNoDecisionsWhilePaused) {
   PanelModel model = present();
-  ControllerInfo info = paused();
+  ControllerStatus info = paused();
   model.take(info, 0.0);
   info.decisions = 100;
   model.take(info, 1.0);
-  EXPECT_EQ(model.view().decisions, "0");
+  EXPECT_EQ(model.view(1.0).decisions, "0");
   model.step(5);
-  EXPECT_EQ(model.view().decisions, "100");
+  EXPECT_EQ(model.view(1.0).decisions, "100");
 }
 
 TEST(PanelModel, countsDecisionsOfTheLastSecondsOnly) {
   PanelModel model = present();
-  ControllerInfo info = walking();
+  ControllerStatus info = walking();
   for (const auto& [now, decisions] :
        std::vector<std::pair<double, std::uint64_t>>{{0, 0}, {1, 1000}, {2, 1000}, {3, 1000}}) {
     info.decisions = decisions;
     model.take(info, now);
   }
-  EXPECT_EQ(model.view().decisions, "0");
+  EXPECT_EQ(model.view(3.0).decisions, "0");
   info.decisions = 3;  // the controller was restarted
   model.take(info, 3.1);
-  EXPECT_EQ(model.view().decisions, "0");
+  EXPECT_EQ(model.view(3.2).decisions, "0");
+}
+
+TEST(PanelModel, countsNoDecisionsWhenTheStatusStopsChanging) {
+  PanelModel model = present();
+  ControllerStatus info = walking();
+  model.take(info, 0.0);
+  info.decisions = 100;
+  model.take(info, 1.0);
+  EXPECT_EQ(model.view(1.0).decisions, "100");
+  EXPECT_EQ(model.view(2.0).decisions, "50");
+  EXPECT_EQ(model.view(3.1).decisions, "0");
 }
 
 TEST(PanelModel, shortensLongListsOfAgents) {
   PanelModel model = present();
-  ControllerInfo info = walking();
+  ControllerStatus info = walking();
   for (std::uint32_t agent = 0; agent < 1000; ++agent) info.unanswered.push_back(agent);
   model.take(info, 0.0);
-  EXPECT_EQ(model.view().missing, "0, 1, 2, 3, 4 and 995 more");
+  EXPECT_EQ(model.view(NOW).missing, "0, 1, 2, 3, 4 and 995 more");
 }
 
-TEST(PanelModel, changesTheOnlyLearner) {
+TEST(PanelModel, asksForScenariosAgainWhenAFileIsSavedAndAfterARestart) {
   PanelModel model = present();
-  addLearner(model, learner("/learner", {0, 1}));
-  EXPECT_EQ(model.view().learners, std::vector<std::string>{"/learner"});
-  EXPECT_TRUE(model.view().has_learner);
-  EXPECT_FALSE(model.view().can_share) << "there is one table";
-  model.setParameter("epsilon", 0.25);
-  const std::vector<PanelRequest> requests = model.takeRequests();
-  ASSERT_EQ(requests.size(), 1U);
-  EXPECT_EQ(requests[0].text, "epsilon");
-  EXPECT_DOUBLE_EQ(requests[0].number, 0.25);
-  EXPECT_DOUBLE_EQ(model.view().epsilon, 0.25);
-  EXPECT_DOUBLE_EQ(model.view().alpha, 0.0);
-}
-
-TEST(PanelModel, changesOfDifferentParametersAreAllMade) {
-  PanelModel model = present();
-  addLearner(model, learner("/learner", {0}));
-  model.setMode("training");
-  ASSERT_EQ(model.takeRequests().size(), 1U);
-  model.setParameter("alpha", 0.1);
-  model.setParameter("gamma", 0.8);
-  model.setParameter("alpha", 0.2);
-  EXPECT_EQ(model.view().mode, "training");
-  EXPECT_DOUBLE_EQ(model.view().alpha, 0.2);
-  EXPECT_DOUBLE_EQ(model.view().gamma, 0.8);
-  model.noteDone({Kind::SET_MODE, "/learner", "training"}, true, "");
-  std::vector<PanelRequest> made = model.takeRequests();
-  ASSERT_EQ(made.size(), 1U);
-  EXPECT_EQ(made[0].text, "gamma");
-  model.noteDone(made[0], true, "");
-  made = model.takeRequests();
-  ASSERT_EQ(made.size(), 1U);
-  EXPECT_DOUBLE_EQ(made[0].number, 0.2);
-}
-
-TEST(PanelModel, changesAllLearnersAndTheTableOfTheShownAgent) {
-  PanelModel model = present();
-  for (const std::uint32_t agent : {0U, 1U, 2U})
-    addLearner(model, learner("/learner_" + std::to_string(agent), {agent}));
-  EXPECT_EQ(model.view().learner, PanelModel::ALL_LEARNERS);
-  EXPECT_TRUE(model.view().can_share);
-  model.takeChosenAgent(1);
-  model.setMode("training");
-  EXPECT_EQ(nodesOf(model.takeRequests()), (std::vector<std::string>{"/learner_0", "/learner_1", "/learner_2"}));
-  PanelModel other = model;
-  other.shareTable("merge");
-  EXPECT_TRUE(other.takeRequests().empty()) << "that learner is busy";
-  model.noteDone({Kind::SET_MODE, "/learner_1", "training"}, true, "");
-  model.shareTable("merge");
-  EXPECT_EQ(nodesOf(model.takeRequests()), std::vector<std::string>{"/learner_1"});
-  model.chooseLearner("/learner_2");
-  model.setMode("demo");
-  model.noteDone({Kind::SET_MODE, "/learner_2", "training"}, true, "");
-  EXPECT_EQ(nodesOf(model.takeRequests()), std::vector<std::string>{"/learner_2"});
-}
-
-TEST(PanelModel, namesTheShownAgentWhenItsTableIsItsOwn) {
-  PanelModel model = present();
-  addLearner(model, learner("/learner", {0, 1, 2}, true));
-  model.takeChosenAgent(2);
-  EXPECT_TRUE(model.view().can_share);
-  model.saveTable("/tmp/table.txt");
+  ControllerStatus status = walking();
+  status.episode = 3;
+  model.take(status, 0.0);
+  model.saveScenario("/tmp/floor.yaml");
+  const std::vector<PanelRequest> saves = model.takeRequests();
+  ASSERT_EQ(saves.size(), 1U);
+  model.noteDone(saves[0], true, "saved");
   std::vector<PanelRequest> requests = model.takeRequests();
   ASSERT_EQ(requests.size(), 1U);
-  EXPECT_DOUBLE_EQ(requests[0].number, 2.0);
-  EXPECT_EQ(requests[0].text, "/tmp/table.txt");
-  model.noteDone(requests[0], true, "saved");
-  model.take(learner("/learner", {0, 1, 2}));  // one table now
-  model.saveTable("/tmp/table.txt");
+  EXPECT_EQ(requests[0].kind, Kind::LIST_SCENARIOS);
+  model.noteDone(requests[0], true, "");
+  EXPECT_EQ(model.view(NOW).message, "saved");
+  model.take(status, 0.1);
+  EXPECT_TRUE(model.takeRequests().empty());
+  status.episode = 0;  // of another node of the same name
+  model.take(status, 0.2);
   requests = model.takeRequests();
   ASSERT_EQ(requests.size(), 1U);
-  EXPECT_DOUBLE_EQ(requests[0].number, 0.0);
-  model.noteDone(requests[0], true, "saved");
-  model.take(learner("/learner", {0, 1, 2}, true));
-  model.takeChosenAgent(7);  // nobody's
-  model.saveTable("/tmp/table.txt");
-  EXPECT_DOUBLE_EQ(model.takeRequests().at(0).number, 0.0);
-}
-
-TEST(PanelModel, greysOutALearnerThatIsAway) {
-  PanelModel model = present();
-  addLearner(model, learner("/learner", {0}));
-  model.noteReachable("/learner", false);
-  EXPECT_FALSE(model.view().has_learner);
-  EXPECT_EQ(model.view().table, "/learner is away");
-  model.setMode("training");
-  EXPECT_TRUE(model.takeRequests().empty());
-  model.noteReachable("/learner", true);
-  EXPECT_TRUE(model.view().has_learner);
-}
-
-TEST(PanelModel, changesManyLearnersAlthoughFewAreWatched) {
-  PanelModel model = present();
-  for (std::uint32_t agent = 0; agent < 50; ++agent) model.take(learner("/learner_" + std::to_string(agent), {agent}));
-  model.setMode("training");
-  EXPECT_EQ(model.takeRequests().size(), 50U);
-}
-
-TEST(PanelModel, leavesOutLearnersThatAreAway) {
-  PanelModel model = present();
-  addLearner(model, learner("/learner", {0, 1}));
-  model.noteReachable("/learner", false);
-  addLearner(model, learner("/learner_1", {1}));
-  model.takeChosenAgent(1);
-  EXPECT_TRUE(model.view().has_learner);
-  model.setMode("training");
-  EXPECT_EQ(nodesOf(model.takeRequests()), std::vector<std::string>{"/learner_1"});
-  model.take(learner("/learner", {0, 1}));  // it is back
-  model.setMode("demo");
-  EXPECT_EQ(nodesOf(model.takeRequests()), std::vector<std::string>{"/learner"}) << "the other one is busy";
-}
-
-TEST(PanelModel, watchesFewOfManyLearners) {
-  PanelModel model = present();
-  for (std::uint32_t agent = 0; agent < 1000; ++agent)
-    model.take(learner("/learner_" + std::to_string(agent), {agent}));
-  model.takeChosenAgent(777);
-  model.chooseLearner("/learner_555");
-  std::vector<std::string> watched = model.watchedNodes();
-  EXPECT_LE(watched.size(), 10U);
-  for (const char* const node : {CONTROLLER, MARKERS, "/learner_555"}) {
-    EXPECT_EQ(std::count(watched.begin(), watched.end(), node), 1) << node;
-  }
-  model.chooseLearner(PanelModel::ALL_LEARNERS);
-  watched = model.watchedNodes();
-  EXPECT_EQ(std::count(watched.begin(), watched.end(), "/learner_777"), 1);
+  EXPECT_EQ(requests[0].kind, Kind::LIST_SCENARIOS);
 }
 
 }  // namespace

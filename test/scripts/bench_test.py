@@ -5,7 +5,7 @@ import pathlib
 import signal
 
 import pytest
-from crowd_bench import document, profile, table
+from crowd_bench import document, profile, rank_scaling, table
 from crowd_bench.catalogue import BENCHMARKS
 from crowd_bench.sweeps import SWEEPS
 from programs import assert_says, in_package, read_bytes, read_text, wait_for
@@ -76,6 +76,20 @@ class BenchTest:
         }
         assert len(running.output().splitlines()) == 5, 'a heading and a line each'
 
+    def test_ranks_are_measured_under_mpirun(self, runner):
+        os.mkdir(runner.path('bin'))
+        os.chmod(runner.write('bin/mpirun', '#!/bin/sh\nexec sh -c "$(cat "$(dirname "$0")/rates")"\n'), 0o755)
+        runner.write('bin/rates', '\n'.join(
+            f'echo \'{{"rate": {rate}, "parts_rate": {parts}, "threads_rate": 1e6}}\''
+            for rate, parts in ((9e5, 1e6), (8e5, 1e6), (7e5, 1e6))))
+        runner.environment['PATH'] = f"{runner.path('bin')}:{os.environ['PATH']}"
+        running = self.bench(runner, 'crowd_step_mpi_2', 'crowd_step_mpi_2_parts')
+        assert running.wait() == 0, running.output()
+        assert self.results(runner) == {
+            name: {'value': 8e5, 'unit': 'agent steps/s', 'yardstick': 1e6, 'ratio': 0.8}
+            for name in ('crowd_step_mpi_2', 'crowd_step_mpi_2_parts')}
+        assert_says(running.output(), 'yes', 'no')
+
     def test_sweeps_fill_documents_with_tables_and_pictures(self, runner):
         os.mkdir(runner.path('images'))
         pictures = runner.write('pictures.md', '![](images/crowd_step_agents.png)\n')
@@ -96,7 +110,7 @@ class BenchTest:
     def test_failures_are_reported(self, runner):
         broken = self.bench(runner, 'train_occupancy', program='#!/bin/sh\necho out of order\nexit 3\n')
         assert broken.wait() == 1
-        assert_says(broken.output(), 'core_benchmarks failed', 'out of order')
+        assert_says(broken.output(), 'train_occupancy: failed: core_benchmarks: out of order\n')
         lacking = self.bench(runner, 'train_anticipation', 'q_table_load')
         assert lacking.wait() == 1
         assert_says(lacking.output(), 'has no benchmark', 'train_anticipation')
@@ -172,3 +186,23 @@ class ProfileTest:
     def test_by_class(self):
         shares = [('crowd::World::look', 40.0), ('sin', 20.0), ('crowd::World::step', 10.0), ('crowd::QTable::at', 9.0)]
         assert profile.by_class(shares) == [('crowd::World', 50.0), (profile.LIBRARIES, 20.0), ('crowd::QTable', 9.0)]
+
+
+class RankScalingTest:
+    """Model of the weak scaling of a crowd on several ranks."""
+
+    def test_copies_beyond_borders(self):
+        # Sides of 447.2 m and 1,264.9 m; one border and two, 9.5 m at 0.5 agents per m².
+        assert rank_scaling.copies(1, 50_000) == 0
+        assert rank_scaling.copies(2, 50_000) == pytest.approx(0.5 * 9.5 * 447.2, rel=1e-3)
+        assert rank_scaling.copies(16, 50_000) == pytest.approx(2 * 0.5 * 9.5 * 1264.9, rel=1e-3)
+
+    def test_fit(self):
+        more = [1e-3 * rank_scaling.copies(ranks, 50_000) for ranks in (2, 4)]  # 1 us per copy
+        model = rank_scaling.Model.of([(1, 40.0), (2, 40.0 + more[0]), (4, 40.0 + more[1])])
+        assert model.per_agent == pytest.approx(40.0 / 50_000)
+        assert model.per_copy == pytest.approx(1e-3)
+        assert model.tick(1, 100_000) == pytest.approx(80.0)
+        # 42 bytes at 1 GB/s are 42 ns more.
+        assert model.tick(4, 50_000) == pytest.approx(40.0 + 1.042 * more[1])
+        assert model.efficiency(4, 50_000) == pytest.approx(40.0 / (40.0 + 1.042 * more[1]))

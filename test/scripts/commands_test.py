@@ -1,7 +1,9 @@
 """Programs and scripts on the command line: rosrun finds them, and error messages are helpful."""
 import os
 import pathlib
+import re
 import shutil
+import signal
 import subprocess
 
 import pytest
@@ -35,12 +37,21 @@ class InterruptionTest:
         os.mkfifo(pipe)
         process = runner.start(name, [in_package('scripts', name), pipe, '--output', runner.path(output)])
         writer = wait_for(lambda: opened(pipe), f'{name} to read')
-        try:
-            assert process.stop() == 130, process.output()
-        finally:
-            os.close(writer)
+        process.signal(signal.SIGINT)
+        os.close(writer)  # ends a read() that began between the signal and Python's look at it
+        assert process.wait() == 130, process.output()
         assert process.output() == f'{name}: interrupted\n'
         assert not os.path.exists(runner.path(output))
+
+    def test_evaluate_says_that_the_results_are_those_of_a_part(self, runner):
+        record = runner.path('record.csv')
+        process = runner.start('evaluate', [find_node('social_crowd', 'evaluate')[0], '--q-table', NEAREST_TABLE,
+                                            '--episodes', '10000000', '--record', record, 'circle6'])
+        wait_for(lambda: os.path.exists(record) and os.path.getsize(record) > 1000, 'the first episodes')
+        assert process.stop() == 130, process.output()
+        said = re.search(r'circle6: interrupted after (\d+) of 10000000 episodes', process.output())
+        shown = re.search(r'^circle6 +(\d+) ', process.output(), re.MULTILINE)
+        assert 0 < int(said[1]) == int(shown[1]), process.output()
 
 
 def opened(pipe):

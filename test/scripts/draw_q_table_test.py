@@ -202,7 +202,8 @@ class ProgramTest:
         (2, [NEAREST_TABLE, '--row', '-1'], ['--row', 'a whole number from 0']),
         (1, [NEAREST_TABLE, '--row', '137'], ['--row: expected 0 to 136, got 137']),
         (1, ['none.txt', '--output', 'a.png'], ['none.txt: No such file']),
-        (1, [NEAREST_TABLE, '--output', 'a.xyz'], ['xyz', 'png']),
+        (2, [NEAREST_TABLE, '--output', 'a.xyz'], ['xyz', 'png']),
+        (1, [NEAREST_TABLE, '--output', 'none/a.png'], ['none/a.png: cannot be written: there is no folder /']),
     ])
     def test_errors(self, runner, status, arguments, words):
         got, output = draw(runner, *arguments)

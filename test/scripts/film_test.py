@@ -1,38 +1,16 @@
 """scripts/film: films of scenarios and recordings, without a display and without ROS."""
-import math
 import os
-import pathlib
-import re
 import shutil
 import signal
 import subprocess
 
 import numpy
 import PIL.Image
-import PIL.ImageSequence
 import pytest
-from crowd_film.frames import FramePainter
-from crowd_film.pictures import write_gif
-from crowd_film.production import Settings, frame_times
-from crowd_film.stage import DPI, FOOT, Stage
-from crowd_film.video import write_mp4
-from crowd_recordings.shown import read_shown
-from crowd_recordings.tracks import track_of
-from programs import PATIENCE, assert_says, in_package, read_text, tools_folder, wait_for
+from film_files import frames_of, recorded
+from programs import PATIENCE, assert_says, in_package, tools_folder, wait_for
 
 FILM = in_package('scripts', 'film')
-LINE = '''name: line
-duration: 10
-goal_tolerance: 0.3
-agents:
-  - {position: [0, 0], goal: [4, 0], speed: 1, radius: 0.5}
-  - {position: [0, 3], goal: [4, 3], speed: 1, radius: 0.25}
-obstacles:
-  - {position: [2, -2], radius: 0.5, velocity: [0.5, 0]}
-'''
-# Agent 0 walks 4 s to the right at 1 m/s, agent 1 stands until 2 s and leaves.
-WALKS = 'instance,tick,agent,x,y\n' + ''.join(
-    f'0,{tick},0,{tick / 10},0\n' + (f'0,{tick},1,0,3\n' if tick <= 20 else '') for tick in range(41))
 
 
 def film(runner, *arguments, environment=None):
@@ -40,173 +18,6 @@ def film(runner, *arguments, environment=None):
     done = subprocess.run([FILM, *map(str, arguments)], cwd=runner.folder, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, timeout=PATIENCE, check=False, env=environment)
     return done.returncode, done.stdout.decode(errors='replace')
-
-
-def recorded(runner):
-    """Writes the scene and its recording. Returns the arguments for them."""
-    return runner.write('line.yaml', LINE), '--trajectories', runner.write('line.csv', WALKS)
-
-
-def frames_of(file):
-    """Returns the frames of a moving picture as arrays of RGB."""
-    with PIL.Image.open(file) as picture:
-        return [numpy.asarray(frame.convert('RGB')) for frame in PIL.ImageSequence.Iterator(picture)]
-
-
-class TrackTest:
-    """Positions between ticks."""
-
-    def test_between_two_ticks(self):
-        track = track_of([(0, 0, 0), (1, 1, 2), (2, 1, 4)], 0.5)
-        assert track.place_at(0.25) == [0.5, 1.0]
-        assert track.place_at(9) == [1.0, 4.0]
-        assert [track.is_present(time) for time in (-0.1, 0, 1, 1.1)] == [False, True, True, False]
-        assert track.trail(1.0, 0.5, 3).tolist() == [[1, 2], [1, 3], [1, 4]]
-
-    def test_heading_of_the_recent_motion(self):
-        """Right, up, and then it stands: the heading stays up. Before the first step it is that of the first step."""
-        walk = [*((tick, tick, 0) for tick in range(10)), *((tick, 9, tick - 9) for tick in range(10, 20)),
-                *((tick, 9, 10) for tick in range(20, 30))]
-        track = track_of(walk, 0.1)
-        assert [track.heading_at(time) for time in (0, 0.5)] == [0, 0]
-        assert [track.heading_at(time) for time in (1.5, 2.8)] == pytest.approx([math.pi / 2] * 2)
-
-    def test_headings_are_continuous(self):
-        """From 170 to -170 degrees it turns by 20 degrees, not by 340."""
-        steps = [(math.cos(math.radians(angle)), math.sin(math.radians(angle))) for angle in [170] * 10 + [190] * 10]
-        places = numpy.vstack([[0, 0], numpy.cumsum(steps, axis=0)])
-        headings = track_of([(tick, *place) for tick, place in enumerate(places)], 0.1).headings
-        assert numpy.abs(numpy.diff(headings)).max() < math.radians(21)
-
-    def test_an_agent_that_stands(self):
-        assert track_of([(0, 1, 1), (1, 1, 1)], 0.1).headings.tolist() == [0, 0]
-
-
-class FrameTest:
-    """The pixels of a frame."""
-
-    def painter(self, runner):
-        scene, tracks, _ = read_shown(runner.write('line.csv', WALKS), runner.write('line.yaml', LINE))
-        stage = Stage(scene, tracks, 'line', 600)
-        return FramePainter(stage, scene, tracks), stage
-
-    def pixel(self, stage, frame, x, y):
-        """Returns the colour of a point in metres."""
-        axes = stage.picture.axes
-        column = (x - axes.get_xlim()[0]) * stage.scale
-        row = stage.height - FOOT - (y - axes.get_ylim()[0]) * stage.scale
-        return tuple(frame[int(row), int(column)])
-
-    def test_people_and_obstacles_are_where_they_were(self, runner):
-        """After 3 s agent 0 is at (3, 0), with a trail behind it, the obstacle is at (3.5, -2), agent 1 has gone."""
-        painter, stage = self.painter(runner)
-        frame = painter.draw(3.0)
-        assert frame.shape == (stage.height, stage.width, 3)
-        assert stage.width == 600 or stage.height == 600
-        white, blue, grey = (255, 255, 255), (31, 119, 180), (158, 158, 158)
-        assert self.pixel(stage, frame, 2.7, 0.2) == blue
-        assert self.pixel(stage, frame, 3.9, -2) == grey
-        assert self.pixel(stage, frame, 2, -2) == white
-        trail = self.pixel(stage, frame, 2.0, 0)
-        assert trail not in (white, blue)
-        assert self.pixel(stage, frame, 0, 3.1) == white  # only the outline of agent 1, who stood at (0, 3)
-        assert self.pixel(stage, painter.draw(1.0), 0, 3.15) == (214, 39, 40)
-
-    def test_nothing_of_the_last_frame_remains(self, runner):
-        painter, _ = self.painter(runner)
-        first = painter.draw(1.0)
-        painter.draw(4.0)
-        assert (painter.draw(1.0) == first).all()
-
-    def test_a_gif_shows_what_was_drawn(self, runner):
-        """Up to its palette; unchanged pixels are transparent in the file."""
-        painter, _ = self.painter(runner)
-        drawn = [painter.draw(time) for time in (0, 1, 1.5, 1.5, 4)]
-        write_gif(runner.path('film.gif'), iter(drawn), drawn, 100)
-        shown = frames_of(runner.path('film.gif'))
-        assert len(shown) == len(drawn)
-        assert (shown[0][0, 0] == 255).all()
-        for got, expected in zip(shown, drawn):
-            difference = numpy.abs(got.astype(int) - expected.astype(int)).max(axis=2)
-            assert numpy.mean(difference > 40) < 0.002, numpy.mean(difference > 40)
-
-    def test_unchanged_pixels_cost_nothing(self, runner):
-        painter, _ = self.painter(runner)
-        first, other = painter.draw(0), painter.draw(0.2)
-        for name, count in (('short', 1), ('long', 9)):
-            write_gif(runner.path(f'{name}.gif'), iter([first] + [other] * count), [first, other], 100)
-        size = {name: os.path.getsize(runner.path(f'{name}.gif')) for name in ('short', 'long')}
-        assert size['long'] < 1.2 * size['short']
-
-    def test_people_with_large_numbers(self, runner):
-        """The numbers of a recording's people are arbitrary; memory is that of the people."""
-        rows = ''.join(f'{frame} {person} {frame / 10} 0 {person % 7} 0 0 0\n'
-                       for frame in range(3) for person in (5, 10**12))
-        scene, tracks, _ = read_shown(runner.write('obsmat.txt', rows))
-        painter = FramePainter(Stage(scene, tracks, 'people', 600), scene, tracks)
-        assert set(painter.colours) == {5, 10**12}
-        assert painter.colours[5] != painter.colours[10**12]
-
-    def test_gates(self, runner):
-        """An open gate is a dotted line, with fewer pixels of its colour."""
-        gate = 'gates: {door: {wall: [[0, 1], [4, 1]], open: [[1, 2]]}}\n'
-        scene, tracks, _ = read_shown(runner.write('line.csv', WALKS), runner.write('line.yaml', LINE + gate))
-        painter = FramePainter(Stage(scene, tracks, 'line', 600), scene, tracks)
-        shut, opened, later = ((painter.draw(time) == (224, 123, 0)).all(axis=2).sum() for time in (0.9, 1.5, 2.1))
-        assert opened < 0.7 * shut
-        assert later == shut
-
-    def test_dots_per_inch(self, runner):
-        """Line widths are given in points of 1/72 inch."""
-        assert self.painter(runner)[1].figure.dpi == DPI
-
-
-class Encoder:
-    """Stands for ffmpeg. Notes how many frames were drawn whenever one is written."""
-    returncode = 0
-
-    def __init__(self, drawn):
-        self.drawn, self.noted, self.stdin = drawn, [], self
-
-    def write(self, _):
-        self.noted.append(len(self.drawn))
-
-    def communicate(self):
-        return b'', b''
-
-
-class VideoTest:
-    """MP4."""
-
-    def test_frames_are_not_collected(self, monkeypatch):
-        """Each frame is written before the next one is drawn: those of a long film do not fit in memory."""
-        drawn = []
-        encoder = Encoder(drawn)
-
-        def frames():
-            for number in range(50):
-                drawn.append(number)
-                yield numpy.full((2, 4, 3), number, dtype=numpy.uint8)
-        monkeypatch.setattr('crowd_film.video.need_ffmpeg', lambda: 'ffmpeg')
-        monkeypatch.setattr('crowd_film.video.subprocess.Popen', lambda *_, **__: encoder)
-        write_mp4('film.mp4', frames(), None, 50)
-        assert encoder.noted == list(range(1, 51))
-
-
-class TimeTest:
-    """Which times are shown."""
-
-    def test_times(self):
-        tracks = {0: track_of([(0, 0, 0), (40, 4, 0)], 0.1)}
-        settings = Settings(pathlib.Path('film.webp'), '', start=1, duration=2, speed=2, fps=10)
-        assert frame_times(settings, tracks) == pytest.approx([1 + 0.2 * i for i in range(11)])
-
-    def test_frames_of_a_gif_last_hundredths_of_a_second(self):
-        """15 frames a second are shown for 70 ms each, and so far apart that the speed is as given."""
-        tracks = {0: track_of([(0, 0, 0), (40, 4, 0)], 0.1)}
-        times = frame_times(Settings(pathlib.Path('film.gif'), '', speed=2, fps=15), tracks)
-        assert times[1] == pytest.approx(0.14)
-        assert times[-1] <= 4 < times[-1] + 0.14
 
 
 class ProgramTest:
@@ -230,15 +41,6 @@ class ProgramTest:
             assert status == 0, output
             assert_says(output, f'walking {scenario}')
             assert len(frames_of(runner.path('a.webp'))) == 11
-
-    def test_the_line_of_the_readme(self, runner):
-        """Shortened, and with its own programs. The film that it shows is below 3 MB."""
-        line = re.search(r'^    scripts/film (.*)$', read_text(in_package('README.md')), re.MULTILINE)[1].split()
-        status, output = film(runner, *line, '--duration', 1, '--size', 320, '--tools', tools_folder())
-        assert status == 0, output
-        assert len(frames_of(runner.path('station.gif'))) == 5  # every 0.07 s at three times real time
-        shown = re.search(r'^!\[.*\]\((.*\.gif)\)$', read_text(in_package('README.md')), re.MULTILINE)[1]
-        assert os.path.getsize(in_package(shown)) < 3e6
 
     def test_robots_stand_at_their_start(self, runner):
         status, output = film(runner, 'robot_hall', '--tools', tools_folder(), '--duration', 1, '--size', 400,
@@ -288,7 +90,13 @@ class ProgramTest:
         (2, ['circle6', '--output', 'a.gif', '--speed', '0'], ['--speed', 'a number above 0']),
         (2, ['circle6', '--output', 'a.gif', '--view', '1', '0', '0', '1'], ['--view', 'X0 < X1']),
         (1, ['circel6', '--output', 'a.gif'], ["no scenario 'circel6', did you mean 'circle6'?"]),
-        (1, ['circle6', '--output', 'none/a.gif'], ['none/', 'No such file']),
+        (1, ['circle6', '--output', 'none/a.gif'], ['none/a.gif: cannot be written: there is no folder /']),
+        (1, ['circle6', '--output', 'a.gif', '--view', '100', '100', '110', '110'], ['--view: nothing of the scene']),
+        (1, ['circle6', '--output', 'a.gif', '--speed', '1000'], ['--speed: the film would have one frame']),
+        (1, ['circle6', '--output', 'a.webp', '--size', '4000', '--speed', '1'], ['.mp4', 'GB of memory']),
+        (2, ['--output', 'a.gif', '--trajectories', 'a.csv', '--seed', '3'], ['--seed: a recording is not walked']),
+        (2, ['--output', 'a.gif', '--trajectories', 'a.csv', '--q-table', 'a'], ['--q-table: a recording is not']),
+        (2, ['circle6', '--output', 'a.gif', '--fps', 'many'], ["expected a number above 0, got 'many'"]),
         (1, ['circle6', '--output', 'a.gif', '--q-table', 'none.txt'], ['none.txt: cannot be read']),
         (1, ['circle6', '--output', 'a.gif', '--trajectories', 'none.csv'], ['none.csv', 'No such file']),
         (1, ['circle6', '--output', 'a.gif', '--start', '900'], ['--start: the recording ends at', '900']),

@@ -1,13 +1,18 @@
 """Python programs that roslaunch starts: scripts/show_crowd, learner_crew and play_bag."""
 import os
 import signal
+import types
 
 import pytest
+import rospy
+from crowd_launching import back_off
 from crowd_launching.learner_crew import ending_of
-from crowd_launching.view import MOST, scale_for, sides_of
+from crowd_launching.view import MOST, draws_in_software, scale_for, sides_of
 from geometry_msgs.msg import Point, Pose2D
+from nav_msgs.msg import Odometry
 from programs import assert_says, wait_for
 from roslib.packages import find_node
+from sensor_msgs.msg import LaserScan
 from social_crowd.msg import AgentState, ObstacleState, Scenario, Wall
 
 # Substitute for rospy whose import never ends.
@@ -22,6 +27,18 @@ while True:
 def program(name):
     """Returns the path of a program."""
     return find_node('social_crowd', name)[0]
+
+
+class SoftwareTest:
+    """Whether RViz draws in software, where edges are not smoothed."""
+
+    def test_by_variable_and_devices(self, tmp_path):
+        card = tmp_path / 'card0'
+        assert draws_in_software({}, [str(card)])
+        card.touch()
+        assert not draws_in_software({}, [str(tmp_path / 'card*')])
+        assert not draws_in_software({'LIBGL_ALWAYS_SOFTWARE': '0'}, [str(card)])
+        assert draws_in_software({'LIBGL_ALWAYS_SOFTWARE': '1'}, [str(card)])
 
 
 class ViewTest:
@@ -62,6 +79,47 @@ class StartTest:
         assert process.wait() == 1
         assert_says(process.output(), 'there is no display', 'DISPLAY', 'rviz:=false')
         assert 'Traceback' not in process.output()
+
+
+class BackOffTest:
+    """Backing off, with messages in place of a robot."""
+
+    def start(self, monkeypatch):
+        """Returns a BackOff that has begun to drive, and its commands [m/s]."""
+        commands = []
+        monkeypatch.setattr(back_off.rospy, 'get_param', lambda name, default: default)
+        monkeypatch.setattr(back_off.rospy, 'Subscriber', lambda *arguments, **options: None)
+        monkeypatch.setattr(back_off.rospy, 'Publisher', lambda *arguments, **options: types.SimpleNamespace(
+            publish=lambda command: commands.append(command.linear.x)))
+        started = back_off.BackOff()
+        started.note_scan(LaserScan(angle_min=0.0, angle_increment=1.0, ranges=[5.0]))
+        assert not started.is_done()
+        started.drive(odometry_at(0.0, 1))
+        started.drive(odometry_at(-0.1, 2))
+        return started, commands
+
+    def test_stops_the_robot_on_its_way(self, monkeypatch):
+        started, commands = self.start(monkeypatch)
+        assert commands == [-back_off.SPEED, -back_off.SPEED]
+        started.stop()
+        assert commands[2:] == [0.0]
+        started.drive(odometry_at(-0.2, 3))  # comes too late
+        started.stop()
+        assert commands[2:] == [0.0]
+
+    def test_ends_after_its_way(self, monkeypatch):
+        started, commands = self.start(monkeypatch)
+        started.drive(odometry_at(-0.3, 3))
+        started.drive(odometry_at(-0.3, 4))
+        assert commands[2:] == [0.0]
+
+
+def odometry_at(place, seconds):
+    """Returns a message of the odometry at a place [m] and a time."""
+    message = Odometry()
+    message.pose.pose.position.x = place
+    message.header.stamp = rospy.Time(seconds)
+    return message
 
 
 class CrewTest:

@@ -6,7 +6,8 @@ import subprocess
 
 import pytest
 from learning_files import config_text
-from programs import assert_says, page_examples, read_text
+from programs import ANTICIPATION_TABLE, assert_says, page_examples, page_text, read_text, wait_for
+from terminal import Terminal
 
 LONG = 300.0  # [s] time limit for a compiler on a busy machine
 
@@ -55,7 +56,7 @@ class LibraryPageTest:
         prefix = runner.path('installed')
         self.install(runner, build, prefix)
         files = page_examples('library.md')
-        assert sorted(files) == ['CMakeLists.txt', 'learn.cpp', 'walk.cpp']
+        assert sorted(files) == ['CMakeLists.txt', 'learn.cpp', 'step_crowd.py', 'walk.cpp']
         for name, text in files.items():
             runner.write(name, text)
         others = without_devel('CMAKE_PREFIX_PATH')
@@ -63,6 +64,21 @@ class LibraryPageTest:
         self.run_successfully(runner, 'cmake', '-S', '.', '-B', 'build', f'-DCMAKE_PREFIX_PATH={prefixes}')
         self.run_successfully(runner, 'cmake', '--build', 'build')
         self.check_programs(runner, os.path.join(prefix, 'share', 'social_crowd', 'config'))
+
+    def test_the_example_through_ros(self, runner):
+        """The program prints the places of a walk without ROS."""
+        launch, step = (re.search(f'^    ({words} .*)$', page_text('library.md'), re.MULTILINE)[1]
+                        for words in ('roslaunch', 'python3'))
+        terminal = Terminal(runner, runner.path('clone'))
+        terminal.write('step_crowd.py', page_examples('library.md')['step_crowd.py'])
+        crowd = terminal.start(launch)
+        wait_for(terminal.has_master, 'the ROS master')
+        printed = terminal.run(step).splitlines()
+        terminal.interrupt(crowd)
+        assert len(printed) == 60
+        rows = [row.split(',') for row in runner.headless('circle6', ANTICIPATION_TABLE).decode().splitlines()]
+        assert printed[-6:] == [f'10.0 s: agent {agent} at {float(x):.3f}, {float(y):.3f}'
+                                for _, tick, agent, x, y in rows if tick == '100']
 
     def check_programs(self, runner, config):
         """Compares the programs with the tools; scenarios are found by name in the installed copy."""

@@ -1,4 +1,5 @@
 """scripts/plot_learning: learning curves over several runs."""
+import csv
 import math
 import os
 import subprocess
@@ -94,11 +95,18 @@ class RecordTest:
         ('episode,arrived\n0,1\n1\n', ['r.csv:3: expected 2 values, got 1']),
         ('episode,arrived\n0,yes\n', ["r.csv:2: expected a number in the column 'arrived'"]),
         ('episode,arrived\n', ['r.csv: has no rows']),
+        ('episode,decisions\n0,120\n1,12', ['r.csv:3: the last line is not complete']),
     ])
     def test_errors(self, runner, text, words):
         with pytest.raises(InputError) as caught:
             read_run('', runner.write('r.csv', text))
         assert_says(str(caught.value), *words)
+
+    @pytest.mark.parametrize('rest', ['1', '1,12', ''])
+    def test_a_file_that_grows(self, runner, rest):
+        """The training has not written its last row yet."""
+        run = read_run('', runner.write('r.csv', 'episode,decisions\n0,120\n' + rest), grows=True)
+        assert run.columns['decisions'].tolist() == [120]
 
 
 class ProgramTest:
@@ -116,6 +124,42 @@ class ProgramTest:
         with PIL.Image.open(runner.path('curves.png')) as picture:
             assert len(set(picture.convert('RGB').getdata())) > 100  # curves, bands and texts
 
+    def test_logs_of_train(self, runner):
+        """Rewards, visited rows and epsilon beside the rates; three seeds give no hint."""
+        config = runner.write('config.yaml', config_text('single_obstacle, training_field', 40))
+        files = [runner.path(f'l{seed}.csv') for seed in (1, 2, 3)]
+        for seed, file in enumerate(files):
+            runner.tool('train', config, '--seed', seed, '--output', runner.path('table.txt'), '--log', file)
+        status, output = plot(runner, *files, '--output', 'curves.png', '--window', 40)
+        assert status == 0, output
+        with open(files[0], encoding='utf-8') as stream:
+            rewards = [float(row['reward']) for row in csv.DictReader(stream)]
+        means = [numpy.mean(read_run('', file).columns['reward']) for file in files]
+        assert means[0] == pytest.approx(numpy.mean(rewards))
+        assert_says(output, 'success [%]: ', 'contact [%]: ', 'collision [%]: ', f'reward: {numpy.mean(means):.4g} (',
+                    'visited rows: ', 'epsilon: 0.3 (0.3 to 0.3)',
+                    'plot_learning: curves are means over 2 scenarios (single_obstacle, training_field)')
+        assert 'the band of two runs' not in output
+        with PIL.Image.open(runner.path('curves.png')) as picture:
+            assert len(set(picture.convert('RGB').getdata())) > 100
+
+    def test_several_scenarios(self, runner):
+        """They are not mixed without a word."""
+        for name in ('a.csv', 'b.csv'):
+            runner.write(name, RECORD)
+        status, output = plot(runner, 'x=a.csv', 'x=b.csv', '--output', 'a.svg', '--window', 4)
+        assert status == 0, output
+        assert_says(output, 'x, success [%]: 62.5', 'curves are means over 2 scenarios (one, two): choose one with '
+                    '--scenario', '--each-scenario', 'the band of two runs is 12.7 standard errors wide')
+        status, output = plot(runner, 'x=a.csv', 'x=b.csv', 'x=b.csv', '--output', 'a.svg', '--window', 4,
+                              '--each-scenario')
+        assert status == 0, output
+        assert_says(output, 'x one, contact [%]: 25', 'x two, contact [%]: 0')
+        assert 'plot_learning:' not in output
+        status, output = plot(runner, 'x=a.csv', '--output', 'a.svg', '--scenario', 'two')
+        assert status == 0, output
+        assert 'plot_learning:' not in output
+
     def test_folders_of_sweeps(self, runner):
         """Signs in the names of folders end no label; the file may be relative or missing."""
         os.mkdir(runner.path('000_gamma=0.1'))
@@ -124,7 +168,7 @@ class ProgramTest:
                      'one=000_gamma=0.1/learning.csv'):
             status, output = plot(runner, word, '--output', 'curves.png')
             assert status == 0, output
-            assert ('one, ' in output) == word.startswith('one')
+            assert ('  one, ' in output) == word.startswith('one')
         status, output = plot(runner, 'runs/000_gamma=0.1/none.csv', '--output', 'curves.png')
         assert status == 1
         assert_says(output, 'plot_learning: runs/000_gamma=0.1/none.csv: No such file')
@@ -142,6 +186,9 @@ class ProgramTest:
     @pytest.mark.parametrize('status, arguments, words', [
         (2, ['record.csv'], ['--output']),
         (2, ['record.csv', '--output', 'a.png', '--window', '0'], ['--window', 'a whole number from 1']),
+        (1, ['record.csv', '--output', 'a.png', '--window', '5'],
+         ['--window: expected at most 4, the number of episodes, got 5']),
+        (2, ['record.csv', '--output', 'a.png', '--scenario', 'one', '--each-scenario'], ['not allowed with']),
         (1, ['none.csv', '--output', 'a.png'], ['none.csv: No such file']),
         (1, ['record.csv', '--output', 'a.png', '--columns', 'speed'], ["has no column 'speed'; there are episode, "]),
         (1, ['record.csv', '--output', 'a.png', '--scenario', 'six'], ["no rows of a scenario 'six'", 'one, two']),

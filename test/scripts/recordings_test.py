@@ -7,6 +7,7 @@ import subprocess
 import pytest
 from crowd_drawing.errors import InputError
 from crowd_recordings.formats import read_recording
+from crowd_recordings.shown import read_shown
 from programs import CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package, read_text
 
 CSV = 'instance,tick,agent,x,y\n0,0,0,1.5,2\n0,0,1,-3,0.1\n0,1,0,1.6,2\n1,0,0,9,9\n'
@@ -102,6 +103,7 @@ class FormatTest:
         ('', ['walk:1: is not a recording', 'instance,tick,agent,x,y', 'obsmat.txt']),
         ('name: scene\n', ['walk:1: is not a recording']),
         ('# framerate: 0\n1 0 1 1 0\n', ["walk:1: expected a frame rate above 0, got '0'"]),
+        ('# framerate: 1e999\n1 0 1 1 0\n', ["walk:1: expected a frame rate above 0, got '1e999'"]),
         ('# framerate: 8\n1 0 1 1 0\n1 half 1 1 0\n', ["walk:3: expected id, frame, x and y, got '1 half 1 1 0'"]),
         ('# framerate: 8\n1 0 1\n', ['walk:2: expected id, frame, x and y']),
         ('# framerate: 8\n1 0 1 1 0\n1 0 2 1 0\n', ['walk:3: person 1 is in frame 0 for the second time']),
@@ -110,6 +112,7 @@ class FormatTest:
         ('# framerate: 8\n', ['walk: has no trajectory']),
         (OBSMAT + '1 2 3\n', ['walk:4: expected frame, person, x, z, y']),
         (OBSMAT + '1.5 2 3 0 0 0 0 0\n', ['walk:4: expected frame, person, x, z, y']),
+        ('instance,tick,agent,x,y\n0,0,0,1,2\n1,0,0,1,2\n0,0,0,1.5,2\n', ['walk:4: agent 0 is in tick 0']),
         ('instance,tick,agent,x,y\n0,0,0,a,1\n', ['walk:2: expected three whole numbers']),
     ])
     def test_errors(self, runner, text, words):
@@ -153,7 +156,7 @@ class ConversionTest:
         (2, ['walk.csv', '--output', 'a.xml'], ['--output', '.csv or .txt', "'a.xml'"]),
         (2, ['walk.csv', '--output', 'a.txt', '--frame-rate', '0'], ['--frame-rate', 'a number above 0']),
         (1, ['none.csv', '--output', 'a.txt'], ['none.csv: No such file']),
-        (1, ['walk.csv', '--output', 'none/a.txt'], ['none/', 'No such file']),
+        (1, ['walk.csv', '--output', 'none/a.txt'], ['none/a.txt: cannot be written: there is no folder /']),
         (1, ['walk.csv', '--output', 'a.txt', '--instance', '7'], ['has no instance 7, expected 0 to 1']),
         (1, ['obsmat.txt', '--output', 'a.txt', '--instance', '1'], ['has no instance 1, expected 0']),
     ])
@@ -164,3 +167,19 @@ class ConversionTest:
         assert got == status, output
         assert_says(output, *words)
         assert sorted(os.listdir(runner.folder)) == ['obsmat.txt', 'walk.csv']
+
+
+class ShownTest:
+    """A recording in a scenario."""
+
+    def test_people_who_are_not_its_agents(self, runner):
+        """Of the scenario remain walls and the like; CSV files of `evaluate` must fit it."""
+        runner.write('obsmat.txt', OBSMAT)
+        scenario = runner.write('two.yaml', 'name: two\nagents: [{position: [0, 0], goal: [1, 0], radius: 0.5}]\n'
+                                'walls: [[[0, 1], [5, 1]]]\n')
+        scene, tracks, _ = read_shown(runner.path('obsmat.txt'), scenario)
+        assert (scene.agents, len(scene.walls)) == ([], 1)
+        assert max(tracks) > 0
+        walk = runner.write('walk.csv', 'instance,tick,agent,x,y\n0,0,3,1,2\n')
+        with pytest.raises(InputError, match='has an agent 3, but .* has 1 agents'):
+            read_shown(walk, scenario)

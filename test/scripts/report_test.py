@@ -177,6 +177,17 @@ class ProgramTest:
                 assert min(opened.size) > 200
         assert not re.search(r'https?:|<script|url\(', read_text(runner.path('report.html')))
 
+    def test_logs_are_learning_curves(self, runner):
+        """Beside records, which have other columns."""
+        config = runner.write('config.yaml', config_text(CIRCLE6, 4))
+        runner.tool('train', config, '--output', runner.path('t.txt'), '--log', runner.path('log.csv'), '--record',
+                    runner.path('record.csv'))
+        status, output = report(runner, 'mine=log.csv', '--training', 'mine=record.csv', '--output', 'report.html')
+        assert status == 0, output
+        page = Page(read_text(runner.path('report.html')))
+        assert 'Learning curves' in page.texts and 'Comparison' not in page.texts
+        assert len([link for link in page.links if link.startswith('data:image/png')]) == 2
+
     def test_only_some_files(self, runner):
         runner.write('m.csv', METRICS_FILE % 90)
         status, output = report(runner, 'one=m.csv', '--output', 'report.html')
@@ -210,18 +221,26 @@ class ProgramTest:
         (2, ['--output', 'a.html'], ['expected at least one file']),
         (2, ['m.csv'], ['--output']),
         (1, ['none.csv', '--output', 'a.html'], ['none.csv: No such file']),
-        (1, ['m.csv', '--output', 'none/a.html'], ['none/', 'No such file']),
-        (1, ['m.csv', '--training', 'm.csv', '--output', 'a.html'], ['m.csv: --training: expected a record']),
-        (1, ['bad.csv', '--output', 'a.html'], ['bad.csv: ']),
+        (1, ['m.csv', '--output', 'none/a.html'], ['none/a.html: cannot be written: there is no folder /']),
+        (2, ['m.csv', '--output', 'a.txt'], ['--output: expected FILE.html']),
+        (1, ['cut.csv', '--output', 'a.html'], ['cut.csv:2: expected', 'values, got']),
+        (1, ['walk.csv', '--output', 'a.html'], ['walk.csv:3: the last line is not complete', 'cut off']),
+        (1, ['log.csv', '--output', 'a.html'], ['log.csv:3: the last line is not complete', 'cut off']),
+        (1, ['m.csv', '--training', 'm.csv', '--output', 'a.html'], ['m.csv: --training: expected a record or log']),
+        (1, ['bad.csv', '--output', 'a.html'], ["bad.csv:2: expected a number in the column 'success_pct'", "'many'"]),
     ])
     def test_errors(self, runner, status, arguments, words):
         runner.write('m.csv', METRICS_FILE % 90)
         runner.write('bad.csv', METRICS_FILE % 'many')
+        header = METRICS_FILE.splitlines()[0]
+        runner.write('cut.csv', f'{header}\ncircle6,20\n')
+        runner.write('walk.csv', 'instance,tick,agent,x,y\n0,0,0,0,0\n0,1,0,0.1,-0.0')
+        runner.write('log.csv', 'episode,scenario,agents,success,decisions\n0,a,1,1,120\n1,a,1,1,12')
         got, output = report(runner, *arguments)
         assert got == status, output
         assert_says(output, *words)
         assert 'Traceback' not in output
-        assert sorted(os.listdir(runner.folder)) == ['bad.csv', 'm.csv']
+        assert sorted(os.listdir(runner.folder)) == ['bad.csv', 'cut.csv', 'log.csv', 'm.csv', 'walk.csv']
 
     def test_documented(self):
         assert_says(page_text('tools.md'), '(#reports)', '--training')

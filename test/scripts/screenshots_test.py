@@ -1,10 +1,13 @@
 """scripts/screenshots: pictures of RViz without a display."""
+import shutil
 import subprocess
 
+import pytest
 from matplotlib.image import imread
 from programs import PATIENCE, in_package
 
 TOOL_COLOUR = 0.1, 0.45, 0.9  # of outlines
+BEST_COLOUR = 0.993, 0.906, 0.144  # of the wedge of the best move
 LIKE = 0.06
 
 
@@ -24,16 +27,32 @@ class ScreenshotsTest:
     """The whole script."""
 
     def test_pictures_show_panel_and_tools(self, tmp_path):
-        status, output = run('--output', tmp_path)
+        status, output = run('rviz', '--output', tmp_path)
         assert status == 0, output
         panel, tools = (imread(tmp_path / name) for name in ('rviz_panel.png', 'rviz_tools.png'))
         assert panel.shape[:2] == tools.shape[:2] == (800, 1280)
         assert count_like(tools, TOOL_COLOUR) > count_like(panel, TOOL_COLOUR) + 500
+        values, people = (imread(tmp_path / name) for name in ('rviz_values.png', 'rviz_people.png'))
+        assert count_like(values, BEST_COLOUR) > 100
+        assert people.shape[:2] == (600, 890)
 
-    def test_wrong_usage(self):
-        status, output = run('--nonsense')
+    def test_film(self, tmp_path):
+        status, output = run('film', '--output', tmp_path)
+        assert status == 0, output
+        assert output.splitlines() == [str(tmp_path / 'film_station.gif')]
+        assert 1e6 < (tmp_path / 'film_station.gif').stat().st_size < 3e6
+
+    @pytest.mark.skipif(shutil.which('chromium') is None, reason='chromium is not installed')
+    def test_report(self, tmp_path):
+        status, output = run('report', '--output', tmp_path)
+        assert status == 0, output
+        assert imread(tmp_path / 'report.png').std() > 0.05  # not blank
+
+    @pytest.mark.parametrize('word', ['--nonsense', 'nonsense'])
+    def test_wrong_usage(self, word):
+        status, output = run(word)
         assert status == 2
-        assert '--nonsense' in output
+        assert word in output
 
     def test_help_has_an_example(self):
         status, output = run('--help')

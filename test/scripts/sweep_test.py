@@ -73,6 +73,7 @@ class FileTest:
     def test_labels(self):
         assert label_of({'learning.gamma': 0.9, 'learning.epsilon': {'from': 1, 'to': 0}}) == \
             'gamma=0.9 epsilon=from:1,to:0'
+        assert label_of({'learning.epsilon': {'from': 0.3, 'to': 0.02, 'episodes': 500}}) == 'epsilon=0.3..0.02/500'
         assert label_of({}) == 'all'
 
     def test_equal_labels_are_refused(self, runner):
@@ -197,15 +198,27 @@ class ProgramTest:
         assert_says(output, '2 runs, 1 of them done before')
         assert stamps(runner)[next(iter(before))] == before[next(iter(before))]
 
-    def test_a_run_that_fails(self, runner):
-        """The message is that of the program."""
+    @pytest.mark.parametrize('old, new, words', [
+        ('learning.alpha', 'learning.alfa', ['gamma=0.1 alfa=0.3: ', "unknown key 'alfa', did you mean 'alpha'"]),
+        ('[0.1, 0.8]', '[0.1, 8]', ['gamma=8 alpha=0.3: ', 'learning.gamma: expected a number']),
+    ])
+    def test_a_wrong_configuration(self, runner, old, new, words):
+        """It is found before the first run, also by --dry-run; the message is that of the program, and in one line."""
         runner.write('config.yaml', config_text(CIRCLE6, 6))
-        file = runner.write('grid.yaml', (SWEEP % 4).replace('learning.alpha', 'learning.alfa'))
+        file = runner.write('grid.yaml', (SWEEP % 4).replace(old, new))
+        for options in ((), ('--dry-run',)):
+            status, output = sweep(runner, file, *options)
+            assert status == 1, output
+            assert_says(output, 'sweep: ', 'grid.yaml: ', 'the configuration is refused: ', *words)
+            lines = output.splitlines()
+            assert lines[:-1] == [f'sweep: checking configuration {i} of 2' for i in range(1, len(lines))]
+            assert not os.path.exists(runner.path('results/runs'))
+
+    def test_scenarios_of_the_training_by_name(self, runner):
+        runner.write('config.yaml', config_text('circle6', 1))
+        file = runner.write('grid.yaml', SWEEP % 1)
         status, output = sweep(runner, file)
-        assert status == 1, output
-        assert_says(output, 'sweep: ', "unknown key 'alfa', did you mean 'alpha'")
-        assert 'Traceback' not in output
-        assert not os.path.exists(runner.path('results/report.html'))
+        assert status == 0, output
 
     def test_errors(self, runner):
         assert sweep(runner, 'none.yaml') == (1, 'sweep: none.yaml: No such file or directory\n')

@@ -63,5 +63,38 @@ TEST(Record, QuotesNamesWithCommas) {
             "41,\"a \"\"wide\"\", long door\",0,1,0,1,3,8,4,1.25,1.5,0.75,3.5,0.4375,1.125\n");
 }
 
+TEST(Log, HasOneRowPerEpisode) {
+  AgentResult removed = walked();
+  removed.removed = true;
+  AgentResult lost;
+  lost.touched = true;
+  LearnedEpisode learned;
+  learned.scenario = "a, b";
+  learned.agents = {walked(), lost, removed, lost, walked()};
+  learned.decisions = 56;
+  learned.reward = -0.1;
+  learned.epsilon = 0.25;
+  learned.visited_rows = 12;
+  std::string rows;
+  appendLogRow(7, learned, rows);
+  EXPECT_EQ(rows, "7,\"a, b\",4,0.5,0.5,0.5,-0.1,12,0.25,56\n");
+  const std::string header = LOG_HEADER;
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), 9);
+}
+
+TEST(Log, OfAgentsThatAreNotExpectedToArrive) {
+  AgentResult endless;
+  endless.endless = true;
+  LearnedEpisode learned;
+  learned.scenario = "s";
+  learned.agents = {endless};
+  std::string rows;
+  appendLogRow(0, learned, rows);
+  learned.agents.clear();
+  learned.reward = std::numeric_limits<double>::quiet_NaN();
+  appendLogRow(1, learned, rows);
+  EXPECT_EQ(rows, "0,s,1,1,0,0,0,0,0,0\n1,s,0,nan,nan,nan,nan,0,0,0\n");
+}
+
 }  // namespace
 }  // namespace crowd

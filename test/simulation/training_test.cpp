@@ -265,5 +265,51 @@ TEST(Training, KeptHeadingsComeFromThePreviousEpisode) {
             towards_goal.runNextTurn().at(0).agents[0].distance_gained);
 }
 
+TEST(Training, EpisodesHaveWhatWasLearned) {
+  const TemporaryFolder folder;
+  // Straight ahead to the goal, 0.1 m a tick, arrival within 0.35 m: after 7 decisions.
+  folder.write("s.yaml",
+               "{name: fixed, duration: 5, goal_tolerance: 0.35,\n"
+               " agents: [{position: [0, 0], goal: [1, 0], heading: 0, speed: 1, radius: 0.2}]}\n");
+  TrainingConfig config = configFor(folder, "s.yaml", 2, 3);
+  config.learning.epsilon = {0.0, 0.5, 1, EpsilonSchedule::Shape::LINEAR};
+  Training training(config);
+  training.countVisitedRows();
+  const LearnedEpisode first = training.runNextTurn().at(0);
+  EXPECT_EQ(first.decisions, first.agents[0].ticks);
+  ASSERT_EQ(first.decisions, 7U);
+  // Each step towards the goal is worth cos(0)^3 = 1, the arrival 100.
+  EXPECT_EQ(first.reward, (6 * 1.0 + 100.0) / 7);
+  EXPECT_EQ(first.epsilon, 0.0);
+  EXPECT_EQ(first.visited_rows, 1U);
+  const LearnedEpisode second = training.runNextTurn().at(0);
+  EXPECT_EQ(second.epsilon, 0.5);
+  EXPECT_LT(second.reward, 106.0 / 7);
+  EXPECT_EQ(second.visited_rows, training.trained().table.visitedRows());
+  EXPECT_GT(second.visited_rows, 1U);
+}
+
+TEST(Training, CountsVisitedRowsOfGivenTables) {
+  const TemporaryFolder folder;
+  folder.write("s.yaml", twoAgents("pair"));
+  const TrainedTable begin = train(configFor(folder, "s.yaml", 3, 1));
+  for (const char* const tables : {", tables: shared", ", tables: own", ", side_by_side: 2, turn: 1"}) {
+    Training training(configFor(folder, "s.yaml", 12, 2, tables), begin);
+    training.countVisitedRows();
+    Row before = begin.table.visitedRows();
+    while (!training.isDone()) {
+      const std::vector<LearnedEpisode> turn = training.runNextTurn();
+      const Row after = training.trained().table.visitedRows();
+      for (const LearnedEpisode& learned : turn) {
+        EXPECT_GE(learned.visited_rows, before);
+        EXPECT_LE(learned.visited_rows, after);
+      }
+      EXPECT_TRUE(turn.size() > 1 || turn[0].visited_rows == after);
+      before = after;
+    }
+    EXPECT_GT(before, begin.table.visitedRows());
+  }
+}
+
 }  // namespace
 }  // namespace crowd

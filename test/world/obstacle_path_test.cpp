@@ -70,6 +70,46 @@ TEST(ObstaclePath, SkipsRepeatedPoints) {
   expectAt(path, 1.5, {0.5, 0.0}, {-1.0, 0.0});
 }
 
+/// Compares a path with the one after a time that begins there.
+void expectGoesOn(const ObstaclePath& path, double begin) {
+  SCOPED_TRACE("begin = " + std::to_string(begin));
+  const ObstaclePath after = path.after(begin);
+  EXPECT_EQ(after.points().front(), path.position(begin));
+  for (double t = 0.3; t < 20.0; t += 0.7) expectAt(after, t, path.position(begin + t), path.velocity(begin + t));
+}
+
+TEST(ObstaclePath, GoesOnAfterATimeAsBefore) {
+  expectGoesOn(ObstaclePath::atRest({1.0, 2.0}), 3.0);
+  expectGoesOn(ObstaclePath::straight({0.0, -5.0}, {0.25, 0.5}), 3.0);
+  // Rounds of 12 m and 14 m; the first begin is at a point, the second between two points, the last in another round.
+  const std::vector<Vector2> points{{0.0, 0.0}, {3.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}};
+  for (const double begin : {3.0, 5.5, 8.0, 11.5, 47.25}) {
+    expectGoesOn(ObstaclePath::loop(points, 1.0), begin);
+    expectGoesOn(ObstaclePath::toAndFro(points, 1.0), begin);
+  }
+}
+
+TEST(ObstaclePath, PathAfterATimeHasThePointsThatComeNextFirst) {
+  const ObstaclePath path = ObstaclePath::toAndFro({{0.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}}, 1.0);
+  EXPECT_EQ(path.after(5.0).points(), (std::vector<Vector2>{{3, 2}, {3, 4}, {3, 0}, {0, 0}, {3, 0}}));
+  EXPECT_EQ(path.after(3.0).points(), (std::vector<Vector2>{{3, 0}, {3, 4}, {3, 0}, {0, 0}}));
+}
+
+TEST(ObstaclePath, PathAfterATimeHasNoLegOfRoundingErrors) {
+  const ObstaclePath path = ObstaclePath::toAndFro({{0.0, 0.0}, {2.1, 0.0}}, 0.3);
+  for (const double begin : {21.0, 35.0, 49.0}) {
+    const double left = 2.1 - path.position(begin).x();
+    ASSERT_TRUE(left > 0.0 && left < 1e-12) << left;  // otherwise this tests nothing
+    const std::vector<Vector2> points = path.after(begin).points();
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points.front(), path.position(begin));
+    EXPECT_EQ(points.back(), Vector2(0.0, 0.0));
+  }
+  // At the end of the last leg, too: the first point comes next.
+  const ObstaclePath round = ObstaclePath::loop({{2.1, 0.0}, {0.0, 0.0}}, 0.3);
+  EXPECT_EQ(round.after(14.0 - 1e-12).points().size(), 2U);
+}
+
 TEST(ObstaclePath, RequiresTwoDifferentPointsAndASpeed) {
   EXPECT_THROW(ObstaclePath::toAndFro({}, 1.0), InputError);
   EXPECT_THROW(ObstaclePath::toAndFro({{1.0, 1.0}}, 1.0), InputError);

@@ -163,6 +163,24 @@ TEST(WorldChanges, RefusesInvalidObstacles) {
   expectRefused(world, "velocity", [&] { world.spawnObstacle({3.0, 0.0}, {INFINITE, 0.0}, 0.5); });
 }
 
+TEST(WorldChanges, MovedObstacleKeepsNumberAndVelocity) {
+  World world(scenes::halfSeconds(
+      scene({wanderer({0.0, 0.0})}, {moving_obstacle({4.0, 0.0}, {0.0, 1.0}, 0.25), pillar({2.0, 0.0}, 0.5)})));
+  world.step({});
+  world.moveObstacle(0, {1.0, 3.0});
+  ASSERT_EQ(world.obstacles().size(), 2U);
+  expectVector(world.obstacles()[0].path.position(world.time()), 1.0, 3.0);
+  expectVector(world.obstacles()[1].path.position(world.time()), 2.0, 0.0);
+  world.step({});  // half a second later
+  expectVector(world.obstacles()[0].path.position(world.time()), 1.0, 3.5);
+  EXPECT_EQ(world.obstacles()[0].radius, 0.25);
+  world.moveObstacle(1, {0.0, -2.0});
+  EXPECT_FALSE(world.obstacles()[1].path.moves());
+  expectRefused(world, "obstacle 2", [&] { world.moveObstacle(2, {3.0, 3.0}); });
+  expectRefused(world, "agent 0", [&] { world.moveObstacle(1, {0.3, 0.0}); });
+  expectRefused(world, "position", [&] { world.moveObstacle(1, {NOT_A_NUMBER, 0.0}); });
+}
+
 TEST(WorldChanges, RemovingAnObstacleRenumbersTheFollowingOnes) {
   World world(scene({wanderer({0.0, 0.0})}, {pillar({2.0, 0.0}, 0.5), moving_obstacle({4.0, 0.0}, {0.0, 1.0}, 0.25)}));
   world.removeObstacle(0);

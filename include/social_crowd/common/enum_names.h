@@ -35,6 +35,9 @@ class EnumNames {
     map.need(key_);
     return read(map, static_cast<Enum>(0));
   }
+  /// @brief Returns the names as "first, second or third".
+  std::string listed() const { return joinAlternatives({names_.begin(), names_.end()}); }
+  const std::array<const char*, COUNT>& names() const { return names_; }
 
  private:
   /// Returns the index of a name; COUNT if there is none.
@@ -43,7 +46,6 @@ class EnumNames {
     while (index < COUNT && names_[index] != name) ++index;
     return index;
   }
-  std::string listed() const { return joinAlternatives({names_.begin(), names_.end()}); }
 
   const char* key_;
   std::array<const char*, COUNT> names_;

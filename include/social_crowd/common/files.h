@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <fstream>
 #include <string>
 
@@ -12,21 +13,35 @@ std::string readFile(const std::string& file);
 /// and renames it. On failure the previous content remains. @throws FileError
 void replaceFile(const std::string& file, const std::string& content);
 
+/// @brief Removes the temporary files that replaceFile() left for this file in processes that were killed.
+void removeTemporaries(const std::string& file);
+
 /// @brief Checks, without writing anything, that a file can be made or replaced.
 /// @throws FileError with the reason, such as a missing folder
 void requireReplaceable(const std::string& file);
+
+/// @brief Checks, without writing anything, that a GrowingFile can be made there, or continue the file. @throws
+/// FileError
+void requireGrowable(const std::string& file);
 
 /// @brief A text file to which a run appends.
 class GrowingFile {
  public:
   /// @brief Creates or truncates the file and writes the first line. @throws FileError
   GrowingFile(std::string file, const std::string& first_line);
+  /// @brief Continues an existing file after its first `size` bytes; the others are cut off. @throws FileError
+  GrowingFile(std::string file, std::uint64_t size);
   /// @brief Appends a text and flushes it to the operating system. @throws FileError
   void append(const std::string& text);
+  /// @brief Flushes the file to the disk. @throws FileError
+  void flushToDisk();
+  /// @brief Number of bytes that it has.
+  std::uint64_t size() const { return size_; }
 
  private:
   std::string file_;
   std::ofstream stream_;
+  std::uint64_t size_ = 0;
 };
 
 /// @brief Creates a folder and its parent folders. @throws FileError

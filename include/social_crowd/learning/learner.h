@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -11,6 +12,7 @@
 #include "social_crowd/avoidance/perception_batch.h"
 #include "social_crowd/common/enum_names.h"
 #include "social_crowd/common/random.h"
+#include "social_crowd/learning/decision_values.h"
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/rl/learning_parameters.h"
 #include "social_crowd/learning/rl/policy.h"
@@ -87,6 +89,13 @@ class Learner {
   void decideGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,
                       std::vector<AgentAction>& actions) const;
 
+  /// @brief Returns what an agent chose from in the last call of decide(), for display. The values are those of the
+  /// decision until the next call of a function that changes a table.
+  /// @param perceptions, actions those of that call
+  /// @return null if the agent did not decide
+  std::optional<DecisionValues> valuesOf(const Perceptions& perceptions, const RelativeActions& actions,
+                                         AgentId agent) const;
+
   const Model& model() const { return model_; }
   bool serves(AgentId agent) const { return options_.agents.empty() || options_.agents.count(agent) > 0; }
   bool servesAll() const { return options_.agents.empty(); }
@@ -111,9 +120,13 @@ class Learner {
   std::uint64_t decisions() const { return decisions_; }
   /// @brief Sets that number, such as to the number of a loaded table.
   void setDecisions(std::uint64_t decisions) { decisions_ = decisions; }
+  /// @brief Sum of the rewards of the decisions of the present episode that were learned from.
+  double episodeReward() const { return episode_reward_; }
 
   /// @brief The table that an agent uses; for an unknown agent, the table that it would begin with.
   const QTable& tableOf(AgentId agent) const { return tables_.table(placeOf(agent)); }
+  /// @brief The table that unknown agents begin with; with shared tables, that of all agents.
+  const QTable& baseTable() const { return tables_.table(TableStore::BASE); }
   /// @brief Returns a copy of that table for other agents. Its experience is recognised when it is merged later.
   QTable tableToShare(AgentId agent);
   /// @brief Returns a copy of that table for a file. Its experience is recognised, too. The copy depends only on the
@@ -132,6 +145,8 @@ class Learner {
   Taken takeTable(AgentId agent, QTable table, TakeMethod method);
   /// @brief Replaces the tables of all agents, as if this learner had learned the whole table. @throws ShapeError
   void restart(QTable table);
+  /// @brief Replaces the table of one agent in the same way; with shared tables, that of all agents. @throws ShapeError
+  void restart(AgentId agent, QTable table);
 
   /// @brief Discards the recorded decisions and traces, so that nothing is learned across an interruption.
   void forgetDecisions();
@@ -187,6 +202,7 @@ class Learner {
   KeyedRandom chance_;  // random numbers of the episode
   bool began_ = false;
   std::uint64_t decisions_ = 0;
+  double episode_reward_ = 0.0;
   TableStore tables_;                                  // by place
   std::unordered_map<AgentId, std::uint32_t> places_;  // 0, 1, 2 ... in the order of their first perception
   std::vector<Memory> memories_;                       // by place

@@ -18,12 +18,19 @@
 
 namespace crowd {
 
+/// @brief Answers that were not executed, or did not come.
+struct AnswerCounts {
+  std::uint64_t missed = 0;
+  std::uint64_t dropped = 0;
+  std::uint64_t late = 0;  ///< of those dropped
+};
+
 /// @brief Publishes perceptions and waits for the learners' answers, with deadlines. Owned by CrowdController, which
 /// calls ask() and then wait() once per turn. All functions run in the main loop, which wait() serves. docs/protocol.md
 /// describes the protocol.
 class AnswerCollector {
  public:
-  /// @param node whose callbacks `loop` serves
+  /// @param node whose callbacks `loop` serves @param parameters of the owner, which may change between two calls
   AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const ControllerParameters& parameters);
 
   /// @brief Publishes the perceptions of the present turn of the episode and starts to accept answers.
@@ -41,6 +48,8 @@ class AnswerCollector {
   std::vector<AgentId> unanswered(const World& world) const;
   std::uint64_t missedCount() const { return lockstep_.missedCount(); }
   std::uint64_t droppedCount() const { return lockstep_.droppedCount(); }
+  /// @brief Counts of all episodes.
+  AnswerCounts totals() const;
 
  private:
   using Clock = ros::WallTime;
@@ -55,6 +64,8 @@ class AnswerCollector {
   bool isInterrupted() const { return cancelled_ || is_outdated_ || loop_.isClosed(); }
   void endWait();
   void serveUntil(const Clock& deadline);
+  /// The moment at which a timeout [s] for the present turn is over.
+  Clock deadlineOf(double timeout) const { return asked_at_ + ros::WallDuration(timeout); }
   void awaitPresent();
   void awaitNewcomers(const Episode& episode);
   void giveUpOnNewcomers(const Episode& episode);
@@ -67,9 +78,8 @@ class AnswerCollector {
   std::string reasonForSilence() const;
   double silence(const std::vector<AgentId>& agents) const;
 
-  const double start_deadline_;   // [s]
-  const double answer_deadline_;  // [s]
-  const std::uint64_t run_;       // number of this run of the controller
+  const ControllerParameters& parameters_;
+  const std::uint64_t run_;  // number of this run of the controller
   MainLoop& loop_;
   Lockstep lockstep_;
   AnsweringLearners learners_;
@@ -81,6 +91,7 @@ class AnswerCollector {
   Episode* asked_episode_ = nullptr;  // while answers are awaited
   std_msgs::Header header_;           // of the present turn
   std::vector<AgentId> asked_;        // agents of the present turn
+  AnswerCounts earlier_;              // of earlier episodes; `late` of all
   bool cancelled_ = false;
   bool is_outdated_ = false;  // the perceptions of the present turn cannot be made again
   Clock asked_at_;

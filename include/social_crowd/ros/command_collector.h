@@ -23,6 +23,7 @@ class CommandCollector {
   /// Commands by robot.
   using Commands = std::map<RobotId, Twist>;
 
+  /// @param parameters of the owner; ~command_deadline and ~misses_until_absent may change between two calls
   CommandCollector(MainLoop& loop, const ControllerParameters& parameters);
 
   /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.
@@ -35,6 +36,9 @@ class CommandCollector {
   /// @brief Takes a command from a topic. @param node that published it
   void take(RobotId robot, const Twist& command, const std::string& node);
   const CommandCounts& countsOf(RobotId robot) const { return commands_.countsOf(robot); }
+
+  /// @brief Sum of all robots, of the present episode.
+  CommandCounts totals() const;
 
   /// @brief The commands of the coming tick are awaited from now on.
   void ask();
@@ -67,7 +71,7 @@ class CommandCollector {
   bool await();
 
   MainLoop& loop_;
-  const double deadline_;  // of the commands of a tick [s]
+  const ControllerParameters& parameters_;
   Episode* episode_ = nullptr;
   RobotCommands commands_;
   std::optional<Commands> held_;

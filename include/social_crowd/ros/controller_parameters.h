@@ -4,12 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/ros/diagnostic_period.h"
+#include "social_crowd/ros/live_parameters.h"
 #include "social_crowd/ros/parameters.h"
 
 namespace crowd {
 
-/// @brief Parameters of the node crowd_controller with their defaults.
+/// @brief Parameters of the node crowd_controller with their defaults and ranges.
 struct ControllerParameters {
+  static constexpr NumberRange REAL_TIME_FACTOR{0.0, 1e6};
+  static constexpr NumberRange START_DEADLINE{0.0, 3600.0, "s"};
+  static constexpr NumberRange DEADLINE{1e-3, 3600.0, "s"};  ///< for an answer or command
+  static constexpr NumberRange COMMAND_PERIOD{0.0, 3600.0, "s"};
+  static constexpr NumberRange MISSES{1.0, 2147483647.0};
+  static constexpr NumberRange AGENTS_RATE{0.0, 1e6, "Hz"};
+
   /// Files of ~scenario (file, or name in ~scenario_folder), else of ~config; one of these must be set.
   std::vector<std::string> scenarios;
   std::string name;                  ///< of recordings: name of the file in ~scenario or ~config
@@ -31,15 +40,19 @@ struct ControllerParameters {
   bool publish_localisation = true;  ///< ~publish_localisation: map -> odom of the robots
   bool visible_people_only = false;  ///< ~visible_people_only: people_poses and people of those that a scanner sees
   std::string trajectories;          ///< ~trajectories: folder of recordings; empty: none
-  bool ends_launch = false;          ///< ~ends_launch: end the parent roslaunch after the last episode
+  double diagnostic_period = DIAGNOSTIC_PERIOD;  ///< ~diagnostic_period [s]
+  bool ends_launch = false;                      ///< ~ends_launch: end the parent roslaunch after the last episode
 };
 
-/// @throws InputError unless it is a factor of real time from 0 (as fast as possible) to 1e6
+/// @throws InputError unless it is a factor of real time in the range of ~real_time_factor
 void requireRealTimeFactor(double factor);
 /// @brief The factor as text, `fast` for 0.
 std::string realTimeFactorText(double factor);
 
 /// @throws InputError that lists all invalid parameters
 ControllerParameters readControllerParameters(const ros::NodeHandle& private_node);
+
+/// @brief Returns those that may change while the node runs.
+LiveParameters<ControllerParameters> liveControllerParameters();
 
 }  // namespace crowd

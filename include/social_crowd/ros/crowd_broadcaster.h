@@ -20,6 +20,7 @@ namespace crowd {
 /// @brief Publishes agents, scenario, results, tf and clock of the crowd controller.
 class CrowdBroadcaster {
  public:
+  /// @param parameters of the owner; the rate of agents may change between two calls
   CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters);
 
   /// @brief With ~publish_clock, advances the simulated clock.
@@ -48,6 +49,7 @@ class CrowdBroadcaster {
 
  private:
   void publishMap(const OccupancyMap& map);
+  bool isDueToPublishAgents() const;
   bool hasPublishedAgents(const Episode& episode) const;
   void publishStates(const Episode& episode);
   void publishFrames(const Episode& episode);
@@ -55,7 +57,7 @@ class CrowdBroadcaster {
   ros::NodeHandle node_;
   bool publish_clock_;
   ros::Time clock_;
-  ros::WallDuration agents_period_;
+  const ControllerParameters& parameters_;
   ros::SteadyTime agents_published_at_;
   std::optional<std::pair<std::uint64_t, std::uint64_t>> agents_published_;  // episode, and number of changes
   ros::Publisher agents_;

@@ -13,10 +13,13 @@
 #include <vector>
 
 #include "social_crowd/ros/answer_collector.h"
+#include "social_crowd/ros/controller_diagnostics.h"
 #include "social_crowd/ros/controller_parameters.h"
 #include "social_crowd/ros/controller_status.h"
 #include "social_crowd/ros/crowd_broadcaster.h"
+#include "social_crowd/ros/diagnostics_publisher.h"
 #include "social_crowd/ros/main_loop.h"
+#include "social_crowd/ros/reconfigure_server.h"
 #include "social_crowd/ros/robot_interface.h"
 #include "social_crowd/ros/services.h"
 #include "social_crowd/simulation/episode.h"
@@ -54,7 +57,11 @@ class CrowdController {
   void advertiseScenarioServices();
   void advertiseWorldServices();
   void advertisePopulationServices();
+  void addDiagnostics();
+  void takeSample();
 
+  /// Changes parameters while the crowd walks, for services and dynamic_reconfigure.
+  void use(const ControllerParameters& parameters);
   void useScenarios(ScenarioList scenarios, const std::string& name);
   std::optional<TrajectoryFile> beginRecording(const std::string& name) const;
   /// Replaces the map of the running episode and of all later ones; logs an error and changes nothing if it is invalid.
@@ -67,11 +74,13 @@ class CrowdController {
   void awaitShutdown(const Clock& deadline);
 
   void waitWhilePaused();
-  bool mayWalk() const { return !paused_ || pending_steps_ != nullptr; }
+  bool mayWalk() const { return !parameters_.paused || pending_steps_ != nullptr; }
   void walkTurn();
   void endTick();
   /// Serves callbacks until `until`, or until the tick is cut off by a reset.
   void serveUntil(const Clock& until);
+  /// The factor of real time that is kept at present; 0: as fast as possible.
+  double presentFactor() const;
   void keepPace();
   void noteStep();
   void finishSteps();
@@ -93,7 +102,7 @@ class CrowdController {
   /// Logs what is wrong with the ways of the present episode, if anything is.
   void warnOfWays(const EpisodeResult& result, const char* when) const;
 
-  ControllerParameters parameters_;
+  ControllerParameters parameters_;  // those of LiveParameters have the present values
   MainLoop loop_;
   ros::NodeHandle node_;
   AnswerCollector answers_;
@@ -118,8 +127,7 @@ class CrowdController {
   RobotSummary robot_summary_;
 
   Clock next_tick_;
-  bool paused_;
-  double real_time_factor_;      // 0: as fast as possible
+  std::uint64_t ticks_ = 0;      // walked since the start of the node
   std::uint64_t decisions_ = 0;  // executed since the start of the node
   std::unique_ptr<PendingSteps> pending_steps_;
   std::vector<std::promise<void>> waiting_for_rest_;
@@ -128,6 +136,11 @@ class CrowdController {
   std::string trajectory_;  // rows of the present episode
 
   ControllerStatusPublisher status_;
+  const LiveParameters<ControllerParameters> live_ = liveControllerParameters();
+  ReconfigureServer reconfigure_;
+  ControllerSample last_sample_;
+  ControllerSample sample_;
+  DiagnosticsPublisher diagnostics_;
   Services services_;  // last member: its threads use all others
 };
 

@@ -13,6 +13,7 @@ namespace crowd {
 struct MarkerParameters {
   MarkerOptions options;  ///< ~agent (-1: none), ~radii (none, chosen or all), ~figures (auto, discs or people),
                           ///< ~path_time [s], ~path_step [m], ~path_points
+  bool values = true;     ///< ~values: whether the values of the chosen agent's moves are shown
   double rate = 20.0;     ///< ~rate: maximum rate of markers [Hz], wall clock
 };
 
@@ -44,14 +45,17 @@ class CrowdMarkers {
   void takeScenario(const social_crowd::Scenario& message);
   /// Publishes the frame `crowd`. RViz also needs a transform of its fixed frame.
   void publishFrame(const Vector2& middle);
+  /// Subscribes to what is shown of the chosen agent alone.
   void subscribeToPerceptions(bool wanted);
+  void subscribeToValues(bool wanted);
   void publish();
-  /// Chooses the agent whose sectors are shown, and tells it on `chosen_agent`.
+  /// Chooses the agent whose sectors and values are shown, and tells it on `chosen_agent`.
   void choose(std::int64_t agent);
 
   MainLoop loop_;
   ros::NodeHandle node_;
-  bool shows_sectors_ = false;
+  bool has_chosen_ = false;  // an agent whose sectors and values are shown
+  bool shows_values_;
   MarkerScene scene_;
   ros::Publisher publisher_;
   ros::Publisher chosen_;
@@ -60,9 +64,11 @@ class CrowdMarkers {
   ros::Subscriber agents_;
   ros::Subscriber scenario_;
   ros::Subscriber walls_;
+  ros::Subscriber map_;
   ros::Subscriber robots_;
   ros::Subscriber learner_status_;
   ros::Subscriber perceptions_;  // only while there are subscribers, because these messages are large
+  ros::Subscriber values_;       // the same, because then learners publish them
   ros::WallTimer timer_;
   ros::WallTime last_whole_;  // time of the last complete drawing
   std::uint32_t listeners_ = 0;

@@ -11,10 +11,15 @@
 
 #include "social_crowd/common/object_pool.h"
 #include "social_crowd/learning/learner.h"
+#include "social_crowd/ros/decision_publisher.h"
+#include "social_crowd/ros/diagnostics_publisher.h"
 #include "social_crowd/ros/latched_publisher.h"
+#include "social_crowd/ros/learner_diagnostics.h"
 #include "social_crowd/ros/learner_parameters.h"
+#include "social_crowd/ros/learner_settings.h"
 #include "social_crowd/ros/main_loop.h"
 #include "social_crowd/ros/perception_limiter.h"
+#include "social_crowd/ros/reconfigure_server.h"
 #include "social_crowd/ros/services.h"
 #include "social_crowd/ros/share_report.h"
 #include "social_crowd/ros/tick_messages.h"
@@ -45,7 +50,15 @@ class LearnerNode {
   /// Whether the perceptions contain what the model needs. If not, the controller has not received the status of this
   /// learner yet and will publish them again.
   bool isSufficient(const PerceptionsMessage& message);
+  /// Whether perceptions have been insufficient for longer than the controller needs to receive the status.
+  bool lacksVision() const;
   void noteEpisode();
+  LearnerSettings settings() const { return {learner_.mode(), learner_.plan()}; }
+  /// Changes mode and learning parameters, for services and dynamic_reconfigure. @throws InputError; nothing has
+  /// changed then
+  void use(const LearnerSettings& settings);
+  void addDiagnostics();
+  void takeSample();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
   social_crowd::LearnerStatus status() const;
@@ -82,14 +95,23 @@ class LearnerNode {
   std::uint64_t tick_ = 0;           // of the last perceptions
   std::uint32_t answered_turn_ = 0;  // of the last answer
   std::uint64_t episodes_ = 0;       // number of episodes begun
+  std::uint64_t answered_ = 0;       // decisions since the start of the node
+  ros::WallTime last_perceptions_;
   ros::WallTime last_status_;
   ros::WallTime insufficient_since_;                           // zero: the last perceptions were sufficient
   std::map<std::string, social_crowd::LearnerStatus> others_;  // other learners, by node name
 
   LatchedPublisher<ActionsMessage> actions_publisher_;
+  DecisionPublisher decision_publisher_;
   ros::Publisher status_publisher_;
   ros::Subscriber perceptions_subscriber_;
   ros::Subscriber status_subscriber_;
+
+  const LiveParameters<LearnerSettings> live_ = liveLearnerParameters();
+  ReconfigureServer reconfigure_;
+  LearnerSample last_sample_;
+  LearnerSample sample_;
+  DiagnosticsPublisher diagnostics_;
 
   // A thread of its own for taking tables: learners that share at the same time must not wait for each other.
   Services taking_;

@@ -6,18 +6,20 @@
 
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/ros/diagnostic_period.h"
 #include "social_crowd/ros/parameters.h"
 
 namespace crowd {
 
 /// @brief Parameters of the node learner with their defaults.
 struct LearnerParameters {
-  Learner::Options options;                   ///< ~mode, ~tables, ~agents, ~seed, ~alpha, ~gamma, ~lambda, ~epsilon
-  TrainedTable table;                         ///< of ~q_table; else an empty one for the model of ~config
-  TakeMethod on_share = TakeMethod::REPLACE;  ///< ~on_share: replace or merge, if a request contains no method
-  std::string save_to;                        ///< ~save_to: Q-table file that is written at the end, absolute path
-  std::uint64_t save_every = 0;               ///< ~save_every: also written after this number of episodes; 0: never
-  std::vector<std::string> warnings;          ///< to be printed at the start
+  Learner::Options options;                      ///< ~mode, ~tables, ~agents, ~seed, ~alpha, ~gamma, ~lambda, ~epsilon
+  TrainedTable table;                            ///< of ~q_table; else an empty one for the model of ~config
+  TakeMethod on_share = TakeMethod::REPLACE;     ///< ~on_share: replace or merge, if a request contains no method
+  std::string save_to;                           ///< ~save_to: Q-table file that is written at the end, absolute path
+  std::uint64_t save_every = 0;                  ///< ~save_every: also written after this number of episodes; 0: never
+  double diagnostic_period = DIAGNOSTIC_PERIOD;  ///< ~diagnostic_period [s]
+  std::vector<std::string> warnings;             ///< to be printed at the start
 };
 
 /// @throws InputError that lists all invalid parameters

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <social_crowd/AgentStates.h>
+#include <social_crowd/DecisionValues.h>
 #include <social_crowd/LearnerStatus.h>
 #include <social_crowd/RobotStates.h>
 #include <social_crowd/Scenario.h>
 #include <social_crowd/Walls.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -16,6 +19,7 @@
 #include "social_crowd/learning/states/state_set.h"
 #include "social_crowd/ros/marker_figures.h"
 #include "social_crowd/ros/marker_paths.h"
+#include "social_crowd/ros/marker_values.h"
 #include "social_crowd/ros/tick_messages.h"
 #include "social_crowd/world/geometry.h"
 #include "social_crowd/world/perception.h"
@@ -38,8 +42,10 @@ class KnownStateSets {
   Shared state_set_;
 };
 
-/// @brief Returns the centre of the bounding box of a scenario: agents, goals, obstacles, walls. Positions that are not
-/// finite are ignored.
+/// @brief Returns the bounding box of a scenario: agents, goals, obstacles, walls [m], `map`. Positions that are not
+/// finite are ignored. Without any, the box is empty.
+Eigen::AlignedBox2d boundsOf(const social_crowd::Scenario& scenario);
+/// @brief Returns the centre of this box, or the origin; the frame `crowd` is there, rounded to metres.
 Vector2 middleOf(const social_crowd::Scenario& scenario);
 
 /// @brief The state of agents and obstacles at the start of an episode.
@@ -52,7 +58,7 @@ struct MarkerOptions {
   static constexpr std::int64_t NO_AGENT = -1;
   static constexpr std::size_t MOST_FIGURES = 200;  ///< with AUTO, larger crowds are shown as discs
 
-  std::int64_t agent = 0;            ///< the agent whose occupied sectors are shown; NO_AGENT: none
+  std::int64_t agent = 0;            ///< the agent whose occupied sectors and values are shown; NO_AGENT: none
   Radii radii = Radii::CHOSEN;       ///< agents around which the limits of the distance classes are shown
   Figures figures = Figures::AUTO;   ///< agents as discs or as walking people
   double path_time = 0.0;            ///< time for which walked paths are shown [s]; 0: see pathTimeFor()
@@ -69,19 +75,22 @@ class MarkerScene {
   void take(const social_crowd::RobotStates::ConstPtr& message);
   void take(const social_crowd::Scenario& message);
   void take(const social_crowd::Walls& message);
+  /// @brief An empty map means that there is none. @throws InputError if the map is invalid; nothing has changed then
+  void take(const nav_msgs::OccupancyGrid& message);
   /// @throws InputError if the perception of the chosen agent is invalid
   void take(const PerceptionsMessage& message);
+  void take(const social_crowd::DecisionValues::ConstPtr& message);
   /// @throws InputError if the model in the status is invalid; nothing has changed then
   void take(const social_crowd::LearnerStatus& message);
 
-  /// @brief Chooses the agent whose occupied sectors are shown; NO_AGENT: none.
+  /// @brief Chooses the agent whose occupied sectors and values are shown; NO_AGENT: none.
   void choose(std::int64_t agent);
 
   /// @brief Whether the scene has changed since draw().
   bool hasChanged() const { return changed_; }
 
   /// @brief Returns all markers; markers without content are deleted in RViz.
-  /// @param whole also draw the settled parts of the paths, which are large and rarely change
+  /// @param whole also draw the map and the settled parts of the paths, which are large and rarely change
   visualization_msgs::MarkerArray draw(bool whole);
 
  private:
@@ -93,12 +102,17 @@ class MarkerScene {
   const social_crowd::AgentState* findChosen() const;
   visualization_msgs::Marker drawRadii() const;
   visualization_msgs::Marker drawOccupiedSectors() const;
+  void drawValues(visualization_msgs::MarkerArray& array);
 
   MarkerOptions options_;
   KnownStateSets state_sets_;
   social_crowd::AgentStates::ConstPtr states_;  // never null
   std::vector<social_crowd::Wall> walls_;
-  Perceptions perceptions_;  // of the chosen agent only, or empty
+  visualization_msgs::Marker map_;                   // drawn when the map came
+  bool map_changed_ = false;                         // since draw()
+  Perceptions perceptions_;                          // of the chosen agent only, or empty
+  social_crowd::DecisionValues::ConstPtr decision_;  // of the chosen agent, or null
+  ValuesDrawing values_;
   WalkedPaths paths_;
   std::size_t most_walkers_ = 0;  // at a time in the episode
   WalkingFigures figures_;

@@ -11,6 +11,7 @@ namespace crowd::marker_style {
 using Colour = std_msgs::ColorRGBA;
 
 // One namespace for each kind of marker; RViz can switch each off.
+constexpr const char* MAP = "map";
 constexpr const char* BODIES = "bodies";
 constexpr const char* HEADINGS = "headings";
 constexpr const char* GOALS = "goals";
@@ -19,11 +20,26 @@ constexpr const char* OBSTACLES = "obstacles";
 constexpr const char* WALLS = "walls";
 constexpr const char* RADII = "radii";
 constexpr const char* SECTORS = "sectors";
+constexpr const char* VALUES = "values";
+constexpr const char* VISITS = "visits";
 constexpr const char* ROBOTS = "robots";
 constexpr const char* FIGURES = "figures";
 
 /// @brief Drawing order, lowest first.
-enum class Layer { SECTORS = 1, OBSTACLES, WALLS, PATHS, GOALS, RADII, BODIES, HEADINGS, CONTACTS };
+enum class Layer {
+  MAP = 0,
+  SECTORS,
+  OBSTACLES,
+  WALLS,
+  PATHS,
+  GOALS,
+  RADII,
+  VALUES,
+  CHOSEN_MOVE,
+  BODIES,
+  HEADINGS,
+  CONTACTS
+};
 constexpr double LAYER_HEIGHT = 0.02;  ///< distance between two layers [m]; RViz mixes layers that are nearer
 
 // Sizes [m].
@@ -31,6 +47,7 @@ constexpr double PATH_WIDTH = 0.035;
 constexpr double WALL_WIDTH = 0.06;
 constexpr double RADIUS_WIDTH = 0.012;
 constexpr double CONTACT_WIDTH = 0.06;
+constexpr double CHOSEN_WIDTH = 0.025;
 constexpr double GOAL_WIDTH = 0.045;
 constexpr double GOAL_SIZE = 0.13;        ///< length of an arm of the cross
 constexpr double ROBOT_GOAL_SIZE = 0.26;  ///< the same, of a robot
@@ -71,10 +88,18 @@ Colour ofFigure(FigurePart part, std::uint32_t agent);
 double figureHeight(std::uint32_t agent);
 /// @brief Colour of the floor that the body of an agent with a figure covers.
 Colour underFigure(std::uint32_t agent);
+/// @brief Colour of the value of a move, also for people who do not distinguish red and green: from dark violet (0, the
+/// worst move of a decision) over green to yellow (1, the best).
+Colour ofValue(double share);
+/// @brief Outline of the chosen move. @param exploration whether another one has a higher value
+Colour ofChosenMove(bool exploration);
+Colour ofVisits();
 Colour ofContact();
 Colour ofRobot();
 Colour ofHeading();
 Colour ofObstacle();
 Colour ofWall();
+/// @brief Colour of the cells of a map that are not free. @param occupied else unknown
+Colour ofCell(bool occupied);
 
 }  // namespace crowd::marker_style

@@ -11,14 +11,16 @@ constexpr const char* WALLS = "walls";              ///< Walls, latched: crowd_c
 constexpr const char* MAP = "map";                  ///< nav_msgs/OccupancyGrid, latched: crowd_controller -> RViz
 constexpr const char* EPISODE_RESULTS = "episode_results";  ///< EpisodeResult: crowd_controller -> any node
 constexpr const char* CONTROLLER_STATUS =
-    "controller_status";                                  ///< ControllerStatus: crowd_controller -> user interfaces
-constexpr const char* LEARNER_STATUS = "learner_status";  ///< LearnerStatus, latched: learner -> all
-constexpr const char* MARKERS = "markers";                ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
-constexpr const char* CHOSEN_AGENT = "chosen_agent";      ///< std_msgs/Int32, latched: crowd_markers -> any node
+    "controller_status";                                    ///< ControllerStatus: crowd_controller -> user interfaces
+constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, latched: learner -> all
+constexpr const char* MARKERS = "markers";                  ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
+constexpr const char* CHOSEN_AGENT = "chosen_agent";        ///< std_msgs/Int32, latched: crowd_markers -> any node
+constexpr const char* DECISION_VALUES = "decision_values";  ///< DecisionValues: learner -> crowd_markers
 constexpr const char* CHOSEN_AGENT_GOAL = "chosen_agent/goal";  ///< geometry_msgs/PoseStamped: RViz -> crowd_editor
-constexpr const char* EDITOR = "crowd_editor";  ///< namespace of interactive markers: crowd_editor <-> RViz
-constexpr const char* CLOCK = "/clock";         ///< rosgraph_msgs/Clock; absolute, as ROS requires
-constexpr const char* TF = "/tf";               ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
+constexpr const char* EDITOR = "crowd_editor";       ///< namespace of interactive markers: crowd_editor <-> RViz
+constexpr const char* CLOCK = "/clock";              ///< rosgraph_msgs/Clock; absolute, as ROS requires
+constexpr const char* DIAGNOSTICS = "/diagnostics";  ///< diagnostic_msgs/DiagnosticArray; absolute, as in its updater
+constexpr const char* TF = "/tf";                    ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
 
 constexpr const char* ROBOTS = "robots";  ///< RobotStates: crowd_controller -> any node
 
@@ -47,6 +49,8 @@ constexpr const char* REMOVE_AGENT = "remove_agent";
 constexpr const char* SET_GOAL = "set_goal";
 constexpr const char* SET_ROUTE = "set_route";
 constexpr const char* SET_GATE = "set_gate";
+constexpr const char* ADD_SOURCE = "add_source";
+constexpr const char* ADD_GATE = "add_gate";
 constexpr const char* TELEPORT = "teleport";
 constexpr const char* ADD_WALL = "add_wall";
 constexpr const char* REMOVE_WALL = "remove_wall";
@@ -61,6 +65,11 @@ constexpr const char* TAKE_Q_TABLE = "take_q_table";
 constexpr const char* RESET_TRACES = "reset_traces";
 constexpr const char* SET_MODE = "set_mode";
 constexpr const char* SET_LEARNING_PARAMETERS = "set_learning_parameters";
+
+// Protocol of dynamic_reconfigure; private names below the node.
+constexpr const char* SET_PARAMETERS = "set_parameters";                  ///< service Reconfigure
+constexpr const char* PARAMETER_DESCRIPTIONS = "parameter_descriptions";  ///< ConfigDescription, latched
+constexpr const char* PARAMETER_UPDATES = "parameter_updates";            ///< Config
 
 // Frames.
 constexpr const char* MAP_FRAME = "map";

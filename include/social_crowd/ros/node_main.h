@@ -9,10 +9,21 @@
 
 namespace crowd {
 
-/// @brief main() of a node: creates a `Node` with the two node handles and runs it. Errors are logged.
+/// @brief What --help prints of a node.
+struct NodeUsage {
+  const char* what;     ///< what the node does, a sentence
+  const char* example;  ///< arguments of an example
+};
+
+/// @brief Prints the usage of a node if it is asked for. @return whether it was
+bool printUsage(int argc, char** argv, const char* name, const NodeUsage& usage);
+
+/// @brief main() of a node: creates a `Node` with the two node handles and runs it; with --help, prints the usage.
+/// Errors are logged.
 /// @return exit status: 0, or 1 after an error
 template <typename Node>
-int runNode(int argc, char** argv, const char* name) {
+int runNode(int argc, char** argv, const char* name, const NodeUsage& usage) {
+  if (printUsage(argc, argv, name, usage)) return 0;
   try {
     ros::init(argc, argv, name);
   } catch (const std::exception& error) {

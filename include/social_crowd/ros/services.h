@@ -27,7 +27,7 @@ class Services {
              std::function<void(const typename Service::Request&, typename Service::Response&)> handler) {
     using Request = typename Service::Request;
     using Response = typename Service::Response;
-    const boost::function<bool(Request&, Response&)> answer = [handler](Request& request, Response& response) {
+    serveAs<Service>(name, [handler](const Request& request, Response& response) {
       try {
         response.success = true;
         handler(request, response);
@@ -35,6 +35,17 @@ class Services {
         response.success = false;
         response.message = error.what();
       }
+    });
+  }
+
+  /// @brief Advertises a service of another form. An exception in its handler fails the call.
+  template <typename Service>
+  void serveAs(const std::string& name,
+               std::function<void(const typename Service::Request&, typename Service::Response&)> handler) {
+    using Request = typename Service::Request;
+    using Response = typename Service::Response;
+    const boost::function<bool(Request&, Response&)> answer = [handler](Request& request, Response& response) {
+      handler(request, response);
       return true;
     };
     servers_.push_back(node_.advertiseService<Request, Response>(name, answer));

@@ -76,6 +76,7 @@ class Episode {
   void removeAgent(AgentId id);
   void setGoal(AgentId id, const Vector2& goal);
   std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
+  void moveObstacle(std::size_t number, const Vector2& position);
   void removeObstacle(std::size_t number);
   void teleport(AgentId id, const Pose& pose);
   std::size_t addWall(const Segment& wall);
@@ -93,8 +94,14 @@ class Episode {
   /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later. @return whether it is
   /// open now
   bool setGate(const std::string& gate, bool open);
+  /// @brief Adds a source, which begins now. @param source as read from a scenario file @return its index
+  std::size_t addSource(const SourceDescription& source);
+  /// @brief Adds a gate. @throws InputError also if there is one of its name
+  void addGate(const GateDescription& gate);
 
  private:
+  /// Uses another population from now on.
+  void adopt(PopulationDescription population);
   /// Notes a change of the world: waypoints are updated, and the perceptions are not current any more.
   void noteChange();
   /// Notes a change of the walls by a user.

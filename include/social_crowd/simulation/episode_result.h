@@ -75,6 +75,21 @@ struct EpisodeResult {
 /// The owner calls observe() after each tick, and watch() and recordGoal() when it changes the world.
 class EpisodeMonitor {
  public:
+  /// @brief What is known about the motion of one agent so far.
+  struct Track {
+    std::uint64_t begin = 0;  // tick at which it was added
+    Vector2 start = Vector2::Zero();
+    Vector2 goal = Vector2::Zero();  // of the next tick
+    Vector2 position = Vector2::Zero();
+    double course = 0.0;        // direction of the last step [rad]
+    bool moves = false;         // whether `course` is valid
+    double longest_step = 0.0;  // [m]
+    double distance = 0.0;      // to the goal [m]
+    double turn = 0.0;
+    double max_speed = 0.0;
+    AgentResult result;
+  };
+
   EpisodeMonitor(const Scene& scene, const World& world);
 
   /// @brief Registers the agent that was added to the world last.
@@ -91,7 +106,14 @@ class EpisodeMonitor {
   /// @brief Whether the agent is on a route that repeats.
   void setEndless(AgentId id, bool endless) { tracks_[id].result.endless = endless; }
 
-  /// @brief Measures one tick; call it after each tick. @param thread_pool its threads share the agents
+  /// @brief Replaces the tracks, as World::replaceAgents() does with the agents. @return the former tracks
+  std::vector<Track> replaceTracks(std::vector<Track> tracks);
+  const std::vector<Track>& tracks() const { return tracks_; }
+  /// @brief The result of one track.
+  AgentResult resultOf(const Track& track) const;
+
+  /// @brief Measures one tick; call it after each tick. Agents that do not perceive are left out. @param thread_pool
+  /// its threads share the agents
   void observe(const World& world, ThreadPool& thread_pool = ThreadPool::callerOnly());
   EpisodeResult result() const;
 
@@ -99,19 +121,6 @@ class EpisodeMonitor {
   /// Minimum speed at which the direction of motion is evaluated [m/s].
   static constexpr double MOVING = 0.05;
 
-  struct Track {
-    std::uint64_t begin = 0;  // tick at which it was added
-    Vector2 start = Vector2::Zero();
-    Vector2 goal = Vector2::Zero();  // of the next tick
-    Vector2 position = Vector2::Zero();
-    double course = 0.0;        // direction of the last step [rad]
-    bool moves = false;         // whether `course` is valid
-    double longest_step = 0.0;  // [m]
-    double distance = 0.0;      // to the goal [m]
-    double turn = 0.0;
-    double max_speed = 0.0;
-    AgentResult result;
-  };
   /// @param along_heading whether it moved in the direction of its heading
   void observeAgent(const Agent& agent, bool along_heading, Track& track) const;
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/world/scenario.h"
@@ -35,6 +36,9 @@ struct EvaluatedEpisode {
   std::string states;      ///< rows below STATE_RECORD_HEADER, if requested
   std::string scene;       ///< initial scene as a document of a scenario file, if requested
 };
+
+/// @brief A learner in demo mode with this table, for all agents.
+Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed);
 
 /// @brief Runs scenarios with a Q-table in demo mode.
 /// @param deliver called once per episode, in the order of the instances, never concurrently but on any of the threads;

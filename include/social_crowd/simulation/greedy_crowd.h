@@ -16,8 +16,11 @@ class GreedyCrowd {
   /// @param episode its number; with the tick it seeds random tie-breaking
   /// @param actions is overwritten; in the order of the world's bodies
   /// @param thread_pool its threads share the agents; the decisions do not depend on their number
+  /// @param names of the world's agents, by their id, by which a learner that serves all agents knows them; null: their
+  /// ids
   void decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
-              std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
+              std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly(),
+              const std::vector<AgentId>* names = nullptr);
 
  private:
   /// Workspace of one worker.
@@ -25,7 +28,10 @@ class GreedyCrowd {
     World::PerceptionWorkspace perception_workspace;
     Perceptions perceptions;
     DecisionWorkspace decision_workspace;
+    std::vector<AgentId> ids;  // of the agents of a block, if they have names
   };
+  static void decideBlock(const Learner& learner, const std::vector<AgentId>* names, ThreadWorkspace& workspace,
+                          std::vector<AgentAction>& actions);
 
   std::vector<ThreadWorkspace> workspaces_;
   std::vector<std::vector<AgentAction>> decided_;  // by block, if several workers decide

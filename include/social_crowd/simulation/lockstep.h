@@ -44,6 +44,8 @@ class Lockstep {
  public:
   explicit Lockstep(int misses_until_absent) : misses_until_absent_(misses_until_absent) {}
 
+  void setMissesUntilAbsent(int misses) { misses_until_absent_ = misses; }
+
   /// @brief Requests answers for these agents. A tick that is still open is abandoned.
   void open(std::uint64_t episode, std::uint64_t tick, const std::vector<AgentId>& agents);
   /// @brief Accepts the answers of a learner. @return the refused answers, valid until the next call

@@ -45,6 +45,10 @@ class Population {
   /// @brief Opens or closes a gate, see Gate. @return whether it is open now @throws InputError that lists the known
   /// names
   bool setGate(const std::string& gate, bool open, World& world);
+  /// @brief Adds the last source, or the last gate, of a description that is otherwise the present one. A source begins
+  /// now.
+  void addSource(const Scene& scene, const World& world);
+  void addGate(const Scene& scene, World& world);
   /// @brief Adds or removes the walls of the gates, for changes of walls by others.
   void updateGates(World& world);
 
@@ -64,6 +68,8 @@ class Population {
   /// Whether there is nothing to update, as in scenes of agents with goals alone.
   bool isEmpty() const { return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty(); }
   void updateAll(World& world, EpisodeMonitor& monitor);
+  /// Uses the population of a scene from now on. What was made with the one before still refers to that.
+  void adopt(const Scene& scene, PopulationDescription description);
   KeyedRandom randomOfRoute(AgentId id, std::uint64_t tick) const;
   Member* find(AgentId id);
   /// Adds an agent that has just appeared.
@@ -83,6 +89,7 @@ class Population {
   void spawn(World& world, EpisodeMonitor& monitor);
 
   std::shared_ptr<const PopulationDescription> description_;
+  std::vector<std::shared_ptr<const PopulationDescription>> earlier_;  // descriptions, which others refer to
   std::uint64_t seed_;
   PlacePicker places_;
   std::optional<WayLengths> ways_;  // with way-finding

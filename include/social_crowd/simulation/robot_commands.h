@@ -51,6 +51,7 @@ struct CommandSettings {
 class RobotCommands {
  public:
   explicit RobotCommands(const CommandSettings& settings) : settings_(settings) {}
+  void setMissesUntilAbsent(int misses) { settings_.misses_until_absent = misses; }
 
   /// @brief Begins an episode: forgets all commands and counts. With the same number of robots, those that were awaited
   /// remain so. @param timeouts of the commands, by robot [s] @param tick_duration [s]

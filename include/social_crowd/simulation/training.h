@@ -6,8 +6,8 @@
 #include "social_crowd/common/thread_pool.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/simulation/training_config.h"
+#include "social_crowd/simulation/training_state.h"
 #include "social_crowd/world/scenario.h"
 
 namespace crowd {
@@ -29,14 +29,25 @@ class Training {
   /// @throws ShapeError if the table is for another state set or action set; otherwise as above.
   Training(TrainingConfig config, TrainedTable begin, unsigned threads = 1);
 
-  /// @brief Runs the episodes of the next turn and learns from them. @return their results, in order
-  std::vector<EpisodeResult> runNextTurn();
+  /// @brief Runs the episodes of the next turn and learns from them. @return these episodes, in order
+  std::vector<LearnedEpisode> runNextTurn();
+  /// @brief From now on LearnedEpisode::visited_rows is known. This takes one look at the whole table per turn; with a
+  /// single learner, one at all.
+  void countVisitedRows();
+  /// @brief Returns the state between two turns.
+  TrainingState state() const;
+  /// @brief Goes on from a state of a training with the same configuration; the number of episodes may differ. Episodes
+  /// and tables are then the same, bit for bit, as if the training had not been interrupted.
+  /// @throws InputError if the state is later than the last episode of the configuration, or, with learners side by
+  /// side, within a turn of it; nothing has changed then
+  void restore(TrainingState state);
   bool isDone() const { return episode_ >= config_.training.episodes; }
   /// @brief Number of completed episodes.
   std::uint64_t episode() const { return episode_; }
   /// @brief Number of decisions in this training, without those before it.
   std::uint64_t decisions() const { return allDecisions() - decisions_before_; }
   const TrainingConfig& config() const { return config_; }
+  const ScenarioList& scenarios() const { return scenarios_; }
   /// @brief The learner; with several side by side, the first.
   const Learner& learner() const { return learners_.front(); }
   /// @brief The table learned so far; with own tables, that of agent 0, the pioneer.
@@ -45,7 +56,10 @@ class Training {
  private:
   std::uint64_t allDecisions() const;
   /// Each learner runs the next `each` episodes, as far as episodes are left.
-  std::vector<EpisodeResult> runEpisodes(std::uint64_t each);
+  std::vector<LearnedEpisode> runEpisodes(std::uint64_t each);
+  LearnedEpisode runOne(std::size_t number, std::uint64_t episode);
+  /// Notes the rows with visits in the table that the learners have now.
+  void noteVisitedRows();
   void merge(QTable table);
 
   TrainingConfig config_;
@@ -55,6 +69,8 @@ class Training {
   ThreadPool thread_pool_;
   std::uint64_t decisions_before_ = 0;
   std::uint64_t episode_ = 0;
+  bool counts_rows_ = false;
+  Row visited_rows_ = 0;  // of the table at the beginning of the turn, less its QTable::newRows()
 };
 
 }  // namespace crowd

@@ -15,6 +15,13 @@ constexpr const char* TRAJECTORY_HEADER = "instance,tick,agent,x,y\n";
 /// @brief Appends the rows of the present tick: one for each agent that is on its way or has just arrived.
 void appendTrajectoryRows(std::uint64_t instance, const World& world, std::string& rows);
 
+/// @brief Whether an agent has a row in the present tick.
+bool hasTrajectoryRow(const Agent& agent, const World& world);
+
+/// @brief Appends the row of one agent. @param position [m], `map`
+void appendTrajectoryRow(std::uint64_t instance, std::uint64_t tick, AgentId agent, const Vector2& position,
+                         std::string& rows);
+
 /// @brief Trajectory file to which episodes are appended.
 class TrajectoryFile {
  public:

@@ -39,6 +39,8 @@ struct Agent {
   bool touched = false;             ///< in contact in any tick so far
   bool in_collision = false;        ///< a rim or wall was within the collision radius at the end of the last tick
   bool collided = false;            ///< in collision in any tick so far
+  /// False for a copy of an agent of another process (DistributedCrowd): others perceive it, but it does not perceive.
+  bool perceives = true;
 
   bool isWalking() const { return status == AgentStatus::WALKING; }
   bool hasArrived() const { return status == AgentStatus::ARRIVED; }

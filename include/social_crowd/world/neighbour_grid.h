@@ -92,8 +92,9 @@ class NeighbourGrid {
 
  private:
   static constexpr std::size_t MAX_CELLS = 1U << 20U;
-  static constexpr std::size_t SHORT = 8;  // up to this number of discs, branches cost less than vector instructions
-  static constexpr std::size_t LIST = 32;  // up to this number, all discs form one run, in the order of add()
+  static constexpr double ROUNDING = 1e-6;  // of differences of coordinates [m]
+  static constexpr std::size_t SHORT = 8;   // up to this number of discs, branches cost less than vector instructions
+  static constexpr std::size_t LIST = 32;   // up to this number, all discs form one run, in the order of add()
 
   /// A rectangle of cells; the discs of each of its rows form one run.
   struct Cells {
@@ -102,9 +103,10 @@ class NeighbourGrid {
     std::int64_t bottom;
     std::int64_t top;
   };
-  /// The cells of all discs whose rim may be within the distance.
+  /// The cells of all discs whose rim may be within the distance. With a margin for rounding, so that what is found
+  /// does not depend on where the cells begin.
   Cells cellsNear(const Vector2& point, double distance) const {
-    const double reach = std::max(0.0, distance + max_radius_);
+    const double reach = std::max(0.0, distance + max_radius_) + ROUNDING;
     return {column(point.x() - reach), column(point.x() + reach), row(point.y() - reach), row(point.y() + reach)};
   }
   Run runOf(const Cells& cells, std::int64_t row) const {

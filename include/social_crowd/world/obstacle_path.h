@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "social_crowd/world/geometry.h"
@@ -30,6 +31,9 @@ class ObstaclePath {
   Motion at(double t) const;
   Vector2 position(double t) const { return at(t).position; }
   Vector2 velocity(double t) const { return at(t).velocity; }
+  /// @brief The path that begins where this one is after t seconds, and goes on as this one does. Of a path along
+  /// waypoints it is a LOOP, also of one to and fro.
+  ObstaclePath after(double t) const;
   Kind kind() const { return kind_; }
   bool moves() const { return kind_ != Kind::AT_REST; }
   /// @brief The points of the path in `map` [m]; the first is the start.
@@ -46,7 +50,8 @@ class ObstaclePath {
     double begin = 0.0;
     double end = 0.0;
   };
-  const Leg& legAt(double distance) const;
+  /// The leg on which the obstacle is after t seconds, and how far it is on it [m].
+  std::pair<const Leg&, double> legAt(double t) const;
 
   Kind kind_ = Kind::AT_REST;
   std::vector<Vector2> points_;

@@ -40,6 +40,8 @@ class SolidMotion {
     bool touched = false;                ///< it took part in an impact
     bool diverted = false;               ///< its motion was changed by an impact
     double stopped_at = 1.0;             ///< of a robot: share of the tick at which it was stopped
+    /// Checksum of the changes of its motion, with their times: equal for equal motions, also in another set of bodies.
+    std::uint64_t history = 0;
   };
   /// @brief Indices of a disc that is not a robot, and a robot, that took part in a common impact.
   struct Touch {
@@ -49,6 +51,8 @@ class SolidMotion {
 
   /// @brief Returns the outcome for each disc, in their order; valid until the next call.
   const std::vector<Outcome>& move(const std::vector<Disc>& discs, const WallIndex& walls);
+  /// @brief The outcomes of the last call of move().
+  std::vector<Outcome>& outcomes() { return outcomes_; }
   /// @brief Common impacts of discs and robots in the last call; a pair may be repeated.
   const std::vector<Touch>& touches() const { return touches_; }
 
@@ -69,7 +73,8 @@ class SolidMotion {
     bool judged = false;  // impacts of this instant change its way
     int pushes = 0;       // number of obstacles that push it at this instant
     Vector2 push = Vector2::Zero();
-    double speed = 0.0;      // upper bound of the displacement of its points in a whole tick
+    double speed = 0.0;  // upper bound of the displacement of its points in a whole tick
+    std::uint64_t history = 0;
     Index sweep = NO_SWEEP;  // index of its motion, if it is a robot
 
     bool isRobot() const { return sweep != NO_SWEEP; }
@@ -106,7 +111,12 @@ class SolidMotion {
   void stop(Index agent);
   void settle(double now);
 
+  /// Adds the change of a body's way to its history.
+  void record(Body& body) const;
+
   const WallIndex* walls_ = nullptr;  // during move() only
+  double instant_ = 0.0;              // of the impacts that are settled
+  std::uint64_t round_ = 0;           // number of rounds of impacts at this instant so far
   std::vector<Body> bodies_;
   std::vector<RobotSweep> sweeps_;  // of the robots
   NeighbourGrid grid_;

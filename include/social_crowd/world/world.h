@@ -104,6 +104,17 @@ class World {
   /// @throws InputError if an action is not finite or its speed fraction is not within 0 to 1; the world is unchanged
   /// then.
   void step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
+  /// @brief The first half of step(): agents turn, and in a ghost world they move. In a solid world the motions are
+  /// computed, but not yet carried out.
+  void beginStep(const std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
+  /// @brief Between beginStep() and endStep() of a solid world: the intended motions of the agents on their way, in the
+  /// order of their ids, then of the obstacles, then of the robots.
+  const std::vector<SolidMotion::Disc>& solidDiscs() const { return discs_; }
+  /// @brief The outcomes of these motions; endStep() carries out those that are here then.
+  std::vector<SolidMotion::Outcome>& solidOutcomes() { return solid_motion_.outcomes(); }
+  /// @brief The second half of step(): carries out the motions of a solid world, then measures contacts, collisions and
+  /// arrivals.
+  void endStep(ThreadPool& thread_pool = ThreadPool::callerOnly());
   /// @brief Moves one agent now, by its action among the given ones; without one it stays.
   /// @throws InputError as step() does; the world is unchanged then.
   void moveAgent(AgentId id, const std::vector<AgentAction>& actions);
@@ -113,6 +124,9 @@ class World {
   /// @brief Adds an agent and returns its id. @throws InputError if its position is occupied, it has no goal, or a
   /// number is out of range.
   AgentId spawnAgent(const AgentStart& start);
+  /// @brief Replaces all agents, between two ticks. Their ids become their indices; the order of ids decides between
+  /// equally near neighbours. @return the former agents
+  std::vector<Agent> replaceAgents(std::vector<Agent> agents);
   /// @brief Removes an agent. @throws InputError unless it is on its way.
   void removeAgent(AgentId id);
   /// @brief Replaces all goals of an agent by one [m], `map`. @throws InputError unless the agent is on its way.
@@ -140,6 +154,10 @@ class World {
   /// @brief Adds an obstacle, whose path begins now, and returns its index. @param position [m], `map`
   /// @param velocity [m/s], `map` @param radius [m] @throws InputError if a number is invalid or it overlaps an agent.
   std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
+  /// @brief Moves an obstacle to another place. It keeps its velocity; one that follows waypoints stays there.
+  /// @param position [m], `map` @throws InputError if there is no such obstacle, a number is not finite, or it would
+  /// overlap an agent; the world is unchanged then.
+  void moveObstacle(std::size_t number, const Vector2& position);
   /// @brief Removes an obstacle; the indices of later obstacles decrease by one. @throws InputError if there is none.
   void removeObstacle(std::size_t number);
   /// @brief Adds a wall and returns its id. @param wall [m], `map` @throws InputError if a number is not finite, the
@@ -183,10 +201,16 @@ class World {
   /// Moves the solid bodies for which moves(body) holds (agents by id, then obstacles); the others stand still.
   template <typename Moves>
   void moveSolids(const Moves& moves);
+  /// The two halves of moveSolids(): computes the motions, and carries them out.
+  template <typename Moves>
+  void computeSolidMotions(const Moves& moves);
+  template <typename Moves>
+  void carryOutSolidMotions(const Moves& moves);
   void finishTick(ThreadPool& thread_pool);
   void endMove(Agent& agent, std::size_t& arrivals) const;
   /// Whether the rim of another body, or a wall, is within the distance of the agent's centre.
   bool isAnythingWithin(double distance, const Agent& agent) const;
+  void requireObstacle(std::size_t number) const;
   void placeObstacles();
   void moveObstacles();
   void rebuildGrid();
@@ -198,7 +222,9 @@ class World {
   template <typename Work>
   void forEachInGrid(std::size_t first, std::size_t last, const Work& work) const;
   bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
-  bool isPerceiving(const Agent& agent) const { return agent.isWalking() || hasJustArrived(agent); }
+  bool isPerceiving(const Agent& agent) const {
+    return agent.perceives && (agent.isWalking() || hasJustArrived(agent));
+  }
   /// Prepares perceptions for a number of agents.
   void beginPerceptions(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
                         Perceptions& perceptions) const;

@@ -11,16 +11,16 @@ namespace crowd {
 
 std::string LearningParameters::problems() const {
   std::string problems;
-  const auto require = [&](bool fine, const char* name, const char* expected, double got) {
-    if (fine) return;
+  const auto require = [&](const NumberRange& range, const char* name, double got) {
+    if (range.contains(got)) return;
     if (!problems.empty()) problems += "; ";
-    problems += std::string(name) + ": expected " + expected + ", got " + toText(got);
+    problems += std::string(name) + ": expected " + toText(range) + ", got " + toText(got);
   };
-  require(alpha > 0.0 && alpha <= 1.0, "alpha", "a number above 0, at most 1", alpha);
-  require(gamma >= 0.0 && gamma < 1.0, "gamma", "a number from 0 to below 1", gamma);
-  require(lambda >= 0.0 && lambda <= 1.0, "lambda", "a number from 0 to 1", lambda);
-  require(alpha_decay >= 0.0 && alpha_decay <= 1.0, "alpha_decay", "a number from 0 to 1", alpha_decay);
-  require(epsilon >= 0.0 && epsilon <= 1.0, "epsilon", "a number from 0 to 1", epsilon);
+  require(ALPHA, "alpha", alpha);
+  require(GAMMA, "gamma", gamma);
+  require(FRACTION, "lambda", lambda);
+  require(FRACTION, "alpha_decay", alpha_decay);
+  require(FRACTION, "epsilon", epsilon);
   return problems;
 }
 

@@ -64,6 +64,11 @@ Row QTable::visitedRows() const {
   return count;
 }
 
+void QTable::noteFirstVisit(Row row) {
+  const std::uint32_t* const visits = &visits_[index(row, 0)];
+  new_rows_ += std::accumulate(visits, visits + actions_, std::uint64_t{0}) == 1 ? 1 : 0;
+}
+
 std::uint64_t QTable::allVisits() const { return std::accumulate(visits_.begin(), visits_.end(), std::uint64_t{0}); }
 
 bool operator==(const QTable& a, const QTable& b) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "social_crowd/common/enum_names.h"
+#include "social_crowd/common/number_range.h"
 
 namespace crowd {
 
@@ -17,6 +18,10 @@ inline constexpr EnumNames<Ties, 2> TIES{"ties", {"first", "random"}};
 
 /// @brief Parameters of Q-learning (3.1). The defaults are the thesis's.
 struct LearningParameters {
+  static constexpr NumberRange ALPHA{0.0, 1.0, "", true, false};
+  static constexpr NumberRange GAMMA{0.0, 1.0, "", false, true};
+  static constexpr NumberRange FRACTION{0.0, 1.0};  ///< of the others
+
   double alpha = 0.1;    ///< learning rate, above 0, at most 1
   double gamma = 0.1;    ///< discount factor, from 0 to below 1
   double lambda = 0.0;   ///< decay of eligibility traces, 0 (no traces) to 1

@@ -35,7 +35,9 @@ class QTable {
   /// @brief Increments the visits of a row and action. @return the new number of visits
   std::uint32_t countVisit(Row row, Action action) {
     std::uint32_t& visits = visits_[index(row, action)];
-    return visits += visits != UINT32_MAX ? 1 : 0;
+    visits += visits != UINT32_MAX ? 1 : 0;
+    if (visits == 1) noteFirstVisit(row);
+    return visits;
   }
 
   /// @brief Returns the action of the highest value; of equal values the first, so that ties are deterministic.
@@ -48,8 +50,11 @@ class QTable {
 
   /// @brief Whether any action of the row has visits.
   bool isVisited(Row row) const;
-  /// @brief Number of rows with visits.
+  /// @brief Number of rows with visits; looks at all rows.
   Row visitedRows() const;
+  /// @brief Number of rows whose first visit was counted by countVisit(), here and in the table that this one was
+  /// copied from. The difference of two calls is the number of rows visited for the first time between them.
+  Row newRows() const { return new_rows_; }
 
   /// @brief Sum of the visits of all rows and actions.
   std::uint64_t allVisits() const;
@@ -91,6 +96,8 @@ class QTable {
   friend bool operator!=(const QTable& a, const QTable& b) { return !(a == b); }
 
  private:
+  /// Counts the row if it has a single visit.
+  void noteFirstVisit(Row row);
   VisitCounts ownVisits() const;
   /// Calls use(row, visits of each action of the own source) for every visited row until it returns false.
   template <typename Use>
@@ -122,6 +129,7 @@ class QTable {
   Action actions_;
   std::vector<double> values_;
   std::vector<std::uint32_t> visits_;
+  Row new_rows_ = 0;
   SourceId source_ = NO_SOURCE;  // name of the own source
   Contributions foreign_;
 };

@@ -61,6 +61,8 @@ class TableStore {
   Taken take(std::uint32_t user, QTable table, TakeMethod method);
   /// @brief Replaces the tables of all users, as if they had learned the whole table themselves.
   void restart(QTable table);
+  /// @brief Replaces the table of one user in the same way. @param user its number, or BASE for new users only
+  void restart(std::uint32_t user, QTable table) { placeOf(user) = std::make_shared<QTable>(std::move(table)); }
 
  private:
   using TablePointer = std::shared_ptr<QTable>;

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "social_crowd/simulation/communicator.h"
+#include "social_crowd/simulation/distributed_crowd.h"
+#include "social_crowd/simulation/evaluation.h"
+
+namespace crowd {
+
+/// @brief Functions that evaluateOnRanks() calls on each rank; empty ones are skipped.
+struct RanksObserver {
+  /// At the start of each tick.
+  std::function<void(std::uint64_t instance, std::uint64_t tick, std::uint64_t max_ticks)> on_tick;
+  std::function<bool()> is_stopped;                          ///< whether to end before the next tick
+  std::function<void(const RanksReport& report)> on_report;  ///< after each episode
+};
+
+/// @brief Runs scenarios as evaluate() does, one episode after the other, each by all ranks together
+/// (DistributedCrowd). The results are the same. Collective.
+/// @param plan its `threads` are those of each rank
+/// @param deliver as for evaluate(), but called on rank 0 only
+/// @return false if a rank or `deliver` ended it early @throws SharedError on all ranks if one of them throws between
+/// ticks, if the scenes of the ranks differ, or if something in a scenario or in the plan is not available on several
+/// ranks
+bool evaluateOnRanks(Communicator& communicator, const TrainedTable& trained, const ScenarioList& scenarios,
+                     const EvaluationPlan& plan, const RanksObserver& observer,
+                     const std::function<bool(EvaluatedEpisode&)>& deliver);
+
+/// @brief Checksum of everything in a scene that motions depend on.
+std::string checksumOf(const Scene& scene);
+
+/// @brief Checksum of the file of this library, in which a crowd is computed.
+std::string checksumOfLibrary();
+
+}  // namespace crowd

@@ -1,0 +1,48 @@
+"""Runs the benchmark of a crowd on several ranks, a program for mpirun."""
+import json
+import os
+import shutil
+import statistics
+import subprocess
+
+from crowd_experiments.runs import RunError
+
+from . import rank_scaling
+
+PROGRAM = 'rank_benchmarks'
+RANKS = 2
+AGENTS = 100_000
+# Rates of the yardsticks in the program's output, by benchmark.
+YARDSTICKS = {'crowd_step_mpi_2': 'threads_rate', 'crowd_step_mpi_2_parts': 'parts_rate'}
+
+
+def run(folder, benchmark, repetitions):
+    """Returns the result of a benchmark; None without mpirun. The ratio is the median of the ratios of the repetitions,
+    in which crowd and yardsticks take turns."""
+    if shutil.which('mpirun') is None:
+        return None
+    runs = measure(folder / PROGRAM, RANKS, AGENTS, benchmark.repetitions or repetitions)
+    values = [each['rate'] for each in runs]
+    yardsticks = [each[YARDSTICKS[benchmark.name]] for each in runs]
+    ratios = [benchmark.ratio(*pair) for pair in zip(values, yardsticks)]
+    return benchmark.result(*map(statistics.median, (values, yardsticks, ratios)), (min(values), max(values)))
+
+
+def weak_scaling(folder):
+    """Returns (number of ranks, run) with the same number of agents on each rank; nothing without mpirun."""
+    if shutil.which('mpirun') is None:
+        return []
+    return [(ranks, measure(folder / PROGRAM, ranks, ranks * rank_scaling.AGENTS, 1)[0])
+            for ranks in rank_scaling.RANKS]
+
+
+def measure(program, ranks, agents, repetitions):
+    """Returns the measurements of each repetition. Ranks that wait give way to the threads of others."""
+    done = subprocess.run(
+        ['mpirun', '--oversubscribe', '--allow-run-as-root', '--bind-to', 'none', '-n', str(ranks), program,
+         str(agents), str(repetitions)],
+        env={**os.environ, 'OMPI_MCA_mpi_yield_when_idle': '1'}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        raise RunError(f'{program} failed:\n{done.stdout}{done.stderr}')
+    return [json.loads(line) for line in done.stdout.splitlines()]

@@ -1,0 +1,89 @@
+"""Draws the paths of the agents in a recorded episode."""
+import argparse
+import csv
+import sys
+
+from crowd_drawing.errors import InputError
+from crowd_drawing.files import find_scenario, read_scene, read_walks
+from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of
+from crowd_drawing.surroundings import draw_surroundings
+from crowd_experiments.numbers import at_least_zero, whole
+
+EXAMPLES = '''examples:
+  rosrun social_crowd evaluate --q-table config/q_tables/human.txt --trajectories recordings place_corner
+  rosrun social_crowd plot_paths --trajectories recordings/place_corner.csv --scenario place_corner --output paths.png
+  rosrun social_crowd plot_paths --trajectories recordings/circle6.csv --scenario circle6 --moment 6 --output 6s.png
+
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+
+
+def has_all(scene):
+    """Returns whether the places of all goals and obstacles are known; those that are drawn at random are unknown."""
+    return all(body['goals'] or body['mirror'] for body in scene.agents) and \
+        all(obstacle['position'] for obstacle in scene.obstacles)
+
+
+def draw(scene, walks, file, title, moment):
+    """Draws a scene with the paths of its agents, or the bodies at a moment [s], if it is not None."""
+    picture = Picture()
+    last_tick = max(walk[-1][0] for walk in walks.values())
+    draw_surroundings(picture, scene, last_tick * scene.tick if moment is None else moment)
+    for obstacle in scene.obstacles:
+        picture.draw_obstacle(obstacle, last_tick * scene.tick)
+    for wall in scene.walls:
+        picture.draw_wall(wall)
+    colours = colours_of(max(max(walks) + 1, len(scene.agents)))
+    for agent, walk in sorted(walks.items()):
+        if moment is not None:
+            picture.draw_moment(walk, round(moment / scene.tick), round(PATH_OF_MOMENT / scene.tick),
+                                scene.radius_of(agent), colours[agent])
+            continue
+        if agent >= len(scene.agents):
+            picture.draw_walk(walk, scene.radius_of(agent), max(1, round(1.0 / scene.tick)), colours[agent])
+            continue
+        body = scene.agents[agent]
+        goals = body['goals']
+        if body['mirror'] is not None:
+            _, x, y = walk[0]
+            goals = [(2 * body['mirror'][0] - x, 2 * body['mirror'][1] - y)]
+        picture.draw_goals(goals, body['radius'], colours[agent])
+        picture.draw_walk(walk, body['radius'], max(1, round(1.0 / scene.tick)), colours[agent])
+    picture.add_legend(scene, moment is not None)
+    picture.save(file, title)
+
+
+def parse_arguments(words):
+    parser = argparse.ArgumentParser(prog='plot_paths', description=__doc__, epilog=EXAMPLES,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--trajectories', required=True, metavar='FILE.csv', help='recorded episodes')
+    parser.add_argument('--scenario', required=True, metavar='SCENARIO',
+                        help='scenario of the episodes: a file, or a name in config/scenarios')
+    parser.add_argument('--instance', type=whole, metavar='N', help='number of the episode (default: the first)')
+    parser.add_argument('--moment', type=at_least_zero, metavar='S',
+                        help='draw the people as they are at this time [s], with their last steps')
+    parser.add_argument('--output', required=True, metavar='FILE', help='picture, such as paths.png or paths.pdf')
+    parser.add_argument('--title', help="title of the picture (default: the scenario's name)")
+    return parser.parse_args(words)
+
+
+def main(words=None):
+    """Runs the program with command line words. Returns the exit status."""
+    arguments = parse_arguments(words)
+    try:
+        instance, walks = read_walks(arguments.trajectories, arguments.instance)
+        scene = read_scene(find_scenario(arguments.scenario), instance)
+        if max(walks) >= len(scene.agents) and not scene.population.source_areas:
+            raise InputError(f'{arguments.trajectories}: instance {instance} has an agent {max(walks)}, but '
+                             f'{scene.place} has {len(scene.agents)} agents, counted from 0')
+        draw(scene, walks, arguments.output, arguments.title or scene.name, arguments.moment)
+        if arguments.moment is None and not has_all(scene):
+            print('plot_paths: goals or obstacles that were drawn at random are not in the picture; '
+                  '`evaluate --scenes DIR` writes a scenario file with the drawn values, for the option --scenario',
+                  file=sys.stderr)
+    except OSError as error:
+        print(f'plot_paths: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
+        return 1
+    except (InputError, ValueError, csv.Error) as error:
+        print(f'plot_paths: {error}', file=sys.stderr)
+        return 1
+    return 0

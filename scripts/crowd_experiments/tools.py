@@ -1,0 +1,73 @@
+"""Finds train and evaluate, and builds them where that is needed."""
+import os
+import pathlib
+import subprocess
+import sys
+
+from .runs import RunError
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+TOOLS = ('train', 'evaluate')
+SOURCES = ('CMakeLists.txt', 'package.xml', 'include', 'src', 'msg', 'srv')
+BUILT = 'sources_built'  # in the build folder: has the time at which the last successful scripts/build began
+
+
+def find_tools(given):
+    """Returns the folder of the programs: the given one, that of this program, the build folder of the clone if nothing
+    was changed since it was built, or a catkin workspace that was sourced. Otherwise builds them in the clone. Raises
+    RunError."""
+    folder = given or pathlib.Path(sys.argv[0]).parent
+    if has_tools(folder):
+        return folder.resolve()
+    if given:
+        raise RunError(f'{given}: has no train and evaluate')
+    build = pathlib.Path(os.environ.get('SOCIAL_CROWD_BUILD', REPOSITORY / '.build')).resolve()
+    built = programs_in(build / 'devel')
+    if has_tools(built) and is_current(build):
+        return built
+    sourced = next((programs_in(prefix) for prefix in workspaces() if prefix != build / 'devel'), None)
+    if sourced is None:
+        run_build()
+    return sourced or built
+
+
+def programs_in(prefix):
+    """Returns the folder of the package's programs."""
+    return prefix / 'lib' / 'social_crowd'
+
+
+def has_tools(folder):
+    """Returns whether a folder has both programs."""
+    return all(os.access(folder / tool, os.X_OK) for tool in TOOLS)
+
+
+def is_current(build):
+    """Returns whether no source was changed since the last successful scripts/build began."""
+    try:
+        began = (build / BUILT).stat().st_mtime
+    except OSError:
+        return False
+    paths = [REPOSITORY / name for name in SOURCES]
+    files = [file for path in paths for file in (path, *path.rglob('*'))]
+    return max(file.lstat().st_mtime for file in files) <= began  # editors make links to files that do not exist
+
+
+def workspaces():
+    """Yields the devel folders of catkin workspaces in the environment that contain this package and its programs."""
+    for prefix in map(pathlib.Path, filter(None, os.environ.get('CMAKE_PREFIX_PATH', '').split(':'))):
+        try:
+            sources = (prefix / '.catkin').read_text(encoding='utf-8').split(';')
+        except OSError:
+            continue
+        contains = any(pathlib.Path(source) in (REPOSITORY, *REPOSITORY.parents) for source in sources if source)
+        if contains and has_tools(programs_in(prefix)):
+            yield prefix.resolve()
+
+
+def run_build():
+    """Builds the package in the clone."""
+    print('Building (takes minutes the first time)', flush=True)
+    done = subprocess.run([REPOSITORY / 'scripts' / 'build'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, check=False)
+    if done.returncode != 0:
+        raise RunError(f'{done.stdout}\nthe package does not build')

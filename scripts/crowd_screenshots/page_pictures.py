@@ -1,0 +1,67 @@
+"""The film at the beginning of README.md, and a picture of a report in a browser."""
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import tempfile
+
+from crowd_experiments.tools import find_tools
+
+SCRIPTS = pathlib.Path(__file__).resolve().parents[1]
+TABLES = SCRIPTS.parent / 'config' / 'q_tables'
+CONFIGURATION = SCRIPTS.parent / 'config' / 'learning' / 'anticipation.yaml'
+
+# As in README.md.
+FILM = 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30'
+SCENARIOS = 'circle6', 'place_corner'
+EPISODES = 20  # of each scenario
+LEARNED = 300  # episodes of each training
+SEEDS = 1, 2, 3
+BROWSER = 'chromium'
+WINDOW = 1080, 2000  # [pixels]; the first chapters of the report
+
+
+def run(command, folder):
+    """Runs a command. Raises RuntimeError with its output if it fails."""
+    done = subprocess.run(list(map(str, command)), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f'{shlex.join(map(str, command))}: {done.stdout.decode(errors="replace")}')
+
+
+def film(folder):
+    """Makes the film. Yields its file."""
+    file = folder / 'film_station.gif'
+    run([SCRIPTS / 'film', *FILM.split(), '--output', file.resolve()], folder)
+    yield file
+
+
+def write_report(folder):
+    """Walks and trains crowds, and writes a report about them. Returns its file."""
+    tools = pathlib.Path(find_tools(None))
+    files = []
+    for table in ('anticipation', 'human'):
+        os.makedirs(folder / table)
+        run([tools / 'evaluate', '--q-table', TABLES / f'{table}.txt', '--episodes', EPISODES, '--trajectories', table,
+             '--csv', f'{table}/metrics.csv', '--record', f'{table}/record.csv', *SCENARIOS], folder)
+        files += [f'{table}/{name}.csv' for name in ('metrics', 'record', *SCENARIOS)]
+    for seed in SEEDS:
+        run([tools / 'train', CONFIGURATION, '--output', 'table.txt', '--episodes', LEARNED, '--seed', seed,
+             '--log', f'log_{seed}.csv'], folder)
+        files.append(f'anticipation=log_{seed}.csv')
+    run([SCRIPTS / 'report', *files, '--output', 'report.html'], folder)
+    return folder / 'report.html'
+
+
+def report(folder):
+    """Takes a picture of a report in a browser, if there is one. Yields its file."""
+    if shutil.which(BROWSER) is None:
+        raise RuntimeError(f'report.png needs the program {BROWSER}')
+    file = folder / 'report.png'
+    with tempfile.TemporaryDirectory(prefix='social_crowd_screenshots_') as work:
+        page = write_report(pathlib.Path(work))
+        size = ','.join(map(str, WINDOW))
+        run([BROWSER, '--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', f'--window-size={size}',
+             f'--screenshot={file.resolve()}', page.as_uri()], work)
+    yield file

@@ -1,0 +1,55 @@
+#include "rank_tools.h"
+
+#include <iostream>
+
+#include "command_line.h"
+#include "social_crowd/common/checksum.h"
+#include "social_crowd/common/files.h"
+
+namespace crowd {
+
+int runOnAllRanks(Communicator& ranks, const std::string& tool, const std::function<int()>& run) {
+  if (ranks.size() == 1) return run();
+  try {
+    return run();
+  } catch (const SharedError& error) {
+    if (ranks.rank() == 0) std::cerr << tool << ": " << error.what() << std::endl;
+    ranks.gatherAll({});  // mpirun ends all when the first one ends
+    return EXIT_BAD_INPUT;
+  } catch (const std::exception& error) {
+    ranks.abort(tool + ": rank " + std::to_string(ranks.rank()) + ": " + error.what());
+    return EXIT_BAD_INPUT;
+  }
+}
+
+void requireSameRun(Communicator& ranks, const TrainedTable& trained, const std::vector<std::string>& scenario_files,
+                    const EvaluationPlan& plan) {
+  Checksum table;
+  table.add(toText(trained));
+  std::string scenarios;
+  for (const std::string& file : scenario_files) scenarios += " " + stemOf(file);
+  requireSameOnAllRanks(ranks, {{"checksum of the program's library", checksumOfLibrary()},
+                                {"checksum of the Q-table", table.text()},
+                                {"list of scenarios", scenarios},
+                                {"seed", std::to_string(plan.seed)},
+                                {"number of episodes", std::to_string(plan.episodes)},
+                                {"use of --trajectories", plan.record ? "yes" : "no"},
+                                {"use of --states", plan.states ? "yes" : "no"}});
+}
+
+RanksObserver observerOf(const std::string& name, const Communicator& ranks, std::optional<ProgressBar>& bar) {
+  RanksObserver observer;
+  observer.is_stopped = isInterrupted;
+  if (ranks.rank() != 0) return observer;
+  observer.on_tick = [&bar, name](std::uint64_t instance, std::uint64_t tick, std::uint64_t max_ticks) {
+    if (tick == 0) bar.emplace(name + " " + std::to_string(instance), max_ticks);
+    if (tick < max_ticks) bar->show(tick, "ticks");
+  };
+  observer.on_report = [&bar, name](const RanksReport& report) {
+    bar->clear();
+    std::cerr << name << ": " << report.text() << std::endl;
+  };
+  return observer;
+}
+
+}  // namespace crowd

@@ -1,0 +1,95 @@
+#include "training_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/simulation/record.h"
+
+namespace crowd {
+namespace {
+
+// The files in a checkpoint have the names of their options.
+constexpr const char* RECORD = "--record";
+constexpr const char* LOG = "--log";
+/// The largest share of the time that saving may take.
+constexpr double MAX_SAVING_SHARE = 0.05;
+
+std::optional<GrowingFile> open(const std::string& file, const char* option, const char* header,
+                                const std::map<std::string, std::uint64_t>* before) {
+  if (file.empty()) return std::nullopt;
+  if (before != nullptr) return GrowingFile(file, before->at(option));
+  return GrowingFile(file, std::string(header));
+}
+
+/// Checks that a file is as long as it was when the checkpoint was written, or longer.
+void requireRest(const std::string& file, const char* option, const Checkpoint& checkpoint, const std::string& name) {
+  const auto found = checkpoint.sizes.find(option);
+  const bool had_file = found != checkpoint.sizes.end();
+  if (had_file == file.empty()) {
+    throw InputError(name + ": the checkpoint was written " + (had_file ? "with " : "without ") + option +
+                     ", go on with the same options");
+  }
+  if (!had_file) return;
+  std::error_code problem;
+  const std::uintmax_t size = std::filesystem::file_size(file, problem);
+  if (problem) throw FileError(file + ": cannot be continued: " + problem.message());
+  if (size >= found->second) return;
+  throw InputError(file + ": cannot be continued: expected the " + std::to_string(found->second) +
+                   " bytes that it had at the checkpoint, got " + std::to_string(size));
+}
+
+}  // namespace
+
+Checkpoint readCheckpoint(const TrainingFileNames& names, const std::string& identity, const Model& model) {
+  Checkpoint checkpoint = parseCheckpoint(readFile(names.checkpoint), names.checkpoint, identity, model);
+  requireRest(names.record, RECORD, checkpoint, names.checkpoint);
+  requireRest(names.log, LOG, checkpoint, names.checkpoint);
+  return checkpoint;
+}
+
+TrainingFiles::TrainingFiles(TrainingFileNames names, std::string identity, double interval,
+                             const std::map<std::string, std::uint64_t>* before)
+    : names_(std::move(names)),
+      identity_(std::move(identity)),
+      interval_(interval),
+      next_(Clock::now() + std::chrono::duration_cast<Clock::duration>(interval_)),
+      record_(open(names_.record, RECORD, RECORD_HEADER, before)),
+      log_(open(names_.log, LOG, LOG_HEADER, before)) {}
+
+void TrainingFiles::append(std::uint64_t first, const std::vector<LearnedEpisode>& episodes) {
+  if (!record_ && !log_) return;
+  std::string records;
+  std::string logs;
+  for (const LearnedEpisode& episode : episodes) {
+    if (record_) appendRecordRows(first, episode, records);
+    if (log_) appendLogRow(first, episode, logs);
+    ++first;
+  }
+  if (record_) record_->append(records);
+  if (log_) log_->append(logs);
+}
+
+void TrainingFiles::saveCheckpointIfDue(const Training& training) {
+  if (names_.checkpoint.empty() || Clock::now() < next_) return;
+  const Clock::time_point begin = Clock::now();
+  saveCheckpoint(training);
+  const std::chrono::duration<double> took = Clock::now() - begin;
+  const auto pause = interval_.count() > 0.0 ? std::max(interval_, took / MAX_SAVING_SHARE) : interval_;
+  next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(pause);
+}
+
+void TrainingFiles::saveCheckpoint(const Training& training) {
+  if (names_.checkpoint.empty()) return;
+  Checkpoint checkpoint{identity_, {}, training.state()};
+  for (auto& [option, file] : {std::pair(RECORD, &record_), std::pair(LOG, &log_)}) {
+    if (!*file) continue;
+    // The checkpoint must not reach the disk before the rows that it counts.
+    (*file)->flushToDisk();
+    checkpoint.sizes[option] = (*file)->size();
+  }
+  replaceFile(names_.checkpoint, toText(checkpoint));
+}
+
+}  // namespace crowd

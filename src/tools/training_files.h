@@ -1,0 +1,58 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "social_crowd/common/files.h"
+#include "social_crowd/simulation/checkpoint.h"
+#include "social_crowd/simulation/training.h"
+
+namespace crowd {
+
+/// @brief The files of a training beside its table; an empty name: none.
+struct TrainingFileNames {
+  std::string record;
+  std::string log;
+  std::string checkpoint;
+};
+
+/// @brief Reads the checkpoint of a training, and checks that its files can go on from there. Changes nothing.
+/// @throws FileError, InputError if the checkpoint is damaged or of another training, if it was written with other
+/// files, or if a file is shorter than it was then
+Checkpoint readCheckpoint(const TrainingFileNames& names, const std::string& identity, const Model& model);
+
+/// @brief Writes record, log and checkpoints of a training. A checkpoint contains the sizes of the other two, so that
+/// they are cut back when the training goes on from it.
+class TrainingFiles {
+ public:
+  /// @param identity of the training, see Checkpoint
+  /// @param interval time between two checkpoints [s]; 0: one after each turn
+  /// @param before sizes in the checkpoint from which the training goes on; null: the files are begun anew
+  /// @throws FileError
+  TrainingFiles(TrainingFileNames names, std::string identity, double interval,
+                const std::map<std::string, std::uint64_t>* before);
+
+  /// @brief Appends the rows of the episodes of a turn. @param first number of the first one. @throws FileError
+  void append(std::uint64_t first, const std::vector<LearnedEpisode>& episodes);
+
+  /// @brief Saves a checkpoint if there is to be one and the interval is over. @throws FileError
+  void saveCheckpointIfDue(const Training& training);
+  /// @brief Saves a checkpoint if there is to be one. @throws FileError
+  void saveCheckpoint(const Training& training);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  TrainingFileNames names_;
+  std::string identity_;
+  std::chrono::duration<double> interval_;
+  Clock::time_point next_;  // of the checkpoints
+  std::optional<GrowingFile> record_;
+  std::optional<GrowingFile> log_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,37 @@
+#include "tools/training_display.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "social_crowd/simulation/record.h"
+
+namespace crowd {
+namespace {
+
+/// An episode of agents of which the first ones arrive, and the last ones are on routes that repeat.
+EpisodeResult episode(std::size_t agents, std::size_t arrived, std::size_t endless) {
+  EpisodeResult result;
+  result.agents.resize(agents);
+  for (std::size_t i = 0; i < arrived; ++i) result.agents[i].arrived = true;
+  for (std::size_t i = agents - endless; i < agents; ++i) result.agents[i].endless = true;
+  return result;
+}
+
+TEST(RecentRates, AreMeansOfTheSharesInTheLog) {
+  RecentRates rates;
+  EXPECT_EQ(rates.text(), "success   0.0 %  contact   0.0 %");
+  EpisodeResult half = episode(4, 1, 2);  // one of two is to arrive and does not
+  half.agents[0].touched = true;
+  EXPECT_EQ(successShare(half), 0.5);
+  EXPECT_EQ(contactShare(half), 0.25);
+  rates.add(half);
+  EXPECT_EQ(rates.text(), "success  50.0 %  contact  25.0 %");
+  rates.add(episode(3, 0, 3));  // none is expected to arrive
+  EXPECT_EQ(rates.text(), "success  75.0 %  contact  12.5 %");
+  rates.add(episode(0, 0, 0));  // without agents there is no share
+  EXPECT_EQ(rates.text(), "success  75.0 %  contact  12.5 %");
+}
+
+}  // namespace
+}  // namespace crowd
