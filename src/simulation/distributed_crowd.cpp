@@ -1,10 +1,9 @@
 #include "social_crowd/simulation/distributed_crowd.h"
 
 #include <algorithm>
-#include <ctime>
 
 #include "simulation/agent_transfer.h"
-#include "social_crowd/common/numbers.h"
+#include "simulation/stopwatch.h"
 #include "social_crowd/simulation/byte_archive.h"
 #include "social_crowd/simulation/trajectory.h"
 #include "social_crowd/simulation/walking_floor.h"
@@ -23,45 +22,19 @@ std::vector<Vector2> startsOf(const Scene& scene) {
   return places;
 }
 
-double now(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// Measures the time of a scope [s].
-class Stopwatch {
- public:
-  Stopwatch(clockid_t clock, double& sum) : clock_(clock), sum_(sum), begin_(now(clock)) {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  Stopwatch(Stopwatch&&) = delete;
-  Stopwatch& operator=(Stopwatch&&) = delete;
-  ~Stopwatch() { sum_ += now(clock_) - begin_; }
-
- private:
-  clockid_t clock_;
-  double& sum_;
-  double begin_;
-};
-
 }  // namespace
 
-std::string indivisiblePart(const Scene& scene) {
-  if (scene.order == Order::SEQUENTIAL) return "the order 'sequential'";
-  if (!scene.robots.empty()) return "robots";
-  if (scene.population && !scene.population->empty()) return "sources, sinks, routes, queues or gates";
+bool isDivisible(const Scene& scene) {
+  if (scene.order == Order::SEQUENTIAL || !scene.robots.empty()) return false;
+  if (scene.population && !scene.population->empty()) return false;
   const auto waits = [](const AgentStart& start) { return start.route || start.reaction_time > 0.0; };
-  if (std::any_of(scene.agents.begin(), scene.agents.end(), waits)) return "routes or reaction times";
+  if (std::any_of(scene.agents.begin(), scene.agents.end(), waits)) return false;
   double radius = 0.0;
   for (const AgentStart& start : scene.agents) radius = std::max(radius, start.radius);
+  if (!scene.way_finding || radius == 0.0) return true;
   Scene floor = scene;
   floor.agents.clear();
-  const bool finds_ways = scene.way_finding && radius > 0.0;
-  if (finds_ways && hasBarriers(walkingFloor(World(floor), radius))) {
-    return "way-finding round walls or obstacles (way_finding: false leaves it out)";
-  }
-  return "";
+  return !hasBarriers(walkingFloor(World(floor), radius));
 }
 
 DistributedCrowd::Reach::Reach(const Scene& scene, const Vision& vision, double ticks) {
@@ -202,43 +175,14 @@ EpisodeResult DistributedCrowd::result() {
 }
 
 RanksReport DistributedCrowd::report() {
-  Communicator::Bytes bytes;
-  ByteWriter write(bytes);
-  write(busy_seconds_);
-  std::vector<std::uint64_t> sent = {bytes_};
-  communicator_.sum(sent);
-  double slowest = 0.0;
-  double sum = 0.0;
-  for (const Communicator::Bytes& other : communicator_.gatherAll(bytes)) {
-    ByteReader read(other);
-    double seconds = 0.0;
-    read(seconds);
-    slowest = std::max(slowest, seconds);
-    sum += seconds;
-  }
   RanksReport report;
-  report.ranks = communicator_.size();
   report.agents = agent_count_;
   report.ticks = world_.tick();
   report.seconds = seconds_;
-  report.bytes = sent.front();
-  report.busy_seconds = slowest;
   report.agent_imbalance = divisions_ > 0 ? imbalance_sum_ / static_cast<double>(divisions_) : 1.0;
-  report.time_imbalance = sum > 0.0 ? slowest * static_cast<double>(rankCount()) / sum : 1.0;
   report.whole_motions = whole_motions_;
+  report.collect(communicator_, busy_seconds_, bytes_);
   return report;
-}
-
-std::string RanksReport::text() const {
-  const double each = 1.0 / static_cast<double>(std::max<std::uint64_t>(1, ticks));
-  std::string text = std::to_string(ranks) + " ranks, " + std::to_string(agents) + " agents, " + std::to_string(ticks) +
-                     " ticks: " + toFixedText(1e3 * seconds * each, 2) + " ms per tick (" +
-                     toFixedText(1e3 * busy_seconds * each, 2) + " ms computing on the slowest rank), " +
-                     toFixedText(1e-6 * static_cast<double>(bytes) * each, 3) + " MB exchanged per tick";
-  text +=
-      ", imbalance of agents " + toFixedText(agent_imbalance, 3) + ", of computing " + toFixedText(time_imbalance, 3);
-  if (whole_motions > 0) text += ", " + std::to_string(whole_motions) + " ticks with the motion of the whole crowd";
-  return text;
 }
 
 }  // namespace crowd

@@ -1,20 +1,18 @@
 #include "social_crowd/simulation/distributed_evaluation.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "simulation/instance_walk.h"
+#include "simulation/stopwatch.h"
+#include "social_crowd/common/checksum.h"
 #include "social_crowd/simulation/byte_archive.h"
+#include "social_crowd/simulation/shared_decisions.h"
 #include "social_crowd/world/scene_document.h"
 
 namespace crowd {
 namespace {
-
-void requireDivisible(const EvaluationPlan& plan, const Scene& scene) {
-  const std::string part = plan.states ? "a record of states" : indivisiblePart(scene);
-  if (part.empty()) return;
-  throw InputError(scene.name + ": on several ranks there is no support for " + part +
-                   "; run it without mpirun (docs/mpi.md)");
-}
 
 /// Returns rank 0's numbers on all ranks.
 std::vector<double> fromFirstRank(Communicator& communicator, const std::vector<double>& numbers) {
@@ -34,18 +32,108 @@ std::vector<double> fromFirstRank(Communicator& communicator, const std::vector<
   return received;
 }
 
-/// Walks one crowd. Returns nothing if it was stopped.
-std::optional<EvaluatedEpisode> walk(DistributedCrowd& crowd, std::uint64_t instance, const EvaluationPlan& plan,
-                                     const RanksObserver& observer) {
+/// What the ranks do together in one evaluation.
+class RankEvaluation {
+ public:
+  RankEvaluation(Communicator& communicator, const TrainedTable& trained, const EvaluationPlan& plan,
+                 const RanksObserver& observer)
+      : communicator_(communicator),
+        records_(plan.record),
+        records_states_(plan.states),
+        plan_(plan),
+        observer_(observer),
+        thread_pool_(plan.threads),
+        learner_(makeDemoLearner(trained, plan.seed)) {
+    if (communicator.rank() == 0) return;
+    plan_.record = false;
+    plan_.states = false;
+    plan_.scenes.clear();
+    plan_.warn = {};
+  }
+
+  /// Runs an episode. Returns nothing if it was stopped.
+  std::optional<EvaluatedEpisode> run(Scene scene, std::uint64_t instance) {
+    if (records_states_ || !isDivisible(scene)) return walkWhole(std::move(scene), instance);
+    return walkDivided(std::move(scene), instance);
+  }
+
+ private:
+  std::optional<EvaluatedEpisode> walkDivided(Scene scene, std::uint64_t instance);
+  std::optional<EvaluatedEpisode> walkWhole(Scene scene, std::uint64_t instance);
+  void warnOfWays(const Episode& episode) const;
+  bool isStopped() const { return observer_.is_stopped && observer_.is_stopped(); }
+  void noteTick(std::uint64_t instance, std::uint64_t tick, std::uint64_t max_ticks) const {
+    if (observer_.on_tick) observer_.on_tick(instance, tick, max_ticks);
+  }
+  void report(const RanksReport& report) const {
+    if (observer_.on_report) observer_.on_report(report);
+  }
+
+  Communicator& communicator_;
+  bool records_;         // rank 0 records trajectories
+  bool records_states_;  // rank 0 records states
+  EvaluationPlan plan_;  // of this rank: only rank 0 records
+  const RanksObserver& observer_;
+  ThreadPool thread_pool_;
+  Learner learner_;
+};
+
+std::optional<EvaluatedEpisode> RankEvaluation::walkDivided(Scene scene, std::uint64_t instance) {
   EvaluatedEpisode walked;
   walked.instance = instance;
+  if (!plan_.scenes.empty()) walked.scene = toDocument(scene, plan_.scenes);
+  DistributedCrowd crowd(scene, instance, learner_, thread_pool_, communicator_);
+  scene = Scene();
   do {
-    if (plan.record) crowd.appendTrajectoryRows(walked.trajectory);
-    if (observer.on_tick) observer.on_tick(instance, crowd.tick(), crowd.maxTicks());
-  } while (crowd.step(observer.is_stopped && observer.is_stopped()));
+    if (records_) crowd.appendTrajectoryRows(walked.trajectory);
+    noteTick(instance, crowd.tick(), crowd.maxTicks());
+  } while (crowd.step(isStopped()));
   if (crowd.wasStopped()) return std::nullopt;
   walked.result = crowd.result();
+  report(crowd.report());
   return walked;
+}
+
+std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint64_t instance) {
+  RanksReport measured;
+  measured.is_divided = false;
+  SharedDecisions decisions(communicator_, learner_, [this] { return isStopped(); });
+  const std::uint64_t max_ticks = scene.max_ticks;
+  const InstanceWalk walk{
+      plan_,
+      learner_,
+      thread_pool_,
+      [&](Episode& episode, RelativeActions& actions) { decisions.decide(episode, actions); },
+      [&](const Episode& episode) { warnOfWays(episode); },
+      [&](const World& world) { noteTick(instance, world.tick(), max_ticks); },
+      [&] { return decisions.wasStopped(); },
+  };
+  EvaluatedEpisode walked;
+  double processor_seconds = 0.0;
+  {
+    const Stopwatch whole(CLOCK_MONOTONIC, measured.seconds);
+    const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, processor_seconds);
+    walked = walk.run(std::move(scene), instance);
+  }
+  if (decisions.wasStopped()) return std::nullopt;
+  requireSameOnAllRanks(communicator_, {{"results of '" + walked.result.scenario + "'", checksumOf(walked.result)}});
+  measured.agents = walked.result.agents.size();
+  measured.ticks = walked.result.ticks;
+  measured.collect(communicator_, processor_seconds - decisions.waitingSeconds(), decisions.sentBytes());
+  report(measured);
+  return walked;
+}
+
+void RankEvaluation::warnOfWays(const Episode& episode) const {
+  const std::string warning = plan_.warn ? episode.result().wayWarning() : "";
+  if (!warning.empty()) plan_.warn(episode.number(), warning);
+}
+
+/// What must be the same on all ranks before an episode.
+std::vector<SharedFact> factsOf(const Scene& scene) {
+  Checksum document;
+  if (!isDivisible(scene)) document.add(toDocument(scene, "/"));
+  return {{"scene of '" + scene.name + "'", checksumOf(scene) + document.text()}};
 }
 
 }  // namespace
@@ -53,32 +141,23 @@ std::optional<EvaluatedEpisode> walk(DistributedCrowd& crowd, std::uint64_t inst
 bool evaluateOnRanks(Communicator& communicator, const TrainedTable& trained, const ScenarioList& scenarios,
                      const EvaluationPlan& plan, const RanksObserver& observer,
                      const std::function<bool(EvaluatedEpisode&)>& deliver) {
-  ThreadPool thread_pool(plan.threads);
-  const Learner learner = makeDemoLearner(trained, plan.seed);
+  RankEvaluation evaluation(communicator, trained, plan, observer);
   const std::uint64_t episodes = plan.episodes > 0 ? plan.episodes : scenarios.size();
   std::vector<double> headings;
   bool goes_on = true;
   for (std::uint64_t instance = 0; instance < episodes && goes_on; ++instance) {
     Scene scene;
-    std::string document;
     doOnAllRanks(communicator, [&] {
       scene = scenarios.scene(plan.seed, instance);
       keepHeadings(headings, scene);
-      requireDivisible(plan, scene);
-      if (communicator.rank() == 0 && !plan.scenes.empty()) document = toDocument(scene, plan.scenes);
     });
-    requireSameOnAllRanks(communicator, {{"scene of '" + scene.name + "'", checksumOf(scene)}});
-    DistributedCrowd crowd(scene, instance, learner, thread_pool, communicator);
-    scene = Scene();
-    std::optional<EvaluatedEpisode> walked = walk(crowd, instance, plan, observer);
+    requireSameOnAllRanks(communicator, factsOf(scene));
+    std::optional<EvaluatedEpisode> walked = evaluation.run(std::move(scene), instance);
     if (!walked) return false;
-    const RanksReport report = crowd.report();
-    if (observer.on_report) observer.on_report(report);
     if (scenarios.keepHeadings()) headings = fromFirstRank(communicator, walked->result.headings());
     std::vector<std::uint64_t> ends = {0};
     doOnAllRanks(communicator, [&] {
       if (communicator.rank() != 0) return;
-      walked->scene = std::move(document);
       ends.front() = deliver(*walked) ? 0 : 1;
     });
     communicator.sum(ends);

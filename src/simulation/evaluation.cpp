@@ -5,42 +5,13 @@
 #include <future>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <vector>
 
+#include "simulation/instance_walk.h"
 #include "social_crowd/learning/learner.h"
-#include "social_crowd/simulation/episode_runner.h"
-#include "social_crowd/simulation/people_delay.h"
-#include "social_crowd/simulation/state_record.h"
-#include "social_crowd/simulation/trajectory.h"
-#include "social_crowd/world/scene_document.h"
 
 namespace crowd {
 namespace {
-
-EvaluatedEpisode walk(Episode& episode, const EvaluationPlan& plan, Learner& learner) {
-  EvaluatedEpisode walked;
-  const std::uint64_t instance = episode.number();
-  walked.instance = instance;
-  EpisodeObserver observer;
-  if (plan.record) {
-    observer.on_tick = [&](const World& world) { appendTrajectoryRows(instance, world, walked.trajectory); };
-  }
-  if (plan.states) {
-    observer.on_turn = [&](const Perceptions& perceptions) {
-      appendStateRows(instance, perceptions, learner, walked.states);
-    };
-  }
-  RobotDrivers robots(plan.robot_controller, episode, learner);
-  walked.result = runEpisode(episode, learner, observer, &robots);
-  return walked;
-}
-
-/// The scene without robots.
-Scene withoutRobots(Scene scene) {
-  scene.robots.clear();
-  return scene;
-}
 
 /// Distributes instances to threads and delivers their results in order.
 class OrderedRun {
@@ -119,26 +90,16 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
     try {
       ThreadPool thread_pool(plan.threads / side_by_side);
       Learner learner = makeDemoLearner(trained, plan.seed);
+      const auto decide = [&](Episode& episode, RelativeActions& actions) { episode.decide(learner, actions); };
+      const auto begin = [&](const Episode& episode) { run.begin(episode); };
+      const InstanceWalk walk{plan, learner, thread_pool, decide, begin, {}, {}};
       std::vector<double> headings;  // of the agents at the end of the previous episode
       std::uint64_t instance = 0;
       while (run.next(instance)) {
         Scene scene = scenarios.scene(plan.seed, instance);
         keepHeadings(headings, scene);
-        std::optional<Scene> alone;
-        if (plan.people_delay && !scene.robots.empty()) {
-          scene.ends = Ends::ALL;
-          alone = withoutRobots(scene);
-        }
-        std::string document = plan.scenes.empty() ? "" : toDocument(scene, plan.scenes);
-        Episode episode(std::move(scene), instance, learner.model().vision(), thread_pool);
-        run.begin(episode);
-        EvaluatedEpisode walked = walk(episode, plan, learner);
-        walked.scene = std::move(document);
+        EvaluatedEpisode walked = walk.run(std::move(scene), instance);
         headings = walked.result.headings();
-        if (alone) {
-          Episode same(*std::move(alone), instance, learner.model().vision(), thread_pool);
-          measurePeopleDelay(runEpisode(same, learner), same.scene().tick_duration, walked.result);
-        }
         run.bring(std::move(walked));
       }
     } catch (...) {

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include "simulation/agent_transfer.h"
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/simulation/byte_archive.h"
@@ -56,6 +57,14 @@ std::string checksumOf(const Scene& scene) {
     write(wall.from);
     write(wall.to);
   }
+  return write.text();
+}
+
+std::string checksumOf(const EpisodeResult& result) {
+  ChecksumWriter write;
+  write(result.ticks);
+  for (const AgentResult& agent : result.agents) transferResult(write, agent);
+  for (const RobotResult& robot : result.robots) write(robot.path_length);
   return write.text();
 }
 

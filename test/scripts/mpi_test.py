@@ -1,4 +1,5 @@
 """evaluate under mpirun: one crowd on several processes, with the same files as one process."""
+import glob
 import os
 import shutil
 import signal
@@ -52,10 +53,10 @@ def environment():
     return {**os.environ, 'OMPI_MCA_mpi_yield_when_idle': '1'}
 
 
-def run(command):
-    """Returns exit status and output."""
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          timeout=PATIENCE, env=environment(), check=False)
+def run(command, folder=None):
+    """Runs a command in a folder. Returns exit status and output."""
+    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, timeout=PATIENCE, env=environment(), check=False)
     return done.returncode, done.stdout.decode(errors='replace')
 
 
@@ -93,6 +94,26 @@ class OneCrowdTest:
         status, output = run([*MPIRUN, '-n', '5', *evaluate('--q-table', ANTICIPATION_TABLE, scenario)])
         assert status == 0, output
         assert_says(output, '5 ranks, 1 agents', '100.00')
+
+    @needs_mpi
+    @pytest.mark.parametrize('arguments', [
+        ('place_bottleneck',),
+        ('single_free', '--states', 'states'),
+        ('robot_crossing', '--robot', 'reactive', '--people-delay', '--robots-csv', 'robots.csv'),
+    ])
+    def test_scenes_that_cannot_be_divided(self, runner, arguments):
+        written = []
+        for name, prefix in (('alone', ()), ('ranks', (*MPIRUN, '-n', '3'))):
+            folder = runner.path(name)
+            os.mkdir(folder)
+            status, output = run([*prefix, *evaluate('--q-table', HUMAN_TABLE, '--trajectories', 'walks', '--record',
+                                                     'record.csv', '--csv', 'metrics.csv', *arguments)], folder)
+            assert status == 0, output
+            written.append({os.path.relpath(file, folder): read_bytes(file)
+                            for file in glob.glob(f'{folder}/**', recursive=True) if os.path.isfile(file)})
+        assert_says(output, '3 ranks', 'only decisions divided')
+        assert len(written[0]) >= 3
+        assert written[0] == written[1]
 
 
 class ErrorsTest:
@@ -134,18 +155,10 @@ class ErrorsTest:
         assert_says(lines[0], 'rank 1 differs from rank 0', "the program's library")
 
     @needs_mpi
-    @pytest.mark.parametrize('arguments, part', [
-        (('place_office',), 'sources, sinks, routes, queues or gates'),
-        (('single_free',), "the order 'sequential'"),
-        (('corridor_two_way',), 'way-finding'),
-        (('robot_crossing',), 'robots'),
-        (('circle6', '--states', 'states'), 'a record of states'),
-        (('nonsense',), "no scenario 'nonsense'"),
-    ])
-    def test_what_is_not_available(self, arguments, part):
-        lines = self.fails(*MPIRUN, '-n', '2', *evaluate('--q-table', ANTICIPATION_TABLE, *arguments))
+    def test_unknown_scenario(self):
+        lines = self.fails(*MPIRUN, '-n', '2', *evaluate('--q-table', ANTICIPATION_TABLE, 'nonsense'))
         assert len(lines) == 1
-        assert_says(lines[0], part)
+        assert_says(lines[0], "no scenario 'nonsense'")
 
     @needs_mpi
     def test_one_process_that_cannot_write(self, runner):

@@ -212,19 +212,21 @@ TEST(DistributedCrowd, BreaksTiesByTheNumbersOfTheScene) {
   compare(withoutWays(scenes::randomScene(5, 100, 20.0), 30), trained);
 }
 
-TEST(DistributedCrowd, NamesWhatCannotBeDivided) {
+TEST(IsDivisible, NeedsAgentsThatAreIndependentOfWaysAndTurns) {
   Scene scene = scenes::randomScene(1);
   scene.walls = {{{0.0, 0.0}, {1.0, 0.0}}};
-  EXPECT_EQ(indivisiblePart(scene), "way-finding round walls or obstacles (way_finding: false leaves it out)");
+  EXPECT_FALSE(isDivisible(scene));
   scene.way_finding = false;
-  EXPECT_EQ(indivisiblePart(scene), "");
+  EXPECT_TRUE(isDivisible(scene));
   scene.order = Order::SEQUENTIAL;
-  EXPECT_EQ(indivisiblePart(scene), "the order 'sequential'");
+  EXPECT_FALSE(isDivisible(scene));
   scene.order = Order::SIMULTANEOUS;
   scene.agents.front().reaction_time = 1.0;
-  EXPECT_EQ(indivisiblePart(scene), "routes or reaction times");
+  EXPECT_FALSE(isDivisible(scene));
+  scene.agents.front().reaction_time = 0.0;
+  EXPECT_TRUE(isDivisible(scene));
   scene.robots.emplace_back();
-  EXPECT_EQ(indivisiblePart(scene), "robots");
+  EXPECT_FALSE(isDivisible(scene));
 }
 
 }  // namespace

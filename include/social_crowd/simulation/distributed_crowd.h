@@ -10,29 +10,15 @@
 #include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/simulation/floor_strips.h"
 #include "social_crowd/simulation/greedy_crowd.h"
+#include "social_crowd/simulation/ranks_report.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
 
-/// @brief How well the ranks worked together in an episode; the same on all ranks.
-struct RanksReport {
-  int ranks = 1;
-  std::uint64_t agents = 0;  ///< at the start
-  std::uint64_t ticks = 0;
-  double seconds = 0.0;             ///< of all ticks, on the wall
-  std::uint64_t bytes = 0;          ///< sent by all ranks in these ticks
-  double busy_seconds = 0.0;        ///< processor time of the slowest rank, without waiting for others
-  double agent_imbalance = 1.0;     ///< agents of the largest share / mean, averaged over the divisions of the floor
-  double time_imbalance = 1.0;      ///< computing time of the slowest rank / mean, without waiting for others
-  std::uint64_t whole_motions = 0;  ///< ticks in which each rank computed the motion of the whole solid crowd
-
-  /// @brief "2 ranks: 12.3 ms a tick, ...".
-  std::string text() const;
-};
-
-/// @brief What in a scene cannot be divided among ranks, in words; empty if nothing.
-std::string indivisiblePart(const Scene& scene);
+/// @brief Whether a DistributedCrowd can walk a scene: without the order `sequential`, robots, routes, sources, sinks,
+/// queues, gates, reaction times, and ways round walls or obstacles.
+bool isDivisible(const Scene& scene);
 
 /// @brief One crowd, in demo mode, on all ranks of a Communicator: the trajectories and results are those of one
 /// Episode, bit for bit, however many ranks there are.
@@ -49,7 +35,7 @@ class DistributedCrowd {
     std::uint64_t regroup_ticks = 10;  ///< ticks between two divisions of the floor; results do not depend on it
   };
 
-  /// @param scene the whole scene, the same on all ranks, without an indivisiblePart()
+  /// @param scene the whole scene, the same on all ranks, for which isDivisible()
   /// @param learner in demo mode, serves all agents; it, thread_pool and communicator must outlive the crowd
   DistributedCrowd(const Scene& scene, std::uint64_t episode, const Learner& learner, ThreadPool& thread_pool,
                    Communicator& communicator, const Options& options);

@@ -18,19 +18,22 @@ struct RanksObserver {
   std::function<void(const RanksReport& report)> on_report;  ///< after each episode
 };
 
-/// @brief Runs scenarios as evaluate() does, one episode after the other, each by all ranks together
-/// (DistributedCrowd). The results are the same. Collective.
+/// @brief Runs scenarios as evaluate() does, one episode after the other, each by all ranks together: divided by a
+/// DistributedCrowd if it can walk the scene, otherwise with SharedDecisions, as for a record of states. The results
+/// are the same. Collective.
 /// @param plan its `threads` are those of each rank
 /// @param deliver as for evaluate(), but called on rank 0 only
 /// @return false if a rank or `deliver` ended it early @throws SharedError on all ranks if one of them throws between
-/// ticks, if the scenes of the ranks differ, or if something in a scenario or in the plan is not available on several
-/// ranks
+/// episodes, or if scenes or results of the ranks differ
 bool evaluateOnRanks(Communicator& communicator, const TrainedTable& trained, const ScenarioList& scenarios,
                      const EvaluationPlan& plan, const RanksObserver& observer,
                      const std::function<bool(EvaluatedEpisode&)>& deliver);
 
-/// @brief Checksum of everything in a scene that motions depend on.
+/// @brief Checksum of everything in a scene that the motions of a DistributedCrowd depend on.
 std::string checksumOf(const Scene& scene);
+
+/// @brief Checksum of places and times at the end of an episode.
+std::string checksumOf(const EpisodeResult& result);
 
 /// @brief Checksum of the file of this library, in which a crowd is computed.
 std::string checksumOfLibrary();

@@ -1,0 +1,60 @@
+#include "simulation/instance_walk.h"
+
+#include <optional>
+#include <utility>
+
+#include "social_crowd/simulation/people_delay.h"
+#include "social_crowd/simulation/state_record.h"
+#include "social_crowd/simulation/trajectory.h"
+#include "social_crowd/world/scene_document.h"
+
+namespace crowd {
+namespace {
+
+/// The scene without robots.
+Scene withoutRobots(Scene scene) {
+  scene.robots.clear();
+  return scene;
+}
+
+}  // namespace
+
+EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
+  std::optional<Scene> alone;
+  if (plan.people_delay && !scene.robots.empty()) {
+    scene.ends = Ends::ALL;
+    alone = withoutRobots(scene);
+  }
+  std::string document = plan.scenes.empty() ? "" : toDocument(scene, plan.scenes);
+  Episode episode(std::move(scene), instance, learner.model().vision(), thread_pool);
+  begin(episode);
+  EvaluatedEpisode walked = walk(episode);
+  walked.scene = std::move(document);
+  if (!alone) return walked;
+  Episode same(*std::move(alone), instance, learner.model().vision(), thread_pool);
+  EpisodeObserver observer;
+  observer.is_stopped = is_stopped;
+  measurePeopleDelay(runEpisode(same, decide, observer, nullptr), same.scene().tick_duration, walked.result);
+  return walked;
+}
+
+EvaluatedEpisode InstanceWalk::walk(Episode& episode) const {
+  EvaluatedEpisode walked;
+  walked.instance = episode.number();
+  EpisodeObserver observer;
+  observer.is_stopped = is_stopped;
+  observer.on_tick = [&](const World& world) {
+    if (on_tick) on_tick(world);
+    if (plan.record) appendTrajectoryRows(walked.instance, world, walked.trajectory);
+  };
+  if (plan.states) {
+    observer.on_turn = [&](const Perceptions& perceptions) {
+      appendStateRows(walked.instance, perceptions, learner, walked.states);
+    };
+  }
+  RobotDrivers robots(plan.robot_controller, episode, learner);
+  walked.result = runEpisode(episode, decide, observer, &robots);
+  return walked;
+}
+
+}  // namespace crowd

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "social_crowd/simulation/episode_runner.h"
+#include "social_crowd/simulation/evaluation.h"
+
+namespace crowd {
+
+/// How the instances of an evaluation are run.
+struct InstanceWalk {
+  const EvaluationPlan& plan;
+  Learner& learner;
+  ThreadPool& thread_pool;
+  Decide decide;
+  std::function<void(const Episode&)> begin;  ///< called at the start of an episode
+  std::function<void(const World&)> on_tick;  ///< called at the start of each tick; may be empty
+  std::function<bool()> is_stopped;           ///< see EpisodeObserver; may be empty
+
+  /// Runs an episode, and what the plan requests with it.
+  EvaluatedEpisode run(Scene scene, std::uint64_t instance) const;
+
+ private:
+  EvaluatedEpisode walk(Episode& episode) const;
+};
+
+}  // namespace crowd
