@@ -116,6 +116,7 @@ TEST(PerceptionRoutesProperty, AgreesWithASearchOfAllClaims) {
       }
     }
     std::vector<PerceptionRows> all_rows;
+    all_rows.reserve(expected.size());
     for (const auto& [topic, rows] : expected) all_rows.push_back(rows);
     EXPECT_EQ(routes.split(perceptions), all_rows);
   }
