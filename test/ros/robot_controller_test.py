@@ -31,8 +31,8 @@ class RobotControllerTest(RobotLaunchTestCase):
         # Each tick waits for its command, however fast the crowd walks.
         robot = self.robots()[0]
         self.assertEqual((robot.commands_missed, robot.command_timeouts), (0, 0))
-        # Ticks do not wait before the first command. The scans on their way then (one on the wire, one in the queue, one
-        # in work) are answered, too.
+        # Ticks do not wait before the first command. The scans on their way then (one on the wire, one in the queue,
+        # one in work) are answered, too.
         self.assertLessEqual(robot.commands_repeated, 3)
         self.assertGreater(robot.commands_taken, 100)
 
