@@ -1,9 +1,9 @@
 #include "social_crowd/simulation/distributed_crowd.h"
 
 #include <algorithm>
-#include <ctime>
 
 #include "simulation/agent_transfer.h"
+#include "simulation/stopwatch.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/simulation/byte_archive.h"
 #include "social_crowd/simulation/trajectory.h"
@@ -22,28 +22,6 @@ std::vector<Vector2> startsOf(const Scene& scene) {
   for (const AgentStart& start : scene.agents) places.push_back(start.position);
   return places;
 }
-
-double now(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// Measures the time of a scope [s].
-class Stopwatch {
- public:
-  Stopwatch(clockid_t clock, double& sum) : clock_(clock), sum_(sum), begin_(now(clock)) {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  Stopwatch(Stopwatch&&) = delete;
-  Stopwatch& operator=(Stopwatch&&) = delete;
-  ~Stopwatch() { sum_ += now(clock_) - begin_; }
-
- private:
-  clockid_t clock_;
-  double& sum_;
-  double begin_;
-};
 
 }  // namespace
 
