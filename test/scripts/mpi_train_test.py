@@ -67,10 +67,8 @@ def test_gives_the_same_files(runner, expected, ranks, threads):
 def test_goes_on_with_another_number_of_ranks(runner, expected, first, second):
     plan = Plan(runner, 'resumed')
     for ranks, episodes in ((first, 40), (second, 100)):
-        command = [*plan.command, '--resume', '--episodes', str(episodes)]
-        command = [word for i, word in enumerate(command) if i < len(plan.command) or True]
-        position = command.index('--episodes')
-        del command[position:position + 2]  # that of the plan
+        command = [*plan.command, '--resume']
+        command[command.index('--episodes') + 1] = str(episodes)
         status, output = run(on_ranks(ranks, command) if ranks > 1 else command)
         assert status == 0, output
     assert_says(output, '40 of 100 episodes are done')
