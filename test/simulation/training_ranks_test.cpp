@@ -164,22 +164,6 @@ TEST_F(TrainingRanks, ContinueFromATable) {
   });
 }
 
-TEST_F(TrainingRanks, ShareTheErrorOfAnEpisode) {
-  // The third episode, the first one of the second learner, finds no place for its agents.
-  folder_.write(
-      "s.yaml",
-      std::string(SCENARIOS) +
-          "---\nname: full\nduration: 1\ngoal_tolerance: 0.3\nagents: [{count: 50, position: {box: [[0, 0], [1, 1]]}, "
-          "goal: [9, 9], speed: 1, radius: 0.3}]\n");
-  const TrainingConfig plan = config(12, 2, 2);
-  const std::string expected = errorOf<Error>([&] { alone(plan); });
-  EXPECT_NE(expected, "no error");
-  ThreadRanks(2).run([&](Communicator& communicator) {
-    Training training(plan, 1, communicator);
-    EXPECT_EQ(errorOf<SharedError>([&] { training.runNextTurn(); }), "rank 1: " + expected);
-  });
-}
-
 TEST_F(TrainingRanks, AreNotMoreThanLearners) {
   const TrainingConfig plan = config(12, 2, 2);
   ThreadRanks(3).run([&](Communicator& communicator) {
