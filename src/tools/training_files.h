@@ -21,7 +21,8 @@ struct TrainingFileNames {
 };
 
 /// @brief Checks that the files of a training can go on from its checkpoint. Changes nothing.
-/// @throws FileError; InputError if the checkpoint was written with other files, or if a file is shorter than it was then
+/// @throws FileError; InputError if the checkpoint was written with other files, or if a file is shorter than it was
+/// then
 void requireContinuable(const TrainingFileNames& names, const Checkpoint& checkpoint);
 
 /// @brief Writes record, log and checkpoints of a training. A checkpoint contains the sizes of the other two, so that

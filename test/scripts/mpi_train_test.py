@@ -32,7 +32,8 @@ class Plan:
         self.files = {option: runner.path(f'{name}.{option}') for option in FILES}
         self.saved = runner.path(f'{name}_000060.output')
         files = [word for option in FILES for word in ('--' + option, self.files[option])]
-        self.command = train(self.config, *files, '--episodes', episodes, '--save-every', 60, '--checkpoint-interval', 0)
+        self.command = train(self.config, *files, '--episodes', episodes, '--save-every', 60,
+                             '--checkpoint-interval', 0)
 
     def results(self):
         """Returns the bytes of all files."""
