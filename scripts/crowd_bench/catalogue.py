@@ -56,6 +56,9 @@ BENCHMARKS = (
               'one process with two threads', ratio_bar=0.8, ratio_is_rate=True, mpi=True),
     Benchmark('crowd_step_mpi_2_parts', 'the same', AGENT_STEPS, None, 'two separate crowds of half the agents',
               ratio_bar=0.85, ratio_is_rate=True, mpi=True),
+    Benchmark('train_mpi_2', 'training, anticipation set, random crowds of 12, 16 learners side by side, two ranks of '
+              'one thread (MPI)', DECISIONS, None, 'one process with two threads', ratio_bar=0.8, ratio_is_rate=True,
+              mpi=True),
     Benchmark('ros_lockstep_1000', 'ROS lockstep, 1,000 agents, one learner node', TICKS, 250,
               'a bare round trip of such messages, plus the headless step', ratio_bar=1.6, ros=True),
     Benchmark('ros_lockstep_12', 'ROS lockstep, 12 agents, one learner node', TICKS, 6000, 'the same', ratio_bar=1.6,

@@ -1,4 +1,4 @@
-"""Runs the benchmark of a crowd on several ranks, a program for mpirun."""
+"""Runs the benchmarks of a crowd and of a training on several ranks, programs for mpirun."""
 import json
 import os
 import shutil
@@ -10,10 +10,13 @@ from crowd_experiments.runs import RunError
 from . import rank_scaling
 
 PROGRAM = 'rank_benchmarks'
+TRAINING = 'rank_training'
+LEARNERS = 16
 RANKS = 2
 AGENTS = 100_000
 # Rates of the yardsticks in the program's output, by benchmark.
-YARDSTICKS = {'crowd_step_mpi_2': 'threads_rate', 'crowd_step_mpi_2_parts': 'parts_rate'}
+YARDSTICKS = {'crowd_step_mpi_2': 'threads_rate', 'crowd_step_mpi_2_parts': 'parts_rate',
+              'train_mpi_2': 'threads_rate'}
 
 
 def run(folder, benchmark, repetitions):
@@ -21,7 +24,8 @@ def run(folder, benchmark, repetitions):
     in which crowd and yardsticks take turns."""
     if shutil.which('mpirun') is None:
         return None
-    runs = measure(folder / PROGRAM, RANKS, AGENTS, benchmark.repetitions or repetitions)
+    program, size = (TRAINING, LEARNERS) if benchmark.name == 'train_mpi_2' else (PROGRAM, AGENTS)
+    runs = measure(folder / program, RANKS, size, benchmark.repetitions or repetitions)
     values = [each['rate'] for each in runs]
     yardsticks = [each[YARDSTICKS[benchmark.name]] for each in runs]
     ratios = [benchmark.ratio(*pair) for pair in zip(values, yardsticks)]
@@ -36,11 +40,12 @@ def weak_scaling(folder):
             for ranks in rank_scaling.RANKS]
 
 
-def measure(program, ranks, agents, repetitions):
-    """Returns the measurements of each repetition. Ranks that wait give way to the threads of others."""
+def measure(program, ranks, size, repetitions):
+    """Returns the measurements of each repetition, with so many agents or learners.
+    Ranks that wait give way to the threads of others."""
     done = subprocess.run(
         ['mpirun', '--oversubscribe', '--allow-run-as-root', '--bind-to', 'none', '-n', str(ranks), program,
-         str(agents), str(repetitions)],
+         str(size), str(repetitions)],
         env={**os.environ, 'OMPI_MCA_mpi_yield_when_idle': '1'}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
         stderr=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:

@@ -1,7 +1,10 @@
 #include "social_crowd/simulation/communicator.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
+#include <utility>
 
 #include "social_crowd/simulation/byte_archive.h"
 
@@ -10,6 +13,19 @@ namespace {
 
 Communicator::Bytes bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
 std::string textOf(const Communicator::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
+
+/// Returns the first lines of two different texts that differ.
+std::pair<std::string, std::string> firstDifference(const std::string& one, const std::string& other) {
+  std::istringstream ones(one);
+  std::istringstream others(other);
+  std::pair<std::string, std::string> lines;
+  do {
+    lines = {};
+    std::getline(ones, lines.first);
+    std::getline(others, lines.second);
+  } while (lines.first == lines.second && (ones || others));
+  return lines;
+}
 
 }  // namespace
 
@@ -39,9 +55,22 @@ std::vector<Communicator::Bytes> Communicator::gatherAll(const Bytes& bytes) {
   return doGatherAll(bytes);
 }
 
+void Communicator::broadcast(Bytes& bytes) {
+  std::vector<Bytes> out(static_cast<std::size_t>(size()));
+  if (rank() == 0) std::fill(out.begin() + 1, out.end(), bytes);
+  std::vector<Bytes> in;
+  exchangeAnySize(out, in);
+  if (rank() != 0) bytes = std::move(in.front());
+}
+
 void Communicator::sum(std::vector<std::uint64_t>& numbers) {
   if (size() > 1) sent_ += numbers.size() * sizeof(std::uint64_t);
   doSum(numbers);
+}
+
+SingleProcess& SingleProcess::instance() {
+  static SingleProcess process;
+  return process;
 }
 
 void SingleProcess::abort(const std::string& message) {
@@ -71,9 +100,9 @@ void requireSameOnAllRanks(Communicator& communicator, const std::vector<SharedF
     const std::vector<Communicator::Bytes> values = communicator.gatherAll(bytesOf(fact.value));
     for (std::size_t rank = 1; rank < values.size(); ++rank) {
       if (values[rank] == values.front()) continue;
-      throw SharedError("rank " + std::to_string(rank) + " differs from rank 0 in the " + fact.what + ": '" +
-                        textOf(values[rank]) + "' there, '" + textOf(values.front()) +
-                        "' on rank 0; all ranks need the same program, arguments and files");
+      const auto [there, here] = firstDifference(textOf(values[rank]), textOf(values.front()));
+      throw SharedError("rank " + std::to_string(rank) + " differs from rank 0 in the " + fact.what + ": '" + there +
+                        "' there, '" + here + "' on rank 0; all ranks need the same program, arguments and files");
     }
   }
 }

@@ -16,18 +16,12 @@ namespace {
 
 /// Returns rank 0's numbers on all ranks.
 std::vector<double> fromFirstRank(Communicator& communicator, const std::vector<double>& numbers) {
-  std::vector<Communicator::Bytes> out(static_cast<std::size_t>(communicator.size()));
-  if (communicator.rank() == 0) {
-    Communicator::Bytes bytes;
-    ByteWriter write(bytes);
-    for (const double number : numbers) write(number);
-    out.assign(out.size(), bytes);
-  }
-  std::vector<Communicator::Bytes> in;
-  communicator.exchangeAnySize(out, in);
-  if (communicator.rank() == 0) return numbers;
+  Communicator::Bytes bytes;
+  ByteWriter write(bytes);
+  for (const double number : numbers) write(number);
+  communicator.broadcast(bytes);
   std::vector<double> received;
-  ByteReader read(in.front());
+  ByteReader read(bytes);
   while (!read.isAtEnd()) read(received.emplace_back());
   return received;
 }

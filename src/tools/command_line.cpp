@@ -4,9 +4,14 @@
 #include <charconv>
 #include <csignal>
 #include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <vector>
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/suggestions.h"
+#include "social_crowd/simulation/mpi_communicator.h"
 
 namespace crowd {
 namespace {
@@ -37,13 +42,73 @@ std::string unknownArguments(const CLI::App& app) {
   return "there is no option '" + name + "'" + didYouMean(name, optionsOf(app));
 }
 
-/// Prints the help text or the error in the command line. Returns the exit status.
-int explainUsage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
+/// What to print in place of running the tool.
+struct Answer {
+  bool is_error = false;
+  std::string text;
+};
+
+/// Returns the help text or the error in the command line.
+Answer explainUsage(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) {
+    std::ostringstream help;
+    app.exit(error, help, help);
+    return {false, help.str()};
+  }
   const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-  std::cerr << app.get_name() << ": " << (is_extra ? unknownArguments(app) : error.what())
-            << "\nRun with --help for more information." << std::endl;
-  return EXIT_BAD_USAGE;
+  return {true, app.get_name() + ": " + (is_extra ? unknownArguments(app) : error.what()) +
+                    "\nRun with --help for more information.\n"};
+}
+
+/// Parses the command line. Returns what to print, if the tool is not to run.
+std::optional<Answer> parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    return explainUsage(app, error);
+  }
+}
+
+/// Returns the answer of the first rank that has one.
+std::optional<Answer> ofFirstRank(Communicator& ranks, const std::optional<Answer>& own) {
+  Communicator::Bytes bytes;
+  if (own) {
+    const std::string text = (own->is_error ? "E" : "H") + own->text;
+    bytes.assign(text.begin(), text.end());
+  }
+  const std::vector<Communicator::Bytes> answers = ranks.gatherAll(bytes);
+  const auto first =
+      std::find_if(answers.begin(), answers.end(), [](const Communicator::Bytes& answer) { return !answer.empty(); });
+  if (first == answers.end()) return std::nullopt;
+  return Answer{first->front() == 'E', std::string(first->begin() + 1, first->end())};
+}
+
+int print(const Answer& answer) {
+  (answer.is_error ? std::cerr : std::cout) << answer.text << std::flush;
+  return answer.is_error ? EXIT_BAD_USAGE : EXIT_FINE;
+}
+
+/// Runs the tool on several ranks.
+int runOnRanks(const CLI::App& app, const std::optional<Answer>& own, Communicator& ranks,
+               const std::function<int(Communicator&)>& run) {
+  int status = EXIT_BAD_INPUT;
+  try {
+    const std::optional<Answer> answer = ofFirstRank(ranks, own);
+    if (!answer) {
+      status = run(ranks);
+    } else if (ranks.rank() == 0) {
+      status = print(*answer);
+    } else {
+      status = answer->is_error ? EXIT_BAD_USAGE : EXIT_FINE;
+    }
+  } catch (const SharedError& error) {
+    if (ranks.rank() == 0) std::cerr << app.get_name() << ": " << error.what() << std::endl;
+  } catch (const std::exception& error) {
+    ranks.abort(app.get_name() + ": rank " + std::to_string(ranks.rank()) + ": " + error.what());
+  }
+  ranks.gatherAll({});  // mpirun ends all when the first one ends with another status than 0
+  return status;
 }
 
 }  // namespace
@@ -65,14 +130,12 @@ void catchInterrupts() {
 
 bool isInterrupted() { return interrupted != 0; }
 
-int runTool(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+int runTool(CLI::App& app, int argc, char** argv, const std::function<int(Communicator& ranks)>& run) {
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return explainUsage(app, error);
-  }
-  try {
-    return run();
+    const std::unique_ptr<Communicator> ranks = joinRanks();
+    const std::optional<Answer> answer = parse(app, argc, argv);
+    if (ranks->size() > 1) return runOnRanks(app, answer, *ranks, run);
+    return answer ? print(*answer) : run(*ranks);
   } catch (const std::exception& error) {
     std::cerr << app.get_name() << ": " << error.what() << std::endl;
     return EXIT_BAD_INPUT;

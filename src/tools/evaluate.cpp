@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <thread>
 
@@ -278,11 +277,9 @@ int runMain(int argc, char** argv) {
       (isBuiltWithMpi() ? "" : "out") +
       " MPI.\n"
       "Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");
-  std::unique_ptr<Communicator> ranks;  // until the end of the process
-  return runTool(app, argc, argv, [&] {
-    ranks = joinRanks();
-    if (ranks->size() > 1 && threads->count() == 0) arguments.plan.threads = 1;
-    return runOnAllRanks(*ranks, "evaluate", [&] { return evaluateAll(*ranks, arguments); });
+  return runTool(app, argc, argv, [&](Communicator& ranks) {
+    if (ranks.size() > 1 && threads->count() == 0) arguments.plan.threads = 1;
+    return evaluateAll(ranks, arguments);
   });
 }
 

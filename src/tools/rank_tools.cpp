@@ -5,22 +5,9 @@
 #include "command_line.h"
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
+#include "social_crowd/simulation/checkpoint.h"
 
 namespace crowd {
-
-int runOnAllRanks(Communicator& ranks, const std::string& tool, const std::function<int()>& run) {
-  if (ranks.size() == 1) return run();
-  try {
-    return run();
-  } catch (const SharedError& error) {
-    if (ranks.rank() == 0) std::cerr << tool << ": " << error.what() << std::endl;
-    ranks.gatherAll({});  // mpirun ends all when the first one ends
-    return EXIT_BAD_INPUT;
-  } catch (const std::exception& error) {
-    ranks.abort(tool + ": rank " + std::to_string(ranks.rank()) + ": " + error.what());
-    return EXIT_BAD_INPUT;
-  }
-}
 
 void requireSameRun(Communicator& ranks, const TrainedTable& trained, const std::vector<std::string>& scenario_files,
                     const EvaluationPlan& plan) {
@@ -34,7 +21,21 @@ void requireSameRun(Communicator& ranks, const TrainedTable& trained, const std:
                                 {"seed", std::to_string(plan.seed)},
                                 {"number of episodes", std::to_string(plan.episodes)},
                                 {"use of --trajectories", plan.record ? "yes" : "no"},
-                                {"use of --states", plan.states ? "yes" : "no"}});
+                                {"use of --states", plan.states ? "yes" : "no"},
+                                {"controller of the robots", plan.robot_controller},
+                                {"use of --people-delay", plan.people_delay ? "yes" : "no"}});
+}
+
+void requireSameTraining(Communicator& ranks, const Training& training, const TrainedTable* begin, bool counts_rows) {
+  Checksum table;
+  if (begin != nullptr) table.add(toText(*begin));
+  const TrainingPlan& plan = training.config().training;
+  requireSameOnAllRanks(ranks, {{"checksum of the program's library", checksumOfLibrary()},
+                                {"training", identityOf(training)},
+                                {"number of episodes", std::to_string(plan.episodes)},
+                                {"interval of --save-every", std::to_string(plan.save_every)},
+                                {"checksum of the Q-table", begin != nullptr ? table.text() : "no table"},
+                                {"use of --log or --plot", counts_rows ? "yes" : "no"}});
 }
 
 RanksObserver observerOf(const std::string& name, const Communicator& ranks, std::optional<ProgressBar>& bar) {

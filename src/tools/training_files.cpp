@@ -42,11 +42,9 @@ void requireRest(const std::string& file, const char* option, const Checkpoint& 
 
 }  // namespace
 
-Checkpoint readCheckpoint(const TrainingFileNames& names, const std::string& identity, const Model& model) {
-  Checkpoint checkpoint = parseCheckpoint(readFile(names.checkpoint), names.checkpoint, identity, model);
+void requireContinuable(const TrainingFileNames& names, const Checkpoint& checkpoint) {
   requireRest(names.record, RECORD, checkpoint, names.checkpoint);
   requireRest(names.log, LOG, checkpoint, names.checkpoint);
-  return checkpoint;
 }
 
 TrainingFiles::TrainingFiles(TrainingFileNames names, std::string identity, double interval,

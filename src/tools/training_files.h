@@ -20,10 +20,10 @@ struct TrainingFileNames {
   std::string checkpoint;
 };
 
-/// @brief Reads the checkpoint of a training, and checks that its files can go on from there. Changes nothing.
-/// @throws FileError, InputError if the checkpoint is damaged or of another training, if it was written with other
-/// files, or if a file is shorter than it was then
-Checkpoint readCheckpoint(const TrainingFileNames& names, const std::string& identity, const Model& model);
+/// @brief Checks that the files of a training can go on from its checkpoint. Changes nothing.
+/// @throws FileError; InputError if the checkpoint was written with other files, or if a file is shorter than it was
+/// then
+void requireContinuable(const TrainingFileNames& names, const Checkpoint& checkpoint);
 
 /// @brief Writes record, log and checkpoints of a training. A checkpoint contains the sizes of the other two, so that
 /// they are cut back when the training goes on from it.

@@ -41,6 +41,19 @@ TEST(Communicator, GathersAndSums) {
   });
 }
 
+TEST(Communicator, BroadcastsTheBytesOfTheFirstRank) {
+  for (const int ranks : {1, 3}) {
+    ThreadRanks(ranks).run([](Communicator& communicator) {
+      Communicator::Bytes bytes = bytesOf(communicator.rank() == 0 ? "first" : "another one");
+      communicator.broadcast(bytes);
+      EXPECT_EQ(bytes, bytesOf("first"));
+    });
+  }
+  Communicator::Bytes bytes = bytesOf("alone");
+  SingleProcess::instance().broadcast(bytes);
+  EXPECT_EQ(bytes, bytesOf("alone"));
+}
+
 TEST(Communicator, SharesAnErrorOfOneRank) {
   ThreadRanks(3).run([](Communicator& communicator) {
     const auto fail_on_1 = [&] {
@@ -62,6 +75,19 @@ TEST(Communicator, NamesTheRankThatDiffers) {
               }),
               "rank 2 differs from rank 0 in the seed: '7' there, '5' on rank 0; all ranks need the same program, "
               "arguments and files");
+  });
+}
+
+TEST(Communicator, NamesTheFirstLineThatDiffers) {
+  ThreadRanks(2).run([](Communicator& communicator) {
+    const auto error = [&](const std::string& here, const std::string& there) {
+      const std::string text = communicator.rank() == 0 ? here : there;
+      return errorOf<SharedError>([&] { requireSameOnAllRanks(communicator, {{"training", text}}); });
+    };
+    EXPECT_TRUE(
+        contains(error("a: 1\nb: 2\nc: 3\n", "a: 1\nb: 7\nc: 8\n"), "training: 'b: 7' there, 'b: 2' on rank 0"));
+    EXPECT_TRUE(contains(error("a: 1\nb: 2\n", "a: 1\n"), "training: '' there, 'b: 2' on rank 0"));
+    EXPECT_EQ(error("a: 1\nb: 2\n", "a: 1\nb: 2\n"), "no error");
   });
 }
 

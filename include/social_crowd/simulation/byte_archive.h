@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -28,6 +29,10 @@ class ByteWriter {
   void operator()(const std::vector<Vector2>& points) {
     (*this)(static_cast<std::uint64_t>(points.size()));
     for (const Vector2& point : points) (*this)(point);
+  }
+  void operator()(const std::string& text) {
+    (*this)(static_cast<std::uint64_t>(text.size()));
+    bytes_.insert(bytes_.end(), text.begin(), text.end());
   }
 
  private:
@@ -57,10 +62,33 @@ class ByteReader {
     points.clear();
     for (; count > 0; --count) (*this)(points.emplace_back());
   }
+  void operator()(std::string& text) {
+    std::uint64_t size = 0;
+    (*this)(size);
+    if (bytes_.size() - next_ < size) throw Error("a message between ranks is too short");
+    text.assign(bytes_.data() + next_, size);
+    next_ += size;
+  }
 
  private:
   const std::vector<char>& bytes_;
   std::size_t next_ = 0;
 };
+
+/// @brief Writes the number of items, then each item by transfer(item).
+template <typename Item, typename Transfer>
+void transferAll(ByteWriter& write, const std::vector<Item>& items, const Transfer& transfer) {
+  write(static_cast<std::uint64_t>(items.size()));
+  for (const Item& item : items) transfer(item);
+}
+
+/// @brief Reads what the other one has written.
+template <typename Item, typename Transfer>
+void transferAll(ByteReader& read, std::vector<Item>& items, const Transfer& transfer) {
+  std::uint64_t count = 0;
+  read(count);
+  items.clear();
+  for (; count > 0; --count) transfer(items.emplace_back());
+}
 
 }  // namespace crowd

@@ -35,6 +35,8 @@ class Communicator {
   void exchangeAnySize(const std::vector<Bytes>& out, std::vector<Bytes>& in);
   /// @brief Returns the bytes of each rank, in the order of the ranks. For small messages: below 1 GB in total.
   std::vector<Bytes> gatherAll(const Bytes& bytes);
+  /// @brief Replaces the bytes by those of rank 0.
+  void broadcast(Bytes& bytes);
   /// @brief Replaces each number by its sum over all ranks.
   void sum(std::vector<std::uint64_t>& numbers);
 
@@ -56,6 +58,8 @@ class Communicator {
 /// @brief A process alone.
 class SingleProcess : public Communicator {
  public:
+  /// @brief One for everything that runs alone. rank() and size() may be called by any thread.
+  static SingleProcess& instance();
   int rank() const override { return 0; }
   int size() const override { return 1; }
   [[noreturn]] void abort(const std::string& message) override;
@@ -83,7 +87,8 @@ struct SharedFact {
 };
 
 /// @brief Compares the facts of all ranks; each must give them in the same order.
-/// @throws SharedError that names the first rank that differs from rank 0, and in what
+/// @throws SharedError that names the first rank that differs from rank 0, and in what; of values of several lines, the
+/// first line that differs
 void requireSameOnAllRanks(Communicator& communicator, const std::vector<SharedFact>& facts);
 
 }  // namespace crowd

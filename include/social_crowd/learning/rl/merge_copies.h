@@ -1,11 +1,24 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "social_crowd/learning/rl/learning_rate_schedule.h"
 #include "social_crowd/learning/rl/q_table.h"
 
 namespace crowd {
+
+/// @brief What a copy of a Q-table has learned of one value.
+struct LearnedValue {
+  double value = 0.0;
+  std::uint32_t visits = 0;  ///< more than before
+};
+
+/// @brief Merges what copies have learned of one value into the table that they were copied from; see mergeCopies().
+/// Floating-point sums depend on the order of `learned`.
+/// @param learned by the copies that have visited the value since, in the order of the learners; at least one
+void mergeValue(const std::vector<LearnedValue>& learned, const LearningRateSchedule& learning_rates, Row row,
+                Action action, QTable& table);
 
 /// @brief Merges copies of a Q-table that have learned independently into the table that they were copied from, in the
 /// rows begin .. end-1.
