@@ -173,6 +173,29 @@ TEST_F(TrainingRanks, AreNotMoreThanLearners) {
   });
 }
 
+TEST_F(TrainingRanks, AllEndWithTheErrorOfOneEpisode) {
+  TrainingConfig plan = config(200, 4, 5);
+  // Whether all agents fit depends on the radii that an episode draws.
+  plan.training.scenarios = {folder_.write("tight.yaml",
+                                           "name: tight\n"
+                                           "duration: 1\n"
+                                           "goal_tolerance: 0.3\n"
+                                           "contact: solid\n"
+                                           "agents: [{count: 3, position: {box: [[0, 0], [0.9, 0.9]]},\n"
+                                           "          goal: {opposite: [0, 0]}, speed: 1, radius: [0.05, 0.5]}]\n")};
+  std::vector<std::string> problems(3);
+  ThreadRanks(3).run([&](Communicator& communicator) {
+    Training training(plan, 1, communicator);
+    problems[static_cast<std::size_t>(communicator.rank())] = errorOf<SharedError>([&] {
+      while (!training.isDone()) training.runNextTurn();
+    });
+  });
+  EXPECT_TRUE(contains(problems[0], "rank ")) << problems[0];
+  EXPECT_TRUE(contains(problems[0], "no free place")) << problems[0];
+  EXPECT_EQ(problems[1], problems[0]);
+  EXPECT_EQ(problems[2], problems[0]);
+}
+
 TEST_F(TrainingRanks, ReportTheirTimes) {
   const TrainingConfig plan = config(20, 5, 2);
   ThreadRanks(2).run([&](Communicator& communicator) {
