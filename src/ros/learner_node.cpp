@@ -189,6 +189,8 @@ social_crowd::LearnerStatus LearnerNode::status() const {
   status.tables = TABLE_USES.nameOf(learner_.tableUse());
   status.serves_all = learner_.servesAll() ? 1 : 0;
   status.agents = learner_.servedAgents();
+  status.share = learner_.share().index;
+  status.shares = learner_.share().count;
   status.model = learner_.model().spec();
   status.rows = learner_.tableOf(first).rows();
   status.actions = learner_.tableOf(first).actions();
