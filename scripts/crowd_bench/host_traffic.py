@@ -1,5 +1,5 @@
-"""Bytes between hosts: a crowd on one host and its learners, or RViz, on others. The hosts are network namespaces, which
-need root. Counted are the bytes of their links, with the headers of all protocols."""
+"""Bytes between hosts: a crowd on one host and its learners, or RViz, on others. The hosts are network namespaces,
+which need root. Counted are the bytes of their links, with the headers of all protocols."""
 import dataclasses
 import math
 import os
@@ -10,7 +10,7 @@ import time
 from crowd_experiments.runs import RunError
 
 from .hosts import MASTER_PORT, Network, why_not
-from .ros_system import REPOSITORY, RosSystem, arguments_of, program
+from .ros_system import PATIENCE, REPOSITORY, RosSystem, arguments_of, program
 
 Q_TABLE = os.path.join(REPOSITORY, 'config', 'q_tables', 'anticipation.txt')
 AGENTS = (200, 1000, 10_000)
@@ -71,9 +71,9 @@ class HostSystem(RosSystem):
 
     def step(self, ticks):
         """Walks ticks. The service is there before the first answers are."""
-        command = self.crowd.command(*self.wrapped(['rosservice', 'call', '--wait', '/crowd_controller/step', str(ticks)]))
-        done = subprocess.run(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              timeout=300.0, check=False)
+        call = ['rosservice', 'call', '--wait', '/crowd_controller/step', str(ticks)]
+        done = subprocess.run(self.crowd.command(*self.wrapped(call)), env=self.environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, timeout=PATIENCE, check=False)
         self.check()
         if done.returncode != 0 or 'success: True' not in done.stdout:
             raise RunError(f'step failed: {done.stdout}')

@@ -85,7 +85,8 @@ class Host:
         self.namespace = network.namespace_of(name)
         self.port = f'port{number}'  # of the switch
         ip('netns', 'add', self.namespace)
-        ip('-n', network.switch, 'link', 'add', self.port, 'type', 'veth', 'peer', 'name', 'eth0', 'netns', self.namespace)
+        peer = ('peer', 'name', 'eth0', 'netns', self.namespace)
+        ip('-n', network.switch, 'link', 'add', self.port, 'type', 'veth', *peer)
         ip('-n', network.switch, 'link', 'set', self.port, 'master', 'bridge', 'up')
         ip('-n', self.namespace, 'address', 'add', f'{self.address}/24', 'dev', 'eth0')
         for device in ('lo', 'eth0'):

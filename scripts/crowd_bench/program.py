@@ -19,8 +19,8 @@ from .rank_scaling import RANK_SWEEPS
 from .sweeps import SWEEPS
 
 ROS_MODULE = 'crowd_bench.ros_benchmarks'
-ALL = {entry.name: entry for entry in (*BENCHMARKS, *SWEEPS, *RANK_SWEEPS, *host_traffic.TABLES,
-                                      *profile.PROFILES)}
+ENTRIES = (*BENCHMARKS, *SWEEPS, *RANK_SWEEPS, *host_traffic.TABLES, *profile.PROFILES)
+ALL = {entry.name: entry for entry in ENTRIES}
 BUILD = REPOSITORY / '.build'
 
 

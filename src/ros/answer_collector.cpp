@@ -64,7 +64,9 @@ void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event)
 void AnswerCollector::takeStatus(const ros::MessageEvent<const social_crowd::LearnerStatus>& event) {
   const social_crowd::LearnerStatus& status = *event.getMessage();
   const Vision vision{status.vision_radius, status.max_neighbours, status.occlusion != 0};
-  visions_.report(status.node.empty() ? event.getPublisherName() : status.node, vision);
+  const std::string& learner = status.node.empty() ? event.getPublisherName() : status.node;
+  perceptions_.useTopicOf(learner, status);
+  visions_.report(learner, vision);
   if (asked_episode_ != nullptr && !covers(asked_episode_->vision(), visions_.widest())) askWithWiderVision();
 }
 

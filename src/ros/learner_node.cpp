@@ -68,8 +68,10 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
   status_publisher_ =
       node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, send_status, {}, {}, LATCHED);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
-  perceptions_subscriber_ = subscribeToTicks<PerceptionsMessage>(
-      node_, names::PERCEPTIONS, QUEUE, [this](const auto& event) { takePerceptions(*event.getMessage()); });
+  const std::string own = names::perceptionsOf(node_.resolveName(names::PERCEPTIONS), name_);
+  perceptions_subscriber_ =
+      subscribeToTicks<PerceptionsMessage>(node_, learner_.servesAll() ? names::PERCEPTIONS : own, QUEUE,
+                                           [this](const auto& event) { takePerceptions(*event.getMessage()); });
   advertiseServices();
   addDiagnostics();
 }
@@ -78,11 +80,22 @@ void LearnerNode::run() {
   publishStatus();
   taking_.start();
   services_.start();
-  while (!loop_.isClosed()) loop_.run(IDLE);
+  while (!loop_.isClosed()) {
+    loop_.run(IDLE);
+    askForPerceptions();
+  }
   loop_.close();
   services_.stop();
   taking_.stop();
   if (!save_to_.empty()) saveAll(false);
+}
+
+void LearnerNode::askForPerceptions() {
+  // The controller advertises the topic when it has received the status. If it is in the same process as nodelets, it
+  // may have received only that of another one.
+  const bool is_nodelet = name_ != ros::this_node::getName();
+  if (!is_nodelet || learner_.servesAll() || perceptions_subscriber_.getNumPublishers() > 0) return;
+  if (ros::WallTime::now() - last_status_ >= STATUS_PERIOD) publishStatus();
 }
 
 void LearnerNode::takePerceptions(const PerceptionsMessage& message) {
@@ -191,6 +204,7 @@ social_crowd::LearnerStatus LearnerNode::status() const {
   status.agents = learner_.servedAgents();
   status.share = learner_.share().index;
   status.shares = learner_.share().count;
+  if (!learner_.servesAll()) status.perceptions_topic = perceptions_subscriber_.getTopic();
   status.model = learner_.model().spec();
   status.rows = learner_.tableOf(first).rows();
   status.actions = learner_.tableOf(first).actions();

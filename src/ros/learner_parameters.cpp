@@ -75,8 +75,8 @@ void readShare(Parameters& parameters, Learner::Options& options) {
   const std::int64_t count = parameters.whole("shares", options.share.count, 1, MAX_WHOLE);
   const std::int64_t index = parameters.whole("share", options.share.index, 0, MAX_WHOLE);
   if (index >= count) {
-    parameters.complain("share", "expected a number below ~shares, " + std::to_string(count) + ", got " +
-                                     std::to_string(index));
+    parameters.complain("share",
+                        "expected a number below ~shares, " + std::to_string(count) + ", got " + std::to_string(index));
   }
   if (count > 1 && !options.agents.empty()) {
     parameters.complain("shares", "expected 1, because ~agents lists the agents, got " + std::to_string(count));

@@ -65,7 +65,7 @@ class Reader {
   const std::uint8_t* place_;
 };
 
-void put(Writer& writer, const AgentPerception& self, std::uint32_t first_neighbour) {
+void put(Writer& writer, const AgentPerception& self, std::uint32_t first_neighbour, std::uint32_t first_wall) {
   writer.put(self.agent);
   writer.put(self.pose.position);
   writer.put(self.pose.heading);
@@ -73,7 +73,7 @@ void put(Writer& writer, const AgentPerception& self, std::uint32_t first_neighb
   writer.put(self.max_speed, self.radius);
   writer.put(self.goal);
   writer.put(self.goal_number, std::uint8_t{self.arrived}, std::uint8_t{self.acted});
-  writer.put(first_neighbour, self.neighbour_count, self.first_wall, self.wall_count);
+  writer.put(first_neighbour, self.neighbour_count, first_wall, self.wall_count);
 }
 
 void take(Reader& reader, AgentPerception& self) {
@@ -166,24 +166,53 @@ void takeNeighbours(IStream& stream, NeighbourList& neighbours) {
   for (std::uint32_t i = 0; i < count; ++i) neighbours.set(i, takeNeighbour(reader));
 }
 
-std::size_t countNeighbours(const Perceptions& perceptions) {
-  std::size_t count = 0;
-  for (const AgentPerception& self : perceptions.agents) count += self.neighbour_count;
-  return count;
+/// Lengths of the lists on the wire.
+struct Counts {
+  std::uint32_t agents = 0;
+  std::uint32_t neighbours = 0;
+  std::uint32_t walls = 0;
+};
+
+/// Calls a function with the index of each agent that is serialised.
+template <typename Visit>
+void forEachRow(const PerceptionsMessage& message, const Visit& visit) {
+  if (message.rows) {
+    for (const std::uint32_t row : *message.rows) visit(row);
+  } else {
+    for (std::size_t row = 0; row < message.content().agents.size(); ++row) visit(row);
+  }
 }
 
-/// Writes the neighbours agent by agent, without the gaps between them.
-void putAgentsAndNeighbours(OStream& stream, const Perceptions& perceptions) {
-  Writer agents = beginList(stream, perceptions.agents.size(), WIRE_SELF);
-  std::uint32_t first_neighbour = 0;
-  for (const AgentPerception& self : perceptions.agents) {
-    put(agents, self, first_neighbour);
-    first_neighbour += self.neighbour_count;
-  }
-  Writer neighbours = beginList(stream, first_neighbour, WIRE_NEIGHBOUR);
-  for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
-    for (const Neighbour& neighbour : Perception(perceptions, i).neighbours) put(neighbours, neighbour);
-  }
+Counts countsOf(const PerceptionsMessage& message) {
+  Counts counts;
+  forEachRow(message, [&, &agents = message.content().agents](std::size_t row) {
+    ++counts.agents;
+    counts.neighbours += agents[row].neighbour_count;
+    counts.walls += agents[row].wall_count;
+  });
+  return counts;
+}
+
+/// Writes neighbours and walls agent by agent, without the gaps between them.
+void putLists(OStream& stream, const PerceptionsMessage& message) {
+  const Perceptions& content = message.content();
+  const Counts counts = countsOf(message);
+  Writer agents = beginList(stream, counts.agents, WIRE_SELF);
+  Counts first;
+  forEachRow(message, [&](std::size_t row) {
+    const AgentPerception& self = content.agents[row];
+    put(agents, self, first.neighbours, first.walls);
+    first.neighbours += self.neighbour_count;
+    first.walls += self.wall_count;
+  });
+  Writer neighbours = beginList(stream, counts.neighbours, WIRE_NEIGHBOUR);
+  forEachRow(message, [&](std::size_t row) {
+    for (const Neighbour& neighbour : Perception(content, row).neighbours) put(neighbours, neighbour);
+  });
+  Writer walls = beginList(stream, counts.walls, WIRE_WALL);
+  forEachRow(message, [&](std::size_t row) {
+    for (const Segment& wall : Perception(content, row).walls) put(walls, wall);
+  });
 }
 
 void checkPart(std::uint32_t first, std::uint32_t count, std::size_t size, const char* what) {
@@ -231,12 +260,12 @@ void Serializer<PerceptionsMessage>::write(OStream& stream, const PerceptionsMes
   stream.next(message.vision.radius);
   stream.next(message.vision.max_neighbours);
   stream.next(std::uint8_t{message.vision.occlusion});
-  crowd::putAgentsAndNeighbours(stream, content);
-  crowd::putList(stream, content.walls, crowd::WIRE_WALL);
+  crowd::putLists(stream, message);
 }
 
 void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& message) {
   message.shared.reset();
+  message.rows.reset();
   Perceptions& content = message.received;
   std::uint8_t last = 0;
   std::uint8_t occlusion = 0;
@@ -258,11 +287,10 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
 }
 
 std::uint32_t Serializer<PerceptionsMessage>::serializedLength(const PerceptionsMessage& message) {
-  const Perceptions& content = message.content();
-  const std::size_t lists = content.agents.size() * crowd::WIRE_SELF +
-                            crowd::countNeighbours(content) * crowd::WIRE_NEIGHBOUR +
-                            content.walls.size() * crowd::WIRE_WALL;
-  return serializationLength(message.header) + crowd::WIRE_PERCEPTIONS + static_cast<std::uint32_t>(lists);
+  const crowd::Counts counts = crowd::countsOf(message);
+  const std::uint32_t lists =
+      counts.agents * crowd::WIRE_SELF + counts.neighbours * crowd::WIRE_NEIGHBOUR + counts.walls * crowd::WIRE_WALL;
+  return serializationLength(message.header) + crowd::WIRE_PERCEPTIONS + lists;
 }
 
 void Serializer<ActionsMessage>::write(OStream& stream, const ActionsMessage& message) {

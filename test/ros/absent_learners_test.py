@@ -133,7 +133,7 @@ class RestartedControllerTest(AbsenceTestCase):
         before = Perceiver(self)
         message = add_agent(add_agent(perceptions(0, 0), 0, ahead(180, 5)), 1, ahead(180, 5))
         self.assertAlmostEqual(abs(before.ask(message)[0][0]), math.pi)
-        before.publisher.unregister()
+        before.close()
         self.start_quiet(seconds=2, episodes=1, trajectories=self.path('ros'), answer_deadline=60.0)
         self.assertEqual(self.controller.wait(), 0)
         self.assert_same_recording(support.read_bytes(self.path('ros/quiet.csv')), self.headless(self.file))

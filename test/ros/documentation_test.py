@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 """Runs the example of docs/own_learner.md."""
 import os
+import re
 
+import rosgraph
 import support
-from social_crowd.msg import EpisodeResult
+from social_crowd.msg import EpisodeResult, Perceptions
 
 PAIR = """
 name: pair
@@ -25,6 +27,17 @@ class OwnLearnerPageTest(support.CrowdTestCase):
         os.chmod(file, 0o755)
         return self.start('my_learner', [file, *words])
 
+    def start_with_own_topic(self, **parameters):
+        """Starts the page's learner with the change that gives it a topic of its own."""
+        page = support.read_text(support.in_package('docs', 'own_learner.md'))
+        code = support.page_examples('own_learner.md')['my_learner.py']
+        change = re.search(r'^## Only its own agents$.*?^```python\n(.*?)^```$', page, re.DOTALL | re.MULTILINE)[1]
+        subscription = re.search(r'^ +rospy.Subscriber.*\n', code, re.MULTILINE)[0]
+        code = code.replace(subscription, change).replace('import Perceptions', 'import LearnerStatus, Perceptions')
+        file = self.write('my_learner.py', code)
+        os.chmod(file, 0o755)
+        return self.start('my_learner', [file, *(f'_{name}:={value}' for name, value in parameters.items())])
+
     def arrivals(self, episodes):
         """Returns the number of arrivals in each episode; no answer may be missed."""
         results = self.listen('episode_results', EpisodeResult)
@@ -43,6 +56,18 @@ class OwnLearnerPageTest(support.CrowdTestCase):
         self.start_example(agents='[0]')
         arrived = self.arrivals(8)
         self.assertEqual(arrived[-1], [True, True], arrived)
+
+    def test_example_with_a_topic_of_its_own(self):
+        self.start_learner(agents=[1], q_table=support.ANTICIPATION_TABLE)
+        self.start_with_own_topic(agents='[0]')
+        topic = f'{self.namespace}/perceptions{self.namespace}/my_learner'
+        received = self.listen(topic, Perceptions)
+        arrived = self.arrivals(8)
+        self.assertEqual(arrived[-1], [True, True], arrived)
+        self.assertEqual({agent.agent for message in received.messages for agent in message.agents}, {0})
+        subscribers = dict(rosgraph.Master('/documentation_test').getSystemState()[1])
+        self.assertIn(f'{self.namespace}/my_learner', subscribers[topic])
+        self.assertNotIn(f'{self.namespace}/perceptions', subscribers)
 
     def test_arguments_on_the_page_exist(self):
         page = support.read_text(support.in_package('docs', 'own_learner.md'))

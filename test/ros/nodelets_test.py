@@ -147,6 +147,23 @@ class DemoTest(NodeletTestCase):
             self.assertEqual(size, 0, topic)
         self.assertGreater(self.received('learner_status')[1], 0, 'otherwise roscpp would not count')
 
+    def test_topics_of_learners_loaded_before_the_controller(self):
+        """The controller receives the status of both; the perceptions of their agents are passed by pointer, too."""
+        agents = {'learner_a': [0, 1, 2], 'learner_b': [3, 4, 5]}
+        for name, served in agents.items():
+            self.load('learner', name, q_table=support.NEAREST_TABLE, agents=served)
+            self.wait_loaded(name)
+        self.load_controller(support.CIRCLE6, paused=True)
+        self.step(1)  # what is sent to a new subscriber is serialised
+        topics = [f'perceptions{self.namespace}/{name}' for name in agents]
+        before = {topic: self.received(topic) for topic in topics}
+        self.step(20)
+        for topic in topics:
+            messages, size = self.received(topic)
+            self.assertGreaterEqual(messages - before[topic][0], 20, topic)
+            self.assertEqual(size, before[topic][1], topic)
+        self.assertEqual(self.received('perceptions'), (0, 0))
+
     def test_frames(self):
         """Broadcasters of all nodelets share the manager's publishers of /tf and /tf_static."""
         frames, static_frames = self.listen('/tf', TFMessage), self.listen('/tf_static', TFMessage)

@@ -1,9 +1,10 @@
 """Perceptions for tests of learners without a crowd controller."""
 import math
+import threading
 
 import rospy
 import support
-from social_crowd.msg import AgentPerception, Neighbour, Perceptions, RelativeActions
+from social_crowd.msg import AgentPerception, LearnerStatus, Neighbour, Perceptions, RelativeActions
 
 FREE = None  # no obstacle
 NEAR, FAR = 0.3, 0.8  # [m] to the rim: the thesis's distance classes 1 and 2
@@ -47,18 +48,49 @@ def all_situations(episode=0, tick=0):
 
 
 class Perceiver:
-    """Replaces the crowd controller: publishes perceptions and receives the answers of learners."""
+    """Replaces the crowd controller: publishes perceptions, also on the topics that learners report, and receives the
+    answers of learners."""
 
     def __init__(self, test, learners=1):
+        self.test = test
+        self.publishers = {}  # by topic
+        self.lock = threading.Lock()  # of publishers
+        self.advertise(f'{test.namespace}/perceptions')
+        self.status = rospy.Subscriber(f'{test.namespace}/learner_status', LearnerStatus, self.note_status)
+        test.addCleanup(self.status.unregister)
         self.actions = test.listen('actions', RelativeActions)
-        self.publisher = rospy.Publisher(f'{test.namespace}/perceptions', Perceptions, queue_size=100, tcp_nodelay=True)
-        test.addCleanup(self.publisher.unregister)
-        support.wait_for(lambda: self.publisher.get_num_connections() >= learners and
+        support.wait_for(lambda: self.connections() >= learners and
                          self.actions.subscriber.get_num_connections() >= learners, f'{learners} learners to connect')
+
+    def advertise(self, topic):
+        """Publishes perceptions on one more topic."""
+        with self.lock:
+            if topic not in self.publishers:
+                publisher = rospy.Publisher(topic, Perceptions, queue_size=100, tcp_nodelay=True)
+                self.publishers[topic] = publisher
+                self.test.addCleanup(publisher.unregister)
+
+    def note_status(self, status):
+        """Publishes all perceptions on the topic of a learner, too: the learner has to select those of its agents."""
+        if status.perceptions_topic:
+            self.advertise(status.perceptions_topic)
+
+    def close(self):
+        """Stops publishing."""
+        self.status.unregister()
+        for publisher in self.publishers.values():
+            publisher.unregister()
+
+    def connections(self):
+        """Returns the number of subscribers of all topics."""
+        with self.lock:
+            return sum(publisher.get_num_connections() for publisher in self.publishers.values())
 
     def tell(self, message):
         """Publishes perceptions."""
-        self.publisher.publish(message)
+        with self.lock:
+            for publisher in self.publishers.values():
+                publisher.publish(message)
 
     def ask(self, message):
         """Publishes perceptions. Returns the answer: {agent: (rotation, fraction of the maximum speed)}."""

@@ -97,8 +97,8 @@ class LinkTest:
         cut_at = time.monotonic()
         stand = crowd.wait('agents', lambda states: second <= set(states['rest']), 'the agents of the host to stand')
         wait_for(lambda: time.monotonic() - cut_at > CUT, 'the end of the cut')
-        others = crowd.wait('agents', lambda states: states['tick'] > stand['tick'] and len(first & set(states['rest'])) < 5,
-                            'the others to walk')
+        others = crowd.wait('agents', lambda states: states['tick'] > stand['tick'] and
+                            len(first & set(states['rest'])) < 5, 'the others to walk')
         assert second <= set(others['rest'])
         assert crowd.recorded('status')[-1]['missed'] >= len(second)
         crowd.learners[1].restore()

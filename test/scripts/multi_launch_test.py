@@ -67,8 +67,8 @@ class MultiLaunchTest:
         for host in network.hosts[1:]:
             ssh.serve(host)
         scenario = runner.write('crowd.yaml', crowd_scenario(20))
-        launched = launch(runner, network, ssh, ' '.join(host.address for host in network.hosts[1:]), seed=5, episodes=1,
-                          scenario=scenario, trajectories=runner.path('walk'))
+        launched = launch(runner, network, ssh, ' '.join(host.address for host in network.hosts[1:]), seed=5,
+                          episodes=1, scenario=scenario, trajectories=runner.path('walk'))
         assert launched.wait() == 0, launched.output()
         for number, host in enumerate(network.hosts[1:]):
             assert_says(launched.output(), f'remote[{host.address}-{number}]: ssh connection created')

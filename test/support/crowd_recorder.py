@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes what a crowd controller says, as lines of JSON: a program of tests, for hosts that the test itself does not reach.
+"""Writes what a crowd controller says, as lines of JSON: a program for hosts that the test itself does not reach.
 
 usage: crowd_recorder.py FILE
 """

@@ -14,6 +14,7 @@ struct AgentShare {
 
   bool contains(AgentId agent) const { return count <= 1 || agent % count == index; }
   bool isWhole() const { return count <= 1; }
+  bool operator==(const AgentShare& other) const { return index == other.index && count == other.count; }
 };
 
 }  // namespace crowd

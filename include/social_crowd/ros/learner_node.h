@@ -59,6 +59,8 @@ class LearnerNode {
   void use(const LearnerSettings& settings);
   void addDiagnostics();
   void takeSample();
+  /// Publishes the status again while nobody publishes the perceptions of its agents.
+  void askForPerceptions();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
   social_crowd::LearnerStatus status() const;

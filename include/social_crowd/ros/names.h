@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace crowd::names {
 
 // Topics; relative, so that namespaces and remapping work.
@@ -34,6 +36,12 @@ constexpr const char* NEW_GOAL = "new_goal";          ///< geometry_msgs/PoseSta
 constexpr const char* PEOPLE_POSES = "people_poses";  ///< geometry_msgs/PoseArray
 constexpr const char* PEOPLE = "people";              ///< people_msgs/People, where people_msgs is installed
 constexpr const char* FOOTPRINT = "footprint";        ///< geometry_msgs/PolygonStamped
+
+/// @brief Returns the topic with the perceptions of one learner's agents: Perceptions, crowd_controller -> learner.
+/// @param perceptions full name of PERCEPTIONS @param learner full name of the node
+inline std::string perceptionsOf(const std::string& perceptions, const std::string& learner) {
+  return perceptions + learner;  // the name of a node begins with a slash
+}
 
 // Services; private names below the node.
 constexpr const char* PAUSE = "pause";

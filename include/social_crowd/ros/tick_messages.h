@@ -7,8 +7,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "social_crowd/ros/perception_routes.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
 
@@ -27,8 +29,10 @@ struct PerceptionsMessage {
   std::uint64_t run = 0;                      ///< of the publishing controller
   Vision vision;                              ///< of the perceptions
   std::shared_ptr<const Perceptions> shared;  ///< sent message: the object of the episode
+  std::optional<PerceptionRows> rows;         ///< sent message: only these of its agents are serialised; null: all
   Perceptions received;                       ///< deserialised message; used if `shared` is null
 
+  /// @brief Within a process a message with `rows` contains the other agents as well, because nothing is copied.
   const Perceptions& content() const { return shared != nullptr ? *shared : received; }
 };
 
