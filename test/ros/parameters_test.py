@@ -280,7 +280,7 @@ class CrewParametersTest(RefusalTestCase):
     def test_rosrun_finds_it(self):
         crew = self.start('crew', ['rosrun', 'social_crowd', 'learner_crew', '_learners:=two'])
         self.assertEqual(crew.wait(), 1)
-        self.assert_says(crew.output(), 'learners: expected one or per_agent')
+        self.assert_says(crew.output(), 'learners: expected one, per_agent or none')
 
 
 if __name__ == '__main__':

@@ -46,7 +46,7 @@ class PerceptionRoutes {
   };
   struct ShareRoute {
     AgentShare share;
-    std::uint32_t topic;  // index in topics_
+    std::uint32_t topic = 0;  // index in topics_
   };
   void update();
 
