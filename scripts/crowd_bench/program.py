@@ -12,14 +12,15 @@ from crowd_experiments.numbers import positive
 from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, REPOSITORY, interrupt
 from crowd_experiments.runs import RunError
 
-from . import document, profile, rank_benchmarks, table
+from . import document, host_traffic, profile, rank_benchmarks, table
 from .catalogue import BENCHMARKS
 from .core_benchmarks import PROGRAM, CoreBenchmarks
 from .rank_scaling import RANK_SWEEPS
 from .sweeps import SWEEPS
 
 ROS_MODULE = 'crowd_bench.ros_benchmarks'
-ALL = {entry.name: entry for entry in (*BENCHMARKS, *SWEEPS, *RANK_SWEEPS, *profile.PROFILES)}
+ENTRIES = (*BENCHMARKS, *SWEEPS, *RANK_SWEEPS, *host_traffic.TABLES, *profile.PROFILES)
+ALL = {entry.name: entry for entry in ENTRIES}
 BUILD = REPOSITORY / '.build'
 
 
@@ -29,7 +30,8 @@ def parse_arguments(words):
         description='Measures the performance of the package; each benchmark is compared with its yardstick. Builds '
                     'the package.',
         epilog='benchmarks (run by default):\n' + listed(BENCHMARKS, 'what')
-               + '\nsweeps:\n' + listed((*SWEEPS, *RANK_SWEEPS), 'title') + '\nprofiles, with callgrind:\n'
+               + '\nsweeps:\n' + listed((*SWEEPS, *RANK_SWEEPS), 'title') + '\nbytes between hosts, which need root:\n'
+               + listed(host_traffic.TABLES, 'title') + '\nprofiles, with callgrind:\n'
                + listed(profile.PROFILES, 'title')
                + '\nall: all of them\n\nexample:\n  scripts/bench crowd_step_map_1000 --json bench.json\n\n'
                  'Ctrl-C keeps the results so far. Exit status: 0 success, 1 a measurement '
@@ -82,6 +84,8 @@ class Measuring:
         progress(entry.name)
         if entry in (*SWEEPS, *RANK_SWEEPS):
             self.measure_sweep(entry)
+        elif entry in host_traffic.TABLES:
+            self.measure_traffic(entry)
         elif entry in profile.PROFILES:
             self.measure_profile(entry)
         else:
@@ -109,6 +113,11 @@ class Measuring:
         self.sweeps.append((sweep, points, sweep.draw(points, self.plots / f'{sweep.name}.png')))
         header, rows = sweep.table(points)
         report('\n'.join([f'{sweep.name}: {", ".join(header)}', *('  ' + '  '.join(row) for row in rows)]))
+
+    def measure_traffic(self, wanted):
+        rows = host_traffic.measure(wanted)
+        self.profiles.append((wanted, rows))
+        report('\n'.join([f'{wanted.name}: {", ".join(wanted.header)}', *('  ' + '  '.join(row) for row in rows)]))
 
     def measure_profile(self, wanted):
         rows = profile.rows(wanted.measure(self.folder))

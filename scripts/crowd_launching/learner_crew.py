@@ -90,7 +90,7 @@ def main():
         raise
     learners = rospy.get_param('~learners', 'per_agent')
     if learners != 'per_agent':
-        sys.exit("learner_crew: ~learners: expected one or per_agent, got '%s'" % learners)
+        sys.exit("learner_crew: ~learners: expected one, per_agent or none, got '%s'" % learners)
     try:
         LearnerCrew().run()
     except ChildProcessError as error:

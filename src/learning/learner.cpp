@@ -230,7 +230,7 @@ std::optional<DecisionValues> Learner::valuesOf(const Perceptions& perceptions, 
 }
 
 std::vector<AgentId> Learner::servedAgents() const {
-  if (!servesAll()) return {options_.agents.begin(), options_.agents.end()};
+  if (!options_.agents.empty()) return {options_.agents.begin(), options_.agents.end()};
   std::vector<AgentId> known;
   for (const auto& [agent, place] : places_) known.push_back(agent);
   std::sort(known.begin(), known.end());

@@ -202,6 +202,8 @@ social_crowd::LearnerStatus LearnerNode::status() const {
   status.tables = TABLE_USES.nameOf(learner_.tableUse());
   status.serves_all = learner_.servesAll() ? 1 : 0;
   status.agents = learner_.servedAgents();
+  status.share = learner_.share().index;
+  status.shares = learner_.share().count;
   if (!learner_.servesAll()) status.perceptions_topic = perceptions_subscriber_.getTopic();
   status.model = learner_.model().spec();
   status.rows = learner_.tableOf(first).rows();

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "social_crowd/common/files.h"
+#include "social_crowd/learning/q_table_names.h"
 #include "social_crowd/simulation/training_config.h"
 
 namespace crowd {
@@ -69,13 +70,30 @@ void readAgents(Parameters& parameters, std::set<AgentId>& agents) {
   }
 }
 
+/// Reads ~share and ~shares, which exclude ~agents.
+void readShare(Parameters& parameters, Learner::Options& options) {
+  const std::int64_t count = parameters.whole("shares", options.share.count, 1, MAX_WHOLE);
+  const std::int64_t index = parameters.whole("share", options.share.index, 0, MAX_WHOLE);
+  if (index >= count) {
+    parameters.complain("share",
+                        "expected a number below ~shares, " + std::to_string(count) + ", got " + std::to_string(index));
+  }
+  if (count > 1 && !options.agents.empty()) {
+    parameters.complain("shares", "expected 1, because ~agents lists the agents, got " + std::to_string(count));
+  }
+  options.share = {static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(count)};
+}
+
+/// Loads a Q-table file, or a table of this package by its name.
+TrainedTable loadFoundQTable(const std::string& name_or_file) { return loadQTable(findQTable(name_or_file)); }
+
 /// Checks that the model is defined, by a table, a configuration or both.
 void checkSources(Parameters& parameters, const std::optional<TrainingConfig>& config,
                   const std::optional<TrainedTable>& table, Mode mode) {
   const bool tried_table = !parameters.text("q_table", "").empty();
   const bool tried_config = !parameters.text("config", "").empty();
   if (mode == Mode::DEMO && !tried_table) {
-    parameters.complainMissing("q_table", "expected a Q-table file in demo mode, got nothing");
+    parameters.complainMissing("q_table", "expected a Q-table file or name in demo mode, got nothing");
   }
   if (mode == Mode::TRAINING && !tried_table && !tried_config) {
     parameters.complainMissing("config", "expected a training configuration or ~q_table in training mode, got neither");
@@ -112,8 +130,9 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   options.mode = readNamed(parameters, "mode", options.mode, MODES);
   const TakeMethod on_share = readNamed(parameters, "on_share", TakeMethod::REPLACE, TAKE_METHODS);
   readAgents(parameters, options.agents);
+  readShare(parameters, options);
   const auto config = readFileOf(parameters, "config", readTrainingConfig);
-  const auto table = readFileOf(parameters, "q_table", loadQTable);
+  const auto table = readFileOf(parameters, "q_table", loadFoundQTable);
   checkSources(parameters, config, table, options.mode);
   const TrainingPlan training = config ? config->training : TrainingPlan();
   options.tables = readNamed(parameters, "tables", training.tables, TABLE_USES);

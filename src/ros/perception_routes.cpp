@@ -5,13 +5,16 @@
 
 namespace crowd {
 
-bool PerceptionRoutes::claim(const std::string& learner, const std::string& topic, const std::vector<AgentId>& agents) {
+bool PerceptionRoutes::claim(const std::string& learner, const std::string& topic, const std::vector<AgentId>& agents,
+                             const AgentShare& share) {
   if (topic.empty()) {
     if (claims_.erase(learner) == 0) return false;
   } else {
-    Claim claim{topic, {agents.begin(), agents.end()}};
+    Claim claim{topic, {}, share};
+    if (share.isWhole()) claim.agents = {agents.begin(), agents.end()};
     const auto [found, is_new] = claims_.try_emplace(learner);
-    if (!is_new && found->second.topic == claim.topic && found->second.agents == claim.agents) return false;
+    const Claim& before = found->second;
+    if (!is_new && before.topic == topic && before.agents == claim.agents && before.share == share) return false;
     found->second = std::move(claim);
   }
   update();
@@ -24,9 +27,11 @@ void PerceptionRoutes::update() {
   std::sort(topics_.begin(), topics_.end());
   topics_.erase(std::unique(topics_.begin(), topics_.end()), topics_.end());
   routes_.clear();
+  shares_.clear();
   for (const auto& [learner, claim] : claims_) {
     const auto place = std::lower_bound(topics_.begin(), topics_.end(), claim.topic) - topics_.begin();
     for (const AgentId agent : claim.agents) routes_.push_back({agent, static_cast<std::uint32_t>(place)});
+    if (!claim.share.isWhole()) shares_.push_back({claim.share, static_cast<std::uint32_t>(place)});
   }
   const auto key = [](const Route& route) { return std::tie(route.agent, route.topic); };
   std::sort(routes_.begin(), routes_.end(), [&](const Route& a, const Route& b) { return key(a) < key(b); });
@@ -45,6 +50,11 @@ std::vector<PerceptionRows> PerceptionRoutes::split(const Perceptions& perceptio
     if (next != routes_.end() && next->agent < agent) next = std::lower_bound(next, routes_.end(), agent, is_before);
     for (; next != routes_.end() && next->agent == agent; ++next) {
       rows[next->topic].push_back(static_cast<std::uint32_t>(row));
+    }
+    for (const ShareRoute& route : shares_) {
+      PerceptionRows& its_rows = rows[route.topic];
+      const bool is_there = !its_rows.empty() && its_rows.back() == row;  // by another claim of the topic
+      if (route.share.contains(agent) && !is_there) its_rows.push_back(static_cast<std::uint32_t>(row));
     }
   }
   return rows;

@@ -10,7 +10,10 @@
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 100;           // messages
+constexpr std::uint32_t QUEUE = 100;  // messages
+// Messages to a learner whose host is slow or cut off: answers to older ones would come too late, but the messages
+// would delay the present one when the host is back.
+constexpr std::uint32_t OWN_QUEUE = 10;
 const ros::WallDuration TIME_TO_ANSWER(0.05);  // of a node that has just connected
 
 /// Returns the message with only these agents. The perceptions are not copied.
@@ -85,7 +88,7 @@ void PerceptionsPublisher::useTopicOf(const std::string& learner, const social_c
         learner.c_str(), status.perceptions_topic.c_str(), problem.c_str());
   }
   const std::string topic = problem.empty() ? status.perceptions_topic : "";
-  if (!routes_.claim(learner, topic, status.agents)) return;
+  if (!routes_.claim(learner, topic, status.agents, {status.share, status.shares})) return;
   const bool was_there = own_.count(topic) != 0;
   updateTopics();
   // A learner that was restarted may have connected before its status arrived, and got those of its former agents.
@@ -101,8 +104,9 @@ std::string PerceptionsPublisher::problemOf(const social_crowd::LearnerStatus& s
   if (!is_below || !ros::names::validate(topic, error) || ros::names::clean(topic) != topic) {
     return "expected the full name of a topic below '" + parent + "', such as '" + parent + "my_learner'";
   }
-  if (status.serves_all != 0) return "expected a learner that serves a list of agents, this one serves all";
-  return {};
+  if (status.serves_all != 0) return "expected a learner that serves a list or a share of agents, this one serves all";
+  if (status.shares <= 1 || status.share < status.shares) return {};
+  return "expected a share below " + std::to_string(status.shares) + ", got " + std::to_string(status.share);
 }
 
 void PerceptionsPublisher::updateTopics() {
@@ -118,7 +122,7 @@ void PerceptionsPublisher::updateTopics() {
 PerceptionsPublisher::OwnTopic PerceptionsPublisher::advertise(const std::string& topic) {
   // roscpp reports an error and returns an empty publisher if its process uses the name for messages of another type.
   return {node_.advertise<PerceptionsMessage>(
-              topic, QUEUE,
+              topic, OWN_QUEUE,
               [this, topic](const ros::SingleSubscriberPublisher& subscriber) { addSubscriberOf(topic, subscriber); }),
           {}};
 }

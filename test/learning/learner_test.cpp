@@ -55,6 +55,31 @@ TEST(Learner, AnswersForItsAgentsThatHaveNotArrived) {
   EXPECT_EQ(learner.servedAgents(), (std::vector<AgentId>{1, 2, 4}));
 }
 
+TEST(Learner, AnswersForItsShareOfAgentsItDidNotKnow) {
+  Learner::Options third = options(Mode::TRAINING);
+  third.share = {2, 3};
+  Learner learner(model(), third);
+  EXPECT_FALSE(learner.servesAll());
+  EXPECT_TRUE(learner.serves(2));
+  EXPECT_FALSE(learner.serves(3));
+  EXPECT_TRUE(learner.serves(3000002));
+  EXPECT_TRUE(learner.servedAgents().empty());
+  PerceptionsBuilder scene;
+  for (const AgentId agent : {8U, 3U, 1U, 2U, 0U}) scene.agent(agent, {1.0, 0.0});
+  EXPECT_EQ(agentsOf(decide(learner, scene)), (std::vector<AgentId>{8, 2}));
+  EXPECT_EQ(learner.servedAgents(), (std::vector<AgentId>{2, 8}));
+}
+
+TEST(Learner, EachAgentIsInOneShare) {
+  for (const std::uint32_t count : {1U, 2U, 7U}) {
+    for (AgentId agent = 0; agent < 100; ++agent) {
+      int shares = 0;
+      for (std::uint32_t index = 0; index < count; ++index) shares += AgentShare{index, count}.contains(agent) ? 1 : 0;
+      EXPECT_EQ(shares, 1) << "agent " << agent << ", " << count << " shares";
+    }
+  }
+}
+
 TEST(Learner, ServesAllAgentsByDefault) {
   Learner learner(model(), options(Mode::DEMO));
   EXPECT_TRUE(learner.servesAll());

@@ -81,6 +81,20 @@ TEST(PerceptionRoutes, NewClaimReplacesThePreviousOne) {
   EXPECT_EQ(routes.topics(), Topics());
 }
 
+TEST(PerceptionRoutes, SharesHoldForAllAgents) {
+  PerceptionRoutes routes;
+  EXPECT_TRUE(routes.claim("/one", "/a", {}, {0, 3}));
+  EXPECT_TRUE(routes.claim("/two", "/b", {}, {2, 3}));
+  EXPECT_FALSE(routes.claim("/two", "/b", {2, 5}, {2, 3})) << "its agents follow from its share";
+  const Perceptions perceptions = perceptionsOf({0, 1, 2, 3, 4, 5, 3000002});
+  EXPECT_EQ(routes.split(perceptions), (std::vector<PerceptionRows>{{0, 3}, {2, 5, 6}}));
+  EXPECT_EQ(routes.rowsOf("/b", perceptions), (PerceptionRows{2, 5, 6}));
+  EXPECT_TRUE(routes.claim("/two", "/a", {2, 3}));
+  EXPECT_EQ(routes.split(perceptions), (std::vector<PerceptionRows>{{0, 2, 3}})) << "each row once";
+  EXPECT_TRUE(routes.claim("/one", "/a", {}, {1, 3}));
+  EXPECT_EQ(routes.split(perceptions), (std::vector<PerceptionRows>{{1, 2, 3, 4}}));
+}
+
 /// Returns up to 60 agents of 0 to 99, in random order if `shuffled`.
 std::vector<AgentId> randomAgents(KeyedRandom& random, bool shuffled) {
   std::vector<AgentId> agents;

@@ -111,7 +111,7 @@ class DemoTest(LaunchTestCase):
         self.assert_no_complaint(launched, 'ERROR|FATAL')
 
     def test_wrong_learners(self):
-        self.assert_ends_with(self.demo(learners='two'), 'learners: expected one or per_agent', "'two'")
+        self.assert_ends_with(self.demo(learners='two'), 'learners: expected one, per_agent or none', "'two'")
 
     def test_missing_scenario(self):
         self.assert_ends_with(self.demo(scenario='wakers6'), support.in_package('config', 'scenarios'),

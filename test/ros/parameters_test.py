@@ -190,6 +190,20 @@ class LearnerParametersTest(RefusalTestCase):
         self.start_learner(arguments=['_agents:=[1, 2, 3]'])
         self.assertEqual(list(status.wait().agents), [1, 2, 3])
 
+    def test_shares(self):
+        message = self.assert_all_named(self.start_plain(q_table='anticipation', share=2, shares=2), 'share')
+        self.assert_says(message, 'expected a number below ~shares, 2, got 2')
+        message = self.assert_all_named(self.start_plain(q_table='anticipation', shares=2, agents=[1]), 'shares')
+        self.assert_says(message, 'expected 1, because ~agents lists the agents, got 2')
+        status = self.listen('learner_status', LearnerStatus)
+        self.start_learner(q_table='anticipation', share=1, shares=2)
+        told = status.wait()
+        self.assertEqual((told.serves_all, told.share, told.shares, list(told.agents)), (False, 1, 2, []))
+
+    def test_unknown_name_of_a_table(self):
+        message = self.assert_all_named(self.start_plain(q_table='anticipatoin'), 'q_table')
+        self.assert_says(message, "no Q-table 'anticipatoin', did you mean 'anticipation'?")
+
     def test_invalid_lists(self):
         """The error quotes lists as they were set."""
         expected = '~agents: expected a list of whole numbers of at least 0, such as [0, 1, 2], got '
@@ -266,7 +280,7 @@ class CrewParametersTest(RefusalTestCase):
     def test_rosrun_finds_it(self):
         crew = self.start('crew', ['rosrun', 'social_crowd', 'learner_crew', '_learners:=two'])
         self.assertEqual(crew.wait(), 1)
-        self.assert_says(crew.output(), 'learners: expected one or per_agent')
+        self.assert_says(crew.output(), 'learners: expected one, per_agent or none')
 
 
 if __name__ == '__main__':

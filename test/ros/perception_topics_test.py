@@ -293,7 +293,7 @@ class ReportedTopicsTest(TopicsTestCase):
         support.wait_for(lambda: len(warnings()) >= len(invalid) + 1, 'warnings')
         for number, (topic, warning) in enumerate(zip(invalid, warnings())):
             self.assert_says(warning, f"'/bad_{number}'", f"'{topic}'", f"below '{parent}/'")
-        self.assert_says(warnings()[-1], "'/bad_all'", 'expected a learner that serves a list of agents')
+        self.assert_says(warnings()[-1], "'/bad_all'", 'expected a learner that serves a list or a share of agents')
         self.assertEqual(len(warnings()), len(invalid) + 1)
         published = dict(rosgraph.Master('/perception_topics_test').getSystemState()[0])
         self.assertEqual([topic for topic in published if topic.startswith(f'{parent}/')], [f'{parent}/good'])

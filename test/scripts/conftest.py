@@ -1,9 +1,11 @@
 """Options and fixtures of the tests of scripts and programs."""
+import functools
 import signal
 import tempfile
 import time
 
 import pytest
+from crowd_bench.hosts import Network, why_not
 from programs import ProgramRunner
 
 DEADLINE = pytest.StashKey()
@@ -42,4 +44,21 @@ def runner():
         yield programs
         problems = programs.clean_up()
         print(programs.outputs(), end='')
+        assert not problems
+
+
+@functools.lru_cache(maxsize=None)
+def reason_without_hosts():
+    """Returns why there are no hosts in network namespaces here."""
+    return why_not()
+
+
+@pytest.fixture
+def network(runner):
+    """A switch for hosts in network namespaces. All programs on the hosts have ended when the test ends."""
+    if reason_without_hosts():
+        pytest.skip(reason_without_hosts())
+    with Network({'ROS_HOME': runner.path('ros'), 'ROS_LOG_DIR': runner.path('ros/log')}) as hosts:
+        yield hosts
+        problems = runner.clean_up()  # before their hosts are removed
         assert not problems

@@ -12,6 +12,7 @@
 #include "social_crowd/avoidance/perception_batch.h"
 #include "social_crowd/common/enum_names.h"
 #include "social_crowd/common/random.h"
+#include "social_crowd/learning/agent_share.h"
 #include "social_crowd/learning/decision_values.h"
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/rl/learning_parameters.h"
@@ -64,7 +65,8 @@ class Learner {
     TableUse tables = TableUse::SHARED;
     std::uint64_t seed = 0;
     LearningPlan plan;
-    std::set<AgentId> agents;  ///< the agents that it serves; empty: all agents
+    std::set<AgentId> agents;  ///< the agents that it serves; empty: all agents, or its share of them
+    AgentShare share;          ///< if no agents are listed
   };
 
   /// @brief Begins with an empty table. @throws InputError if the learning parameters are invalid
@@ -97,9 +99,12 @@ class Learner {
                                          AgentId agent) const;
 
   const Model& model() const { return model_; }
-  bool serves(AgentId agent) const { return options_.agents.empty() || options_.agents.count(agent) > 0; }
-  bool servesAll() const { return options_.agents.empty(); }
-  /// @brief Returns the served agents, sorted by id; if it serves all agents, those known so far.
+  bool serves(AgentId agent) const {
+    return options_.agents.empty() ? options_.share.contains(agent) : options_.agents.count(agent) > 0;
+  }
+  bool servesAll() const { return options_.agents.empty() && options_.share.isWhole(); }
+  const AgentShare& share() const { return options_.share; }
+  /// @brief Returns the served agents, sorted by id; if it serves all agents or a share of them, those known so far.
   std::vector<AgentId> servedAgents() const;
 
   Mode mode() const { return options_.mode; }

@@ -13,7 +13,7 @@ namespace crowd {
 
 /// @brief Parameters of the node learner with their defaults.
 struct LearnerParameters {
-  Learner::Options options;                      ///< ~mode, ~tables, ~agents, ~seed, ~alpha, ~gamma, ~lambda, ~epsilon
+  Learner::Options options;                      ///< ~mode, ~tables, ~agents, ~share, ~shares, ~seed, ~alpha and so on
   TrainedTable table;                            ///< of ~q_table; else an empty one for the model of ~config
   TakeMethod on_share = TakeMethod::REPLACE;     ///< ~on_share: replace or merge, if a request contains no method
   std::string save_to;                           ///< ~save_to: Q-table file that is written at the end, absolute path

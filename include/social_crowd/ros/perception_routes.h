@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/learning/agent_share.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {
@@ -21,8 +22,10 @@ class PerceptionRoutes {
   /// @brief Records the claim of a learner, in place of its previous one.
   /// @param topic empty: the learner claims none
   /// @param agents in any order; repeated ones count once
+  /// @param share if it is not the whole, of all agents, in place of `agents`
   /// @return whether the claims have changed
-  bool claim(const std::string& learner, const std::string& topic, const std::vector<AgentId>& agents);
+  bool claim(const std::string& learner, const std::string& topic, const std::vector<AgentId>& agents,
+             const AgentShare& share = {});
 
   /// @brief Returns the claimed topics, in alphabetical order.
   const std::vector<std::string>& topics() const { return topics_; }
@@ -35,16 +38,22 @@ class PerceptionRoutes {
   struct Claim {
     std::string topic;
     std::set<AgentId> agents;
+    AgentShare share;
   };
   struct Route {
     AgentId agent;
     std::uint32_t topic;  // index in topics_
+  };
+  struct ShareRoute {
+    AgentShare share;
+    std::uint32_t topic = 0;  // index in topics_
   };
   void update();
 
   std::map<std::string, Claim> claims_;  // by learner
   std::vector<std::string> topics_;
   std::vector<Route> routes_;  // by agent, then by topic; none twice
+  std::vector<ShareRoute> shares_;
 };
 
 }  // namespace crowd

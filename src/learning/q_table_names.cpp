@@ -1,0 +1,46 @@
+#include "social_crowd/learning/q_table_names.h"
+
+#include <filesystem>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/suggestions.h"
+#include "social_crowd/world/scenario_files.h"
+
+namespace crowd {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* EXTENSION = ".txt";
+
+/// The folder beside that of the scenarios.
+fs::path shippedQTables() { return fs::path(shippedScenarios()).parent_path() / "q_tables"; }
+
+std::vector<std::string> namesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+    if (entry.path().extension() == EXTENSION) names.push_back(entry.path().stem().string());
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string findQTable(const std::string& name_or_file) {
+  const fs::path path(name_or_file);
+  const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == EXTENSION);
+  std::error_code ignored;
+  if (!is_bare || fs::exists(path, ignored)) return name_or_file;
+  const fs::path folder = shippedQTables();
+  const fs::path named = folder / (path.stem().string() + EXTENSION);
+  if (fs::exists(named, ignored)) return named.string();
+  const std::vector<std::string> names = sortedByNearness(path.stem().string(), namesIn(folder));
+  const std::string nearest = nearestName(path.stem().string(), names);
+  throw InputError("no Q-table '" + name_or_file + "'" + (nearest.empty() ? "" : ", did you mean '" + nearest + "'?") +
+                   (nearest.empty() ? ": there" : " There") + " is no file " + fs::absolute(path).string() +
+                   ", and in " + folder.string() + " none of that name" +
+                   (names.empty() ? "" : "; there are " + joinNames(names)));
+}
+
+}  // namespace crowd
