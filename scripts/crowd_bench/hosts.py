@@ -93,8 +93,8 @@ class Host:
             ip('-n', self.namespace, 'link', 'set', device, 'up')
 
     def command(self, *words):
-        """Returns a command that runs on this host."""
-        return ['ip', 'netns', 'exec', self.namespace, *map(str, words)]
+        """Returns a command that runs on this host, without ROS_HOSTNAME, which has precedence over ROS_IP."""
+        return ['ip', 'netns', 'exec', self.namespace, 'env', '--unset=ROS_HOSTNAME', *map(str, words)]
 
     def environment(self):
         """Returns the variables of ROS for programs on this host."""
