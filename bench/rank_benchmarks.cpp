@@ -11,6 +11,7 @@
 
 #include "crowd_walk.h"
 #include "measuring.h"
+#include "sleeping_ranks.h"
 #include "social_crowd/simulation/byte_archive.h"
 #include "social_crowd/simulation/distributed_crowd.h"
 #include "social_crowd/simulation/episode.h"
@@ -65,12 +66,15 @@ int run(Communicator& ranks, std::size_t agents, int repetitions) {
     separate.decide(learner, actions);
     separate.step(actions.agents);
   };
-  const auto on_threads = [&] {
-    if (threaded) threaded->step();
+  SleepingRanks sleeping(ranks);
+  const auto time_on_threads = [&](int ticks) {
+    return sleeping.timeAlone([&] {
+      for (int i = 0; i < ticks; ++i) threaded->step();
+    });
   };
   timeOfTicks(ranks, WARM_UP, together);
   timeOfTicks(ranks, WARM_UP, apart);
-  timeOfTicks(ranks, WARM_UP, on_threads);
+  time_on_threads(WARM_UP);
   const double steps = static_cast<double>(agents) * TURNS * TICKS;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     double together_time = 0.0;
@@ -79,7 +83,7 @@ int run(Communicator& ranks, std::size_t agents, int repetitions) {
     for (int turn = 0; turn < TURNS; ++turn) {
       together_time += timeOfTicks(ranks, TICKS, together);
       apart_time += timeOfTicks(ranks, TICKS, apart);
-      threads_time += timeOfTicks(ranks, TICKS, on_threads);
+      threads_time += time_on_threads(TICKS);
     }
     const RanksReport report = crowd.report();
     if (ranks.rank() != 0) continue;

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "measuring.h"
+#include "sleeping_ranks.h"
 #include "social_crowd/simulation/mpi_communicator.h"
 #include "social_crowd/simulation/training.h"
 
@@ -32,15 +33,8 @@ struct Done {
   double rate() const { return static_cast<double>(decisions) / seconds; }
 };
 
-/// Runs a turn; ranks begin together.
-void runTurn(Communicator& ranks, Training* training, Done& done) {
-  ranks.gatherAll({});
-  done.seconds += timeOf(Clock::ON_WALL, [&] {
-    if (training != nullptr) {
-      for (const LearnedEpisode& episode : training->runNextTurn()) done.decisions += episode.decisions;
-    }
-    ranks.gatherAll({});
-  });
+void runTurn(Training& training, Done& done) {
+  for (const LearnedEpisode& episode : training.runNextTurn()) done.decisions += episode.decisions;
 }
 
 int run(Communicator& ranks, std::uint32_t learners, int repetitions) {
@@ -49,12 +43,14 @@ int run(Communicator& ranks, std::uint32_t learners, int repetitions) {
   if (ranks.rank() == 0) {
     threaded = std::make_unique<Training>(configFor(learners), static_cast<unsigned>(ranks.size()));
   }
+  SleepingRanks sleeping(ranks);
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     Done on_ranks;
     Done on_threads;
     for (int turn = 0; turn < TURNS; ++turn) {
-      runTurn(ranks, &together, on_ranks);
-      runTurn(ranks, threaded.get(), on_threads);
+      ranks.gatherAll({});  // all begin together
+      on_ranks.seconds += timeOf(Clock::ON_WALL, [&] { runTurn(together, on_ranks); });
+      on_threads.seconds += sleeping.timeAlone([&] { runTurn(*threaded, on_threads); });
     }
     const TurnsReport report = together.report();
     if (ranks.rank() != 0) continue;

@@ -66,7 +66,7 @@ void PerceptionsPublisher::publishOwn(const PerceptionsMessage& all, bool again)
     PerceptionRows& its_rows = *rows_of_topic++;
     // Learners count episodes and report the last tick, also without agents in it.
     const bool is_told = !again && (content.last || own.episode != content.episode);
-    if (!own.publisher || (its_rows.empty() && !is_told)) continue;
+    if (!own.publisher || own.publisher.getNumSubscribers() == 0 || (its_rows.empty() && !is_told)) continue;
     own.episode = content.episode;
     own.publisher.publish(selected(all, std::move(its_rows)));
   }

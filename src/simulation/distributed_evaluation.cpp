@@ -45,10 +45,11 @@ class RankEvaluation {
     plan_.warn = {};
   }
 
+  /// Whether the floor of a scene is divided among the ranks.
+  bool divides(const Scene& scene) const { return !records_states_ && isDivisible(scene); }
   /// Runs an episode. Returns nothing if it was stopped.
-  std::optional<EvaluatedEpisode> run(Scene scene, std::uint64_t instance) {
-    if (records_states_ || !isDivisible(scene)) return walkWhole(std::move(scene), instance);
-    return walkDivided(std::move(scene), instance);
+  std::optional<EvaluatedEpisode> run(Scene scene, std::uint64_t instance, bool divided) {
+    return divided ? walkDivided(std::move(scene), instance) : walkWhole(std::move(scene), instance);
   }
 
  private:
@@ -99,7 +100,10 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint
       thread_pool_,
       [&](Episode& episode, RelativeActions& actions) { decisions.decide(episode, actions); },
       [&](const Episode& episode) { warnOfWays(episode); },
-      [&](const World& world) { noteTick(instance, world.tick(), max_ticks); },
+      [&](const World& world) {
+        measured.ticks += world.tick() > 0 ? 1 : 0;  // with --people-delay, those without robots, too
+        noteTick(instance, world.tick(), max_ticks);
+      },
       [&] { return decisions.wasStopped(); },
   };
   EvaluatedEpisode walked;
@@ -112,7 +116,6 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint
   if (decisions.wasStopped()) return std::nullopt;
   requireSameOnAllRanks(communicator_, {{"results of '" + walked.result.scenario + "'", checksumOf(walked.result)}});
   measured.agents = walked.result.agents.size();
-  measured.ticks = walked.result.ticks;
   measured.collect(communicator_, processor_seconds - decisions.waitingSeconds(), decisions.sentBytes());
   report(measured);
   return walked;
@@ -123,10 +126,10 @@ void RankEvaluation::warnOfWays(const Episode& episode) const {
   if (!warning.empty()) plan_.warn(episode.number(), warning);
 }
 
-/// What must be the same on all ranks before an episode.
-std::vector<SharedFact> factsOf(const Scene& scene) {
+/// What must be the same on all ranks before an episode. @param divided whether the floor is
+std::vector<SharedFact> factsOf(const Scene& scene, bool divided) {
   Checksum document;
-  if (!isDivisible(scene)) document.add(toDocument(scene, "/"));
+  if (!divided) document.add(toDocument(scene, "/"));
   return {{"scene of '" + scene.name + "'", checksumOf(scene) + document.text()}};
 }
 
@@ -145,8 +148,9 @@ bool evaluateOnRanks(Communicator& communicator, const TrainedTable& trained, co
       scene = scenarios.scene(plan.seed, instance);
       keepHeadings(headings, scene);
     });
-    requireSameOnAllRanks(communicator, factsOf(scene));
-    std::optional<EvaluatedEpisode> walked = evaluation.run(std::move(scene), instance);
+    const bool divided = evaluation.divides(scene);
+    requireSameOnAllRanks(communicator, factsOf(scene, divided));
+    std::optional<EvaluatedEpisode> walked = evaluation.run(std::move(scene), instance, divided);
     if (!walked) return false;
     if (scenarios.keepHeadings()) headings = fromFirstRank(communicator, walked->result.headings());
     std::vector<std::uint64_t> ends = {0};

@@ -34,6 +34,7 @@ EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
   Episode same(*std::move(alone), instance, learner.model().vision(), thread_pool);
   EpisodeObserver observer;
   observer.is_stopped = is_stopped;
+  observer.on_tick = on_tick;
   measurePeopleDelay(runEpisode(same, decide, observer, nullptr), same.scene().tick_duration, walked.result);
   return walked;
 }

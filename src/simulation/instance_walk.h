@@ -15,8 +15,9 @@ struct InstanceWalk {
   ThreadPool& thread_pool;
   Decide decide;
   std::function<void(const Episode&)> begin;  ///< called at the start of an episode
-  std::function<void(const World&)> on_tick;  ///< called at the start of each tick; may be empty
-  std::function<bool()> is_stopped;           ///< see EpisodeObserver; may be empty
+  std::function<void(const World&)>
+      on_tick;  ///< called at the start of each tick, also without robots, and at the end; may be empty
+  std::function<bool()> is_stopped;  ///< see EpisodeObserver; may be empty
 
   /// Runs an episode, and what the plan requests with it.
   EvaluatedEpisode run(Scene scene, std::uint64_t instance) const;

@@ -25,7 +25,19 @@ bool isLaunchedByMpi() {
   return false;
 }
 
-#ifdef SOCIAL_CROWD_MPI
+#ifndef SOCIAL_CROWD_MPI
+
+/// Whether the launcher says that it started this process only.
+bool isLaunchedAlone() {
+  constexpr std::array<const char*, 4> SIZES = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_NTASKS", "MPI_LOCALNRANKS"};
+  for (const char* const variable : SIZES) {
+    const char* const size = std::getenv(variable);
+    if (size != nullptr) return std::string(size) == "1";
+  }
+  return false;
+}
+
+#else
 
 constexpr std::size_t LARGEST_PIECE = std::size_t{1} << 30U;  // MPI counts with int [bytes]
 constexpr int TAG = 1;
@@ -128,7 +140,7 @@ std::unique_ptr<Communicator> joinRanks() {
 bool isBuiltWithMpi() { return false; }
 
 std::unique_ptr<Communicator> joinRanks() {
-  if (isLaunchedByMpi()) {
+  if (isLaunchedByMpi() && !isLaunchedAlone()) {
     throw InputError("started by mpirun, but built without MPI: install libopenmpi-dev and build again");
   }
   return std::make_unique<SingleProcess>();

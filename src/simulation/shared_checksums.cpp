@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include "simulation/agent_transfer.h"
+#include "simulation/learned_episode_transfer.h"
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/simulation/byte_archive.h"
@@ -64,7 +65,7 @@ std::string checksumOf(const EpisodeResult& result) {
   ChecksumWriter write;
   write(result.ticks);
   for (const AgentResult& agent : result.agents) transferResult(write, agent);
-  for (const RobotResult& robot : result.robots) write(robot.path_length);
+  for (const RobotResult& robot : result.robots) transferRobot(write, robot);
   return write.text();
 }
 

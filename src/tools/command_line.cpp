@@ -9,7 +9,9 @@
 #include <sstream>
 #include <vector>
 
+#include "social_crowd/common/checksum.h"
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/files.h"
 #include "social_crowd/common/suggestions.h"
 #include "social_crowd/simulation/mpi_communicator.h"
 
@@ -89,11 +91,19 @@ int print(const Answer& answer) {
   return answer.is_error ? EXIT_BAD_USAGE : EXIT_FINE;
 }
 
+std::string checksumOfProgram() {
+  Checksum checksum;
+  checksum.add(readFile("/proc/self/exe"));
+  return checksum.text();
+}
+
 /// Runs the tool on several ranks.
 int runOnRanks(const CLI::App& app, const std::optional<Answer>& own, Communicator& ranks,
                const std::function<int(Communicator&)>& run) {
   int status = EXIT_BAD_INPUT;
   try {
+    // First of all: other programs exchange other messages.
+    requireSameOnAllRanks(ranks, {{"program", app.get_name() + ", checksum " + checksumOfProgram()}});
     const std::optional<Answer> answer = ofFirstRank(ranks, own);
     if (!answer) {
       status = run(ranks);

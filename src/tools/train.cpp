@@ -80,15 +80,13 @@ int runMain(int argc, char** argv) {
           "example:\n"
           "  rosrun social_crowd train anticipation.yaml --output table.txt --log learning.csv --plot \\\n"
           "      --checkpoint table.checkpoint --resume\n\n"
-          "Ctrl-C ends the training and saves the values learned so far. With --checkpoint and --resume, the same "
-          "command "
-          "goes on after Ctrl-C, a crash or kill -9, and table, record and log become the same bytes as without the "
-          "interruption. If a file cannot be written any more, such as on a full disk, the training ends, and OUTPUT "
-          "has "
-          "what "
-          "was learned; if only the checkpoint cannot, the training goes on.\n"
+          "Ctrl-C ends the training after the present turn and saves the values learned so far. With --checkpoint and "
+          "--resume, the same command goes on after Ctrl-C, a crash or kill -9, and table, record and log become the "
+          "same bytes as without the interruption. If a file cannot be written any more, such as on a full disk, the "
+          "training ends, and OUTPUT has what was learned; if only the checkpoint cannot, the training goes on.\n"
           "With MPI, the learners side by side of a configuration are divided among several processes, with the same "
-          "results: mpirun -n 2 train CONFIG --output TABLE (docs/mpi.md). This program was built with") +
+          "results: mpirun -n 2 train CONFIG --output TABLE (docs/mpi.md says how long mpirun waits "
+          "after Ctrl-C). This program was built with") +
       (isBuiltWithMpi() ? "" : "out") +
       " MPI.\n"
       "Exit status: 0 success, 1 error in the input or with a file, 2 wrong usage, 130 interrupted.");

@@ -1,6 +1,7 @@
 #include "training_run.h"
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <utility>
@@ -114,6 +115,7 @@ class TrainingRun {
   void makeTraining();
   void restore();
   void openFiles();
+  void noteProblemOf(const std::function<void()>& write);
   void runTurns();
   void deliver(std::uint64_t before, const std::vector<LearnedEpisode>& episodes);
   void shareEnding();
@@ -185,14 +187,9 @@ int TrainingRun::run() {
   catchInterrupts();
   runTurns();
   if (isFirstRank()) {
-    try {
-      if (!has_failed_) files_->saveCheckpoint(*training_);
-    } catch (const FileError& error) {
-      problem_ = error.what();
-      has_failed_ = true;
-    }
+    if (!has_failed_) noteProblemOf([&] { files_->saveCheckpoint(*training_); });
     // Whatever happens to the other files.
-    saveQTable(arguments_.output, training_->trained());
+    noteProblemOf([&] { saveQTable(arguments_.output, training_->trained()); });
   }
   shareEnding();
   const std::string times = ranks_.size() > 1 ? training_->report().text() : "";
@@ -206,18 +203,23 @@ int TrainingRun::run() {
   return is_interrupted_ ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
+/// Writes files. If one cannot be written, all ranks end after the next shareEnding().
+void TrainingRun::noteProblemOf(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const FileError& error) {
+    problem_ += (problem_.empty() ? "" : "; ") + std::string(error.what());
+    has_failed_ = true;
+  }
+}
+
 /// Runs turns until all episodes are done, Ctrl-C is pressed, or a file cannot be written.
 void TrainingRun::runTurns() {
   shareEnding();
   while (!training_->isDone() && !is_interrupted_ && !has_failed_) {
     const std::uint64_t before = training_->episode();
     const std::vector<LearnedEpisode> episodes = training_->runNextTurn();
-    try {
-      if (isFirstRank()) deliver(before, episodes);
-    } catch (const FileError& error) {
-      problem_ = error.what();
-      has_failed_ = true;
-    }
+    if (isFirstRank()) noteProblemOf([&] { deliver(before, episodes); });
     shareEnding();
   }
 }

@@ -1,5 +1,6 @@
 """train under mpirun: learners on several processes, with the same files as one process."""
 import os
+import re
 import signal
 
 import pytest
@@ -117,6 +118,9 @@ def test_ctrl_c_saves_the_table(runner, whom):
     rows = read_text(plan.files['log']).count('\n') - 1
     assert f'\nepisode {rows}\n' in read_text(plan.files['checkpoint'])
     assert f'{rows} episodes, ' in process.output()
+    decisions = re.search(r'episodes, (\d+) decisions', process.output())[1]
+    assert int(decisions) > 0
+    assert f'\ndecisions: {decisions}\n' in read_text(plan.files['output'])
 
 
 class ErrorsTest:
@@ -146,6 +150,24 @@ class ErrorsTest:
     def test_more_processes_than_learners(self, runner):
         plan = Plan(runner, 'few', learners=2)
         assert_says(self.fails(1, *on_ranks(3, plan.command)), 'training.side_by_side: expected 3', 'got 2')
+
+    @needs_mpi
+    def test_other_programs(self, runner):
+        plan = Plan(runner, 'program')
+        evaluating = [os.path.join(tools_folder(), 'evaluate'), '--q-table', 'none', 'circle6']
+        assert_says(self.fails(1, *MPIRUN, '-n', '1', *plan.command, ':', '-n', '1', *evaluating),
+                    'rank 1 differs from rank 0 in the program')
+
+    @needs_mpi
+    def test_a_disk_that_becomes_full(self, runner):
+        plan = Plan(runner, 'growing', 100_000)
+        command = ['sh', '-c', 'ulimit -f 1000; trap "" XFSZ; exec "$@"', 'sh', *plan.command]  # 512 kB
+        status, output = run([*MPIRUN, '-n', '1', *command, ':', '-n', '1', *plan.command])
+        assert status == 1, output
+        assert_says(output, 'File too large', '; ended by an error')
+        assert int(re.search(r': (\d+) episodes, ', output)[1]) > 0
+        decisions = re.search(r'episodes, (\d+) decisions', output)[1]
+        assert f'\ndecisions: {decisions}\n' in read_text(plan.files['output'])
 
     @needs_mpi
     def test_a_full_disk(self, runner):

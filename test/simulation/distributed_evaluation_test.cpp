@@ -136,6 +136,23 @@ TEST(EvaluateOnRanks, EndsSharedDecisionsWhenItIsToldTo) {
   });
 }
 
+TEST(EvaluateOnRanks, RequiresTheSameResultsOfScenesThatCannotBeDivided) {
+  ThreadRanks(2).run([&](Communicator& communicator) {
+    EvaluationPlan plan = evaluations::planOf(3, 1, 3);
+    if (communicator.rank() == 1) plan.robot_controller = "straight";  // the robot of the third scene moves
+    std::vector<std::string> walked;
+    const std::string problem = errorOf<SharedError>([&] {
+      evaluateOnRanks(communicator, evaluations::restlessTable(), parseScenarios(WHOLE_SCENARIOS, "s.yaml"), plan, {},
+                      [&](EvaluatedEpisode& episode) {
+                        walked.push_back(episode.result.scenario);
+                        return true;
+                      });
+    });
+    EXPECT_TRUE(contains(problem, "rank 1 differs from rank 0 in the results of 'robots'")) << problem;
+    EXPECT_EQ(walked.size(), communicator.rank() == 0 ? 2U : 0U);
+  });
+}
+
 TEST(EvaluateOnRanks, EndsWhenItIsToldTo) {
   const ScenarioList scenarios = parseScenarios(SCENARIOS, "s.yaml");
   EXPECT_EQ(evaluateOn(2, evaluations::restlessTable(), scenarios, evaluations::planOf(5, 1), 2).size(), 2U);

@@ -10,7 +10,7 @@ namespace crowd {
 /// @brief How well the ranks worked together in an episode; the same on all ranks.
 struct RanksReport {
   int ranks = 1;
-  std::uint64_t agents = 0;  ///< at the start
+  std::uint64_t agents = 0;  ///< of all ranks, with those of sources
   std::uint64_t ticks = 0;
   double seconds = 0.0;             ///< of all ticks, on the wall
   std::uint64_t bytes = 0;          ///< sent by all ranks in these ticks
