@@ -145,10 +145,11 @@ def rviz_rows():
 
 TABLES = (
     HostTraffic('host_learners', 'Learners on other hosts [kB per tick]',
-                ('agents', 'learner hosts', 'each receives', 'each sends', 'the crowd\'s host sends', 'it receives'),
+                ('agents', 'learner hosts', 'each receives [kB per tick]', 'each sends',
+                 'the crowd\'s host sends', 'it receives'),
                 learner_rows),
     HostTraffic('host_rviz', 'RViz on another host [kB per tick]',
-                ('agents', 'received with crowd_markers there', 'the same, with a chosen agent',
+                ('agents', 'received with crowd_markers there [kB per tick]', 'the same, with a chosen agent',
                  'received with crowd_markers on the crowd\'s host'), rviz_rows),
 )
 
