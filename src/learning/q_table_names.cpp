@@ -31,7 +31,7 @@ std::string findQTable(const std::string& name_or_file) {
   const fs::path path(name_or_file);
   const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == EXTENSION);
   std::error_code ignored;
-  if (!is_bare || fs::exists(path, ignored)) return name_or_file;
+  if (!is_bare || fs::is_regular_file(path, ignored)) return name_or_file;
   const fs::path folder = shippedQTables();
   const fs::path named = folder / (path.stem().string() + EXTENSION);
   if (fs::exists(named, ignored)) return named.string();
