@@ -101,8 +101,9 @@ void requireSameOnAllRanks(Communicator& communicator, const std::vector<SharedF
     for (std::size_t rank = 1; rank < values.size(); ++rank) {
       if (values[rank] == values.front()) continue;
       const auto [there, here] = firstDifference(textOf(values[rank]), textOf(values.front()));
-      throw SharedError("rank " + std::to_string(rank) + " differs from rank 0 in the " + fact.what + ": '" + there +
-                        "' there, '" + here + "' on rank 0; all ranks need the same program, arguments and files");
+      std::string text = "rank " + std::to_string(rank) + " differs from rank 0 in the " + fact.what;
+      text.append(": '").append(there).append("' there, '").append(here);
+      throw SharedError(text.append("' on rank 0; all ranks need the same program, arguments and files"));
     }
   }
 }
