@@ -7,7 +7,7 @@ import sys
 from crowd_curves.bands import band_of, default_window, episodes_of
 from crowd_curves.drawing import draw_curves, measures_of
 from crowd_curves.records import by_scenario, read_run
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, problem_of
 from crowd_experiments.confidence import t_quantile
 from crowd_experiments.labels import labelled
 from crowd_experiments.numbers import positive
@@ -110,10 +110,7 @@ def main(words=None):
     arguments = parser().parse_args(words)
     try:
         plot(arguments)
-    except OSError as error:
-        print(f'plot_learning: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
-        return 1
-    except (InputError, ValueError, csv.Error) as error:
-        print(f'plot_learning: {error}', file=sys.stderr)
+    except (OSError, InputError, ValueError, csv.Error) as error:
+        print(f'plot_learning: {problem_of(error, arguments.output)}', file=sys.stderr)
         return 1
     return 0

@@ -3,7 +3,7 @@ import argparse
 import csv
 import sys
 
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.files import find_scenario, read_scene, read_walks
 from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of
 from crowd_drawing.surroundings import draw_surroundings
@@ -80,10 +80,7 @@ def main(words=None):
             print('plot_paths: goals or obstacles that were drawn at random are not in the picture; '
                   '`evaluate --scenes DIR` writes a scenario file with the drawn values, for the option --scenario',
                   file=sys.stderr)
-    except OSError as error:
-        print(f'plot_paths: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
-        return 1
-    except (InputError, ValueError, csv.Error) as error:
-        print(f'plot_paths: {error}', file=sys.stderr)
+    except (OSError, InputError, ValueError, csv.Error) as error:
+        print(f'plot_paths: {problem_of(error, arguments.output)}', file=sys.stderr)
         return 1
     return 0

@@ -6,7 +6,7 @@ import signal
 import sys
 import tempfile
 
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.outputs import check_output
 from crowd_experiments.numbers import above_zero, at_least_zero, pixels, whole
 from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, find_tools, interrupt
@@ -106,10 +106,7 @@ def main(words=None):
     except KeyboardInterrupt:
         print('film: interrupted, nothing was written', file=sys.stderr)
         return EXIT_INTERRUPTED
-    except OSError as error:
-        print(f'film: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
-        return EXIT_FAILED
-    except (FilmError, InputError, RunError, ValueError, csv.Error) as error:
-        print(f'film: {error}', file=sys.stderr)
+    except (OSError, FilmError, InputError, RunError, ValueError, csv.Error) as error:
+        print(f'film: {problem_of(error, arguments.output)}', file=sys.stderr)
         return EXIT_FAILED
     return EXIT_FINE

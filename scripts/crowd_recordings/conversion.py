@@ -5,7 +5,7 @@ import math
 import pathlib
 import sys
 
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.files import DEFAULT_TICK
 from crowd_drawing.outputs import check_output
 from crowd_experiments.numbers import above_zero, whole
@@ -46,11 +46,8 @@ def main(words=None):
         if recording.frame_duration is None:
             recording = recording.at_rate(1 / DEFAULT_TICK)
         write_recording(arguments.output, recording)
-    except OSError as error:
-        print(f'convert_trajectories: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
-        return 1
-    except (InputError, csv.Error) as error:
-        print(f'convert_trajectories: {error}', file=sys.stderr)
+    except (OSError, InputError, csv.Error) as error:
+        print(f'convert_trajectories: {problem_of(error, arguments.output)}', file=sys.stderr)
         return 1
     rows = sum(map(len, recording.walks.values()))
     people = '1 person' if len(recording.walks) == 1 else f'{len(recording.walks)} people'

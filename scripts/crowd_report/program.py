@@ -6,7 +6,7 @@ import pathlib
 import sys
 import tempfile
 
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.outputs import check_output
 from crowd_experiments.page import write_page
 from crowd_report.chapters import chapters_of
@@ -69,11 +69,8 @@ def main(words=None):
         training += [source for source in sources if source.kind == LOG]
         sources = [source for source in sources if source.kind != LOG]
         write_report(arguments.output, arguments.title, sources, training)
-    except OSError as error:
-        print(f'report: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
-        return 1
-    except (InputError, ValueError, csv.Error) as error:
-        print(f'report: {error}', file=sys.stderr)
+    except (OSError, InputError, ValueError, csv.Error) as error:
+        print(f'report: {problem_of(error, arguments.output)}', file=sys.stderr)
         return 1
     print(f'{arguments.output}: {arguments.output.stat().st_size / 1e6:.1f} MB')
     return 0

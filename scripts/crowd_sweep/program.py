@@ -6,7 +6,7 @@ import shlex
 import signal
 import sys
 
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, problem_of
 from crowd_experiments.numbers import positive
 from crowd_experiments.program import (EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, carry_out, find_config, find_tools,
                                        interrupt)
@@ -106,9 +106,6 @@ def main(words=None):
     except KeyboardInterrupt:
         print('Interrupted; the finished runs are kept.')
         return EXIT_INTERRUPTED
-    except OSError as error:
-        print(f'sweep: {error.filename or arguments.file}: {error.strerror or error}', file=sys.stderr)
-        return EXIT_FAILED
-    except (InputError, RunError, ValueError) as error:
-        print(f'sweep: {error}', file=sys.stderr)
+    except (OSError, InputError, RunError, ValueError) as error:
+        print(f'sweep: {problem_of(error, arguments.file)}', file=sys.stderr)
         return EXIT_FAILED

@@ -4,7 +4,7 @@ import os
 import pathlib
 import sys
 
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.files import HOMES
 from crowd_drawing.outputs import check_output
 from crowd_experiments.numbers import whole
@@ -74,10 +74,7 @@ def main(words=None):
             draw_table(arguments.output, table, meaning, f'{arguments.title or pathlib.Path(arguments.table).name}: '
                        f'{meaning.type}, {subtitle}')
             print(f'{arguments.output}: {subtitle}')
-    except OSError as error:
-        print(f'draw_q_table: {error.filename or arguments.output}: {error.strerror or error}', file=sys.stderr)
-        return 1
-    except (InputError, ValueError) as error:
-        print(f'draw_q_table: {error}', file=sys.stderr)
+    except (OSError, InputError, ValueError) as error:
+        print(f'draw_q_table: {problem_of(error, arguments.output)}', file=sys.stderr)
         return 1
     return 0
