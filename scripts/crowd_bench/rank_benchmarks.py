@@ -41,7 +41,7 @@ def weak_scaling(folder):
 
 
 def measure(program, ranks, size, repetitions):
-    """Returns the measurements of each repetition, with so many agents or learners.
+    """Returns the measurements of each repetition, with this number of agents or learners.
     Ranks that wait give way to the threads of others."""
     done = subprocess.run(
         ['mpirun', '--oversubscribe', '--allow-run-as-root', '--bind-to', 'none', '-n', str(ranks), program,

@@ -41,7 +41,6 @@ class LearnerNode {
  private:
   LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node, LearnerParameters parameters);
 
-  void advertiseServices();
   void takePerceptions(const PerceptionsMessage& message);
   void answer(const PerceptionsMessage& message);
   /// Whether the last answer is to this message, which the controller may publish again.
@@ -59,7 +58,7 @@ class LearnerNode {
   void use(const LearnerSettings& settings);
   void addDiagnostics();
   void takeSample();
-  /// Publishes the status again while nobody publishes the perceptions of its agents.
+  /// Publishes the status again while the topic with the perceptions of its agents has no publisher.
   void askForPerceptions();
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
@@ -68,11 +67,14 @@ class LearnerNode {
   /// The agent whose table is used where one agent is needed.
   AgentId firstAgent() const;
   TrainedTable trained(QTable table) const;
+
+  // learner_node_services.cpp
   /// Writes ~save_to. @param goes_on whether learning continues
   void saveAll(bool goes_on);
   void requireServed(AgentId agent) const;
   /// Returns the agent that a request refers to. If there is only one table, 0 means its agent.
   AgentId meant(AgentId agent) const;
+  void advertiseServices();
 
   // learner_sharing.cpp
   void share(const social_crowd::ShareQTable::Request& request, social_crowd::ShareQTable::Response& response);
