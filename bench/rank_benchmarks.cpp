@@ -12,7 +12,6 @@
 #include "crowd_walk.h"
 #include "measuring.h"
 #include "sleeping_ranks.h"
-#include "social_crowd/simulation/byte_archive.h"
 #include "social_crowd/simulation/distributed_crowd.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/mpi_communicator.h"
@@ -24,27 +23,14 @@ constexpr int WARM_UP = 20;  // ticks
 constexpr int TURNS = 4;     // of each repetition
 constexpr int TICKS = 10;    // of each turn: one division of the floor
 
-/// The longest of the ranks' times.
-double slowest(Communicator& ranks, double seconds) {
-  Communicator::Bytes bytes;
-  ByteWriter write(bytes);
-  write(seconds);
-  double longest = 0.0;
-  for (const Communicator::Bytes& other : ranks.gatherAll(bytes)) {
-    ByteReader read(other);
-    read(seconds);
-    longest = std::max(longest, seconds);
-  }
-  return longest;
-}
-
 /// Time of some ticks [s]; all ranks begin together.
 template <typename Tick>
 double timeOfTicks(Communicator& ranks, int ticks, const Tick& tick) {
   ranks.gatherAll({});
-  return slowest(ranks, timeOf(Clock::ON_WALL, [&] {
-                   for (int i = 0; i < ticks; ++i) tick();
-                 }));
+  const double seconds = timeOf(Clock::ON_WALL, [&] {
+    for (int i = 0; i < ticks; ++i) tick();
+  });
+  return spreadOf(ranks, seconds).largest;
 }
 
 int run(Communicator& ranks, std::size_t agents, int repetitions) {

@@ -95,6 +95,20 @@ void doOnAllRanks(Communicator& communicator, const std::function<void()>& work)
   }
 }
 
+RankSpread spreadOf(Communicator& communicator, double number) {
+  Communicator::Bytes bytes;
+  ByteWriter write(bytes);
+  write(number);
+  RankSpread spread;
+  for (const Communicator::Bytes& other : communicator.gatherAll(bytes)) {
+    ByteReader read(other);
+    read(number);
+    spread.largest = std::max(spread.largest, number);
+    spread.mean += number / communicator.size();
+  }
+  return spread;
+}
+
 void requireSameOnAllRanks(Communicator& communicator, const std::vector<SharedFact>& facts) {
   for (const SharedFact& fact : facts) {
     const std::vector<Communicator::Bytes> values = communicator.gatherAll(bytesOf(fact.value));

@@ -137,20 +137,9 @@ AgentId DistributedCrowd::idOf(AgentId name) const {
 }
 
 void DistributedCrowd::noteShares(std::size_t own) {
-  Communicator::Bytes bytes;
-  ByteWriter write(bytes);
-  write(own);
-  std::uint64_t largest = 0;
-  std::uint64_t sum = 0;
-  for (const Communicator::Bytes& other : communicator_.gatherAll(bytes)) {
-    ByteReader read(other);
-    std::uint64_t share = 0;
-    read(share);
-    largest = std::max(largest, share);
-    sum += share;
-  }
-  if (sum == 0) return;
-  imbalance_sum_ += static_cast<double>(largest * rankCount()) / static_cast<double>(sum);
+  const RankSpread shares = spreadOf(communicator_, static_cast<double>(own));
+  if (shares.mean == 0.0) return;
+  imbalance_sum_ += shares.imbalance();
   ++divisions_;
 }
 

@@ -55,7 +55,6 @@ class RankEvaluation {
  private:
   std::optional<EvaluatedEpisode> walkDivided(Scene scene, std::uint64_t instance);
   std::optional<EvaluatedEpisode> walkWhole(Scene scene, std::uint64_t instance);
-  void warnOfWays(const Episode& episode) const;
   bool isStopped() const { return observer_.is_stopped && observer_.is_stopped(); }
   void noteTick(std::uint64_t instance, std::uint64_t tick, std::uint64_t max_ticks) const {
     if (observer_.on_tick) observer_.on_tick(instance, tick, max_ticks);
@@ -99,7 +98,7 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint
       learner_,
       thread_pool_,
       [&](Episode& episode, RelativeActions& actions) { decisions.decide(episode, actions); },
-      [&](const Episode& episode) { warnOfWays(episode); },
+      [&](const Episode& episode) { plan_.warnOfWays(episode); },
       [&](const World& world) {
         measured.ticks += world.tick() > 0 ? 1 : 0;  // with --people-delay, those without robots, too
         noteTick(instance, world.tick(), max_ticks);
@@ -119,11 +118,6 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint
   measured.collect(communicator_, processor_seconds - decisions.waitingSeconds(), decisions.sentBytes());
   report(measured);
   return walked;
-}
-
-void RankEvaluation::warnOfWays(const Episode& episode) const {
-  const std::string warning = plan_.warn ? episode.result().wayWarning() : "";
-  if (!warning.empty()) plan_.warn(episode.number(), warning);
 }
 
 /// What must be the same on all ranks before an episode. @param divided whether the floor is

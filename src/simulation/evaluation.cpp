@@ -29,10 +29,8 @@ class OrderedRun {
 
   /// Warns of an episode that is about to be run.
   void begin(const Episode& episode) {
-    const std::string warning = plan_.warn ? episode.result().wayWarning() : "";
-    if (warning.empty()) return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    plan_.warn(episode.number(), warning);
+    plan_.warnOfWays(episode);
   }
 
   void bring(EvaluatedEpisode walked) {
@@ -69,6 +67,11 @@ class OrderedRun {
 };
 
 }  // namespace
+
+void EvaluationPlan::warnOfWays(const Episode& episode) const {
+  const std::string warning = warn ? episode.result().wayWarning() : "";
+  if (!warning.empty()) warn(episode.number(), warning);
+}
 
 Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed) {
   Learner::Options options;

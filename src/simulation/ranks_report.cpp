@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/simulation/byte_archive.h"
 
 namespace crowd {
 
@@ -13,20 +12,9 @@ void RanksReport::collect(Communicator& communicator, double own_busy_seconds, s
   std::vector<std::uint64_t> sent = {own_bytes};
   communicator.sum(sent);
   bytes = sent.front();
-  Communicator::Bytes message;
-  ByteWriter write(message);
-  write(own_busy_seconds);
-  double slowest = 0.0;
-  double sum = 0.0;
-  for (const Communicator::Bytes& other : communicator.gatherAll(message)) {
-    ByteReader read(other);
-    double time = 0.0;
-    read(time);
-    slowest = std::max(slowest, time);
-    sum += time;
-  }
-  busy_seconds = slowest;
-  time_imbalance = sum > 0.0 ? slowest * static_cast<double>(ranks) / sum : 1.0;
+  const RankSpread busy = spreadOf(communicator, own_busy_seconds);
+  busy_seconds = busy.largest;
+  time_imbalance = busy.imbalance();
 }
 
 std::string RanksReport::text() const {

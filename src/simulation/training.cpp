@@ -142,7 +142,8 @@ void Training::note(const Turn& turn, std::size_t first, const std::vector<Learn
   for (const LearnedEpisode& episode : episodes) {
     while (number >= turn.end(learner)) ++learner;
     decisions_[learner] += episode.decisions;
-    headings_[learner] = episode.headings();
+    const bool is_own = learner >= first_ && learner < first_ + learners_.size();
+    if (!is_own) headings_[learner] = episode.headings();
     ++number;
   }
 }

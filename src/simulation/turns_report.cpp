@@ -1,38 +1,25 @@
 #include "social_crowd/simulation/turns_report.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/simulation/byte_archive.h"
 
 namespace crowd {
 
 TurnsReport reportOf(Communicator& communicator, const TurnTimes& times, std::uint64_t learners) {
-  Communicator::Bytes bytes;
-  ByteWriter write(bytes);
-  write(times.seconds);
-  write(times.episode_seconds);
-  write(times.exchange_seconds);
-  write(times.bytes);
+  const RankSpread episodes = spreadOf(communicator, times.episode_seconds);
+  std::vector<std::uint64_t> sent = {times.bytes};
+  communicator.sum(sent);
   TurnsReport report;
   report.ranks = communicator.size();
   report.learners = learners;
   report.turns = times.turns;
-  double episode_sum = 0.0;
-  for (const Communicator::Bytes& other : communicator.gatherAll(bytes)) {
-    TurnTimes there;
-    ByteReader read(other);
-    read(there.seconds);
-    read(there.episode_seconds);
-    read(there.exchange_seconds);
-    read(there.bytes);
-    report.seconds = std::max(report.seconds, there.seconds);
-    report.episode_seconds = std::max(report.episode_seconds, there.episode_seconds);
-    report.exchange_seconds = std::max(report.exchange_seconds, there.exchange_seconds);
-    report.bytes += there.bytes;
-    episode_sum += there.episode_seconds;
-  }
-  if (episode_sum > 0.0) report.imbalance = report.episode_seconds * report.ranks / episode_sum;
+  report.seconds = spreadOf(communicator, times.seconds).largest;
+  report.episode_seconds = episodes.largest;
+  report.exchange_seconds = spreadOf(communicator, times.exchange_seconds).largest;
+  report.imbalance = episodes.imbalance();
+  report.bytes = sent.front();
   return report;
 }
 

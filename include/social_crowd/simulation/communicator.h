@@ -80,6 +80,18 @@ class SharedError : public Error {
 /// of the first such rank, and its number unless all ranks have the same message.
 void doOnAllRanks(Communicator& communicator, const std::function<void()>& work);
 
+/// @brief A number of all ranks; the same on all of them.
+struct RankSpread {
+  double largest = 0.0;  ///< of non-negative numbers
+  double mean = 0.0;
+
+  /// @brief largest / mean; 1 if all numbers are 0.
+  double imbalance() const { return mean > 0.0 ? largest / mean : 1.0; }
+};
+
+/// @brief Returns the largest and the mean of the ranks' numbers. Collective.
+RankSpread spreadOf(Communicator& communicator, double number);
+
 /// @brief Something that must be the same on all ranks.
 struct SharedFact {
   std::string what;   ///< such as "Q-table 'a.txt'"

@@ -6,6 +6,7 @@
 
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/episode_result.h"
 #include "social_crowd/world/scenario.h"
 
@@ -26,6 +27,9 @@ struct EvaluationPlan {
   /// Called at the start of each episode whose ways are a problem (EpisodeResult::wayWarning()), never concurrently but
   /// on any of the threads, and in any order. Empty: nothing is called.
   std::function<void(std::uint64_t instance, const std::string& warning)> warn;
+
+  /// @brief Calls `warn` if the ways of an episode are a problem.
+  void warnOfWays(const Episode& episode) const;
 };
 
 /// @brief Output of one episode of an evaluation.
