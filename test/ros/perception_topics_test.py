@@ -252,11 +252,11 @@ class ReportedTopicsTest(TopicsTestCase):
         self.report('/b', '')
         self.expect_agents(ear, [0])
         self.report('/a', f'{self.namespace}/perceptions/elsewhere', [0])
-        support.wait_for(lambda: not self.is_published(host), 'that nobody publishes the topic')
+        support.wait_for(lambda: not self.is_published(host), 'the end of the topic')
         self.assertTrue(self.is_published(f'{self.namespace}/perceptions/elsewhere'))
 
     def test_learner_in_python_with_a_topic_of_its_own(self):
-        """It answers for its agents, another one for the rest; nobody publishes the topic before the status."""
+        """It answers for its agents, another one for the rest; the topic has no publisher before the status."""
         mine, topic = {1, 4}, f'{self.namespace}/perceptions/my_learner'
         self.answers.silent = mine
         received = self.listen(topic, Perceptions)
@@ -303,7 +303,7 @@ class ReportedTopicsTest(TopicsTestCase):
         self.report('/a', f'{parent}/a', [0])
         support.wait_for(lambda: self.is_published(f'{parent}/a'), 'the topic')
         self.report('/a', '/a', [0])
-        support.wait_for(lambda: not self.is_published(f'{parent}/a'), 'that nobody publishes the topic')
+        support.wait_for(lambda: not self.is_published(f'{parent}/a'), 'the end of the topic')
 
 
 if __name__ == '__main__':

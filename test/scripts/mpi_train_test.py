@@ -18,7 +18,7 @@ def train(*arguments):
 
 
 def on_ranks(count, command):
-    """Returns the command line that runs a program on so many ranks."""
+    """Returns the command line that runs a program on `count` ranks."""
     return [*MPIRUN, '-n', str(count), *command]
 
 
@@ -106,14 +106,14 @@ def test_a_process_that_dies_leaves_the_last_checkpoint(runner):
 
 
 @needs_mpi
-@pytest.mark.parametrize('whom', ['mpirun', 'one process'])
-def test_ctrl_c_saves_the_table(runner, whom):
+@pytest.mark.parametrize('receiver', ['mpirun', 'one process'])
+def test_ctrl_c_saves_the_table(runner, receiver):
     plan = Plan(runner, 'interrupted', 200_000)
     process, children = start(runner, plan)
-    os.kill(process.process.pid if whom == 'mpirun' else children[1], signal.SIGINT)
+    os.kill(process.process.pid if receiver == 'mpirun' else children[1], signal.SIGINT)
     status = process.wait()
     # mpirun hides the exit status after a signal of its own.
-    assert status == (1 if whom == 'mpirun' else 130), process.output()
+    assert status == (1 if receiver == 'mpirun' else 130), process.output()
     assert_says(process.output(), '; interrupted')
     rows = read_text(plan.files['log']).count('\n') - 1
     assert f'\nepisode {rows}\n' in read_text(plan.files['checkpoint'])

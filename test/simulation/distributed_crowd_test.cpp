@@ -193,10 +193,10 @@ TEST(DistributedCrowd, WorksWithMoreRanksThanAgents) {
   const TrainedTable trained = tableOf("anticipation");
   const Scene few =
       withoutWays(scenes::scene({scenes::agent({0.0, 0.0}, {5.0, 0.0}), scenes::agent({5.0, 0.0}, {0.0, 0.0})}), 100);
-  const Scene nobody = withoutWays(scenes::scene({}), 100);
+  const Scene empty = withoutWays(scenes::scene({}), 100);
   const Scene one_place =
       withoutWays(scenes::scene(std::vector<AgentStart>(5, scenes::agent({1.0, 1.0}, {5.0, 0.0}))), 100);
-  for (const Scene& scene : {few, nobody, one_place}) {
+  for (const Scene& scene : {few, empty, one_place}) {
     const Walked alone = walkAlone(scene, trained);
     for (const int ranks : {2, 5, 8}) {
       SCOPED_TRACE(std::to_string(ranks) + " ranks");

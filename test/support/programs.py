@@ -156,23 +156,30 @@ class Process:
         return f'{self.name} ended with exit status {status} after SIGINT' if was_running and status != 0 else ''
 
 
-class ProgramRunner:
-    """Runs the programs of a test in the test's folder."""
+class Folder:
+    """A folder of a test, with files."""
 
-    def __init__(self, folder, environment=None):
+    def __init__(self, folder):
         self.folder = folder
-        self.environment = environment or {}  # additional variables for all programs
-        self.processes = []
 
     def path(self, name):
-        """Returns a path in the test's folder."""
+        """Returns a path in the folder."""
         return os.path.join(self.folder, name)
 
     def write(self, name, text):
-        """Writes a file in the test's folder. Returns its path."""
+        """Writes a file in the folder. Returns its path."""
         with open(self.path(name), 'w', encoding='utf-8') as stream:
             stream.write(text)
         return self.path(name)
+
+
+class ProgramRunner(Folder):
+    """Runs the programs of a test in the test's folder."""
+
+    def __init__(self, folder, environment=None):
+        super().__init__(folder)
+        self.environment = environment or {}  # additional variables for all programs
+        self.processes = []
 
     def start(self, name, command, environment=None):
         """Starts a program. Returns its Process."""

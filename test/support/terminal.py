@@ -5,16 +5,17 @@ import subprocess
 import urllib.parse
 
 from crowd_launching.ports import free_port
-from programs import PACKAGE, PATIENCE, wait_for
+from programs import PACKAGE, PATIENCE, Folder, wait_for
 
 BAD = ('[ERROR]', '[FATAL]', 'Traceback', 'has died', 'escalating', 'exit code')
 
 
-class Terminal:
+class Terminal(Folder):
     """A shell in a folder that looks like a clone. Programs that it starts end with the test of its ProgramRunner."""
 
     def __init__(self, runner, folder, environment=None):
-        self.runner, self.folder = runner, folder
+        super().__init__(folder)
+        self.runner = runner
         os.makedirs(folder, exist_ok=True)
         for name in os.listdir(PACKAGE):
             if not name.startswith('.') and not os.path.lexists(os.path.join(folder, name)):
@@ -23,16 +24,6 @@ class Terminal:
         self.environment = {'ROS_MASTER_URI': f'http://127.0.0.1:{self.port}', 'ROS_HOSTNAME': '127.0.0.1',
                             'ROS_LOG_DIR': os.path.join(folder, '.ros'), **(environment or {})}
         self.environment.pop('ROS_NAMESPACE', None)
-
-    def path(self, name):
-        """Returns a path in the folder."""
-        return os.path.join(self.folder, name)
-
-    def write(self, name, text):
-        """Writes a file in the folder. Returns its path."""
-        with open(self.path(name), 'w', encoding='utf-8') as stream:
-            stream.write(text)
-        return self.path(name)
 
     def start(self, line):
         """Starts a command line. Returns its Process."""
