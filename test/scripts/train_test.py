@@ -1,5 +1,4 @@
-"""train: its log, and trainings that go on after an interruption."""
-import csv
+"""train: trainings that go on after an interruption, and errors."""
 import os
 import random
 import resource
@@ -8,77 +7,11 @@ import signal
 import subprocess
 
 import pytest
-from learning_files import QTableFile, config_text
-from programs import CIRCLE6, PATIENCE, assert_says, in_package, read_bytes, read_text, tools_folder, wait_for
-from terminals import run_in_terminal
+from learning_files import QTableFile
+from programs import PATIENCE, assert_says, read_bytes, read_text, wait_for
+from trainings import Training, config_of, size_of
 
 LIMIT = 500_000  # of the size of a file [bytes]
-CROWD = in_package('config', 'learning', 'anticipation.yaml')
-# Two agents that keep their headings from one episode to the next, and one of them can collide with an obstacle.
-KEPT = '''name: kept
-duration: 10
-goal_tolerance: 0.3
-agents:
-  - {count: 2, position: {ring: {centre: [0, 0], radius: [1, 2]}}, goal: {opposite: [0, 0]}, speed: 1, radius: 0.2,
-     heading: kept}
-obstacles: [{position: [0, 0], radius: 0.2}]
-'''
-TRACES = '{alpha: 0.1, gamma: 0.9, lambda: 0.8, epsilon: {from: 0.5, to: 0.05, episodes: 200, shape: exponential}}'
-DECAYING = '{alpha: 0.01, alpha_decay: 0.6, gamma: 0.9, mirrored: true, ties: random, epsilon: 0.2}'
-
-
-def config_of(runner, name, episodes):
-    """Writes a training configuration, by its name in the tests. Returns its file."""
-    text = {
-        'traces': config_text('single_obstacle, training_field', episodes, learning=TRACES),
-        'side_by_side': config_text('kept.yaml, training_field', episodes, learning=DECAYING
-                                    ).replace('tables: shared', 'tables: shared, side_by_side: 3, turn: 4'),
-        'own': config_text('kept.yaml', episodes, tables='own'),
-        'crowd': read_text(CROWD).replace('../scenarios/training_crowd.yaml', CIRCLE6),
-    }[name]
-    runner.write('kept.yaml', KEPT)
-    return runner.write(f'{name}.yaml', text)
-
-
-class Training:
-    """The command of a training with all its files."""
-
-    def __init__(self, runner, config, name, *options):
-        self.runner = runner
-        self.files = {option: runner.path(f'{name}.{option}') for option in ('output', 'record', 'log', 'checkpoint')}
-        files = [word for option in ('output', 'record', 'log') for word in ('--' + option, self.files[option])]
-        self.command = [os.path.join(tools_folder(), 'train'), config, *files, *map(str, options)]
-
-    def resuming(self):
-        """Returns the command that goes on from the checkpoint."""
-        return [*self.command, '--checkpoint', self.files['checkpoint'], '--checkpoint-interval', '0.01', '--resume']
-
-    def run(self, command=None):
-        """Runs the command to its end. Returns exit status and output."""
-        done = subprocess.run(command or self.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, check=False,
-                              stderr=subprocess.STDOUT, timeout=PATIENCE, cwd=self.runner.folder)
-        return done.returncode, done.stdout.decode(errors='replace')
-
-    def results(self):
-        """Returns the bytes of table, record and log, and of the tables that were saved on the way, by their names."""
-        folder, stem = os.path.split(os.path.splitext(self.files['output'])[0])
-        tables = {name: os.path.join(folder, name) for name in os.listdir(folder) if name.startswith(stem + '_0')}
-        return {name.replace(stem, ''): read_bytes(file)
-                for name, file in {**tables, **{key: self.files[key] for key in ('output', 'record', 'log')}}.items()}
-
-    def interrupt(self, number, log_size):
-        """Goes on, and sends a signal when the log has reached a size. Returns the exit status."""
-        process = self.runner.start('train', self.resuming())
-        wait_for(lambda: not process.is_running() or size_of(self.files['log']) >= log_size, 'the log to grow')
-        process.signal(number)
-        if number == signal.SIGKILL:
-            process.is_given_up = True
-        return process.wait()
-
-
-def size_of(file):
-    """Returns the size of a file, -1 if it does not exist."""
-    return os.path.getsize(file) if os.path.exists(file) else -1
 
 
 def assert_same(got, expected):
@@ -304,80 +237,3 @@ class WriteErrorTest:
         assert process.output().count('; the training goes on') == 1
         assert_says(process.output(), f'train: {folder}/a: cannot be written', ': 1500 episodes, ')
         assert len(read_text(training.files['log']).splitlines()) == 1501
-
-
-class LogTest:
-    """train --log."""
-
-    def test_rows(self, runner):
-        """The log agrees with the record, the table and the schedule of epsilon."""
-        training = Training(runner, config_of(runner, 'crowd', 30), 'a', '--episodes', 30)
-        status, output = training.run()
-        assert status == 0, output
-        with open(training.files['log'], newline='', encoding='utf-8') as stream:
-            rows = list(csv.DictReader(stream))
-        with open(training.files['record'], newline='', encoding='utf-8') as stream:
-            agents = list(csv.DictReader(stream))
-        assert [row['episode'] for row in rows] == [str(i) for i in range(30)]
-        for row in rows:
-            mine = [agent for agent in agents if agent['episode'] == row['episode']]
-            assert (row['scenario'], row['agents']) == ('circle6', '6')
-            for share, column in (('success', 'arrived'), ('contact', 'touched'), ('collision', 'collided')):
-                assert float(row[share]) == sum(int(agent[column]) for agent in mine) / 6
-            assert int(row['decisions']) == sum(int(agent['ticks']) for agent in mine)
-            assert float(row['epsilon']) == pytest.approx(0.3 + int(row['episode']) / 4000 * (0.02 - 0.3))
-            assert -25 < float(row['reward']) < 0  # `progress`: 0 is the best
-        visited = [int(row['visited_rows']) for row in rows]
-        assert visited == sorted(visited)
-        table = QTableFile(training.files['output'])
-        assert visited[-1] == table.header['visited_rows']
-        assert sum(int(row['decisions']) for row in rows) == table.header['decisions']
-
-
-class PlotTest:
-    """train --plot, in a pseudo-terminal."""
-
-    TITLES = ('success [%]', 'contact [%]', 'mean reward', 'visited rows', 'epsilon')
-
-    def train(self, runner, columns, rows, episodes, typed=''):
-        """Trains in a terminal. Returns exit status and the lines of the screen."""
-        training = Training(runner, config_of(runner, 'traces', episodes), 'a', '--plot')
-        status, screen = run_in_terminal(training.command, columns, rows, typed)
-        print('\n'.join(screen.lines()))
-        assert screen.x == 0  # what follows begins a line
-        return status, screen.lines()
-
-    @pytest.mark.parametrize('columns, rows, across', [(80, 24, 2), (120, 30, 3), (200, 50, 5)])
-    def test_final_screen(self, runner, columns, rows, across):
-        """Each panel is there once; below them the bar, and what the program prints at its end."""
-        status, lines = self.train(runner, columns, rows, 600)
-        assert status == 0
-        text = '\n'.join(lines)
-        first = next(line for line in lines if 'contact [%]' in line)
-        assert [title in first for title in self.TITLES[1:]] == [i < across for i in range(1, 5)]
-        for title in self.TITLES:
-            assert text.count(title) == 1
-        assert 'episodes 0 to 599, about ' in text
-        bar = next(i for i, line in enumerate(lines) if line.startswith('episode [######'))
-        assert lines[bar].startswith('episode [########################] 600/600  left 0:00  success')
-        assert lines[bar + 1].startswith(f'{runner.path("a.output")}: 600 episodes, '[:columns])
-        dots = sum('\u2801' <= character <= '\u28ff' for character in text)
-        assert dots > 5 * 20
-
-    def test_curves_go_on(self, runner):
-        """After an interruption they have the episodes of the log."""
-        training = Training(runner, config_of(runner, 'traces', 200), 'a')
-        assert training.run([*training.resuming(), '--episodes', '100'])[0] == 0
-        status, screen = run_in_terminal([*training.resuming(), '--plot'], 80, 24)
-        assert status == 0
-        assert 'episodes 0 to 199' in '\n'.join(screen.lines())
-
-    def test_interruption(self, runner):
-        """Ctrl-C leaves one picture, the bar and the last message."""
-        status, lines = self.train(runner, 120, 40, 10**6, '\x03')
-        assert status == 130
-        text = '\n'.join(lines)
-        assert [text.count(title) for title in self.TITLES] == [1] * 5
-        assert [line.startswith('episode [') for line in lines].count(True) == 1
-        assert '; interrupted' in text
-        assert text.count('^C') <= 1
