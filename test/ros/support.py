@@ -6,7 +6,9 @@ import tempfile
 import threading
 import unittest
 import xml.etree.ElementTree as ElementTree
+import xmlrpc.client
 
+import rosgraph
 import rospy
 import rostest
 from roslib.packages import find_node
@@ -93,9 +95,24 @@ class Listener:
         self.subscriber = rospy.Subscriber(topic, message_type, self.messages.append, tcp_nodelay=True)
 
     def wait_connected(self):
-        """Waits for a publisher."""
+        """Waits until a publisher sends its messages here. rospy counts connections before that."""
         wait_for(lambda: self.subscriber.get_num_connections() > 0, f'a publisher of {self.topic}')
+        wait_for(lambda: any(map(self.is_served_by, self.publishers())), f'messages of a publisher of {self.topic}')
         return self
+
+    def publishers(self):
+        """Returns the nodes that publish the topic."""
+        return dict(rosgraph.Master(rospy.get_name()).getSystemState()[0]).get(self.subscriber.resolved_name, [])
+
+    def is_served_by(self, node):
+        """Returns whether a node has connected this one to the topic, by its bus information."""
+        try:
+            proxy = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(node))
+            connections = proxy.getBusInfo(rospy.get_name())[2]
+        except (OSError, rosgraph.MasterException):
+            return False  # it has ended
+        return any(connection[1] in (rospy.get_name(), rospy.get_node_uri()) and connection[2] == 'o' and
+                   connection[4] == self.subscriber.resolved_name for connection in connections)
 
     def wait(self, fits=lambda message: True, what='', seconds=PATIENCE):
         """Waits for a message that meets the condition. Returns the first one."""
