@@ -74,11 +74,11 @@ void keepOutOfReach(const Perception& seen, MoveBlock* moves, std::size_t count)
     const double reach = seen.self.radius + robot.radius;
     const Vector2 way = seen.tick_duration * robot.velocity;
     if (robot.position.norm() - reach > step + way.norm()) continue;
-    if (firstTouch(robot.position, Vector2(-way), reach, 1.0) < NEVER) continue;
+    if (firstTouch(robot.position, Vector2(-way), reach, 1.0) < NO_IMPACT) continue;
     for (std::size_t i = 0; i < blocksOf(count) * MoveBlock::SIZE; ++i) {
       CandidateMove move = moveAt(moves, i);
       const Vector2 relative = move.fraction * step * move.direction - way;
-      if (firstTouch(robot.position, relative, reach, 1.0) == NEVER) continue;
+      if (firstTouch(robot.position, relative, reach, 1.0) == NO_IMPACT) continue;
       move.fraction = 0.0;
       setMove(moves, i, move);
     }

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -24,6 +25,12 @@ void appendChars(Number value, std::string& text) {
 void appendText(std::uint32_t value, std::string& text) { appendChars(value, text); }
 
 #if defined(__cpp_lib_to_chars)
+
+std::uint64_t bitsOf(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
 
 void appendText(double value, std::string& text) { appendChars(value, text); }
 
@@ -68,6 +75,12 @@ std::string toText(double value) {
     if (toNumber(stream.str()) == value) break;
   }
   return stream.str();
+}
+
+std::uint64_t bitsOf(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
 }
 
 void appendText(double value, std::string& text) { text += toText(value); }

@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t MAX_QUOTE = 40;  // [characters]
 
-std::string lineOf(const YAML::Mark& mark) {
+std::string lineOfMark(const YAML::Mark& mark) {
   return mark.line < 0 ? std::string() : "line " + std::to_string(mark.line + 1);  // yaml-cpp counts from 0
 }
 
 /// "FILE: document D, line L: PATH: " without the parts that are unknown.
 std::string prefixOf(const YamlPlace& place, const YAML::Mark& mark) {
   const std::string document = place.document > 0 ? "document " + std::to_string(place.document) : "";
-  const std::string line = lineOf(mark);
+  const std::string line = lineOfMark(mark);
   std::string prefix = place.file + ": " + document;
   if (!document.empty() && !line.empty()) {
     prefix += ", ";

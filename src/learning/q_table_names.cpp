@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* EXTENSION = ".txt";
+constexpr const char* Q_TABLE_EXTENSION = ".txt";
 
 /// The folder beside that of the scenarios.
 fs::path shippedQTables() { return fs::path(shippedScenarios()).parent_path() / "q_tables"; }
@@ -20,7 +20,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code problem;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == EXTENSION) names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == Q_TABLE_EXTENSION) names.push_back(entry.path().stem().string());
   }
   return names;
 }
@@ -29,11 +29,11 @@ std::vector<std::string> namesIn(const fs::path& folder) {
 
 std::string findQTable(const std::string& name_or_file) {
   const fs::path path(name_or_file);
-  const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == EXTENSION);
+  const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == Q_TABLE_EXTENSION);
   std::error_code ignored;
   if (!is_bare || fs::is_regular_file(path, ignored)) return name_or_file;
   const fs::path folder = shippedQTables();
-  const fs::path named = folder / (path.stem().string() + EXTENSION);
+  const fs::path named = folder / (path.stem().string() + Q_TABLE_EXTENSION);
   if (fs::exists(named, ignored)) return named.string();
   const std::vector<std::string> names = sortedByNearness(path.stem().string(), namesIn(folder));
   const std::string nearest = nearestName(path.stem().string(), names);

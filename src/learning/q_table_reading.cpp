@@ -28,8 +28,8 @@ std::string quoted(std::string_view text) {
 
 /// The message does not quote a file that is not a Q-table: the caller may not be allowed to read it.
 void readMagic(LineReader& lines) {
-  if (lines.nextIs(MAGIC)) return;
-  throw InputError(lines.name() + ": line 1: expected '" + std::string(MAGIC) +
+  if (lines.nextIs(Q_TABLE_MAGIC)) return;
+  throw InputError(lines.name() + ": line 1: expected '" + std::string(Q_TABLE_MAGIC) +
                    "': this is no Q-table of this package, or one of another version");
 }
 
@@ -244,7 +244,7 @@ TrainedTable parseQTable(const std::string& text, const std::string& name) {
   table.setSources(header.source, readSources(lines, header.other_sources, header.source, table));
   const std::string_view last = lines.next("the checksum after " + std::to_string(header.visited_rows) + " rows and " +
                                            std::to_string(header.other_sources) + " other sources");
-  const std::string expected = std::string(CHECKSUM_KEY) + lines.sumUpTo(last.data()).text();
+  const std::string expected = std::string(Q_TABLE_CHECKSUM_KEY) + lines.sumUpTo(last.data()).text();
   if (last != expected) lines.fail("'" + expected + "': the file was changed or damaged", quoted(last));
   if (!lines.atEnd()) lines.fail("nothing after the checksum", "more text");
   return {header.model, header.parameters, header.decisions, header.seed, std::move(table)};

@@ -43,7 +43,7 @@ struct Sources {
 };
 
 std::string headerOf(const TrainedTable& trained, const Sources& sources, std::size_t lines) {
-  std::string text = std::string(MAGIC) + "\n" + trained.model.spec();
+  std::string text = std::string(Q_TABLE_MAGIC) + "\n" + trained.model.spec();
   const auto add = [&](const char* key, const std::string& value) { text += std::string(key) + ": " + value + "\n"; };
   add("rows", std::to_string(trained.table.rows()));
   add("actions", std::to_string(trained.table.actions()));
@@ -120,7 +120,7 @@ std::string toText(const TrainedTable& trained) {
   appendSources(sources.listed, text);
   Checksum checksum;
   checksum.add(text);
-  return text.append(CHECKSUM_KEY).append(checksum.text()).append("\n");
+  return text.append(Q_TABLE_CHECKSUM_KEY).append(checksum.text()).append("\n");
 }
 
 void saveQTable(const std::string& file, const TrainedTable& trained) { replaceFile(file, toText(trained)); }

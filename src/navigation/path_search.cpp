@@ -7,7 +7,7 @@ namespace crowd {
 namespace {
 
 /// Distances below this are rounding [cells].
-constexpr double ROUNDING = 1e-6;
+constexpr double PATH_ROUNDING = 1e-6;
 
 /// Distance of a point to the left of a line.
 double leftOf(const Vector2& from, const Vector2& through, const Vector2& point) {
@@ -61,7 +61,7 @@ void PathSearch::expand(const Node& node) {
   const Vector2 root = roots_[node.root].position;
   const Vector2 way = node.left.position - node.right.position;
   const double width = way.norm();
-  if (cross(way, root - node.right.position) > ROUNDING * width) {
+  if (cross(way, root - node.right.position) > PATH_ROUNDING * width) {
     expandVisible(node);
     return;
   }
@@ -69,8 +69,8 @@ void PathSearch::expand(const Node& node) {
   // visible.
   const double along = way.dot(root - node.right.position) / width;
   Index turned = node.root;
-  if (along < -ROUNDING) turned = turnAt(node.right, node.root);
-  if (along > width + ROUNDING) turned = turnAt(node.left, node.root);
+  if (along < -PATH_ROUNDING) turned = turnAt(node.right, node.root);
+  if (along > width + PATH_ROUNDING) turned = turnAt(node.left, node.root);
   if (turned == NONE) return;
   if (node.polygon == goal_polygon_) {
     addGoal(turned);
@@ -99,9 +99,9 @@ void PathSearch::expandVisible(const Node& node) {
 void PathSearch::reachGoal(const Node& node) {
   const Vector2 root = roots_[node.root].position;
   Index last = node.root;
-  if (leftOf(root, node.right.position, goal_) < -ROUNDING) {
+  if (leftOf(root, node.right.position, goal_) < -PATH_ROUNDING) {
     last = turnAt(node.right, node.root);
-  } else if (leftOf(root, node.left.position, goal_) > ROUNDING) {
+  } else if (leftOf(root, node.left.position, goal_) > PATH_ROUNDING) {
     last = turnAt(node.left, node.root);
   }
   if (last != NONE) addGoal(last);
@@ -125,11 +125,11 @@ PathSearch::Cut PathSearch::firstCut(const Vector2& root, const Vector2& through
   double next = distance;
   for (std::size_t i = 1; i < chain_.size(); ++i) {
     next = leftOf(root, through, chain_[i].position);
-    if (next > ROUNDING) break;
+    if (next > PATH_ROUNDING) break;
     last = i;
     distance = next;
   }
-  if (last + 1 == chain_.size() || distance >= -ROUNDING) return {last, chain_[last]};
+  if (last + 1 == chain_.size() || distance >= -PATH_ROUNDING) return {last, chain_[last]};
   const double share = distance / (distance - next);
   return {last, {chain_[last].position + share * (chain_[last + 1].position - chain_[last].position), NONE}};
 }
@@ -140,11 +140,11 @@ PathSearch::Cut PathSearch::lastCut(const Vector2& root, const Vector2& through)
   double next = distance;
   for (std::size_t i = first; i-- > 0;) {
     next = leftOf(root, through, chain_[i].position);
-    if (next < -ROUNDING) break;
+    if (next < -PATH_ROUNDING) break;
     first = i;
     distance = next;
   }
-  if (first == 0 || distance <= ROUNDING) return {first, chain_[first]};
+  if (first == 0 || distance <= PATH_ROUNDING) return {first, chain_[first]};
   const double share = distance / (distance - next);
   return {first - 1, {chain_[first].position + share * (chain_[first - 1].position - chain_[first].position), NONE}};
 }
@@ -160,7 +160,7 @@ void PathSearch::addSides(Index root, Index polygon, const Cut& first, const Cut
 void PathSearch::addInterval(Index root, Index polygon, Index edge, const Point& right, const Point& left) {
   const dtMeshTile& tile = mesh_.tile();
   if (tile.polys[polygon].neis[edge] == 0) return;
-  if ((left.position - right.position).squaredNorm() < ROUNDING * ROUNDING) return;
+  if ((left.position - right.position).squaredNorm() < PATH_ROUNDING * PATH_ROUNDING) return;
   const Index behind = tile.polys[polygon].neis[edge] - Index{1};
   const dtPoly& shape = tile.polys[behind];
   Index entry = 0;
@@ -180,14 +180,14 @@ void PathSearch::add(Node node) {
 }
 
 bool PathSearch::isOutdated(const Root& root) const {
-  return root.vertex != NONE && root.length > best_[root.vertex] + ROUNDING;
+  return root.vertex != NONE && root.length > best_[root.vertex] + PATH_ROUNDING;
 }
 
 PathSearch::Index PathSearch::turnAt(const Point& corner, Index root) {
   if (corner.vertex == NONE || mesh_.isTurningPoint()[corner.vertex] == 0) return NONE;
   const double length = roots_[root].length + (corner.position - roots_[root].position).norm();
   double& best = best_[corner.vertex];
-  if (length > best + ROUNDING) return NONE;
+  if (length > best + PATH_ROUNDING) return NONE;
   if (best == std::numeric_limits<double>::infinity()) touched_.push_back(corner.vertex);
   best = std::min(best, length);
   roots_.push_back({corner.position, length, root, corner.vertex});

@@ -5,14 +5,13 @@
 #include "social_crowd/ros/agent_list.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
+#include "social_crowd/ros/topic_defaults.h"
 #include "social_crowd/ros/topic_publishers.h"
 #include "social_crowd/ros/vision.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 1000;          // messages; many learners may answer at the same time
-const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
 const ros::WallDuration WARNING_PERIOD(5.0);   // of warnings about missing answers
 constexpr double SILENCE_LIMIT = 1.0;          // [s]
 constexpr double USUAL_START = 3.0;            // [s] of a learner, without a warning
@@ -43,9 +42,9 @@ AnswerCollector::AnswerCollector(MainLoop& loop, ros::NodeHandle& node, const Co
       lockstep_(parameters.misses_until_absent),
       learners_(run_),
       perceptions_(node),
-      actions_(
-          subscribeToTicks<ActionsMessage>(node, names::ACTIONS, QUEUE, [this](const auto& event) { take(event); })),
-      status_(node.subscribe(names::LEARNER_STATUS, QUEUE, &AnswerCollector::takeStatus, this)) {}
+      actions_(subscribeToTicks<ActionsMessage>(node, names::ACTIONS, LONG_QUEUE,
+                                                [this](const auto& event) { take(event); })),
+      status_(node.subscribe(names::LEARNER_STATUS, LONG_QUEUE, &AnswerCollector::takeStatus, this)) {}
 
 void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event) {
   const ActionsMessage& message = *event.getMessage();

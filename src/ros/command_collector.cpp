@@ -4,11 +4,10 @@
 
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/robot_messages.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
-
-const ros::WallDuration IDLE(0.1);  // between two checks for shutdown
 
 CommandSettings settingsOf(const ControllerParameters& parameters) {
   CommandSettings settings;

@@ -8,7 +8,6 @@
 namespace crowd {
 namespace {
 
-constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 constexpr const char* FAST = "fast";
 
 double readRealTimeFactor(Parameters& parameters, double otherwise) {

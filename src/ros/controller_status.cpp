@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 10;  // messages
-const ros::WallDuration PERIOD(0.1);
+const ros::WallDuration STATUS_CHECK_PERIOD(0.1);
 
 }  // namespace
 
@@ -30,8 +30,8 @@ ControllerStatusPublisher::ControllerStatusPublisher(ros::NodeHandle node,
                                                      std::function<social_crowd::ControllerStatus()> status)
     : status_(std::move(status)) {
   const auto greet = [this](const ros::SingleSubscriberPublisher& subscriber) { subscriber.publish(status_()); };
-  publisher_ = node.advertise<social_crowd::ControllerStatus>(names::CONTROLLER_STATUS, QUEUE, greet);
-  timer_ = node.createWallTimer(PERIOD, [this](const ros::WallTimerEvent& /*event*/) { publish(); });
+  publisher_ = node.advertise<social_crowd::ControllerStatus>(names::CONTROLLER_STATUS, SHORT_QUEUE, greet);
+  timer_ = node.createWallTimer(STATUS_CHECK_PERIOD, [this](const ros::WallTimerEvent& /*event*/) { publish(); });
 }
 
 void ControllerStatusPublisher::publish() {

@@ -7,14 +7,10 @@
 
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
-namespace {
-
-constexpr std::uint32_t QUEUE = 100;  // messages
-constexpr bool LATCHED = true;
-
-}  // namespace
+namespace {}  // namespace
 
 CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters)
     : node_(node),

@@ -7,6 +7,7 @@
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/launch_end.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 #include "social_crowd/world/map_walls.h"
 #include "social_crowd/world/scenario_reader.h"
 
@@ -14,7 +15,6 @@ namespace crowd {
 namespace {
 
 constexpr unsigned SERVICE_THREADS = 3;
-const ros::WallDuration IDLE(0.1);         // between two checks for shutdown
 const ros::WallDuration FLUSH(0.25);       // until the last messages have left the process
 const ros::WallDuration LAUNCH_END(20.0);  // until roslaunch has shut the node down
 constexpr double MAX_LAG = 0.5;            // [s] behind real time; a larger lag is not caught up

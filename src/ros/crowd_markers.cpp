@@ -8,15 +8,13 @@
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/parameters.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 100;        // messages
-constexpr std::uint32_t MARKERS_QUEUE = 2;  // messages; only the newest is used
-constexpr bool LATCHED = true;
-constexpr double WARNING_PERIOD = 10.0;  // [s]
-const ros::WallDuration IDLE(0.1);       // between two checks for shutdown
+constexpr std::uint32_t MARKERS_QUEUE = 2;       // messages; only the newest is used
+constexpr double SHOWING_WARNING_PERIOD = 10.0;  // [s]
 const ros::WallDuration REPEAT_AFTER(1.0);
 
 constexpr NumberRange RATE{0.1, 1e3, "Hz"};
@@ -131,7 +129,7 @@ ros::Subscriber CrowdMarkers::subscribe(const char* topic) {
     try {
       scene_.take(*message);
     } catch (const Error& error) {
-      ROS_WARN_THROTTLE(WARNING_PERIOD, "cannot show a message on %s: %s", topic, error.what());
+      ROS_WARN_THROTTLE(SHOWING_WARNING_PERIOD, "cannot show a message on %s: %s", topic, error.what());
     }
   });
 }

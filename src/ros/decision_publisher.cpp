@@ -8,11 +8,10 @@
 #include <utility>
 
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
-
-constexpr std::uint32_t QUEUE = 10;  // messages
 
 social_crowd::CandidateValue toMessage(const ValuedMove& valued) {
   social_crowd::CandidateValue message;
@@ -32,7 +31,7 @@ DecisionPublisher::DecisionPublisher(const ros::NodeHandle& node, std::string no
   const auto update_subscription = [this](const ros::SingleSubscriberPublisher& /*subscriber*/) {
     subscribeToChoice(publisher_.getNumSubscribers() > 0);
   };
-  publisher_ = node_.advertise<social_crowd::DecisionValues>(names::DECISION_VALUES, QUEUE, update_subscription,
+  publisher_ = node_.advertise<social_crowd::DecisionValues>(names::DECISION_VALUES, SHORT_QUEUE, update_subscription,
                                                              update_subscription);
 }
 
@@ -43,7 +42,7 @@ void DecisionPublisher::subscribeToChoice(bool wanted) {
     chosen_ = ros::Subscriber();
     return;
   }
-  chosen_ = node_.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE,
+  chosen_ = node_.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, SHORT_QUEUE,
                                              [this](const auto& message) { agent_ = message->data; });
 }
 

@@ -11,8 +11,8 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-constexpr double SILENCE_LIMIT = 1.0;  // [s]
-constexpr double LACK_LIMIT = 5.0;     // [s]; a controller that waits for answers repeats perceptions ever more rarely
+constexpr double QUIET_LIMIT = 1.0;  // [s]
+constexpr double LACK_LIMIT = 5.0;   // [s]; a controller that waits for answers repeats perceptions ever more rarely
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void reportDecisions(const LearnerSample& before, const LearnerSample& now, Diag
     report.summary(DiagnosticStatus::WARN, "perceptions contain less than the model needs, they are not answered");
   } else if (now.last_perceptions.isZero()) {
     report.summary(DiagnosticStatus::OK, now.mode + ", no perceptions yet");
-  } else if (silence > SILENCE_LIMIT) {
+  } else if (silence > QUIET_LIMIT) {
     report.summary(DiagnosticStatus::OK, now.mode + ", no perceptions for " + toFixedText(silence, 0) + " s");
   } else {
     report.summary(DiagnosticStatus::OK, now.mode + ", " + rate + " decisions/s");

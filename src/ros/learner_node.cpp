@@ -4,18 +4,16 @@
 
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/tick_subscriber.h"
+#include "social_crowd/ros/topic_defaults.h"
 #include "social_crowd/ros/vision.h"
 
 namespace crowd {
 namespace {
 
 // Sharing may wait for other learners; other services must remain available.
-constexpr unsigned SERVICE_THREADS = 4;
-constexpr std::uint32_t QUEUE = 100;  // messages
-constexpr bool LATCHED = true;
-const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
+constexpr unsigned LEARNER_SERVICE_THREADS = 4;
 const ros::WallDuration STATUS_PATIENCE(3.0);  // until the controller should have received the status
-constexpr double WARNING_PERIOD = 5.0;         // [s]
+constexpr double VISION_WARNING_PERIOD = 5.0;  // [s]
 const ros::WallDuration STATUS_PERIOD(0.5);    // minimum time between two status messages, unless something changes
 
 }  // namespace
@@ -39,7 +37,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
                     [this](const LiveValues& values) { use(live_.changed(settings(), values)); }}),
       diagnostics_(node_, private_node, parameters.diagnostic_period, [this] { takeSample(); }),
       taking_(private_node, 1),
-      services_(private_node, SERVICE_THREADS) {
+      services_(private_node, LEARNER_SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
   for (const std::string& warning : parameters.warnings) ROS_WARN("%s", warning.c_str());
   // roscpp keeps one latched message for each topic of a process, and nodelets share the topic. So each learner also
@@ -137,7 +135,7 @@ bool LearnerNode::isSufficient(const PerceptionsMessage& message) {
   if (insufficient_since_.isZero()) insufficient_since_ = now;
   if (now - last_status_ >= STATUS_PERIOD) publishStatus();
   if (lacksVision()) {
-    ROS_WARN_THROTTLE(WARNING_PERIOD,
+    ROS_WARN_THROTTLE(VISION_WARNING_PERIOD,
                       "perceptions are not answered, because they contain less than the model needs: %s instead of %s. "
                       "Does the crowd controller receive '%s'?",
                       toText(message.vision).c_str(), toText(needed).c_str(), status_publisher_.getTopic().c_str());

@@ -9,8 +9,6 @@
 namespace crowd {
 namespace {
 
-constexpr std::int64_t MAX_WHOLE = INT32_MAX;
-
 /// Removes the name from a problem "NAME: expected ...", because parameters have other names.
 std::string withoutName(const std::string& problem) { return problem.substr(problem.find(": ") + 2); }
 

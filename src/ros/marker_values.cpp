@@ -17,7 +17,6 @@ namespace {
 using marker_style::Colour;
 using marker_style::Layer;
 using social_crowd::CandidateValue;
-using social_crowd::DecisionValues;
 using visualization_msgs::Marker;
 
 constexpr double GAP = 0.06;              // between body and wedges [m]
@@ -31,7 +30,7 @@ constexpr double SECOND_DISTANCE = 0.28;  // that of every second one, so that t
 constexpr double FAINT = 0.25;
 constexpr double NEARLY = 1e-6;
 
-bool canBeDrawn(const DecisionValues& decision) {
+bool canBeDrawn(const social_crowd::DecisionValues& decision) {
   const auto is_fine = [](const CandidateValue& action) {
     return std::isfinite(action.direction) && std::isfinite(action.value) && action.speed_fraction >= 0.0 &&
            action.speed_fraction <= 1.0 && action.admissible_fraction >= 0.0 &&
@@ -45,7 +44,7 @@ bool canBeDrawn(const DecisionValues& decision) {
 /// The wedges of a decision.
 class Wedges {
  public:
-  Wedges(const DecisionValues& decision, double radius)
+  Wedges(const social_crowd::DecisionValues& decision, double radius)
       : decision_(decision), inner_(radius + GAP), half_(halfAngle(decision.actions)) {
     const auto by_value = [](const CandidateValue& a, const CandidateValue& b) { return a.value < b.value; };
     const auto [low, high] = std::minmax_element(decision.actions.begin(), decision.actions.end(), by_value);
@@ -145,7 +144,7 @@ class Wedges {
   double outerOf(double fraction) const { return inner_ + LENGTH * fraction; }
   Vector2 at(double distance, double angle) const { return middle() + distance * unitVector(angle); }
 
-  const DecisionValues& decision_;
+  const social_crowd::DecisionValues& decision_;
   double inner_;  // [m]
   double half_;   // [rad]
   double lowest_ = 0.0;
@@ -173,7 +172,8 @@ std::string visitsText(std::uint32_t visits) {
   return text.data();
 }
 
-void ValuesDrawing::draw(const DecisionValues* decision, double radius, visualization_msgs::MarkerArray& array) {
+void ValuesDrawing::draw(const social_crowd::DecisionValues* decision, double radius,
+                         visualization_msgs::MarkerArray& array) {
   const bool shown = decision != nullptr && canBeDrawn(*decision);
   const std::size_t texts = shown ? decision->actions.size() : 0;
   if (shown) {

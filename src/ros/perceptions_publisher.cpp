@@ -6,14 +6,13 @@
 #include <iterator>
 
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 100;  // messages
 // Messages to a learner whose host is slow or cut off: answers to older ones would come too late, but the messages
 // would delay the present one when the host is back.
-constexpr std::uint32_t OWN_QUEUE = 10;
 const ros::WallDuration TIME_TO_ANSWER(0.05);  // of a node that has just connected
 
 /// Returns the message with only these agents. The perceptions are not copied.
@@ -122,7 +121,7 @@ void PerceptionsPublisher::updateTopics() {
 PerceptionsPublisher::OwnTopic PerceptionsPublisher::advertise(const std::string& topic) {
   // roscpp reports an error and returns an empty publisher if its process uses the name for messages of another type.
   return {node_.advertise<PerceptionsMessage>(
-              topic, OWN_QUEUE,
+              topic, SHORT_QUEUE,
               [this, topic](const ros::SingleSubscriberPublisher& subscriber) { addSubscriberOf(topic, subscriber); }),
           {}};
 }

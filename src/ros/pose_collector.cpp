@@ -12,11 +12,11 @@
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/robot_messages.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 100;     // messages
 constexpr double NORM_TOLERANCE = 0.01;  // of the quaternion of a pose
 const ros::Time LATEST;                  // tf: the newest transform
 constexpr const char* ONCE = "Further ones are only counted, on ";

@@ -6,12 +6,11 @@
 
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/reconfigure_messages.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 10;  // messages
-constexpr bool LATCHED = true;
 constexpr bool ONE_SHOT = true;  // of a timer
 constexpr bool STARTED = true;
 const ros::WallDuration PERIOD(0.1);
@@ -35,7 +34,7 @@ ReconfigureServer::ReconfigureServer(ros::NodeHandle private_node, std::vector<L
     if (updates_publisher_.getNumSubscribers() == 0) timer_.stop();
   };
   updates_publisher_ = private_node.advertise<dynamic_reconfigure::Config>(
-      names::PARAMETER_UPDATES, QUEUE, send_present_values, stop_without_subscribers);
+      names::PARAMETER_UPDATES, SHORT_QUEUE, send_present_values, stop_without_subscribers);
 }
 
 void ReconfigureServer::serve(Services& services, MainLoop& loop) {

@@ -6,15 +6,14 @@
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/parameters.h"
 #include "social_crowd/ros/robot_messages.h"
+#include "social_crowd/ros/topic_defaults.h"
 #include "social_crowd/simulation/reactive_rule.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 10;    // messages
-constexpr std::uint32_t NEWEST = 1;    // message: older scans are not worth a command
-constexpr double WARNING_PERIOD = 10;  // [s]
-const ros::WallDuration IDLE(0.1);     // between two checks for shutdown
+constexpr std::uint32_t NEWEST = 1;         // message: older scans are not worth a command
+constexpr double SCAN_WARNING_PERIOD = 10;  // [s]
 const ros::WallDuration TF_PATIENCE(0.2);
 const ros::WallDuration FIRST_TF_PATIENCE(0.02);  // ticks do not wait for a first answer, so it must be in time
 const ros::WallDuration TF_CHECK(0.0002);
@@ -64,8 +63,9 @@ RobotControllerParameters readRobotControllerParameters(const ros::NodeHandle& p
 
 RobotControllerNode::RobotControllerNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
     : parameters_(readRobotControllerParameters(private_node)), node_(loop_.adopt(node)), listener_(frames_) {
-  commands_ = node_.advertise<geometry_msgs::Twist>(names::CMD_VEL, QUEUE);
-  goals_ = node_.subscribe<geometry_msgs::PoseStamped>(names::GOAL, QUEUE, [this](const auto& goal) { goal_ = goal; });
+  commands_ = node_.advertise<geometry_msgs::Twist>(names::CMD_VEL, SHORT_QUEUE);
+  goals_ =
+      node_.subscribe<geometry_msgs::PoseStamped>(names::GOAL, SHORT_QUEUE, [this](const auto& goal) { goal_ = goal; });
   const boost::function<void(const sensor_msgs::LaserScan::ConstPtr&)> take = [this](const auto& scan) {
     takeScan(*scan);
   };
@@ -83,11 +83,11 @@ void RobotControllerNode::takeScan(const sensor_msgs::LaserScan& scan) {
       commands_.publish(toMessage(commandFor(scan)));
       has_answered_ = true;
     } else if (has_answered_) {  // else tf begins later than the scans
-      ROS_WARN_THROTTLE(WARNING_PERIOD, "a scan is not answered: tf does not lead from '%s' to '%s' at its time",
+      ROS_WARN_THROTTLE(SCAN_WARNING_PERIOD, "a scan is not answered: tf does not lead from '%s' to '%s' at its time",
                         parameters_.map_frame.c_str(), scan.header.frame_id.c_str());
     }
   } catch (const tf2::TransformException& error) {
-    ROS_WARN_THROTTLE(WARNING_PERIOD, "the robot stands: %s", error.what());
+    ROS_WARN_THROTTLE(SCAN_WARNING_PERIOD, "the robot stands: %s", error.what());
     commands_.publish(geometry_msgs::Twist());
   }
 }

@@ -6,11 +6,10 @@
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
-
-constexpr std::uint32_t QUEUE = 100;  // messages
 
 std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
   std::vector<std::string> identities;

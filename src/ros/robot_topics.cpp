@@ -8,12 +8,10 @@
 
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
-
-constexpr std::uint32_t QUEUE = 100;  // messages
-constexpr bool LATCHED = true;
 
 #ifdef SOCIAL_CROWD_PEOPLE_MSGS
 people_msgs::Person toPerson(const Agent& agent) {

@@ -13,15 +13,14 @@
 #include "social_crowd/ros/marker_scene.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/parameters.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
 
 using Kind = EditorHandle::Kind;
 
-constexpr std::uint32_t QUEUE = 10;      // messages
 constexpr bool HAS_THREAD = true;        // of the server of interactive markers
-const ros::WallDuration IDLE(0.1);       // between two checks for shutdown
 const ros::WallDuration ABANDONED(5.0);  // RViz reports a held marker more often
 constexpr std::int64_t MAX_HANDLES = 10'000;
 
@@ -44,13 +43,13 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
       node_(loop_.adopt(node)),
       states_(boost::make_shared<social_crowd::AgentStates>()),
       server_(names::EDITOR, "", HAS_THREAD) {
-  subscribers_ = {node_.subscribe<social_crowd::Scenario>(names::SCENARIO, QUEUE,
+  subscribers_ = {node_.subscribe<social_crowd::Scenario>(names::SCENARIO, SHORT_QUEUE,
                                                           [this](const auto& message) { takeScenario(*message); }),
-                  node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
+                  node_.subscribe<social_crowd::AgentStates>(names::AGENTS, SHORT_QUEUE,
                                                              [this](const auto& message) { takeStates(message); }),
-                  node_.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE,
+                  node_.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, SHORT_QUEUE,
                                                    [this](const auto& message) { chosen_agent_ = message->data; }),
-                  node_.subscribe<geometry_msgs::PoseStamped>(names::CHOSEN_AGENT_GOAL, QUEUE,
+                  node_.subscribe<geometry_msgs::PoseStamped>(names::CHOSEN_AGENT_GOAL, SHORT_QUEUE,
                                                               [this](const auto& message) { takeGoal(*message); })};
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters_.rate),
                                  [this](const ros::WallTimerEvent& /*event*/) { update(); });

@@ -4,13 +4,10 @@
 
 #include "rviz/panel_calls.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
-namespace {
-
-constexpr std::uint32_t QUEUE = 1000;  // messages; many learners may report at the same time
-
-}  // namespace
+namespace {}  // namespace
 
 PanelLink::PanelLink(ros::NodeHandle node, const std::string& controller, const std::string& markers)
     : controller_(controller),
@@ -22,7 +19,7 @@ PanelLink::PanelLink(ros::NodeHandle node, const std::string& controller, const 
       spinner_(1, &queue_) {
   node.setCallbackQueue(&queue_);
   subscribers_ = {
-      node.subscribe<social_crowd::ControllerStatus>(names::CONTROLLER_STATUS, QUEUE,
+      node.subscribe<social_crowd::ControllerStatus>(names::CONTROLLER_STATUS, LONG_QUEUE,
                                                      [this](const social_crowd::ControllerStatus::ConstPtr& message) {
                                                        note([message,
                                                              now = ros::SteadyTime::now().toSec()](PanelModel& model) {
@@ -30,13 +27,14 @@ PanelLink::PanelLink(ros::NodeHandle node, const std::string& controller, const 
                                                            model.take(*message, now);
                                                        });
                                                      }),
-      node.subscribe<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE,
+      node.subscribe<social_crowd::LearnerStatus>(names::LEARNER_STATUS, LONG_QUEUE,
                                                   [this](const social_crowd::LearnerStatus::ConstPtr& message) {
                                                     note([message](PanelModel& model) { model.take(*message); });
                                                   }),
-      node.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE, [this](const std_msgs::Int32::ConstPtr& message) {
-        note([agent = message->data](PanelModel& model) { model.takeChosenAgent(agent); });
-      })};
+      node.subscribe<std_msgs::Int32>(
+          names::CHOSEN_AGENT, LONG_QUEUE, [this](const std_msgs::Int32::ConstPtr& message) {
+            note([agent = message->data](PanelModel& model) { model.takeChosenAgent(agent); });
+          })};
   spinner_.start();
 }
 

@@ -12,11 +12,11 @@
 
 #include "social_crowd/ros/marker_scene.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
 namespace {
 
-constexpr std::uint32_t QUEUE = 10;  // messages
 constexpr double MARGIN = 1.0;       // [m] around the floor
 constexpr double LEAST_SCALE = 0.5;  // [pixels/m]
 constexpr double MOST_SCALE = 100.0;
@@ -63,8 +63,8 @@ void fit(rviz::ViewController& view, const Eigen::AlignedBox2d& floor, const QSi
 ViewFollower::ViewFollower(ros::NodeHandle node, rviz::VisualizationManager& manager) : manager_(manager) {
   // RViz calls the callbacks of this queue in its thread. It is ROS's own, which outlives panels and manager.
   node.setCallbackQueue(manager.getUpdateQueue());
-  subscriber_ =
-      node.subscribe<social_crowd::Scenario>(names::SCENARIO, QUEUE, [this](const auto& message) { take(*message); });
+  subscriber_ = node.subscribe<social_crowd::Scenario>(names::SCENARIO, SHORT_QUEUE,
+                                                       [this](const auto& message) { take(*message); });
 }
 
 void ViewFollower::take(const social_crowd::Scenario& scenario) {

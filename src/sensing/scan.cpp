@@ -6,12 +6,12 @@
 namespace crowd {
 namespace {
 
-constexpr float INFINITE = std::numeric_limits<float>::infinity();
+constexpr float NO_RETURN = std::numeric_limits<float>::infinity();
 constexpr double FULL_CIRCLE_TOLERANCE = 1e-9;  // [rad]
 
 float toRange(double distance, const ScanSpec& spec) {
-  if (distance < spec.min_range) return -INFINITE;
-  return distance <= spec.max_range ? static_cast<float>(distance) : INFINITE;
+  if (distance < spec.min_range) return -NO_RETURN;
+  return distance <= spec.max_range ? static_cast<float>(distance) : NO_RETURN;
 }
 
 }  // namespace

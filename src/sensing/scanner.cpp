@@ -6,8 +6,6 @@
 namespace crowd {
 namespace {
 
-constexpr double INFINITE = std::numeric_limits<double>::infinity();
-
 /// The angle [rad] in [0, 2 pi].
 double positiveAngle(double angle) {
   const double wrapped = wrapAngle(angle);

@@ -12,8 +12,8 @@
 namespace crowd {
 namespace {
 
-constexpr double MARGIN = 1e-3;     // for rounding [m]
-constexpr double CHAIN_ROOM = 3.0;  // length of a chain of impacts that copies allow for [m]
+constexpr double ROUNDING_MARGIN = 1e-3;  // for rounding [m]
+constexpr double CHAIN_ROOM = 3.0;        // length of a chain of impacts that copies allow for [m]
 
 std::vector<Vector2> startsOf(const Scene& scene) {
   std::vector<Vector2> places;
@@ -49,9 +49,10 @@ DistributedCrowd::Reach::Reach(const Scene& scene, const Vision& vision, double 
   }
   const double step = scene.tick_duration * speed;
   const double wandering = 2.0 * ticks * step;  // of own agents and of others until the next regroup()
-  touching = 2.0 * (radius + step) + wandering + MARGIN;
+  touching = 2.0 * (radius + step) + wandering + ROUNDING_MARGIN;
   const double measured = scene.collision_radius + 2.0 * (radius + step);
-  copies = std::max({vision.radius + radius + wandering, measured + wandering, touching + CHAIN_ROOM}) + MARGIN;
+  copies =
+      std::max({vision.radius + radius + wandering, measured + wandering, touching + CHAIN_ROOM}) + ROUNDING_MARGIN;
 }
 
 Scene DistributedCrowd::ownPart(const Scene& scene, const FloorStrips& strips, int rank, std::vector<AgentId>& names) {

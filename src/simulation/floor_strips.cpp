@@ -9,7 +9,6 @@ namespace crowd {
 namespace {
 
 constexpr std::size_t BINS = 4096;
-constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

@@ -8,7 +8,7 @@ namespace crowd {
 namespace {
 
 constexpr double SAMPLE = 0.15;       // distance between the points of a path that are looked up [m]
-constexpr double LANE_MARGIN = 0.15;  // between an agent in the lane and agents beside it [m]
+constexpr double BESIDE_LANE = 0.15;  // between an agent in the lane and agents beside it [m]
 constexpr double LANE_LENGTH = 3.0;   // [m]
 constexpr double STOP_MARGIN = 0.15;  // agents are held this far outside of the zone [m]
 constexpr double ONE_WAY_ZONE = 0.9;  // radius of the zone without traffic in the other direction [m]
@@ -225,7 +225,7 @@ void RightOfWay::guideWaiting(const Mouth& mouth, bool two_way, const Claim& cla
     if (offset.norm() < ONE_WAY_ZONE + STOP_MARGIN) world.setYielding(claim.agent, true);
     return;
   }
-  const double half_lane = 2.0 * radius_ + LANE_MARGIN;
+  const double half_lane = 2.0 * radius_ + BESIDE_LANE;
   const bool in_lane = ahead < LANE_LENGTH && std::abs(aside) < half_lane;
   if (!in_lane) {
     const bool enters_next = ahead < LANE_LENGTH + STOP_MARGIN && std::abs(aside) < half_lane + STOP_MARGIN;

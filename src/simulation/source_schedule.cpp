@@ -1,19 +1,12 @@
 #include "social_crowd/simulation/source_schedule.h"
 
 #include <cmath>
-#include <limits>
 
 namespace crowd {
-namespace {
-
-constexpr double NEVER = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 SourceSchedule::SourceSchedule(const SourceDescription& source, const KeyedRandom& random)
     : source_(&source), random_(random), next_(timeOf(0, source.from)) {}
 
-bool SourceSchedule::isOver() const { return next_ == NEVER; }
+bool SourceSchedule::isOver() const { return next_ == INFINITE; }
 
 void SourceSchedule::advance() {
   ++number_;
@@ -21,15 +14,15 @@ void SourceSchedule::advance() {
 }
 
 double SourceSchedule::timeOf(std::uint64_t number, double before) const {
-  if (number >= source_->count) return NEVER;
-  if (!source_->rate) return number < source_->times.size() ? source_->times[number] : NEVER;
+  if (number >= source_->count) return INFINITE;
+  if (!source_->rate) return number < source_->times.size() ? source_->times[number] : INFINITE;
   double time = 0.0;
   if (source_->regular) {
     time = source_->from + static_cast<double>(number) / *source_->rate;
   } else {
     time = before - std::log1p(-random_.with(number).uniform()) / *source_->rate;
   }
-  return time < source_->until ? time : NEVER;
+  return time < source_->until ? time : INFINITE;
 }
 
 }  // namespace crowd

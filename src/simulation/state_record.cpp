@@ -9,12 +9,12 @@ namespace crowd {
 namespace {
 
 /// An angle in degrees, rounded to remove the error of the conversion.
-std::string degreesText(double angle) { return toText(std::round(toDegrees(angle) * 1e9) / 1e9); }
+std::string roundedDegrees(double angle) { return toText(std::round(toDegrees(angle) * 1e9) / 1e9); }
 
 std::string textOf(const std::vector<OccupiedSector>& occupied) {
   std::string text;
   for (const OccupiedSector& sector : occupied) {
-    text += (text.empty() ? "" : " ") + degreesText(sector.from) + ":" + degreesText(sector.to) + ":" +
+    text += (text.empty() ? "" : " ") + roundedDegrees(sector.from) + ":" + roundedDegrees(sector.to) + ":" +
             std::to_string(sector.distance_class);
   }
   return text;

@@ -14,7 +14,7 @@ namespace {
 using Bytes = Communicator::Bytes;
 
 /// A value on its way to another rank: 24 bytes.
-struct Entry {
+struct ExchangedEntry {
   double value = 0.0;
   Row row = 0;
   std::uint32_t visits = 0;
@@ -22,16 +22,16 @@ struct Entry {
   std::uint32_t unused = 0;  // no byte of a message is undefined
 };
 
-void append(const Entry& entry, Bytes& bytes) {
+void append(const ExchangedEntry& entry, Bytes& bytes) {
   const std::size_t end = bytes.size();
-  bytes.resize(end + sizeof(Entry));
-  std::memcpy(bytes.data() + end, &entry, sizeof(Entry));
+  bytes.resize(end + sizeof(ExchangedEntry));
+  std::memcpy(bytes.data() + end, &entry, sizeof(ExchangedEntry));
 }
 
 /// The entries of a message.
-std::vector<Entry> entriesOf(const Bytes& bytes) {
-  if (bytes.size() % sizeof(Entry) != 0) throw Error("a message between ranks is too short");
-  std::vector<Entry> entries(bytes.size() / sizeof(Entry));
+std::vector<ExchangedEntry> entriesOf(const Bytes& bytes) {
+  if (bytes.size() % sizeof(ExchangedEntry) != 0) throw Error("a message between ranks is too short");
+  std::vector<ExchangedEntry> entries(bytes.size() / sizeof(ExchangedEntry));
   if (!entries.empty()) std::memcpy(entries.data(), bytes.data(), bytes.size());
   return entries;
 }
@@ -52,14 +52,15 @@ std::vector<Bytes> learnedBy(const QTable& copy, const QTable& table, std::size_
 
 /// Merges the values of all learners, in their order, into the table. Returns the merged values.
 Bytes mergeEntries(const std::vector<Bytes>& learned, const LearningRateSchedule& learning_rates, QTable& table) {
-  std::vector<Entry> entries;
+  std::vector<ExchangedEntry> entries;
   for (const Bytes& bytes : learned) {
-    const std::vector<Entry> more = entriesOf(bytes);
+    const std::vector<ExchangedEntry> more = entriesOf(bytes);
     entries.insert(entries.end(), more.begin(), more.end());
   }
-  const auto place = [](const Entry& entry) { return std::tie(entry.row, entry.action); };
+  const auto place = [](const ExchangedEntry& entry) { return std::tie(entry.row, entry.action); };
   // Stable: the values of each place stay in the order of the learners.
-  std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) { return place(a) < place(b); });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [&](const ExchangedEntry& a, const ExchangedEntry& b) { return place(a) < place(b); });
   Bytes merged;
   std::vector<LearnedValue> values;
   for (auto next = entries.begin(); next != entries.end();) {
@@ -101,7 +102,7 @@ void mergeOnRanks(Communicator& communicator, const std::vector<const QTable*>& 
   out[own].clear();
   communicator.exchangeAnySize(out, in);
   for (const Bytes& bytes : in) {
-    for (const Entry& entry : entriesOf(bytes)) table.set(entry.row, entry.action, entry.value, entry.visits);
+    for (const ExchangedEntry& entry : entriesOf(bytes)) table.set(entry.row, entry.action, entry.value, entry.visits);
   }
 }
 

@@ -42,7 +42,6 @@ bool contains(const FloorPlan::Bounds& bounds, const Vector2& point) {
 
 FloorPlan walkingFloor(const World& world, double radius) {
   FloorPlan floor;
-  constexpr double INFINITE = std::numeric_limits<double>::infinity();
   floor.bounds = FloorPlan::Bounds{Vector2::Constant(INFINITE), Vector2::Constant(-INFINITE)};
   floor.walls = world.walls();
   for (const Obstacle& obstacle : world.obstacles()) {

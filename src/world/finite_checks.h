@@ -17,7 +17,7 @@ inline void requireFinite(const std::string& what, double value) {
 
 inline void requireFinite(const std::string& what, const Vector2& value) {
   if (std::isfinite(value.x()) && std::isfinite(value.y())) return;
-  throw InputError(what + ": expected finite numbers, got " + toText({value.x(), value.y()}));
+  throw InputError(what + ": expected finite numbers, got " + toText(std::vector<double>{value.x(), value.y()}));
 }
 
 inline void requireFinite(const Pose& pose) {

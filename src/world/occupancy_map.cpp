@@ -45,7 +45,8 @@ std::string problemOfPlace(const OccupancyMap& map) {
     return "resolution: expected a finite number of metres above 0, got " + toText(map.resolution);
   const Vector2& position = map.origin.position;
   if (!position.allFinite() || !std::isfinite(map.origin.heading))
-    return "origin: expected finite numbers, got " + toText({position.x(), position.y(), map.origin.heading});
+    return "origin: expected finite numbers, got " +
+           toText(std::vector<double>{position.x(), position.y(), map.origin.heading});
   const double extent = extentOf(map);
   if (!std::isfinite(extent) || extent > MAX_CELLS_FROM_ZERO * map.resolution)
     return "the map is too far away for its resolution: expected coordinates of up to 1e9 times " +

@@ -9,6 +9,9 @@
 
 namespace crowd {
 
+/// @brief Maximum number of draws of a body before the scenario is rejected.
+constexpr int MAX_TRIES = 1000;
+
 /// @brief Name of a body in messages: its entry in the file, and its number among the bodies of that entry.
 struct Label {
   const char* list;

@@ -12,8 +12,6 @@
 namespace crowd {
 namespace {
 
-/// Maximum number of draws of a body before the scenario is rejected.
-constexpr int MAX_TRIES = 1000;
 /// Number of draws that require non-overlapping goals; later draws permit overlaps, since crowded goals may not fit.
 constexpr int TRIES_FOR_SEPARATE_GOALS = 200;
 

@@ -16,8 +16,8 @@ namespace {
 
 using Kind = WaypointDescription::Kind;
 
-constexpr int TRIES = 1000;        // draws of a place in a region
-constexpr double GRID_STEP = 0.1;  // [m], if none of them fits
+constexpr int TRIES = 1000;               // draws of a place in a region
+constexpr double REGION_GRID_STEP = 0.1;  // [m], if none of them fits
 
 class PopulationCheck {
  public:
@@ -65,7 +65,7 @@ bool PopulationCheck::hasRoom(const Region& region, double radius) const {
   for (int tries = 0; tries < TRIES; ++tries) {
     if (fits(region.draw(random), radius)) return true;
   }
-  const std::vector<Vector2> grid = gridPoints(region, GRID_STEP);
+  const std::vector<Vector2> grid = gridPoints(region, REGION_GRID_STEP);
   return std::any_of(grid.begin(), grid.end(), [&](const Vector2& point) { return fits(point, radius); });
 }
 

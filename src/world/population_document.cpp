@@ -36,7 +36,7 @@ std::string listText(const List& list, const Text& text) {
 template <typename List, typename Text>
 std::string section(const std::string& key, const List& list, const Text& text) {
   std::string joined;
-  for (const auto& element : list) joined += "  " + quoted(element.name) + ": {" + text(element) + "}\n";
+  for (const auto& element : list) joined += "  " + quotedYaml(element.name) + ": {" + text(element) + "}\n";
   return joined.empty() ? "" : key + ":\n" + joined;
 }
 
@@ -46,9 +46,9 @@ std::string waypointText(const WaypointDescription& waypoint, const PopulationDe
     case Kind::PLACE:
       return "{place: " + regionText(waypoint.place) + ", wait: " + rangeText(waypoint.wait) + "}";
     case Kind::QUEUE:
-      return "{queue: " + quoted(population.queues[waypoint.target].name) + "}";
+      return "{queue: " + quotedYaml(population.queues[waypoint.target].name) + "}";
     case Kind::SINK:
-      return "{sink: " + quoted(population.sinks[waypoint.target].name) + "}";
+      return "{sink: " + quotedYaml(population.sinks[waypoint.target].name) + "}";
     case Kind::NEAREST_SINK:
       return "{sink: nearest}";
     case Kind::ONE_OF:
@@ -68,7 +68,7 @@ std::string scheduleText(const SourceDescription& source) {
 }
 
 std::string goalText(const AgentGroup& agents, const PopulationDescription& population) {
-  if (agents.route) return "route: " + quoted(population.routes[*agents.route].name);
+  if (agents.route) return "route: " + quotedYaml(population.routes[*agents.route].name);
   if (agents.opposite) return "goal: {opposite: " + pointText(*agents.opposite) + "}";
   return "goals: [" + listText(agents.goals, regionText) + "]";
 }
@@ -101,7 +101,7 @@ std::string headingText(double heading) {
   return is_exact ? toText(degrees) : "{radians: " + toText(heading) + "}";
 }
 
-std::string quoted(const std::string& text) {
+std::string quotedYaml(const std::string& text) {
   std::string quoted = "'";
   for (const char letter : text) quoted += letter == '\'' ? "''" : std::string(1, letter);
   return quoted + "'";

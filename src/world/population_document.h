@@ -17,7 +17,7 @@ std::string pointsText(const std::vector<Vector2>& points);
 std::string headingText(double heading);
 
 /// @brief A text as a single-quoted YAML scalar.
-std::string quoted(const std::string& text);
+std::string quotedYaml(const std::string& text);
 
 /// @brief The keys of a population in a scenario document.
 std::string populationText(const PopulationDescription& population);

@@ -68,7 +68,7 @@ bool ProtectiveStop::isFree(const Robot& robot, Twist twist, double tick_duratio
     const RobotSweep sweep(start.footprint, pose, twist, tick_duration);
     if (sweep.pointSpeed() <= 0.0) return true;
     const bool touches = std::any_of(people_.begin(), people_.end(), [&](const Person& person) {
-      return firstTouch(sweep, person.position, Vector2::Zero(), person.radius, 0.0) < NEVER;
+      return firstTouch(sweep, person.position, Vector2::Zero(), person.radius, 0.0) < NO_IMPACT;
     });
     if (touches) return false;
     pose = sweep.at(1.0);

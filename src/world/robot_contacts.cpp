@@ -13,8 +13,8 @@ namespace {
 ContactCause causeOf(const RobotSweep& sweep, const Vector2& start, const Vector2& way, double radius) {
   const Pose pose = sweep.at(0.0);
   const RobotSweep standing(sweep.footprint(), pose, pose);
-  const bool robot_moves_in = firstTouch(sweep, start, Vector2::Zero(), radius, 0.0) < NEVER;
-  const bool person_moves_in = firstTouch(standing, start, way, radius, 0.0) < NEVER;
+  const bool robot_moves_in = firstTouch(sweep, start, Vector2::Zero(), radius, 0.0) < NO_IMPACT;
+  const bool person_moves_in = firstTouch(standing, start, way, radius, 0.0) < NO_IMPACT;
   if (robot_moves_in == person_moves_in) return ContactCause::MUTUAL;
   return robot_moves_in ? ContactCause::ROBOT : ContactCause::PERSON;
 }
@@ -31,7 +31,7 @@ void World::noteGhostContacts(const Agent& agent, const Vector2& way) {
   const double radius = agent.radius - CONTACT_OVERLAP;
   for (RobotId id = 0; id < robots_.size(); ++id) {
     const RobotSweep& sweep = robot_sweeps_[id];
-    if (overlaps(sweep, start, radius) || firstTouch(sweep, start, way, radius, 0.0) < NEVER) {
+    if (overlaps(sweep, start, radius) || firstTouch(sweep, start, way, radius, 0.0) < NO_IMPACT) {
       noteRobotContact(id, agent, start, way);
     }
   }

@@ -38,7 +38,7 @@ std::string odometryText(const OdometrySpec& odometry) {
 
 std::string entryOf(const RobotStart& robot) {
   const Footprint& footprint = robot.footprint;
-  return "  - {name: " + quoted(robot.name) + entry("namespace", quoted(robot.name_space)) +
+  return "  - {name: " + quotedYaml(robot.name) + entry("namespace", quotedYaml(robot.name_space)) +
          entry("position", pointText(robot.position)) + entry("heading", headingText(robot.heading)) +
          (robot.goals.empty() ? "" : entry("goals", pointsText(robot.goals))) +
          (footprint.isDisc() ? number("radius", footprint.radius) : entry("footprint", pointsText(footprint.corners))) +

@@ -11,7 +11,6 @@
 namespace crowd {
 namespace {
 
-constexpr int MAX_TRIES = 1000;      // draws of a robot before the scenario is rejected
 constexpr int MAX_GOAL_TRIES = 100;  // draws of a goal on the map before the whole robot is drawn again
 
 class RobotPlacement {

@@ -12,19 +12,17 @@ namespace {
 constexpr double STEP = 1e-3;
 /// Accuracy of the time of a touch, as a share of a tick.
 constexpr double ACCURACY = 1e-12;
-/// Maximum approach that counts as constant distance [m].
-constexpr double ROUNDING = 1e-12;
 
 /// Time at which a distance that changes by at most `speed` in a tick first becomes 0, see firstTouch().
 template <typename Distance>
 double firstZero(const Distance& distance_at, double speed, double from) {
   double time = from;
   double distance = distance_at(time);
-  if (distance > speed * (1.0 - from)) return NEVER;
+  if (distance > speed * (1.0 - from)) return NO_IMPACT;
   while (time < 1.0) {
     double end = std::min(1.0, time + std::max(STEP, distance / speed));
     double next = distance_at(end);
-    if (next > 0.0 || next >= distance - ROUNDING) {
+    if (next > 0.0 || next >= distance - LEAST_APPROACH) {
       time = end;
       distance = next;
       continue;
@@ -36,7 +34,7 @@ double firstZero(const Distance& distance_at, double speed, double from) {
     }
     return time;
   }
-  return NEVER;
+  return NO_IMPACT;
 }
 
 }  // namespace
@@ -65,10 +63,10 @@ void RobotSweep::stopAt(double share) { stopped_at_ = std::min(stopped_at_, shar
 
 double firstTouch(const RobotSweep& sweep, const Vector2& position, const Vector2& way, double radius, double from) {
   const double speed = sweep.pointSpeed(from) + way.norm();
-  if (speed <= 0.0) return NEVER;
+  if (speed <= 0.0) return NO_IMPACT;
   const Footprint& footprint = sweep.footprint();
   const double apart = (position - sweep.at(from).position).norm() - footprint.reach() - radius;
-  if (apart > speed * (1.0 - from)) return NEVER;
+  if (apart > speed * (1.0 - from)) return NO_IMPACT;
   const auto distance_at = [&](double time) {
     return distance(footprint, sweep.at(time), Vector2(position + (time - from) * way)) - radius;
   };
@@ -77,19 +75,19 @@ double firstTouch(const RobotSweep& sweep, const Vector2& position, const Vector
 
 double firstTouch(const RobotSweep& sweep, const Segment& segment, double from) {
   const double speed = sweep.pointSpeed(from);
-  if (speed <= 0.0) return NEVER;
+  if (speed <= 0.0) return NO_IMPACT;
   const Footprint& footprint = sweep.footprint();
   const double apart = distanceTo(segment, sweep.at(from).position) - footprint.reach();
-  if (apart > speed * (1.0 - from)) return NEVER;
+  if (apart > speed * (1.0 - from)) return NO_IMPACT;
   return firstZero([&](double time) { return distance(footprint, sweep.at(time), segment); }, speed, from);
 }
 
 double firstTouch(const RobotSweep& first, const RobotSweep& second, double from) {
   const double speed = first.pointSpeed(from) + second.pointSpeed(from);
-  if (speed <= 0.0) return NEVER;
+  if (speed <= 0.0) return NO_IMPACT;
   const double apart = (first.at(from).position - second.at(from).position).norm() - first.footprint().reach() -
                        second.footprint().reach();
-  if (apart > speed * (1.0 - from)) return NEVER;
+  if (apart > speed * (1.0 - from)) return NO_IMPACT;
   const auto distance_at = [&](double time) {
     return distance(first.footprint(), first.at(time), second.footprint(), second.at(time));
   };

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* EXTENSION = ".yaml";
+constexpr const char* SCENARIO_EXTENSION = ".yaml";
 
 bool isFolder(const fs::path& path) {
   std::error_code ignored;
@@ -43,7 +43,7 @@ fs::path installedScenarios() {
 
 /// How a scenario of that name can be given: as a bare name is, or as a file in the same folder as another path.
 std::string asGiven(const std::string& name, const fs::path& path, bool is_bare) {
-  return is_bare ? name : (path.parent_path() / (name + EXTENSION)).string();
+  return is_bare ? name : (path.parent_path() / (name + SCENARIO_EXTENSION)).string();
 }
 
 [[noreturn]] void throwNoScenario(const fs::path& path, const fs::path& file, const fs::path& folder, bool is_bare) {
@@ -70,7 +70,7 @@ std::vector<std::string> scenarioNames(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code problem;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == EXTENSION) names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == SCENARIO_EXTENSION) names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -80,10 +80,10 @@ std::string findScenario(const std::string& name_or_file, const std::string& bas
   if (name_or_file.empty()) throw InputError("expected a scenario file or name, got nothing");
   const fs::path path(name_or_file);
   const fs::path file = fs::path(base) / path;
-  const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == EXTENSION);
+  const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == SCENARIO_EXTENSION);
   const bool is_plainly_a_folder = !is_bare && isFolder(file);  // reported when it is read
   if (isFile(file) || is_plainly_a_folder) return file.lexically_normal().string();
-  const fs::path named = fs::path(folder) / (path.stem().string() + EXTENSION);
+  const fs::path named = fs::path(folder) / (path.stem().string() + SCENARIO_EXTENSION);
   if (is_bare && isFile(named)) return named.string();
   throwNoScenario(path, file, folder, is_bare);
 }

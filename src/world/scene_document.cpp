@@ -12,7 +12,7 @@ namespace crowd {
 namespace {
 
 std::string goalText(const AgentStart& agent, const Scene& scene) {
-  if (agent.route) return "route: " + quoted(scene.population->routes[*agent.route].name);
+  if (agent.route) return "route: " + quotedYaml(scene.population->routes[*agent.route].name);
   return "goals: " + pointsText(agent.goals);
 }
 
@@ -67,7 +67,7 @@ std::string mapText(const Scene& scene, const std::string& folder) {
   namespace fs = std::filesystem;
   if (scene.map_file.empty()) return "";
   const bool differs = scene.free_radius != largestRadius(scene);
-  return "map: " + quoted(fs::proximate(fs::absolute(scene.map_file), fs::absolute(folder)).string()) + "\n" +
+  return "map: " + quotedYaml(fs::proximate(fs::absolute(scene.map_file), fs::absolute(folder)).string()) + "\n" +
          (differs ? "free_radius: " + toText(scene.free_radius) + "\n" : "");
 }
 
@@ -81,7 +81,7 @@ std::string section(const std::string& key, const Bodies& bodies) {
 }  // namespace
 
 std::string toDocument(const Scene& scene, const std::string& folder) {
-  return "---\nname: " + quoted(scene.name) + "\ntick: " + toText(scene.tick_duration) +
+  return "---\nname: " + quotedYaml(scene.name) + "\ntick: " + toText(scene.tick_duration) +
          "\nduration: " + toText(static_cast<double>(scene.max_ticks) * scene.tick_duration) +
          "\ngoal_tolerance: " + toText(scene.goal_tolerance) + "\n" +
          (scene.contact == Contact::SOLID ? "contact: solid\n" : "") +

@@ -1,23 +1,17 @@
 #include "social_crowd/world/solid_motion.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
+#include "social_crowd/common/numbers.h"
 #include "social_crowd/common/random.h"
 #include "social_crowd/world/impact.h"
 
 namespace crowd {
 namespace {
 
-constexpr double CELL_SIZE = 1.0;  // [m]; about the space of two agents and their steps
+constexpr double BODY_CELL_SIZE = 1.0;  // [m]; about the space of two agents and their steps
 constexpr std::uint32_t WALL = std::numeric_limits<std::uint32_t>::max();
-
-std::uint64_t bitsOf(double number) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &number, sizeof(bits));
-  return bits;
-}
 
 }  // namespace
 
@@ -33,7 +27,7 @@ const std::vector<SolidMotion::Outcome>& SolidMotion::move(const std::vector<Dis
       if (other > i || !bodies_[other].is_agent) predictImpact(i, other, 0.0);
     }
   }
-  for (double now = takeNext(); now < NEVER; now = takeNext()) {
+  for (double now = takeNext(); now < NO_IMPACT; now = takeNext()) {
     for (const Impact& impact : simultaneous_) judge(impact);
     settle(now);
   }
@@ -78,7 +72,7 @@ void SolidMotion::findNeighbours() {
   const auto reach = [&](const Body& body) { return body.radius + std::max(body.speed, fastest_obstacle); };
   grid_.clear();
   for (Index i = 0; i < bodies_.size(); ++i) grid_.add(bodies_[i].position, reach(bodies_[i]), i);
-  grid_.build(CELL_SIZE);
+  grid_.build(BODY_CELL_SIZE);
   neighbours_.clear();
   first_.assign(1, 0);
   for (const Body& body : bodies_) {
@@ -98,27 +92,27 @@ void SolidMotion::predictImpact(Index agent, Index other, double now) {
   const Body& second = bodies_[other];
   if (body.isRobot() || second.isRobot()) {
     const double touch = touchOfRobot(body, second, now);
-    if (touch < NEVER) add({touch, agent, other, body.changes, second.changes});
+    if (touch < NO_IMPACT) add({touch, agent, other, body.changes, second.changes});
     return;
   }
   // An agent that was pushed against something is not pushed further: the obstacle passes over it.
   if (!second.is_agent && body.pushed && body.way.isZero(0.0)) return;
   const double after = firstTouch(Vector2(second.at(now) - body.at(now)), Vector2(body.way - second.way),
                                   body.radius + second.radius, 1.0 - now);
-  if (after < NEVER) add({now + after, agent, other, body.changes, second.changes});
+  if (after < NO_IMPACT) add({now + after, agent, other, body.changes, second.changes});
 }
 
 void SolidMotion::predictWallImpacts(Index agent, double now) {
   const Body& body = bodies_[agent];
   if (body.way.isZero(0.0) && !body.isRobot()) return;
   const Vector2 position = body.isRobot() ? sweeps_[body.sweep].at(now).position : body.at(now);
-  double first = NEVER;
+  double first = NO_IMPACT;
   near_walls_.clear();
   walls_->findNear(position, body.radius + (body.isRobot() ? body.speed : body.way.norm()), near_walls_);
   for (const std::uint32_t number : near_walls_) {
     first = std::min(first, touchOfWall(body, walls_->walls()[number], now));
   }
-  if (first < NEVER) add({first, agent, WALL, body.changes, 0});
+  if (first < NO_IMPACT) add({first, agent, WALL, body.changes, 0});
 }
 
 double SolidMotion::touchOfWall(const Body& body, const Segment& wall, double now) const {
@@ -139,7 +133,7 @@ bool SolidMotion::isStale(const Impact& impact) const {
 
 double SolidMotion::takeNext() {
   simultaneous_.clear();
-  double now = NEVER;
+  double now = NO_IMPACT;
   while (!impacts_.empty() && impacts_.front().time <= now) {
     const Impact next = impacts_.front();
     std::pop_heap(impacts_.begin(), impacts_.end(), Later());

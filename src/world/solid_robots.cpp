@@ -8,8 +8,6 @@ namespace {
 
 /// Time after which two bodies must have come closer for one of them to move towards the other, as a share of a tick.
 constexpr double PROBE = 1e-3;
-/// Maximum approach that counts as constant distance [m].
-constexpr double ROUNDING = 1e-12;
 
 }  // namespace
 
@@ -19,7 +17,7 @@ double SolidMotion::touchOfRobot(const Body& first, const Body& second, double n
   const RobotSweep& sweep = sweeps_[robot.sweep];
   // A robot that has stopped stays where it is, also if an obstacle moves over it.
   const bool has_stopped = sweep.stoppedAt() <= now;
-  if (!other.is_agent && has_stopped) return NEVER;
+  if (!other.is_agent && has_stopped) return NO_IMPACT;
   if (other.isRobot()) return firstTouch(sweep, sweeps_[other.sweep], now);
   return firstTouch(sweep, other.at(now), other.way, other.radius, now);
 }
@@ -44,7 +42,7 @@ void SolidMotion::judgeRobot(const Impact& impact) {
   }
   const bool is_obstacle = !other.is_agent && !other.isRobot();
   if (is_obstacle) return stop(impact.agent);
-  const double apart = distanceBetween(body, now, other, now) - ROUNDING;
+  const double apart = distanceBetween(body, now, other, now) - LEAST_APPROACH;
   const bool body_moves_in = distanceBetween(body, now + PROBE, other, now) < apart;
   const bool other_moves_in = distanceBetween(body, now, other, now + PROBE) < apart;
   if (!other.is_agent) {

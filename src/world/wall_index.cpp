@@ -10,7 +10,7 @@
 namespace crowd {
 namespace {
 
-constexpr double CELL_SIZE = 1.0;  // wanted [m]
+constexpr double WALL_CELL_SIZE = 1.0;  // wanted [m]
 constexpr double MAX_CELLS = 1U << 20U;
 constexpr std::size_t ENTRIES_PER_WALL = 64;  // more than that, and cells are made larger,
 constexpr std::size_t FREE_ENTRIES = 65536;   // which are allowed in any case
@@ -109,7 +109,7 @@ void WallIndex::layOut() {
   }
   origin_ = low;
   const Vector2 size = high - low;
-  cells_per_metre_ = 1.0 / CELL_SIZE;
+  cells_per_metre_ = 1.0 / WALL_CELL_SIZE;
   const auto count = [&](double side) { return std::isfinite(side) ? side * cells_per_metre_ + 1.0 : 1.0; };
   while (count(size.x()) * count(size.y()) > MAX_CELLS) cells_per_metre_ /= 2.0;
   const auto resize = [&] {

@@ -10,8 +10,6 @@
 namespace crowd {
 namespace {
 
-constexpr double INFINITE = std::numeric_limits<double>::infinity();
-
 /// The part of a ray within 0 .. size on one axis, in steps of the ray; empty if begin > end.
 struct Part {
   double begin = 0.0;

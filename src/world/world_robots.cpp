@@ -39,7 +39,8 @@ void World::commandRobot(RobotId id, const Twist& wanted) {
   if (robot.start.drive == Drive::EXTERNAL) throw InputError(name + " is external: it takes no commands");
   if (!wanted.isFinite()) {
     throw InputError(name + ": expected a command of finite numbers, got linear " +
-                     toText({wanted.linear.x(), wanted.linear.y()}) + ", rotation " + toText(wanted.rotation));
+                     toText(std::vector<double>{wanted.linear.x(), wanted.linear.y()}) + ", rotation " +
+                     toText(wanted.rotation));
   }
   robot.target = wanted;
 }

@@ -16,39 +16,39 @@ TEST(FirstTouchOfDiscs, ByHand) {
   EXPECT_DOUBLE_EQ(firstTouch(Vector2(3.0, 0.0), {4.0, 0.0}, 1.0, 1.0), 0.5);   // 2 m of gap
   EXPECT_DOUBLE_EQ(firstTouch(Vector2(3.0, 0.6), {4.0, 0.0}, 1.0, 1.0), 0.55);  // when it is 0.8 m ahead
   EXPECT_DOUBLE_EQ(firstTouch(Vector2(0.0, -3.0), {0.0, -2.5}, 1.0, 1.0), 0.8);
-  EXPECT_EQ(firstTouch(Vector2(0.0, -3.0), {0.0, -2.0}, 1.0, 1.0), NEVER);  // just up to it
+  EXPECT_EQ(firstTouch(Vector2(0.0, -3.0), {0.0, -2.0}, 1.0, 1.0), NO_IMPACT);  // just up to it
 }
 
 TEST(FirstTouchOfDiscs, IsLimitedToTheRestOfTheTick) {
-  EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {4.0, 0.0}, 1.0, 0.49), NEVER);
+  EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {4.0, 0.0}, 1.0, 0.49), NO_IMPACT);
   EXPECT_DOUBLE_EQ(firstTouch(Vector2(3.0, 0.0), {4.0, 0.0}, 1.0, 0.51), 0.5);
 }
 
 TEST(FirstTouchOfDiscs, PassingOrGrazingIsNoTouch) {
-  EXPECT_EQ(firstTouch(Vector2(3.0, 1.1), {9.0, 0.0}, 1.0, 1.0), NEVER);
-  EXPECT_EQ(firstTouch(Vector2(3.0, 1.0), {9.0, 0.0}, 1.0, 1.0), NEVER);
-  EXPECT_EQ(firstTouch(Vector2(3.0, 1.0 - 0.5e-10), {9.0, 0.0}, 1.0, 1.0), NEVER);
+  EXPECT_EQ(firstTouch(Vector2(3.0, 1.1), {9.0, 0.0}, 1.0, 1.0), NO_IMPACT);
+  EXPECT_EQ(firstTouch(Vector2(3.0, 1.0), {9.0, 0.0}, 1.0, 1.0), NO_IMPACT);
+  EXPECT_EQ(firstTouch(Vector2(3.0, 1.0 - 0.5e-10), {9.0, 0.0}, 1.0, 1.0), NO_IMPACT);
   EXPECT_NEAR(firstTouch(Vector2(3.0, 1.0 - 2e-10), {9.0, 0.0}, 1.0, 1.0), 1.0 / 3.0, 1e-4);
 }
 
 TEST(FirstTouchOfDiscs, StandingOrMovingAwayIsNoTouch) {
-  EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {0.0, 0.0}, 1.0, 1.0), NEVER);
-  EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {-4.0, 0.0}, 1.0, 1.0), NEVER);
+  EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {0.0, 0.0}, 1.0, 1.0), NO_IMPACT);
+  EXPECT_EQ(firstTouch(Vector2(3.0, 0.0), {-4.0, 0.0}, 1.0, 1.0), NO_IMPACT);
 }
 
 TEST(FirstTouchOfDiscs, TouchingDiscsMaySeparateButNotApproach) {
   EXPECT_EQ(firstTouch(Vector2(1.0, 0.0), {1e-3, 0.0}, 1.0, 1.0), 0.0);
   EXPECT_EQ(firstTouch(Vector2(0.7, 0.0), {1e-3, 0.0}, 1.0, 1.0), 0.0);  // overlaps by 0.3 m
-  EXPECT_EQ(firstTouch(Vector2(1.0, 0.0), {0.0, 1.0}, 1.0, 1.0), NEVER);
-  EXPECT_EQ(firstTouch(Vector2(0.7, 0.0), {0.0, 1.0}, 1.0, 1.0), NEVER);
-  EXPECT_EQ(firstTouch(Vector2(0.7, 0.0), {-1.0, 0.0}, 1.0, 1.0), NEVER);
+  EXPECT_EQ(firstTouch(Vector2(1.0, 0.0), {0.0, 1.0}, 1.0, 1.0), NO_IMPACT);
+  EXPECT_EQ(firstTouch(Vector2(0.7, 0.0), {0.0, 1.0}, 1.0, 1.0), NO_IMPACT);
+  EXPECT_EQ(firstTouch(Vector2(0.7, 0.0), {-1.0, 0.0}, 1.0, 1.0), NO_IMPACT);
 }
 
 TEST(FirstTouchOfWalls, OfTheSideByHand) {
   EXPECT_DOUBLE_EQ(firstTouch(ACROSS, {4.0, 0.0}, 0.5, 1.0), 0.375);
   EXPECT_DOUBLE_EQ(firstTouch(Segment{ACROSS.to, ACROSS.from}, {4.0, 1.0}, 0.5, 1.0), 0.375);
-  EXPECT_EQ(firstTouch(ACROSS, {4.0, 0.0}, 0.5, 0.37), NEVER);
-  EXPECT_EQ(firstTouch(ACROSS, {-4.0, 0.0}, 0.5, 1.0), NEVER);
+  EXPECT_EQ(firstTouch(ACROSS, {4.0, 0.0}, 0.5, 0.37), NO_IMPACT);
+  EXPECT_EQ(firstTouch(ACROSS, {-4.0, 0.0}, 0.5, 1.0), NO_IMPACT);
 }
 
 TEST(FirstTouchOfWalls, OfTheEndsByHand) {
@@ -56,13 +56,13 @@ TEST(FirstTouchOfWalls, OfTheEndsByHand) {
   EXPECT_DOUBLE_EQ(firstTouch(above, {4.0, 0.0}, 0.5, 1.0), 0.4);  // the end is 0.4 m ahead then
   const Segment along{{2.0, 0.0}, {5.0, 0.0}};
   EXPECT_DOUBLE_EQ(firstTouch(along, {4.0, 0.0}, 0.5, 1.0), 0.375);
-  EXPECT_EQ(firstTouch(Segment{{2.0, 0.6}, {2.0, 5.0}}, {4.0, 0.0}, 0.5, 1.0), NEVER);
+  EXPECT_EQ(firstTouch(Segment{{2.0, 0.6}, {2.0, 5.0}}, {4.0, 0.0}, 0.5, 1.0), NO_IMPACT);
 }
 
 TEST(FirstTouchOfWalls, WalkingAlongIsNoTouch) {
   const Segment beside{{-1.0, -0.5}, {1.0, -0.5}};
-  EXPECT_EQ(firstTouch(beside, {9.0, 0.0}, 0.5, 1.0), NEVER);
-  EXPECT_EQ(firstTouch(beside, 9.0 * unitVector(-1e-16), 0.5, 1.0), NEVER);
+  EXPECT_EQ(firstTouch(beside, {9.0, 0.0}, 0.5, 1.0), NO_IMPACT);
+  EXPECT_EQ(firstTouch(beside, 9.0 * unitVector(-1e-16), 0.5, 1.0), NO_IMPACT);
   EXPECT_EQ(firstTouch(beside, {9.0, -0.1}, 0.5, 1.0), 0.0);
 }
 
@@ -86,7 +86,7 @@ TEST(FirstTouchProperty, OfWallsAgreesWithSampledTimes) {
       if (time > touch) break;
       EXPECT_GT(distanceAfter(wall, way, time), reach - 1e-9) << "at " << time;
     }
-    if (touch == NEVER) continue;
+    if (touch == NO_IMPACT) continue;
     EXPECT_NEAR(distanceAfter(wall, way, touch), reach, 1e-12);
     ++touches;
   }

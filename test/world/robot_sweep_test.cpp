@@ -20,11 +20,11 @@ TEST(RobotSweep, TouchesAWall) {
   // 0.05 m of the 0.1 m that it drives in a tick.
   const RobotSweep sweep(DISC, Pose(), {{1.0, 0.0}, 0.0}, 0.1);
   EXPECT_NEAR(firstTouch(sweep, Segment{{0.35, -1.0}, {0.35, 1.0}}, 0.0), 0.5, 1e-9);
-  EXPECT_EQ(firstTouch(sweep, Segment{{0.41, -1.0}, {0.41, 1.0}}, 0.0), NEVER);
-  EXPECT_EQ(firstTouch(sweep, Segment{{-0.31, -1.0}, {-0.31, 1.0}}, 0.0), NEVER);
+  EXPECT_EQ(firstTouch(sweep, Segment{{0.41, -1.0}, {0.41, 1.0}}, 0.0), NO_IMPACT);
+  EXPECT_EQ(firstTouch(sweep, Segment{{-0.31, -1.0}, {-0.31, 1.0}}, 0.0), NO_IMPACT);
   // Along a wall that it touches, and away from it.
-  EXPECT_EQ(firstTouch(sweep, Segment{{-1.0, 0.3}, {1.0, 0.3}}, 0.0), NEVER);
-  EXPECT_EQ(firstTouch(sweep, Segment{{-0.3, -1.0}, {-0.3, 1.0}}, 0.0), NEVER);
+  EXPECT_EQ(firstTouch(sweep, Segment{{-1.0, 0.3}, {1.0, 0.3}}, 0.0), NO_IMPACT);
+  EXPECT_EQ(firstTouch(sweep, Segment{{-0.3, -1.0}, {-0.3, 1.0}}, 0.0), NO_IMPACT);
   EXPECT_NEAR(firstTouch(sweep, Segment{{0.3, -1.0}, {0.3, 1.0}}, 0.0), 0.0, 1e-9);
 }
 
@@ -37,7 +37,7 @@ TEST(RobotSweep, ABarThatTurnsTouchesAPoint) {
   EXPECT_NEAR(firstTouch(sweep, Vector2(0.8 * unitVector(PI / 4.0)), {0.0, 0.0}, 0.0, 0.0), share, 1e-9);
   // From later on it is the same; behind the touch the bar stays on the point.
   EXPECT_NEAR(firstTouch(sweep, Vector2(0.8 * unitVector(PI / 4.0)), {0.0, 0.0}, 0.0, 0.3), share, 1e-9);
-  EXPECT_EQ(firstTouch(sweep, Vector2(1.1 * unitVector(PI / 4.0)), {0.0, 0.0}, 0.0, 0.0), NEVER);
+  EXPECT_EQ(firstTouch(sweep, Vector2(1.1 * unitVector(PI / 4.0)), {0.0, 0.0}, 0.0, 0.0), NO_IMPACT);
 }
 
 TEST(RobotSweep, BothMove) {
@@ -47,14 +47,14 @@ TEST(RobotSweep, BothMove) {
   const RobotSweep other(BAR, {{1.7, 0.0}, 0.0}, {{-3.0, 0.0}, 0.0}, 0.2);  // its front is at 0.7
   EXPECT_NEAR(firstTouch(sweep, other, 0.0), 0.5, 1e-9);
   // The same speed in the same direction.
-  EXPECT_EQ(firstTouch(sweep, {0.56, 0.0}, {0.2, 0.0}, 0.25, 0.0), NEVER);
+  EXPECT_EQ(firstTouch(sweep, {0.56, 0.0}, {0.2, 0.0}, 0.25, 0.0), NO_IMPACT);
 }
 
 TEST(RobotSweep, OnceStoppedStays) {
   RobotSweep sweep(DISC, Pose(), {{1.0, 0.0}, 0.0}, 1.0);
   sweep.stopAt(0.25);
   EXPECT_NEAR(sweep.at(1.0).position.x(), 0.25, 1e-15);
-  EXPECT_EQ(firstTouch(sweep, Segment{{0.6, -1.0}, {0.6, 1.0}}, 0.25), NEVER);
+  EXPECT_EQ(firstTouch(sweep, Segment{{0.6, -1.0}, {0.6, 1.0}}, 0.25), NO_IMPACT);
   EXPECT_EQ(sweep.pointSpeed(0.25), 0.0);
 }
 
@@ -64,14 +64,14 @@ TEST(RobotSweep, StraightWayBetweenTwoPoses) {
   EXPECT_NEAR(std::abs(wrapAngle(sweep.at(0.5).heading)), PI, 1e-15);  // the short way round
 }
 
-/// The first of many samples at which a distance is below a limit; NEVER if none is.
+/// The first of many samples at which a distance is below a limit; NO_IMPACT if none is.
 double sampled(const std::function<double(double)>& distance_at, double limit) {
   constexpr int SAMPLES = 10000;
   for (int i = 0; i <= SAMPLES; ++i) {
     const double time = static_cast<double>(i) / SAMPLES;
     if (distance_at(time) < limit) return time;
   }
-  return NEVER;
+  return NO_IMPACT;
 }
 
 TEST(RobotSweep, AgreesWithSamplesOfTheDistance) {
@@ -91,8 +91,8 @@ TEST(RobotSweep, AgreesWithSamplesOfTheDistance) {
     if (apart(0.0) <= 0.0) continue;
     const double touch = firstTouch(sweep, place, way, radius, 0.0);
     const double step = (sweep.pointSpeed() + way.norm()) / 10000;  // the distance changes by less between samples
-    if (touch == NEVER) {
-      EXPECT_EQ(sampled(apart, -step), NEVER);
+    if (touch == NO_IMPACT) {
+      EXPECT_EQ(sampled(apart, -step), NO_IMPACT);
       continue;
     }
     ++touched;

@@ -11,6 +11,9 @@ namespace crowd {
 /// @brief Shortest decimal text that is read back as the same double, bit for bit ("nan", "inf", "-inf" included).
 std::string toText(double value);
 
+/// @brief The bits of a number: equal for the same double only.
+std::uint64_t bitsOf(double value);
+
 /// @brief Appends the text of a number without a temporary string.
 void appendText(double value, std::string& text);
 void appendText(std::uint32_t value, std::string& text);

@@ -12,6 +12,9 @@
 
 namespace crowd {
 
+/// @brief The greatest whole number of a parameter: XML-RPC has 32 bits.
+constexpr std::int64_t MAX_WHOLE = INT32_MAX;
+
 /// @brief Reads the private parameters of a node and collects all errors, so that they are reported together. An
 /// unknown private parameter is an error, too.
 class Parameters {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crowd {
 
@@ -16,6 +17,8 @@ struct Pose {
   Vector2 position = Vector2::Zero();
   double heading = 0.0;
 };
+
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
 /// @brief A straight wall segment between two points [m].
 struct Segment {

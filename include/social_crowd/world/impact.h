@@ -7,7 +7,10 @@
 namespace crowd {
 
 /// @brief Result of firstTouch() if there is no impact.
-constexpr double NEVER = std::numeric_limits<double>::infinity();
+constexpr double NO_IMPACT = std::numeric_limits<double>::infinity();
+
+/// @brief Maximum approach of bodies that counts as constant distance [m].
+constexpr double LEAST_APPROACH = 1e-12;
 
 /// @brief Time at which a point in uniform straight motion first comes within `reach` of another point.
 ///
@@ -17,7 +20,7 @@ constexpr double NEVER = std::numeric_limits<double>::infinity();
 /// @param way displacement of the moving point relative to the other in a whole tick [m]
 /// @param reach [m]; for two discs the sum of their radii
 /// @param rest remaining fraction of the tick, 0 to 1
-/// @return time from now as a fraction of a tick, 0 to `rest`, or NEVER
+/// @return time from now as a fraction of a tick, 0 to `rest`, or NO_IMPACT
 double firstTouch(const Vector2& offset, const Vector2& way, double reach, double rest);
 
 /// @brief The same for a wall. @param wall relative to the moving point [m]; its ends must differ

@@ -17,7 +17,6 @@ struct Ray {
 /// @brief Distance along the ray to the rim of a disc [m]; 0 if the origin lies in the disc, infinity if the ray misses
 /// it.
 inline double distanceAlong(const Ray& ray, const Vector2& centre, double radius) {
-  constexpr double INFINITE = std::numeric_limits<double>::infinity();
   const Vector2 offset = centre - ray.origin;
   if (offset.squaredNorm() <= radius * radius) return 0.0;
   const double ahead = offset.dot(ray.unit);
@@ -32,7 +31,6 @@ inline double distanceAlong(const Ray& ray, const Segment& segment) {
   constexpr double END_TOLERANCE = 1e-12;  // share of the segment: no ray slips between two walls that share an end
   constexpr double PARALLEL = 1e-12;       // sine of an angle: rounding hides where nearly parallel ones would meet
   constexpr double BESIDE = 1e-9;          // up to this distance a parallel segment lies on the ray [m]
-  constexpr double INFINITE = std::numeric_limits<double>::infinity();
   const Vector2 along = segment.to - segment.from;
   const Vector2 offset = segment.from - ray.origin;
   const double slope = cross(ray.unit, along);

@@ -39,7 +39,7 @@ class RobotSweep {
 /// touch at once if they get closer, and never if they do not. Found by conservative advancement on the exact
 /// distance; contacts that begin and end within a thousandth of a tick may be missed.
 /// @param position of the disc's centre at the time `from` [m] @param way displacement of the disc in a whole tick [m]
-/// @param from [share of the tick] @return share of the tick from its start, at least `from`, or NEVER
+/// @param from [share of the tick] @return share of the tick from its start, at least `from`, or NO_IMPACT
 double firstTouch(const RobotSweep& sweep, const Vector2& position, const Vector2& way, double radius, double from);
 /// @brief The same for a segment that does not move.
 double firstTouch(const RobotSweep& sweep, const Segment& segment, double from);

@@ -96,7 +96,7 @@ class SolidMotion {
   void findNeighbours();
   void predictImpact(Index agent, Index other, double now);
   void predictWallImpacts(Index agent, double now);
-  /// Time of the first impact of two bodies, at least one of which is a robot, from `now` on; or NEVER.
+  /// Time of the first impact of two bodies, at least one of which is a robot, from `now` on; or NO_IMPACT.
   double touchOfRobot(const Body& first, const Body& second, double now) const;
   double touchOfWall(const Body& body, const Segment& wall, double now) const;
   /// Distance of two bodies, at least one of which is a robot, at times of their own.
@@ -105,7 +105,7 @@ class SolidMotion {
   void predictImpacts(Index agent, double now);
   void add(const Impact& impact);
   bool isStale(const Impact& impact) const;
-  /// Moves the impacts of the next instant from the heap to `simultaneous_`; returns their time, or NEVER.
+  /// Moves the impacts of the next instant from the heap to `simultaneous_`; returns their time, or NO_IMPACT.
   double takeNext();
   void judge(const Impact& impact);
   void stop(Index agent);

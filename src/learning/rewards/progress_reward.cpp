@@ -10,7 +10,7 @@ namespace crowd {
 namespace {
 
 /// Upper bound of the relative rounding errors of squares and roots.
-constexpr double ROUNDING = 1e-12;
+constexpr double PROGRESS_ROUNDING = 1e-12;
 
 bool touchesAny(const NeighbourSpan& neighbours, double radius) {
   const double* const xs = neighbours.xs();
@@ -22,7 +22,7 @@ bool touchesAny(const NeighbourSpan& neighbours, double radius) {
   bool may_touch = false;
   for (std::size_t i = 0; i < count; ++i) {
     const double reach = radius + radii[i];
-    may_touch |= square(i) <= reach * reach * (1.0 + ROUNDING);
+    may_touch |= square(i) <= reach * reach * (1.0 + PROGRESS_ROUNDING);
   }
   for (std::size_t i = 0; may_touch && i < count; ++i) {
     if (std::sqrt(square(i)) < radius + radii[i]) return true;

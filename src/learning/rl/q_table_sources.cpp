@@ -1,8 +1,8 @@
 // The sources of the visits of a Q-table.
 
 #include <algorithm>
-#include <cstring>
 
+#include "social_crowd/common/numbers.h"
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/rl/q_table.h"
 
@@ -10,12 +10,6 @@ namespace crowd {
 namespace {
 
 bool comesBefore(const Contribution& a, const Contribution& b) { return a.source < b.source; }
-
-std::uint64_t bitsOf(double value) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
 
 }  // namespace
 

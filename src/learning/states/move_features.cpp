@@ -10,7 +10,6 @@ namespace crowd {
 namespace {
 
 using Lanes = MoveFeatures::Lanes;
-constexpr std::size_t LANES = MoveFeatures::LANES;
 
 /// Intermediate results of one agent.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): begin() writes it; zeroing takes time
@@ -32,16 +31,16 @@ void findCandidates(const MoveBlock& __restrict moves, float min_fraction, float
   Lanes share;
   // NOLINTEND(cppcoreguidelines-pro-type-member-init)
   Lanes& left = features.admissible_fractions;
-  for (std::size_t i = 0; i < LANES; ++i) x[i] = static_cast<float>(moves.x[i]);
-  for (std::size_t i = 0; i < LANES; ++i) speed[i] = static_cast<float>(moves.wanted[i]);
-  for (std::size_t i = 0; i < LANES; ++i) share[i] = static_cast<float>(moves.fraction[i]);
-  for (std::size_t i = 0; i < LANES; ++i) {
+  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) x[i] = static_cast<float>(moves.x[i]);
+  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) speed[i] = static_cast<float>(moves.wanted[i]);
+  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) share[i] = static_cast<float>(moves.fraction[i]);
+  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) {
     const float quotient = share[i] / speed[i];
     left[i] = speed[i] > 0.0F ? quotient : 1.0F;
   }
-  for (std::size_t i = 0; i < LANES; ++i) speed[i] = left[i] < min_fraction ? 0.0F : speed[i] * max_speed;
-  for (std::size_t i = 0; i < LANES; ++i) candidates.xs[i] = speed[i] * x[i];
-  for (std::size_t i = 0; i < LANES; ++i) candidates.ys[i] = speed[i] * static_cast<float>(moves.y[i]);
+  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) speed[i] = left[i] < min_fraction ? 0.0F : speed[i] * max_speed;
+  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) candidates.xs[i] = speed[i] * x[i];
+  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) candidates.ys[i] = speed[i] * static_cast<float>(moves.y[i]);
   if (walking) {
     features.turn_cosines = x;
   } else {
@@ -65,7 +64,7 @@ void begin(const AgentPerception& self, const MoveBlock& moves, std::size_t coun
 /// Converts inverse times to times; collisions after the arrival at the goal do not count.
 /// @param unit the inverses are unit / time
 void toTimes(const Lanes& soonest, float unit, float time_to_goal, Lanes& times) {
-  for (std::size_t i = 0; i < LANES; ++i) {
+  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) {
     const float time = unit / soonest[i];
     times[i] = time > time_to_goal ? static_cast<float>(NEVER) : time;
   }
