@@ -4,7 +4,6 @@
 #include <cctype>
 #include <sstream>
 
-#include "social_crowd/common/files.h"
 #include "social_crowd/common/yaml_reader.h"
 
 namespace crowd {
@@ -71,7 +70,9 @@ void refuseEndlessText(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-std::vector<YAML::Node> loadYamlStream(const std::string& file) { return parseYamlStream(readFile(file), file); }
+std::vector<YAML::Node> loadYamlStream(const std::string& file, FileKinds kinds) {
+  return parseYamlStream(readFile(file, FileLimits::YAML, kinds), file);
+}
 
 std::vector<YAML::Node> parseYamlStream(const std::string& text, const std::string& name) {
   try {

@@ -250,6 +250,8 @@ TrainedTable parseQTable(const std::string& text, const std::string& name) {
   return {header.model, header.parameters, header.decisions, header.seed, std::move(table)};
 }
 
-TrainedTable loadQTable(const std::string& file) { return parseQTable(readFile(file), file); }
+TrainedTable loadQTable(const std::string& file, FileKinds kinds) {
+  return parseQTable(readFile(file, FileLimits::Q_TABLE, kinds), file);
+}
 
 }  // namespace crowd

@@ -87,6 +87,8 @@ void readShare(Parameters& parameters, Learner::Options& options) {
 /// Loads a Q-table file, or a table of this package by its name.
 TrainedTable loadFoundQTable(const std::string& name_or_file) { return loadQTable(findQTable(name_or_file)); }
 
+TrainingConfig readConfig(const std::string& file) { return readTrainingConfig(file); }
+
 /// Checks that the model is defined, by a table, a configuration or both.
 void checkSources(Parameters& parameters, const std::optional<TrainingConfig>& config,
                   const std::optional<TrainedTable>& table, Mode mode) {
@@ -131,7 +133,7 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   const TakeMethod on_share = readNamed(parameters, "on_share", TakeMethod::REPLACE, TAKE_METHODS);
   readAgents(parameters, options.agents);
   readShare(parameters, options);
-  const auto config = readFileOf(parameters, "config", readTrainingConfig);
+  const auto config = readFileOf(parameters, "config", readConfig);
   const auto table = readFileOf(parameters, "q_table", loadFoundQTable);
   checkSources(parameters, config, table, options.mode);
   const TrainingPlan training = config ? config->training : TrainingPlan();
