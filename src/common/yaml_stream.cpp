@@ -4,6 +4,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/yaml_reader.h"
 
 namespace crowd {
@@ -79,7 +80,9 @@ std::vector<YAML::Node> parseYamlStream(const std::string& text, const std::stri
     refuseEndlessText(text, name);
     return YAML::LoadAll(text);
   } catch (const YAML::Exception& error) {
-    throwProblem({name, 0, ""}, error.mark, "this is not YAML: " + error.msg);
+    // Some messages of yaml-cpp contain words of the text.
+    const std::string cause = HiddenQuotes::areActive() ? "" : ": " + shortened(error.msg);
+    throwProblem({name, 0, ""}, error.mark, "this is not YAML" + cause);
   }
 }
 
