@@ -9,8 +9,7 @@
 namespace crowd {
 namespace {
 
-// Sharing may wait for other learners; other services must remain available.
-constexpr unsigned SERVICE_THREADS = 4;
+constexpr unsigned SERVICE_THREADS = 2;
 constexpr std::uint32_t QUEUE = 100;  // messages
 constexpr bool LATCHED = true;
 const ros::WallDuration IDLE(0.1);             // between two checks for shutdown
@@ -28,6 +27,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       name_(private_node.getNamespace()),
       on_share_(parameters.on_share),
       save_to_(parameters.save_to),
+      data_folder_(parameters.data_folder),
       save_every_(parameters.save_every),
       learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
       limiter_(learner_.model().vision()),
@@ -39,6 +39,8 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
                     [this](const LiveValues& values) { use(live_.changed(settings(), values)); }}),
       diagnostics_(node_, private_node, parameters.diagnostic_period, [this] { takeSample(); }),
       taking_(private_node, 1),
+      sharing_(private_node, 1),
+      files_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
   for (const std::string& warning : parameters.warnings) ROS_WARN("%s", warning.c_str());
@@ -59,15 +61,13 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
 
 void LearnerNode::run() {
   publishStatus();
-  taking_.start();
-  services_.start();
+  for (Services* const services : {&taking_, &sharing_, &files_, &services_}) services->start();
   while (!loop_.isClosed()) {
     loop_.run(IDLE);
     askForPerceptions();
   }
   loop_.close();
-  services_.stop();
-  taking_.stop();
+  for (Services* const services : {&services_, &files_, &sharing_, &taking_}) services->stop();
   if (!save_to_.empty()) saveAll(false);
 }
 

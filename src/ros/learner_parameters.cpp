@@ -149,19 +149,17 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   if (save_every > 0 && save_to.empty() && parameters.isSet("save_every")) {
     parameters.complain("save_every", "needs ~save_to, the file to write");
   }
+  const DataFolder data_folder = readDataFolder(parameters);
   const double diagnostic_period = readDiagnosticPeriod(parameters);
   parameters.finish();
 
   const Model model = config ? config->model : table->model;
   const std::uint64_t decisions = table ? table->decisions : 0;
   QTable values = table ? table->table : QTable(model.state_set->rowCount(), model.action_set->size());
-  return {options,
-          {model, options.plan.parameters, decisions, options.seed, std::move(values)},
-          on_share,
-          save_to,
-          save_to.empty() ? 0 : save_every,
-          diagnostic_period,
-          findWarnings(options.mode, config, save_to)};
+  return {options,           {model, options.plan.parameters, decisions, options.seed, std::move(values)},
+          on_share,          save_to,
+          data_folder,       save_to.empty() ? 0 : save_every,
+          diagnostic_period, findWarnings(options.mode, config, save_to)};
 }
 
 }  // namespace crowd
