@@ -1,36 +1,26 @@
 #include "social_crowd/common/files.h"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 
+#include "common/descriptor.h"
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/numbers.h"
 
 namespace crowd {
 namespace {
-
-/// " (that is /FULL/PATH)" of a relative path: a node's working directory is seldom what its user has in mind.
-std::string inFull(const std::string& file) {
-  std::error_code problem;
-  const std::filesystem::path path(file);
-  if (path.empty() || path.is_absolute()) return "";
-  const std::filesystem::path full = std::filesystem::absolute(path, problem).lexically_normal();
-  return problem ? "" : " (that is " + full.string() + ")";
-}
-
-[[noreturn]] void throwSystem(const std::string& file, const std::string& what) {
-  const std::string reason = std::strerror(errno);
-  throw FileError(file + ": " + what + ": " + reason + inFull(file));
-}
 
 /// The folder of a file where there is none; else nothing.
 std::string missingFolderOf(const std::string& file) {
@@ -47,8 +37,26 @@ std::string missingFolderOf(const std::string& file) {
   throw FileError(file + ": cannot be written: " + std::strerror(ENOENT) + ": there is no folder " + folder);
 }
 
-/// Some special files claim to be larger than any memory.
-constexpr std::uintmax_t MOST_RESERVED = 1U << 26U;  // [bytes]
+/// A file may claim to be larger than it is.
+constexpr std::uint64_t MOST_RESERVED = 1U << 26U;  // [bytes]
+
+std::string megabytes(std::uint64_t bytes) {
+  constexpr std::uint64_t MANY = 10'000'000;  // bytes; more are rounded up to whole megabytes
+  const double number = 1e-6 * static_cast<double>(bytes);
+  return bytes > MANY ? toText(std::ceil(number)) + " MB" : toText(number) + " MB";
+}
+
+[[noreturn]] void throwTooLarge(const std::string& file, const std::string& got, std::uint64_t most) {
+  throw FileError(file + ": " + got + ", expected at most " + megabytes(most) + inFull(file));
+}
+
+/// Waits until a process writes into a pipe, or has closed it. From then on, reading waits too.
+void waitForContent(int descriptor) {
+  pollfd pipe{descriptor, POLLIN, 0};
+  while (::poll(&pipe, 1, -1) < 0 && errno == EINTR) {
+  }
+  ::fcntl(descriptor, F_SETFL, 0);  // NOLINT(*-vararg)
+}
 
 constexpr const char* TEMPORARY = ".tmp";  // follows the name of a file, and is followed by the number of a process
 
@@ -81,23 +89,29 @@ void writeDurably(const std::string& temporary, const std::string& content, cons
 
 }  // namespace
 
-std::string readFile(const std::string& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    throw FileError(file + ": is a folder, expected a file" + inFull(file));
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
-  if (stream == nullptr) throwSystem(file, "cannot be read");
-  std::string content;
-  std::error_code problem;
-  const std::uintmax_t size = std::filesystem::file_size(file, problem);  // unknown of what is no plain file
-  if (!problem) content.reserve(std::min<std::uintmax_t>(size, MOST_RESERVED));
-  std::array<char, 1U << 16U> part{};
-  for (std::size_t count = part.size(); count == part.size();) {
-    count = std::fread(part.data(), 1, part.size(), stream.get());
-    content.append(part.data(), count);
+std::string readFile(const std::string& file, std::uint64_t most, FileKinds kinds) {
+  // O_NONBLOCK: opening a pipe would wait for a process that writes into it.
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));  // NOLINT(*-vararg)
+  struct stat status {};
+  if (!opened.isOpen() || ::fstat(opened.number(), &status) != 0) throwSystem(file, "cannot be read");
+  const bool is_pipe = S_ISFIFO(status.st_mode) && kinds == FileKinds::REGULAR_OR_PIPE;
+  if (!S_ISREG(status.st_mode) && !is_pipe) {
+    throw FileError(file + ": is " + kindOf(status.st_mode) + ", expected a file" + inFull(file));
   }
-  if (std::ferror(stream.get()) != 0) throwSystem(file, "cannot be read");
-  return content;
+  if (is_pipe) waitForContent(opened.number());
+  const std::uint64_t size = is_pipe ? 0 : static_cast<std::uint64_t>(status.st_size);
+  if (size > most) throwTooLarge(file, "is " + megabytes(size), most);
+  std::string content;
+  content.reserve(std::min(size, MOST_RESERVED));
+  std::array<char, 1U << 16U> part{};
+  for (;;) {
+    const ssize_t count = ::read(opened.number(), part.data(), part.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throwSystem(file, "cannot be read");
+    if (count == 0) return content;
+    content.append(part.data(), static_cast<std::size_t>(count));
+    if (content.size() > most) throwTooLarge(file, "has more", most);
+  }
 }
 
 void replaceFile(const std::string& file, const std::string& content) {

@@ -1,15 +1,24 @@
 #include "social_crowd/common/suggestions.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "social_crowd/common/quotes.h"
 
 namespace crowd {
 namespace {
 
 constexpr std::size_t MAX_EDITS = 2;
+constexpr std::size_t MOST_NAMES = 200;  // in a message
 
-bool isNear(std::string_view given, std::string_view known) {
-  const std::size_t limit = std::min(MAX_EDITS, std::max(given.size(), known.size()) / 2);
-  return editDistance(given, known) <= limit;
+/// Returns the distance of two names if they are near; nullopt if not, or if their lengths differ too much for that.
+std::optional<std::size_t> nearDistance(std::string_view given, std::string_view known) {
+  const auto [shorter, longer] = std::minmax(given.size(), known.size());
+  const std::size_t limit = std::min(MAX_EDITS, longer / 2);
+  if (longer - shorter > limit) return std::nullopt;
+  const std::size_t distance = editDistance(given, known);
+  return distance <= limit ? std::optional<std::size_t>(distance) : std::nullopt;
 }
 
 }  // namespace
@@ -34,17 +43,29 @@ std::size_t editDistance(std::string_view from, std::string_view to) {
 }
 
 std::vector<std::string> sortedByNearness(std::string_view given, std::vector<std::string> known) {
-  std::stable_sort(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
-    return editDistance(given, a) < editDistance(given, b);
-  });
+  std::vector<std::pair<std::size_t, std::string>> by_distance;
+  by_distance.reserve(known.size());
+  for (std::string& name : known) {
+    const std::size_t distance = editDistance(given, name);
+    by_distance.emplace_back(distance, std::move(name));
+  }
+  std::stable_sort(by_distance.begin(), by_distance.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::transform(by_distance.begin(), by_distance.end(), known.begin(),
+                 [](auto& entry) { return std::move(entry.second); });
   return known;
 }
 
 std::string nearestName(std::string_view given, const std::vector<std::string>& known) {
-  const std::vector<std::string> sorted = sortedByNearness(given, known);
-  const auto nearest =
-      std::find_if(sorted.begin(), sorted.end(), [&](const std::string& name) { return isNear(given, name); });
-  return nearest == sorted.end() ? "" : *nearest;
+  std::string nearest;
+  std::size_t least = MAX_EDITS + 1;
+  for (const std::string& name : known) {
+    const std::optional<std::size_t> distance = nearDistance(given, name);
+    if (!distance || *distance >= least) continue;
+    nearest = name;
+    least = *distance;
+  }
+  return nearest;
 }
 
 std::string didYouMean(std::string_view given, const std::vector<std::string>& known, const std::string& prefix) {
@@ -54,11 +75,12 @@ std::string didYouMean(std::string_view given, const std::vector<std::string>& k
 
 std::string joinNames(const std::vector<std::string>& names, const std::string& prefix) {
   std::string text;
-  for (const std::string& name : names) {
-    if (!text.empty()) text += ", ";
-    text.append(prefix).append(name);
+  const std::size_t shown = std::min(names.size(), MOST_NAMES);
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += ", ";
+    text.append(prefix).append(shortened(names[i]));
   }
-  return text;
+  return text + (shown < names.size() ? " and " + std::to_string(names.size() - shown) + " more" : "");
 }
 
 std::string joinAlternatives(const std::vector<std::string>& names) {

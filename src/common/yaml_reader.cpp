@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 
 namespace crowd {
 namespace {
-
-constexpr std::size_t MAX_QUOTE = 40;  // [characters]
 
 std::string lineOfMark(const YAML::Mark& mark) {
   return mark.line < 0 ? std::string() : "line " + std::to_string(mark.line + 1);  // yaml-cpp counts from 0
@@ -47,9 +46,7 @@ std::string describe(const YAML::Node& node) {
   if (node.IsSequence()) {
     return "a list of " + std::to_string(node.size());
   }
-  const std::string& text = node.Scalar();
-  const std::string quote = text.size() > MAX_QUOTE ? text.substr(0, MAX_QUOTE) + "..." : text;
-  return (isPlain(node) ? "'" : "the text '") + quote + "'";
+  return (isPlain(node) ? "" : "the text ") + inQuotes(node.Scalar());
 }
 
 /// Words for the numbers that a rule permits, in the order of the rules.
@@ -156,7 +153,7 @@ YamlMap::YamlMap(const YAML::Node& node, YamlPlace place) : node_(node), place_(
       throwExpected(place_, entry->first, "a word as key");
     }
     if (has(entry->first.Scalar())) {
-      throwProblem(place_, entry->first, "the key '" + entry->first.Scalar() + "' stands twice");
+      throwProblem(place_, entry->first, "the key " + inQuotes(entry->first.Scalar()) + " stands twice");
     }
     entries_.push_back({entry->first, entry->second});
   }
@@ -175,7 +172,7 @@ void YamlMap::allow(YamlKeys keys) {
     const std::string hint = didYouMean(key, known);
     throwProblem(
         place_, entry.key,
-        "unknown key '" + key + "'" + (hint.empty() ? "; known are " : hint + " Known are ") + joinNames(known));
+        "unknown key " + inQuotes(key) + (hint.empty() ? "; known are " : hint + " Known are ") + joinNames(known));
   }
 }
 
@@ -196,7 +193,7 @@ YAML::Node YamlMap::need(const std::string& key) const {
   for (const Entry& other : entries_) {  // for declared keys, allow() has reported misspellings
     const std::string hint = didYouMean(other.key.Scalar(), {key});
     if (known_.empty() && !hint.empty())
-      throwProblem(place_, other.key, "unknown key '" + other.key.Scalar() + "'" + hint);
+      throwProblem(place_, other.key, "unknown key " + inQuotes(other.key.Scalar()) + hint);
   }
   throwProblem(place_, node_, "the key '" + key + "' is missing");
 }

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "social_crowd/common/files.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/yaml_reader.h"
 
 namespace crowd {
@@ -71,14 +71,18 @@ void refuseEndlessText(const std::string& text, const std::string& name) {
 
 }  // namespace
 
-std::vector<YAML::Node> loadYamlStream(const std::string& file) { return parseYamlStream(readFile(file), file); }
+std::vector<YAML::Node> loadYamlStream(const std::string& file, FileKinds kinds) {
+  return parseYamlStream(readFile(file, FileLimits::YAML, kinds), file);
+}
 
 std::vector<YAML::Node> parseYamlStream(const std::string& text, const std::string& name) {
   try {
     refuseEndlessText(text, name);
     return YAML::LoadAll(text);
   } catch (const YAML::Exception& error) {
-    throwProblem({name, 0, ""}, error.mark, "this is not YAML: " + error.msg);
+    // Some messages of yaml-cpp contain words of the text.
+    const std::string cause = HiddenQuotes::areActive() ? "" : ": " + shortened(error.msg);
+    throwProblem({name, 0, ""}, error.mark, "this is not YAML" + cause);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "social_crowd/learning/model.h"
 
+#include "social_crowd/common/quotes.h"
+
 namespace crowd {
 namespace {
 
@@ -32,8 +34,9 @@ std::string Model::spec() const {
 
 void requireFit(const Model& expected, const Model& got, const std::string& what) {
   if (expected.fits(got)) return;
-  throw ShapeError(what + ": was learned for another state set or action set\n" + got.spec() + "and not for\n" +
-                   expected.spec());
+  const std::string problem = what + ": was learned for another state set or action set";
+  if (HiddenQuotes::areActive()) throw ShapeError(problem + " than\n" + expected.spec());
+  throw ShapeError(problem + "\n" + got.spec() + "and not for\n" + expected.spec());
 }
 
 Model readModel(const YamlMap& map) {

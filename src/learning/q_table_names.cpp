@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 #include "social_crowd/world/scenario_files.h"
 
@@ -27,20 +28,21 @@ std::vector<std::string> namesIn(const fs::path& folder) {
 
 }  // namespace
 
-std::string findQTable(const std::string& name_or_file) {
+std::string findQTable(const std::string& name_or_file, const std::string& base) {
   const fs::path path(name_or_file);
+  const fs::path file = fs::path(base) / path;
   const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == Q_TABLE_EXTENSION);
   std::error_code ignored;
-  if (!is_bare || fs::is_regular_file(path, ignored)) return name_or_file;
+  if (!is_bare || fs::is_regular_file(file, ignored)) return file.string();
   const fs::path folder = shippedQTables();
   const fs::path named = folder / (path.stem().string() + Q_TABLE_EXTENSION);
   if (fs::exists(named, ignored)) return named.string();
   const std::vector<std::string> names = sortedByNearness(path.stem().string(), namesIn(folder));
   const std::string nearest = nearestName(path.stem().string(), names);
-  throw InputError("no Q-table '" + name_or_file + "'" + (nearest.empty() ? "" : ", did you mean '" + nearest + "'?") +
-                   (nearest.empty() ? ": there" : " There") + " is no file " + fs::absolute(path).string() +
-                   ", and in " + folder.string() + " none of that name" +
-                   (names.empty() ? "" : "; there are " + joinNames(names)));
+  throw InputError(
+      "no Q-table " + inQuotes(name_or_file) + (nearest.empty() ? "" : ", did you mean '" + nearest + "'?") +
+      (nearest.empty() ? ": there" : " There") + " is no file " + fs::absolute(file).string() + ", and in " +
+      folder.string() + " none of that name" + (names.empty() ? "" : "; there are " + joinNames(names)));
 }
 
 }  // namespace crowd

@@ -11,6 +11,7 @@
 #include "learning/q_table_text.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/learning/q_table_file.h"
 
 namespace crowd {
@@ -20,11 +21,6 @@ using namespace q_table_format;  // NOLINT(google-build-using-namespace): the wo
 
 constexpr std::int64_t MAX_SOURCES = 1'000'000;
 constexpr const char* A_SOURCE = "16 hexadecimal digits, not all 0";
-
-std::string quoted(std::string_view text) {
-  constexpr std::size_t MAX_SIZE = 60;
-  return "'" + std::string(text.substr(0, MAX_SIZE)) + (text.size() > MAX_SIZE ? "...'" : "'");
-}
 
 /// The message does not quote a file that is not a Q-table: the caller may not be allowed to read it.
 void readMagic(LineReader& lines) {
@@ -130,12 +126,12 @@ Row readRowNumber(const LineReader& lines, std::string_view line, std::int64_t b
   rest = line;
   const std::optional<std::uint32_t> row = toCount(nextWord(rest));
   if (row && *row<end&& static_cast<std::int64_t>(*row)> before) return *row;
-  lines.fail("a row number above " + std::to_string(before) + " and below " + std::to_string(end), quoted(line));
+  lines.fail("a row number above " + std::to_string(before) + " and below " + std::to_string(end), inQuotes(line));
 }
 
 void requireEndOfRow(const LineReader& lines, std::string_view line, std::string_view rest, Action actions) {
   if (rest.empty() && line.back() != ' ') return;
-  lines.fail("nothing after the last of " + std::to_string(actions) + " actions", quoted(rest));
+  lines.fail("nothing after the last of " + std::to_string(actions) + " actions", inQuotes(rest));
 }
 
 /// Reads one row, whose number must be above that of the previous row. Returns its number.
@@ -147,7 +143,8 @@ Row readRow(LineReader& lines, std::int64_t before, QTable& table) {
     const std::optional<std::uint32_t> visits = toCount(nextWord(rest));
     const std::optional<double> value = toNumber(nextWord(rest));
     if (!visits || !value || !std::isfinite(*value)) {
-      lines.fail("visits and a finite value for each of " + std::to_string(table.actions()) + " actions", quoted(line));
+      lines.fail("visits and a finite value for each of " + std::to_string(table.actions()) + " actions",
+                 inQuotes(line));
     }
     table.set(row, action, *value, *visits);
     lines.sumUpTo(rest.data());
@@ -172,7 +169,7 @@ class SourcesReader {
     const std::optional<SourceId> source = toSource(nextWord(rest));
     const std::optional<std::uint32_t> rows = toCount(rest);
     if (!is_source || !source || *source <= before || *source == own || !rows || *rows == 0) {
-      lines_.fail(expected, quoted(line));
+      lines_.fail(expected, inQuotes(line));
     }
     auto visits = std::make_shared<VisitCounts>(table_.actions());
     std::int64_t row = -1;
@@ -192,13 +189,13 @@ class SourcesReader {
       if (!count || !isAvailable(row, action, *count)) {
         lines_.fail("visits of each of " + std::to_string(table_.actions()) +
                         " actions, of all sources together no more than the table has",
-                    quoted(line));
+                    inQuotes(line));
       }
       visits_[action] = *count;
       any = any || *count > 0;
     }
     requireEndOfRow(lines_, line, rest, table_.actions());
-    if (!any) lines_.fail("at least one visit", quoted(line));
+    if (!any) lines_.fail("at least one visit", inQuotes(line));
     lines_.sumUpTo(line.data() + line.size());
     visits.add(row, visits_.data());
     return row;
@@ -245,11 +242,13 @@ TrainedTable parseQTable(const std::string& text, const std::string& name) {
   const std::string_view last = lines.next("the checksum after " + std::to_string(header.visited_rows) + " rows and " +
                                            std::to_string(header.other_sources) + " other sources");
   const std::string expected = std::string(Q_TABLE_CHECKSUM_KEY) + lines.sumUpTo(last.data()).text();
-  if (last != expected) lines.fail("'" + expected + "': the file was changed or damaged", quoted(last));
+  if (last != expected) lines.fail("'" + expected + "': the file was changed or damaged", inQuotes(last));
   if (!lines.atEnd()) lines.fail("nothing after the checksum", "more text");
   return {header.model, header.parameters, header.decisions, header.seed, std::move(table)};
 }
 
-TrainedTable loadQTable(const std::string& file) { return parseQTable(readFile(file), file); }
+TrainedTable loadQTable(const std::string& file, FileKinds kinds) {
+  return parseQTable(readFile(file, FileLimits::Q_TABLE, kinds), file);
+}
 
 }  // namespace crowd

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/robot_messages.h"
 #include "social_crowd/ros/topic_defaults.h"
@@ -141,12 +142,12 @@ CommandCollector::Commands CommandCollector::commandsOf(const std::vector<std::s
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto is_it = [&](const Robot& robot) { return robot.start.name == names[i]; };
     const auto robot = std::find_if(robots().begin(), robots().end(), is_it);
-    if (robot == robots().end()) throw InputError("robots: there is no robot '" + names[i] + "'");
+    if (robot == robots().end()) throw InputError("robots: there is no robot " + inQuotes(names[i]));
     const Twist twist = fromMessage(commands[i]);
-    if (!twist.isFinite()) throw InputError("commands: expected finite numbers for robot '" + names[i] + "'");
-    if (robot->start.drive == Drive::EXTERNAL) throw InputError("robot '" + names[i] + "' takes no commands");
+    if (!twist.isFinite()) throw InputError("commands: expected finite numbers for robot " + inQuotes(names[i]));
+    if (robot->start.drive == Drive::EXTERNAL) throw InputError("robot " + inQuotes(names[i]) + " takes no commands");
     const auto id = static_cast<RobotId>(robot - robots().begin());
-    if (!result.emplace(id, twist).second) throw InputError("robots: '" + names[i] + "' is there twice");
+    if (!result.emplace(id, twist).second) throw InputError("robots: " + inQuotes(names[i]) + " is there twice");
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/simulation/training_config.h"
 #include "social_crowd/world/scenario_files.h"
 
@@ -16,7 +17,7 @@ double readRealTimeFactor(Parameters& parameters, double otherwise) {
   if (text == FAST) return 0.0;
   const std::optional<double> factor = toNumber(text);
   if (factor && ControllerParameters::REAL_TIME_FACTOR.contains(*factor)) return *factor;
-  parameters.complain("real_time_factor", "expected " + expected + ", got '" + text + "'");
+  parameters.complain("real_time_factor", "expected " + expected + ", got " + inQuotes(text));
   return otherwise;
 }
 
@@ -75,6 +76,7 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   ControllerParameters read;
   useConfig(parameters, read);
   readScenario(parameters, read);
+  read.data_folder = readDataFolder(parameters);
   read.map_topic = parameters.text("map_topic", "");
   read.seed = static_cast<std::uint64_t>(parameters.whole("seed", static_cast<std::int64_t>(read.seed), 0, MAX_WHOLE));
   read.episodes =

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "social_crowd/common/files.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/launch_end.h"
 #include "social_crowd/ros/names.h"
@@ -24,6 +25,8 @@ constexpr double MAX_WAIT = 1e6;           // [s] for the next tick; ros::WallDu
 
 CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
     : parameters_(readControllerParameters(private_node)),
+      data_folder_(parameters_.data_folder),
+      scenario_folder_(parameters_.scenario_folder),
       node_(loop_.adopt(node)),
       answers_(loop_, node_, parameters_),
       broadcaster_(node_, parameters_),
@@ -35,8 +38,11 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
                    {[this] { return live_.valuesOf(parameters_); },
                     [this](const LiveValues& values) { use(live_.changed(parameters_, values)); }}),
       diagnostics_(node_, private_node, parameters_.diagnostic_period, [this] { takeSample(); }),
+      files_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
-  useScenarios(readScenarios(parameters_.scenarios), parameters_.name);
+  ScenarioList scenarios = readScenarios(parameters_.scenarios);
+  scenarios.scene(seed_, 0);
+  useScenarios(std::move(scenarios), parameters_.name);
   advertiseServices();
   addDiagnostics();
   if (!parameters_.map_topic.empty()) {
@@ -46,6 +52,7 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
 }
 
 void CrowdController::run() {
+  files_.start();
   services_.start();
   while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
     if (tick_ended_) waitWhilePaused();
@@ -77,8 +84,7 @@ void CrowdController::awaitShutdown(const Clock& deadline) {
 }
 
 void CrowdController::useScenarios(ScenarioList scenarios, const std::string& name) {
-  // Everything that can fail is done before anything is replaced.
-  scenarios.scene(seed_, 0);
+  // What can fail is done before anything is replaced.
   std::optional<TrajectoryFile> recording = beginRecording(name);
   scenarios_ = std::move(scenarios);
   scenario_name_ = name;
@@ -115,7 +121,7 @@ void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
   const Scene& scene = episode_->scene();
   try {
     if (message.header.frame_id != names::MAP_FRAME && !message.header.frame_id.empty()) {
-      throw InputError("header.frame_id: expected 'map', got '" + message.header.frame_id + "'");
+      throw InputError("header.frame_id: expected 'map', got " + inQuotes(message.header.frame_id));
     }
     map = std::make_shared<const OccupancyMap>(fromMessage(message));
     map_walls = traceWalls(*map);

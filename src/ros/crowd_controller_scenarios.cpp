@@ -1,8 +1,6 @@
 // Scenario files, pace and status of the crowd controller. Handlers of services access the world through the main loop.
 
 #include <social_crowd/ListScenarios.h>
-#include <social_crowd/LoadScenario.h>
-#include <social_crowd/SaveScenario.h>
 #include <social_crowd/SetRealTimeFactor.h>
 
 #include <filesystem>
@@ -10,6 +8,7 @@
 
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/crowd_controller.h"
 #include "social_crowd/ros/floor_scene.h"
 #include "social_crowd/ros/names.h"
@@ -32,30 +31,49 @@ void requireReadable(const std::string& document, const std::string& file) {
 
 }  // namespace
 
+void CrowdController::loadScenario(const std::string& name, social_crowd::LoadScenario::Response& response) {
+  const auto find = [this](const std::string& given, const std::string& folder) {
+    return findScenario(given, folder, scenario_folder_);
+  };
+  const std::string file = data_folder_.resolveToRead(name, find);
+  const HiddenQuotes hidden;  // whoever calls may not be allowed to read the file
+  // All that may fail or take long is done in this thread; nothing has been replaced yet.
+  ScenarioList scenarios = readScenarios(file);
+  const auto seed = loop_.ask<std::uint64_t>([&] { return seed_; });
+  scenarios.scene(seed, 0);
+  response.documents = static_cast<std::uint32_t>(scenarios.size());
+  loop_.ask<void>([&] {
+    {
+      const HiddenQuotes hidden_in_loop;
+      if (seed_ != seed) scenarios.scene(seed_, 0);  // the crowd was reset in between
+    }
+    useScenarios(std::move(scenarios), stemOf(file));
+    response.message = "loaded " + file + ": " + place();
+    status_.publish();
+  });
+}
+
+void CrowdController::saveScenario(const social_crowd::SaveScenario::Request& request,
+                                   social_crowd::SaveScenario::Response& response) {
+  const std::filesystem::path file = data_folder_.resolveToWrite(request.file, request.overwrite != 0);
+  const auto scene = loop_.ask<Scene>([&] { return sceneOnFloor(*episode_, map_ == nullptr); });
+  const std::string document = toDocument(scene, file.parent_path().string());
+  requireReadable(document, file.string());
+  replaceFile(file.string(), document);
+  response.message = "saved " + countsText(scene) + " to " + file.string();
+}
+
 void CrowdController::advertiseScenarioServices() {
-  services_.serve<social_crowd::LoadScenario>(names::LOAD_SCENARIO, [this](const auto& request, auto& response) {
-    const std::string file = findScenario(request.scenario, "", parameters_.scenario_folder);
-    ScenarioList scenarios = readScenarios(file);  // may throw; nothing has been replaced yet
-    response.documents = static_cast<std::uint32_t>(scenarios.size());
-    loop_.ask<void>([&] {
-      useScenarios(std::move(scenarios), stemOf(file));
-      response.message = "loaded " + file + ": " + place();
-      status_.publish();
-    });
-  });
-  services_.serve<social_crowd::ListScenarios>(names::LIST_SCENARIOS, [this](const auto& /*request*/, auto& response) {
-    response.folder = parameters_.scenario_folder;
-    response.names = scenarioNames(parameters_.scenario_folder);
+  files_.serve<social_crowd::LoadScenario>(
+      names::LOAD_SCENARIO, [this](const auto& request, auto& response) { loadScenario(request.scenario, response); });
+  files_.serve<social_crowd::SaveScenario>(
+      names::SAVE_SCENARIO, [this](const auto& request, auto& response) { saveScenario(request, response); });
+  files_.serve<social_crowd::ListScenarios>(names::LIST_SCENARIOS, [this](const auto& /*request*/, auto& response) {
+    response.folder = scenario_folder_;
+    response.names = scenarioNames(scenario_folder_);
+    response.data_folder = data_folder_.folder();
+    data_folder_.prepare();
     response.message = std::to_string(response.names.size()) + " scenarios in " + response.folder;
-  });
-  services_.serve<social_crowd::SaveScenario>(names::SAVE_SCENARIO, [this](const auto& request, auto& response) {
-    if (request.file.empty()) throw InputError("file: expected a file name, got an empty text");
-    const std::filesystem::path file = std::filesystem::absolute(request.file).lexically_normal();
-    const auto scene = loop_.ask<Scene>([&] { return sceneOnFloor(*episode_, map_ == nullptr); });
-    const std::string document = toDocument(scene, file.parent_path().string());
-    requireReadable(document, file.string());
-    replaceFile(file.string(), document);
-    response.message = "saved " + countsText(scene) + " to " + file.string();
   });
   services_.serve<social_crowd::SetRealTimeFactor>(
       names::SET_REAL_TIME_FACTOR, [this](const auto& request, auto& response) {

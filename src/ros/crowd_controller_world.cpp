@@ -14,6 +14,7 @@
 #include <social_crowd/SpawnObstacle.h>
 #include <social_crowd/Teleport.h>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/crowd_controller.h"
 #include "social_crowd/ros/names.h"
@@ -55,6 +56,8 @@ std::string newGateName(const Episode& episode) {
 }
 
 GateDescription gateOf(const social_crowd::AddGate::Request& request) {
+  constexpr std::size_t MOST_PERIODS = 1000;
+  requireFew("open_from", request.open_from.size(), MOST_PERIODS);
   GateDescription gate;
   gate.name = request.gate;
   gate.wall = {fromPoint(request.begin), fromPoint(request.end)};

@@ -5,6 +5,7 @@
 #include <std_msgs/Int32.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/parameters.h"
@@ -26,7 +27,7 @@ MarkerOptions::Radii readRadii(Parameters& parameters) {
   const std::string text = parameters.text("radii", "chosen", "none, chosen or all");
   if (text == "none") return MarkerOptions::Radii::NONE;
   if (text == "all") return MarkerOptions::Radii::ALL;
-  if (text != "chosen") parameters.complain("radii", "expected none, chosen or all, got '" + text + "'");
+  if (text != "chosen") parameters.complain("radii", "expected none, chosen or all, got " + inQuotes(text));
   return MarkerOptions::Radii::CHOSEN;
 }
 
@@ -34,7 +35,7 @@ MarkerOptions::Figures readFigures(Parameters& parameters) {
   const std::string text = parameters.text("figures", "auto", "auto, discs or people");
   if (text == "discs") return MarkerOptions::Figures::DISCS;
   if (text == "people") return MarkerOptions::Figures::PEOPLE;
-  if (text != "auto") parameters.complain("figures", "expected auto, discs or people, got '" + text + "'");
+  if (text != "auto") parameters.complain("figures", "expected auto, discs or people, got " + inQuotes(text));
   return MarkerOptions::Figures::AUTO;
 }
 

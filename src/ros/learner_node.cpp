@@ -10,8 +10,7 @@
 namespace crowd {
 namespace {
 
-// Sharing may wait for other learners; other services must remain available.
-constexpr unsigned LEARNER_SERVICE_THREADS = 4;
+constexpr unsigned LEARNER_SERVICE_THREADS = 2;
 const ros::WallDuration STATUS_PATIENCE(3.0);  // until the controller should have received the status
 constexpr double VISION_WARNING_PERIOD = 5.0;  // [s]
 const ros::WallDuration STATUS_PERIOD(0.5);    // minimum time between two status messages, unless something changes
@@ -26,6 +25,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       name_(private_node.getNamespace()),
       on_share_(parameters.on_share),
       save_to_(parameters.save_to),
+      data_folder_(parameters.data_folder),
       save_every_(parameters.save_every),
       learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
       limiter_(learner_.model().vision()),
@@ -37,6 +37,8 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
                     [this](const LiveValues& values) { use(live_.changed(settings(), values)); }}),
       diagnostics_(node_, private_node, parameters.diagnostic_period, [this] { takeSample(); }),
       taking_(private_node, 1),
+      sharing_(private_node, 1),
+      files_(private_node, 1),
       services_(private_node, LEARNER_SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
   for (const std::string& warning : parameters.warnings) ROS_WARN("%s", warning.c_str());
@@ -57,15 +59,13 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
 
 void LearnerNode::run() {
   publishStatus();
-  taking_.start();
-  services_.start();
+  for (Services* const services : {&taking_, &sharing_, &files_, &services_}) services->start();
   while (!loop_.isClosed()) {
     loop_.run(IDLE);
     askForPerceptions();
   }
   loop_.close();
-  services_.stop();
-  taking_.stop();
+  for (Services* const services : {&services_, &files_, &sharing_, &taking_}) services->stop();
   if (!save_to_.empty()) saveAll(false);
 }
 

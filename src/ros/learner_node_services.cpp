@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "social_crowd/common/quotes.h"
+#include "social_crowd/learning/q_table_names.h"
 #include "social_crowd/ros/agent_list.h"
 #include "social_crowd/ros/console.h"
 #include "social_crowd/ros/learner_node.h"
@@ -16,12 +18,6 @@
 
 namespace crowd {
 namespace {
-
-/// Returns the absolute path of a file in a request; relative paths are relative to the working directory of the node.
-std::string absolutePath(const std::string& file) {
-  if (file.empty()) throw InputError("file: expected a file name, got an empty text");
-  return std::filesystem::absolute(file).lexically_normal().string();
-}
 
 std::string visitedRowsOf(const QTable& table) {
   return std::to_string(table.visitedRows()) + " visited rows of " + std::to_string(table.rows());
@@ -59,8 +55,8 @@ AgentId LearnerNode::meant(AgentId agent) const {
 }
 
 void LearnerNode::advertiseServices() {
-  services_.serve<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, [this](const auto& request, auto& response) {
-    const std::string file = absolutePath(request.file);
+  files_.serve<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, [this](const auto& request, auto& response) {
+    const std::string file = data_folder_.resolveToWrite(request.file, request.overwrite != 0);
     std::string whose = "the shared table";
     const auto table = loop_.ask<TrainedTable>([&] {
       const bool shared = learner_.tableUse() == TableUse::SHARED;
@@ -72,10 +68,12 @@ void LearnerNode::advertiseServices() {
     saveQTable(file, table);  // in the service thread: the learner continues
     response.message = "saved " + visitedRowsOf(table.table) + " of " + whose + " to " + file;
   });
-  services_.serve<social_crowd::LoadQTable>(names::LOAD_Q_TABLE, [this](const auto& request, auto& response) {
-    const std::string file = absolutePath(request.file);
+  files_.serve<social_crowd::LoadQTable>(names::LOAD_Q_TABLE, [this](const auto& request, auto& response) {
+    const std::string file = data_folder_.resolveToRead(request.file, findQTable);
+    const HiddenQuotes hidden;                    // whoever calls may not be allowed to read the file
     const TrainedTable table = loadQTable(file);  // may throw; nothing has been replaced yet
     loop_.ask<void>([&] {
+      const HiddenQuotes hidden_in_loop;
       requireFit(learner_.model(), table.model, file);
       const TakeReport report = giveTo({}, table.table, TakeMethod::REPLACE);
       learner_.setDecisions(table.decisions);
@@ -103,8 +101,8 @@ void LearnerNode::advertiseServices() {
         });
       });
   reconfigure_.serve(services_, loop_);
-  services_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,
-                                             [this](const auto& request, auto& response) { share(request, response); });
+  sharing_.serve<social_crowd::ShareQTable>(names::SHARE_Q_TABLE,
+                                            [this](const auto& request, auto& response) { share(request, response); });
   taking_.serve<social_crowd::TakeQTable>(names::TAKE_Q_TABLE,
                                           [this](const auto& request, auto& response) { take(request, response); });
 }

@@ -85,6 +85,8 @@ void readShare(Parameters& parameters, Learner::Options& options) {
 /// Loads a Q-table file, or a table of this package by its name.
 TrainedTable loadFoundQTable(const std::string& name_or_file) { return loadQTable(findQTable(name_or_file)); }
 
+TrainingConfig readConfig(const std::string& file) { return readTrainingConfig(file); }
+
 /// Checks that the model is defined, by a table, a configuration or both.
 void checkSources(Parameters& parameters, const std::optional<TrainingConfig>& config,
                   const std::optional<TrainedTable>& table, Mode mode) {
@@ -129,7 +131,7 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   const TakeMethod on_share = readNamed(parameters, "on_share", TakeMethod::REPLACE, TAKE_METHODS);
   readAgents(parameters, options.agents);
   readShare(parameters, options);
-  const auto config = readFileOf(parameters, "config", readTrainingConfig);
+  const auto config = readFileOf(parameters, "config", readConfig);
   const auto table = readFileOf(parameters, "q_table", loadFoundQTable);
   checkSources(parameters, config, table, options.mode);
   const TrainingPlan training = config ? config->training : TrainingPlan();
@@ -145,19 +147,17 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   if (save_every > 0 && save_to.empty() && parameters.isSet("save_every")) {
     parameters.complain("save_every", "needs ~save_to, the file to write");
   }
+  const DataFolder data_folder = readDataFolder(parameters);
   const double diagnostic_period = readDiagnosticPeriod(parameters);
   parameters.finish();
 
   const Model model = config ? config->model : table->model;
   const std::uint64_t decisions = table ? table->decisions : 0;
   QTable values = table ? table->table : QTable(model.state_set->rowCount(), model.action_set->size());
-  return {options,
-          {model, options.plan.parameters, decisions, options.seed, std::move(values)},
-          on_share,
-          save_to,
-          save_to.empty() ? 0 : save_every,
-          diagnostic_period,
-          findWarnings(options.mode, config, save_to)};
+  return {options,           {model, options.plan.parameters, decisions, options.seed, std::move(values)},
+          on_share,          save_to,
+          data_folder,       save_to.empty() ? 0 : save_every,
+          diagnostic_period, findWarnings(options.mode, config, save_to)};
 }
 
 }  // namespace crowd

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/agent_list.h"
 #include "social_crowd/ros/learner_node.h"
 #include "social_crowd/ros/names.h"
@@ -10,7 +11,9 @@
 namespace crowd {
 namespace {
 
-const ros::Duration REACH(1.0);  // timeout for the service of another learner
+const ros::Duration REACH(1.0);               // timeout for the service of another learner
+constexpr std::size_t MOST_AGENTS = 10'000;   // that a request lists; an empty list stands for all
+constexpr std::size_t MAX_MESSAGE = 100'000;  // [bytes]
 
 bool contains(const std::vector<AgentId>& agents, AgentId agent) {
   return std::find(agents.begin(), agents.end(), agent) != agents.end();
@@ -60,6 +63,7 @@ TakeReport LearnerNode::giveTo(const std::vector<AgentId>& agents, QTable table,
 }
 
 void LearnerNode::take(const social_crowd::TakeQTable::Request& request, social_crowd::TakeQTable::Response& response) {
+  requireFew("to_agents", request.to_agents.size(), MOST_AGENTS);
   const std::string name = "the shared Q-table";
   const TrainedTable trained = parseQTable(request.q_table, name);
   const TakeMethod method = request.method.empty() ? on_share_ : TAKE_METHODS.parse(request.method);
@@ -75,6 +79,7 @@ void LearnerNode::take(const social_crowd::TakeQTable::Request& request, social_
 
 void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
                         social_crowd::ShareQTable::Response& response) {
+  requireFew("to_agents", request.to_agents.size(), MOST_AGENTS);
   const TakeMethod method = request.method.empty() ? on_share_ : TAKE_METHODS.parse(request.method);
   ShareReport report;
   AgentId from = request.from_agent;
@@ -106,7 +111,7 @@ void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
   }
   response.success = report.isFine();
   response.taken_by = report.takenBy();
-  response.message = "the Q-table of agent " + std::to_string(from) + ": " + report.text();
+  response.message = shortened("the Q-table of agent " + std::to_string(from) + ": " + report.text(), MAX_MESSAGE);
 }
 
 void LearnerNode::shareWithin(const std::vector<AgentId>& agents, AgentId from, const QTable& table, TakeMethod method,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 
 namespace crowd {
@@ -24,7 +25,7 @@ std::string toText(const LiveValue& value) {
   if (const bool* const flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const int* const whole = std::get_if<int>(&value)) return std::to_string(*whole);
   if (const double* const number = std::get_if<double>(&value)) return toText(*number);
-  return "'" + std::get<std::string>(value) + "'";
+  return inQuotes(std::get<std::string>(value));
 }
 
 std::string problemOf(const LiveDescription& about, const LiveValue& value) {

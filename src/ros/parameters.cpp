@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 #include "social_crowd/common/yaml_reader.h"
 
@@ -17,7 +18,7 @@ using XmlRpc::XmlRpcValue;
 
 /// Returns a value as YAML.
 std::string textOf(XmlRpcValue& value) {
-  if (value.getType() == XmlRpcValue::TypeString) return "'" + static_cast<std::string&>(value) + "'";
+  if (value.getType() == XmlRpcValue::TypeString) return inQuotes(static_cast<std::string&>(value));
   if (value.getType() == XmlRpcValue::TypeBoolean) return static_cast<bool&>(value) ? "true" : "false";
   if (value.getType() == XmlRpcValue::TypeDouble) return toText(static_cast<double&>(value));
   std::string text;

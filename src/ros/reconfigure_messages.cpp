@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/quotes.h"
 
 namespace crowd {
 namespace {
@@ -107,7 +108,7 @@ void takeRequest(const dynamic_reconfigure::Config& request, const std::vector<L
   const auto take_one = [&](const std::string& name, const LiveValue& value) {
     const auto found = std::find_if(parameters.begin(), parameters.end(),
                                     [&](const LiveDescription& about) { return about.name == name; });
-    if (found == parameters.end()) return note(name, "there is no such parameter");
+    if (found == parameters.end()) return note(shortened(name), "there is no such parameter");
     LiveValue& place = wanted[static_cast<std::size_t>(found - parameters.begin())];
     const LiveValue fitting = converted(value, place);
     note(name, problemOf(*found, fitting, place));

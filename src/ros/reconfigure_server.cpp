@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/reconfigure_messages.h"
 #include "social_crowd/ros/topic_defaults.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr bool ONE_SHOT = true;  // of a timer
 constexpr bool STARTED = true;
 const ros::WallDuration PERIOD(0.1);
+constexpr std::size_t MAX_MESSAGE = 10'000;  // [bytes]
 
 }  // namespace
 
@@ -51,7 +53,7 @@ dynamic_reconfigure::Config ReconfigureServer::change(const dynamic_reconfigure:
     functions_.use(values);
   } catch (const Error& error) {
     // The response has no room for a message.
-    ROS_WARN("%s: nothing has changed: %s", names::SET_PARAMETERS, error.what());
+    ROS_WARN("%s: nothing has changed: %s", names::SET_PARAMETERS, shortened(error.what(), MAX_MESSAGE).c_str());
   }
   publish(true);
   return toMessage(parameters_, functions_.present());

@@ -2,6 +2,7 @@
 
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/parameters.h"
@@ -39,7 +40,7 @@ Drive readDrive(Parameters& parameters) {
   for (const Drive drive : {Drive::DIFFERENTIAL, Drive::HOLONOMIC, Drive::ACKERMANN}) {
     if (DRIVES.nameOf(drive) == name) return drive;
   }
-  parameters.complain("drive", "expected differential, holonomic or ackermann, got '" + name + "'");
+  parameters.complain("drive", "expected differential, holonomic or ackermann, got " + inQuotes(name));
   return Drive::DIFFERENTIAL;
 }
 

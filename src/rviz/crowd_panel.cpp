@@ -27,7 +27,7 @@ void readName(const rviz::Config& config, const QString& key, QString& name) {
 
 }  // namespace
 
-CrowdPanel::CrowdPanel(QWidget* parent) : rviz::Panel(parent), folder_(QDir::homePath()), widgets_(this) {
+CrowdPanel::CrowdPanel(QWidget* parent) : rviz::Panel(parent), widgets_(this) {
   connectNodes();
   connectControls();
   connectFiles();
@@ -102,25 +102,31 @@ void CrowdPanel::connectFiles() {
   const PanelWidgets& w = widgets_;
   QObject::connect(w.open_scenario, &QPushButton::clicked, this, [this] {
     askFile("Open a scenario", QFileDialog::AcceptOpen, SCENARIO_FILES, "yaml",
-            [this](const std::string& file) { model_->loadScenario(file); });
+            [this](const std::string& file, bool /*exists*/) { model_->loadScenario(file); });
   });
   QObject::connect(w.save_scenario, &QPushButton::clicked, this, [this] {
     askFile("Save the floor as a scenario", QFileDialog::AcceptSave, SCENARIO_FILES, "yaml",
-            [this](const std::string& file) { model_->saveScenario(file); });
+            [this](const std::string& file, bool exists) { model_->saveScenario(file, exists); });
   });
   QObject::connect(w.save_table, &QPushButton::clicked, this, [this] {
     askFile("Save the Q-table", QFileDialog::AcceptSave, TABLE_FILES, "txt",
-            [this](const std::string& file) { model_->saveTable(file); });
+            [this](const std::string& file, bool exists) { model_->saveTable(file, exists); });
   });
   QObject::connect(w.load_table, &QPushButton::clicked, this, [this] {
     askFile("Load a Q-table", QFileDialog::AcceptOpen, TABLE_FILES, "txt",
-            [this](const std::string& file) { model_->loadTable(file); });
+            [this](const std::string& file, bool /*exists*/) { model_->loadTable(file); });
   });
 }
 
+QString CrowdPanel::startFolder() const {
+  if (!folder_.isEmpty()) return folder_;
+  const QString data_folder = QString::fromStdString(model_->dataFolder());
+  return QDir(data_folder).exists() && !data_folder.isEmpty() ? data_folder : QDir::homePath();
+}
+
 void CrowdPanel::askFile(const char* title, QFileDialog::AcceptMode mode, const char* filter, const char* suffix,
-                         std::function<void(const std::string& file)> take) {
-  auto* const dialog = new QFileDialog(this, title, folder_, filter);
+                         std::function<void(const std::string& file, bool exists)> take) {
+  auto* const dialog = new QFileDialog(this, title, startFolder(), filter);
   dialog->setObjectName("file_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   // A dialog of the desktop has an event loop of its own in some environments, in which RViz does not draw.
@@ -131,7 +137,7 @@ void CrowdPanel::askFile(const char* title, QFileDialog::AcceptMode mode, const 
   QObject::connect(dialog, &QFileDialog::fileSelected, this, [this, take = std::move(take)](const QString& file) {
     folder_ = QFileInfo(file).absolutePath();
     Q_EMIT configChanged();
-    take(file.toStdString());
+    take(file.toStdString(), QFileInfo::exists(file));  // to save, the dialog has asked whether to replace it
   });
   dialog->open();
 }

@@ -36,13 +36,15 @@ class CrowdPanel : public rviz::Panel {
   void connectControls();
   void connectFiles();
   void refresh();
-  /// Asks for a file without waiting. @param take called with its path
+  /// The folder of the last file, else that of the files of the controller, if it is on this machine.
+  QString startFolder() const;
+  /// Asks for a file without waiting. @param take called with its path, and whether it exists
   void askFile(const char* title, QFileDialog::AcceptMode mode, const char* filter, const char* suffix,
-               std::function<void(const std::string& file)> take);
+               std::function<void(const std::string& file, bool exists)> take);
 
   QString controller_ = "crowd_controller";  // settings: names of nodes, in the namespace
   QString markers_ = "crowd_markers";
-  QString folder_;  // of the last file
+  QString folder_;  // of the last file; empty: none yet
   PanelWidgets widgets_;
   QTimer timer_;
   std::unique_ptr<PanelModel> model_;

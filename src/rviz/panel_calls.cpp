@@ -33,8 +33,11 @@ class Call {
   void make(const char* service, const typename Service::Request& content) const {
     using Response = typename Service::Response;
     line_.add<Service>(node_ + "/" + service, content, [report = report_](const Response& response) {
-      CallResult result{response.success != 0, response.message, std::nullopt};
-      if constexpr (std::is_same_v<Response, social_crowd::ListScenarios::Response>) result.scenarios = response.names;
+      CallResult result{response.success != 0, response.message};
+      if constexpr (std::is_same_v<Response, social_crowd::ListScenarios::Response>) {
+        result.scenarios = response.names;
+        result.data_folder = response.data_folder;
+      }
       report(result);
     });
   }
@@ -76,6 +79,7 @@ void callController(const PanelRequest& request, const Call& call) {
     case Kind::SAVE_SCENARIO: {
       social_crowd::SaveScenario::Request content;
       content.file = request.text;
+      content.overwrite = request.flag;
       return call.make<social_crowd::SaveScenario>(names::SAVE_SCENARIO, content);
     }
     default:
@@ -100,6 +104,7 @@ void callLearner(const PanelRequest& request, const Call& call) {
       social_crowd::SaveQTable::Request content;
       content.file = request.text;
       content.agent = static_cast<std::uint32_t>(request.number);
+      content.overwrite = request.flag;
       return call.make<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, content);
     }
     case Kind::LOAD_TABLE: {

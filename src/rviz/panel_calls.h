@@ -14,7 +14,8 @@ namespace crowd {
 struct CallResult {
   bool success = false;
   std::string message;
-  std::optional<std::vector<std::string>> scenarios;  ///< of LIST_SCENARIOS
+  std::optional<std::vector<std::string>> scenarios = std::nullopt;  ///< of LIST_SCENARIOS
+  std::string data_folder = {};                                      ///< the same
 };
 
 /// @brief Adds the call that a request means to a line. @param report called in the thread of the line

@@ -62,7 +62,7 @@ void PanelLink::exchange(PanelModel& model) {
     ServiceLine& line = lines_[{request.node, request.kind == PanelRequest::Kind::STEP}];
     beginCall(request, line, [this, request](const CallResult& result) {
       note([request, result](PanelModel& model) {
-        if (result.scenarios) model.takeScenarios(*result.scenarios);
+        if (result.scenarios) model.takeScenarios(*result.scenarios, result.data_folder);
         model.noteDone(request, result.success, result.message);
       });
     });

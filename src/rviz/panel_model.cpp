@@ -143,7 +143,9 @@ void PanelModel::setParameter(const std::string& name, double value) {
   askLearners({Kind::SET_PARAMETER, {}, name, value});
 }
 
-void PanelModel::saveTable(const std::string& file) { askTables({Kind::SAVE_TABLE, {}, file}); }
+void PanelModel::saveTable(const std::string& file, bool overwrite) {
+  askTables({Kind::SAVE_TABLE, {}, file, 0.0, overwrite});
+}
 
 void PanelModel::loadTable(const std::string& file) { askTables({Kind::LOAD_TABLE, {}, file}); }
 

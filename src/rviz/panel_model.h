@@ -35,7 +35,13 @@ class PanelModel {
   void take(const social_crowd::ControllerStatus& status, double now);
   void take(const social_crowd::LearnerStatus& learner);
   void takeChosenAgent(std::int64_t agent) { chosen_agent_ = agent; }
-  void takeScenarios(std::vector<std::string> names) { scenarios_ = std::move(names); }
+  /// @param data_folder in which the controller reads and writes files
+  void takeScenarios(std::vector<std::string> names, std::string data_folder) {
+    scenarios_ = std::move(names);
+    data_folder_ = std::move(data_folder);
+  }
+  /// @brief Folder in which the controller reads and writes files; empty: not known yet.
+  const std::string& dataFolder() const { return data_folder_; }
   /// @brief Reports whether a node can be called.
   void noteReachable(const std::string& node, bool reachable);
   /// @brief Reports the end of a request.
@@ -50,7 +56,10 @@ class PanelModel {
   void reset() { ask({PanelRequest::Kind::RESET, controller_}); }
   void setSpeed(double factor) { ask({PanelRequest::Kind::SET_SPEED, controller_, {}, factor}); }
   void loadScenario(const std::string& name) { ask({PanelRequest::Kind::LOAD_SCENARIO, controller_, name}); }
-  void saveScenario(const std::string& file) { ask({PanelRequest::Kind::SAVE_SCENARIO, controller_, file}); }
+  /// @param overwrite whether the user wants a file of that name to be replaced
+  void saveScenario(const std::string& file, bool overwrite) {
+    ask({PanelRequest::Kind::SAVE_SCENARIO, controller_, file, 0.0, overwrite});
+  }
   void chooseAgent(std::int64_t agent) {
     ask({PanelRequest::Kind::CHOOSE_AGENT, markers_, {}, static_cast<double>(agent)});
   }
@@ -61,7 +70,8 @@ class PanelModel {
   void setMode(const std::string& mode);
   /// @param name epsilon, alpha or gamma
   void setParameter(const std::string& name, double value);
-  void saveTable(const std::string& file);
+  /// @param overwrite as of saveScenario()
+  void saveTable(const std::string& file, bool overwrite);
   void loadTable(const std::string& file);
   /// @brief Gives the table of the chosen agent to all agents. @param method replace or merge
   void shareTable(const std::string& method);
@@ -103,6 +113,7 @@ class PanelModel {
   std::string learner_;                                          // entry that the user chose
   std::int64_t chosen_agent_ = -1;
   std::vector<std::string> scenarios_;
+  std::string data_folder_;
   std::set<std::string> reachable_;
   std::deque<std::pair<double, std::uint64_t>> decisions_;  // times and counts of the last seconds
   std::vector<PanelRequest> waiting_;

@@ -15,10 +15,10 @@ struct PanelRequest {
     SET_SPEED,       ///< `number`: factor of real time
     LIST_SCENARIOS,  ///<
     LOAD_SCENARIO,   ///< `text`: file or name
-    SAVE_SCENARIO,   ///< `text`: file
+    SAVE_SCENARIO,   ///< `text`: file; `flag`: it may be replaced
     SET_MODE,        ///< `text`: mode
     SET_PARAMETER,   ///< `text`: name of a parameter of Q-learning; `number`: value
-    SAVE_TABLE,      ///< `text`: file; `number`: agent
+    SAVE_TABLE,      ///< `text`: file; `number`: agent; `flag`: the file may be replaced
     LOAD_TABLE,      ///< `text`: file
     SHARE_TABLE,     ///< `text`: method; `number`: agent
     CHOOSE_AGENT,    ///< `number`: agent

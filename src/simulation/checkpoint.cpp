@@ -10,6 +10,7 @@
 #include "learning/q_table_text.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 
 namespace crowd {
 namespace {
@@ -44,20 +45,18 @@ class Words {
     const std::string_view word = next();
     std::uint64_t value = 0;
     const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (read.ec != std::errc() || read.ptr != word.data() + word.size()) lines_.fail(expected_, quoted(word));
+    if (read.ec != std::errc() || read.ptr != word.data() + word.size()) lines_.fail(expected_, inQuotes(word));
     return value;
   }
 
   double nextNumber() {
     const std::string_view word = next();
     const std::optional<double> value = toNumber(word);
-    if (!value) lines_.fail(expected_, quoted(word));
+    if (!value) lines_.fail(expected_, inQuotes(word));
     return *value;
   }
 
  private:
-  static std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
-
   LineReader& lines_;
   std::string expected_;
   std::string_view rest_;
@@ -68,7 +67,7 @@ std::uint64_t readWhole(LineReader& lines, const std::string& key) {
   const std::string expected = "'" + key + "' and a whole number";
   Words words(lines, expected);
   const std::string_view word = words.next();
-  if (word != key) lines.fail(expected, "'" + std::string(word) + "'");
+  if (word != key) lines.fail(expected, inQuotes(word));
   return words.nextWhole();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 #include "social_crowd/simulation/learned_robot.h"
 #include "social_crowd/simulation/reactive_rule.h"
@@ -55,7 +56,8 @@ std::unique_ptr<RobotController> makeRobotController(const std::string& name, co
   if (name == "straight") return std::make_unique<StraightController>();
   if (name == "reactive") return std::make_unique<ReactiveController>();
   if (name == "learned") return std::make_unique<LearnedController>(learner, episode);
-  throw InputError("robot controller: expected " + joinAlternatives(robotControllerNames()) + ", got '" + name + "'");
+  throw InputError("robot controller: expected " + joinAlternatives(robotControllerNames()) + ", got " +
+                   inQuotes(name));
 }
 
 RobotDrivers::RobotDrivers(const std::string& controller, const Episode& episode, const Learner& learner)

@@ -38,8 +38,8 @@ TrainingPlan readTrainingPlan(const YAML::Node& node, const YamlPlace& place) {
 
 }  // namespace
 
-TrainingConfig readTrainingConfig(const std::string& file) {
-  const std::vector<YAML::Node> documents = loadYamlStream(file);
+TrainingConfig readTrainingConfig(const std::string& file, FileKinds kinds) {
+  const std::vector<YAML::Node> documents = loadYamlStream(file, kinds);
   if (documents.size() != 1) {
     throw InputError(file + ": expected one YAML document, got " + std::to_string(documents.size()));
   }

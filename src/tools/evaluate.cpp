@@ -42,7 +42,7 @@ struct Arguments {
 
 /// Replaces the model of the table's header by that of a configuration.
 void useModelOf(const std::string& config_file, const std::string& file, TrainedTable& trained) {
-  const TrainingConfig config = readTrainingConfig(config_file);
+  const TrainingConfig config = readTrainingConfig(config_file, FileKinds::REGULAR_OR_PIPE);
   requireFit(config.model, trained.model, file);
   trained.model = config.model;
 }
@@ -182,7 +182,7 @@ struct Inputs {
 };
 
 Inputs readInputs(Arguments& arguments) {
-  Inputs inputs{loadQTable(arguments.q_table), {}};
+  Inputs inputs{loadQTable(arguments.q_table, FileKinds::REGULAR_OR_PIPE), {}};
   if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, inputs.trained);
   arguments.plan.record = !arguments.trajectories.empty();
   arguments.plan.states = !arguments.states.empty();
@@ -192,7 +192,7 @@ Inputs readInputs(Arguments& arguments) {
   // All files are read before the first one is run, so that errors in any of them are reported at once.
   for (std::string& file : arguments.scenarios) {
     file = findScenario(file);
-    inputs.scenarios.push_back(readScenarios(file));
+    inputs.scenarios.push_back(readScenarios(file, FileKinds::REGULAR_OR_PIPE));
   }
   requireOwnOutputs(arguments);
   return inputs;

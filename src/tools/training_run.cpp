@@ -24,7 +24,7 @@ namespace crowd {
 namespace {
 
 TrainingConfig readConfigFor(const TrainingArguments& arguments) {
-  TrainingConfig config = readTrainingConfig(arguments.config);
+  TrainingConfig config = readTrainingConfig(arguments.config, FileKinds::REGULAR_OR_PIPE);
   if (arguments.episodes) config.training.episodes = *arguments.episodes;
   if (arguments.seed) config.training.seed = *arguments.seed;
   if (arguments.save_every) config.training.save_every = *arguments.save_every;
@@ -154,7 +154,7 @@ void TrainingRun::makeTraining() {
   if (beginning_.resumed || arguments_.q_table.empty()) {
     training_.emplace(std::move(config), arguments_.threads, ranks_);
   } else {
-    beginning_.q_table = loadQTable(arguments_.q_table);
+    beginning_.q_table = loadQTable(arguments_.q_table, FileKinds::REGULAR_OR_PIPE);
     requireFit(config.model, beginning_.q_table->model, arguments_.q_table);
     training_.emplace(std::move(config), *beginning_.q_table, arguments_.threads, ranks_);
   }

@@ -25,7 +25,7 @@ void requireImageSize(std::uint32_t width, std::uint32_t height) {
 }
 
 MapImage readMapImage(const std::string& file) {
-  const std::string content = readFile(file);
+  const std::string content = readFile(file, FileLimits::IMAGE);
   try {
     return parseImage(content);
   } catch (const InputError& error) {

@@ -3,13 +3,13 @@
 #include <system_error>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/quotes.h"
 #include "world/map_image.h"
 
 namespace crowd {
 namespace {
 
 constexpr std::uint32_t GREATEST_SAMPLE = 65535;
-constexpr std::size_t MAX_WORD = 20;  // [characters]
 
 bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
@@ -32,7 +32,7 @@ class PgmWords {
     const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool is_whole = !word.empty() && read.ec == std::errc() && read.ptr == word.data() + word.size();
     if (is_whole && value <= high) return value;
-    const std::string got = word.empty() ? "the end of the file" : "'" + std::string(word.substr(0, MAX_WORD)) + "'";
+    const std::string got = word.empty() ? "the end of the file" : inQuotes(word);
     throw InputError(what + ": expected a whole number from 0 to " + std::to_string(high) + ", got " + got);
   }
 

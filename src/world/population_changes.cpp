@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/yaml_reader.h"
 #include "world/population_checks.h"
 #include "world/population_document.h"
@@ -72,7 +73,9 @@ PopulationDescription withSource(const Scene& scene, const SourceDescription& so
 PopulationDescription withGate(const Scene& scene, const GateDescription& gate) {
   PopulationDescription population = populationOf(scene);
   if (gate.name.empty()) throw InputError("gate: expected a name, got an empty text");
-  if (findName(population.gates, gate.name)) throw InputError("gate: there is a gate '" + gate.name + "' already");
+  requireShort("gate", gate.name);
+  if (findName(population.gates, gate.name))
+    throw InputError("gate: there is a gate " + inQuotes(gate.name) + " already");
   population.gates.push_back(gate);
   requireField("gates." + gate.name, [&] { requireReadable(population); });
   return population;

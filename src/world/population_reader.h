@@ -1,5 +1,6 @@
 #pragma once
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/yaml_reader.h"
 #include "social_crowd/world/population.h"
 #include "world/units.h"
@@ -37,7 +38,7 @@ std::vector<T> readNamed(const YAML::Node& node, const YamlPlace& place, Read re
   for (const auto& entry : node) {
     const std::string& name = entry.first.Scalar();
     if (name.empty()) throwExpected(place, entry.first, "a name");
-    list.push_back(read(entry.second, place.child(name)));
+    list.push_back(read(entry.second, place.child(HiddenQuotes::areActive() ? "..." : shortened(name))));
     list.back().name = name;
     list.back().line = entry.first.Mark().line + 1;
   }

@@ -1,5 +1,6 @@
 #include "world/region_reader.h"
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 
 namespace crowd {
@@ -66,7 +67,7 @@ Region readFree(const YAML::Node& node, const YamlPlace& place) {
     if (expected.find(std::string("{") + key) != std::string::npos) known.emplace_back(key);
   }
   const std::string key = node.begin()->first.Scalar();
-  throwProblem(place, node, "expected " + expected + ", got '" + key + "'" + didYouMean(key, known));
+  throwProblem(place, node, "expected " + expected + ", got " + inQuotes(key) + didYouMean(key, known));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/world/impact.h"
 #include "social_crowd/world/world.h"
 
@@ -80,7 +81,7 @@ std::string World::findRobotBlocker(const Vector2& centre, double radius, std::o
   for (RobotId id = 0; id < robots_.size(); ++id) {
     const Robot& robot = robots_[id];
     if (id == except || distance(robot.start.footprint, robot.pose, centre) >= radius) continue;
-    return "robot '" + robot.start.name + "'";
+    return "robot " + inQuotes(robot.start.name);
   }
   return "";
 }

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string>
 
+#include "social_crowd/common/quotes.h"
 #include "world/list_reader.h"
 #include "world/population_reader.h"
 #include "world/region_reader.h"
@@ -193,13 +194,13 @@ std::vector<RobotGroup> readRobots(const YamlMap& map, const Units& units, doubl
     RobotStart& start = robots[i].start;
     for (std::size_t k = 0; k < i; ++k) {
       if (robots[k].start.name != start.name) continue;
-      throwProblem(place.element(i).child("name"), list[i], "there are two robots '" + start.name + "'");
+      throwProblem(place.element(i).child("name"), list[i], "there are two robots " + inQuotes(start.name));
     }
     if (robots.size() > 1 && !list[i]["namespace"]) start.name_space = start.name;
     for (std::size_t k = 0; k < i; ++k) {
       if (robots[k].start.name_space != start.name_space) continue;
       throwProblem(place.element(i).child("namespace"), list[i],
-                   "there are two robots in the namespace '" + start.name_space + "'");
+                   "there are two robots in the namespace " + inQuotes(start.name_space));
     }
   }
   return robots;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 
 namespace crowd {
@@ -52,7 +53,7 @@ std::string asGiven(const std::string& name, const fs::path& path, bool is_bare)
   const std::string nearest = nearestName(path.stem().string(), names);
   const std::string hint = nearest.empty() ? "" : ", did you mean '" + asGiven(nearest, path, is_bare) + "'?";
   for (std::string& name : names) name = asGiven(name, path, is_bare);
-  std::string text = "no scenario '" + path.string() + "'" + (hint.empty() ? ": there" : hint + " There");
+  std::string text = "no scenario " + inQuotes(path.string()) + (hint.empty() ? ": there" : hint + " There");
   text += " is no file " + fs::absolute(file).lexically_normal().string();
   if (is_bare) text += ", and in " + folder.string() + " none of that name";
   if (!names.empty()) text += "; there " + std::string(names.size() == 1 ? "is " : "are ") + joinNames(names);

@@ -164,7 +164,9 @@ ScenarioList readStream(const std::vector<YAML::Node>& documents, const std::str
 
 }  // namespace
 
-ScenarioList readScenarios(const std::string& file) { return readStream(loadYamlStream(file), file); }
+ScenarioList readScenarios(const std::string& file, FileKinds kinds) {
+  return readStream(loadYamlStream(file, kinds), file);
+}
 
 ScenarioList readScenarios(const std::vector<std::string>& files) {
   std::vector<Scenario> all;

@@ -5,6 +5,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/world/world.h"
 #include "world/finite_checks.h"
 
@@ -191,7 +192,7 @@ std::size_t World::addWall(const Segment& wall) {
   }
   for (const Robot& robot : robots_) {
     if (isCutBy(robot.start.footprint, robot.pose, wall, CONTACT_OVERLAP)) {
-      throw InputError("the place is taken by robot '" + robot.start.name + "'");
+      throw InputError("the place is taken by robot " + inQuotes(robot.start.name));
     }
   }
   std::vector<Segment> walls = this->walls();

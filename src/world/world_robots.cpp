@@ -3,6 +3,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/world/world.h"
 #include "world/finite_checks.h"
 
@@ -35,7 +36,7 @@ Robot& World::findRobot(RobotId id) {
 
 void World::commandRobot(RobotId id, const Twist& wanted) {
   Robot& robot = findRobot(id);
-  const std::string name = "robot '" + robot.start.name + "'";
+  const std::string name = "robot " + inQuotes(robot.start.name);
   if (robot.start.drive == Drive::EXTERNAL) throw InputError(name + " is external: it takes no commands");
   if (!wanted.isFinite()) {
     throw InputError(name + ": expected a command of finite numbers, got linear " +
@@ -48,7 +49,7 @@ void World::commandRobot(RobotId id, const Twist& wanted) {
 void World::placeRobot(RobotId id, const Pose& pose, const Vector2& velocity, bool jump) {
   const Robot& robot = findRobot(id);
   if (robot.start.drive != Drive::EXTERNAL) {
-    throw InputError("robot '" + robot.start.name + "' is not external: it moves by commands");
+    throw InputError("robot " + inQuotes(robot.start.name) + " is not external: it moves by commands");
   }
   requireFinite(pose);
   requireFinite("velocity [m/s]", velocity);

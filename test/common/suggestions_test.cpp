@@ -30,6 +30,16 @@ TEST(NearestName, IsEmptyIfEveryLetterDiffers) {
   EXPECT_EQ(nearestName("goa", {"goal"}), "goal");
 }
 
+/// This would take minutes if distances were computed.
+TEST(NearestName, IsNotSearchedForALongText) {
+  EXPECT_EQ(nearestName(std::string(100'000'000, 'a'), std::vector<std::string>(100, std::string(1000, 'a'))), "");
+}
+
+TEST(NearestName, IsTheFirstOfEquallyNearOnes) {
+  EXPECT_EQ(nearestName("gate_3", {"gate_10", "gate_1", "gate_2"}), "gate_1");
+  EXPECT_EQ(nearestName("gate_2", {"gate_1", "gate_2", "gate_2"}), "gate_2");
+}
+
 TEST(DidYouMean, IsAQuestionOrEmpty) {
   EXPECT_EQ(didYouMean("pacee", {"pace", "seed"}, "~"), ", did you mean '~pace'?");
   EXPECT_EQ(didYouMean("colour", {"pace", "seed"}), "");
@@ -38,6 +48,14 @@ TEST(DidYouMean, IsAQuestionOrEmpty) {
 TEST(SortedByNearness, KeepsTheOrderOfEquallyNearNames) {
   EXPECT_EQ(sortedByNearness("circel6", {"dummies", "line6", "circle6", "circle12"}).front(), "circle6");
   EXPECT_EQ(sortedByNearness("aa", {"ac", "ab", "aa"}), (std::vector<std::string>{"aa", "ac", "ab"}));
+}
+
+TEST(JoinNames, CutsLongNamesAndManyNames) {
+  EXPECT_EQ(joinNames({"a", "b"}, "~"), "~a, ~b");
+  EXPECT_EQ(joinNames({std::string(1000, 'a'), "b"}), std::string(80, 'a') + "..., b");
+  const std::string many = joinNames(std::vector<std::string>(1000, "a"));
+  EXPECT_LT(many.size(), 1000U);
+  EXPECT_EQ(many.substr(many.rfind(',')), ", a and 800 more");
 }
 
 }  // namespace

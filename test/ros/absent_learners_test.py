@@ -108,7 +108,7 @@ class NoLearnerTest(AbsenceTestCase):
         self.succeed('crowd_controller/set_goal', agent=0, goal=Point(0, 5, 0))
         self.succeed('crowd_controller/reset', keep_seed=True)
         self.succeed('crowd_controller/pause', data=True)
-        self.succeed('crowd_controller/load_scenario', scenario=support.CIRCLE6)
+        self.succeed('crowd_controller/load_scenario', scenario='circle6')
         self.succeed('crowd_controller/pause', data=False)
         self.succeed('crowd_controller/pause', data=True)
         self.assertEqual(self.controller.stop(), 0)

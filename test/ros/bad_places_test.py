@@ -108,7 +108,7 @@ class ScenariosTest(BadPlacesTestCase):
         source = 'sources: [{area: AREA, rate: RATE, goal: GOAL, speed: 1, radius: 0.2}]\n'
         good = {'AREA': '[5, 2]', 'RATE': '1', 'GOAL': '[15, 2]'}
         for change, words in (
-                ({'RATE': '-1'}, ['rate', 'expected', '-1']), ({'RATE': '0'}, ['rate', 'expected']),
+                ({'RATE': '-1'}, ['rate', 'expected a number above 0']), ({'RATE': '0'}, ['rate', 'expected']),
                 ({'AREA': '[18, 1]'}, ['area'])):
             text = source
             for key, value in dict(good, **change).items():

@@ -87,6 +87,18 @@ class CrowdPanelTest(PanelTestCase):
         rviz.choose_file(file)
         self.wait_status(lambda status: status.scenario == 'floor' and status.tick == 0, 'the saved scenario')
 
+    def test_dialogs_open_in_the_data_folder(self):
+        rviz = self.open_both(data_folder=self.path('data'))
+        support.wait_for(lambda: os.path.isdir(self.path('data')), 'the folder that the controller tells')
+        rviz.choose('scenario', 'circle6')
+        rviz.wait_text('success', lambda text: text == '0 of 6 (0 %)', 'another scenario')
+        rviz.click('save_scenario')
+        rviz.choose_file('floor')
+        rviz.wait_text('message', lambda text: text.endswith(f'to {self.path("data/floor.yaml")}'), 'the file')
+        rviz.click('open_scenario')
+        rviz.choose_file(self.file)
+        rviz.wait_text('message', lambda text: 'is not in the folder' in text and '~allow_any_path' in text, 'the error')
+
     def test_mode_parameters_and_tables(self):
         rviz = self.open_both()
         rviz.choose('mode', 'training')

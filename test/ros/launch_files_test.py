@@ -101,6 +101,20 @@ class DemoTest(LaunchTestCase):
             self.assertEqual((told.mode, told.epsilon), ('training', expected), given)
             self.assertEqual(launched.stop(), 0)
 
+    def test_services_use_the_data_folder(self):
+        for learners, node in (('one', 'learner'), ('per_agent', 'learner_0')):
+            folder = self.path(learners)
+            launched = self.launch('demo.launch', learners=learners, data_folder=folder)
+            self.succeed(f'{node}/save_q_table', file='table.txt')
+            self.succeed('crowd_controller/save_scenario', file='floor.yaml')
+            self.assertEqual(sorted(os.listdir(folder)), ['floor.yaml', 'table.txt'])
+            self.refuse(f'{node}/load_q_table', '~allow_any_path', file=support.ANTICIPATION_TABLE)
+            self.assertEqual(launched.stop(), 0)
+            launched = self.launch('demo.launch', learners=learners, data_folder=folder, allow_any_path='true')
+            self.succeed(f'{node}/load_q_table', file=support.ANTICIPATION_TABLE)
+            self.succeed('crowd_controller/load_scenario', scenario=support.CIRCLE6)
+            self.assertEqual(launched.stop(), 0)
+
     def test_scenario_by_name(self):
         self.assert_ends_well(self.demo(episodes=1))
 

@@ -123,7 +123,7 @@ class TrainingTest(support.CrowdTestCase):
         """Returns the table of agent 0, saved after this number of decisions."""
         self.wait_until_learned(learner, decisions)
         file = self.path('ros.txt')
-        self.succeed(f'{learner}/save_q_table', file=file)
+        self.succeed(f'{learner}/save_q_table', file=file, overwrite=True)
         return file
 
     def check(self, scenario, tables, **parameters):

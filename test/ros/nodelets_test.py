@@ -193,7 +193,8 @@ class TrainingTest(NodeletTestCase):
         self.tool('train', config, '--output', self.path('headless.txt'))
         decisions = QTableFile(self.path('headless.txt')).header['decisions']
         status = self.listen('learner_status', LearnerStatus)
-        learner = self.load('learner', mode='training', config=config, seed=3, save_to=self.path('ros.txt'))
+        learner = self.load('learner', mode='training', config=config, seed=3, save_to=self.path('ros.txt'),
+                            data_folder=self.folder)
         status.wait(what='that the learner is there')
         self.assertEqual(self.load_controller(episodes=7, seed=3).wait(), 0)
 

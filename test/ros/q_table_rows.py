@@ -18,5 +18,5 @@ class TableTestCase(support.CrowdTestCase):
     def saved(self, learner, agent=0):
         """Returns the rows of an agent's table."""
         file = self.path('saved.txt')
-        self.succeed(f'{learner}/save_q_table', file=file, agent=agent)
+        self.succeed(f'{learner}/save_q_table', file=file, agent=agent, overwrite=True)
         return QTableFile(file).rows

@@ -33,6 +33,7 @@ class RobotErrorsTest(RobotTestCase):
         self.start_all()
         before = self.walk(3)
         for name, (text, words) in bad_scenarios().items():
+            words = [word.replace("'tug'", "'...'") for word in words]  # answers of services quote no file
             self.refuse('crowd_controller/load_scenario', *words, scenario=self.write(f'{name}.yaml', text))
         after = self.walk()
         self.assertEqual(self.states.messages[-1].tick, 4)

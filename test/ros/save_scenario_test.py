@@ -41,7 +41,7 @@ class SaveScenarioTest(ControllerTestCase):
     def save_and_load(self):
         """Saves and loads. Returns the states before and after."""
         file = self.path('floor.yaml')
-        saved = self.do('save_scenario', file=file)
+        saved = self.do('save_scenario', file=file, overwrite=True)
         self.assert_says(saved.message, file)
         before = self.agents.messages[-1]
         self.do('load_scenario', scenario=file)
@@ -67,7 +67,7 @@ class SaveScenarioTest(ControllerTestCase):
         for ticks in (5, 12, 17, 29):
             with self.subTest(ticks=ticks):
                 self.walk(ticks)
-                self.do('save_scenario', file=self.path('floor.yaml'))
+                self.do('save_scenario', file=self.path('floor.yaml'), overwrite=True)
                 expected = moves_of(self.walk(25))[1]
                 self.do('load_scenario', scenario=self.path('floor.yaml'))
                 got = moves_of(self.walk(25))[1]
@@ -101,7 +101,7 @@ class SaveScenarioTest(ControllerTestCase):
                        'obstacles:\n  - {position: [6, 0], radius: 1, velocity: [-4, 0]}\n')
         support.wait_for(lambda: self.walk().agents[0].in_contact, 'a contact')
         file = self.write('floor.yaml', 'before')
-        self.refuse('save_scenario', 'not saved', 'overlap', file=file)
+        self.refuse('save_scenario', 'not saved', 'overlap', file=file, overwrite=True)
         self.assertEqual(support.read_text(file), 'before')
 
     def test_invalid_files_are_refused(self):

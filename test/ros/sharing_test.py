@@ -178,7 +178,7 @@ class SharedPastTest(TableTestCase):
 
     def visits(self, learner):
         """Returns the sum of visits of a learner's table."""
-        self.succeed(f'{learner}/save_q_table', file=self.path('counted.txt'))
+        self.succeed(f'{learner}/save_q_table', file=self.path('counted.txt'), overwrite=True)
         return QTableFile(self.path('counted.txt')).visits()
 
     def walk(self, perceiver, episode):

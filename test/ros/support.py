@@ -173,13 +173,15 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
         return self.start(name, find_node('social_crowd', kind)[:1] + [f'__name:={name}', *arguments])
 
     def start_controller(self, scenario, arguments=(), **parameters):
-        """Starts a crowd controller with long deadlines that walks as fast as possible."""
+        """Starts a crowd controller with long deadlines that walks as fast as possible. Its services use the folder of the
+        test."""
         defaults = {'scenario': scenario, 'real_time_factor': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0,
-                    'agents_rate': 0}
+                    'agents_rate': 0, 'data_folder': self.folder}
         return self.start_node('crowd_controller', 'crowd_controller', dict(defaults, **parameters), arguments)
 
     def start_learner(self, name='learner', arguments=(), **parameters):
-        """Starts a learner, by default in demo mode with a trained table."""
+        """Starts a learner, by default in demo mode with a trained table. Its services use the folder of the test."""
+        parameters.setdefault('data_folder', self.folder)
         if not {'q_table', 'config'} & set(parameters):
             parameters['q_table'] = NEAREST_TABLE
         return self.start_node('learner', name, parameters, arguments)

@@ -22,7 +22,7 @@ class LearnerTestCase(support.CrowdTestCase):
 
     def saved(self):
         """Returns the learner's table."""
-        self.succeed('learner/save_q_table', file=self.path('saved.txt'))
+        self.succeed('learner/save_q_table', file=self.path('saved.txt'), overwrite=True)
         return QTableFile(self.path('saved.txt'))
 
     def walk(self, episode, ticks, acted=True):

@@ -76,21 +76,21 @@ TEST(PanelModelLearners, namesTheShownAgentWhenItsTableIsItsOwn) {
   addLearner(model, learner("/learner", {0, 1, 2}, true));
   model.takeChosenAgent(2);
   EXPECT_TRUE(model.view(NOW).can_share);
-  model.saveTable("/tmp/table.txt");
+  model.saveTable("/tmp/table.txt", false);
   std::vector<PanelRequest> requests = model.takeRequests();
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_DOUBLE_EQ(requests[0].number, 2.0);
   EXPECT_EQ(requests[0].text, "/tmp/table.txt");
   model.noteDone(requests[0], true, "saved");
   model.take(learner("/learner", {0, 1, 2}));  // one table now
-  model.saveTable("/tmp/table.txt");
+  model.saveTable("/tmp/table.txt", false);
   requests = model.takeRequests();
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_DOUBLE_EQ(requests[0].number, 0.0);
   model.noteDone(requests[0], true, "saved");
   model.take(learner("/learner", {0, 1, 2}, true));
   model.takeChosenAgent(7);  // no learner serves it
-  model.saveTable("/tmp/table.txt");
+  model.saveTable("/tmp/table.txt", false);
   EXPECT_DOUBLE_EQ(model.takeRequests().at(0).number, 0.0);
 }
 

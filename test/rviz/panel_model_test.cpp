@@ -102,7 +102,7 @@ TEST(PanelModel, savesAllFilesThatWereAskedForWhileACallIsInProgress) {
   PanelModel model = present();
   model.reset();
   PanelRequest running = model.takeRequests().at(0);
-  for (const char* const file : {"a.yaml", "b.yaml", "b.yaml"}) model.saveScenario(file);
+  for (const char* const file : {"a.yaml", "b.yaml", "b.yaml"}) model.saveScenario(file, false);
   std::vector<std::string> saved;
   while (true) {
     model.noteDone(running, true, "");
@@ -114,11 +114,33 @@ TEST(PanelModel, savesAllFilesThatWereAskedForWhileACallIsInProgress) {
   EXPECT_EQ(saved, (std::vector<std::string>{"a.yaml", "b.yaml"}));
 }
 
+TEST(PanelModel, replacesAFileOnlyIfTheUserWantsThat) {
+  PanelModel model = present();
+  addLearner(model, learner("/learner", {0}));
+  for (const bool overwrite : {false, true}) {
+    model.saveScenario("a.yaml", overwrite);
+    model.saveTable("a.txt", overwrite);
+    const std::vector<PanelRequest> requests = model.takeRequests();
+    ASSERT_EQ(requests.size(), 2U);
+    for (const PanelRequest& request : requests) {
+      EXPECT_EQ(request.flag, overwrite);
+      model.noteDone(request, false, "");
+    }
+  }
+}
+
+TEST(PanelModel, knowsTheFolderOfTheFilesOfTheController) {
+  PanelModel model = present();
+  EXPECT_EQ(model.dataFolder(), "");
+  model.takeScenarios({"circle6"}, "/home/ada/.ros/social_crowd");
+  EXPECT_EQ(model.dataFolder(), "/home/ada/.ros/social_crowd");
+}
+
 TEST(PanelModel, saysThatAWaitingSaveIsNotDoneWhenItsNodeGoesAway) {
   PanelModel model = present();
   model.reset();
   ASSERT_EQ(model.takeRequests().size(), 1U);
-  model.saveScenario("a.yaml");
+  model.saveScenario("a.yaml", false);
   model.noteReachable(CONTROLLER, false);
   EXPECT_EQ(model.view(NOW).message, "a.yaml is not saved: /crowd_controller is away");
   EXPECT_TRUE(model.view(NOW).is_error);
@@ -213,7 +235,7 @@ TEST(PanelModel, asksForScenariosAgainWhenAFileIsSavedAndAfterARestart) {
   ControllerStatus status = walking();
   status.episode = 3;
   model.take(status, 0.0);
-  model.saveScenario("/tmp/floor.yaml");
+  model.saveScenario("/tmp/floor.yaml", false);
   const std::vector<PanelRequest> saves = model.takeRequests();
   ASSERT_EQ(saves.size(), 1U);
   model.noteDone(saves[0], true, "saved");

@@ -22,7 +22,8 @@ class Terminal(Folder):
                 os.symlink(os.path.join(PACKAGE, name), os.path.join(folder, name))
         self.port = free_port()
         self.environment = {'ROS_MASTER_URI': f'http://127.0.0.1:{self.port}', 'ROS_HOSTNAME': '127.0.0.1',
-                            'ROS_LOG_DIR': os.path.join(folder, '.ros'), **(environment or {})}
+                            **dict.fromkeys(('ROS_HOME', 'ROS_LOG_DIR'), os.path.join(folder, '.ros')),
+                            **(environment or {})}
         self.environment.pop('ROS_NAMESPACE', None)
 
     def start(self, line):

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 #include "social_crowd/common/yaml_reader.h"
 
@@ -22,7 +23,7 @@ class EnumNames {
   Enum parse(const std::string& name) const {
     const std::size_t index = find(name);
     if (index < COUNT) return static_cast<Enum>(index);
-    throw InputError(std::string(key_) + ": expected " + listed() + ", got '" + name + "'");
+    throw InputError(std::string(key_) + ": expected " + listed() + ", got " + inQuotes(name));
   }
   /// @brief Reads the key of a map; returns `otherwise` if it is absent. @throws InputError
   Enum read(const YamlMap& map, Enum otherwise) const {

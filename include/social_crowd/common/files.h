@@ -6,8 +6,22 @@
 
 namespace crowd {
 
-/// @brief Returns the content of a file. @throws FileError
-std::string readFile(const std::string& file);
+/// @brief What readFile() reads. Reading a pipe waits for those who write into it: only where a user names a file on a
+/// command line, never in a service.
+enum class FileKinds { REGULAR, REGULAR_OR_PIPE };
+
+/// @brief The largest files that are read [bytes].
+struct FileLimits {
+  static constexpr std::uint64_t YAML = 100'000'000;       ///< scenarios, configurations, descriptions of maps
+  static constexpr std::uint64_t IMAGE = 400'000'000;      ///< as many as a P2 image with the most cells of a map has
+  static constexpr std::uint64_t Q_TABLE = 4'000'000'000;  ///< more than the largest practical state set needs
+  static constexpr std::uint64_t ANY = 16'000'000'000;     ///< checkpoints, which may have a table for every agent
+};
+
+/// @brief Returns the content of a file.
+/// @throws FileError if it cannot be read, is of another kind (folder, device, pipe) or has more than `most` bytes
+std::string readFile(const std::string& file, std::uint64_t most = FileLimits::ANY,
+                     FileKinds kinds = FileKinds::REGULAR);
 
 /// @brief Replaces the content of a file atomically: writes a temporary file in the same folder, flushes it to the disk
 /// and renames it. On failure the previous content remains. @throws FileError

@@ -21,7 +21,7 @@ std::string didYouMean(std::string_view given, const std::vector<std::string>& k
 /// @brief Returns the known names, nearest to the given one first.
 std::vector<std::string> sortedByNearness(std::string_view given, std::vector<std::string> known);
 
-/// @brief Returns the names, each with a prefix, separated by commas.
+/// @brief Returns the names, each with a prefix, separated by commas; of very many, or very long ones, not all.
 std::string joinNames(const std::vector<std::string>& names, const std::string& prefix = "");
 
 /// @brief Returns "a, b or c".

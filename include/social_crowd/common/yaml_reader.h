@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/files.h"
 
 namespace crowd {
 
@@ -101,8 +102,8 @@ class YamlMap {
 };
 
 /// @brief All documents of a YAML file.
-/// @throws FileError if the file cannot be read; InputError, with the line, if it is not valid YAML.
-std::vector<YAML::Node> loadYamlStream(const std::string& file);
+/// @throws FileError as readFile(); InputError, with the line, if it is not valid YAML.
+std::vector<YAML::Node> loadYamlStream(const std::string& file, FileKinds kinds = FileKinds::REGULAR);
 
 /// @brief All documents of a text; `name` replaces the file name in messages.
 /// @throws InputError, with the line, if it is not valid YAML.

@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/rl/learning_parameters.h"
 #include "social_crowd/learning/rl/q_table.h"
@@ -34,6 +35,6 @@ TrainedTable parseQTable(const std::string& text, const std::string& name);
 void saveQTable(const std::string& file, const TrainedTable& trained);
 
 /// @brief Reads a Q-table file. @throws FileError, InputError
-TrainedTable loadQTable(const std::string& file);
+TrainedTable loadQTable(const std::string& file, FileKinds kinds = FileKinds::REGULAR);
 
 }  // namespace crowd

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/ros/data_folder.h"
 #include "social_crowd/ros/diagnostic_period.h"
 #include "social_crowd/ros/live_parameters.h"
 #include "social_crowd/ros/parameters.h"
@@ -23,6 +24,7 @@ struct ControllerParameters {
   std::vector<std::string> scenarios;
   std::string name;                  ///< of recordings: name of the file in ~scenario or ~config
   std::string scenario_folder;       ///< ~scenario_folder: folder of named scenarios; empty: that of the package
+  DataFolder data_folder;            ///< ~data_folder, ~allow_any_path: files that services may read and write
   std::string map_topic;             ///< ~map_topic: topic of a map that replaces those of the scenarios; empty: none
   std::uint64_t seed = 1;            ///< ~seed: of random placements; else that of ~config
   std::uint64_t episodes = 0;        ///< ~episodes: number of episodes; 0: unlimited; else that of ~config

@@ -2,6 +2,8 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
+#include <social_crowd/LoadScenario.h>
+#include <social_crowd/SaveScenario.h>
 #include <social_crowd/StepRobots.h>
 
 #include <cstdint>
@@ -62,6 +64,7 @@ class CrowdController {
 
   /// Changes parameters while the crowd walks, for services and dynamic_reconfigure.
   void use(const ControllerParameters& parameters);
+  /// @param scenarios their first scene can be made with the present seed
   void useScenarios(ScenarioList scenarios, const std::string& name);
   std::optional<TrajectoryFile> beginRecording(const std::string& name) const;
   /// Replaces the map of the running episode and of all later ones; logs an error and changes nothing if it is invalid.
@@ -102,7 +105,12 @@ class CrowdController {
   /// Logs what is wrong with the ways of the present episode, if anything is.
   void warnOfWays(const EpisodeResult& result, const char* when) const;
 
+  void loadScenario(const std::string& name, social_crowd::LoadScenario::Response& response);
+  void saveScenario(const social_crowd::SaveScenario::Request& request, social_crowd::SaveScenario::Response& response);
+
   ControllerParameters parameters_;  // those of LiveParameters have the present values
+  const DataFolder data_folder_;
+  const std::string scenario_folder_;
   MainLoop loop_;
   ros::NodeHandle node_;
   AnswerCollector answers_;
@@ -141,6 +149,7 @@ class CrowdController {
   ControllerSample last_sample_;
   ControllerSample sample_;
   DiagnosticsPublisher diagnostics_;
+  Services files_;     // those that read or write files, in a thread of their own
   Services services_;  // last member: its threads use all others
 };
 

@@ -89,6 +89,7 @@ class LearnerNode {
   std::string name_;  // of the node; its services are below it
   TakeMethod on_share_;
   std::string save_to_;
+  const DataFolder data_folder_;
   std::uint64_t save_every_;
   Learner learner_;
   PerceptionLimiter limiter_;
@@ -117,8 +118,11 @@ class LearnerNode {
   LearnerSample sample_;
   DiagnosticsPublisher diagnostics_;
 
-  // A thread of its own for taking tables: learners that share at the same time must not wait for each other.
+  // Threads of their own: learners that share at the same time must not wait for each other, and neither files nor
+  // other learners hold up the services that change the learning.
   Services taking_;
+  Services sharing_;
+  Services files_;
   Services services_;  // last member: its threads use all others
 };
 

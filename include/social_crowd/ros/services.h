@@ -7,10 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/common/quotes.h"
+
 namespace crowd {
 
-/// @brief Services of a node. Handlers run in separate threads, so that a waiting handler does not block the node. An
-/// exception in a handler gives a response with `success: false` and its text as `message`.
+/// @brief Services of a node. Handlers run in separate threads, so that a waiting handler does not block the node.
+/// Handlers that may take long, because they read files or wait for other nodes, belong in an object of their own:
+/// others would wait for a free thread. An exception in a handler gives a response with `success: false` and its text
+/// as `message`.
 class Services {
  public:
   Services(const ros::NodeHandle& private_node, unsigned threads) : node_(private_node), spinner_(threads, &queue_) {
@@ -33,7 +37,7 @@ class Services {
         handler(request, response);
       } catch (const std::exception& error) {
         response.success = false;
-        response.message = error.what();
+        response.message = shortened(error.what(), MAX_MESSAGE);
       }
     });
   }
@@ -61,6 +65,8 @@ class Services {
   }
 
  private:
+  static constexpr std::size_t MAX_MESSAGE = 10'000;  // [bytes], of an error
+
   ros::NodeHandle node_;
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/rl/learning_parameters.h"
@@ -32,6 +33,6 @@ struct TrainingConfig {
 /// @brief Reads a configuration file. Its scenarios are paths relative to the file, or names of shipped scenarios
 /// (findScenario()).
 /// @throws FileError; InputError with file, line and the expected value.
-TrainingConfig readTrainingConfig(const std::string& file);
+TrainingConfig readTrainingConfig(const std::string& file, FileKinds kinds = FileKinds::REGULAR);
 
 }  // namespace crowd

@@ -3,13 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/world/scenario.h"
 
 namespace crowd {
 
 /// @brief Reads a scenario file: a stream of YAML documents, one scenario each (schema: docs/scenarios.md).
 /// @throws FileError if it cannot be read; InputError with file, document, line and the expected value.
-ScenarioList readScenarios(const std::string& file);
+ScenarioList readScenarios(const std::string& file, FileKinds kinds = FileKinds::REGULAR);
 
 /// @brief Reads the scenarios of several files, in the order of the files. @throws as above.
 ScenarioList readScenarios(const std::vector<std::string>& files);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 
 namespace crowd {
 
@@ -78,9 +79,11 @@ LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, co
 }
 
 LearningPlan changedPlan(const LearningPlan& plan, const std::string& text, const std::string& name) {
+  constexpr std::size_t LONGEST = 10'000;
+  requireShort(name, text, LONGEST);
   const std::vector<YAML::Node> documents = parseYamlStream(text, name);
   if (documents.size() != 1 || !documents.front().IsMap()) {
-    throw InputError(name + ": expected a map such as {alpha: 0.05, epsilon: 0}, got '" + text + "'");
+    throw InputError(name + ": expected a map such as {alpha: 0.05, epsilon: 0}, got " + inQuotes(text));
   }
   return readLearningPlan(documents.front(), {name, 0, ""}, plan);
 }
