@@ -6,26 +6,32 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 
+#include "common/file_access.h"
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/files.h"
 
 namespace crowd {
 namespace {
 
-int openLock(const std::string& name) {
-  const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(*-vararg)
-  if (descriptor < 0) throw FileError(name + ": cannot be written: " + std::strerror(errno));
-  return descriptor;
+constexpr off_t MAX_SIZE = 20;  // characters of the number of a process, or more
+
+/// Whether a file can be a lock: a regular file without other names that has no more than the number of a process.
+bool isLock(const Descriptor& opened) {
+  struct stat status {};
+  return ::fstat(opened.number(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1 &&
+         status.st_size <= MAX_SIZE;
 }
 
-/// Whether the file of this name is still the one that was opened: its last owner may have removed it meanwhile.
-bool isFileOf(const std::string& name, int descriptor) {
-  struct stat named {};
-  struct stat opened {};
-  return ::stat(name.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 && named.st_ino == opened.st_ino &&
-         named.st_dev == opened.st_dev;
+/// Opens a lock, or makes one. What is no lock of this package is neither changed nor removed.
+Descriptor openLock(const std::string& name) {
+  const int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+  Descriptor opened(::open(name.c_str(), flags, 0666));  // NOLINT(*-vararg)
+  if (opened.isOpen() ? !isLock(opened) : errno == ELOOP)
+    throw FileError(name + ": cannot be written: there is something else of that name, which is no lock" +
+                    inFull(name));
+  if (!opened.isOpen()) throwUnwritable(name);
+  return opened;
 }
 
 }  // namespace
@@ -33,25 +39,21 @@ bool isFileOf(const std::string& name, int descriptor) {
 FileLock::FileLock(const std::string& file) : name_(file + ".lock") {
   requireReplaceable(file);
   for (;;) {
-    descriptor_ = openLock(name_);
+    opened_ = openLock(name_);
     // A file system without locks is used without them.
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      ::close(descriptor_);
+    if (::flock(opened_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       const std::string owner = readFile(name_);
       throw FileError(file + ": is in use by another process" + (owner.empty() ? "" : ", number " + owner));
     }
-    if (isFileOf(name_, descriptor_)) break;
-    ::close(descriptor_);
+    if (isNameOf(name_, opened_)) break;  // else its last owner has removed it meanwhile
   }
   const std::string owner = std::to_string(::getpid());
   // The number is only for messages.
-  const bool written = ::ftruncate(descriptor_, 0) == 0 && ::write(descriptor_, owner.data(), owner.size()) > 0;
+  const bool written =
+      ::ftruncate(opened_.number(), 0) == 0 && ::write(opened_.number(), owner.data(), owner.size()) > 0;
   static_cast<void>(written);
 }
 
-FileLock::~FileLock() {
-  ::unlink(name_.c_str());
-  ::close(descriptor_);
-}
+FileLock::~FileLock() { ::unlink(name_.c_str()); }
 
 }  // namespace crowd

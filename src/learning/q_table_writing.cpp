@@ -16,6 +16,7 @@ using namespace q_table_format;  // NOLINT(google-build-using-namespace): the wo
 
 constexpr std::size_t MAX_ROW_SIZE = 11;             // characters of the row number and the line end
 constexpr std::size_t MAX_ENTRY_SIZE = 10 + 24 + 2;  // characters of visits, a value and two spaces
+constexpr std::size_t MAX_GROWTH = 500;              // characters by which the header can grow, and of the checksum
 
 /// Whether the row differs from a new one.
 bool isStored(const QTable& table, Row row) {
@@ -121,6 +122,13 @@ std::string toText(const TrainedTable& trained) {
   Checksum checksum;
   checksum.add(text);
   return text.append(Q_TABLE_CHECKSUM_KEY).append(checksum.text()).append("\n");
+}
+
+std::uint64_t maxTextSize(const TrainedTable& trained) {
+  std::string others;
+  appendSources(trained.table.foreign(), others);
+  const std::uint64_t row = MAX_ROW_SIZE + trained.table.actions() * MAX_ENTRY_SIZE;
+  return headerOf(trained, Sources(trained.table), 0).size() + MAX_GROWTH + others.size() + trained.table.rows() * row;
 }
 
 void saveQTable(const std::string& file, const TrainedTable& trained) { replaceFile(file, toText(trained)); }

@@ -1,5 +1,6 @@
 #include "social_crowd/simulation/trajectory.h"
 
+#include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
 
 namespace crowd {

@@ -11,7 +11,9 @@
 #include "progress_bar.h"
 #include "rank_tools.h"
 #include "social_crowd/common/files.h"
+#include "social_crowd/common/growing_file.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/result_file.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/distributed_evaluation.h"
 #include "social_crowd/simulation/evaluation.h"
@@ -129,6 +131,7 @@ void printWarnings(const std::string& name, const WayWarnings& ways) {
 
 /// The requested files that hold all scenarios.
 struct Records {
+  std::optional<ResultFile> metrics;
   std::optional<GrowingFile> agents;
   std::optional<GrowingFile> robots;
 };
@@ -205,6 +208,7 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
   if (ranks.size() > 1) requireSameRun(ranks, inputs->trained, arguments.scenarios, arguments.plan);
   const bool writes = ranks.rank() == 0;
   const auto open_records = [&] {
+    if (writes && !arguments.csv.empty()) records.metrics.emplace(arguments.csv);
     if (writes && !arguments.record.empty()) records.agents.emplace(arguments.record, RECORD_HEADER);
     if (writes && !arguments.robots_csv.empty()) records.robots.emplace(arguments.robots_csv, robotRecordHeader());
   };
@@ -221,7 +225,7 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
     printRow(name, metrics);
     csv += csvRow(name, metrics);
   }
-  if (writes && !arguments.csv.empty()) replaceFile(arguments.csv, csv);
+  if (records.metrics) records.metrics->write(csv);
   return is_stopped ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
@@ -272,6 +276,8 @@ int runMain(int argc, char** argv) {
           "success%: agents that arrived; contact%: whose bodies overlapped another one or a wall; collision%: that "
           "had "
           "one within their collision radius; clean%: episodes in which all arrived without contact.\n"
+          "CSV files may be devices or pipes that are read from the start, such as /dev/stdout; the file of --csv keeps "
+          "its contents until the metrics are complete.\n"
           "With MPI, several processes walk one crowd together, with the same results: mpirun -n 2 evaluate "
           "--q-table Q_TABLE SCENARIO (docs/mpi.md). This program was built with") +
       (isBuiltWithMpi() ? "" : "out") +

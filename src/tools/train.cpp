@@ -82,8 +82,11 @@ int runMain(int argc, char** argv) {
           "      --checkpoint table.checkpoint --resume\n\n"
           "Ctrl-C ends the training after the present turn and saves the values learned so far. With --checkpoint and "
           "--resume, the same command goes on after Ctrl-C, a crash or kill -9, and table, record and log become the "
-          "same bytes as without the interruption. If a file cannot be written any more, such as on a full disk, the "
-          "training ends, and OUTPUT has what was learned; if only the checkpoint cannot, the training goes on.\n"
+          "same bytes as without the interruption. OUTPUT keeps its contents until the new ones are complete; space for "
+          "them is kept free from the start. If another file cannot be written any more, such as on a full disk, the "
+          "training ends, and OUTPUT has what was learned; if only the checkpoint cannot, the training goes on. "
+          "OUTPUT, record and log may be devices or pipes that are read from the start; what is no regular file is "
+          "never replaced.\n"
           "With MPI, the learners side by side of a configuration are divided among several processes, with the same "
           "results: mpirun -n 2 train CONFIG --output TABLE (docs/mpi.md says how long mpirun waits "
           "after Ctrl-C). This program was built with") +

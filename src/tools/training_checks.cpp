@@ -7,6 +7,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/files.h"
+#include "social_crowd/common/growing_file.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/record.h"
 
@@ -43,7 +44,6 @@ void requireWritable(const std::string& output, const TrainingFileNames& names) 
                        "'");
     }
   }
-  requireReplaceable(output);
   if (!names.checkpoint.empty()) requireReplaceable(names.checkpoint);
   if (!names.record.empty()) requireGrowable(names.record);
   if (!names.log.empty()) requireGrowable(names.log);

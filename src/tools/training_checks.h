@@ -6,8 +6,8 @@
 
 namespace crowd {
 
-/// @brief Checks, without writing anything, that the table and the other files of a training are different ones and can
-/// be written. @throws InputError, FileError
+/// @brief Checks that the table and the other files of a training are different ones, and that the others can be
+/// written. Changes nothing. @throws InputError, FileError
 void requireWritable(const std::string& output, const TrainingFileNames& names);
 
 /// @brief Checks that a training with --resume, but without a checkpoint, replaces nothing that was learned: the name

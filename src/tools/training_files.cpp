@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/files.h"
 #include "social_crowd/simulation/record.h"
 
 namespace crowd {

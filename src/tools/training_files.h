@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/files.h"
+#include "social_crowd/common/growing_file.h"
 #include "social_crowd/simulation/checkpoint.h"
 #include "social_crowd/simulation/training.h"
 

@@ -1,5 +1,6 @@
 #include "training_run.h"
 
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -13,6 +14,7 @@
 #include "social_crowd/common/file_lock.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/result_file.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/training.h"
 #include "social_crowd/simulation/training_config.h"
@@ -58,13 +60,20 @@ struct Beginning {
   std::optional<TrainedTable> q_table;
 };
 
+/// What rank 0 has from the start.
+struct FirstFiles {
+  std::optional<ResultFile> output;
+  std::optional<FileLock> lock;  // of the checkpoint
+};
+
 /// Locks and reads the checkpoint on rank 0, after a look at all files that are to be written, and shares its contents.
-Beginning readBeginning(Communicator& ranks, const TrainingArguments& arguments, std::optional<FileLock>& lock) {
+Beginning readBeginning(Communicator& ranks, const TrainingArguments& arguments, FirstFiles& files) {
   Communicator::Bytes contents;  // empty: the training begins anew
   doOnAllRanks(ranks, [&] {
     if (ranks.rank() != 0) return;
     requireWritable(arguments.output, arguments.files);
-    if (!arguments.files.checkpoint.empty()) lock.emplace(arguments.files.checkpoint);
+    files.output.emplace(arguments.output);
+    if (!arguments.files.checkpoint.empty()) files.lock.emplace(arguments.files.checkpoint);
     if (!resumes(arguments)) return;
     const std::string text = "\n" + readFile(arguments.files.checkpoint);  // the file may be empty
     contents.assign(text.begin(), text.end());
@@ -93,12 +102,6 @@ std::string nameAfter(const std::string& output, std::uint64_t episode) {
   return (path.parent_path() / name).string();
 }
 
-/// Saves the table. @param resumed whether an earlier run may have been killed while it saved the same one
-void save(const std::string& file, const TrainedTable& trained, bool resumed) {
-  if (resumed) removeTemporaries(file);
-  saveQTable(file, trained);
-}
-
 /// A training with its files and its display, which only rank 0 has.
 class TrainingRun {
  public:
@@ -123,7 +126,7 @@ class TrainingRun {
 
   Communicator& ranks_;
   const TrainingArguments& arguments_;
-  std::optional<FileLock> lock_;
+  FirstFiles first_files_;
   Beginning beginning_;
   std::optional<Training> training_;
   std::string identity_;
@@ -137,7 +140,7 @@ class TrainingRun {
 };
 
 void TrainingRun::begin() {
-  beginning_ = readBeginning(ranks_, arguments_, lock_);
+  beginning_ = readBeginning(ranks_, arguments_, first_files_);
   doOnAllRanks(ranks_, [&] { makeTraining(); });
   const bool counts_rows = arguments_.plot || !arguments_.files.log.empty();
   if (ranks_.size() > 1) {
@@ -166,7 +169,6 @@ void TrainingRun::restore() {
   sizes_ = restoreCheckpoint(ranks_, arguments_, beginning_.checkpoint, identity_, *training_);
   beginning_.checkpoint.clear();
   if (!isFirstRank()) return;
-  removeTemporaries(file);
   std::cerr << file << ": " << training_->episode() << " of " << training_->config().training.episodes
             << " episodes are done" << std::endl;
 }
@@ -174,11 +176,15 @@ void TrainingRun::restore() {
 void TrainingRun::openFiles() {
   if (!isFirstRank()) return;
   const bool resumed = beginning_.resumed;
+  if (first_files_.output->isStream() && training_->config().training.save_every > 0) {
+    throw InputError("--output: expected a regular file, as the tables of save_every are written beside it, got '" +
+                     arguments_.output + "'; --save-every 0 writes none");
+  }
+  // A record or a log that fills the disk leaves space for the table.
+  first_files_.output->reserve(maxTextSize(training_->trained()));
   files_.emplace(arguments_.files, identity_, arguments_.checkpoint_interval, resumed ? &sizes_ : nullptr);
   if (!resumed) files_->saveCheckpoint(*training_);
-  // After the first checkpoint: if the training is killed between the two, it can still be resumed.
-  save(arguments_.output, training_->trained(), resumed);
-  const bool plots_log = arguments_.plot && !arguments_.files.log.empty();
+  const bool plots_log = resumed && arguments_.plot && !arguments_.files.log.empty();
   display_.emplace(*training_, arguments_.plot, plots_log ? readFile(arguments_.files.log) : "");
 }
 
@@ -189,7 +195,7 @@ int TrainingRun::run() {
   if (isFirstRank()) {
     if (!has_failed_) noteProblemOf([&] { files_->saveCheckpoint(*training_); });
     // Whatever happens to the other files.
-    noteProblemOf([&] { saveQTable(arguments_.output, training_->trained()); });
+    noteProblemOf([&] { first_files_.output->write(toText(training_->trained())); });
   }
   shareEnding();
   const std::string times = ranks_.size() > 1 ? training_->report().text() : "";
@@ -231,7 +237,7 @@ void TrainingRun::deliver(std::uint64_t before, const std::vector<LearnedEpisode
   files_->append(before, episodes);
   for (const LearnedEpisode& episode : episodes) display_->add(episode);
   if (save_every > 0 && training_->episode() / save_every > before / save_every) {
-    save(nameAfter(arguments_.output, training_->episode()), training_->trained(), beginning_.resumed);
+    saveQTable(nameAfter(arguments_.output, training_->episode()), training_->trained());
   }
   try {
     files_->saveCheckpointIfDue(*training_);
@@ -280,6 +286,8 @@ bool canPlot(Communicator& ranks, const TrainingArguments& arguments) {
 
 int train(Communicator& ranks, const TrainingArguments& arguments) {
   if (!canPlot(ranks, arguments)) return EXIT_BAD_USAGE;
+  // A pipe that nobody reads any more is an error in writing that file; it does not end the training.
+  std::signal(SIGPIPE, SIG_IGN);
   TrainingRun run(ranks, arguments);
   run.begin();
   return run.run();

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <vector>
 
 #include "social_crowd/common/errors.h"
-#include "support/error_of.h"
-#include "support/temporary_folder.h"
+#include "social_crowd/common/files.h"
+#include "support/file_tests.h"
 
 namespace crowd {
 namespace {
@@ -38,6 +39,27 @@ TEST(FileLock, NeedsAFolder) {
   const TemporaryFolder folder;
   const std::string message = errorOf<FileError>([&] { FileLock lock(folder.file("none/a")); });
   EXPECT_TRUE(contains(message, folder.file("none/a") + ": cannot be written")) << message;
+}
+
+TEST(FileLock, ChangesNothingThatIsNoLock) {
+  const TemporaryFolder folder;
+  const std::string other = folder.write("other", "1");
+  const std::string lock = folder.file("a.lock");
+  const auto expect_refused = [&] {
+    const std::string message = errorOf<FileError>([&] { FileLock lock(folder.file("a")); });
+    EXPECT_EQ(message, lock + ": cannot be written: there is something else of that name, which is no lock");
+    EXPECT_EQ(readFile(other), "1");
+    EXPECT_EQ(folder.names(), (Names{"a.lock", "other"}));
+    std::filesystem::remove(lock);
+  };
+  std::filesystem::create_symlink("other", lock);
+  expect_refused();
+  std::filesystem::create_hard_link(other, lock);
+  expect_refused();
+  makePipe(folder, "a.lock");
+  expect_refused();
+  folder.write("a.lock", "the lock of another package\n");
+  expect_refused();
 }
 
 }  // namespace

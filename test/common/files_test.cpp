@@ -1,49 +1,19 @@
 #include "social_crowd/common/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <csignal>
-#include <cstring>
 #include <filesystem>
+#include <future>
 
+#include "social_crowd/common/descriptor.h"
 #include "social_crowd/common/errors.h"
-#include "support/error_of.h"
-#include "support/temporary_folder.h"
+#include "support/file_tests.h"
 
 namespace crowd {
 namespace {
-
-using Names = std::vector<std::string>;
-
-/// During its lifetime, no file of this process can grow beyond a number of bytes; simulates a full disk.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit = {bytes, before_.rlim_max};
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int) = SIG_DFL;
-};
-
-void expectFileError(const std::string& message, const std::string& file, int reason) {
-  EXPECT_TRUE(contains(message, file)) << message;
-  EXPECT_TRUE(contains(message, std::strerror(reason))) << message;
-}
 
 TEST(ReadFile, ReturnsEveryByte) {
   const TemporaryFolder folder;
@@ -77,131 +47,62 @@ TEST(ReadFile, ReportsAReadError) {
   EXPECT_TRUE(contains(errorOf<FileError>([&] { readFile(file); }), file));
 }
 
-TEST(ReplaceFile, CreatesAndReplacesAFile) {
+TEST(ReadFile, RefusesPipesAndDevices) {
   const TemporaryFolder folder;
-  const std::string content("a\r\nb\0c\n\n\xFF", 9);
-  replaceFile(folder.file("file"), content);
-  EXPECT_EQ(readFile(folder.file("file")), content);
-  replaceFile(folder.file("file"), "short");
-  EXPECT_EQ(readFile(folder.file("file")), "short");
-  replaceFile(folder.file("file"), "");
-  EXPECT_EQ(readFile(folder.file("file")), "");
-  EXPECT_EQ(folder.names(), Names{"file"});
+  const std::string pipe = makePipe(folder, "pipe");
+  EXPECT_EQ(errorOf<FileError>([&] { readFile(pipe); }), pipe + ": is a pipe, expected a file");
+  for (const FileKinds kinds : {FileKinds::REGULAR, FileKinds::REGULAR_OR_PIPE}) {
+    const std::string message = errorOf<FileError>([&] { readFile("/dev/zero", 1000, kinds); });
+    EXPECT_EQ(message, "/dev/zero: is a device, expected a file");
+  }
 }
 
-TEST(ReplaceFile, WritesLargeFiles) {
+TEST(ReadFile, ReadsAPipeUntilAllHaveClosedIt) {
   const TemporaryFolder folder;
-  const std::string content(5000000, 'x');
-  replaceFile(folder.file("file"), content);
-  EXPECT_EQ(readFile(folder.file("file")), content);
-}
-
-TEST(ReplaceFile, NamesAMissingFolder) {
-  const TemporaryFolder folder;
-  const std::string file = folder.file("none/file");
-  const std::string message =
-      file + ": cannot be written: " + std::strerror(ENOENT) + ": there is no folder " + folder.file("none");
-  EXPECT_EQ(errorOf<FileError>([&] { replaceFile(file, "new"); }), message);
-  EXPECT_EQ(errorOf<FileError>([&] { requireReplaceable(file); }), message);
-  EXPECT_EQ(errorOf<FileError>([&] { GrowingFile(file, "new"); }), message);
-  EXPECT_EQ(folder.names(), Names{});
-}
-
-TEST(RequireReplaceable, WritesNothing) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("file", "old");
-  requireReplaceable(folder.file("new"));
-  requireReplaceable(file);
-  requireReplaceable("in_the_working_directory");
-  EXPECT_EQ(readFile(file), "old");
-  EXPECT_EQ(folder.names(), Names{"file"});
-}
-
-TEST(RequireReplaceable, RefusesAFolderAndAPathThroughAFile) {
-  const TemporaryFolder folder;
-  expectFileError(errorOf<FileError>([&] { requireReplaceable(folder.path()); }), folder.path(), EISDIR);
-  const std::string below = folder.write("file", "old") + "/below/file";
-  expectFileError(errorOf<FileError>([&] { requireReplaceable(below); }), below, ENOTDIR);
-}
-
-TEST(ReplaceFile, RefusesAPathThroughAFile) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("file", "old") + "/below";
-  const std::string message = errorOf<FileError>([&] { replaceFile(file, "new"); });
-  EXPECT_EQ(message, file + ": cannot be written: " + std::strerror(ENOTDIR));  // does not name the temporary file
-  EXPECT_EQ(readFile(folder.file("file")), "old");
-  EXPECT_EQ(folder.names(), Names{"file"});
-}
-
-TEST(ReplaceFile, KeepsAFolderOfThatName) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.file("taken"));
-  folder.write("taken/file", "old");
-  const std::string message = errorOf<FileError>([&] { replaceFile(folder.file("taken"), "new"); });
-  EXPECT_TRUE(contains(message, folder.file("taken"))) << message;
-  EXPECT_EQ(readFile(folder.file("taken/file")), "old");
-  EXPECT_EQ(folder.names(), Names{"taken"});
-}
-
-TEST(ReplaceFile, KeepsTheOldFileWhenTheDiskIsFull) {
-  const TemporaryFolder folder;
-  folder.write("file", "old");
-  std::string message;
+  const std::string pipe = makePipe(folder, "pipe");
+  auto content = std::async(std::launch::async, [&] { return readFile(pipe, 1000, FileKinds::REGULAR_OR_PIPE); });
   {
-    const FileSizeLimit limit(1000);
-    message = errorOf<FileError>([&] { replaceFile(folder.file("file"), std::string(5000, 'x')); });
+    const Descriptor writer(::open(pipe.c_str(), O_WRONLY | O_CLOEXEC));  // waits for the reader
+    ASSERT_EQ(::write(writer.number(), "first\n", 6), 6);
+    const Descriptor other(::open(pipe.c_str(), O_WRONLY | O_CLOEXEC));
+    ASSERT_EQ(::write(other.number(), "second\n", 7), 7);
   }
-  expectFileError(message, folder.file("file"), EFBIG);
-  EXPECT_EQ(readFile(folder.file("file")), "old");
-  EXPECT_EQ(folder.names(), Names{"file"});
+  EXPECT_EQ(content.get(), "first\nsecond\n");
 }
 
-TEST(ReplaceFile, KeepsTheOldFileInAFolderWithoutWritePermission) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
-  const TemporaryFolder folder;
-  folder.write("file", "old");
-  std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
-  const std::string message = errorOf<FileError>([&] { replaceFile(folder.file("file"), "new"); });
-  std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
-  expectFileError(message, folder.file("file"), EACCES);
-  EXPECT_EQ(readFile(folder.file("file")), "old");
-  EXPECT_EQ(folder.names(), Names{"file"});
-}
-
-TEST(GrowingFile, GoesOnAfterItsFirstBytes) {
-  const TemporaryFolder folder;
-  const std::string file = folder.file("file");
-  {
-    GrowingFile grows(file, "first\n");
-    grows.append("second\n");
-    grows.flushToDisk();
-    EXPECT_EQ(grows.size(), 13U);
-    grows.append("third, cut sh");
+TEST(ReadFile, ReadsAPipeThatIsClosedAlready) {
+  for (const std::string text : {"", "text"}) {
+    int ends[2] = {-1, -1};
+    ASSERT_EQ(::pipe(ends), 0);
+    const Descriptor reader(ends[0]);
+    ASSERT_EQ(::write(ends[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    ::close(ends[1]);
+    const std::string name = "/proc/self/fd/" + std::to_string(reader.number());  // as of a shell's <(command)
+    EXPECT_EQ(readFile(name, 1000, FileKinds::REGULAR_OR_PIPE), text);
   }
-  GrowingFile grows(file, 13);
-  EXPECT_EQ(readFile(file), "first\nsecond\n");
-  grows.append("third\n");
-  EXPECT_EQ(grows.size(), 19U);
-  EXPECT_EQ(readFile(file), "first\nsecond\nthird\n");
 }
 
-TEST(GrowingFile, CannotGoOnInAMissingFile) {
+TEST(ReadFile, ReadsUpToASize) {
   const TemporaryFolder folder;
-  expectFileError(errorOf<FileError>([&] { GrowingFile(folder.file("none"), 5); }), folder.file("none"), ENOENT);
-  EXPECT_EQ(folder.names(), Names{});
+  const std::string file = folder.write("file", "0123456789");
+  EXPECT_EQ(readFile(file, 10), "0123456789");
+  EXPECT_EQ(errorOf<FileError>([&] { readFile(file, 9); }), file + ": is 10 bytes, expected at most 9 bytes");
+  std::filesystem::resize_file(file, 1'000'000'000'001);  // has no blocks on the disk
+  EXPECT_EQ(errorOf<FileError>([&] { readFile(file, 4'000'000); }), file + ": is 1000001 MB, expected at most 4 MB");
+  EXPECT_TRUE(contains(errorOf<FileError>([&] { readFile(file); }), "expected at most 16000 MB"));
 }
 
-TEST(RemoveTemporaries, KeepsOtherFiles) {
+TEST(ReadFile, EndsWhenMoreComesThanExpected) {
+  // The system does not know the size of such files.
+  const std::string unknown = "/proc/self/maps";
+  EXPECT_EQ(errorOf<FileError>([&] { readFile(unknown, 10); }), unknown + ": has more, expected at most 10 bytes");
   const TemporaryFolder folder;
-  const std::string ended = "file.tmp" + std::to_string(INT32_MAX);  // no process has this number
-  const std::string running = "file.tmp" + std::to_string(::getpid());
-  for (const std::string& name : {std::string("file"), ended, running, "other" + ended, ended + "x"}) {
-    folder.write(name, "old");
-  }
-  removeTemporaries(folder.file("file"));
-  Names kept = {"file", running, ended + "x", "other" + ended};
-  std::sort(kept.begin(), kept.end());
-  EXPECT_EQ(folder.names(), kept);
+  const std::string pipe = makePipe(folder, "pipe");
+  auto message = std::async(std::launch::async,
+                            [&] { return errorOf<FileError>([&] { readFile(pipe, 3, FileKinds::REGULAR_OR_PIPE); }); });
+  const Descriptor writer(::open(pipe.c_str(), O_WRONLY | O_CLOEXEC));
+  ASSERT_EQ(::write(writer.number(), "0123", 4), 4);  // and does not close it
+  EXPECT_EQ(message.get(), pipe + ": has more, expected at most 3 bytes");
 }
 
 TEST(MakeFolder, CreatesParentFolders) {

@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 from learning_files import QTableFile
-from programs import PATIENCE, assert_says, read_bytes, read_text, wait_for
+from programs import ANTICIPATION_TABLE, PATIENCE, assert_says, read_bytes, read_text, wait_for
 from trainings import Training, config_of, size_of
 
 LIMIT = 500_000  # of the size of a file [bytes]
@@ -27,7 +27,8 @@ class InterruptionTest:
     @pytest.mark.parametrize('name, episodes', [('traces', 1500), ('side_by_side', 1501), ('own', 3000),
                                                 ('crowd', 700)])
     def test_kill(self, runner, name, episodes):
-        """SIGKILL before the first episode, at fixed and random places of the log, and near the end."""
+        """SIGKILL before the first episode, at fixed and random places of the log, and near the end. Until the end, the
+        output of another training stays."""
         config = config_of(runner, name, episodes)
         options = ['--episodes', episodes, '--save-every', episodes // 3]
         whole, killed = Training(runner, config, 'whole', *options), Training(runner, config, 'killed', *options)
@@ -36,9 +37,14 @@ class InterruptionTest:
         size = size_of(whole.files['log'])
         seed = random.randrange(10**6)
         print(f'seed {seed}')
+        shutil.copy(ANTICIPATION_TABLE, killed.files['output'])
+        previous = read_bytes(killed.files['output'])
+        first = [word for word in killed.resuming() if word != '--resume']  # it would find the previous output
+        assert killed.interrupt(signal.SIGKILL, 1, first, 'checkpoint') == -signal.SIGKILL
         targets = [-1, 0, size // 3, random.Random(seed).randrange(size // 3, size // 2), size // 2]
         for target in targets:
             assert killed.interrupt(signal.SIGKILL, target) == -signal.SIGKILL
+            assert read_bytes(killed.files['output']) == previous
         assert read_bytes(killed.files['log']) != read_bytes(whole.files['log'])
         killed.interrupt(signal.SIGKILL, size - 1)  # it may be done before
         status, output = killed.run(killed.resuming())
@@ -51,6 +57,16 @@ class InterruptionTest:
         assert status == 0, output
         assert_says(output, f'killed.checkpoint: {episodes} of {episodes} episodes are done', 'was complete')
         assert_same(killed.results(), whole.results())
+
+    def test_kill_without_a_checkpoint(self, runner):
+        """Nothing but the log and the record has changed."""
+        training = Training(runner, config_of(runner, 'traces', 10**6), 'a')
+        shutil.copy(ANTICIPATION_TABLE, training.files['output'])
+        for target in (0, 1000):
+            assert training.interrupt(signal.SIGKILL, target, training.command) == -signal.SIGKILL
+            assert read_bytes(training.files['output']) == read_bytes(ANTICIPATION_TABLE)
+        names = [name for name in os.listdir(runner.folder) if not name.endswith(('.yaml', '_train.log'))]
+        assert sorted(names) == ['a.log', 'a.output', 'a.record']
 
     @pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
     def test_signals(self, runner, number):
@@ -69,7 +85,7 @@ class InterruptionTest:
         assert_same(ended.results(), whole.results())
 
     def test_training_from_a_table(self, runner):
-        """The table is not read again: here it is replaced by that of the training."""
+        """The table is not read again."""
         config = config_of(runner, 'traces', 100)
         whole, ended = Training(runner, config, 'whole', '--seed', 5), Training(runner, config, 'ended', '--seed', 5)
         for training in (whole, ended):
@@ -79,6 +95,7 @@ class InterruptionTest:
                 os.remove(training.files[option])
         assert whole.run()[0] == 0
         assert ended.interrupt(signal.SIGKILL, size_of(whole.files['log']) // 2) == -signal.SIGKILL
+        runner.write(os.path.basename(ended.files['output']), 'something else\n')
         status, output = ended.run(ended.resuming())
         assert status == 0, output
         assert_same(ended.results(), whole.results())

@@ -64,10 +64,10 @@ class Training:
         return {name.replace(stem, ''): read_bytes(file)
                 for name, file in {**tables, **{key: self.files[key] for key in ('output', 'record', 'log')}}.items()}
 
-    def interrupt(self, number, log_size):
-        """Goes on, and sends a signal when the log has reached a size. Returns the exit status."""
-        process = self.runner.start('train', self.resuming())
-        wait_for(lambda: not process.is_running() or size_of(self.files['log']) >= log_size, 'the log to grow')
+    def interrupt(self, number, log_size, command=None, wanted='log'):
+        """Goes on, and sends a signal when the log, or another file, has reached a size. Returns the exit status."""
+        process = self.runner.start('train', command or self.resuming())
+        wait_for(lambda: not process.is_running() or size_of(self.files[wanted]) >= log_size, f'the {wanted} to grow')
         process.signal(number)
         if number == signal.SIGKILL:
             process.is_given_up = True

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "social_crowd/common/descriptor.h"
+
 namespace crowd {
 
 /// @brief Keeps other processes from a file as long as it lives: those that use a FileLock, too. The lock is the file
@@ -9,7 +11,8 @@ namespace crowd {
 class FileLock {
  public:
   /// @brief Takes the lock of a file, which need not exist.
-  /// @throws FileError if another process has it, with its number, or if the lock cannot be written
+  /// @throws FileError if another process has it, with its number, if the lock cannot be written, or if the file or
+  /// NAME.lock is something else, such as a device or a link
   explicit FileLock(const std::string& file);
   /// @brief Releases the lock and removes NAME.lock.
   ~FileLock();
@@ -18,7 +21,7 @@ class FileLock {
 
  private:
   std::string name_;
-  int descriptor_ = -1;
+  Descriptor opened_;
 };
 
 }  // namespace crowd

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <string>
 
 namespace crowd {
@@ -23,40 +22,15 @@ struct FileLimits {
 std::string readFile(const std::string& file, std::uint64_t most = FileLimits::ANY,
                      FileKinds kinds = FileKinds::REGULAR);
 
-/// @brief Replaces the content of a file atomically: writes a temporary file in the same folder, flushes it to the disk
-/// and renames it. On failure the previous content remains. @throws FileError
+/// @brief Replaces the content of a regular file atomically: writes a temporary file in the same folder, flushes it to
+/// the disk, renames it and flushes the folder. Mode and, if permitted, owner of the file are kept; links to it stay
+/// links. On failure the previous content remains. Removes temporary files of processes that were killed.
+/// @throws FileError also if there is something else of that name, such as a device or a pipe
 void replaceFile(const std::string& file, const std::string& content);
 
-/// @brief Removes the temporary files that replaceFile() left for this file in processes that were killed.
-void removeTemporaries(const std::string& file);
-
-/// @brief Checks, without writing anything, that a file can be made or replaced.
+/// @brief Checks that replaceFile() can write a file there, by a temporary file that is removed at once.
 /// @throws FileError with the reason, such as a missing folder
 void requireReplaceable(const std::string& file);
-
-/// @brief Checks, without writing anything, that a GrowingFile can be made there, or continue the file. @throws
-/// FileError
-void requireGrowable(const std::string& file);
-
-/// @brief A text file to which a run appends.
-class GrowingFile {
- public:
-  /// @brief Creates or truncates the file and writes the first line. @throws FileError
-  GrowingFile(std::string file, const std::string& first_line);
-  /// @brief Continues an existing file after its first `size` bytes; the others are cut off. @throws FileError
-  GrowingFile(std::string file, std::uint64_t size);
-  /// @brief Appends a text and flushes it to the operating system. @throws FileError
-  void append(const std::string& text);
-  /// @brief Flushes the file to the disk. @throws FileError
-  void flushToDisk();
-  /// @brief Number of bytes that it has.
-  std::uint64_t size() const { return size_; }
-
- private:
-  std::string file_;
-  std::ofstream stream_;
-  std::uint64_t size_ = 0;
-};
 
 /// @brief Creates a folder and its parent folders. @throws FileError
 void makeFolder(const std::string& folder);

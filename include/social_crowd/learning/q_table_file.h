@@ -25,6 +25,9 @@ struct TrainedTable {
 /// @throws InputError if a value is not finite
 std::string toText(const TrainedTable& trained);
 
+/// @brief Returns how many characters toText() has at most while the table goes on learning.
+std::uint64_t maxTextSize(const TrainedTable& trained);
+
 /// @brief Parses the text that toText() wrote; values are restored bit for bit.
 /// @param name name of the file in messages
 /// @throws InputError with the line if anything is invalid, missing, duplicate, out of range or left over

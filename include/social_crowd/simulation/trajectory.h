@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "social_crowd/common/files.h"
+#include "social_crowd/common/growing_file.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
