@@ -99,8 +99,8 @@ def main(words=None):
     parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER', help='folder of train and evaluate')
     arguments = parser.parse_args(words)
     try:
-        require_valgrind()
         tools = find_tools(arguments.tools)
+        require_valgrind(tools / RUNS[0].command[0])
         counts = {run.name: run.count(tools) for run in RUNS}
         kind = kind_of(tools)
         if arguments.keep:
