@@ -21,6 +21,7 @@ vex amd64->IR: unhandled instruction bytes: 0xF 0x1 0xF9 0x89 0xCF 0x48 0xC1 0xE
 ==17==    at 0x4CB6555: hwy::platform::TimerResolution() (in /usr/lib/x86_64-linux-gnu/libhwy.so.1.0.3)
 ==17== Process terminating with default action of signal 4 (SIGILL)
 END
+ulimit -c 0
 kill -ILL $$
 '''
 WHY = ('valgrind cannot start evaluate on this processor: unhandled instruction bytes: 0xF 0x1 0xF9',

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/ros/registrations.h"
+
 namespace crowd {
 
 /// @brief Services of a node. Handlers run in separate threads, so that a waiting handler does not block the node. An
@@ -49,6 +51,7 @@ class Services {
       return true;
     };
     servers_.push_back(node_.advertiseService<Request, Response>(name, answer));
+    Registrations::addService(servers_.back().getService());
   }
 
   /// @brief Starts to answer requests.
