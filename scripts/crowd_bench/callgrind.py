@@ -1,16 +1,41 @@
 """Valgrind's callgrind, which counts instructions."""
+import pathlib
+import re
 import shutil
+import subprocess
 
 from crowd_experiments.runs import RunError
 
 # Counts instructions within the functions of --toggle-collect= and the functions that they call.
 COLLECT = ['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet']
+# What valgrind prints of an instruction that it does not emulate, and the innermost function that contains it.
+UNKNOWN_INSTRUCTION = re.compile(r'unhandled instruction bytes: .*|Unrecognised instruction at address .*')
+INNERMOST = re.compile(r'Unrecognised instruction at address .*\n==\d+== +at 0x\w+: (.*)')
 
 
-def has_valgrind():
-    return shutil.which('valgrind') is not None
+def why_not(program):
+    """Returns why valgrind cannot run a program here; an empty text if it can.
+
+    Valgrind does not emulate every instruction of every processor, and ends a program at one that it does not know,
+    which may be in the start-up code of a library."""
+    if shutil.which('valgrind') is None:
+        return 'there is no valgrind, see scripts/install_dependencies'
+    done = subprocess.run(['valgrind', '--tool=none', program, '--help'], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors='replace', check=False)
+    if done.returncode == 0:
+        return ''
+    return f'valgrind cannot start {pathlib.Path(program).name} on this processor: {cause_in(done.stdout)}'
 
 
-def require_valgrind():
-    if not has_valgrind():
-        raise RunError('there is no valgrind, see scripts/install_dependencies')
+def cause_in(output):
+    """Returns what valgrind prints of an instruction that it does not emulate, else the last line."""
+    causes = [match[0] for match in [UNKNOWN_INSTRUCTION.search(output)] if match]
+    causes += [f'in {match[1]}' for match in [INNERMOST.search(output)] if match]
+    return ' '.join(causes) or (output.strip().splitlines() or ['it printed nothing'])[-1]
+
+
+def require_valgrind(program):
+    """Throws RunError with the reason if valgrind cannot run a program here."""
+    reason = why_not(program)
+    if reason:
+        raise RunError(reason)

@@ -2,6 +2,7 @@
 the machine's speed and load."""
 import argparse
 import dataclasses
+import os
 import pathlib
 import re
 import subprocess
@@ -36,8 +37,10 @@ class CountedRun:
             output = pathlib.Path(folder) / 'callgrind.out'
             command = [*COLLECT, f'--toggle-collect={self.function}', f'--callgrind-out-file={output}',
                        tools / self.command[0], *self.command[1:]]
-            done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                  check=False)
+            # With the kernels for this processor, which valgrind chooses as well.
+            environment = {name: value for name, value in os.environ.items() if name != 'SOCIAL_CROWD_SIMD'}
+            done = subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True, check=False)
             if done.returncode != 0:
                 raise RunError(f'{self.name} failed:\n{done.stdout}')
             count = sum(map(int, TOTAL.findall(output.read_text(encoding='utf-8'))[:1]))
@@ -99,8 +102,8 @@ def main(words=None):
     parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER', help='folder of train and evaluate')
     arguments = parser.parse_args(words)
     try:
-        require_valgrind()
         tools = find_tools(arguments.tools)
+        require_valgrind(tools / RUNS[0].command[0])
         counts = {run.name: run.count(tools) for run in RUNS}
         kind = kind_of(tools)
         if arguments.keep:

@@ -31,7 +31,7 @@ class Profile:
 
     def measure(self, folder):
         """Returns functions or classes with their own share of all instructions [%], largest first."""
-        require_valgrind()
+        require_valgrind(folder / PROGRAM)
         with tempfile.TemporaryDirectory() as scratch:
             output = f'{scratch}/callgrind.out'
             run(COLLECT + [f'--toggle-collect={self.function}', f'--callgrind-out-file={output}', folder / PROGRAM,

@@ -1,6 +1,9 @@
 #include "social_crowd/ros/answer_collector.h"
 
+#include <ros/master.h>
+
 #include <algorithm>
+#include <optional>
 
 #include "social_crowd/ros/agent_list.h"
 #include "social_crowd/ros/names.h"
@@ -181,7 +184,8 @@ void AnswerCollector::awaitAny(const Episode& episode) {
 
 void AnswerCollector::askAgain() {
   if (Clock::now() < ask_again_at_ || !lockstep_.awaitsNewcomer()) return;
-  if (perceptions_.isAnyUnheard(publishersOf(actions_.getTopic()))) perceptions_.publishAgain();
+  const std::optional<TopicNodes> nodes = nodesOf(actions_.getTopic());
+  if (nodes && perceptions_.isAnyUnheard(nodes->publishers)) perceptions_.publishAgain();
   ask_again_after_ += ask_again_after_;
   ask_again_at_ = Clock::now() + ask_again_after_;
 }
@@ -216,7 +220,13 @@ std::vector<AgentId> AnswerCollector::unanswered(const World& world) const {
 
 std::string AnswerCollector::reasonForSilence() const {
   const std::string topic = actions_.getTopic();
-  return learners_.reasonForSilence(publishersOf(topic), topic);
+  const std::optional<TopicNodes> nodes = nodesOf(topic);
+  if (nodes && nodes->has_this_node) return learners_.reasonForSilence(nodes->publishers, topic);
+  // The learners are not the cause: those that were started after the master cannot connect.
+  const std::string cause = "the ROS master at " + ros::master::getURI() +
+                            (nodes ? " does not know this node yet, as after a new roscore" : " does not answer");
+  const std::vector<std::string> known = learners_.nodes();
+  return known.empty() ? cause : cause + "; " + learners_.reasonForSilence(known, topic);
 }
 
 void AnswerCollector::warnOfSilence() {

@@ -67,7 +67,7 @@ std::vector<AgentId> takeAgentsOfFirstCause(std::vector<RefusedAnswer>& refused)
 
 LearnerId AnsweringLearners::numberOf(const std::string& learner, const std::string& node) {
   const auto [found, is_new] = numbers_.try_emplace({learner, node}, static_cast<LearnerId>(learners_.size()));
-  if (is_new) learners_.push_back({learner, node, 0, false, {}});
+  if (is_new) learners_.push_back({learner, node, 0, false, {}, {}});
   return found->second;
 }
 
@@ -83,6 +83,11 @@ RunCheck AnsweringLearners::checkRun(std::uint64_t run, LearnerId learner) {
              "perceptions of another controller (run " + std::to_string(run) + ")" + expected);
   }
   return RunCheck::OTHER;
+}
+
+void AnsweringLearners::noteTaken(LearnerId learner) {
+  learners_[learner].taken = true;
+  learners_[learner].refusals.clear();
 }
 
 void AnsweringLearners::noteRefused(const std::vector<RefusedAnswer>& refused) {
@@ -109,9 +114,16 @@ void AnsweringLearners::warnOfRivals(const RefusedAnswer& refused, const std::ve
 }
 
 void AnsweringLearners::warnOnce(LearnerId learner, const std::string& cause, const std::string& text) {
-  if (!learners_[learner].refusals.insert(cause).second) return;
+  learners_[learner].refusals.insert(cause);
+  if (!learners_[learner].warned.insert(cause).second) return;
   ROS_WARN("%s answers %s. The answer is dropped. This warning is printed once for each cause", quoted(learner).c_str(),
            text.c_str());
+}
+
+std::vector<std::string> AnsweringLearners::nodes() const {
+  std::set<std::string> names;
+  for (const Learner& learner : learners_) names.insert(learner.node);
+  return {names.begin(), names.end()};
 }
 
 std::string AnsweringLearners::reasonForSilence(const std::vector<std::string>& nodes, const std::string& topic) const {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include "rviz/node_watch.h"
 #include "rviz/panel_model.h"
+#include "social_crowd/ros/master_watch.h"
 #include "social_crowd/ros/service_line.h"
 
 namespace crowd {
@@ -36,6 +38,7 @@ class PanelLink {
   /// The name of the service by which a node is recognised.
   std::string signOf(const std::string& node) const;
 
+  std::shared_ptr<MasterWatch> master_watch_ = MasterWatch::ofProcess();
   std::string controller_;
   std::string markers_;
   std::mutex mutex_;

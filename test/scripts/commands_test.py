@@ -190,10 +190,11 @@ class BuildTest:
         cache.write_text(f'CMAKE_HOME_DIRECTORY:INTERNAL={made_for}\n', encoding='utf-8')
         return cache
 
-    def build(self, runner, **environment):
-        """Runs the script."""
-        return run_here(runner, 'env', *(f'{name}={value}' for name, value in environment.items()),
-                        runner.path('clone/scripts/build'))
+    def build(self, runner, clone='clone', **environment):
+        """Runs the script without the build folder of these tests, which the environment may contain."""
+        return run_here(runner, 'env', '-u', 'SOCIAL_CROWD_BUILD',
+                        *(f'{name}={value}' for name, value in environment.items()),
+                        runner.path(f'{clone}/scripts/build'))
 
     def test_a_copied_build_folder_is_recreated(self, runner):
         cache = self.copy(runner, '/somewhere/else', runner.path('clone/.build'))
@@ -213,7 +214,7 @@ class BuildTest:
         assert status == 1, output
         assert_says(output, 'space in its name', "my build'")
         os.rename(runner.path('clone'), runner.path('a clone'))
-        status, output = run_here(runner, runner.path('a clone/scripts/build'))
+        status, output = self.build(runner, 'a clone')
         assert status == 1, output
         assert_says(output, 'space in its name', "a clone'")
         assert 'looked at' not in output

@@ -21,10 +21,12 @@ TEST(Kernels, HaveDistinctNamesAndEndWithTheReference) {
 #ifdef CROWD_HIGHWAY
 TEST(Kernels, UseTheInstructionsOfThisProcessor) {
   EXPECT_GT(availableKernels().size(), 1U);
-#ifdef __x86_64__
+#if defined(__x86_64__) && !defined(__AVX512F__)  // a build for AVX-512 alone has no kernels for AVX2
   std::set<std::string> names;
   for (const Kernels& kernels : availableKernels()) names.insert(kernels.target);
-  EXPECT_EQ(names.count("AVX2"), __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? 1U : 0U);
+  const bool is_here = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                       __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  EXPECT_EQ(names.count("AVX2"), is_here ? 1U : 0U);
 #endif
 }
 #endif

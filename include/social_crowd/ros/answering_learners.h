@@ -30,10 +30,12 @@ class AnsweringLearners {
   LearnerId numberOf(const std::string& learner, const std::string& node);
   /// @brief Returns the controller that a message answers, by its run. Warns of OTHER.
   RunCheck checkRun(std::uint64_t run, LearnerId learner);
-  void noteTaken(LearnerId learner) { learners_[learner].taken = true; }
+  void noteTaken(LearnerId learner);
   /// @brief Warns of new causes.
   void noteRefused(const std::vector<RefusedAnswer>& refused);
 
+  /// @brief Nodes that have sent messages, each once.
+  std::vector<std::string> nodes() const;
   /// @brief Returns as text why agents may have no answer.
   /// @param nodes that publish `topic`
   std::string reasonForSilence(const std::vector<std::string>& nodes, const std::string& topic) const;
@@ -43,8 +45,9 @@ class AnsweringLearners {
     std::string name;
     std::string node;
     std::uint64_t messages = 0;
-    bool taken = false;  // at least one answer was accepted
-    std::set<std::string> refusals;
+    bool taken = false;              // at least one answer was accepted
+    std::set<std::string> warned;    // causes of refusals
+    std::set<std::string> refusals;  // the same, since an answer was accepted
   };
   /// Prints a warning unless there was one for this learner and cause.
   void warnOnce(LearnerId learner, const std::string& cause, const std::string& text);

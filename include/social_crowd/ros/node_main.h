@@ -4,8 +4,10 @@
 
 #include <exception>
 #include <iostream>
+#include <memory>
 
 #include "social_crowd/ros/console.h"
+#include "social_crowd/ros/master_watch.h"
 
 namespace crowd {
 
@@ -31,6 +33,7 @@ int runNode(int argc, char** argv, const char* name, const NodeUsage& usage) {
     return 1;
   }
   const ros::NodeHandle keeps_the_console;  // ROS shuts down with its last handle; nothing is logged after that
+  const std::shared_ptr<MasterWatch> master_watch = MasterWatch::ofProcess();
   try {
     Node node((ros::NodeHandle()), ros::NodeHandle("~"));
     node.run();

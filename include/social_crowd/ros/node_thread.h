@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "social_crowd/ros/console.h"
+#include "social_crowd/ros/master_watch.h"
 
 namespace crowd {
 
@@ -43,6 +44,7 @@ class NodeThread {
     if (!stopped_ && ros::ok()) at_end();
   }
 
+  std::shared_ptr<MasterWatch> master_watch_ = MasterWatch::ofProcess();
   Node node_;
   std::atomic<bool> stopped_{false};
   std::thread thread_;  // last member: it uses all others

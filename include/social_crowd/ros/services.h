@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "social_crowd/common/quotes.h"
+#include "social_crowd/ros/registrations.h"
 
 namespace crowd {
 
@@ -53,6 +54,7 @@ class Services {
       return true;
     };
     servers_.push_back(node_.advertiseService<Request, Response>(name, answer));
+    Registrations::addService(servers_.back().getService());
   }
 
   /// @brief Starts to answer requests.

@@ -1,13 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace crowd {
 
-/// @brief Returns the full names of the nodes that publish a topic. Blocks for one call to the ROS master; empty if
-/// that fails.
+/// @brief What the ROS master knows of a topic.
+struct TopicNodes {
+  std::vector<std::string> publishers;  ///< full names of nodes
+  bool has_this_node = false;           ///< among the subscribers
+};
+
+/// @brief Asks the ROS master for the nodes of a topic, and blocks for that. Nothing if the master does not answer.
 /// @param topic full name
-std::vector<std::string> publishersOf(const std::string& topic);
+std::optional<TopicNodes> nodesOf(const std::string& topic);
 
 }  // namespace crowd
