@@ -36,7 +36,7 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
                     [this](const LiveValues& values) { use(live_.changed(parameters_, values)); }}),
       diagnostics_(node_, private_node, parameters_.diagnostic_period, [this] { takeSample(); }),
       services_(private_node, SERVICE_THREADS) {
-  useScenarios(readScenarios(parameters_.scenarios), parameters_.name);
+  useScenarios(readScenarios(parameters_.scenarios, stop_), parameters_.name);
   advertiseServices();
   addDiagnostics();
   if (!parameters_.map_topic.empty()) {
@@ -47,9 +47,12 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
 
 void CrowdController::run() {
   services_.start();
-  while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
-    if (tick_ended_) waitWhilePaused();
-    if (!loop_.isClosed()) walkTurn();
+  try {
+    while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
+      if (tick_ended_) waitWhilePaused();
+      if (!loop_.isClosed()) walkTurn();
+    }
+  } catch (const Stopped&) {  // the node shuts down during a long tick
   }
   finishSteps();
   noteRest();
@@ -78,7 +81,7 @@ void CrowdController::awaitShutdown(const Clock& deadline) {
 
 void CrowdController::useScenarios(ScenarioList scenarios, const std::string& name) {
   // Everything that can fail is done before anything is replaced.
-  scenarios.scene(seed_, 0);
+  scenarios.scene(seed_, 0, stop_);
   std::optional<TrajectoryFile> recording = beginRecording(name);
   scenarios_ = std::move(scenarios);
   scenario_name_ = name;
@@ -99,7 +102,7 @@ void CrowdController::restart(std::optional<TrajectoryFile> recording) {
 }
 
 Scene CrowdController::nextScene() const {
-  Scene scene = scenarios_.scene(seed_, instance_);
+  Scene scene = scenarios_.scene(seed_, instance_, stop_);
   keepHeadings(headings_, scene);
   if (map_ != nullptr) {
     scene.map = map_;
@@ -136,7 +139,7 @@ void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
 void CrowdController::beginEpisode() {
   cut_off_ = true;
   tick_ended_ = true;
-  episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision());
+  episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision(), ThreadPool::callerOnly(), stop_);
   answers_.cancel();
   robots_.begin(*episode_);
   trajectory_.clear();

@@ -35,7 +35,7 @@ void requireReadable(const std::string& document, const std::string& file) {
 void CrowdController::advertiseScenarioServices() {
   services_.serve<social_crowd::LoadScenario>(names::LOAD_SCENARIO, [this](const auto& request, auto& response) {
     const std::string file = findScenario(request.scenario, "", parameters_.scenario_folder);
-    ScenarioList scenarios = readScenarios(file);  // may throw; nothing has been replaced yet
+    ScenarioList scenarios = readScenarios(file, stop_);  // may throw; nothing has been replaced yet
     response.documents = static_cast<std::uint32_t>(scenarios.size());
     loop_.ask<void>([&] {
       useScenarios(std::move(scenarios), stemOf(file));

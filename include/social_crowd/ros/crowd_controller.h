@@ -33,7 +33,8 @@ namespace crowd {
 /// (lockstep with a deadline) and moves the agents. docs/protocol.md describes the protocol.
 class CrowdController {
  public:
-  /// @throws InputError that lists invalid parameters or describes an error of the scenario file; FileError
+  /// @throws InputError that lists invalid parameters or describes an error of the scenario file; FileError; Stopped
+  /// if ROS shuts down meanwhile
   CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
   /// @brief Walks episodes until ~episodes are done, stop() is called, or ROS shuts down.
@@ -104,6 +105,7 @@ class CrowdController {
 
   ControllerParameters parameters_;  // those of LiveParameters have the present values
   MainLoop loop_;
+  const StopRequest stop_{[this] { return loop_.isClosed(); }};  // for ticks and preparations that take long
   ros::NodeHandle node_;
   AnswerCollector answers_;
   CrowdBroadcaster broadcaster_;
