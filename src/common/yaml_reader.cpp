@@ -1,7 +1,6 @@
 #include "social_crowd/common/yaml_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -49,16 +48,6 @@ std::string describe(const YAML::Node& node) {
   return (isPlain(node) ? "" : "the text ") + inQuotes(node.Scalar());
 }
 
-/// Words for the numbers that a rule permits, in the order of the rules.
-constexpr std::array<const char*, 4> RULE_WORDS = {"a number", "a number of 0 or more", "a number above 0",
-                                                   "a number from 0 to 1"};
-
-bool satisfies(double value, NumberRule rule) {
-  if (rule == NumberRule::ANY) return true;
-  if (rule == NumberRule::POSITIVE) return value > 0.0;
-  return value >= 0.0 && (rule == NumberRule::NOT_NEGATIVE || value <= 1.0);
-}
-
 std::optional<double> finiteNumberOf(const YAML::Node& node) {
   const std::optional<double> value = isPlain(node) ? toNumber(node.Scalar()) : std::nullopt;
   return value && std::isfinite(*value) ? value : std::nullopt;
@@ -97,10 +86,11 @@ void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::st
   throwProblem(place, node, "expected " + expected + ", got " + describe(node));
 }
 
-double readNumber(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
-  const std::optional<double> value = finiteNumberOf(node);
-  if (value && satisfies(*value, rule)) return *value;
-  throwExpected(place, node, RULE_WORDS.at(static_cast<std::size_t>(rule)));
+double readNumber(const YAML::Node& node, const YamlPlace& place, const NumberLimit& limit) {
+  const double value = finiteNumberOf(node).value_or(std::nan(""));
+  const std::string refusal = refusalOf(value, limit);
+  if (!refusal.empty()) throwExpected(place, node, refusal);
+  return value;
 }
 
 std::int64_t readWhole(const YAML::Node& node, const YamlPlace& place, std::int64_t low, std::int64_t high) {
@@ -122,14 +112,15 @@ std::string readText(const YAML::Node& node, const YamlPlace& place) {
   return node.Scalar();
 }
 
-Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place) {
+Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place, const NumberLimit& limit) {
   if (!node.IsDefined() || !node.IsSequence() || node.size() != 2) {
     throwExpected(place, node, "[x, y]");
   }
   // Places of elements are built only for messages, because most of a scenario file consists of vectors.
   const auto read = [&](std::size_t index) {
     const std::optional<double> value = finiteNumberOf(node[index]);
-    return value ? *value : readNumber(node[index], place.element(index));
+    const bool is_fine = value && refusalOf(*value, limit).empty();
+    return is_fine ? *value : readNumber(node[index], place.element(index), limit);
   };
   const double x = read(0);
   return {x, read(1)};
@@ -203,8 +194,8 @@ YAML::Node YamlMap::find(const std::string& key) const {
   return entry != nullptr ? entry->value : YAML::Node(YAML::NodeType::Undefined);
 }
 
-double YamlMap::number(const std::string& key, NumberRule rule, std::optional<double> otherwise) const {
-  return otherwise && !has(key) ? *otherwise : readNumber(need(key), placeOf(key), rule);
+double YamlMap::number(const std::string& key, const NumberLimit& limit, std::optional<double> otherwise) const {
+  return otherwise && !has(key) ? *otherwise : readNumber(need(key), placeOf(key), limit);
 }
 
 std::int64_t YamlMap::whole(const std::string& key, std::int64_t low, std::int64_t high,

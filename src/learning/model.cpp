@@ -1,6 +1,7 @@
 #include "social_crowd/learning/model.h"
 
 #include "social_crowd/common/quotes.h"
+#include "social_crowd/world/limits.h"
 
 namespace crowd {
 namespace {
@@ -9,6 +10,15 @@ bool readOcclusion(const YamlMap& map) {
   const YAML::Node node = map.find("vision");
   if (!node) return false;
   return YamlMap(node, map.placeOf("vision"), {"occlusion"}).flag("occlusion", false);
+}
+
+void requireSmallTable(const YamlMap& map, const Model& model) {
+  const std::uint64_t rows = model.state_set->rowCount();
+  const std::uint64_t actions = model.action_set->size();
+  if (rows * actions <= limits::Q_VALUES) return;
+  throwProblem(map.placeOf("state_set"), map.need("state_set"),
+               "expected a Q-table of at most " + std::to_string(limits::Q_VALUES) + " values, got " +
+                   std::to_string(rows) + " rows of " + std::to_string(actions));
 }
 
 }  // namespace
@@ -43,6 +53,7 @@ Model readModel(const YamlMap& map) {
   Model model;
   model.action_set = makeActionSet(map.need("action_set"), map.placeOf("action_set"));
   model.state_set = makeStateSet(map.need("state_set"), map.placeOf("state_set"), *model.action_set);
+  requireSmallTable(map, model);
   model.reward = makeReward(map.need("reward"), map.placeOf("reward"), *model.state_set);
   model.occlusion = readOcclusion(map);
   return model;

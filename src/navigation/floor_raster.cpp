@@ -38,7 +38,8 @@ std::optional<Segment> clip(const Segment& segment, const Vector2& low, const Ve
 
 }  // namespace
 
-FloorRaster::FloorRaster(const FloorPlan& plan, const FloorPlan::Bounds& bounds, double clearance, double cell_size)
+FloorRaster::FloorRaster(const FloorPlan& plan, const FloorPlan::Bounds& bounds, double clearance, double cell_size,
+                         const StopRequest& stop)
     : origin_(bounds.low),
       cell_size_(cell_size),
       columns_(cellsAlong(bounds.high.x() - bounds.low.x(), cell_size)),
@@ -48,6 +49,7 @@ FloorRaster::FloorRaster(const FloorPlan& plan, const FloorPlan::Bounds& bounds,
   const double reach = clearance / cell_size + EXTRA;
   const Vector2 margin = Vector2::Constant(reach + 1.0);
   for (const Segment& wall : plan.walls) {
+    stop.throwIfMade();
     const Segment in_cells{(wall.from - origin_) / cell_size, (wall.to - origin_) / cell_size};
     const std::optional<Segment> part = clip(in_cells, -margin, Vector2(columns_, rows_) + margin);
     if (!part) continue;
@@ -57,6 +59,7 @@ FloorRaster::FloorRaster(const FloorPlan& plan, const FloorPlan::Bounds& bounds,
       block({part->from + i / count * way, part->from + (i + 1.0) / count * way}, reach);
   }
   for (const FloorPlan::Disc& obstacle : plan.obstacles) {
+    stop.throwIfMade();
     const Vector2 centre = (obstacle.centre - origin_) / cell_size;
     block({centre, centre}, obstacle.radius / cell_size + reach);
   }

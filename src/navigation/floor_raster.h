@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "social_crowd/common/stop_request.h"
 #include "social_crowd/world/floor_plan.h"
 
 namespace crowd {
@@ -20,7 +21,8 @@ class FloorRaster {
   static constexpr double MAX_CELLS = 8e6;
 
   /// The plan must have been checked. @param clearance [m], above 0 @param cell_size [m]
-  FloorRaster(const FloorPlan& plan, const FloorPlan::Bounds& bounds, double clearance, double cell_size);
+  FloorRaster(const FloorPlan& plan, const FloorPlan::Bounds& bounds, double clearance, double cell_size,
+              const StopRequest& stop);
 
   const Vector2& origin() const { return origin_; }  ///< lower left corner [m]
   double cellSize() const { return cell_size_; }     ///< [m]

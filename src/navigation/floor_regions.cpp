@@ -4,10 +4,11 @@
 
 namespace crowd {
 
-FloorRegions::FloorRegions(const FloorRaster& raster)
+FloorRegions::FloorRegions(const FloorRaster& raster, const StopRequest& stop)
     : width_(static_cast<std::size_t>(raster.columns()) + 2),
       labels_(width_ * (static_cast<std::size_t>(raster.rows()) + 2), BLOCKED) {
   for (int row = 0; row < raster.rows(); row += BLOCK) {
+    stop.throwIfMade();
     for (int column = 0; column < raster.columns(); column += BLOCK) divideBlock(raster, {column, row});
   }
 }

@@ -24,7 +24,7 @@ class FloorRegions {
     int row = 0;
   };
 
-  explicit FloorRegions(const FloorRaster& raster);
+  FloorRegions(const FloorRaster& raster, const StopRequest& stop);
 
   /// The region of a cell, or BLOCKED; also for the cells around the floor, from -1 to the number of columns or rows.
   Label at(int column, int row) const { return labels_[index(column, row)]; }

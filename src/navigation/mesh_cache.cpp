@@ -31,7 +31,8 @@ bool isSame(const FloorPlan& a, const FloorPlan& b) {
 
 }  // namespace
 
-std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, double passage_width) {
+std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, double passage_width,
+                                                     const StopRequest& stop) {
   static std::mutex mutex;
   static std::list<Entry> kept;  // the last used one in front
   const std::lock_guard<std::mutex> lock(mutex);
@@ -43,8 +44,9 @@ std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, dou
     return found->data;
   }
   auto data = std::make_shared<const NavigationData>(
-      NavigationData{NavigationMesh(floor, radius + COMFORTABLE_MARGIN), NavigationMesh(floor, radius + TIGHT_MARGIN),
-                     Passages(withoutSmallThings(floor), radius, passage_width)});
+      NavigationData{NavigationMesh(floor, radius + COMFORTABLE_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
+                     NavigationMesh(floor, radius + TIGHT_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
+                     Passages(withoutSmallThings(floor), radius, passage_width, stop)});
   kept.push_front({floor, radius, passage_width, data});
   if (kept.size() > MAX_KEPT) kept.pop_back();
   return data;

@@ -39,7 +39,8 @@ double smallestCells(const FloorPlan::Bounds& bounds) {
 
 }  // namespace
 
-NavigationMesh::Data::Data(const FloorPlan& plan, double clearance, double cell_size) : clearance_(clearance) {
+NavigationMesh::Data::Data(const FloorPlan& plan, double clearance, double cell_size, const StopRequest& stop)
+    : clearance_(clearance) {
   checkAboveZero("clearance", clearance);
   checkAboveZero("cell size", cell_size);
   const FloorPlan::Bounds bounds = plan.checkedBounds();
@@ -47,17 +48,17 @@ NavigationMesh::Data::Data(const FloorPlan& plan, double clearance, double cell_
   cell_size_ = std::max(std::min(cell_size, clearance / MIN_CELLS_OF_CLEARANCE), smallestCells(bounds));
   do {
     if (cell_size_ > clearance) throwTooLarge(bounds, clearance);
-  } while (!build(FloorRaster(plan, bounds, clearance, cell_size_)) && (cell_size_ *= COARSER) > 0.0);
+  } while (!build(FloorRaster(plan, bounds, clearance, cell_size_, stop), stop) && (cell_size_ *= COARSER) > 0.0);
   if (!detour_) return;
   findComponents();
   findTurningPoints();
 }
 
 /// Returns false if there are too many polygons.
-bool NavigationMesh::Data::build(const FloorRaster& raster) {
-  const FloorRegions regions(raster);
+bool NavigationMesh::Data::build(const FloorRaster& raster, const StopRequest& stop) {
+  const FloorRegions regions(raster, stop);
   if (regions.firstCells().empty()) return true;
-  const PolygonMesh polygons = buildPolygonMesh(regions);
+  const PolygonMesh polygons = buildPolygonMesh(regions, stop);
   if (!polygons) return false;
   std::fill_n(polygons->flags, polygons->npolys, std::uint16_t{1});
   dtNavMeshCreateParams params{};
@@ -141,8 +142,8 @@ void NavigationMesh::Data::findTurningPoints() {
   }
 }
 
-NavigationMesh::NavigationMesh(const FloorPlan& plan, double clearance, double cell_size)
-    : data_(std::make_shared<const Data>(plan, clearance, cell_size)) {}
+NavigationMesh::NavigationMesh(const FloorPlan& plan, double clearance, double cell_size, const StopRequest& stop)
+    : data_(std::make_shared<const Data>(plan, clearance, cell_size, stop)) {}
 
 double NavigationMesh::clearance() const { return data_->clearance(); }
 double NavigationMesh::cellSize() const { return data_->cellSize(); }

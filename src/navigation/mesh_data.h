@@ -14,8 +14,8 @@ namespace crowd {
 /// The content of a NavigationMesh. Detour's x and z are the columns and rows of the raster [cells]; its y is 0.
 class NavigationMesh::Data {
  public:
-  /// @throws InputError as NavigationMesh does
-  Data(const FloorPlan& plan, double clearance, double cell_size);
+  /// @throws InputError and Stopped as NavigationMesh does
+  Data(const FloorPlan& plan, double clearance, double cell_size, const StopRequest& stop);
 
   double clearance() const { return clearance_; }
   double cellSize() const { return cell_size_; }
@@ -38,7 +38,7 @@ class NavigationMesh::Data {
     void operator()(dtNavMesh* mesh) const { dtFreeNavMesh(mesh); }
   };
 
-  bool build(const FloorRaster& raster);
+  bool build(const FloorRaster& raster, const StopRequest& stop);
   void findComponents();
   void findTurningPoints();
 

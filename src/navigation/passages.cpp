@@ -49,12 +49,13 @@ Vector2 meanOf(const ClearanceGrid& grid, const std::vector<Index>& points) {
 
 }  // namespace
 
-Passages::Passages(const FloorPlan& floor, double radius, double max_width)
-    : clearance_(floor, SPACING, 0.5 * max_width + SPACING), labels_(clearance_.size(), NONE) {
-  const std::vector<Width> widths = classify(radius, max_width);
+Passages::Passages(const FloorPlan& floor, double radius, double max_width, const StopRequest& stop)
+    : clearance_(floor, SPACING, 0.5 * max_width + SPACING, stop), labels_(clearance_.size(), NONE) {
+  const std::vector<Width> widths = classify(radius, max_width, stop);
   std::vector<bool> seen(clearance_.size(), false);
   for (Index point = 0; point < clearance_.size(); ++point) {
     if (widths[point] != Width::NARROW || seen[point]) continue;
+    stop.throwIfMade();
     const auto belongs = [&](Index at) { return widths[at] == Width::NARROW && !seen[at]; };
     addPassage(takeComponent(clearance_, point, belongs, [&](Index at) { seen[at] = true; }), widths);
   }
@@ -93,13 +94,14 @@ void Passages::measureSteps() {
   }
 }
 
-std::vector<Passages::Width> Passages::classify(double radius, double max_width) const {
+std::vector<Passages::Width> Passages::classify(double radius, double max_width, const StopRequest& stop) const {
   std::vector<Width> widths(clearance_.size(), Width::BLOCKED);
   for (Index point = 0; point < clearance_.size(); ++point) {
     if (clearance_[point] >= radius) widths[point] = Width::WIDE;
   }
   for (Index point = 0; point < clearance_.size(); ++point) {
     if (clearance_[point] < radius || clearance_[point] >= 0.5 * max_width || !isThroat(point)) continue;
+    stop.throwIfMade();
     clearance_.forPointsWithin(clearance_[point], point, [&](Index at) {
       if (widths[at] == Width::WIDE) widths[at] = Width::NARROW;
     });

@@ -95,10 +95,13 @@ class MeshParts {
 
 }  // namespace
 
-PolygonMesh buildPolygonMesh(const FloorRegions& regions) {
+PolygonMesh buildPolygonMesh(const FloorRegions& regions, const StopRequest& stop) {
   RegionOutliner outliner(regions);
   MeshParts parts;
-  for (const FloorRegions::Cell& first : regions.firstCells()) parts.add(outliner.outline(first));
+  for (const FloorRegions::Cell& first : regions.firstCells()) {
+    stop.throwIfMade();
+    parts.add(outliner.outline(first));
+  }
   return parts.merge();
 }
 

@@ -15,6 +15,6 @@ struct FreePolyMesh {
 using PolygonMesh = std::unique_ptr<rcPolyMesh, FreePolyMesh>;
 
 /// Makes convex polygons of the free cells. Null if there are too many polygons for Recast.
-PolygonMesh buildPolygonMesh(const FloorRegions& regions);
+PolygonMesh buildPolygonMesh(const FloorRegions& regions, const StopRequest& stop);
 
 }  // namespace crowd

@@ -40,8 +40,8 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       diagnostics_(node_, private_node, parameters_.diagnostic_period, [this] { takeSample(); }),
       files_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {
-  ScenarioList scenarios = readScenarios(parameters_.scenarios);
-  scenarios.scene(seed_, 0);
+  ScenarioList scenarios = readScenarios(parameters_.scenarios, stop_);
+  scenarios.scene(seed_, 0, stop_);
   useScenarios(std::move(scenarios), parameters_.name);
   advertiseServices();
   addDiagnostics();
@@ -54,9 +54,12 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
 void CrowdController::run() {
   files_.start();
   services_.start();
-  while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
-    if (tick_ended_) waitWhilePaused();
-    if (!loop_.isClosed()) walkTurn();
+  try {
+    while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
+      if (tick_ended_) waitWhilePaused();
+      if (!loop_.isClosed()) walkTurn();
+    }
+  } catch (const Stopped&) {  // the node shuts down during a long tick
   }
   finishSteps();
   noteRest();
@@ -105,7 +108,7 @@ void CrowdController::restart(std::optional<TrajectoryFile> recording) {
 }
 
 Scene CrowdController::nextScene() const {
-  Scene scene = scenarios_.scene(seed_, instance_);
+  Scene scene = scenarios_.scene(seed_, instance_, stop_);
   keepHeadings(headings_, scene);
   if (map_ != nullptr) {
     scene.map = map_;
@@ -142,7 +145,7 @@ void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
 void CrowdController::beginEpisode() {
   cut_off_ = true;
   tick_ended_ = true;
-  episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision());
+  episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision(), ThreadPool::callerOnly(), stop_);
   answers_.cancel();
   robots_.begin(*episode_);
   trajectory_.clear();

@@ -38,14 +38,14 @@ void CrowdController::loadScenario(const std::string& name, social_crowd::LoadSc
   const std::string file = data_folder_.resolveToRead(name, find);
   const HiddenQuotes hidden;  // whoever calls may not be allowed to read the file
   // All that may fail or take long is done in this thread; nothing has been replaced yet.
-  ScenarioList scenarios = readScenarios(file);
+  ScenarioList scenarios = readScenarios(file, stop_);
   const auto seed = loop_.ask<std::uint64_t>([&] { return seed_; });
-  scenarios.scene(seed, 0);
+  scenarios.scene(seed, 0, stop_);
   response.documents = static_cast<std::uint32_t>(scenarios.size());
   loop_.ask<void>([&] {
     {
       const HiddenQuotes hidden_in_loop;
-      if (seed_ != seed) scenarios.scene(seed_, 0);  // the crowd was reset in between
+      if (seed_ != seed) scenarios.scene(seed_, 0, stop_);  // the crowd was reset in between
     }
     useScenarios(std::move(scenarios), stemOf(file));
     response.message = "loaded " + file + ": " + place();

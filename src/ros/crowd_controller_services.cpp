@@ -79,7 +79,7 @@ void CrowdController::advertiseServices() {
   services_.serve<social_crowd::Reset>(names::RESET, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
       const std::uint64_t seed = request.keep_seed != 0 ? seed_ : request.seed;
-      scenarios_.scene(seed, 0);  // may throw; nothing has been replaced yet
+      scenarios_.scene(seed, 0, stop_);  // may throw; nothing has been replaced yet
       std::optional<TrajectoryFile> recording = beginRecording(scenario_name_);
       seed_ = seed;
       restart(std::move(recording));

@@ -2,17 +2,23 @@
 
 #include <ros/console.h>
 
-#include <cmath>
+#include <string>
 
 #include "social_crowd/ros/vision.h"
+#include "social_crowd/world/limits.h"
 
 namespace crowd {
 
 void LearnerVisions::report(const std::string& learner, const Vision& vision) {
-  const bool is_valid = std::isfinite(vision.radius) && vision.radius >= 0.0;
-  if (!is_valid) {
-    ROS_WARN("'%s' requests a vision radius of %g; expected a number of at least 0. The request is ignored",
-             learner.c_str(), vision.radius);
+  const std::string refusal = refusalOf(vision.radius, limits::DISTANCE_OR_0);
+  if (!refusal.empty()) {
+    ROS_WARN("'%s' requests a vision radius of %g; expected %s. The request is ignored", learner.c_str(), vision.radius,
+             refusal.c_str());
+    return;
+  }
+  if (vision.max_neighbours > limits::NEIGHBOURS) {
+    ROS_WARN("'%s' requests up to %u neighbours; expected at most %u, or 0 for all. The request is ignored",
+             learner.c_str(), vision.max_neighbours, limits::NEIGHBOURS);
     return;
   }
   if (vision.radius == 0.0) {

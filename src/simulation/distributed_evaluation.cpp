@@ -55,7 +55,6 @@ class RankEvaluation {
  private:
   std::optional<EvaluatedEpisode> walkDivided(Scene scene, std::uint64_t instance);
   std::optional<EvaluatedEpisode> walkWhole(Scene scene, std::uint64_t instance);
-  bool isStopped() const { return observer_.is_stopped && observer_.is_stopped(); }
   void noteTick(std::uint64_t instance, std::uint64_t tick, std::uint64_t max_ticks) const {
     if (observer_.on_tick) observer_.on_tick(instance, tick, max_ticks);
   }
@@ -81,7 +80,7 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkDivided(Scene scene, std::ui
   do {
     if (records_) crowd.appendTrajectoryRows(walked.trajectory);
     noteTick(instance, crowd.tick(), crowd.maxTicks());
-  } while (crowd.step(isStopped()));
+  } while (crowd.step(plan_.stop.isMade()));
   if (crowd.wasStopped()) return std::nullopt;
   walked.result = crowd.result();
   report(crowd.report());
@@ -91,7 +90,7 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkDivided(Scene scene, std::ui
 std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint64_t instance) {
   RanksReport measured;
   measured.is_divided = false;
-  SharedDecisions decisions(communicator_, learner_, [this] { return isStopped(); });
+  SharedDecisions decisions(communicator_, learner_, [this] { return plan_.stop.isMade(); });
   const std::uint64_t max_ticks = scene.max_ticks;
   const InstanceWalk walk{
       plan_,
@@ -110,7 +109,11 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint
   {
     const Stopwatch whole(CLOCK_MONOTONIC, measured.seconds);
     const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, processor_seconds);
-    walked = walk.run(std::move(scene), instance);
+    try {
+      walked = walk.run(std::move(scene), instance);
+    } catch (const Stopped&) {  // anywhere between two exchanges; all ranks are about to decide next
+      decisions.stop();
+    }
   }
   if (decisions.wasStopped()) return std::nullopt;
   requireSameOnAllRanks(communicator_, {{"results of '" + walked.result.scenario + "'", checksumOf(walked.result)}});
@@ -138,10 +141,17 @@ bool evaluateOnRanks(Communicator& communicator, const TrainedTable& trained, co
   bool goes_on = true;
   for (std::uint64_t instance = 0; instance < episodes && goes_on; ++instance) {
     Scene scene;
+    std::vector<std::uint64_t> stops = {0};  // ranks
     doOnAllRanks(communicator, [&] {
-      scene = scenarios.scene(plan.seed, instance);
-      keepHeadings(headings, scene);
+      try {
+        scene = scenarios.scene(plan.seed, instance, plan.stop);
+        keepHeadings(headings, scene);
+      } catch (const Stopped&) {
+        stops.front() = 1;
+      }
     });
+    communicator.sum(stops);
+    if (stops.front() > 0) return false;
     const bool divided = evaluation.divides(scene);
     requireSameOnAllRanks(communicator, factsOf(scene, divided));
     std::optional<EvaluatedEpisode> walked = evaluation.run(std::move(scene), instance, divided);

@@ -8,20 +8,21 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/simulation/route_check.h"
 #include "social_crowd/world/population_changes.h"
+#include "world/finite_checks.h"
 
 namespace crowd {
 namespace {
 
-Scene withFirstGoals(Scene scene) {
-  Population::chooseFirstGoals(scene);
+Scene withFirstGoals(Scene scene, const StopRequest& stop) {
+  Population::chooseFirstGoals(scene, stop);
   return scene;
 }
 
 }  // namespace
 
-Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool)
-    : scene_(withFirstGoals(std::move(scene))),
-      world_(scene_),
+Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool, StopRequest stop)
+    : scene_(withFirstGoals(std::move(scene), stop)),
+      world_(scene_, std::move(stop)),
       vision_(vision),
       thread_pool_(&thread_pool),
       monitor_(scene_, world_),
@@ -65,6 +66,7 @@ void Episode::setVision(const Vision& vision) {
 }
 
 bool Episode::step(const std::vector<AgentAction>& actions) {
+  world_.stopRequest().throwIfMade();
   if (!isSequential()) {
     world_.step(actions, *thread_pool_);
     return endTick();
@@ -160,6 +162,7 @@ void Episode::decide(Learner& learner, const DecisionShare& share, RelativeActio
 }
 
 AgentId Episode::spawnAgent(const AgentStart& start) {
+  for (const Vector2& goal : start.goals) requirePlace("goal [m]", goal);
   requireFloorAfter([&](World& world) { world.spawnAgent(start); });
   if (findsWays()) way_lengths_.requireWay("the agent", world_, start.position, start.goals.front(), start.radius);
   const AgentId id = world_.spawnAgent(start);
@@ -174,6 +177,7 @@ void Episode::removeAgent(AgentId id) {
 }
 
 void Episode::setGoal(AgentId id, const Vector2& goal) {
+  requirePlace("goal [m]", goal);
   requireFloorAfter([&](World& world) { world.setGoal(id, goal); });
   if (findsWays()) {
     const Agent& agent = world_.agents()[id];

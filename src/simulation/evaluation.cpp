@@ -22,7 +22,7 @@ class OrderedRun {
   /// Returns the next instance to run in `instance`; false if none is left.
   bool next(std::uint64_t& instance) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (stopped_ || handed_out_ >= episodes_) return false;
+    if (stopped_ || handed_out_ >= episodes_ || plan_.stop.isMade()) return false;
     instance = handed_out_++;
     return true;
   }
@@ -50,8 +50,10 @@ class OrderedRun {
     stopped_ = true;
   }
 
-  void rethrow() const {
+  /// Whether all results were delivered and wanted. @throws what fail() was given
+  bool isComplete() const {
     if (problem_ != nullptr) std::rethrow_exception(problem_);
+    return !stopped_ && delivered_ == episodes_;
   }
 
  private:
@@ -81,7 +83,7 @@ Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed) {
   return {trained.model, options, trained.table};
 }
 
-void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
+bool evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
               const std::function<bool(EvaluatedEpisode&)>& deliver) {
   const std::uint64_t episodes = plan.episodes > 0 ? plan.episodes : scenarios.size();
   OrderedRun run(episodes, plan, deliver);
@@ -99,12 +101,13 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
       std::vector<double> headings;  // of the agents at the end of the previous episode
       std::uint64_t instance = 0;
       while (run.next(instance)) {
-        Scene scene = scenarios.scene(plan.seed, instance);
+        Scene scene = scenarios.scene(plan.seed, instance, plan.stop);
         keepHeadings(headings, scene);
         EvaluatedEpisode walked = walk.run(std::move(scene), instance);
         headings = walked.result.headings();
         run.bring(std::move(walked));
       }
+    } catch (const Stopped&) {  // the episode is not brought
     } catch (...) {
       run.fail(std::current_exception());
     }
@@ -113,7 +116,7 @@ void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
   for (unsigned i = 1; i < side_by_side; ++i) threads.push_back(std::async(std::launch::async, work));
   work();
   for (const std::future<void>& thread : threads) thread.wait();
-  run.rethrow();
+  return run.isComplete();
 }
 
 }  // namespace crowd

@@ -29,6 +29,7 @@ void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision
         ThreadWorkspace& workspace = workspaces_[worker];
         workspace.perceptions.episode = episode;
         for (std::size_t block = begin; block < end; ++block) {
+          world.stopRequest().throwIfMade();
           const std::size_t first = (first_block + block) * BLOCK;
           world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), workspace.perception_workspace,
                              workspace.perceptions);

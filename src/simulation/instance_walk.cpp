@@ -26,12 +26,12 @@ EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
     alone = withoutRobots(scene);
   }
   std::string document = plan.scenes.empty() ? "" : toDocument(scene, plan.scenes);
-  Episode episode(std::move(scene), instance, learner.model().vision(), thread_pool);
+  Episode episode(std::move(scene), instance, learner.model().vision(), thread_pool, plan.stop);
   begin(episode);
   EvaluatedEpisode walked = walk(episode);
   walked.scene = std::move(document);
   if (!alone) return walked;
-  Episode same(*std::move(alone), instance, learner.model().vision(), thread_pool);
+  Episode same(*std::move(alone), instance, learner.model().vision(), thread_pool, plan.stop);
   EpisodeObserver observer;
   observer.is_stopped = is_stopped;
   observer.on_tick = on_tick;

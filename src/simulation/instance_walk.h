@@ -19,7 +19,7 @@ struct InstanceWalk {
       on_tick;  ///< called at the start of each tick, also without robots, and at the end; may be empty
   std::function<bool()> is_stopped;  ///< see EpisodeObserver; may be empty
 
-  /// Runs an episode, and what the plan requests with it.
+  /// Runs an episode, and what the plan requests with it. @throws Stopped if the plan's stop request is made
   EvaluatedEpisode run(Scene scene, std::uint64_t instance) const;
 
  private:

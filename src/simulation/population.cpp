@@ -39,14 +39,15 @@ Population::Population(const Scene& scene)
   for (const GateDescription& gate : description_->gates) gates_.emplace_back(gate);
 }
 
-void Population::chooseFirstGoals(Scene& scene) {
+void Population::chooseFirstGoals(Scene& scene, const StopRequest& stop) {
   const auto has_route = [](const AgentStart& start) { return start.route.has_value(); };
   if (std::none_of(scene.agents.begin(), scene.agents.end(), has_route)) return;
-  const World world(scene);
+  const World world(scene, stop);
   Population population(scene);
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
     AgentStart& start = scene.agents[i];
     if (!start.route) continue;
+    stop.throwIfMade();
     Member member;
     member.route.emplace(population.description_->routes[*start.route],
                          population.randomOfRoute(static_cast<AgentId>(i), world.tick()));
@@ -74,6 +75,7 @@ void Population::begin(World& world, EpisodeMonitor& monitor) {
 
 void Population::admit(AgentId id, const AgentStart& start, World& world, EpisodeMonitor& monitor) {
   if (!start.route && start.reaction_time <= 0.0) return;
+  world.stopRequest().throwIfMade();
   Member& member = members_.emplace_back();
   member.id = id;
   member.reacts_at = world.time() + start.reaction_time - TIME_ROUNDING;
@@ -168,7 +170,10 @@ void Population::serveQueues(World& world, EpisodeMonitor& monitor) {
 
 void Population::spawn(World& world, EpisodeMonitor& monitor) {
   for (AgentSource& source : sources_) {
-    while (std::optional<AgentStart> start = source.next(world, places_)) {
+    while (world.activeCount() < limits::BODIES) {
+      const std::optional<AgentStart> start = source.next(world, places_);
+      if (!start) break;
+      world.stopRequest().throwIfMade();
       const auto id = static_cast<AgentId>(world.agents().size());
       if (start->route) {
         Member member;

@@ -23,6 +23,14 @@ void SharedDecisions::decide(Episode& episode, RelativeActions& actions) {
   bytes_ += communicator_.sentBytes() - sent;
 }
 
+void SharedDecisions::stop() {
+  Communicator::Bytes message;
+  ByteWriter write(message);
+  write(true);
+  gather(message);
+  was_stopped_ = true;
+}
+
 std::vector<Communicator::Bytes> SharedDecisions::gather(const Communicator::Bytes& message) {
   const Stopwatch waiting(CLOCK_THREAD_CPUTIME_ID, waiting_seconds_);
   return communicator_.gatherAll(message);

@@ -49,7 +49,10 @@ FloorPlan walkingFloor(const World& world, double radius) {
   }
   std::vector<FloorPlan::Disc> to_walk_round;
   std::copy_if(floor.obstacles.begin(), floor.obstacles.end(), std::back_inserter(to_walk_round),
-               [&](const FloorPlan::Disc& disc) { return !standsAlone(disc, floor, radius); });
+               [&](const FloorPlan::Disc& disc) {
+                 world.stopRequest().throwIfMade();
+                 return !standsAlone(disc, floor, radius);
+               });
   floor.obstacles = to_walk_round;
   for (const Segment& wall : floor.walls) {
     includePoint(wall.from, *floor.bounds);
@@ -96,14 +99,14 @@ bool openGates(const std::vector<Segment>& gates, FloorPlan& floor) {
   return has_closed;
 }
 
-std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius) {
-  return navigationData(floor, radius, RightOfWay::maxWidth(radius));
+std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius, const StopRequest& stop) {
+  return navigationData(floor, radius, RightOfWay::maxWidth(radius), stop);
 }
 
 void requireNavigableFloor(const World& world, double least_radius) {
   const double radius = std::max(least_radius, largestRadius(world));
   const FloorPlan floor = walkingFloor(world, radius);
-  if (radius > 0.0 && hasBarriers(floor)) navigationDataOf(floor, radius);
+  if (radius > 0.0 && hasBarriers(floor)) navigationDataOf(floor, radius, world.stopRequest());
 }
 
 }  // namespace crowd

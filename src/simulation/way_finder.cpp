@@ -34,7 +34,9 @@ void WayFinder::update(World& world) {
   agents_.resize(world.agents().size());
   paths_.resize(world.agents().size());
   for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) lead(agent, world);
+    if (!agent.isWalking()) continue;
+    world.stopRequest().throwIfMade();
+    lead(agent, world);
   }
   right_of_way_->update(world, paths_);
   deadlocks_.update(world, paths_);
@@ -50,7 +52,7 @@ void WayFinder::adoptLayout(World& world) {
   if (was_needed && !is_needed_) release(world);
   if (!is_needed_) return;
   bounds_ = *floor.bounds;
-  data_ = navigationDataOf(floor, radius_);
+  data_ = navigationDataOf(floor, radius_, world.stopRequest());
   comfortable_.emplace(data_->comfortable);
   tight_.emplace(data_->tight);
   right_of_way_.emplace(std::shared_ptr<const Passages>(data_, &data_->passages), radius_);
@@ -79,7 +81,7 @@ void WayFinder::lead(const Agent& agent, World& world) {
   if (!waits && agent.velocity.norm() < SLOW_SHARE * agent.max_speed) {
     way.spread = std::min(MAX_SPREAD, way.spread + SPREAD_RATE * world.tickDuration());
   }
-  const Vector2 next = nextPoint(agent, way);
+  const Vector2 next = nextPoint(agent, way, world.stopRequest());
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
   // An agent in a wall or an obstacle, as in a ghost world, is not led, but may walk out of it.
   way.out_of_reach = !is_led && tight_->component(agent.pose.position).has_value();
@@ -94,7 +96,7 @@ void WayFinder::lead(const Agent& agent, World& world) {
   path.assign(corners.begin(), corners.end());
 }
 
-Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
+Vector2 WayFinder::nextPoint(const Agent& agent, Way& way, const StopRequest& stop) {
   const Vector2& position = agent.pose.position;
   if (way.floor == Floor::OPEN && areConnected(position, agent.goal())) {
     way.floor = Floor::TIGHT;
@@ -113,7 +115,7 @@ Vector2 WayFinder::nextPoint(const Agent& agent, Way& way) {
     way.floor = Floor::OPEN;
     way.follower->replan();
   }
-  if (!open_) open_.emplace(navigationDataOf(*open_floor_, radius_)->tight);
+  if (!open_) open_.emplace(navigationDataOf(*open_floor_, radius_, stop)->tight);
   return way.follower->next(position, *open_);
 }
 

@@ -42,7 +42,9 @@ WayLengths::Floor& WayLengths::floorFor(const World& world, const Vector2& from,
   floor.has_barriers = hasBarriers(plan);
   FloorPlan without_gates = plan;
   floor.has_closed_gates = openGates(gates_, without_gates);
-  if (floor.has_barriers) floor.query.emplace(navigationDataOf(opened ? without_gates : plan, largest)->tight);
+  if (floor.has_barriers) {
+    floor.query.emplace(navigationDataOf(opened ? without_gates : plan, largest, world.stopRequest())->tight);
+  }
   return kept.emplace(std::move(floor));
 }
 

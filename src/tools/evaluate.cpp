@@ -146,6 +146,7 @@ Metrics evaluateFile(Communicator& ranks, const TrainedTable& trained, const Arg
   WayWarnings ways;
   RobotSummary robots;
   EvaluationPlan plan = arguments.plan;
+  plan.stop = StopRequest(isInterrupted);
   plan.warn = [&](std::uint64_t instance, const std::string& warning) {
     if (ways.is_said) return;
     ways.is_said = true;
@@ -163,15 +164,14 @@ Metrics evaluateFile(Communicator& ranks, const TrainedTable& trained, const Arg
     return !isInterrupted();
   };
   if (ranks.size() == 1) {
-    evaluate(trained, scenarios, plan, deliver);
-    is_stopped = isInterrupted();
+    is_stopped = !evaluate(trained, scenarios, plan, deliver);
   } else {
     is_stopped = !evaluateOnRanks(ranks, trained, scenarios, plan, observerOf(name, ranks, bar), deliver);
   }
   bar->clear();
   if (is_stopped && ranks.rank() == 0) {
     std::cerr << name << ": interrupted after " << metrics.episodes() << " of " << episodes
-              << " episodes; the results are those of these\n";
+              << " episodes; the results are those of these, without unfinished ones\n";
   }
   printWarnings(name, ways);
   if (!robots.text().empty()) std::cerr << name << ": " << robots.text() << "\n";
@@ -195,7 +195,7 @@ Inputs readInputs(Arguments& arguments) {
   // All files are read before the first one is run, so that errors in any of them are reported at once.
   for (std::string& file : arguments.scenarios) {
     file = findScenario(file);
-    inputs.scenarios.push_back(readScenarios(file, FileKinds::REGULAR_OR_PIPE));
+    inputs.scenarios.push_back(readScenarios(file, {}, FileKinds::REGULAR_OR_PIPE));
   }
   requireOwnOutputs(arguments);
   return inputs;
@@ -282,6 +282,8 @@ int runMain(int argc, char** argv) {
           "--q-table Q_TABLE SCENARIO (docs/mpi.md). This program was built with") +
       (isBuiltWithMpi() ? "" : "out") +
       " MPI.\n"
+      "Ctrl-C or SIGTERM end the run within a second: episodes that are not finished are left out of the results and "
+      "files.\n"
       "Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");
   return runTool(app, argc, argv, [&](Communicator& ranks) {
     if (ranks.size() > 1 && threads->count() == 0) arguments.plan.threads = 1;

@@ -40,7 +40,6 @@ void requireSameTraining(Communicator& ranks, const Training& training, const Tr
 
 RanksObserver observerOf(const std::string& name, const Communicator& ranks, std::optional<ProgressBar>& bar) {
   RanksObserver observer;
-  observer.is_stopped = isInterrupted;
   if (ranks.rank() != 0) return observer;
   observer.on_tick = [&bar, name](std::uint64_t instance, std::uint64_t tick, std::uint64_t max_ticks) {
     if (tick == 0) bar.emplace(name + " " + std::to_string(instance), max_ticks);

@@ -18,8 +18,7 @@ void requireSameRun(Communicator& ranks, const TrainedTable& trained, const std:
 /// @throws SharedError
 void requireSameTraining(Communicator& ranks, const Training& training, const TrainedTable* begin, bool counts_rows);
 
-/// @brief Ends the episodes when this rank is interrupted; on rank 0, shows the progress within each episode in `bar`,
-/// and reports at its end.
+/// @brief On rank 0, shows the progress within each episode in `bar`, and reports at its end.
 RanksObserver observerOf(const std::string& name, const Communicator& ranks, std::optional<ProgressBar>& bar);
 
 }  // namespace crowd

@@ -28,7 +28,7 @@ void readGoals(const YamlMap& map, const PopulationDescription& population, Agen
   const YAML::Node goal = map.need("goal");
   const YamlPlace place = map.placeOf("goal");
   if (const YAML::Node opposite = findOnly("opposite", goal, place)) {
-    group.opposite = readVector(opposite, place.child("opposite"));
+    group.opposite = readVector(opposite, place.child("opposite"), limits::PLACE);
     return;
   }
   group.goals = {readRegion(goal, place, "[x, y], {box: ...}, {ring: ...}, {map: free} or {opposite: [x, y]}")};
@@ -57,8 +57,8 @@ void readFirstHeading(const YamlMap& map, AgentGroup& group) {
 
 void readWalk(const YamlMap& map, const Units& units, const PopulationDescription& population, AgentGroup& group) {
   readGoals(map, population, group);
-  group.max_speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
-  group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
+  group.max_speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), units.limit(limits::SPEED)));
+  group.radius = readRange(map.need("radius"), map.placeOf("radius"), limits::RADIUS);
 }
 
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units,

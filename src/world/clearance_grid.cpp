@@ -18,7 +18,8 @@ Eigen::AlignedBox2d boxAround(const FloorPlan& floor) {
 
 }  // namespace
 
-ClearanceGrid::ClearanceGrid(const FloorPlan& floor, double spacing, double limit) : spacing_(spacing), limit_(limit) {
+ClearanceGrid::ClearanceGrid(const FloorPlan& floor, double spacing, double limit, const StopRequest& stop)
+    : spacing_(spacing), limit_(limit) {
   const Eigen::AlignedBox2d bounds = boxAround(floor);
   if (bounds.isEmpty()) return;
   // Discs around the points within the limit of a wall, as large as their clearance, are on the grid.
@@ -30,10 +31,12 @@ ClearanceGrid::ClearanceGrid(const FloorPlan& floor, double spacing, double limi
   rows_ = static_cast<Index>(std::ceil(size.y() / spacing_)) + 1;
   distances_.assign(static_cast<std::size_t>(columns_) * rows_, static_cast<float>(limit));
   for (const Segment& wall : floor.walls) {
+    stop.throwIfMade();
     lower(wall.from.cwiseMin(wall.to), wall.from.cwiseMax(wall.to),
           [&](const Vector2& place) { return distanceTo(wall, place); });
   }
   for (const FloorPlan::Disc& disc : floor.obstacles) {
+    stop.throwIfMade();
     lower(disc.centre - Vector2::Constant(disc.radius), disc.centre + Vector2::Constant(disc.radius),
           [&](const Vector2& place) { return (place - disc.centre).norm() - disc.radius; });
   }

@@ -6,6 +6,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/world/geometry.h"
+#include "social_crowd/world/limits.h"
 
 namespace crowd {
 
@@ -20,14 +21,22 @@ inline void requireFinite(const std::string& what, const Vector2& value) {
   throw InputError(what + ": expected finite numbers, got " + toText(std::vector<double>{value.x(), value.y()}));
 }
 
-inline void requireFinite(const Pose& pose) {
-  requireFinite("position [m]", pose.position);
-  requireFinite("heading [rad]", pose.heading);
+inline void requireWithin(const NumberLimit& limit, const std::string& what, double value) {
+  requireFinite(what, value);
+  const std::string refusal = refusalOf(value, limit);
+  if (!refusal.empty()) throw InputError(what + ": expected " + refusal + ", got " + toText(value));
 }
 
-inline void requireAbove0(const std::string& what, double value) {
+inline void requireWithin(const NumberLimit& limit, const std::string& what, const Vector2& value) {
   requireFinite(what, value);
-  if (value <= 0.0) throw InputError(what + ": expected a number above 0, got " + toText(value));
+  for (const double coordinate : {value.x(), value.y()}) requireWithin(limit, what, coordinate);
+}
+
+inline void requirePlace(const std::string& what, const Vector2& place) { requireWithin(limits::PLACE, what, place); }
+
+inline void requirePose(const Pose& pose) {
+  requirePlace("position [m]", pose.position);
+  requireFinite("heading [rad]", pose.heading);
 }
 
 }  // namespace crowd

@@ -2,7 +2,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/files.h"
-#include "social_crowd/world/occupancy_map.h"
+#include "social_crowd/world/limits.h"
 
 namespace crowd {
 namespace {
@@ -20,8 +20,8 @@ MapImage parseImage(std::string_view content) {
 void requireImageSize(std::uint32_t width, std::uint32_t height) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width == 0 || height == 0) throw InputError("expected an image of at least one pixel, got " + size);
-  if (std::uint64_t{width} * height > OccupancyMap::MAX_CELLS)
-    throw InputError("expected an image of up to " + std::to_string(OccupancyMap::MAX_CELLS) + " pixels, got " + size);
+  if (std::uint64_t{width} * height > limits::CELLS)
+    throw InputError("expected an image of up to " + std::to_string(limits::CELLS) + " pixels, got " + size);
 }
 
 MapImage readMapImage(const std::string& file) {

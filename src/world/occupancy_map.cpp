@@ -6,6 +6,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/world/limits.h"
 
 namespace crowd {
 namespace {
@@ -31,9 +32,8 @@ std::string sizeOf(const OccupancyMap& map) {
 std::string problemOfSize(const OccupancyMap& map) {
   if (map.width == 0 || map.height == 0) return "the map has no cells, expected at least one, got " + sizeOf(map);
   const std::uint64_t count = std::uint64_t{map.width} * map.height;
-  if (count > OccupancyMap::MAX_CELLS)
-    return "the map is too large: expected up to " + std::to_string(OccupancyMap::MAX_CELLS) + " cells, got " +
-           sizeOf(map);
+  if (count > limits::CELLS)
+    return "the map is too large: expected up to " + std::to_string(limits::CELLS) + " cells, got " + sizeOf(map);
   if (count != map.cells.size())
     return "the map has " + sizeOf(map) + ", expected " + std::to_string(count) + " values, got " +
            std::to_string(map.cells.size());
@@ -51,6 +51,9 @@ std::string problemOfPlace(const OccupancyMap& map) {
   if (!std::isfinite(extent) || extent > MAX_CELLS_FROM_ZERO * map.resolution)
     return "the map is too far away for its resolution: expected coordinates of up to 1e9 times " +
            toText(map.resolution) + " m, got " + toText(extent) + " m";
+  if (extent > limits::PLACE.most)
+    return "the map is too large or too far away: expected coordinates of up to " + toText(limits::PLACE.most) +
+           " m, got " + toText(extent) + " m";
   return "";
 }
 

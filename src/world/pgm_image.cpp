@@ -60,7 +60,7 @@ class PgmSamples {
   PgmSamples(MapImage& image, std::uint32_t greatest) : image_(image), greatest_(greatest) {}
 
   void readText(PgmWords& words) {
-    image_.samples.reserve(count());
+    image_.samples.reserve(std::min(count(), words.remainder().size()));  // the header may lie
     while (image_.samples.size() < count()) add(words.number(nameOfNext(), greatest_));
     if (!words.next().empty()) throw InputError("expected the end of the file after " + pixels());
   }

@@ -17,11 +17,12 @@ constexpr int TRIES_FOR_SEPARATE_GOALS = 200;
 
 /// Calls work(group, label, index) for each body of these groups; `index` counts the bodies.
 template <typename Groups, typename Work>
-void forEachBody(const char* list, const Groups& groups, const Work& work) {
+void forEachBody(const char* list, const Groups& groups, const StopRequest& stop, const Work& work) {
   std::size_t index = 0;
   for (std::size_t entry = 0; entry < groups.size(); ++entry) {
     const auto& group = groups[entry];
     for (int number = 1; number <= group.count; ++number, ++index) {
+      stop.throwIfMade();
       work(group, Label{list, entry, group.line, number, group.count}, index);
     }
   }
@@ -55,8 +56,9 @@ Scene emptyScene(const Scenario& scenario) {
 /// independently of the order in the file. Obstacles are placed before agents, because drawn goals avoid them.
 class Placement {
  public:
-  Placement(const Scenario& scenario, std::uint64_t run_seed, std::uint64_t episode)
+  Placement(const Scenario& scenario, std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop)
       : scenario_(scenario),
+        stop_(stop),
         random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}),
         robot_random_(run_seed, KeyedRandom::ROBOT_PLACEMENT, {scenario.seed, episode}),
         scene_(emptyScene(scenario)),
@@ -87,6 +89,7 @@ class Placement {
   void requireWay(const AgentGroup& group, const Label& label) const;
 
   const Scenario& scenario_;
+  const StopRequest& stop_;
   KeyedRandom random_;
   KeyedRandom robot_random_;
   Scene scene_;
@@ -135,12 +138,13 @@ Placement::Position Placement::positionOf(const ObstacleGroup& group) {
 }
 
 void Placement::placeObstacles(Position position) {
-  forEachBody("obstacles", scenario_.obstacles, [&](const ObstacleGroup& group, const Label& label, std::size_t index) {
-    if (positionOf(group) != position) return;
-    const Obstacle obstacle = drawObstacle(group, label);
-    placed_.add(label, obstacle.path.position(0.0), obstacle.radius, !obstacle.path.moves());
-    scene_.obstacles[index] = obstacle;
-  });
+  forEachBody("obstacles", scenario_.obstacles, stop_,
+              [&](const ObstacleGroup& group, const Label& label, std::size_t index) {
+                if (positionOf(group) != position) return;
+                const Obstacle obstacle = drawObstacle(group, label);
+                placed_.add(label, obstacle.path.position(0.0), obstacle.radius, !obstacle.path.moves());
+                scene_.obstacles[index] = obstacle;
+              });
 }
 
 Vector2 Placement::drawStart(const ObstacleGroup& group, const Label& label) {
@@ -185,7 +189,7 @@ ObstaclePath Placement::drawPath(const ObstacleGroup& group, const Vector2& star
 }
 
 void Placement::placeFixedAgents() {
-  forEachBody("agents", scenario_.agents, [&](const AgentGroup& group, const Label& label, std::size_t index) {
+  forEachBody("agents", scenario_.agents, stop_, [&](const AgentGroup& group, const Label& label, std::size_t index) {
     if (!group.position.isFixed()) return;
     AgentStart& agent = scene_.agents[index];
     agent.position = group.position.first;
@@ -199,7 +203,7 @@ void Placement::placeFixedAgents() {
 
 void Placement::completeAgents() {
   bool separate_goals = true;
-  forEachBody("agents", scenario_.agents, [&](const AgentGroup& group, const Label& label, std::size_t index) {
+  forEachBody("agents", scenario_.agents, stop_, [&](const AgentGroup& group, const Label& label, std::size_t index) {
     separate_goals = separate_goals || label.number == 1;
     AgentStart& agent = scene_.agents[index];
     completeAgent(group, label, agent, separate_goals);
@@ -290,8 +294,8 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separ
 
 }  // namespace
 
-Scene Scenario::instantiate(std::uint64_t run_seed, std::uint64_t episode) const {
-  return Placement(*this, run_seed, episode).place();
+Scene Scenario::instantiate(std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop) const {
+  return Placement(*this, run_seed, episode, stop).place();
 }
 
 }  // namespace crowd

@@ -19,9 +19,9 @@ SinkDescription readSink(const YAML::Node& node, const YamlPlace& place) {
 QueueDescription readQueue(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place, {"head", "direction", "spacing", "service"});
   QueueDescription queue;
-  queue.head = readVector(map.need("head"), map.placeOf("head"));
+  queue.head = readVector(map.need("head"), map.placeOf("head"), limits::PLACE);
   queue.direction = map.number("direction", NumberRule::ANY);
-  queue.spacing = map.number("spacing", NumberRule::POSITIVE);
+  queue.spacing = map.number("spacing", limits::DISTANCE);
   queue.service = readRange(map.need("service"), map.placeOf("service"), NumberRule::NOT_NEGATIVE);
   return queue;
 }

@@ -1,24 +1,21 @@
 #include "world/region_reader.h"
 
 #include "social_crowd/common/quotes.h"
+#include "social_crowd/common/numbers.h"
 #include "social_crowd/common/suggestions.h"
+#include "social_crowd/world/limits.h"
 
 namespace crowd {
-namespace {
 
-constexpr std::int64_t MAX_COUNT = 1000000;
-
-}  // namespace
-
-Range readRange(const YAML::Node& node, const YamlPlace& place, NumberRule rule) {
+Range readRange(const YAML::Node& node, const YamlPlace& place, const NumberLimit& limit) {
   if (!node.IsSequence()) {
-    const double value = readNumber(node, place, rule);
+    const double value = readNumber(node, place, limit);
     return {value, value};
   }
   if (node.size() != 2) {
     throwExpected(place, node, "a number or [low, high]");
   }
-  const Range range{readNumber(node[0], place.element(0), rule), readNumber(node[1], place.element(1), rule)};
+  const Range range{readNumber(node[0], place.element(0), limit), readNumber(node[1], place.element(1), limit)};
   if (range.low > range.high) {
     throwProblem(place, node, "expected [low, high], got the higher number first");
   }
@@ -33,8 +30,8 @@ Region readBox(const YAML::Node& node, const YamlPlace& place) {
   }
   Region region;
   region.kind = Region::Kind::BOX;
-  region.first = readVector(node[0], place.element(0));
-  region.second = readVector(node[1], place.element(1));
+  region.first = readVector(node[0], place.element(0), limits::PLACE);
+  region.second = readVector(node[1], place.element(1), limits::PLACE);
   if ((region.first.array() > region.second.array()).any()) {
     throwProblem(place, node, "expected the lower left corner, then the upper right one");
   }
@@ -45,10 +42,16 @@ Region readRing(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place, {"centre", "radius"});
   Region region;
   region.kind = Region::Kind::RING;
-  region.first = readVector(map.need("centre"), map.placeOf("centre"));
-  region.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::NOT_NEGATIVE);
+  region.first = readVector(map.need("centre"), map.placeOf("centre"), limits::PLACE);
+  region.radius = readRange(map.need("radius"), map.placeOf("radius"), limits::DISTANCE_OR_0);
   if (region.radius.high <= 0.0) {
     throwProblem(map.placeOf("radius"), map.need("radius"), "expected an outer radius above 0");
+  }
+  const double extent = region.first.cwiseAbs().maxCoeff() + region.radius.high;
+  if (extent > limits::PLACE.most) {
+    throwProblem(
+        place, node,
+        "expected a ring with coordinates of up to " + toText(limits::PLACE.most) + " m, got " + toText(extent) + " m");
   }
   return region;
 }
@@ -75,7 +78,7 @@ Region readFree(const YAML::Node& node, const YamlPlace& place) {
 Region readRegion(const YAML::Node& node, const YamlPlace& place, const std::string& expected) {
   if (node.IsSequence()) {
     Region region;
-    region.first = readVector(node, place);
+    region.first = readVector(node, place, limits::PLACE);
     return region;
   }
   if (const YAML::Node box = findOnly("box", node, place)) return readBox(box, place.child("box"));
@@ -105,7 +108,8 @@ Segment readWall(const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsSequence() || node.size() != 2) {
     throwExpected(place, node, "two ends [[x1, y1], [x2, y2]]");
   }
-  Segment wall{readVector(node[0], place.element(0)), readVector(node[1], place.element(1))};
+  Segment wall{readVector(node[0], place.element(0), limits::PLACE),
+               readVector(node[1], place.element(1), limits::PLACE)};
   if (wall.from == wall.to) {
     throwProblem(place, node, "expected a wall with a length, got twice the same end");
   }
@@ -122,7 +126,7 @@ Range readHeading(const YAML::Node& node, const YamlPlace& place) {
 }
 
 int readBodyCount(const YamlMap& map, bool is_fixed) {
-  const auto count = static_cast<int>(map.whole("count", 1, MAX_COUNT, 1));
+  const auto count = static_cast<int>(map.whole("count", 1, limits::COUNT, 1));
   if (count > 1 && is_fixed) {
     throwProblem(map.placeOf("count"), map.need("count"), "more than one body needs a region as position");
   }

@@ -9,7 +9,7 @@
 namespace crowd {
 
 /// @brief Reads a number or [low, high]. @throws InputError, as all functions of this file do
-Range readRange(const YAML::Node& node, const YamlPlace& place, NumberRule rule);
+Range readRange(const YAML::Node& node, const YamlPlace& place, const NumberLimit& limit);
 
 /// @brief Reads [x, y], {box: ...}, {ring: ...} or {map: free}.
 /// @param expected the permitted forms, for messages; callers that permit other forms handle these before

@@ -12,8 +12,6 @@
 namespace crowd {
 namespace {
 
-constexpr std::int64_t MAX_RAYS = 100000;
-
 enum class PoseSource : std::uint8_t { ODOM = 0, TF = 1 };
 constexpr EnumNames<PoseSource, 2> POSE_SOURCES{"pose_from", {"odom", "tf"}};
 
@@ -35,10 +33,12 @@ void readFootprint(const YamlMap& map, Footprint& footprint) {
     throwProblem(map.placeOf("footprint"), corners, "expected either radius or footprint, got both");
   }
   if (!corners) {
-    footprint.radius = map.number("radius", NumberRule::POSITIVE);
+    footprint.radius = map.number("radius", limits::RADIUS);
     return;
   }
-  footprint.corners = readList<Vector2>(corners, map.placeOf("footprint"), readVector);
+  footprint.corners = readList<Vector2>(
+      corners, map.placeOf("footprint"),
+      [](const YAML::Node& corner, const YamlPlace& at) { return readVector(corner, at, limits::OFFSET); });
   const std::string problem = problemOf(footprint.corners);
   if (!problem.empty()) throwProblem(map.placeOf("footprint"), corners, problem);
 }
@@ -46,14 +46,14 @@ void readFootprint(const YamlMap& map, Footprint& footprint) {
 void readDrive(const YamlMap& map, const Units& units, RobotStart& start) {
   start.drive = DRIVES.read(map, Drive::DIFFERENTIAL);
   DriveLimits& limits = start.limits;
-  limits.max_speed = units.speed(map.number("max_speed", NumberRule::POSITIVE));
-  limits.max_rotation = map.number("max_rotation", NumberRule::POSITIVE, limits.max_rotation);
-  limits.max_acceleration = map.number("acceleration", NumberRule::POSITIVE, limits.max_acceleration);
+  limits.max_speed = units.speed(map.number("max_speed", units.limit(limits::SPEED)));
+  limits.max_rotation = map.number("max_rotation", limits::ROTATION, limits.max_rotation);
+  limits.max_acceleration = map.number("acceleration", limits::ACCELERATION, limits.max_acceleration);
   limits.max_rotation_acceleration =
-      map.number("rotation_acceleration", NumberRule::POSITIVE, limits.max_rotation_acceleration);
+      map.number("rotation_acceleration", limits::ROTATION_ACCELERATION, limits.max_rotation_acceleration);
   const YAML::Node turning = map.find("min_turning_radius");
   if (start.drive == Drive::ACKERMANN) {
-    limits.min_turning_radius = map.number("min_turning_radius", NumberRule::POSITIVE);
+    limits.min_turning_radius = map.number("min_turning_radius", limits::DISTANCE);
   } else if (turning) {
     throwProblem(map.placeOf("min_turning_radius"), turning, "is for drive: ackermann only");
   }
@@ -75,17 +75,17 @@ void readOdometry(const YamlMap& parent, OdometrySpec& odometry) {
   const YAML::Node node = parent.find("odometry");
   if (!node) return;
   const YamlMap map(node, parent.placeOf("odometry"), {"distance", "rotation", "heading_per_metre"});
-  odometry.distance = map.number("distance", NumberRule::NOT_NEGATIVE, 0.0);
-  odometry.rotation = map.number("rotation", NumberRule::NOT_NEGATIVE, 0.0);
-  odometry.heading_per_metre = map.number("heading_per_metre", NumberRule::NOT_NEGATIVE, 0.0);
+  odometry.distance = map.number("distance", limits::ODOMETRY_ERROR, 0.0);
+  odometry.rotation = map.number("rotation", limits::ODOMETRY_ERROR, 0.0);
+  odometry.heading_per_metre = map.number("heading_per_metre", limits::ODOMETRY_ERROR, 0.0);
 }
 
 /// Reads [low, high], the lower number first.
-Range readPair(const YamlMap& map, const std::string& key, NumberRule rule, const Range& otherwise) {
+Range readPair(const YamlMap& map, const std::string& key, const NumberLimit& limit, const Range& otherwise) {
   const YAML::Node node = map.find(key);
   if (!node) return otherwise;
   const YamlPlace place = map.placeOf(key);
-  const Range range = node.IsSequence() ? readRange(node, place, rule) : Range();
+  const Range range = node.IsSequence() ? readRange(node, place, limit) : Range();
   if (range.isFixed()) throwExpected(place, node, "[low, high]");
   return range;
 }
@@ -95,19 +95,19 @@ void readScan(const YamlMap& parent, ScanSpec& scan) {
   if (!node) return;
   const YamlMap map(node, parent.placeOf("scan"),
                     {"rays", "angles", "range", "position", "heading", "noise", "dropout", "period", "people"});
-  scan.rays = static_cast<std::uint32_t>(map.whole("rays", 1, MAX_RAYS, scan.rays));
+  scan.rays = static_cast<std::uint32_t>(map.whole("rays", 1, limits::RAYS, scan.rays));
   const Range angles = readPair(map, "angles", NumberRule::ANY, {-180.0, 180.0});
   if (angles.high - angles.low > 360.0) throwExpected(map.placeOf("angles"), map.need("angles"), "at most 360 degrees");
   scan.first_angle = toRadians(angles.low);
   scan.last_angle = toRadians(angles.high);
-  const Range range = readPair(map, "range", NumberRule::NOT_NEGATIVE, {scan.min_range, scan.max_range});
+  const Range range = readPair(map, "range", limits::DISTANCE_OR_0, {scan.min_range, scan.max_range});
   scan.min_range = range.low;
   scan.max_range = range.high;
   if (const YAML::Node position = map.find("position")) {
-    scan.mount.position = readVector(position, map.placeOf("position"));
+    scan.mount.position = readVector(position, map.placeOf("position"), limits::OFFSET);
   }
   scan.mount.heading = toRadians(map.number("heading", NumberRule::ANY, 0.0));
-  scan.noise = map.number("noise", NumberRule::NOT_NEGATIVE, scan.noise);
+  scan.noise = map.number("noise", limits::DISTANCE_OR_0, scan.noise);
   scan.dropout = map.number("dropout", NumberRule::FRACTION, scan.dropout);
   scan.period = map.number("period", NumberRule::NOT_NEGATIVE, scan.period);
   scan.people = SEEN_PEOPLE.read(map, scan.people);
@@ -173,7 +173,7 @@ RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units
   readFootprint(map, start.footprint);
   readDrive(map, units, start);
   start.cmd_timeout = map.number("cmd_timeout", NumberRule::POSITIVE, DEFAULT_COMMAND_TIMEOUT);
-  start.goal_tolerance = map.number("goal_tolerance", NumberRule::POSITIVE, goal_tolerance);
+  start.goal_tolerance = map.number("goal_tolerance", limits::DISTANCE, goal_tolerance);
   readCourtesy(map, start);
   readOdometry(map, start.odometry);
   readScan(map, start.scan);
@@ -190,6 +190,9 @@ std::vector<RobotGroup> readRobots(const YamlMap& map, const Units& units, doubl
     return readRobot(node, at, units, goal_tolerance, population);
   };
   std::vector<RobotGroup> robots = readList<RobotGroup>(list, place, read);
+  if (robots.size() > limits::ROBOTS) {
+    throwExpected(place, list, "at most " + std::to_string(limits::ROBOTS) + " robots");
+  }
   for (std::size_t i = 0; i < robots.size(); ++i) {
     RobotStart& start = robots[i].start;
     for (std::size_t k = 0; k < i; ++k) {

@@ -36,11 +36,11 @@ bool ScenarioList::keepHeadings() const {
   });
 }
 
-Scene ScenarioList::scene(std::uint64_t run_seed, std::uint64_t episode) const {
+Scene ScenarioList::scene(std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop) const {
   if (scenarios_.empty()) {
     throw InputError("there is no scenario to play");
   }
-  return scenarios_[episode % scenarios_.size()].instantiate(run_seed, episode);
+  return scenarios_[episode % scenarios_.size()].instantiate(run_seed, episode, stop);
 }
 
 }  // namespace crowd

@@ -18,7 +18,6 @@ namespace {
 enum class UnitSystem { SI, THESIS };
 constexpr EnumNames<UnitSystem, 2> UNIT_SYSTEMS{"units", {"si", "thesis"}};
 
-constexpr double MAX_TICKS = 1e9;
 constexpr std::int64_t MAX_AGENT = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t MAX_SEED = std::numeric_limits<std::int64_t>::max();
 
@@ -38,7 +37,7 @@ void readMotion(const YamlMap& map, const Units& units, ObstacleGroup& group) {
     throwProblem(map.place(), map.node(), "expected only one of velocity, to_and_fro and waypoints");
   }
   if (velocity) {
-    group.velocity = readVector(velocity, map.placeOf("velocity"));
+    group.velocity = readVector(velocity, map.placeOf("velocity"), units.limit(limits::VELOCITY));
     group.velocity = {units.speed(group.velocity.x()), units.speed(group.velocity.y())};
     group.motion = group.velocity.isZero(0.0) ? Kind::AT_REST : Kind::STRAIGHT;
   } else if (to_and_fro) {
@@ -49,7 +48,7 @@ void readMotion(const YamlMap& map, const Units& units, ObstacleGroup& group) {
     group.motion = Kind::LOOP;
   }
   if (!group.waypoints.empty()) {
-    group.speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), NumberRule::POSITIVE));
+    group.speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), units.limit(limits::SPEED)));
   } else if (speed) {
     throwProblem(map.placeOf("speed"), speed, "a speed goes with to_and_fro or waypoints only");
   }
@@ -61,7 +60,7 @@ Between readBetween(const YAML::Node& node, const YamlPlace& place) {
   between.agent = static_cast<std::size_t>(map.whole("agent", 0, MAX_AGENT));
   between.share = readRange(map.need("share"), map.placeOf("share"), NumberRule::FRACTION);
   if (const YAML::Node aside = map.find("aside")) {
-    between.aside = readRange(aside, map.placeOf("aside"), NumberRule::ANY);
+    between.aside = readRange(aside, map.placeOf("aside"), limits::PLACE);
   }
   return between;
 }
@@ -81,7 +80,7 @@ ObstacleGroup readObstacles(const YAML::Node& node, const YamlPlace& place, cons
   ObstacleGroup group;
   group.line = lineOf(node);
   readPosition(map, group);
-  group.radius = readRange(map.need("radius"), map.placeOf("radius"), NumberRule::POSITIVE);
+  group.radius = readRange(map.need("radius"), map.placeOf("radius"), limits::RADIUS);
   group.count = readBodyCount(map, group.between ? group.between->isFixed() : group.position.isFixed());
   readMotion(map, units, group);
   return group;
@@ -91,10 +90,20 @@ std::uint64_t readDuration(const YamlMap& map, const Units& units) {
   const double duration = map.number("duration", NumberRule::POSITIVE);
   // A whole number of ticks must not lose one tick to rounding.
   const double ticks = std::floor((units.thesis ? duration : duration / units.tick_duration) + 1e-6);
-  if (ticks < 1.0 || ticks > MAX_TICKS) {
-    throwExpected(map.placeOf("duration"), map.need("duration"), "a duration of 1 to 1e9 ticks");
+  if (ticks < 1.0 || ticks > limits::TICKS || ticks * units.tick_duration > limits::DURATION) {
+    throwExpected(map.placeOf("duration"), map.need("duration"), "a duration of 1 to 1e9 ticks, at most 1e9 s");
   }
   return static_cast<std::uint64_t>(ticks);
+}
+
+/// @param key of the list of the groups
+template <typename Groups>
+void requireFewBodies(const YamlMap& map, const std::string& key, const Groups& groups) {
+  std::size_t count = 0;
+  for (const auto& group : groups) count += static_cast<std::size_t>(group.count);
+  if (count <= limits::BODIES) return;
+  throwProblem(map.placeOf(key), map.need(key),
+               "expected at most " + std::to_string(limits::BODIES) + " in all, got " + std::to_string(count));
 }
 
 /// Reads `agents`; a scenario with sources or robots may have none.
@@ -108,6 +117,7 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
   if (scenario.agents.empty() && !optional) {
     throwExpected(map.placeOf("agents"), map.need("agents"), "at least one agent");
   }
+  requireFewBodies(map, "agents", scenario.agents);
 }
 
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
@@ -123,11 +133,11 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
     throwExpected(map.placeOf("name"), map.need("name"), "a name");
   }
   const Units units{UNIT_SYSTEMS.read(map, UnitSystem::SI) == UnitSystem::THESIS,
-                    map.number("tick", NumberRule::POSITIVE, DEFAULT_TICK_DURATION)};
+                    map.number("tick", limits::TICK, DEFAULT_TICK_DURATION)};
   scenario.tick_duration = units.tick_duration;
   scenario.max_ticks = readDuration(map, units);
-  scenario.goal_tolerance = map.number("goal_tolerance", NumberRule::POSITIVE);
-  scenario.collision_radius = map.number("collision_radius", NumberRule::POSITIVE, DEFAULT_COLLISION_RADIUS);
+  scenario.goal_tolerance = map.number("goal_tolerance", limits::DISTANCE);
+  scenario.collision_radius = map.number("collision_radius", limits::RADIUS, DEFAULT_COLLISION_RADIUS);
   scenario.contact = CONTACTS.read(map, Contact::GHOST);
   scenario.order = ORDERS.read(map, Order::SIMULTANEOUS);
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
@@ -141,6 +151,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   readCrowd(map, units, population, scenario);
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
   scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);
+  requireFewBodies(map, "obstacles", scenario.obstacles);
   scenario.walls = readList<Segment>(map.find("walls"), map.placeOf("walls"), readWall);
   scenario.way_finding = map.flag("way_finding", true);
   if (!population.empty()) scenario.population = std::make_shared<const PopulationDescription>(std::move(population));
@@ -149,7 +160,8 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   return scenario;
 }
 
-ScenarioList readStream(const std::vector<YAML::Node>& documents, const std::string& name) {
+ScenarioList readStream(const std::vector<YAML::Node>& documents, const std::string& name,
+                        const StopRequest& stop = {}) {
   if (documents.empty()) {
     throw InputError(name + ": expected at least one scenario, got an empty file");
   }
@@ -157,15 +169,15 @@ ScenarioList readStream(const std::vector<YAML::Node>& documents, const std::str
   scenarios.reserve(documents.size());
   for (const YAML::Node& document : documents) {
     scenarios.push_back(readScenario(document, {name, static_cast<int>(scenarios.size()) + 1, ""}));
-    scenarios.back().instantiate(0, 0);  // reports overlaps and lack of space now instead of during a run
+    scenarios.back().instantiate(0, 0, stop);  // reports overlaps and lack of space now instead of during a run
   }
   return ScenarioList(std::move(scenarios));
 }
 
 }  // namespace
 
-ScenarioList readScenarios(const std::string& file, FileKinds kinds) {
-  return readStream(loadYamlStream(file, kinds), file);
+ScenarioList readScenarios(const std::string& file, const StopRequest& stop, FileKinds kinds) {
+  return readStream(loadYamlStream(file, kinds), file, stop);
 }
 
 ScenarioList readScenarios(const std::vector<std::string>& files) {

@@ -27,7 +27,7 @@ std::vector<double> readTimes(const YAML::Node& node, const YamlPlace& place) {
 }
 
 void readRate(const YamlMap& map, SourceDescription& source) {
-  source.rate = map.number("rate", NumberRule::POSITIVE);
+  source.rate = map.number("rate", limits::RATE);
   source.regular = INTERVALS.read(map, Interval::EXPONENTIAL) == Interval::REGULAR;
   source.from = map.number("from", NumberRule::NOT_NEGATIVE, 0.0);
   source.until = map.number("until", NumberRule::NOT_NEGATIVE, source.until);

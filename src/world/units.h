@@ -1,5 +1,6 @@
 #pragma once
 
+#include "social_crowd/world/limits.h"
 #include "social_crowd/world/scenario.h"
 
 namespace crowd {
@@ -11,6 +12,10 @@ struct Units {
 
   double speed(double value) const { return thesis ? value / tick_duration : value; }
   Range speed(const Range& range) const { return {speed(range.low), speed(range.high)}; }
+  /// @brief A limit of speeds, in the units of the document.
+  NumberLimit limit(const NumberLimit& speeds) const {
+    return thesis ? NumberLimit{speeds.rule, speeds.most * tick_duration, "m/tick"} : speeds;
+  }
 };
 
 }  // namespace crowd

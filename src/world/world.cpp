@@ -26,8 +26,9 @@ inline void requireValid(const AgentAction& given) {
 
 }  // namespace
 
-World::World(const Scene& scene)
-    : tick_duration_(scene.tick_duration),
+World::World(const Scene& scene, StopRequest stop)
+    : stop_(std::move(stop)),
+      tick_duration_(scene.tick_duration),
       goal_tolerance_(scene.goal_tolerance),
       collision_radius_(scene.collision_radius),
       contact_(scene.contact),

@@ -63,10 +63,10 @@ void World::requireFreePlace(const Vector2& centre, double radius, bool agents_o
 bool World::isFree(const Vector2& centre, double radius) const { return findBlocker(centre, radius, false).empty(); }
 
 AgentId World::spawnAgent(const AgentStart& start) {
-  requireAbove0("max_speed [m/s]", start.max_speed);
-  requireAbove0("radius [m]", start.radius);
+  requireWithin(limits::SPEED, "max_speed [m/s]", start.max_speed);
+  requireWithin(limits::RADIUS, "radius [m]", start.radius);
   requireFinite("heading [rad]", start.heading);
-  requireFinite("position [m]", start.position);
+  requirePlace("position [m]", start.position);
   if (start.goals.empty()) throw InputError("goals: expected at least one, got none");
   for (const Vector2& goal : start.goals) requireFinite("goal [m]", goal);
   requireFreePlace(start.position, start.radius, false);
@@ -136,7 +136,7 @@ void World::setLeaves(AgentId id, bool leaves) { findWalking(id).leaves = leaves
 void World::setYielding(AgentId id, bool yielding) { findWalking(id).yielding = yielding; }
 
 void World::teleport(AgentId id, const Pose& pose) {
-  requireFinite(pose);
+  requirePose(pose);
   Agent& agent = findWalking(id);
   requireFreePlace(pose.position, agent.radius, false, id);
   agent.pose = {pose.position, wrapAngle(pose.heading)};
@@ -149,9 +149,9 @@ void World::teleport(AgentId id, const Pose& pose) {
 }
 
 std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
-  requireAbove0("radius [m]", radius);
-  requireFinite("position [m]", position);
-  requireFinite("velocity [m/s]", velocity);
+  requireWithin(limits::RADIUS, "radius [m]", radius);
+  requirePlace("position [m]", position);
+  requireWithin(limits::VELOCITY, "velocity [m/s]", velocity);
   requireFreePlace(position, radius, true);
   obstacles_.push_back({pathFromNow(position, velocity, time()), radius});
   ++layout_changes_;
@@ -161,7 +161,7 @@ std::size_t World::spawnObstacle(const Vector2& position, const Vector2& velocit
 
 void World::moveObstacle(std::size_t number, const Vector2& position) {
   requireObstacle(number);
-  requireFinite("position [m]", position);
+  requirePlace("position [m]", position);
   Obstacle& obstacle = obstacles_[number];
   requireFreePlace(position, obstacle.radius, true);
   const bool keeps = obstacle.path.kind() == ObstaclePath::Kind::STRAIGHT;
@@ -182,8 +182,8 @@ void World::removeObstacle(std::size_t number) {
 }
 
 std::size_t World::addWall(const Segment& wall) {
-  requireFinite("wall [m]", wall.from);
-  requireFinite("wall [m]", wall.to);
+  requirePlace("wall [m]", wall.from);
+  requirePlace("wall [m]", wall.to);
   if (wall.from == wall.to) throw InputError("expected a wall with a length, got twice the same end");
   for (const Agent& agent : agents_) {
     if (agent.isWalking() && distanceTo(wall, agent.pose.position) < agent.radius - CONTACT_OVERLAP) {

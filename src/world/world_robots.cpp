@@ -51,14 +51,14 @@ void World::placeRobot(RobotId id, const Pose& pose, const Vector2& velocity, bo
   if (robot.start.drive != Drive::EXTERNAL) {
     throw InputError("robot " + inQuotes(robot.start.name) + " is not external: it moves by commands");
   }
-  requireFinite(pose);
-  requireFinite("velocity [m/s]", velocity);
+  requirePose(pose);
+  requireWithin(limits::VELOCITY, "velocity [m/s]", velocity);
   robot_places_[id] = RobotPlace{{pose.position, wrapAngle(pose.heading)}, velocity, jump};
 }
 
 void World::setRobotGoals(RobotId id, std::vector<Vector2> goals) {
   Robot& robot = findRobot(id);
-  for (const Vector2& goal : goals) requireFinite("goal [m]", goal);
+  for (const Vector2& goal : goals) requirePlace("goal [m]", goal);
   robot.goals = std::move(goals);
   robot.next_goal = 0;
   robot.status = RobotStatus::DRIVING;
@@ -66,7 +66,7 @@ void World::setRobotGoals(RobotId id, std::vector<Vector2> goals) {
 
 void World::teleportRobot(RobotId id, const Pose& pose) {
   Robot& robot = findRobot(id);
-  requireFinite(pose);
+  requirePose(pose);
   const std::string blocker = findBlocker(pose.position, robot.start.footprint.reach(), false, std::nullopt, id);
   if (!blocker.empty()) throw InputError("the place is taken by " + blocker);
   robot.pose = {pose.position, wrapAngle(pose.heading)};

@@ -23,8 +23,8 @@ std::string errorOf(Action action) {
   return "no InputError";
 }
 
-std::string numberError(const std::string& text, NumberRule rule = NumberRule::ANY) {
-  return errorOf([&] { readNumber(YAML::Load(text), PLACE, rule); });
+std::string numberError(const std::string& text, const NumberLimit& limit = NumberRule::ANY) {
+  return errorOf([&] { readNumber(YAML::Load(text), PLACE, limit); });
 }
 
 std::string wholeError(const std::string& text) {
@@ -71,6 +71,13 @@ TEST(ReadNumber, AppliesItsRule) {
   EXPECT_NE(numberError("1.01", NumberRule::FRACTION).find("a number from 0 to 1"), std::string::npos);
 }
 
+TEST(ReadNumber, AppliesItsLimit) {
+  constexpr NumberLimit SPEED{NumberRule::POSITIVE, 1000.0, "m/s"};
+  EXPECT_EQ(readNumber(YAML::Load("1000"), PLACE, SPEED), 1000.0);
+  EXPECT_EQ(numberError("1e300", SPEED), "file.yaml: document 2, line 1: here: expected at most 1000 m/s, got '1e300'");
+  EXPECT_EQ(numberError("0", SPEED), "file.yaml: document 2, line 1: here: expected a number above 0, got '0'");
+}
+
 TEST(ReadWhole, AcceptsOnlyWholeNumbersWithinTheLimits) {
   EXPECT_EQ(readWhole(YAML::Load("1"), PLACE, 1, 10), 1);
   EXPECT_EQ(readWhole(YAML::Load("10"), PLACE, 1, 10), 10);
@@ -96,6 +103,15 @@ TEST(ReadVector, AcceptsOnlyTwoNumbers) {
   EXPECT_NE(error("[1, 2, 3]").find("here: expected [x, y], got a list of 3"), std::string::npos);
   EXPECT_NE(error("{x: 1, y: 2}").find("here: expected [x, y], got a map"), std::string::npos);
   EXPECT_NE(error("[1, up]").find("here[1]: expected a number, got 'up'"), std::string::npos);
+}
+
+TEST(ReadVector, AppliesItsLimitToBothNumbers) {
+  constexpr NumberLimit PLACES{NumberRule::ANY, 10.0, "m"};
+  EXPECT_EQ(readVector(YAML::Load("[10, -10]"), PLACE, PLACES), Eigen::Vector2d(10.0, -10.0));
+  EXPECT_NE(errorOf([&] {
+              readVector(YAML::Load("[1, -10.5]"), PLACE, PLACES);
+            }).find("here[1]: expected a number from -10 to 10 m, got '-10.5'"),
+            std::string::npos);
 }
 
 TEST(ReadFlag, AcceptsOnlyTrueAndFalse) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "social_crowd/common/numbers.h"
 #include "support/error_of.h"
 
 namespace crowd {
@@ -145,6 +146,38 @@ TEST(ParseModel, RefusesInvalidRadii) {
       EXPECT_TRUE(contains(message, "_radius: expected")) << wrong << ": " << message;
     }
   }
+}
+
+TEST(ParseModel, RefusesNumbersBeyondTheLimits) {
+  const auto expect = [](const std::string& state_set, const std::string& expected) {
+    const std::string message = errorInStateSet(state_set);
+    EXPECT_TRUE(contains(message, expected)) << message;
+  };
+  expect("{type: occupancy, vision_radius: 1e17}", "vision_radius: expected at most 1e+06 m, got '1e17'");
+  expect("{type: occupancy, collision_radius: 1e17}", "collision_radius: expected at most 1e+06 m, got '1e17'");
+  expect("{type: anticipation, vision_radius: 1e17}", "vision_radius: expected at most 1e+06 m, got '1e17'");
+  expect("{type: anticipation, max_neighbours: 2000000000}",
+         "max_neighbours: expected a whole number from 0 to 1000, got '2000000000'");
+}
+
+/// A list of this many rising numbers up to 1.
+std::string risingList(int count) {
+  std::string list;
+  for (int i = 1; i <= count; ++i) list += (i > 1 ? ", " : "[") + toText(static_cast<double>(i) / count);
+  return list + "]";
+}
+
+TEST(ParseModel, RefusesTablesThatAreTooLarge) {
+  // 1000 * 1000 * 5000 rows do not even have numbers of 32 bits.
+  const std::string message = errorInStateSet("{type: anticipation, reciprocal_times: " + risingList(999) +
+                                              ", static_times: " + risingList(999) + ", turns: " + risingList(4999) +
+                                              ", constant_velocity_times: [], admissible_fractions: [], oncoming: []}");
+  EXPECT_TRUE(contains(message, "state_set: expected limits for at most 100000000 rows, got 5e+09")) << message;
+  const std::string table = errorIn(
+      "{state_set: {type: occupancy, sectors: 12}, action_set: {type: kings_moves, rotations: 16}, "
+      "reward: {goal: cosine_cubed, obstacle_cost: 80}}");
+  EXPECT_TRUE(contains(table, "state_set: expected a Q-table of at most 100000000 values, got 6377293 rows of 16"))
+      << table;
 }
 
 }  // namespace

@@ -80,7 +80,28 @@ class ServicesTest(BadPlacesTestCase):
     def test_floors_that_are_too_large(self):
         self.begin()
         self.refuse('set_goal', 'too large', agent=0, goal=Point(1e6, 5, 0))
-        self.refuse('add_wall', 'too large', begin=Point(3e7, 0, 0), end=Point(3e7, 1, 0))
+        self.refuse('add_wall', 'too large', begin=Point(1e6, 0, 0), end=Point(1e6, 1, 0))
+        self.assert_unchanged()
+
+    def test_numbers_beyond_the_limits(self):
+        self.begin()
+        place = 'expected a number from -1e+06 to 1e+06 m, got 1e+17'
+        far = Point(1e17, 5, 0)
+        near = {'position': Point(5, 2, 0), 'goal': Point(15, 2, 0)}
+        body = {'pose': Pose2D(5, 2, 0), 'goal': Point(15, 2, 0)}
+        self.refuse('set_goal', 'goal [m]', place, agent=0, goal=far)
+        self.refuse('teleport', 'position [m]', place, agent=0, pose=Pose2D(1e17, 5, 0))
+        self.refuse('add_wall', 'wall [m]', place, begin=far, end=Point(0, 0, 0))
+        self.refuse('spawn_agent', 'goal [m]', place, **dict(body, goal=far, max_speed=1, radius=0.2))
+        self.refuse('spawn_agent', 'max_speed [m/s]: expected at most 1000 m/s, got 1e+300', **body, max_speed=1e300,
+                    radius=0.2)
+        self.refuse('spawn_agent', 'radius [m]: expected at most 1000 m, got 1e+200', **body, max_speed=1, radius=1e200)
+        self.refuse('spawn_obstacle', 'radius [m]: expected at most 1000 m', position=far, radius=1e200)
+        self.refuse('spawn_obstacle', 'position [m]', place, position=far, radius=0.2)
+        self.refuse('add_source', 'rate: expected at most 1000 agents/s', **near, rate=1e9, max_speed=1, radius=0.2)
+        self.refuse('add_source', 'speed: expected at most 1000 m/s', **near, rate=1, max_speed=1e300, radius=0.2)
+        self.refuse('add_source', 'radius: expected at most 1000 m', **near, rate=1, max_speed=1, radius=1e200)
+        self.refuse('add_gate', 'wall', 'expected a number from -1e+06 to 1e+06 m', begin=far, end=Point(0, 0, 0))
         self.assert_unchanged()
 
     def test_unknown_names_and_numbers(self):

@@ -123,6 +123,16 @@ class WidestVisionTest(VisionTestCase):
         support.wait_for(lambda: self.controller.output().count('is ignored') == 2, 'two warnings')
         self.assert_says(self.controller.output(), "'/a' requests a vision radius of nan")
 
+    def test_reports_beyond_the_limits(self):
+        self.start_row()
+        self.report('/a', 1e17)
+        self.report('/a', 9.0, max_neighbours=2**32 - 1)
+        self.report('/b', 3.0, max_neighbours=2)
+        self.expect(3.0, 2, False)
+        support.wait_for(lambda: self.controller.output().count('is ignored') == 2, 'two warnings')
+        self.assert_says(self.controller.output(), 'a vision radius of 1e+17; expected at most 1e+06 m.',
+                         'up to 4294967295 neighbours; expected at most 1000, or 0 for all.')
+
     def test_wider_vision_while_answers_are_awaited(self):
         """The tick is perceived again; accepted answers stay valid."""
         self.start_row()

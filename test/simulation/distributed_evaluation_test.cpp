@@ -128,9 +128,10 @@ TEST(EvaluateOnRanks, EndsSharedDecisionsWhenItIsToldTo) {
     observer.on_tick = [&](std::uint64_t /*instance*/, std::uint64_t tick, std::uint64_t /*max_ticks*/) {
       ticks = tick;
     };
-    observer.is_stopped = [&] { return communicator.rank() == 1 && ticks == 5; };
+    EvaluationPlan plan = evaluations::planOf(8, 1);
+    plan.stop = StopRequest([&] { return communicator.rank() == 1 && ticks == 5; });
     EXPECT_FALSE(evaluateOnRanks(communicator, evaluations::restlessTable(), parseScenarios(WHOLE_SCENARIOS, "s.yaml"),
-                                 evaluations::planOf(8, 1), observer,
+                                 plan, observer,
                                  [](EvaluatedEpisode& /*walked*/) -> bool { throw Error("was not stopped"); }));
     EXPECT_EQ(ticks, 5U);
   });
@@ -157,11 +158,10 @@ TEST(EvaluateOnRanks, EndsWhenItIsToldTo) {
   const ScenarioList scenarios = parseScenarios(SCENARIOS, "s.yaml");
   EXPECT_EQ(evaluateOn(2, evaluations::restlessTable(), scenarios, evaluations::planOf(5, 1), 2).size(), 2U);
   ThreadRanks(2).run([&](Communicator& communicator) {
-    RanksObserver observer;
-    observer.is_stopped = [&] { return communicator.rank() == 1; };
+    EvaluationPlan plan = evaluations::planOf(5, 1);
+    plan.stop = StopRequest([&] { return communicator.rank() == 1; });
     const auto deliver = [](EvaluatedEpisode& /*walked*/) { return true; };
-    EXPECT_FALSE(evaluateOnRanks(communicator, evaluations::restlessTable(), scenarios, evaluations::planOf(5, 1),
-                                 observer, deliver));
+    EXPECT_FALSE(evaluateOnRanks(communicator, evaluations::restlessTable(), scenarios, plan, {}, deliver));
   });
 }
 

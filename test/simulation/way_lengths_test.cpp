@@ -115,9 +115,12 @@ TEST(Reach, RefusedChangesChangeNothing) {
   expect("from (4, -4)", [&] { episode.teleport(0, {{4.0, -4.0}, 0.0}); });
   expect("the agent: the goal (0, 4) cannot", [&] { episode.spawnAgent(caged); });
   expect("too large", [&] { episode.setGoal(0, {1e6, 0.0}); });
-  expect("too large", [&] { episode.addWall({{3e7, 0.0}, {3e7, 1.0}}); });
-  expect("too large", [&] { episode.spawnObstacle({0.0, 3e7}, {0.0, 0.0}, 2.0); });
+  expect("too large", [&] { episode.addWall({{1e6, 0.0}, {1e6, 1.0}}); });
+  expect("too large", [&] { episode.spawnObstacle({0.0, 1e6}, {0.0, 0.0}, 2.0); });
   expect("too large", [&] { episode.replaceWalls({{{3e7, 0.0}, {3e7, 1.0}}}); });
+  expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got 1e+17", [&] { episode.setGoal(0, {1e17, 0.0}); });
+  const AgentStart far_goal{{0.0, 3.0}, 0.0, {{0.0, -1.1e6}}, 1.0, RADIUS};
+  expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got -1.1e+06", [&] { episode.spawnAgent(far_goal); });
   expect("no agent 7", [&] { episode.setGoal(7, {1.0, 1.0}); });
   walkUntil(20.0, episode);
   EXPECT_TRUE(episode.result().agents.at(0).arrived);
@@ -152,7 +155,7 @@ TEST(Reach, AnAgentWaitsAtAClosedGate) {
 
 TEST(Reach, AgentsOnAFloorThatIsTooLargeWalkWithoutWayFinding) {
   Episode episode = episodeOf(
-      "walls: [[[30000000, 0], [30000000, 1]]]\n"
+      "walls: [[[1000000, 0], [1000000, 1]]]\n"
       "agents: [{position: [0, 0], goal: [4, 0], speed: 1, radius: 0.2}]\n");
   EXPECT_NE(episode.wayFindingProblem().find("too large"), std::string::npos) << episode.wayFindingProblem();
   EXPECT_NE(episode.result().wayWarning().find("way-finding was left out: "), std::string::npos);

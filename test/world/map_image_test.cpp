@@ -69,6 +69,13 @@ TEST(PgmImageRefusals, Size) {
   EXPECT_EQ(problemOf("P5 3"), "height: expected a whole number from 0 to 4294967295, got the end of the file");
 }
 
+/// The memory that is taken depends on the size of the file: otherwise this would be 100 MB.
+TEST(PgmImageRefusals, HeaderOfMorePixelsThanTheFileContains) {
+  EXPECT_EQ(problemOf("P2 10000 10000 255\n7 7"),
+            "pixel 3 of 100000000: expected a whole number from 0 to 255, got the end of the file");
+  EXPECT_EQ(problemOf("P5 10000 10000 255\n77"), "expected 100000000 bytes for 10000 x 10000 pixels, got 2");
+}
+
 TEST(PgmImageRefusals, GreatestValue) {
   const std::string name = "greatest value of a pixel: expected ";
   EXPECT_EQ(problemOf("P5 1 1 0\na"), name + "at least 1, got 0");
@@ -168,6 +175,27 @@ TEST(PngImageRefusals, Size) {
   const std::string size = png::bigEndian(100'001) + png::bigEndian(1'000) + bytes({8, 0, 0, 0, 0});
   wide.replace(8, 25, png::chunk("IHDR", size));
   EXPECT_EQ(problemOf(wide), "expected an image of up to 100000000 pixels, got 100001 x 1000 pixels");
+}
+
+/// A PNG whose header says another size and type of pixels than it has.
+std::string withHeader(std::uint32_t width, std::uint32_t height, png::ColourType type) {
+  std::string image = png::file(1, {bytes({0})}, png::GRAY);
+  const std::string kind = {8, static_cast<char>(type), 0, 0, 0};
+  return image.replace(8, 25, png::chunk("IHDR", png::bigEndian(width) + png::bigEndian(height) + kind));
+}
+
+TEST(PngImageRefusals, HeaderOfMorePixelsThanTheFileCanContain) {
+  EXPECT_EQ(problemOf(withHeader(100'000, 1'000, png::GRAY)),
+            "expected at least 96900 bytes for 100000 x 1000 pixels, got 69");
+  EXPECT_EQ(problemOf(withHeader(100'000, 1'000, png::RGBA)),
+            "expected at least 387597 bytes for 100000 x 1000 pixels, got 69");
+}
+
+TEST(PngImageRefusals, MoreSamplesThanTheLimit) {
+  const std::string padding = png::chunk("tEXt", std::string(400'000, 'x'));
+  std::string image = withHeader(100'000, 1'000, png::RGBA);
+  EXPECT_EQ(problemOf(image.insert(33, padding)),
+            "expected an image of up to 100000000 samples, got 100000 x 1000 pixels of 4");
 }
 
 TEST(PngImageRefusals, DamagedChecksum) {

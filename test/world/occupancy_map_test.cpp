@@ -123,12 +123,25 @@ TEST(OccupancyMap, OriginMustBeFinite) {
 }
 
 TEST(OccupancyMap, CellsMustBeDistinctAtTheirPlace) {
-  EXPECT_EQ(problemAfter([](OccupancyMap& map) { map.origin.position.x() = -5e8; }),
-            "the map is too far away for its resolution: expected coordinates of up to 1e9 times 0.5 m, got "
-            "500000002.5 m");
-  EXPECT_EQ(problemAfter([](OccupancyMap& map) { map.origin.position.x() = -4e8; }), "no error");
+  EXPECT_EQ(problemAfter([](OccupancyMap& map) {
+              map.resolution = 0.0005;
+              map.origin.position.x() = -5e5;
+            }),
+            "the map is too far away for its resolution: expected coordinates of up to 1e9 times 5e-04 m, got "
+            "500000.0025 m");
+  EXPECT_EQ(problemAfter([](OccupancyMap& map) {
+              map.resolution = 0.0005;
+              map.origin.position.x() = -4e5;
+            }),
+            "no error");
   const std::string problem = problemAfter([](OccupancyMap& map) { map.resolution = 1e308; });
   EXPECT_TRUE(contains(problem, "too far away")) << problem;
+}
+
+TEST(OccupancyMap, PlacesMustBeWithinTheLimit) {
+  EXPECT_EQ(problemAfter([](OccupancyMap& map) { map.origin.position.x() = 1e6; }),
+            "the map is too large or too far away: expected coordinates of up to 1e+06 m, got 1000002.5 m");
+  EXPECT_EQ(problemAfter([](OccupancyMap& map) { map.origin.position.x() = -999'997.0; }), "no error");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/files.h"
+#include "social_crowd/common/number_limit.h"
 
 namespace crowd {
 
@@ -30,19 +31,16 @@ struct YamlPlace {
 /// @brief Throws the InputError "FILE: document D, line L: PATH: expected ..., got ...".
 [[noreturn]] void throwExpected(const YamlPlace& place, const YAML::Node& node, const std::string& expected);
 
-/// @brief Permitted range of a number.
-enum class NumberRule { ANY, NOT_NEGATIVE, POSITIVE, FRACTION };  // FRACTION: 0 to 1
-
-/// @brief Reads a finite number that satisfies the rule, or throws InputError. A quoted scalar is not a number.
-double readNumber(const YAML::Node& node, const YamlPlace& place, NumberRule rule = NumberRule::ANY);
+/// @brief Reads a finite number that the limit permits, or throws InputError. A quoted scalar is not a number.
+double readNumber(const YAML::Node& node, const YamlPlace& place, const NumberLimit& limit = NumberRule::ANY);
 /// @brief Reads a whole number from `low` to `high`, or throws InputError.
 std::int64_t readWhole(const YAML::Node& node, const YamlPlace& place, std::int64_t low, std::int64_t high);
 /// @brief Reads a whole number from 0 to 2^64 - 1, or throws InputError.
 std::uint64_t readCount(const YAML::Node& node, const YamlPlace& place);
 /// @brief Reads a text (scalar), or throws InputError.
 std::string readText(const YAML::Node& node, const YamlPlace& place);
-/// @brief Reads [x, y], or throws InputError.
-Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place);
+/// @brief Reads [x, y], or throws InputError. @param limit of each of the two
+Eigen::Vector2d readVector(const YAML::Node& node, const YamlPlace& place, const NumberLimit& limit = NumberRule::ANY);
 /// @brief Reads true or false, or throws InputError.
 bool readFlag(const YAML::Node& node, const YamlPlace& place);
 
@@ -73,7 +71,7 @@ class YamlMap {
   /// @brief The value of a key, or an undefined node (false) if it is absent.
   YAML::Node find(const std::string& key) const;
 
-  double number(const std::string& key, NumberRule rule, std::optional<double> otherwise = std::nullopt) const;
+  double number(const std::string& key, const NumberLimit& limit, std::optional<double> otherwise = std::nullopt) const;
   std::int64_t whole(const std::string& key, std::int64_t low, std::int64_t high,
                      std::optional<std::int64_t> otherwise = std::nullopt) const;
   std::uint64_t count(const std::string& key, std::optional<std::uint64_t> otherwise = std::nullopt) const;

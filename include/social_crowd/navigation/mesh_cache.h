@@ -22,7 +22,8 @@ constexpr double TIGHT_MARGIN = 0.02;
 /// @brief The navigation data of a floor. The last few floors are kept, since episodes of one scenario share their
 /// floor and gates alternate between two. Thread-safe.
 /// @param radius of the agents [m] @param passage_width greatest width of passages [m], see Passages
-/// @throws InputError as NavigationMesh
-std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, double passage_width);
+/// @throws InputError and Stopped as NavigationMesh
+std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, double passage_width,
+                                                     const StopRequest& stop = {});
 
 }  // namespace crowd

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "social_crowd/common/stop_request.h"
 #include "social_crowd/world/floor_plan.h"
 
 namespace crowd {
@@ -36,8 +37,9 @@ class NavigationMesh {
   /// @param cell_size of the raster that the mesh is made of [m], above 0; it is smaller for a clearance of less than 4
   /// cells, and larger for large floors (from 20,000 m2 with the default), see cellSize()
   /// @throws InputError if the plan is invalid, clearance or cell size are not above 0, or the floor is too large for
-  /// the clearance
-  explicit NavigationMesh(const FloorPlan& plan, double clearance, double cell_size = DEFAULT_CELL_SIZE);
+  /// the clearance; Stopped if `stop` is made
+  explicit NavigationMesh(const FloorPlan& plan, double clearance, double cell_size = DEFAULT_CELL_SIZE,
+                          const StopRequest& stop = {});
 
   double clearance() const;  ///< [m]
   double cellSize() const;   ///< [m]

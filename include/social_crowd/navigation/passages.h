@@ -32,7 +32,8 @@ class Passages {
   static constexpr double SPACING = 0.05;
 
   /// @param radius radius of the agents [m] @param max_width passages are narrower than this [m]
-  Passages(const FloorPlan& floor, double radius, double max_width);
+  /// @throws Stopped if `stop` is made
+  Passages(const FloorPlan& floor, double radius, double max_width, const StopRequest& stop = {});
 
   std::size_t size() const { return passages_.size(); }
   const Passage& operator[](std::size_t passage) const { return passages_[passage]; }
@@ -67,7 +68,7 @@ class Passages {
   /// Distances are stored for blocks of BLOCK x BLOCK grid points, so that they fit into the processor's cache.
   static constexpr Index BLOCK = 4;
 
-  std::vector<Width> classify(double radius, double max_width) const;
+  std::vector<Width> classify(double radius, double max_width, const StopRequest& stop) const;
   bool isThroat(Index point) const;
   void measureSteps();
   void addPassage(const std::vector<Index>& narrow, const std::vector<Width>& widths);

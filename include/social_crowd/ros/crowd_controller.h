@@ -35,7 +35,8 @@ namespace crowd {
 /// (lockstep with a deadline) and moves the agents. docs/protocol.md describes the protocol.
 class CrowdController {
  public:
-  /// @throws InputError that lists invalid parameters or describes an error of the scenario file; FileError
+  /// @throws InputError that lists invalid parameters or describes an error of the scenario file; FileError; Stopped
+  /// if ROS shuts down meanwhile
   CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node);
 
   /// @brief Walks episodes until ~episodes are done, stop() is called, or ROS shuts down.
@@ -112,6 +113,7 @@ class CrowdController {
   const DataFolder data_folder_;
   const std::string scenario_folder_;
   MainLoop loop_;
+  const StopRequest stop_{[this] { return loop_.isClosed(); }};  // for ticks and preparations that take long
   ros::NodeHandle node_;
   AnswerCollector answers_;
   CrowdBroadcaster broadcaster_;

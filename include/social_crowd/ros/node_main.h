@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "social_crowd/common/stop_request.h"
 #include "social_crowd/ros/console.h"
 #include "social_crowd/ros/master_watch.h"
 
@@ -37,6 +38,8 @@ int runNode(int argc, char** argv, const char* name, const NodeUsage& usage) {
   try {
     Node node((ros::NodeHandle()), ros::NodeHandle("~"));
     node.run();
+    return 0;
+  } catch (const Stopped&) {  // by Ctrl-C, before it ran
     return 0;
   } catch (const std::exception& error) {
     logFatal(error.what());

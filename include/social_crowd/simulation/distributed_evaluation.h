@@ -14,14 +14,13 @@ namespace crowd {
 struct RanksObserver {
   /// At the start of each tick.
   std::function<void(std::uint64_t instance, std::uint64_t tick, std::uint64_t max_ticks)> on_tick;
-  std::function<bool()> is_stopped;                          ///< whether to end before the next tick
   std::function<void(const RanksReport& report)> on_report;  ///< after each episode
 };
 
 /// @brief Runs scenarios as evaluate() does, one episode after the other, each by all ranks together: divided by a
 /// DistributedCrowd if it can walk the scene, otherwise with SharedDecisions, as for a record of states. The results
 /// are the same. Collective.
-/// @param plan its `threads` are those of each rank
+/// @param plan its `threads` are those of each rank, its stop request that of this one
 /// @param deliver as for evaluate(), but called on rank 0 only
 /// @return false if a rank or `deliver` ended it early @throws SharedError on all ranks if one of them throws between
 /// episodes, or if scenes or results of the ranks differ

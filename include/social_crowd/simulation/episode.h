@@ -30,7 +30,10 @@ class Episode {
   /// @param number of the episode; it is part of the perceptions, and learners seed their exploration with it
   /// @param thread_pool its threads share the agents; it must outlive the episode. Results do not depend on their
   /// number.
-  Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool = ThreadPool::callerOnly());
+  /// @param stop ends the constructor, decide(), step() and changes of the world early: they throw Stopped, and the
+  /// episode must not be used any more
+  Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool = ThreadPool::callerOnly(),
+          StopRequest stop = {});
 
   /// @brief Changes the vision; perceptions() reflect it immediately.
   void setVision(const Vision& vision);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "social_crowd/common/stop_request.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/simulation/episode.h"
@@ -27,6 +28,7 @@ struct EvaluationPlan {
   /// Called at the start of each episode whose ways are a problem (EpisodeResult::wayWarning()), never concurrently but
   /// on any of the threads, and in any order. Empty: nothing is called.
   std::function<void(std::uint64_t instance, const std::string& warning)> warn;
+  StopRequest stop;  ///< ends the evaluation early; unfinished episodes are no part of the results
 
   /// @brief Calls `warn` if the ways of an episode are a problem.
   void warnOfWays(const Episode& episode) const;
@@ -47,8 +49,9 @@ Learner makeDemoLearner(const TrainedTable& trained, std::uint64_t seed);
 /// @brief Runs scenarios with a Q-table in demo mode.
 /// @param deliver called once per episode, in the order of the instances, never concurrently but on any of the threads;
 /// returns whether to continue
+/// @return false if the plan's stop request or `deliver` ended it early
 /// @throws whatever an episode or `deliver` throws
-void evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
+bool evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const EvaluationPlan& plan,
               const std::function<bool(EvaluatedEpisode&)>& deliver);
 
 }  // namespace crowd

@@ -26,6 +26,7 @@ class GreedyCrowd {
   /// @param names of the world's agents, by their id, by which a learner that serves all agents knows them; null: their
   /// ids
   /// @param share only these decisions; the shares of all numbers, one after the other, are all decisions
+  /// @throws Stopped if the world's stop request is made
   void decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
               std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly(),
               const std::vector<AgentId>* names = nullptr, const DecisionShare& share = {});

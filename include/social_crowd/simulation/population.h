@@ -27,7 +27,8 @@ class Population {
   explicit Population(const Scene& scene);
 
   /// @brief Sets the first goals, and headings towards them, of the agents of a scene that have routes.
-  static void chooseFirstGoals(Scene& scene);
+  /// @throws Stopped if `stop` is made, as begin() and update() do for that of the world
+  static void chooseFirstGoals(Scene& scene, const StopRequest& stop = {});
 
   void begin(World& world, EpisodeMonitor& monitor);
   void update(World& world, EpisodeMonitor& monitor) {

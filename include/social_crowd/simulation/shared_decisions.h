@@ -23,6 +23,8 @@ class SharedDecisions {
 
   /// @brief Writes the actions of Episode::decide(). Collective.
   void decide(Episode& episode, RelativeActions& actions);
+  /// @brief In place of decide(): tells all ranks that this one has left the episode.
+  void stop();
   /// @brief Whether a rank wanted an episode to end; the same on all ranks.
   bool wasStopped() const { return was_stopped_; }
   /// @brief Processor time of this rank while it waited for the others [s].

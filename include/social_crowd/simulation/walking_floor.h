@@ -18,7 +18,7 @@ double largestSourceRadius(const Scene& scene);
 
 /// @brief The floor that ways are found on: walls, obstacles at rest, and bounds around them, all agents and their
 /// goals. Small obstacles that stand alone are left to the learners, which walk round them with shorter paths.
-/// @param radius of the largest agent [m]
+/// @param radius of the largest agent [m] @throws Stopped if the world's stop request is made
 FloorPlan walkingFloor(const World& world, double radius);
 
 /// @brief Whether there is anything to walk round.
@@ -36,8 +36,8 @@ std::vector<Segment> gateWalls(const Scene& scene);
 /// @brief Removes the walls of closed gates. @return whether there were any
 bool openGates(const std::vector<Segment>& gates, FloorPlan& floor);
 
-/// @brief The navigation data of a floor, see navigationData(). @throws InputError if the floor is too large
-std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius);
+/// @brief The navigation data of a floor, see navigationData(). @throws InputError if the floor is too large; Stopped
+std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius, const StopRequest& stop);
 
 /// @brief Does nothing if ways can be found in a world.
 /// @param least_radius of the largest agent that may appear [m] @throws InputError if its floor is too large

@@ -34,7 +34,8 @@ class WayFinder {
   /// @param scene its gates and sources are used: ways are for the largest agent that these may create
   explicit WayFinder(const Scene& scene) : least_radius_(largestSourceRadius(scene)), gates_(gateWalls(scene)) {}
 
-  /// @throws InputError if the floor is too large (NavigationMesh); the object must not be used any more then.
+  /// @throws InputError if the floor is too large (NavigationMesh), Stopped if the world's stop request is made; the
+  /// object must not be used any more then.
   void update(World& world);
   /// @brief Makes all agents of a world perceive their goals again.
   static void release(World& world);
@@ -76,7 +77,7 @@ class WayFinder {
 
   void adoptLayout(World& world);
   void lead(const Agent& agent, World& world);
-  Vector2 nextPoint(const Agent& agent, Way& way);
+  Vector2 nextPoint(const Agent& agent, Way& way, const StopRequest& stop);
   bool areConnected(const Vector2& from, const Vector2& to);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   Vector2 chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;

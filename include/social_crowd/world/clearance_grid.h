@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "social_crowd/common/stop_request.h"
 #include "social_crowd/world/floor_plan.h"
 
 namespace crowd {
@@ -21,7 +22,8 @@ class ClearanceGrid {
   /// @brief Covers walls and obstacles and a margin around them of more than twice the limit.
   /// @param spacing distance between neighbouring grid points [m]; it grows for floors of more than MAX_POINTS
   /// @param limit larger distances are not needed and stored as `limit` [m]
-  ClearanceGrid(const FloorPlan& floor, double spacing, double limit);
+  /// @throws Stopped if `stop` is made
+  ClearanceGrid(const FloorPlan& floor, double spacing, double limit, const StopRequest& stop = {});
 
   Index columns() const { return columns_; }
   Index rows() const { return rows_; }

@@ -23,9 +23,6 @@ inline bool operator!=(const Cell& a, const Cell& b) { return !(a == b); }
 
 /// @brief A map of square cells, laid out as in nav_msgs/OccupancyGrid: row by row from the bottom.
 struct OccupancyMap {
-  /// @brief Greatest number of cells that requireValid() permits.
-  static constexpr std::uint64_t MAX_CELLS = 100'000'000;
-
   double resolution = 0.0;   ///< length of the side of a cell [m]
   Pose origin;               ///< outer corner of cell (0, 0) and direction of the rows, in `map` [m, rad]
   std::uint32_t width = 0;   ///< number of columns
@@ -46,8 +43,8 @@ struct OccupancyMap {
 };
 
 /// @brief What is wrong with a map, and what was expected; empty if the map is valid: it has cells and not more than
-/// MAX_CELLS, as many as its size says, a finite resolution above 0 m, a finite origin, and coordinates of at most 1e9
-/// times its resolution.
+/// limits::CELLS, as many as its size says, a finite resolution above 0 m, a finite origin, and coordinates of at most
+/// 1e9 times its resolution and within limits::PLACE.
 std::string problemOf(const OccupancyMap& map);
 
 /// @brief Throws InputError with the text of problemOf() unless it is empty.

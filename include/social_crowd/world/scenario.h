@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "social_crowd/common/random.h"
+#include "social_crowd/common/stop_request.h"
 #include "social_crowd/world/free_space.h"
 #include "social_crowd/world/scene.h"
 
@@ -114,7 +115,8 @@ struct Scenario {
   /// Drawn bodies keep DRAWN_GAP from all bodies and walls. At a drawn goal its agent fits, and the goal is not reached
   /// at the start; it does not overlap the goals of other agents if there is enough space.
   /// @throws InputError if fixed bodies overlap, or if no free position is found for a drawn one.
-  Scene instantiate(std::uint64_t run_seed, std::uint64_t episode) const;
+  /// @throws Stopped if `stop` is made
+  Scene instantiate(std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop = {}) const;
 };
 
 /// @brief Scenarios that are played in turn, cyclically.
@@ -124,8 +126,8 @@ class ScenarioList {
   explicit ScenarioList(std::vector<Scenario> scenarios) : scenarios_(std::move(scenarios)) {}
 
   /// @brief The scene of an episode, drawn from scenario number `episode` modulo size().
-  /// @throws InputError as Scenario::instantiate does, or if the list is empty.
-  Scene scene(std::uint64_t run_seed, std::uint64_t episode) const;
+  /// @throws InputError and Stopped as Scenario::instantiate does; InputError if the list is empty
+  Scene scene(std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop = {}) const;
   /// @brief Whether any agent keeps its heading, so that an episode depends on the one before it.
   bool keepHeadings() const;
   std::size_t size() const { return scenarios_.size(); }

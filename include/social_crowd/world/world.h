@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/common/stop_request.h"
 #include "social_crowd/common/thread_pool.h"
 #include "social_crowd/world/agent.h"
 #include "social_crowd/world/neighbour_grid.h"
@@ -46,13 +47,15 @@ class World {
   static constexpr double NEAR_WALLS = 1.2;
   static constexpr std::size_t MANY_WALLS = 100;
 
-  explicit World(const Scene& scene);
+  /// @param stop long work on the world looks at it: the population, way-finding and decisions throw Stopped
+  explicit World(const Scene& scene, StopRequest stop = {});
 
   std::uint64_t tick() const { return tick_; }
   /// @brief Time since the start of the episode [s].
   double time() const { return static_cast<double>(tick_) * tick_duration_; }
   double tickDuration() const { return tick_duration_; }
   Contact contact() const { return contact_; }
+  const StopRequest& stopRequest() const { return stop_; }
 
   /// @brief All agents, in the order of their ids, including those that have arrived or were removed.
   const std::vector<Agent>& agents() const { return agents_; }
@@ -276,6 +279,7 @@ class World {
                         std::optional<AgentId> except = std::nullopt) const;
   void refresh();
 
+  StopRequest stop_;
   double tick_duration_;
   double goal_tolerance_;
   double collision_radius_;

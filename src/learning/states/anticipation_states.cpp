@@ -5,6 +5,7 @@
 
 #include "simd/kernels.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/world/limits.h"
 
 namespace crowd {
 namespace {
@@ -76,11 +77,13 @@ std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const Actio
   map.allow({"type", "vision_radius", "max_neighbours", "reciprocal_times", "constant_velocity_times", "static_times",
              "admissible_fractions", "turns", "oncoming"});
   AnticipationStates::Parameters parameters;
-  parameters.vision_radius = map.number("vision_radius", NumberRule::POSITIVE, parameters.vision_radius);
+  parameters.vision_radius = map.number("vision_radius", limits::DISTANCE, parameters.vision_radius);
   parameters.max_neighbours =
-      static_cast<std::uint32_t>(map.whole("max_neighbours", 0, INT32_MAX, parameters.max_neighbours));
-  const auto read = [&](const char* key, double highest, std::vector<double>& limits) {
-    limits = map.risingNumbers(key, 0.0, highest, limits);
+      static_cast<std::uint32_t>(map.whole("max_neighbours", 0, limits::NEIGHBOURS, parameters.max_neighbours));
+  double rows = 1.0;
+  const auto read = [&](const char* key, double highest, std::vector<double>& classes) {
+    classes = map.risingNumbers(key, 0.0, highest, classes);
+    rows *= static_cast<double>(classes.size() + 1);
   };
   read("reciprocal_times", LONGEST_TIME, parameters.reciprocal_times);
   read("constant_velocity_times", LONGEST_TIME, parameters.constant_velocity_times);
@@ -88,6 +91,10 @@ std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const Actio
   read("admissible_fractions", 1.0, parameters.admissible_fractions);
   read("turns", 180.0, parameters.turns);
   read("oncoming", FASTEST_APPROACH, parameters.oncoming);
+  if (rows > static_cast<double>(limits::Q_VALUES)) {
+    throwProblem(map.place(), map.node(),
+                 "expected limits for at most " + std::to_string(limits::Q_VALUES) + " rows, got " + toText(rows));
+  }
   return std::make_shared<AnticipationStates>(parameters, action_set.size());
 }
 

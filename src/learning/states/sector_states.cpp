@@ -1,6 +1,7 @@
 #include "social_crowd/learning/states/sector_states.h"
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/world/limits.h"
 
 namespace crowd {
 
@@ -11,8 +12,8 @@ std::string SectorStates::distancesSpec() const {
 
 DistanceClasses readDistanceClasses(const YamlMap& map) {
   DistanceClasses distances;
-  distances.collision_radius = map.number("collision_radius", NumberRule::POSITIVE, distances.collision_radius);
-  distances.vision_radius = map.number("vision_radius", NumberRule::POSITIVE, distances.vision_radius);
+  distances.collision_radius = map.number("collision_radius", limits::DISTANCE, distances.collision_radius);
+  distances.vision_radius = map.number("vision_radius", limits::DISTANCE, distances.vision_radius);
   if (distances.vision_radius <= distances.collision_radius) {
     throwExpected(map.placeOf("vision_radius"), map.node(), "a radius of vision above the collision radius");
   }
