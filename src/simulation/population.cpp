@@ -169,7 +169,7 @@ void Population::serveQueues(World& world, EpisodeMonitor& monitor) {
 void Population::spawn(World& world, EpisodeMonitor& monitor) {
   for (AgentSource& source : sources_) {
     while (std::optional<AgentStart> start = source.next(world, places_)) {
-      const auto id = static_cast<AgentId>(world.agents().size());
+      const auto id = static_cast<AgentId>(world.enteredCount());
       if (start->route) {
         Member member;
         member.route.emplace(description_->routes[*start->route], randomOfRoute(id, world.tick()));
