@@ -52,12 +52,32 @@ void Learner::beginEpisode(std::uint64_t episode) {
 }
 
 std::uint32_t Learner::addAgent(AgentId agent) {
-  const auto [known, is_new] = places_.try_emplace(agent, places_.size());
-  if (is_new) {
+  const auto [known, is_new] = places_.try_emplace(agent, memories_.size());
+  if (!is_new) return known->second;
+  if (!free_places_.empty()) {
+    known->second = free_places_.back();
+    free_places_.pop_back();
+  } else {
     memories_.emplace_back();
     tables_.addUser();
   }
   return known->second;
+}
+
+void Learner::forgetDeparted(const Perceptions& perceptions) {
+  if (places_.size() <= most_known_ || tables_.use() == TableUse::OWN) return;
+  for (auto known = places_.begin(); known != places_.end();) {
+    Memory& memory = memories_[known->second];
+    // In a sequential scenario some agents have not had their turn in this tick yet.
+    if (memory.episode == perceptions.episode && memory.tick + 1 >= perceptions.tick) {
+      ++known;
+      continue;
+    }
+    memory = Memory();
+    free_places_.push_back(known->second);
+    known = places_.erase(known);
+  }
+  most_known_ = 2 * places_.size() + FEW_AGENTS;
 }
 
 void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
@@ -68,8 +88,12 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
   const auto place_of = [this](AgentId agent) { return addAgent(agent); };
   if (options_.mode == Mode::DEMO) {
     for (const AgentPerception& self : perceptions.agents) {
-      if (serves(self.agent)) addAgent(self.agent);
+      if (!serves(self.agent)) continue;
+      Memory& memory = memories_[addAgent(self.agent)];
+      memory.episode = perceptions.episode;
+      memory.tick = perceptions.tick;
     }
+    forgetDeparted(perceptions);
     return decideGreedily(perceptions, workspace_, actions.agents);
   }
   // All agents learn before any agent decides, so that all decisions of a tick use the same table.
@@ -80,6 +104,7 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
   if (perceptions.last) return;
   const KeyedRandom chance = chance_.with(perceptions.tick);
   answer(workspace_, actions.agents, [&](std::size_t k) { return explore(chance, perceptions, k); });
+  forgetDeparted(perceptions);
 }
 
 void Learner::decideGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,

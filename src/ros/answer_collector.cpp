@@ -104,6 +104,7 @@ void AnswerCollector::ask(Episode& episode, const std_msgs::Header& header) {
   lockstep_.open(episode.number(), episode.perceptions().tick, asked_);
   perceptions_.publish(toMessage(episode, header), true);
   asked_at_ = Clock::now();
+  silent_since_.follow(episode.world().agents());
   noteSilence(asked_);
   ask_again_after_ = FIRST_ASK_AGAIN;
   ask_again_at_ = asked_at_ + ask_again_after_;
@@ -192,8 +193,8 @@ void AnswerCollector::askAgain() {
 
 void AnswerCollector::noteSilence(const std::vector<AgentId>& asked) {
   for (const AgentId agent : asked) {
-    if (agent >= silent_since_.size()) silent_since_.resize(agent + 1);
-    if (silent_since_[agent].isZero()) silent_since_[agent] = asked_at_;
+    Clock& since = silent_since_.add(agent);
+    if (since.isZero()) since = asked_at_;
   }
 }
 
@@ -212,7 +213,8 @@ std::vector<AgentId> AnswerCollector::unanswered(const World& world) const {
   std::vector<AgentId> agents = walkingAgents(world);
   const Clock limit = Clock::now() - ros::WallDuration(SILENCE_LIMIT);
   const auto is_answered = [&](AgentId agent) {
-    return agent >= silent_since_.size() || silent_since_[agent].isZero() || silent_since_[agent] > limit;
+    const Clock* const since = silent_since_.find(agent);
+    return since == nullptr || since->isZero() || *since > limit;
   };
   agents.erase(std::remove_if(agents.begin(), agents.end(), is_answered), agents.end());
   return agents;

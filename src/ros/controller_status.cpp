@@ -16,7 +16,10 @@ void toMessage(const World& world, social_crowd::ControllerStatus& message) {
   message.tick = world.tick();
   message.time = world.time();
   message.walking = static_cast<std::uint32_t>(world.activeCount());
-  message.agents = message.arrived = message.touched = message.collided = 0;
+  const DepartedAgents& departed = world.departed();
+  message.agents = message.arrived = departed.arrived;
+  message.touched = departed.touched;
+  message.collided = departed.collided;
   for (const Agent& agent : world.agents()) {
     if (agent.status == AgentStatus::REMOVED) continue;
     ++message.agents;

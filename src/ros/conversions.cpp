@@ -30,9 +30,9 @@ void toMessage(const Agent& agent, social_crowd::AgentState& message) {
   message.blocked_moves = agent.blocked_moves;
 }
 
-void toMessages(const std::vector<Agent>& agents, std::vector<social_crowd::AgentState>& messages) {
+void toMessages(const AgentMap<Agent>& agents, std::vector<social_crowd::AgentState>& messages) {
   messages.resize(agents.size());
-  for (std::size_t i = 0; i < agents.size(); ++i) toMessage(agents[i], messages[i]);
+  for (std::size_t i = 0; i < agents.size(); ++i) toMessage(agents.nth(i), messages[i]);
 }
 
 std::vector<social_crowd::ObstacleState> obstacleStates(const World& world) {

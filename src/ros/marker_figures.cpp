@@ -52,6 +52,10 @@ void WalkingFigures::take(const AgentStates& states) {
   for (const AgentState& agent : states.agents) {
     if (isOnFloor(agent)) cycles_.walk(agent.agent, {{agent.pose.x, agent.pose.y}, agent.pose.theta});
   }
+  if (cycles_.size() <= states.agents.size()) return;
+  std::set<std::uint32_t> present;
+  for (const AgentState& agent : states.agents) present.insert(agent.agent);
+  cycles_.keepOnly(present);
 }
 
 void WalkingFigures::draw(const AgentStates& states, bool shown, bool whole, visualization_msgs::MarkerArray& array) {

@@ -1,6 +1,7 @@
 #include "social_crowd/ros/marker_gait.h"
 
 #include <cmath>
+#include <iterator>
 
 namespace crowd {
 namespace {
@@ -30,6 +31,12 @@ int WalkingCycles::frameOf(std::uint32_t person) const {
   if (found == persons_.end() || found->second.still >= STILL_STATES) return STANDING;
   const double cycles = found->second.cycles;
   return static_cast<int>((cycles - std::floor(cycles)) * FRAMES) % FRAMES;
+}
+
+void WalkingCycles::keepOnly(const std::set<std::uint32_t>& persons) {
+  for (auto person = persons_.begin(); person != persons_.end();) {
+    person = persons.count(person->first) > 0 ? std::next(person) : persons_.erase(person);
+  }
 }
 
 }  // namespace crowd

@@ -1,6 +1,7 @@
 #include "social_crowd/ros/marker_paths.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace crowd {
 namespace {
@@ -42,6 +43,7 @@ void WalkedPaths::add(std::uint32_t agent, const Vector2& position) {
   Path& path = paths_[agent];
   if (path.points.empty() || position != path.tip) path.tip_time = now_;
   path.tip = position;
+  path.last_time = now_;
   if (!path.points.empty()) {
     const double moved = (position - path.points.back().position).norm();
     if (moved == 0.0 || moved < step_) return;
@@ -59,11 +61,14 @@ void WalkedPaths::settle() {
 
 void WalkedPaths::forgetOld() {
   const auto is_shown = [this](const Point& point) { return strengthAt(point.time) > 0.0; };
-  for (auto& [agent, path] : paths_) {
+  for (auto next = paths_.begin(); next != paths_.end();) {
+    Path& path = next->second;
     const auto old = std::find_if(path.points.begin(), path.points.end(), is_shown);
-    const auto last = std::min(old, path.points.end() - 1);  // from which the path goes on
+    const bool has_left = path.last_time < now_ && strengthAt(path.tip_time) == 0.0;
+    const auto last = has_left ? path.points.end() : std::min(old, path.points.end() - 1);  // from which it goes on
     point_count_ -= static_cast<std::size_t>(last - path.points.begin());
     path.points.erase(path.points.begin(), last);
+    next = has_left ? paths_.erase(next) : std::next(next);
   }
 }
 

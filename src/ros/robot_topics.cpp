@@ -105,8 +105,9 @@ void RobotTopics::publishPeople(const World& world, RobotSenses& senses, const r
   if (!wants_poses && !wants_people) return;
   const std::vector<bool>* visible = visible_people_only_ ? &senses.visibleAgents(world, id_) : nullptr;
   std::vector<const Agent*> agents;
-  for (const Agent& agent : world.agents()) {
-    if (agent.isWalking() && (visible == nullptr || (*visible)[agent.id])) agents.push_back(&agent);
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
+    if (agent.isWalking() && (visible == nullptr || (*visible)[i])) agents.push_back(&agent);
   }
   const std_msgs::Header header = this->header(names::MAP_FRAME, now);
   if (wants_poses) {

@@ -26,8 +26,10 @@ void addLegs(const Pose& pose, double walked, double radius, BodyNumber body, st
 }
 
 void Gait::observe(const World& world) {
-  walked_.resize(world.agents().size());
-  for (const Agent& agent : world.agents()) walked_[agent.id] += agent.velocity.norm() * world.tickDuration();
+  walked_.follow(world.agents());
+  for (std::size_t i = 0; i < walked_.size(); ++i) {
+    walked_.nth(i) += world.agents().nth(i).velocity.norm() * world.tickDuration();
+  }
 }
 
 }  // namespace crowd

@@ -37,20 +37,22 @@ Vector2 directionOf(const RemainingPath& path, const Agent& agent) {
 
 }  // namespace
 
-void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& paths) {
+void DeadlockResolver::update(World& world, const AgentMap<RemainingPath>& paths) {
   const double time = world.time();
-  walks_.resize(world.agents().size());
+  walks_.follow(world.agents());
   retreating_.clear();
   walkers_.clear();
-  for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) follow(agent, paths[agent.id], time);
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
+    if (agent.isWalking()) follow(agent, paths.nth(i), time, walks_.nth(i));
   }
-  for (const Agent& agent : world.agents()) {
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
     if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
-    if (walksBack(walks_[agent.id])) continue;
+    if (walksBack(walks_.nth(i))) continue;
     if (mustGiveWay(world, agent)) {
       startRetreat(agent, time);
-    } else if (isStuck(walks_[agent.id], time)) {
+    } else if (isStuck(walks_.nth(i), time)) {
       slideAlongWalls(world, agent);
     }
   }
@@ -58,10 +60,9 @@ void DeadlockResolver::update(World& world, const std::vector<RemainingPath>& pa
   for (const AgentId agent : retreating_) retreat(world, world.agents()[agent]);
 }
 
-void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, double time) {
-  Walk& walk = walks_[agent.id];
+void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, double time, Walk& walk) {
   const Vector2& place = agent.pose.position;
-  noteProgress(agent, time);
+  noteProgress(agent, time, walk);
   if (time < walk.retreat_until) {
     retreating_.push_back(agent.id);
     return;
@@ -78,8 +79,7 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
   if (walk.trail.size() > TRAIL_LENGTH) walk.trail.pop_front();
 }
 
-void DeadlockResolver::noteProgress(const Agent& agent, double time) {
-  Walk& walk = walks_[agent.id];
+void DeadlockResolver::noteProgress(const Agent& agent, double time, Walk& walk) {
   const Vector2& place = agent.pose.position;
   if (agent.yielding || agent.held || agent.at_goal || walk.trail.empty() ||
       (place - walk.reference).norm() > PROGRESS) {

@@ -163,15 +163,16 @@ EpisodeResult DistributedCrowd::result() {
   result.ticks = world_.tick();
   if (rank() != 0) return result;
   in.front() = std::move(out.front());
-  result.agents.resize(agent_count_);
+  std::vector<AgentResult> agents(agent_count_);
   for (const Communicator::Bytes& message : in) {
     ByteReader read(message);
     while (!read.isAtEnd()) {
       AgentId name = 0;
       read(name);
-      transferResult(read, result.agents[name]);
+      transferResult(read, agents[name]);
     }
   }
+  result.agents = std::move(agents);
   return result;
 }
 

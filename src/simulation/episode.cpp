@@ -89,9 +89,12 @@ bool Episode::endTick() {
 }
 
 bool Episode::findTurn() {
-  const std::size_t agents = world_.agents().size();
-  while (turn_ < agents && !world_.isPerceiving(turn_)) ++turn_;
-  return turn_ < agents;
+  const AgentMap<Agent>& agents = world_.agents();
+  std::size_t position = agents.lowerBound(turn_);
+  while (position < agents.size() && !world_.isPerceiving(agents.idAt(position))) ++position;
+  const bool found = position < agents.size();
+  turn_ = found ? agents.idAt(position) : static_cast<AgentId>(world_.enteredCount());
+  return found;
 }
 
 bool Episode::isOver() const {
@@ -104,16 +107,16 @@ bool Episode::isOver() const {
     has_goal = has_goal || robot.hasGoal();
   }
   if (scene_.ends == Ends::ROBOTS) return has_goal;
-  return crowd_is_done && (has_goal || !world_.agents().empty());
+  return crowd_is_done && (has_goal || world_.enteredCount() > 0);
 }
 
 EpisodeResult Episode::result() const {
   EpisodeResult result = monitor_.result();
   result.robots = robot_monitor_.results();
   result.way_finding_problem = way_finding_problem_;
-  for (std::size_t i = 0; findsWays() && i < result.agents.size(); ++i) {
-    const auto id = static_cast<AgentId>(i);
-    result.agents[i].out_of_reach = world_.isActive(id) && way_finder_.isOutOfReach(id);
+  if (!findsWays()) return result;
+  for (const Agent& agent : world_.agents()) {
+    if (agent.isWalking()) result.agents.add(agent.id).out_of_reach = way_finder_.isOutOfReach(agent.id);
   }
   return result;
 }

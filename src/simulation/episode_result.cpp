@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace crowd {
 namespace {
@@ -20,12 +21,6 @@ double straightLength(const AgentStart& start, double goal_tolerance) {
   return std::max(MIN_LENGTH, length);
 }
 
-/// Number of agents that were not removed and for which this is true.
-std::size_t countOf(const std::vector<AgentResult>& agents, bool AgentResult::*what) {
-  const auto counts = [what](const AgentResult& agent) { return agent.*what && !agent.removed; };
-  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
-}
-
 }  // namespace
 
 std::string outOfReachText(std::size_t agents) {
@@ -41,26 +36,26 @@ std::string outOfReachText(const std::vector<AgentId>& agents) {
   return outOfReachText(agents.size()) + " (" + numbers + (agents.size() > MOST ? ", ...)" : ")");
 }
 
-std::size_t EpisodeResult::agentCount() const {
-  const auto counts = [](const AgentResult& agent) { return !agent.removed; };
-  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
+EpisodeResult::Counts EpisodeResult::count() const {
+  Counts counts;
+  for (const AgentResult& agent : agents) {
+    if (agent.removed) continue;
+    ++counts.agents;
+    counts.arrived += agent.arrived ? 1 : 0;
+    counts.expected += !agent.endless || agent.arrived ? 1 : 0;
+    counts.touched += agent.touched ? 1 : 0;
+    counts.collided += agent.collided ? 1 : 0;
+    counts.blocked_moves += agent.blocked_moves;
+  }
+  return counts;
 }
-
-std::size_t EpisodeResult::arrivedCount() const { return countOf(agents, &AgentResult::arrived); }
-
-std::size_t EpisodeResult::expectedCount() const {
-  const auto counts = [](const AgentResult& agent) { return !agent.removed && (!agent.endless || agent.arrived); };
-  return static_cast<std::size_t>(std::count_if(agents.begin(), agents.end(), counts));
-}
-
-std::size_t EpisodeResult::touchedCount() const { return countOf(agents, &AgentResult::touched); }
-
-std::size_t EpisodeResult::collidedCount() const { return countOf(agents, &AgentResult::collided); }
 
 std::vector<AgentId> EpisodeResult::outOfReach() const {
   std::vector<AgentId> found;
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    if (agents[i].out_of_reach && !agents[i].removed) found.push_back(static_cast<AgentId>(i));
+  AgentId id = 0;
+  for (const AgentResult& agent : agents) {
+    if (agent.out_of_reach && !agent.removed) found.push_back(id);
+    ++id;
   }
   return found;
 }
@@ -78,19 +73,13 @@ std::vector<double> EpisodeResult::headings() const {
   return headings;
 }
 
-std::uint64_t EpisodeResult::blockedMoves() const {
-  std::uint64_t sum = 0;
-  for (const AgentResult& agent : agents) sum += agent.removed ? 0 : agent.blocked_moves;
-  return sum;
-}
-
 EpisodeMonitor::EpisodeMonitor(const Scene& scene, const World& world)
     : scenario_(scene.name), tick_duration_(scene.tick_duration), goal_tolerance_(scene.goal_tolerance) {
   for (const AgentStart& start : scene.agents) watch(start, world);
 }
 
 void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
-  Track track;
+  Track& track = tracks_.add(static_cast<AgentId>(watched_count_++));
   track.begin = world.tick();
   track.start = start.position;
   track.goal = start.goals.front();
@@ -99,7 +88,6 @@ void EpisodeMonitor::watch(const AgentStart& start, const World& world) {
   track.max_speed = start.max_speed;
   track.result.heading = start.heading;
   track.result.straight_length = straightLength(start, goal_tolerance_);
-  tracks_.push_back(track);
 }
 
 void EpisodeMonitor::recordGoal(const Agent& agent, const Vector2& goal) {
@@ -116,15 +104,18 @@ void EpisodeMonitor::extendWay(const Agent& agent) {
 
 void EpisodeMonitor::observe(const World& world, ThreadPool& thread_pool) {
   ticks_ = world.tick();
+  tracks_.keepOnly(world.agents(), [this](AgentId id, const Track& track) { left_.add(id) = resultOf(track); });
+  left_.storeIfMany();
   // In a ghost world agents always move in the direction of their heading.
   const bool along_heading = world.contact() == Contact::GHOST;
   const auto observe_some = [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Agent& agent = world.agents()[i];
+      const Agent& agent = world.agents().nth(i);
       if (!agent.perceives) continue;
-      tracks_[i].result.removed = agent.status == AgentStatus::REMOVED;
+      Track& track = tracks_.nth(i);
+      track.result.removed = agent.status == AgentStatus::REMOVED;
       const bool just_arrived = agent.hasArrived() && agent.arrival_tick == ticks_;
-      if (agent.isWalking() || just_arrived) observeAgent(agent, along_heading, tracks_[i]);
+      if (agent.isWalking() || just_arrived) observeAgent(agent, along_heading, track);
     }
   };
   thread_pool.run(tracks_.size(), observe_some, ThreadPool::FEW_SHORT_ITEMS);
@@ -155,8 +146,7 @@ inline void EpisodeMonitor::observeAgent(const Agent& agent, bool along_heading,
 }
 
 std::vector<EpisodeMonitor::Track> EpisodeMonitor::replaceTracks(std::vector<Track> tracks) {
-  tracks_.swap(tracks);
-  return tracks;
+  return tracks_.replace(std::move(tracks));
 }
 
 AgentResult EpisodeMonitor::resultOf(const Track& track) const {
@@ -177,18 +167,20 @@ EpisodeResult EpisodeMonitor::result() const {
   EpisodeResult result;
   result.scenario = scenario_;
   result.ticks = ticks_;
-  for (const Track& track : tracks_) result.agents.push_back(resultOf(track));
+  result.agents = left_;
+  for (std::size_t i = 0; i < tracks_.size(); ++i) result.agents.add(tracks_.idAt(i)) = resultOf(tracks_.nth(i));
   return result;
 }
 
 void Metrics::add(const EpisodeResult& result) {
+  const EpisodeResult::Counts counts = result.count();
   ++episodes_;
-  clean_ += result.isClean() ? 1 : 0;
-  agents_ += result.agentCount();
-  expected_ += result.expectedCount();
-  touched_ += result.touchedCount();
-  collided_ += result.collidedCount();
-  blocked_moves_ += result.blockedMoves();
+  clean_ += counts.isClean() ? 1 : 0;
+  agents_ += counts.agents;
+  expected_ += counts.expected;
+  touched_ += counts.touched;
+  collided_ += counts.collided;
+  blocked_moves_ += counts.blocked_moves;
   for (const AgentResult& agent : result.agents) {
     max_speed_ratio_ = std::max(max_speed_ratio_, agent.max_speed_ratio);
     if (!agent.arrived) continue;

@@ -54,6 +54,17 @@ void transferRobot(Archive& archive, AResult& result) {
   archive(result.input.stale);
 }
 
+inline void transferAgents(ByteWriter& write, const AgentResults& agents) {
+  write(static_cast<std::uint64_t>(agents.size()));
+  for (const AgentResult& agent : agents) transferResult(write, agent);
+}
+
+inline void transferAgents(ByteReader& read, AgentResults& agents) {
+  std::vector<AgentResult> results;
+  transferAll(read, results, [&](AgentResult& result) { transferResult(read, result); });
+  agents = std::move(results);
+}
+
 /// The same for an episode of a training, with the results of its agents and robots.
 template <typename Archive, typename AnEpisode>
 void transferEpisode(Archive& archive, AnEpisode& episode) {
@@ -64,7 +75,7 @@ void transferEpisode(Archive& archive, AnEpisode& episode) {
   archive(episode.reward);
   archive(episode.epsilon);
   archive(episode.visited_rows);
-  transferAll(archive, episode.agents, [&](auto& result) { transferResult(archive, result); });
+  transferAgents(archive, episode.agents);
   transferAll(archive, episode.robots, [&](auto& result) { transferRobot(archive, result); });
 }
 

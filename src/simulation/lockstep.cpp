@@ -11,11 +11,6 @@ bool areEqual(const RelativeAction& one, const RelativeAction& other) {
 
 }  // namespace
 
-Lockstep::AgentRecord& Lockstep::record(AgentId agent) {
-  if (agent >= records_.size()) records_.resize(agent + 1);
-  return records_[agent];
-}
-
 void Lockstep::open(std::uint64_t episode, std::uint64_t tick, const std::vector<AgentId>& agents) {
   if (open_) abandoned_ = now_;
   for (const AgentId agent : asked_) records_[agent].asked = false;
@@ -25,13 +20,23 @@ void Lockstep::open(std::uint64_t episode, std::uint64_t tick, const std::vector
   answers_.clear();
   awaited_ = 0;
   for (const AgentId agent : agents) {
-    AgentRecord& asked = record(agent);
+    AgentRecord& asked = records_.add(agent);
     asked.asked_at = now_;
     asked.asked = true;
     asked.answered = false;
     awaited_ += asked.absent ? 0 : 1;
   }
   present_ = awaited_;
+  forgetDeparted();
+}
+
+void Lockstep::forgetDeparted() {
+  if (records_.size() <= most_records_) return;
+  records_.eraseIf([this](AgentId, const AgentRecord& record) {
+    // In a sequential scenario agents are asked one after the other.
+    return record.asked_at && (record.asked_at->first != now_.first || record.asked_at->second + 1 < now_.second);
+  });
+  most_records_ = 2 * records_.size() + FEW_AGENTS;
 }
 
 const std::vector<RefusedAnswer>& Lockstep::take(const RelativeActions& answers, LearnerId learner) {
@@ -107,7 +112,7 @@ std::vector<AgentId> Lockstep::close() {
 std::vector<AgentId> Lockstep::giveUpOnNewcomers(const std::vector<AgentId>& agents) {
   std::vector<AgentId> given_up;
   for (const AgentId agent : agents) {
-    AgentRecord& newcomer = record(agent);
+    AgentRecord& newcomer = records_.add(agent);
     if (newcomer.absent || newcomer.heard) continue;
     newcomer.absent = true;
     given_up.push_back(agent);
@@ -119,8 +124,10 @@ std::vector<AgentId> Lockstep::giveUpOnNewcomers(const std::vector<AgentId>& age
 }
 
 bool Lockstep::areAbsent(const std::vector<AgentId>& agents) const {
-  return std::all_of(agents.begin(), agents.end(),
-                     [&](AgentId agent) { return agent < records_.size() && records_[agent].absent; });
+  return std::all_of(agents.begin(), agents.end(), [&](AgentId agent) {
+    const AgentRecord* const record = records_.find(agent);
+    return record != nullptr && record->absent;
+  });
 }
 
 std::vector<AgentId> Lockstep::missing() const {

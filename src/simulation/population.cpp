@@ -174,7 +174,7 @@ void Population::spawn(World& world, EpisodeMonitor& monitor) {
       const std::optional<AgentStart> start = source.next(world, places_);
       if (!start) break;
       world.stopRequest().throwIfMade();
-      const auto id = static_cast<AgentId>(world.agents().size());
+      const auto id = static_cast<AgentId>(world.enteredCount());
       if (start->route) {
         Member member;
         member.route.emplace(description_->routes[*start->route], randomOfRoute(id, world.tick()));

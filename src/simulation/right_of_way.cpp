@@ -55,7 +55,7 @@ bool RightOfWay::hasRoomToWait(const Mouth& mouth) const {
   return width >= WAITING_WIDTH;
 }
 
-void RightOfWay::update(World& world, const std::vector<RemainingPath>& paths) {
+void RightOfWay::update(World& world, const AgentMap<RemainingPath>& paths) {
   if (states_.empty()) return;
   collectClaims(world, paths);
   for (std::size_t passage = 0; passage < states_.size(); ++passage) {
@@ -69,10 +69,11 @@ void RightOfWay::update(World& world, const std::vector<RemainingPath>& paths) {
   }
 }
 
-void RightOfWay::collectClaims(const World& world, const std::vector<RemainingPath>& paths) {
+void RightOfWay::collectClaims(const World& world, const AgentMap<RemainingPath>& paths) {
   for (PassageState& state : states_) state.claims.clear();
-  for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) addClaim(agent, paths[agent.id]);
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
+    if (agent.isWalking()) addClaim(agent, paths.nth(i));
   }
   const auto nearer = [](const Claim& a, const Claim& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.agent < b.agent;
@@ -129,7 +130,7 @@ void RightOfWay::dropPassed(double time, PassageState& state) {
 
 /// Agents may block each other, for example if one waits where another one must pass: then all are released for a
 /// while.
-void RightOfWay::noteProgress(const World& world, const std::vector<RemainingPath>& paths, PassageState& state) {
+void RightOfWay::noteProgress(const World& world, const AgentMap<RemainingPath>& paths, PassageState& state) {
   for (Admitted& admitted : state.admitted) {
     const double remaining = lengthOf(paths[admitted.agent], world.agents()[admitted.agent].pose.position);
     if (remaining > admitted.remaining - ADVANCE) continue;

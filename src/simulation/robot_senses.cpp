@@ -98,12 +98,13 @@ void RobotSenses::scan(const World& world, RobotId robot) {
 }
 
 void RobotSenses::addPeople(const World& world, SeenPeople people) {
-  for (const Agent& agent : world.agents()) {
+  for (BodyNumber body = 0; body < world.agents().size(); ++body) {
+    const Agent& agent = world.agents().nth(body);
     if (!agent.isWalking()) continue;
     if (people == SeenPeople::LEGS) {
-      addLegs(agent.pose, gait_.walked(agent.id), agent.radius, agent.id, targets_);
+      addLegs(agent.pose, gait_.walked(agent.id), agent.radius, body, targets_);
     } else {
-      targets_.push_back({agent.pose.position, agent.radius, agent.id});
+      targets_.push_back({agent.pose.position, agent.radius, body});
     }
   }
 }

@@ -63,11 +63,17 @@ FloorPlan walkingFloor(const World& world, double radius) {
     includePoint(agent.pose.position, *floor.bounds);
     for (const Vector2& goal : agent.goals) includePoint(goal, *floor.bounds);
   }
+  // Those who left count, too: the floor of an episode does not shrink.
+  const Eigen::AlignedBox2d& left = world.departed().places;
+  if (!left.isEmpty()) {
+    includePoint(left.min(), *floor.bounds);
+    includePoint(left.max(), *floor.bounds);
+  }
   return floor;
 }
 
 double largestRadius(const World& world) {
-  double radius = 0.0;
+  double radius = world.departed().largest_radius;
   for (const Agent& agent : world.agents()) radius = std::max(radius, agent.radius);
   return radius;
 }

@@ -31,12 +31,15 @@ void WayFinder::update(World& world) {
   const bool is_outgrown = std::any_of(world.agents().begin(), world.agents().end(), does_not_fit);
   if (is_outgrown || world.layoutChanges() != layout_changes_) adoptLayout(world);
   if (!is_needed_) return;
-  agents_.resize(world.agents().size());
-  paths_.resize(world.agents().size());
-  for (const Agent& agent : world.agents()) {
+  ways_.follow(world.agents());
+  paths_.follow(world.agents());
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
     if (!agent.isWalking()) continue;
     world.stopRequest().throwIfMade();
-    lead(agent, world);
+    lead(agent, ways_.nth(i), world);
+    const Span<Vector2> corners = ways_.nth(i).follower->corners();
+    paths_.nth(i).assign(corners.begin(), corners.end());
   }
   right_of_way_->update(world, paths_);
   deadlocks_.update(world, paths_);
@@ -48,7 +51,7 @@ void WayFinder::adoptLayout(World& world) {
   radius_ = std::max(least_radius_, largestRadius(world));
   FloorPlan floor = walkingFloor(world, radius_);
   const bool was_needed = std::exchange(is_needed_, radius_ > 0.0 && hasBarriers(floor));
-  agents_.clear();
+  ways_.clear();
   if (was_needed && !is_needed_) release(world);
   if (!is_needed_) return;
   bounds_ = *floor.bounds;
@@ -69,9 +72,7 @@ void WayFinder::release(World& world) {
   }
 }
 
-void WayFinder::lead(const Agent& agent, World& world) {
-  Way& way = agents_[agent.id];
-  RemainingPath& path = paths_[agent.id];
+void WayFinder::lead(const Agent& agent, Way& way, World& world) {
   const bool waits = agent.yielding || agent.held;
   world.setYielding(agent.id, false);
   if (!way.follower || way.follower->goal() != agent.goal()) {
@@ -92,8 +93,6 @@ void WayFinder::lead(const Agent& agent, World& world) {
   } else {
     world.setWaypoint(agent.id, next);
   }
-  const Span<Vector2> corners = way.follower->corners();
-  path.assign(corners.begin(), corners.end());
 }
 
 Vector2 WayFinder::nextPoint(const Agent& agent, Way& way, const StopRequest& stop) {

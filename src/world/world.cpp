@@ -1,5 +1,6 @@
 #include "social_crowd/world/world.h"
 
+#include <algorithm>
 #include <atomic>
 #include <string>
 #include <utility>
@@ -35,19 +36,27 @@ World::World(const Scene& scene, StopRequest stop)
       obstacles_(scene.obstacles) {
   replaceWalls(scene.walls);
   for (const AgentStart& start : scene.agents) addAgent(start);
+  lasting_count_ = agents_.size();
   for (const RobotStart& start : scene.robots) addRobot(start);
   refresh();
 }
 
 void World::refresh() {
-  assigned_actions_.resize(agents_.size(), nullptr);
-  had_turn_.resize(agents_.size(), false);
-  places_.resize(agents_.size());
+  resizeWorkspaces();
   placeObstacles();
   rebuildGrid();
 }
 
-bool World::isActive(AgentId id) const { return id < agents_.size() && agents_[id].isWalking(); }
+void World::resizeWorkspaces() {
+  assigned_actions_.resize(agents_.size(), nullptr);
+  had_turn_.resize(agents_.size(), false);
+  places_.resize(agents_.size());
+}
+
+bool World::isActive(AgentId id) const {
+  const Agent* const agent = agents_.find(id);
+  return agent != nullptr && agent->isWalking();
+}
 
 void World::placeObstacles() {
   obstacle_motions_.clear();
@@ -64,8 +73,11 @@ inline void World::moveObstacles() {
 
 void World::rebuildGrid() {
   grid_.clear();
-  for (const Agent& agent : agents_) {
-    if (agent.isWalking()) grid_.add(agent.pose.position, agent.radius, agent.id, agent.velocity);
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_.nth(i);
+    if (agent.isWalking()) {
+      grid_.add(agent.pose.position, agent.radius, static_cast<std::uint32_t>(i), agent.velocity);
+    }
   }
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
     const auto body = static_cast<std::uint32_t>(agents_.size() + i);
@@ -85,9 +97,10 @@ inline void World::updateGrid() {
   grid_.update();
 }
 
-void World::updateGridOf(const Agent& agent) {
+void World::updateGridOf(std::size_t position) {
   std::size_t number = 0;
-  for (AgentId id = 0; id < agent.id; ++id) number += agents_[id].isWalking() ? 1 : 0;
+  for (std::size_t i = 0; i < position; ++i) number += agents_.nth(i).isWalking() ? 1 : 0;
+  const Agent& agent = agents_.nth(position);
   grid_.move(number, agent.pose.position, agent.velocity);
   grid_.update();
 }
@@ -103,7 +116,7 @@ void World::beginStep(const std::vector<AgentAction>& actions, ThreadPool& threa
       assigned_actions_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          beginMove(agents_[i], std::exchange(assigned_actions_[i], nullptr));
+          beginMove(agents_.nth(i), std::exchange(assigned_actions_[i], nullptr));
         }
       },
       ThreadPool::FEW_SHORT_ITEMS);
@@ -126,18 +139,19 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
     if (given.agent == id && action == nullptr) action = &given.action;
   }
   if (!isActive(id)) return;
-  had_turn_[id] = true;
-  Agent& agent = agents_[id];
+  const std::size_t position = agents_.positionOf(id);
+  had_turn_[position] = true;
+  Agent& agent = agents_.nth(position);
   beginMove(agent, action);
   if (hasRobots()) holdRobots();
-  if (agent.acted && contact_ == Contact::SOLID) moveSolids([id](std::size_t body) { return body == id; });
+  if (agent.acted && contact_ == Contact::SOLID) moveSolids([position](std::size_t body) { return body == position; });
   if (hasGhostRobots()) noteGhostContacts(agent, tick_duration_ * agent.velocity);
-  updateGridOf(agent);  // also for an agent that stays, because its velocity changes
+  updateGridOf(position);  // also for an agent that stays, because its velocity changes
 }
 
 void World::endTick(ThreadPool& thread_pool) {
-  for (Agent& agent : agents_) {
-    if (!had_turn_[agent.id]) beginMove(agent, nullptr);
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    if (!had_turn_[i]) beginMove(agents_.nth(i), nullptr);
   }
   had_turn_.assign(agents_.size(), false);
   if (hasRobots()) beginRobotMoves();
@@ -150,16 +164,17 @@ void World::endTick(ThreadPool& thread_pool) {
 
 void World::finishTick(ThreadPool& thread_pool) {
   if (hasRobots()) moveRobots();
+  const bool are_fewer = dropDeparted();
   ++tick_;
   moveObstacles();
-  updateGrid();
+  are_fewer ? rebuildGrid() : updateGrid();
   // Agents that arrive in this tick are still present at its end: the grid contains them during the measurements.
   std::atomic<std::size_t> arrived{0};
   thread_pool.run(
       agents_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
         std::size_t arrivals = 0;
-        for (std::size_t i = begin; i < end; ++i) endMove(agents_[i], arrivals);
+        for (std::size_t i = begin; i < end; ++i) endMove(i, arrivals);
         if (arrivals > 0) arrived += arrivals;
       },
       ThreadPool::FEW_SHORT_ITEMS);
@@ -170,11 +185,24 @@ void World::finishTick(ThreadPool& thread_pool) {
   rebuildGrid();
 }
 
+bool World::dropDeparted() {
+  const auto is_due = [this](const Agent& agent) { return !agent.isWalking() && agent.arrival_tick < tick_; };
+  if (std::none_of(agents_.begin() + static_cast<std::ptrdiff_t>(lasting_count_), agents_.end(), is_due)) return false;
+  agents_.eraseIf([&](AgentId id, const Agent& agent) {
+    if (id < lasting_count_ || !is_due(agent)) return false;
+    departed_.add(agent);
+    return true;
+  });
+  resizeWorkspaces();
+  return true;
+}
+
 inline void World::assignActions(const std::vector<AgentAction>& actions) {
   for (const AgentAction& given : actions) requireValid(given);
   for (const AgentAction& given : actions) {
-    if (given.agent < assigned_actions_.size() && assigned_actions_[given.agent] == nullptr)
-      assigned_actions_[given.agent] = &given.action;
+    const std::size_t position = agents_.positionOf(given.agent);
+    if (position < assigned_actions_.size() && assigned_actions_[position] == nullptr)
+      assigned_actions_[position] = &given.action;
   }
 }
 
@@ -191,17 +219,18 @@ inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
   if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
 }
 
-inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
+inline void World::endMove(std::size_t position, std::size_t& arrivals) {
+  Agent& agent = agents_.nth(position);
   if (!agent.isWalking()) {
     agent.in_contact = false;
     agent.in_collision = false;
     return;
   }
-  agent.in_collision = isAnythingWithin(collision_radius_, agent);
+  agent.in_collision = isAnythingWithin(collision_radius_, position);
   const double contact_distance = agent.radius - CONTACT_OVERLAP;
   // Without anything within the collision radius, a search within a smaller distance is unnecessary.
   const bool may_touch = agent.in_collision || contact_distance > collision_radius_;
-  agent.in_contact = agent.bumped || (may_touch && isAnythingWithin(contact_distance, agent));
+  agent.in_contact = agent.bumped || (may_touch && isAnythingWithin(contact_distance, position));
   agent.bumped = false;
   agent.collided = agent.collided || agent.in_collision;
   agent.touched = agent.touched || agent.in_contact;
@@ -222,9 +251,9 @@ inline void World::endMove(Agent& agent, std::size_t& arrivals) const {
   ++arrivals;
 }
 
-inline bool World::isAnythingWithin(double distance, const Agent& agent) const {
-  const Vector2& place = agent.pose.position;
-  return grid_.isAnyNear(place, distance, agent.id) || walls_.isAnyWithin(place, distance) ||
+inline bool World::isAnythingWithin(double distance, std::size_t position) const {
+  const Vector2& place = agents_.nth(position).pose.position;
+  return grid_.isAnyNear(place, distance, static_cast<std::uint32_t>(position)) || walls_.isAnyWithin(place, distance) ||
          (hasRobots() && isRobotWithin(distance, place));
 }
 
@@ -237,9 +266,10 @@ void World::moveSolids(const Moves& moves) {
 template <typename Moves>
 void World::computeSolidMotions(const Moves& moves) {
   discs_.clear();
-  for (const Agent& agent : agents_) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_.nth(i);
     if (!agent.isWalking()) continue;
-    const Vector2 way = moves(agent.id) ? Vector2(tick_duration_ * agent.velocity) : Vector2::Zero();
+    const Vector2 way = moves(i) ? Vector2(tick_duration_ * agent.velocity) : Vector2::Zero();
     discs_.push_back({agent.pose.position, way, agent.radius, true});
   }
   const double end = static_cast<double>(tick_ + 1) * tick_duration_;
@@ -257,11 +287,12 @@ template <typename Moves>
 void World::carryOutSolidMotions(const Moves& moves) {
   auto outcome = solid_motion_.outcomes().begin();
   if (hasRobots()) noteSolidContacts();
-  for (Agent& agent : agents_) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    Agent& agent = agents_.nth(i);
     if (!agent.isWalking()) continue;
     if (outcome->diverted) {
       const Vector2 velocity = (outcome->position - agent.pose.position) / tick_duration_;
-      if (moves(agent.id)) {
+      if (moves(i)) {
         agent.blocked = !agent.velocity.isZero(0.0);
         agent.blocked_moves += agent.blocked ? 1 : 0;
         agent.velocity = velocity;

@@ -22,8 +22,9 @@ ObstaclePath pathFromNow(const Vector2& position, const Vector2& velocity, doubl
 }  // namespace
 
 void World::addAgent(const AgentStart& start) {
-  Agent& agent = agents_.emplace_back();
-  agent.id = static_cast<AgentId>(agents_.size() - 1);
+  const auto id = static_cast<AgentId>(entered_count_++);
+  Agent& agent = agents_.add(id);
+  agent.id = id;
   agent.pose = {start.position, wrapAngle(start.heading)};
   agent.ahead = unitVector(agent.pose.heading);
   agent.max_speed = start.max_speed;
@@ -45,8 +46,8 @@ std::string World::findBlocker(const Vector2& centre, double radius, bool agents
   std::vector<std::uint32_t> found;
   grid_.findNear(centre, radius - overlap, found);
   for (const std::uint32_t body : found) {
-    if (body == except) continue;
-    if (body < agents_.size()) return "agent " + std::to_string(body);
+    if (body < agents_.size() && agents_.idAt(body) == except) continue;
+    if (body < agents_.size()) return "agent " + std::to_string(agents_.idAt(body));
     if (!agents_only) return "obstacle " + std::to_string(body - agents_.size());
   }
   std::string robot = findRobotBlocker(centre, radius - overlap, except_robot);
@@ -76,19 +77,22 @@ AgentId World::spawnAgent(const AgentStart& start) {
 }
 
 std::vector<Agent> World::replaceAgents(std::vector<Agent> agents) {
-  agents_.swap(agents);
+  agents = agents_.replace(std::move(agents));
+  lasting_count_ = entered_count_ = agents_.size();
   active_count_ = 0;
   just_arrived_count_ = 0;
   for (std::size_t i = 0; i < agents_.size(); ++i) {
-    agents_[i].id = static_cast<AgentId>(i);
-    active_count_ += agents_[i].isWalking() ? 1 : 0;
+    agents_.nth(i).id = static_cast<AgentId>(i);
+    active_count_ += agents_.nth(i).isWalking() ? 1 : 0;
   }
   refresh();
   return agents;
 }
 
 void World::removeAgent(AgentId id) {
-  findWalking(id).status = AgentStatus::REMOVED;
+  Agent& agent = findWalking(id);
+  agent.status = AgentStatus::REMOVED;
+  agent.arrival_tick = tick_;
   --active_count_;
   refresh();
 }

@@ -5,7 +5,8 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t PREFETCH_AHEAD = 4;  // [bodies]
+constexpr std::size_t PREFETCH_AHEAD = 4;       // [bodies]
+constexpr std::uint32_t NO_BODY = UINT32_MAX;  // in the grid
 
 /// Loads an agent into the cache: those that are neighbours in the grid are anywhere in memory.
 inline void prefetch(const Agent& agent) {
@@ -23,10 +24,10 @@ inline void World::forEachInGrid(std::size_t first, std::size_t last, const Work
   for (std::size_t disc = first; disc < last; ++disc) {
     if (disc + PREFETCH_AHEAD < grid_.size()) {
       const std::uint32_t next = grid_.body(disc + PREFETCH_AHEAD);
-      if (next < agents_.size()) prefetch(agents_[next]);
+      if (next < agents_.size()) prefetch(agents_.nth(next));
     }
     const std::uint32_t body = grid_.body(disc);
-    if (body < agents_.size() && agents_[body].perceives) work(agents_[body]);
+    if (body < agents_.size() && agents_.nth(body).perceives) work(agents_.nth(body), body);
   }
 }
 
@@ -36,15 +37,17 @@ void World::perceive(const Vision& vision, Perceptions& perceptions) {
   beginPerceptions(vision, count, workspace_, perceptions);
   std::uint32_t place = 0;
   std::size_t written = 0;
-  for (const Agent& agent : agents_) {
+  for (std::uint32_t body = 0; body < agents_.size(); ++body) {
+    const Agent& agent = agents_.nth(body);
     if (!isPerceiving(agent)) continue;
     AgentPerception& self = perceptions.agents[place];
     self.agent = agent.id;
-    places_[agent.id] = place++;
-    if (!agent.isWalking()) perceiveOne(vision, agent, written++, workspace_, self, perceptions);  // not in the grid
+    places_[body] = place++;
+    if (agent.isWalking()) continue;
+    perceiveOne(vision, agent, body, written++, workspace_, self, perceptions);  // not in the grid
   }
-  forEachInGrid(0, grid_.size(), [&](const Agent& agent) {
-    perceiveOne(vision, agent, written++, workspace_, perceptions.agents[places_[agent.id]], perceptions);
+  forEachInGrid(0, grid_.size(), [&](const Agent& agent, std::uint32_t body) {
+    perceiveOne(vision, agent, body, written++, workspace_, perceptions.agents[places_[body]], perceptions);
   });
   std::swap(perceptions.walls, workspace_.walls);
 }
@@ -54,7 +57,8 @@ void World::perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perce
   beginPerceptions(vision, perceptions.agents.size(), workspace_, perceptions);
   for (AgentPerception& self : perceptions.agents) {
     self.agent = *id;
-    perceiveOne(vision, agents_[*id], 0, workspace_, self, perceptions);
+    const auto body = static_cast<std::uint32_t>(agents_.positionOf(*id));
+    perceiveOne(vision, agents_.nth(body), body, 0, workspace_, self, perceptions);
   }
   std::swap(perceptions.walls, workspace_.walls);
 }
@@ -75,7 +79,7 @@ void World::perceiveRobot(const Vision& vision, RobotId id, const Vector2& goal,
   perceptions.last = false;
   perceptions.agents.front().agent = agent.id;
   beginPerceptions(vision, 1, workspace, perceptions);
-  perceiveOne(vision, agent, 0, workspace, perceptions.agents.front(), perceptions);
+  perceiveOne(vision, agent, NO_BODY, 0, workspace, perceptions.agents.front(), perceptions);
   std::swap(perceptions.walls, workspace.walls);
 }
 
@@ -91,25 +95,25 @@ void World::perceiveSome(const Vision& vision, std::size_t first, std::size_t la
                          Perceptions& perceptions) const {
   beginPerceptions(vision, last - first, workspace, perceptions);
   std::size_t count = 0;
-  forEachInGrid(first, last, [&](const Agent& agent) {
+  forEachInGrid(first, last, [&](const Agent& agent, std::uint32_t body) {
     // Grown on demand: sizing by the number of bodies, which include obstacles, would construct elements in each tick.
     if (count == perceptions.agents.size()) perceptions.agents.emplace_back();
     AgentPerception& self = perceptions.agents[count];
     self.agent = agent.id;
-    perceiveOne(vision, agent, count++, workspace, self, perceptions);
+    perceiveOne(vision, agent, body, count++, workspace, self, perceptions);
   });
   perceptions.agents.resize(count);
   std::swap(perceptions.walls, workspace.walls);
 }
 
-inline void World::perceiveOne(const Vision& vision, const Agent& agent, std::size_t before,
+inline void World::perceiveOne(const Vision& vision, const Agent& agent, std::uint32_t body, std::size_t before,
                                PerceptionWorkspace& workspace, AgentPerception& self, Perceptions& perceptions) const {
   // Without a limit the neighbours of all agents are contiguous.
   const std::size_t first = vision.max_neighbours > 0 ? vision.max_neighbours * before : perceptions.neighbours.size();
   // Occlusion needs all bodies in range to determine the visible ones.
   const std::size_t max_count = vision.occlusion ? 0 : vision.max_neighbours;
   const Rotation frame(agent.ahead);
-  auto found = workspace.search.findNearest(grid_, agent.pose.position, vision.radius, max_count, agent.id);
+  auto found = workspace.search.findNearest(grid_, agent.pose.position, vision.radius, max_count, body);
   if (hasRobots()) found = withRobots(found, vision, max_count, agent, workspace);
   self.first_neighbour = static_cast<std::uint32_t>(first);
   self.neighbour_count = static_cast<std::uint32_t>(found.size());

@@ -84,7 +84,7 @@ void World::beginRobotMoves() {
     const Footprint& footprint = robot.start.footprint;
     if (robot.start.drive != Drive::EXTERNAL) {
       robot.twist = doesRobotYield(robot.start.yields)
-                        ? protective_stop_.next(robot, agents_, tick_duration_)
+                        ? protective_stop_.next(robot, agents_.values(), tick_duration_)
                         : limitTwist(robot.start.drive, robot.start.limits, robot.twist, robot.target, tick_duration_);
       robot_sweeps_.emplace_back(footprint, robot.pose, robot.twist, tick_duration_);
       continue;

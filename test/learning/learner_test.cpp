@@ -91,6 +91,27 @@ TEST(Learner, ServesAllAgentsByDefault) {
   EXPECT_EQ(learner.servedAgents(), (std::vector<AgentId>{0, 3, 12, 70, 1000000}));
 }
 
+/// Each tick an agent comes and another one leaves; agent 0 stays. Of 4 of the 5 the last decision is learned from.
+TEST(Learner, ForgetsAgentsThatHaveLeft) {
+  constexpr AgentId TICKS = 5000;
+  for (const Mode mode : {Mode::DEMO, Mode::TRAINING}) {
+    Learner learner(model(), options(mode));
+    for (AgentId t = 0; t < TICKS; ++t) {
+      PerceptionsBuilder scene(3, t);
+      scene.agent(0, {1.0, 0.5});
+      for (AgentId agent = t + 1; agent <= t + 4; ++agent) scene.agent(agent, {1.0, 0.0});
+      ASSERT_EQ(decide(learner, scene).agents.size(), 5U);
+      ASSERT_LE(learner.servedAgents().size(), 1020U);
+    }
+    EXPECT_EQ(learner.servedAgents().front(), 0U);
+    EXPECT_EQ(learner.servedAgents().back(), TICKS + 3);
+    EXPECT_EQ(learner.decisions(), mode == Mode::TRAINING ? 4U * (TICKS - 1) : 0U);
+  }
+  Learner own(model(), options(Mode::DEMO, TableUse::OWN));
+  for (AgentId agent = 0; agent < 2000; ++agent) decide(own, PerceptionsBuilder(3, agent).agent(agent, {1.0, 0.0}));
+  EXPECT_EQ(own.servedAgents().size(), 2000U);
+}
+
 TEST(Learner, AnswersNothingAfterTheEpisode) {
   Learner learner(model(), options(Mode::TRAINING));
   EXPECT_TRUE(decide(learner, tick(5, 0, 1.0).last()).agents.empty());

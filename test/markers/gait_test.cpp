@@ -95,5 +95,17 @@ TEST(WalkingCycles, NeighboursAreOutOfStepAndIndependent) {
   EXPECT_EQ(cycles.frameOf(1), WalkingCycles::STANDING);
 }
 
+TEST(WalkingCycles, ForgetsOthers) {
+  WalkingCycles cycles;
+  for (const std::uint32_t person : {0U, 1U, 2U}) {
+    cycles.walk(person, at(0.0));
+    cycles.walk(person, at(0.1));
+  }
+  cycles.keepOnly({0, 2, 7});
+  EXPECT_EQ(cycles.size(), 2U);
+  EXPECT_EQ(cycles.frameOf(1), WalkingCycles::STANDING);
+  EXPECT_NE(cycles.frameOf(2), WalkingCycles::STANDING);
+}
+
 }  // namespace
 }  // namespace crowd

@@ -72,5 +72,22 @@ TEST(WalkedPaths, RemovedPointsDoNotCount) {
   EXPECT_EQ(points[1].position.x() - points[0].position.x(), 1.0);
 }
 
+/// Every second one comes and walks for 3 s. The first one stands all the time.
+TEST(WalkedPaths, ThoseWhoHaveLeftAreForgottenWhenTheyHaveFaded) {
+  WalkedPaths paths(0.05, 1000);
+  for (std::uint32_t second = 1; second <= 100; ++second) {
+    paths.setTimes(second, 4.0);
+    paths.add(0, Vector2::Zero());
+    for (std::uint32_t walker = second < 3 ? 1 : second - 2; walker <= second; ++walker) {
+      paths.add(walker, Vector2(second, walker));
+    }
+    paths.settle();
+    ASSERT_LE(paths.paths().size(), 7U);
+    ASSERT_EQ(paths.paths().count(0), 1U);
+    if (second > 5) ASSERT_EQ(paths.paths().count(second - 5), 1U);  // it left 3 s ago
+  }
+  EXPECT_EQ(paths.paths().count(94), 0U);
+}
+
 }  // namespace
 }  // namespace crowd

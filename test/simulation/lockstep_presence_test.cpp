@@ -204,5 +204,29 @@ TEST(LockstepTurns, AnAnswerAfterTheTurnEndsTheAbsence) {
   EXPECT_FALSE(lockstep.isComplete());  // it is awaited again
 }
 
+/// 3 agents enter each tick, and stay for 10 ticks: late answers are still recognised, and absent agents stay absent.
+TEST(LockstepPresence, AgentsThatHaveLeftDoNotMatter) {
+  Lockstep lockstep(2);
+  AgentId entered = 1;  // agent 0 stays and never answers
+  std::vector<AgentId> present = {0};
+  for (std::uint64_t tick = 0; tick < 3000; ++tick) {
+    for (int i = 0; i < 3; ++i) present.push_back(entered++);
+    if (present.size() > 31) present.erase(present.begin() + 1, present.begin() + 4);
+    lockstep.open(EPISODE, tick, present);
+    EXPECT_EQ(lockstep.areAbsent({0}), tick >= 2) << "tick " << tick;
+    std::vector<AgentId> answering(present.begin() + 1, present.end());
+    EXPECT_TRUE(lockstep.take(answersOf(tick, answering), LEARNER).empty());
+    EXPECT_TRUE(lockstep.isComplete() || tick < 2);
+    EXPECT_EQ(lockstep.missing(), Ids{0});
+    lockstep.close();
+    EXPECT_LE(lockstep.knownCount(), 1100U);
+    if (tick < 10) continue;
+    const auto gone = static_cast<AgentId>(present[1] - 1);
+    const std::vector<RefusedAnswer>& refused = lockstep.take(answersOf(tick - 2, {gone}), LEARNER);
+    ASSERT_EQ(refused.size(), 1U) << "tick " << tick;
+    EXPECT_EQ(refused.front().cause, Refusal::TOO_LATE);
+  }
+}
+
 }  // namespace
 }  // namespace crowd

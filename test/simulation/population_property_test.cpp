@@ -34,14 +34,22 @@ TEST(Population, NoAgentIsLost) {
     Episode episode = episodeOf(BUSY, 150.0, seed);
     KeyedRandom random(seed, KeyedRandom::CONTENT, {});
     std::size_t before = 0;
+    std::vector<bool> left;
     while (!episode.isOver()) {
       const World& world = episode.world();
-      ASSERT_GE(world.agents().size(), before) << "seed " << seed;
-      before = world.agents().size();
+      ASSERT_GE(world.enteredCount(), before) << "seed " << seed;
+      for (; before < world.enteredCount(); ++before) {
+        ASSERT_TRUE(world.agents().contains(static_cast<AgentId>(before)));
+        left.push_back(false);
+      }
       std::size_t walking = 0;
-      for (std::size_t i = 0; i < world.agents().size(); ++i) {
-        ASSERT_EQ(world.agents()[i].id, i);
-        walking += world.agents()[i].isWalking() ? 1 : 0;
+      for (AgentId id = 0; id < before; ++id) {
+        const Agent* const agent = world.agents().find(id);
+        const bool is_walking = agent != nullptr && agent->isWalking();
+        ASSERT_TRUE(agent == nullptr || agent->id == id);
+        ASSERT_FALSE(is_walking && left[id]) << "seed " << seed << ", agent " << id;
+        left[id] = !is_walking;
+        walking += is_walking ? 1 : 0;
       }
       ASSERT_EQ(walking, world.activeCount()) << "seed " << seed << ", tick " << world.tick();
       const auto victim = static_cast<AgentId>(random.below(200));
@@ -49,7 +57,11 @@ TEST(Population, NoAgentIsLost) {
       step(episode);
     }
     const EpisodeResult result = episode.result();
-    EXPECT_EQ(result.agents.size(), episode.world().agents().size());
+    EXPECT_EQ(result.agents.size(), episode.world().enteredCount());
+    for (AgentId id = 0; id < result.agents.size(); ++id) {
+      const AgentResult agent = result.agents[id];
+      EXPECT_EQ(agent.arrived || agent.removed, !episode.world().isActive(id)) << "seed " << seed << ", agent " << id;
+    }
     EXPECT_GT(result.agents.size(), 35U) << "seed " << seed;
     EXPECT_GT(result.arrivedCount(), 20U) << "seed " << seed;
   }

@@ -80,7 +80,7 @@ TEST(Population, SourcesAddAgentsAtTheirTimes) {
   const World& world = episode.world();
   std::vector<std::size_t> counts;
   while (!episode.isOver()) {
-    counts.push_back(world.agents().size());
+    counts.push_back(world.enteredCount());
     step(episode);
   }
   EXPECT_EQ(counts, (std::vector<std::size_t>{1, 1, 2, 2, 2, 3, 3}));

@@ -90,7 +90,7 @@ TEST(Log, OfAgentsThatAreNotExpectedToArrive) {
   learned.agents = {endless};
   std::string rows;
   appendLogRow(0, learned, rows);
-  learned.agents.clear();
+  learned.agents = {};
   learned.reward = std::numeric_limits<double>::quiet_NaN();
   appendLogRow(1, learned, rows);
   EXPECT_EQ(rows, "0,s,1,1,0,0,0,0,0,0\n1,s,0,nan,nan,nan,nan,0,0,0\n");

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "social_crowd/simulation/record.h"
 
@@ -10,11 +12,12 @@ namespace crowd {
 namespace {
 
 /// An episode of agents of which the first ones arrive, and the last ones are on routes that repeat.
-EpisodeResult episode(std::size_t agents, std::size_t arrived, std::size_t endless) {
+EpisodeResult episode(std::size_t count, std::size_t arrived, std::size_t endless) {
+  std::vector<AgentResult> agents(count);
+  for (std::size_t i = 0; i < arrived; ++i) agents[i].arrived = true;
+  for (std::size_t i = count - endless; i < count; ++i) agents[i].endless = true;
   EpisodeResult result;
-  result.agents.resize(agents);
-  for (std::size_t i = 0; i < arrived; ++i) result.agents[i].arrived = true;
-  for (std::size_t i = agents - endless; i < agents; ++i) result.agents[i].endless = true;
+  result.agents = std::move(agents);
   return result;
 }
 
@@ -22,7 +25,7 @@ TEST(RecentRates, AreMeansOfTheSharesInTheLog) {
   RecentRates rates;
   EXPECT_EQ(rates.text(), "success   0.0 %  contact   0.0 %");
   EpisodeResult half = episode(4, 1, 2);  // one of two is to arrive and does not
-  half.agents[0].touched = true;
+  half.agents.add(0).touched = true;
   EXPECT_EQ(successShare(half), 0.5);
   EXPECT_EQ(contactShare(half), 0.25);
   rates.add(half);

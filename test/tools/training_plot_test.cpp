@@ -23,9 +23,8 @@ std::size_t lengthOf(const std::string& text) {
 /// An episode of two agents of which one arrives and one is in contact.
 LearnedEpisode episode(double reward = -1.0) {
   LearnedEpisode learned;
-  learned.agents.resize(2);
-  learned.agents[0].arrived = true;
-  learned.agents[1].touched = true;
+  learned.agents.add(0).arrived = true;
+  learned.agents.add(1).touched = true;
   learned.reward = reward;
   learned.visited_rows = 130;
   learned.epsilon = 0.25;
@@ -107,9 +106,9 @@ TEST(TrainingPlot, GoesOnFromALog) {
 
 TEST(TrainingPlot, ShowsWhatTheLogHasIfNobodyIsExpectedToArrive) {
   LearnedEpisode endless = episode();
-  for (AgentResult& agent : endless.agents) {
-    agent.endless = true;
-    agent.arrived = false;
+  for (AgentId agent = 0; agent < endless.agents.size(); ++agent) {
+    endless.agents.add(agent).endless = true;
+    endless.agents.add(agent).arrived = false;
   }
   TrainingPlot whole;
   whole.add(endless);

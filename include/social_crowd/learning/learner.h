@@ -19,6 +19,7 @@
 #include "social_crowd/learning/rl/policy.h"
 #include "social_crowd/learning/rl/table_store.h"
 #include "social_crowd/learning/rl/td_learner.h"
+#include "social_crowd/world/agent_map.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/relative_action.h"
 
@@ -104,7 +105,8 @@ class Learner {
   }
   bool servesAll() const { return options_.agents.empty() && options_.share.isWhole(); }
   const AgentShare& share() const { return options_.share; }
-  /// @brief Returns the served agents, sorted by id; if it serves all agents or a share of them, those known so far.
+  /// @brief Returns the served agents, sorted by id; if it serves all agents or a share of them, those known so far. With
+  /// shared tables, it forgets those that are not perceived any more as soon as there are many.
   std::vector<AgentId> servedAgents() const;
 
   Mode mode() const { return options_.mode; }
@@ -160,7 +162,7 @@ class Learner {
   /// What an agent's next update needs.
   struct Memory {
     TdLearner learner;
-    std::uint64_t episode = 0;
+    std::uint64_t episode = 0;  // of its last decision
     std::uint64_t tick = 0;
     AgentPerception before;
   };
@@ -172,6 +174,8 @@ class Learner {
   }
   /// Adds an agent unless it is known. Returns its place.
   std::uint32_t addAgent(AgentId agent);
+  /// Forgets agents that have left, if many agents are known. An agent with a table of its own keeps it.
+  void forgetDeparted(const Perceptions& perceptions);
   void checkShape(const QTable& table) const;
   void beginEpisode(std::uint64_t episode);
 
@@ -211,6 +215,8 @@ class Learner {
   TableStore tables_;                                  // by place
   std::unordered_map<AgentId, std::uint32_t> places_;  // 0, 1, 2 ... in the order of their first perception
   std::vector<Memory> memories_;                       // by place
+  std::vector<std::uint32_t> free_places_;             // of agents that were forgotten
+  std::size_t most_known_ = FEW_AGENTS;                // with more, forgetDeparted() looks for agents that have left
   DecisionWorkspace workspace_;
 };
 

@@ -97,7 +97,7 @@ class AnswerCollector {
   Clock asked_at_;
   Clock ask_again_at_;
   ros::WallDuration ask_again_after_;
-  std::vector<Clock> silent_since_;  // by agent: first tick without an answer since its last answer; zero: none
+  AgentMap<Clock> silent_since_;  // first tick without an answer since the agent's last answer; zero: none
   Clock last_warning_;
 };
 

@@ -28,6 +28,9 @@ class WalkingCycles {
   void walk(std::uint32_t person, const Pose& pose);
   /// @brief Returns 0 to FRAMES - 1, or STANDING. A person who was never seen stands.
   int frameOf(std::uint32_t person) const;
+  std::size_t size() const { return persons_.size(); }
+  /// @brief Forgets all other persons.
+  void keepOnly(const std::set<std::uint32_t>& persons);
   /// @brief Forgets all persons.
   void clear() { persons_.clear(); }
 

@@ -27,6 +27,7 @@ class WalkedPaths {
     std::size_t settled = 0;        ///< number of points at the front that were already drawn
     Vector2 tip = Vector2::Zero();  ///< present position of the agent [m], `map`
     double tip_time = 0.0;          ///< when it arrived there [s]
+    double last_time = 0.0;         ///< when it was last there [s]
   };
 
   /// @param step [m], at least 0
@@ -52,6 +53,7 @@ class WalkedPaths {
 
  private:
   void thin();
+  /// Removes points that are too old, and the paths of agents that have left when they are not shown any more.
   void forgetOld();
 
   double first_step_;

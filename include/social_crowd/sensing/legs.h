@@ -12,16 +12,19 @@ namespace crowd {
 /// @param pose of the body in `map` @param walked length of its way so far [m] @param radius of the body [m]
 void addLegs(const Pose& pose, double walked, double radius, BodyNumber body, std::vector<ScanTarget>& targets);
 
-/// @brief Lengths of the ways of all agents, for the phases of their legs.
+/// @brief Lengths of the ways of the agents of a world, for the phases of their legs.
 class Gait {
  public:
   /// @brief Adds the ways of the last tick. Called once after each tick.
   void observe(const World& world);
   /// @brief Length of the way since the first call of observe() [m].
-  double walked(AgentId agent) const { return agent < walked_.size() ? walked_[agent] : 0.0; }
+  double walked(AgentId agent) const {
+    const double* const walked = walked_.find(agent);
+    return walked != nullptr ? *walked : 0.0;
+  }
 
  private:
-  std::vector<double> walked_;  // by agent
+  AgentMap<double> walked_;
 };
 
 }  // namespace crowd

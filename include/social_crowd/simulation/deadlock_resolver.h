@@ -40,8 +40,8 @@ class DeadlockResolver {
   static constexpr double WALK_TIME = 1.5;     ///< [s]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
-  /// @param paths of all agents, by id; empty for those that have none
-  void update(World& world, const std::vector<RemainingPath>& paths);
+  /// @param paths of the agents of the world; empty for those that have none
+  void update(World& world, const AgentMap<RemainingPath>& paths);
 
   /// @brief Whether an agent walks back, as of the last update().
   bool walksBack(AgentId agent) const { return walksBack(walks_[agent]); }
@@ -69,8 +69,8 @@ class DeadlockResolver {
 
   static bool walksBack(const Walk& walk) { return walk.retreat_until > 0.0; }
   static bool isStuck(const Walk& walk, double time) { return time - walk.progress_time >= STUCK_TIME; }
-  void follow(const Agent& agent, const RemainingPath& path, double time);
-  void noteProgress(const Agent& agent, double time);
+  void follow(const Agent& agent, const RemainingPath& path, double time, Walk& walk);
+  static void noteProgress(const Agent& agent, double time, Walk& walk);
   void startRetreat(const Agent& agent, double time);
   void sortByX(const World& world);
   /// The walkers that may be within a distance of an agent [m], by x; the agent itself is among them.
@@ -83,7 +83,7 @@ class DeadlockResolver {
   void slideAlongWalls(World& world, const Agent& agent);
   void retreat(World& world, const Agent& agent);
 
-  std::vector<Walk> walks_;          // by id
+  AgentMap<Walk> walks_;
   std::vector<AgentId> retreating_;  // of this tick
   std::vector<std::uint32_t> near_walls_;
   std::vector<Walker> walkers_;  // of this tick, by x; empty until it is needed

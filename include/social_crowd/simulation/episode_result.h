@@ -5,36 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/simulation/agent_results.h"
 #include "social_crowd/simulation/robot_result.h"
 #include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {
-
-/// @brief Results of one agent in an episode.
-struct AgentResult {
-  bool arrived = false;
-  bool removed = false;             ///< was removed on its way; excluded from all metrics
-  bool touched = false;             ///< in contact in any tick before it arrived
-  bool collided = false;            ///< in collision in any tick before it arrived (thesis, 4.1), see World
-  bool out_of_reach = false;        ///< on its way at the end, and no way leads to its goal (WayFinder::isOutOfReach())
-  bool endless = false;             ///< on a route that repeats: it never arrives, and has not failed
-  std::uint64_t waypoints = 0;      ///< waypoints of routes that it has left behind
-  std::uint64_t blocked_moves = 0;  ///< moves that were cut short by an impact; solid worlds only
-  std::uint64_t appeared = 0;       ///< tick at which it was added to the world
-  Vector2 start = Vector2::Zero();  ///< place where it was added [m], `map`
-  std::uint64_t ticks = 0;          ///< from then on until its arrival, or until the end
-  double heading = 0.0;             ///< at its arrival, or at the end [rad], `map`
-  double path_length = 0.0;         ///< [m]
-  double straight_length = 0.0;     ///< from the start via all goals, minus the goal tolerance [m]
-  double path_ratio = 0.0;          ///< path_length / straight_length
-  double time_ratio = 0.0;          ///< time * maximum speed / straight_length
-  double turn_per_metre = 0.0;      ///< accumulated absolute change of direction of motion / path_length [rad/m]
-  double max_speed_ratio = 0.0;     ///< highest speed in a tick / maximum speed
-  double distance_gained = 0.0;     ///< decrease of the distance to the goal, summed over its goals [m]
-  double gain_per_tick = 0.0;       ///< distance gained per step (thesis): distance_gained / ticks [m]
-  double path_per_gain = 0.0;       ///< path_length / distance_gained; NaN if distance_gained is not positive
-};
 
 /// @brief "2 agents have goals out of reach". @param agents above 0
 std::string outOfReachText(std::size_t agents);
@@ -46,17 +22,29 @@ std::string outOfReachText(const std::vector<AgentId>& agents);
 struct EpisodeResult {
   std::string scenario;
   std::uint64_t ticks = 0;
-  std::vector<AgentResult> agents;
+  AgentResults agents;
   std::vector<RobotResult> robots;
   std::string way_finding_problem;  ///< why way-finding was left out from some tick on; empty: it was not
 
-  /// @brief Number of agents that were not removed; metrics are about these.
-  std::size_t agentCount() const;
-  std::size_t arrivedCount() const;
-  /// @brief Number of these agents that are expected to arrive: without agents on routes that repeat.
-  std::size_t expectedCount() const;
-  std::size_t touchedCount() const;
-  std::size_t collidedCount() const;
+  /// @brief Numbers of agents that were not removed; metrics are about these.
+  struct Counts {
+    std::size_t agents = 0;
+    std::size_t arrived = 0;
+    std::size_t expected = 0;  ///< to arrive: without agents on routes that repeat
+    std::size_t touched = 0;
+    std::size_t collided = 0;
+    std::uint64_t blocked_moves = 0;  ///< sum of all of them
+    /// @brief Whether all expected agents arrived, and none was in contact.
+    bool isClean() const { return arrived == expected && touched == 0; }
+  };
+  Counts count() const;
+  std::size_t agentCount() const { return count().agents; }
+  std::size_t arrivedCount() const { return count().arrived; }
+  std::size_t expectedCount() const { return count().expected; }
+  std::size_t touchedCount() const { return count().touched; }
+  std::size_t collidedCount() const { return count().collided; }
+  std::uint64_t blockedMoves() const { return count().blocked_moves; }
+  bool isClean() const { return count().isClean(); }
   /// @brief The agents that count and have goals out of reach, by ascending number.
   std::vector<AgentId> outOfReach() const;
   /// @brief Warning about the ways of this episode, such as "2 agents have goals out of reach (0, 7)"; empty if there
@@ -64,10 +52,6 @@ struct EpisodeResult {
   std::string wayWarning() const;
   /// @brief Headings of all agents at the end [rad], for keepHeadings() of the next episode.
   std::vector<double> headings() const;
-  /// @brief Sum of the blocked moves of all agents that were not removed.
-  std::uint64_t blockedMoves() const;
-  /// @brief Whether all expected agents arrived, and none was in contact.
-  bool isClean() const { return arrivedCount() == expectedCount() && touchedCount() == 0; }
 };
 
 /// @brief Measures the motion of each agent tick by tick, with the metrics of the steering benchmark.
@@ -108,7 +92,7 @@ class EpisodeMonitor {
 
   /// @brief Replaces the tracks, as World::replaceAgents() does with the agents. @return the former tracks
   std::vector<Track> replaceTracks(std::vector<Track> tracks);
-  const std::vector<Track>& tracks() const { return tracks_; }
+  const AgentMap<Track>& tracks() const { return tracks_; }
   /// @brief The result of one track.
   AgentResult resultOf(const Track& track) const;
 
@@ -128,7 +112,9 @@ class EpisodeMonitor {
   double tick_duration_;
   double goal_tolerance_;
   std::uint64_t ticks_ = 0;
-  std::vector<Track> tracks_;
+  AgentMap<Track> tracks_;          // of the agents of the world
+  std::size_t watched_count_ = 0;
+  AgentResults left_;               // of all others
 };
 
 /// @brief Metrics over many episodes, as printed by the scorer of the steering benchmark.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "social_crowd/world/agent_map.h"
 #include "social_crowd/world/relative_action.h"
 
 namespace crowd {
@@ -76,6 +77,8 @@ class Lockstep {
   /// @brief Number of refused answers since the last resetCounts().
   std::uint64_t droppedCount() const { return dropped_; }
   void resetCounts();
+  /// @brief Number of agents of which anything is known.
+  std::size_t knownCount() const { return records_.size(); }
 
  private:
   using Moment = std::pair<std::uint64_t, std::uint64_t>;  // episode, tick
@@ -95,8 +98,12 @@ class Lockstep {
     bool answered = false;  // in the open tick
   };
 
-  AgentRecord& record(AgentId agent);
-  bool wasAsked(AgentId agent) const { return agent < records_.size() && records_[agent].asked_at.has_value(); }
+  bool wasAsked(AgentId agent) const {
+    const AgentRecord* const record = records_.find(agent);
+    return record != nullptr && record->asked_at.has_value();
+  }
+  /// Forgets agents that are not asked any more, if there are many records.
+  void forgetDeparted();
   void takeOne(const AgentAction& answer, const Moment& moment, LearnerId learner);
   void markPresent(AgentRecord& record);
   Refusal causeOf(const AgentRecord& record, const Moment& moment, LearnerId learner) const;
@@ -106,7 +113,8 @@ class Lockstep {
   Moment now_;
   bool open_ = false;
   std::optional<Moment> abandoned_;
-  std::vector<AgentRecord> records_;  // by agent
+  AgentMap<AgentRecord> records_;
+  std::size_t most_records_ = FEW_AGENTS;  // with more, forgetDeparted() looks for agents that have left
   std::vector<AgentId> asked_;
   std::vector<AgentAction> answers_;
   std::vector<RefusedAnswer> refused_;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "social_crowd/world/agent_map.h"
 #include "social_crowd/world/geometry.h"
 #include "social_crowd/world/span.h"
 

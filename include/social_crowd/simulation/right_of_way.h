@@ -39,8 +39,8 @@ class RightOfWay {
   RightOfWay(std::shared_ptr<const Passages> passages, double radius);
 
   /// @brief Holds agents that must wait (World::setYielding), and sends those that are in the way of others aside
-  /// (World::setWaypoint). @param paths of all agents, by id; empty for those that have none
-  void update(World& world, const std::vector<RemainingPath>& paths);
+  /// (World::setWaypoint). @param paths of the agents of the world; empty for those that have none
+  void update(World& world, const AgentMap<RemainingPath>& paths);
   /// @brief Holds agents in front of narrow passages that are not controlled (World::setYielding) while an agent
   /// inside, or one that enters at the same mouth, is beside or ahead of them. @param deadlocks after its update() of
   /// this tick; agents that walk back are not held
@@ -74,10 +74,10 @@ class RightOfWay {
   };
 
   bool hasRoomToWait(const Mouth& mouth) const;
-  void collectClaims(const World& world, const std::vector<RemainingPath>& paths);
+  void collectClaims(const World& world, const AgentMap<RemainingPath>& paths);
   void addClaim(const Agent& agent, const RemainingPath& path);
   static void dropPassed(double time, PassageState& state);
-  static void noteProgress(const World& world, const std::vector<RemainingPath>& paths, PassageState& state);
+  static void noteProgress(const World& world, const AgentMap<RemainingPath>& paths, PassageState& state);
   void admit(std::size_t passage, PassageState& state) const;
   void chooseDirection(PassageState& state) const;
   Spacing spacing(std::size_t passage, bool two_way) const;

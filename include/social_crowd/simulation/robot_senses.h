@@ -34,8 +34,8 @@ class RobotSenses {
   /// @brief Ranges that the laser scanner of a robot reports now, see writeRanges(). Computed at the first call in a
   /// tick; valid until the next tick or forgetScans().
   const std::vector<float>& ranges(const World& world, RobotId robot);
-  /// @brief By agent, whether at least one ray of the scan of ranges() meets the agent first, at any range up to the
-  /// greatest one; noise and dropouts have no effect.
+  /// @brief For each of World::agents(), whether at least one ray of the scan of ranges() meets the agent first, at any
+  /// range up to the greatest one; noise and dropouts have no effect.
   const std::vector<bool>& visibleAgents(const World& world, RobotId robot);
   /// @brief The world has changed since the last tick: scans are computed anew, with the same noise.
   void forgetScans();
@@ -53,7 +53,7 @@ class RobotSenses {
     Scanner scanner;
     std::optional<std::uint64_t> scanned_at;  // tick
     std::vector<float> ranges;
-    std::vector<bool> seen;  // by agent; scratch
+    std::vector<bool> seen;  // by position of the agent; scratch
     Odometry odometry;
     Pose last_pose;  // in `map`
     double distance_factor = 1.0;

@@ -10,14 +10,14 @@
 
 namespace crowd {
 
-/// @brief The radius of the largest agent [m]; 0 without agents.
+/// @brief The radius of the largest agent so far [m]; 0 without agents.
 double largestRadius(const World& world);
 
 /// @brief The radius of the largest agent that the sources of a scene may create [m]; 0 without sources.
 double largestSourceRadius(const Scene& scene);
 
-/// @brief The floor that ways are found on: walls, obstacles at rest, and bounds around them, all agents and their
-/// goals. Small obstacles that stand alone are left to the learners, which walk round them with shorter paths.
+/// @brief The floor that ways are found on: walls, obstacles at rest, and bounds around them, all agents so far and
+/// their goals. Small obstacles that stand alone are left to the learners, which walk round them with shorter paths.
 /// @param radius of the largest agent [m] @throws Stopped if the world's stop request is made
 FloorPlan walkingFloor(const World& world, double radius);
 

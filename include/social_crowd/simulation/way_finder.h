@@ -42,7 +42,10 @@ class WayFinder {
 
   /// @brief Whether there is no way from an agent's place to its goal, as of the last update(), even with all gates
   /// open.
-  bool isOutOfReach(AgentId agent) const { return agent < agents_.size() && agents_[agent].out_of_reach; }
+  bool isOutOfReach(AgentId agent) const {
+    const Way* const way = ways_.find(agent);
+    return way != nullptr && way->out_of_reach;
+  }
 
  private:
   /// Where to pass a corner.
@@ -76,7 +79,7 @@ class WayFinder {
   };
 
   void adoptLayout(World& world);
-  void lead(const Agent& agent, World& world);
+  void lead(const Agent& agent, Way& way, World& world);
   Vector2 nextPoint(const Agent& agent, Way& way, const StopRequest& stop);
   bool areConnected(const Vector2& from, const Vector2& to);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
@@ -100,8 +103,8 @@ class WayFinder {
   std::optional<NavigationMesh::Query> open_;  // on its tight mesh; made when it is needed
   std::optional<RightOfWay> right_of_way_;
   DeadlockResolver deadlocks_;
-  std::vector<Way> agents_;           // by id
-  std::vector<RemainingPath> paths_;  // by id
+  AgentMap<Way> ways_;
+  AgentMap<RemainingPath> paths_;
 };
 
 }  // namespace crowd

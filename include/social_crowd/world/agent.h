@@ -30,7 +30,7 @@ struct Agent {
   bool at_goal = false;             ///< reached its last goal, but does not leave
   bool held = false;                ///< stays where it is, see hold()
   bool yielding = false;            ///< stays where it is, see setYielding()
-  std::uint64_t arrival_tick = 0;   ///< the tick at whose start it had arrived, if arrived
+  std::uint64_t arrival_tick = 0;   ///< the tick at whose start it had arrived or was removed, unless it walks
   bool acted = false;               ///< an action was executed in the last tick
   bool blocked = false;             ///< its last move was cut short by an impact; solid worlds only
   std::uint64_t blocked_moves = 0;  ///< number of blocked moves

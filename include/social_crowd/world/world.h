@@ -8,6 +8,8 @@
 #include "social_crowd/common/stop_request.h"
 #include "social_crowd/common/thread_pool.h"
 #include "social_crowd/world/agent.h"
+#include "social_crowd/world/agent_map.h"
+#include "social_crowd/world/departed_agents.h"
 #include "social_crowd/world/neighbour_grid.h"
 #include "social_crowd/world/neighbour_search.h"
 #include "social_crowd/world/occlusion.h"
@@ -57,8 +59,13 @@ class World {
   Contact contact() const { return contact_; }
   const StopRequest& stopRequest() const { return stop_; }
 
-  /// @brief All agents, in the order of their ids, including those that have arrived or were removed.
-  const std::vector<Agent>& agents() const { return agents_; }
+  /// @brief The agents by id: all agents of the scene, and those that were added later. Of the latter, an agent that
+  /// arrives or is removed is there until the end of the next tick; so a tick costs what the present agents cost.
+  const AgentMap<Agent>& agents() const { return agents_; }
+  /// @brief Number of agents so far. Their ids are 0 .. enteredCount() - 1.
+  std::size_t enteredCount() const { return entered_count_; }
+  /// @brief What is known of the agents that are no longer among agents().
+  const DepartedAgents& departed() const { return departed_; }
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }
   const std::vector<Robot>& robots() const { return robots_; }
   const std::vector<Segment>& walls() const { return walls_.walls(); }
@@ -75,7 +82,10 @@ class World {
   /// @brief The same for one agent, for which isPerceiving() must hold, or for none.
   void perceiveAgent(const Vision& vision, std::optional<AgentId> id, Perceptions& perceptions);
   /// @brief Whether perceive() includes the agent: it is on its way, or arrived in the last tick.
-  bool isPerceiving(AgentId id) const { return id < agents_.size() && isPerceiving(agents_[id]); }
+  bool isPerceiving(AgentId id) const {
+    const Agent* const agent = agents_.find(id);
+    return agent != nullptr && isPerceiving(*agent);
+  }
 
   /// @brief Workspace of one thread for perceiveSome().
   struct PerceptionWorkspace {
@@ -201,7 +211,7 @@ class World {
 
   void assignActions(const std::vector<AgentAction>& actions);
   void beginMove(Agent& agent, const RelativeAction* action) const;
-  /// Moves the solid bodies for which moves(body) holds (agents by id, then obstacles); the others stand still.
+  /// Moves the solid bodies for which moves(body) holds (agents by position, then obstacles); the others stand still.
   template <typename Moves>
   void moveSolids(const Moves& moves);
   /// The two halves of moveSolids(): computes the motions, and carries them out.
@@ -210,9 +220,11 @@ class World {
   template <typename Moves>
   void carryOutSolidMotions(const Moves& moves);
   void finishTick(ThreadPool& thread_pool);
-  void endMove(Agent& agent, std::size_t& arrivals) const;
+  /// Removes the agents that left before this tick from `agents_`. @return whether there were any
+  bool dropDeparted();
+  void endMove(std::size_t position, std::size_t& arrivals);
   /// Whether the rim of another body, or a wall, is within the distance of the agent's centre.
-  bool isAnythingWithin(double distance, const Agent& agent) const;
+  bool isAnythingWithin(double distance, std::size_t position) const;
   void requireObstacle(std::size_t number) const;
   void placeObstacles();
   void moveObstacles();
@@ -220,8 +232,8 @@ class World {
   /// Moves all bodies in the grid, which must contain them already.
   void updateGrid();
   /// The same for one agent.
-  void updateGridOf(const Agent& agent);
-  /// Calls work(agent) for the agents among the bodies first .. last - 1 of the grid, in the order of its cells.
+  void updateGridOf(std::size_t position);
+  /// Calls work(agent, body) for the agents among the bodies first .. last - 1 of the grid, in the order of its cells.
   template <typename Work>
   void forEachInGrid(std::size_t first, std::size_t last, const Work& work) const;
   bool hasJustArrived(const Agent& agent) const { return agent.hasArrived() && agent.arrival_tick == tick_; }
@@ -231,9 +243,9 @@ class World {
   /// Prepares perceptions for a number of agents.
   void beginPerceptions(const Vision& vision, std::size_t agents, PerceptionWorkspace& workspace,
                         Perceptions& perceptions) const;
-  /// Writes the perception of an agent to `self`; `before` agents have been written before it.
-  void perceiveOne(const Vision& vision, const Agent& agent, std::size_t before, PerceptionWorkspace& workspace,
-                   AgentPerception& self, Perceptions& perceptions) const;
+  /// Writes the perception of an agent to `self`; `before` agents have been written before it. `body` is its own.
+  void perceiveOne(const Vision& vision, const Agent& agent, std::uint32_t body, std::size_t before,
+                   PerceptionWorkspace& workspace, AgentPerception& self, Perceptions& perceptions) const;
   void perceiveSelf(const Agent& agent, const Rotation& frame, AgentPerception& self) const;
   /// Adds the robots that the agent perceives to the bodies found by the search, nearest rim first. Robot i has the
   /// number grid_.size() + i.
@@ -271,6 +283,8 @@ class World {
   std::string findRobotBlocker(const Vector2& centre, double radius, std::optional<RobotId> except) const;
   void setWalls(std::vector<Segment> walls);
   Agent& findWalking(AgentId id);
+  /// Makes what is kept by position fit the number of agents.
+  void resizeWorkspaces();
   /// Returns what overlaps a disc at this place, such as "agent 3"; empty if nothing does. @param except an agent
   std::string findBlocker(const Vector2& centre, double radius, bool agents_only,
                           std::optional<AgentId> except = std::nullopt,
@@ -285,7 +299,10 @@ class World {
   double collision_radius_;
   Contact contact_;
   std::uint64_t tick_ = 0;
-  std::vector<Agent> agents_;
+  AgentMap<Agent> agents_;
+  std::size_t lasting_count_ = 0;  // the first ones, which stay there when they have arrived: those of the scene
+  std::size_t entered_count_ = 0;
+  DepartedAgents departed_;
   std::vector<Obstacle> obstacles_;
   std::vector<Robot> robots_;
   std::vector<std::optional<RobotPlace>> robot_places_;    // by robot: where an EXTERNAL one is to be next
@@ -302,13 +319,15 @@ class World {
 
   std::vector<ObstaclePath::Motion> obstacle_motions_;  // at the present time
   std::vector<std::size_t> moving_obstacles_;
-  NeighbourGrid grid_;                    // of the agents on their way and the obstacles
+  // Of the agents on their way and the obstacles. Body i is the agent at position i, or else an obstacle.
+  NeighbourGrid grid_;
   std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;
-  std::vector<const RelativeAction*> assigned_actions_;  // by agent; during step() only
-  std::vector<bool> had_turn_;                           // by agent; since the end of the last tick
+  // By position of the agent:
+  std::vector<const RelativeAction*> assigned_actions_;  // during step() only
+  std::vector<bool> had_turn_;                           // since the end of the last tick
+  std::vector<std::uint32_t> places_;                    // its index in Perceptions::agents
   PerceptionWorkspace workspace_;                        // of perceive()
-  std::vector<std::uint32_t> places_;                    // by agent: its index in Perceptions::agents
 };
 
 }  // namespace crowd
