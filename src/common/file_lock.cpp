@@ -14,13 +14,13 @@
 namespace crowd {
 namespace {
 
-constexpr off_t MAX_SIZE = 20;  // characters of the number of a process, or more
+constexpr off_t LONGEST_OWNER = 20;  // characters of the number of a process, or more
 
 /// Whether a file can be a lock: a regular file without other names that has no more than the number of a process.
 bool isLock(const Descriptor& opened) {
   struct stat status {};
   return ::fstat(opened.number(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1 &&
-         status.st_size <= MAX_SIZE;
+         status.st_size <= LONGEST_OWNER;
 }
 
 /// Opens a lock, or makes one. What is no lock of this package is neither changed nor removed.

@@ -14,8 +14,8 @@ namespace {
 
 constexpr bool ONE_SHOT = true;  // of a timer
 constexpr bool STARTED = true;
-const ros::WallDuration PERIOD(0.1);
-constexpr std::size_t MAX_MESSAGE = 10'000;  // [bytes]
+const ros::WallDuration UPDATE_PERIOD(0.1);
+constexpr std::size_t MAX_REQUEST = 10'000;  // [bytes]
 
 }  // namespace
 
@@ -26,7 +26,7 @@ ReconfigureServer::ReconfigureServer(ros::NodeHandle private_node, std::vector<L
       private_node.advertise<dynamic_reconfigure::ConfigDescription>(names::PARAMETER_DESCRIPTIONS, 1, LATCHED);
   description_publisher_.publish(toDescription(parameters_, defaults));
   timer_ = private_node.createWallTimer(
-      PERIOD, [this](const ros::WallTimerEvent& /*event*/) { publish(false); }, !ONE_SHOT, !STARTED);
+      UPDATE_PERIOD, [this](const ros::WallTimerEvent& /*event*/) { publish(false); }, !ONE_SHOT, !STARTED);
   // Not latched: each new subscriber gets the present values, not those of the last message.
   const auto send_present_values = [this](const ros::SingleSubscriberPublisher& subscriber) {
     subscriber.publish(toMessage(parameters_, functions_.present()));
@@ -53,7 +53,7 @@ dynamic_reconfigure::Config ReconfigureServer::change(const dynamic_reconfigure:
     functions_.use(values);
   } catch (const Error& error) {
     // The response has no room for a message.
-    ROS_WARN("%s: nothing has changed: %s", names::SET_PARAMETERS, shortened(error.what(), MAX_MESSAGE).c_str());
+    ROS_WARN("%s: nothing has changed: %s", names::SET_PARAMETERS, shortened(error.what(), MAX_REQUEST).c_str());
   }
   publish(true);
   return toMessage(parameters_, functions_.present());

@@ -6,6 +6,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/simulation/route_check.h"
+#include "social_crowd/world/limits.h"
 #include "social_crowd/world/region_geometry.h"
 
 namespace crowd {
@@ -171,7 +172,7 @@ void Population::serveQueues(World& world, EpisodeMonitor& monitor) {
 void Population::spawn(World& world, EpisodeMonitor& monitor) {
   for (AgentSource& source : sources_) {
     while (world.activeCount() < limits::BODIES) {
-      const std::optional<AgentStart> start = source.next(world, places_);
+      std::optional<AgentStart> start = source.next(world, places_);
       if (!start) break;
       world.stopRequest().throwIfMade();
       const auto id = static_cast<AgentId>(world.enteredCount());

@@ -180,10 +180,10 @@ ScenarioList readScenarios(const std::string& file, const StopRequest& stop, Fil
   return readStream(loadYamlStream(file, kinds), file, stop);
 }
 
-ScenarioList readScenarios(const std::vector<std::string>& files) {
+ScenarioList readScenarios(const std::vector<std::string>& files, const StopRequest& stop) {
   std::vector<Scenario> all;
   for (const std::string& file : files) {
-    const ScenarioList scenarios = readScenarios(file);
+    const ScenarioList scenarios = readScenarios(file, stop);
     for (std::size_t i = 0; i < scenarios.size(); ++i) all.push_back(scenarios[i]);
   }
   return ScenarioList(std::move(all));

@@ -14,7 +14,7 @@ namespace crowd {
 ScenarioList readScenarios(const std::string& file, const StopRequest& stop = {}, FileKinds kinds = FileKinds::REGULAR);
 
 /// @brief Reads the scenarios of several files, in the order of the files. @throws as above.
-ScenarioList readScenarios(const std::vector<std::string>& files);
+ScenarioList readScenarios(const std::vector<std::string>& files, const StopRequest& stop = {});
 
 /// @brief Reads scenarios from a text; `name` replaces the file name in messages. @throws InputError as above.
 ScenarioList parseScenarios(const std::string& text, const std::string& name);
