@@ -14,7 +14,7 @@ class Benchmark:
     The ratio is the benchmark's time divided by the yardstick's time (rates: yardstick / value, times: value /
     yardstick). With `ratio_is_rate` it is the benchmark's rate divided by the yardstick's rate (value / yardstick)."""
     name: str
-    what: str
+    title: str
     unit: str
     bar: float
     yardstick: str = ''  # in words; empty: none

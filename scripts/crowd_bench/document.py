@@ -1,4 +1,4 @@
-"""Updates the tables of docs/performance.md and docs/performance_log.md; rows without new results are kept."""
+"""Updates the tables of docs/performance.md and research/docs; rows without new results are kept."""
 import datetime
 import os
 import pathlib
@@ -23,7 +23,7 @@ def benchmark_rows(results, document):
         if benchmark.name in measured:
             rows.append(table.row(measured[benchmark.name], benchmark))
         else:
-            rows.append(before.get(benchmark.name, [benchmark.name, benchmark.what] + [''] * (len(table.HEADER) - 2)))
+            rows.append(before.get(benchmark.name, [benchmark.name, benchmark.title] + [''] * (len(table.HEADER) - 2)))
     return rows
 
 
@@ -38,18 +38,16 @@ def machine_text(repetitions):
             ['load when all was done', f'{load:.1f} (the benchmarks are 1 of it)']]
 
 
-def fill(file, results, sweeps, profiles, repetitions):
+def fill(file, results, tables, repetitions):
     """Updates tables and pictures of the document. Returns a message for each one that was not measured.
-    @param sweeps measured (Sweep, points, picture)
-    @param profiles measured (Profile, rows)"""
+    @param tables of sweeps and profiles: (entry, header, rows, picture or None)"""
     chapter = Chapter(NAME, 'Performance')
     if results:
         rows = benchmark_rows(results, file.read_text(encoding='utf-8'))
         chapter.add_table('Benchmarks', table.HEADER, rows, 'benchmarks')
         chapter.add_table('Measured on', ['', ''], machine_text(repetitions), 'machine')
-    for sweep, points, picture in sweeps:
-        chapter.add_table(sweep.title, *sweep.table(points), sweep.name)
-        chapter.add_figure(picture, sweep.title)
-    for profile, rows in profiles:
-        chapter.add_table(profile.title, profile.header, rows, profile.name)
+    for entry, header, rows, picture in tables:
+        chapter.add_table(entry.title, header, rows, entry.name)
+        if picture:
+            chapter.add_figure(picture, entry.title)
     return fill_document(file, [chapter])

@@ -10,7 +10,8 @@ import tempfile
 
 import yaml
 
-from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, REPOSITORY, find_tools
+from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE
+from crowd_experiments.tools import REPOSITORY, find_tools
 from crowd_experiments.runs import RunError
 
 from .callgrind import COLLECT, require_valgrind

@@ -7,8 +7,6 @@ import subprocess
 
 from crowd_experiments.runs import RunError
 
-from . import rank_scaling
-
 PROGRAM = 'rank_benchmarks'
 TRAINING = 'rank_training'
 LEARNERS = 16
@@ -30,14 +28,6 @@ def run(folder, benchmark, repetitions):
     yardsticks = [each[YARDSTICKS[benchmark.name]] for each in runs]
     ratios = [benchmark.ratio(*pair) for pair in zip(values, yardsticks)]
     return benchmark.result(*map(statistics.median, (values, yardsticks, ratios)), (min(values), max(values)))
-
-
-def weak_scaling(folder):
-    """Returns (number of ranks, run) with the same number of agents on each rank; nothing without mpirun."""
-    if shutil.which('mpirun') is None:
-        return []
-    return [(ranks, measure(folder / PROGRAM, ranks, ranks * rank_scaling.AGENTS, 1)[0])
-            for ranks in rank_scaling.RANKS]
 
 
 def measure(program, ranks, size, repetitions):

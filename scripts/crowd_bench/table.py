@@ -57,7 +57,7 @@ def row(result, benchmark):
     spread."""
     def in_unit(value):
         return quantity(value, benchmark.unit)
-    return [benchmark.name, benchmark.what, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
+    return [benchmark.name, benchmark.title, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
             in_unit(result['value']), spread_text(result.get('spread')), benchmark.yardstick,
             in_unit(result['yardstick']), ratio_text(result),
             bar_text(benchmark.ratio_bar, not benchmark.ratio_is_rate, '{:g}'.format), met_text(result, benchmark)]

@@ -1,15 +1,12 @@
-"""Errors in files that are drawn."""
+"""Errors that end a program with a message."""
 
 
 class InputError(Exception):
-    """A file cannot be drawn; the message contains the file, the place and the reason."""
+    """An input is wrong; the message contains the file, the place and the reason."""
 
 
-def problem_of(error, file):
-    """Returns the message of an exception, with the file of an OSError.
-
-    :param file: named if the OSError names none
-    """
+def problem_of(error):
+    """Returns the message of an exception, with the file of an OSError if it names one."""
     if isinstance(error, OSError):
-        return f'{error.filename or file}: {error.strerror or error}'
+        return f'{error.filename}: {error.strerror}' if error.filename else str(error.strerror or error)
     return str(error)

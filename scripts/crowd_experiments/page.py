@@ -1,10 +1,13 @@
 """Writes the page with all figures and tables, and the tables as Markdown files."""
 import base64
 import html
+import itertools
 import pathlib
+import textwrap
 
 from .chapter import Figure, Table
 
+LONGEST_CELL = 80  # [characters] of a printed table
 STYLE = '''
 body { font-family: sans-serif; max-width: 75em; margin: 2em auto; padding: 0 1em; line-height: 1.4; color: #222; }
 table { border-collapse: collapse; margin: 1em 0; font-size: 0.9em; }
@@ -31,7 +34,7 @@ def chapter_html(chapter, program):
     heading = f'<h2 id="{chapter.name}">{html.escape(chapter.title)}</h2>\n'
     if program is None:
         return heading + ''.join(part_html(part) for part in chapter.parts)
-    command = f'scripts/{program} {chapter.name}'
+    command = f'research/{program} {chapter.name}'
     parts = ''.join(part_html(part, command) for part in chapter.parts)
     commands = html.escape('\n'.join(chapter.commands))
     return (f'{heading}<p>Command for this chapter: <code>{command}</code></p>\n{parts}'
@@ -75,3 +78,14 @@ def markdown_lines(table):
 
 def markdown_row(cells):
     return '| ' + ' | '.join(cells) + ' |'
+
+
+def print_table(table):
+    """Prints a table; long texts are wrapped."""
+    rows = [[textwrap.wrap(cell, LONGEST_CELL) for cell in row] for row in (table.header, *table.rows)]
+    widths = [max(len(line) for row in rows for line in row[i] or ['']) for i in range(len(table.header))]
+    print(f'\n{table.title}')
+    for row in rows:
+        for line in itertools.zip_longest(*row, fillvalue=''):
+            print('  '.join(f'{cell:<{width}}' if i == 0 else f'{cell:>{width}}'
+                            for i, (cell, width) in enumerate(zip(line, widths))).rstrip())

@@ -13,6 +13,8 @@ import threading
 
 import yaml
 
+from crowd_drawing.errors import InputError
+
 from .progress import ProgressBar
 
 STAMP = 'done.txt'  # in a run's folder: digest of commands and input files
@@ -20,7 +22,7 @@ LOG = 'log.txt'  # in a run's folder: commands, their output, processor time
 PROCESSOR_TIME = 'processor time'
 
 
-class RunError(Exception):
+class RunError(InputError):
     """A tool has failed; the message contains the end of its output."""
 
 
@@ -155,6 +157,24 @@ class Runner:
             self.stopped = True
             for child in self.children:
                 child.send_signal(signal.SIGINT)
+
+
+def carry_out(setting, chosen, arguments):
+    """Executes the runs that are not done yet; runs that several experiments share are executed once. Returns whether
+    all were completed."""
+    runs = list({run.folder: run for experiment in chosen for run in experiment.plan(setting)}.values())
+    left = runs if arguments.force else [run for run in runs if not run.is_done()]
+    print(f'{len(runs)} runs, {len(runs) - len(left)} of them done before', flush=True)
+    if not left:
+        return True
+    try:
+        Runner(arguments.processes).carry_out(left)
+    except KeyboardInterrupt:
+        done = sum(run.is_done() for run in runs)
+        print(f'Interrupted: {done} of {len(runs)} runs are done and kept in {setting.results}; '
+              'the same command continues from there.')
+        return False
+    return True
 
 
 def processor_seconds(folder):

@@ -2,6 +2,8 @@
 import dataclasses
 import pathlib
 
+from .tools import REPOSITORY
+
 
 @dataclasses.dataclass(frozen=True)
 class Setting:
@@ -10,6 +12,7 @@ class Setting:
     config: pathlib.Path  # the package's config/
     results: pathlib.Path
     quick: bool = False  # minimal numbers, to test the programs
+    experiments: pathlib.Path = REPOSITORY / 'research' / 'experiments'  # training configurations
 
     def count(self, full, quick):
         """Returns the number of seeds, episodes etc."""
@@ -25,7 +28,7 @@ class Setting:
 
     def config_file(self, name):
         """Returns a training configuration of the experiments."""
-        return self.config / 'experiments' / f'{name}.yaml'
+        return self.experiments / f'{name}.yaml'
 
     def scenario(self, name):
         """Returns a scenario file."""

@@ -31,6 +31,14 @@ def find_tools(given):
     return sourced or built
 
 
+def find_config():
+    """Returns the folder of scenarios, Q-tables and training configurations, in a clone or an installed package."""
+    for folder in (REPOSITORY / 'config', REPOSITORY.parent / 'share' / 'social_crowd' / 'config'):
+        if (folder / 'scenarios').is_dir():
+            return folder
+    raise RunError(f'{REPOSITORY}: found no config/scenarios')
+
+
 def programs_in(prefix):
     """Returns the folder of the package's programs."""
     return prefix / 'lib' / 'social_crowd'

@@ -8,14 +8,16 @@ import sys
 
 import yaml
 
-from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, positive
+from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED
+from crowd_experiments.numbers import positive
 from crowd_experiments.runs import RunError
 from crowd_launching.ports import free_port
 from crowd_launching.program import Program
 
-from .catalogue import DRIVEN
-from .measures import read_record
+from crowd_experiments.records import read_csv
 
+# Robots that are driven through ROS, and their arguments of move_base.launch.
+DRIVEN = {'move_base': {}, 'move_base_people': {'people_layer': True}}
 EXAMPLES = '''example:
   scripts/drive_robots --robot move_base --episodes 5 --robots-csv /tmp/robots.csv config/scenarios/robot_hall.yaml
 
@@ -92,7 +94,7 @@ def drive(arguments):
         return EXIT_INTERRUPTED
     if status != 0:
         return status
-    count = len(read_record(part)['episode'])
+    count = len(read_csv(part)['episode'])
     expected = arguments.episodes * len(settings['robots'].split() or [''])
     if count != expected:
         raise RunError(f'{part}: expected {expected} rows, got {count}; see the messages above')

@@ -8,8 +8,9 @@ import sys
 
 from crowd_drawing.errors import InputError, problem_of
 from crowd_experiments.numbers import positive
-from crowd_experiments.program import (EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, carry_out, find_config, find_tools,
-                                       interrupt)
+from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, interrupt
+from crowd_experiments.runs import carry_out
+from crowd_experiments.tools import find_config, find_tools
 from crowd_experiments.runs import RunError
 from crowd_experiments.setting import Setting
 from crowd_report.inputs import METRICS, RECORD, TRAJECTORIES, Source

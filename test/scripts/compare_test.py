@@ -1,4 +1,4 @@
-"""scripts/compare: measures of scenes made by hand, and a complete run."""
+"""research/compare: measures of scenes made by hand, and a complete run."""
 import glob
 import math
 import os
@@ -197,8 +197,8 @@ class CompareTest:
     """The complete program."""
 
     def compare(self, runner, *words):
-        """Starts scripts/compare with results in the test's folder."""
-        return runner.start('compare', [in_package('scripts', 'compare'), *words, '--quick',
+        """Starts research/compare with results in the test's folder."""
+        return runner.start('compare', [in_package('research', 'compare'), *words, '--quick',
                                         '--tools', tools_folder(), '--results', runner.path('results')])
 
     def write_benchmark(self, runner):

@@ -1,4 +1,4 @@
-"""scripts/flows: measures of walks made by hand, bands, tables with a time gap, and a run of evaluate."""
+"""research/flows: measures of walks made by hand, bands, tables with a time gap, and a run of evaluate."""
 import dataclasses
 import pathlib
 

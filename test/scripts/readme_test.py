@@ -59,8 +59,8 @@ NOT_RUN = {
     'scripts/test': 'runs this test',
     'scripts/demo': 'builds, which would change the programs under test',
     'scripts/demo scenario:=circle12 real_time_factor:=4': 'the same',
-    'scripts/compare all --benchmark FOLDER': 'takes hours; compare_test runs it with --quick',
-    'scripts/reproduce all': 'takes hours; reproduce_test runs it with --quick',
+    'research/compare all --benchmark FOLDER': 'takes hours; compare_test runs it with --quick',
+    'research/reproduce all': 'takes hours; reproduce_test runs it with --quick',
     'scripts/bench': 'takes minutes; bench_test runs parts of it',
 }
 KNOWN = [*WALKING, *IN_RVIZ, MOVE_BASE, FILM, *LEARNING, *SERVICES, *ROBOT, ARGUMENTS, IMPORT, *NOT_RUN]
@@ -101,13 +101,13 @@ class ReadmeTest:
         launch = read_text(in_package('launch', 'demo.launch'))
         for line in NOT_RUN:
             script, *words = line.split()
-            if not script.startswith('scripts/'):
+            if not script.startswith(('scripts/', 'research/')):
                 continue
             assert os.access(in_package(script), os.X_OK), line
             for word in words:
                 if ':=' in word:
                     assert_says(launch, f'<arg name="{word.partition(":=")[0]}"')
-        assert_says(read_text(in_package('scripts', 'crowd_comparison', 'program.py')), "'--benchmark'")
+        assert_says(read_text(in_package('research', 'crowd_comparison', 'program.py')), "'--benchmark'")
 
     def test_films(self, terminal):
         assert_says(terminal.run(FILM), 'station.gif: 172 frames')

@@ -1,4 +1,4 @@
-"""Parts of the tables of scripts/reproduce: records, and the rules for judging claims and choices."""
+"""Parts of the tables of research/reproduce: records, and the rules for judging claims and choices."""
 import math
 
 import numpy

@@ -1,4 +1,4 @@
-"""Measures of scripts/reproduce, compared with numbers computed by hand."""
+"""Measures of research/reproduce, compared with numbers computed by hand."""
 import math
 
 import numpy

@@ -1,4 +1,4 @@
-"""scripts/reproduce: results, continuation, interruption, and variations of shipped files."""
+"""research/reproduce: results, continuation, interruption, and variations of shipped files."""
 import csv
 import glob
 import os
@@ -24,8 +24,8 @@ class ReproduceTest:
     """The complete program."""
 
     def reproduce(self, runner, *words):
-        """Starts scripts/reproduce with results in the test's folder."""
-        return runner.start('reproduce', [in_package('scripts', 'reproduce'), *words, '--tools', tools_folder(),
+        """Starts research/reproduce with results in the test's folder."""
+        return runner.start('reproduce', [in_package('research', 'reproduce'), *words, '--tools', tools_folder(),
                                           '--results', runner.path('results')])
 
     def stamps(self, runner):
@@ -41,7 +41,7 @@ class ReproduceTest:
         assert read_text(document).count('\n| thesis\'s parameters, heading: ') == 12
         page = read_text(runner.path('results/index.html'))
         assert '4.1-4.12' in page
-        assert 'scripts/reproduce reward_evaluation' in page
+        assert 'research/reproduce reward_evaluation' in page
         assert '<script' not in page
         figures = {'fig_4_01.png', *(f'fig_4_{number:02d}{parameters}.png' for number in range(2, 13)
                                      for parameters in ('', '_better'))}
@@ -100,7 +100,7 @@ class ReproduceTest:
         for tool in ('train', 'evaluate'):
             runner.write(tool, '#!/bin/sh\necho the disk is on fire >&2\nexit 3\n')
             os.chmod(runner.path(tool), stat.S_IRWXU)
-        failing = runner.start('reproduce', [in_package('scripts', 'reproduce'), 'sharing', '--quick',
+        failing = runner.start('reproduce', [in_package('research', 'reproduce'), 'sharing', '--quick',
                                              '--tools', runner.folder, '--results', runner.path('results')])
         assert failing.wait() == 1
         assert_says(failing.output(), 'exit status 3', 'the disk is on fire')
@@ -120,7 +120,7 @@ class VariationsTest:
         config, results = pathlib.Path(runner.path('config')), pathlib.Path(runner.path('results'))
         for folder in ('experiments', 'scenarios'):
             (config / folder).mkdir(parents=True, exist_ok=True)
-        return Setting(pathlib.Path(), config, results)
+        return Setting(pathlib.Path(), config, results, experiments=config / 'experiments')
 
     def test_changes_by_the_paths_of_keys(self):
         scene = {'agents': [{'speed': 1, 'heading': 0}, {'speed': 2}], 'order': 'sequential'}

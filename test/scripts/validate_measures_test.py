@@ -1,4 +1,4 @@
-"""scripts/validate: measures of trajectories made by hand, places and speeds of people, and texts of results."""
+"""research/validate: measures of trajectories made by hand, places and speeds of people, and texts of results."""
 import math
 import os
 import pathlib

@@ -1,0 +1,10 @@
+"""The command line of research/bench_sweeps."""
+from crowd_bench import program
+
+from .rank_scaling import RANK_SWEEPS
+from .sweeps import SWEEPS
+
+
+def main(words=None):
+    """Runs the program with command line words. Returns the exit status."""
+    return program.main(words, {'sweeps': (*SWEEPS, *RANK_SWEEPS)}, 'research/bench_sweeps crowd_step_agents')
