@@ -2,7 +2,7 @@
 import importlib
 import importlib.util
 
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 
 from .claim import RULE, add_claims
 

@@ -29,9 +29,8 @@ def dummies(setting):
     texts, verdicts = [], []
     for parameters, scenario in (('thesis', 'dummies'), ('thesis', runs.WIDE), ('better', 'dummies')):
         table = 'agent', 'occupancy', parameters
-        success, contact, collision = zip(*runs.measured(setting, table, scenario))
-        texts.append(f'{scenario}, {names.PARAMETER_NAMES[parameters]}: success {Spread(success).text(1)} %, collision '
-                     f'{Spread(collision).text(1)} %, contact {Spread(contact).text(1)} %')
+        texts.append(f'{scenario}, {names.PARAMETER_NAMES[parameters]}: '
+                     + names.rates_sentence(runs.measured(setting, table, scenario)))
         if parameters == 'thesis':
             verdicts.append(graded(runs.clean_share(setting, table, seed, scenario)
                                    for seed in setting.seeds(runs.SEEDS)))

@@ -1,9 +1,7 @@
 """Criteria by which several claims about crowds are judged."""
 import numpy
 
-from crowd_experiments.records import Spread
-
-from . import scenario_runs as runs
+from . import names, scenario_runs as runs
 from .claim import CONFIRMED, PARTLY, NOT_CONFIRMED, decide_all, decide_each
 
 GOOD, HALF = 90.0, 50.0  # [%] success rates from which a claim is confirmed, and partly confirmed
@@ -40,6 +38,4 @@ def best_of(verdicts):
 
 
 def rates_text(setting, scenario):
-    success, contact, collision = zip(*runs.measured(setting, runs.MAIN, scenario))
-    return (f'success {Spread(success).text(1)} %, collision {Spread(collision).text(1)} %, contact '
-            f'{Spread(contact).text(1)} %')
+    return names.rates_sentence(runs.measured(setting, runs.MAIN, scenario))

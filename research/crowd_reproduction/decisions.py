@@ -1,10 +1,12 @@
 """Reads the decisions that `evaluate --states` records, and the number of visits of each row of a Q-table."""
 import dataclasses
+import io
 
 import numpy
+import pandas
+from crowd_experiments import records
 
 HEADER = ['instance', 'tick', 'agent', 'x', 'y', 'heading', 'row', 'action', 'occupied']
-NUMBERS = HEADER[:-1]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -16,18 +18,14 @@ class Sector:
 
 
 def read_decisions(file):
-    """Returns the columns of a record of decisions by their names: arrays, and the list `occupied` of texts; the array
-    `sectors` has the number of occupied sectors."""
+    """Returns a table of decisions; the column `occupied` has texts, `sectors` the number of occupied sectors."""
     with open(file, encoding='utf-8') as stream:
         if next(stream, '').rstrip('\n').split(',') != HEADER:
             raise ValueError(f"{file}:1: expected the header {','.join(HEADER)}")
-        lines = [line.rstrip('\n').rsplit(',', 1) for line in stream]
-    numbers = numpy.fromstring(','.join(line[0] for line in lines), sep=',').reshape(-1, len(NUMBERS))
-    decisions = {name: column if name in ('x', 'y', 'heading') else column.astype(int)
-                 for name, column in zip(NUMBERS, numbers.T)}
-    occupied = [line[1] for line in lines]
-    sectors = numpy.array([text.count(' ') + 1 if text else 0 for text in occupied], dtype=int)
-    return {**decisions, 'occupied': occupied, 'sectors': sectors}
+        decisions = pandas.read_csv(io.StringIO(stream.read()), names=HEADER, keep_default_na=False, dtype={
+            'x': float, 'y': float, 'heading': float, 'occupied': str})
+    decisions['sectors'] = decisions['occupied'].str.count(':').floordiv(2)
+    return decisions
 
 
 def sectors_of(occupied):
@@ -40,13 +38,7 @@ def sectors_of(occupied):
 
 def read_visits(file):
     """Returns the number of visits of each row of a Q-table, as an array."""
-    with open(file, encoding='utf-8') as stream:
-        next(stream)
-        header = dict(line.split(': ', 1) for line in iter(lambda: next(stream), '---\n'))
-        visits = numpy.zeros(int(header['rows']), dtype=int)
-        for line in stream:
-            if line.startswith(('source', 'checksum')):  # the visits of other sources follow
-                break
-            row, *cells = line.split(' ')
-            visits[int(row)] = sum(map(int, cells[::2]))
+    visits = numpy.zeros(int(records.read_table_header(file)['rows']), dtype=int)
+    found = records.read_visits(file)
+    visits[list(found)] = list(found.values())
     return visits

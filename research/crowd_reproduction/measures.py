@@ -56,20 +56,6 @@ def within_next(flags, ticks):
     return following
 
 
-def grid_of(decisions, chosen):
-    """Returns places (tick, agent, 2), nan without a decision, and a function that arranges a column of the chosen
-    decisions (of one instance) in the same way."""
-    ticks, agents = decisions['tick'][chosen], decisions['agent'][chosen]
-    shape = ticks.max() + 1, agents.max() + 1
-
-    def lay_out(column, empty):
-        grid = numpy.full(shape + column.shape[1:], empty)
-        grid[ticks, agents] = column
-        return grid
-
-    return lay_out(numpy.column_stack([decisions['x'][chosen], decisions['y'][chosen]]), numpy.nan), lay_out
-
-
 def is_contact(distances):
     """Returns whether two bodies overlap, given the distances of their centres [m]."""
     return distances < 2 * RADIUS - CONTACT_OVERLAP
@@ -78,6 +64,11 @@ def is_contact(distances):
 def is_collision(distances):
     """Returns whether the rim of a body is within the collision radius, given the distances of the centres [m]."""
     return distances <= COLLISION_RADIUS + RADIUS
+
+
+def share(part, whole):
+    """Returns part / whole [%]; nan if whole is 0."""
+    return 100.0 * part / whole if whole else float('nan')
 
 
 @dataclasses.dataclass
@@ -105,8 +96,8 @@ class Outcome:
 @dataclasses.dataclass
 class Surrounded:
     """Decisions of surrounded agents, decisions of other agents, and the results of the surrounded agents."""
-    inside: Outcome
-    outside: Outcome
+    inside: Outcome = dataclasses.field(default_factory=Outcome)
+    outside: Outcome = dataclasses.field(default_factory=Outcome)
     agents: int = 0
     surrounded: int = 0  # agents that were ever surrounded
     surrounded_arrived: int = 0
@@ -117,36 +108,43 @@ class Surrounded:
         """Returns the number of decisions of surrounded agents per 1,000 decisions."""
         return 10.0 * share(self.inside.decisions, self.inside.decisions + self.outside.decisions)
 
-    def surrounded_share(self):
-        """Returns the share of agents that were ever surrounded [%]."""
-        return share(self.surrounded, self.agents)
+    def touched_share(self):
+        """Returns the share of agents that were ever surrounded and then had a contact [%]."""
+        return share(self.surrounded_touched, self.surrounded)
 
 
-def share(part, whole):
-    """Returns part / whole [%]; nan if whole is 0."""
-    return 100.0 * part / whole if whole else float('nan')
+def instances_of(decisions, ticks):
+    """Yields for each instance: its number, a function that arranges a value of each decision as (tick, agent), and
+    whether a contact and a collision follow within the next ticks."""
+    for instance, rows in decisions.groupby('instance'):
+        place = rows['tick'].to_numpy(), rows['agent'].to_numpy()
+        shape = place[0].max() + 1, place[1].max() + 1
+
+        def lay_out(column, empty):
+            grid = numpy.full(shape + column.shape[1:], empty)
+            grid[place] = column
+            return grid
+
+        distances = nearest_distances(lay_out(rows[['x', 'y']].to_numpy(), numpy.nan))
+        yield instance, rows, lay_out, *(within_next(flags, ticks) for flags in
+                                         (is_contact(distances), is_collision(distances)))
 
 
 def surrounded(decisions, arrived, least_sectors, ticks):
     """Counts how often agents are surrounded (at least least_sectors sectors occupied), and contacts and collisions
     within the next ticks. Arrived: a set of (instance, agent)."""
-    result = Surrounded(Outcome(), Outcome())
-    for instance in numpy.unique(decisions['instance']):
-        chosen = decisions['instance'] == instance
-        places, lay_out = grid_of(decisions, chosen)
-        sectors = lay_out(decisions['sectors'][chosen], -1)
-        distances = nearest_distances(places)
-        contact = within_next(is_contact(distances), ticks)
-        collision = within_next(is_collision(distances), ticks)
+    result = Surrounded()
+    for instance, rows, lay_out, contact, collision in instances_of(decisions, ticks):
+        sectors = lay_out(rows['sectors'].to_numpy(), -1)
         is_surrounded = sectors >= least_sectors
         result.inside.add(is_surrounded, contact, collision)
         result.outside.add((sectors >= 0) & ~is_surrounded, contact, collision)
         result.agents += is_surrounded.shape[1]
         result.longest = max(result.longest, longest_run(is_surrounded))
-        for agent in numpy.flatnonzero(is_surrounded.any(axis=0)):
-            result.surrounded += 1
-            result.surrounded_arrived += (int(instance), int(agent)) in arrived
-            result.surrounded_touched += bool((is_surrounded & contact)[:, agent].any())
+        found = numpy.flatnonzero(is_surrounded.any(axis=0))
+        result.surrounded += len(found)
+        result.surrounded_arrived += sum((int(instance), int(agent)) in arrived for agent in found)
+        result.surrounded_touched += int((is_surrounded & contact).any(axis=0).sum())
     return result
 
 
@@ -163,13 +161,9 @@ def by_visits(decisions, visits, limits, ticks, least_sectors=0):
     """Returns the outcomes of decisions by the number of visits of their row in training. Each class reaches from one
     limit to below the next. Only decisions with at least least_sectors occupied sectors count."""
     outcomes = [Outcome() for _ in limits]
-    for instance in numpy.unique(decisions['instance']):
-        chosen = decisions['instance'] == instance
-        places, lay_out = grid_of(decisions, chosen)
-        counted = lay_out(numpy.where(decisions['sectors'][chosen] >= least_sectors,
-                                      numpy.digitize(visits[decisions['row'][chosen]], limits) - 1, -1), -1)
-        distances = nearest_distances(places)
-        contact, collision = (within_next(flags, ticks) for flags in (is_contact(distances), is_collision(distances)))
+    for _, rows, lay_out, contact, collision in instances_of(decisions, ticks):
+        classes = numpy.digitize(visits[rows['row']], limits) - 1
+        counted = lay_out(numpy.where(rows['sectors'] >= least_sectors, classes, -1), -1)
         for i, outcome in enumerate(outcomes):
             outcome.add(counted == i, contact, collision)
     return outcomes

@@ -18,7 +18,7 @@ SURROUNDED_COLOUR = '#ff7f0e'  # orange in the thesis
 KEY = 'Discs: bodies; circles: agents that have arrived and are removed; crosses: goals; grey: obstacles.'
 
 
-def recorded(setting, table, scenario):
+def recorded(setting):
     """Returns seed and instance of each recorded episode."""
     return [(seed, instance) for seed in setting.seeds(runs.SEEDS) for instance in range(setting.count(runs.WALKED, 2))]
 
@@ -32,15 +32,13 @@ def rates_sentence(setting, table, scenario):
     """Returns a text with the rates of the agents, and the share of episodes in which all agents arrive."""
     whole = Spread(100.0 * numpy.mean(episodes['arrived'] == episodes['agents']) for episodes in
                    (runs.episodes_of(setting, table, seed, scenario) for seed in setting.seeds(runs.SEEDS)))
-    success, contact, collision = (Spread(values).mean for values in
-                                   zip(*runs.measured(setting, table, scenario)))
-    return (f'success {success:.0f} %, collision {collision:.0f} %, contact {contact:.1f} %; all agents arrive in '
+    return (f'{names.means_sentence(runs.measured(setting, table, scenario), 1)}; all agents arrive in '
             f'{whole.mean:.0f} % of the episodes')
 
 
 def first_success(setting, table, scenario):
     """Returns the first recorded episode in which all agents arrive; if there is none, the first episode."""
-    episodes = recorded(setting, table, scenario)
+    episodes = recorded(setting)
     return next((episode for episode in episodes if all_arrive(setting, table, scenario, *episode)), episodes[0])
 
 
@@ -64,7 +62,7 @@ def add_dummies(chapter, setting):
 
 def draw_dummies(line, setting, table, scenario, texts):
     """Draws four episodes side by side, first those in which the agent arrives. Returns width and height [m]."""
-    chosen = sorted(recorded(setting, table, scenario),
+    chosen = sorted(recorded(setting),
                     key=lambda episode: not all_arrive(setting, table, scenario, *episode))
     pictures = []
     for panel, letter, (seed, instance) in zip(line, 'abcd', chosen):
@@ -75,9 +73,8 @@ def draw_dummies(line, setting, table, scenario, texts):
         panel.set_title(f'({letter}) seed {seed}: ' + ('arrives' if arrives else 'does not arrive'))
         panel.label_outer()
     line[0].set_ylabel(f'{names.PARAMETER_NAMES[table[2]]},\n{scenario}\ny [m]')
-    success, contact, collision = (Spread(values).mean for values in zip(*runs.measured(setting, table, scenario)))
-    texts.append(f'{names.PARAMETER_NAMES[table[2]]}, {scenario}: success {success:.0f} %, collision {collision:.0f} '
-                 f'%, contact {contact:.0f} %')
+    texts.append(f'{names.PARAMETER_NAMES[table[2]]}, {scenario}: '
+                 + names.means_sentence(runs.measured(setting, table, scenario)))
     return frame_alike(pictures)
 
 
@@ -140,7 +137,7 @@ def episode_sentence(setting, table, scenario, episode):
 
 def best_of(setting, table, scenario):
     """Returns the best recorded episode of all seeds."""
-    return min(recorded(setting, table, scenario), key=lambda episode: badness(setting, table, scenario, episode))
+    return min(recorded(setting), key=lambda episode: badness(setting, table, scenario, episode))
 
 
 def add_best(chapter, setting):
@@ -184,7 +181,7 @@ def add_worst(chapter, setting):
             left, collided, touched, ticks = badness(setting, table, scenario, episode)
             return touched, left, collided, ticks
 
-        worst = max(recorded(setting, table, scenario), key=harm)
+        worst = max(recorded(setting), key=harm)
         found = surrounded_agent(setting, table, scenario, worst)
         moments = None if found is None else [found[1] - 40, found[1], found[1] + 20, 2000]
         pictures += draw_row(line, setting, table, scenario, worst, moments, found and found[0])

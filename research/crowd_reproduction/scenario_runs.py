@@ -81,8 +81,8 @@ def make_run(setting, table, seed):
     """Returns a run that trains a crowd on a mix of scenarios, and evaluates it."""
     _, states, parameters = table
     return Run(folder_of(setting, table, seed), [
-        [setting.tool('train'), setting.config_file(f'crowd_mix_{states}_{parameters}'), '--output',
-         agent_training.TABLE, '--seed', seed, '--episodes', setting.count(MIX_EPISODES, 16)],
+        agent_training.train(setting, setting.config_file(f'crowd_mix_{states}_{parameters}'), seed,
+                             setting.count(MIX_EPISODES, 16), '--output', agent_training.TABLE),
         judged_walk(setting, seed)], cost=2.5)
 
 
@@ -96,14 +96,14 @@ def agent_walks(setting, states, seed):
     """Returns the commands for the tables of one agent, after the first part of the training and after both."""
     commands = [judged_walk(setting, seed, agent_training.SINGLE_TABLE, 'single.csv'), judged_walk(setting, seed)]
     if states == 'occupancy':
-        walk = agent_training.walk(setting, agent_training.TABLE, seed) + ['--episodes', setting.count(WALKED, 2)]
-        commands += [walk + ['--scenes', '.', '--trajectories', '.', *map(setting.scenario, SCENARIOS),
+        walk = agent_training.walk(setting, agent_training.TABLE, seed)
+        walked = ['--episodes', setting.count(WALKED, 2)]
+        commands += [
+            walk + walked + ['--scenes', '.', '--trajectories', '.', *map(setting.scenario, SCENARIOS),
                              *far_scenarios(setting), wide_dummies(setting)],
-                     agent_training.walk(setting, agent_training.TABLE, seed) + [
-                         '--episodes', setting.count(EPISODES, 2), '--record', RECORDS[WIDE], wide_dummies(setting)],
-                     agent_training.walk(setting, agent_training.TABLE, seed) + [
-                         '--episodes', 1, '--record', RECORDS['circle12_exact'], *exact_scenarios(setting)],
-                     walk + ['--states', 'states', *map(setting.scenario, WATCHED)]]
+            walk + ['--episodes', setting.count(EPISODES, 2), '--record', RECORDS[WIDE], wide_dummies(setting)],
+            walk + ['--episodes', 1, '--record', RECORDS['circle12_exact'], *exact_scenarios(setting)],
+            walk + walked + ['--states', 'states', *map(setting.scenario, WATCHED)]]
     return commands
 
 

@@ -8,9 +8,18 @@ LEAST_SECTORS = 7  # of 8 occupied: "in almost every single angle interval"
 SOON = 10  # [ticks], in which an agent walks 0.3 m, which is more than its radius
 VISIT_CLASSES = {0: 'never', 1: '1-9 times', 10: '10-99 times', 100: '100 times or more'}
 CROWDED = 3  # sectors
-HEADER = ['', 'surrounded, per 1,000 decisions', 'agents ever surrounded %', f'contact within {SOON} decisions %',
-          'contact, other decisions %', f'collision within {SOON} decisions %', 'collision, other decisions %',
-          'longest [decisions]', 'surrounded agents that arrive %', f'with a contact within {SOON} decisions %']
+# Columns of the table: measure and decimals, by title.
+COLUMNS = {
+    'surrounded, per 1,000 decisions': (lambda one: one.per_thousand(), 2),
+    'agents ever surrounded %': (lambda one: share(one.surrounded, one.agents), 1),
+    f'contact within {SOON} decisions %': (lambda one: one.inside.contact_share(), 1),
+    'contact, other decisions %': (lambda one: one.outside.contact_share(), 1),
+    f'collision within {SOON} decisions %': (lambda one: one.inside.collision_share(), 1),
+    'collision, other decisions %': (lambda one: one.outside.collision_share(), 1),
+    'longest [decisions]': (lambda one: one.longest, 0),
+    'surrounded agents that arrive %': (lambda one: share(one.surrounded_arrived, one.surrounded), 1),
+    f'with a contact within {SOON} decisions %': (lambda one: one.touched_share(), 1)}
+HEADER = ['', *COLUMNS]
 DEFINITIONS = (
     f'Surrounded: {LEAST_SECTORS} or 8 of 8 sectors occupied. Contact and collision: with another agent, at the '
     f'end of any of the next {SOON} decisions. Other decisions: those with fewer sectors occupied. The last two '
@@ -26,16 +35,7 @@ def measured(setting, table, scenario):
 
 def row_of(label, found):
     """Returns a row of the table, from a Surrounded for each seed."""
-    return [label, *(Spread.of_numbers(values).text(decimals) for values, decimals in (
-        ([one.per_thousand() for one in found], 2),
-        ([one.surrounded_share() for one in found], 1),
-        ([one.inside.contact_share() for one in found], 1),
-        ([one.outside.contact_share() for one in found], 1),
-        ([one.inside.collision_share() for one in found], 1),
-        ([one.outside.collision_share() for one in found], 1),
-        ([one.longest for one in found], 0),
-        ([share(one.surrounded_arrived, one.surrounded) for one in found], 1),
-        ([share(one.surrounded_touched, one.surrounded) for one in found], 1)))]
+    return [label, *(Spread.of_numbers(map(measure, found)).text(decimals) for measure, decimals in COLUMNS.values())]
 
 
 def add_table(chapter, setting):

@@ -30,8 +30,9 @@ def plan(setting):
 def make_run(setting, states, parameters, seed):
     """Returns a run that trains on the tests, then runs them."""
     return Run(folder_of(setting, ('twins', states, parameters), seed), [
-        [setting.tool('train'), setting.config_file(f'twins_{states}_{parameters}'), '--output', agent_training.TABLE,
-         '--seed', seed, '--episodes', setting.count(TWINS_EPISODES, 40)], *walks(setting, 'twins', seed)], cost=1.0)
+        agent_training.train(setting, setting.config_file(f'twins_{states}_{parameters}'), seed,
+                             setting.count(TWINS_EPISODES, 40), '--output', agent_training.TABLE),
+        *walks(setting, 'twins', seed)], cost=1.0)
 
 
 def agent_walks(setting, seed):
@@ -61,25 +62,15 @@ def folder_of(setting, agent, seed):
     return agent_training.folder_of(setting, states, parameters, seed)
 
 
-def table_of(setting, agent, seed):
-    """Returns the Q-table file of an agent."""
-    return folder_of(setting, agent, seed) / TABLES[agent[0]]
-
-
 def drawn_folder(setting, agent, seed):
     """Returns the folder of the trajectories to be drawn, and of their scenes."""
     return folder_of(setting, agent, seed) / f'tests_{agent[0]}'
 
 
 @functools.lru_cache(maxsize=None)
-def record_of(setting, agent, seed):
-    """Returns the record of an agent in all tests."""
-    return read_csv(folder_of(setting, agent, seed) / f'tests_{agent[0]}.csv')
-
-
 def records_of(setting, agent):
-    """Returns the records of all seeds."""
-    return [record_of(setting, agent, seed) for seed in setting.seeds(SEEDS)]
+    """Returns the records of an agent in all tests, of all seeds."""
+    return [read_csv(folder_of(setting, agent, seed) / f'tests_{agent[0]}.csv') for seed in setting.seeds(SEEDS)]
 
 
 def measured(setting, agent, test):

@@ -6,10 +6,9 @@ import signal
 import sys
 import typing
 
-from crowd_experiments.document import fill_document
-from crowd_experiments.numbers import positive
+from crowd_experiments.pages import fill_document
+from crowd_experiments.arguments import positive
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, interrupt
-from crowd_experiments.page import print_table
 from crowd_experiments.tools import find_config, find_tools
 from crowd_experiments.runs import RunError, Runner
 from crowd_robots.driving import DRIVEN
@@ -151,7 +150,7 @@ def report(benchmark, document):
     if not chapter.tables():
         raise RunError(f'{benchmark.output}: has no results')
     for table in chapter.tables():
-        print_table(table)
+        table.print()
     if document:
         for message in fill_document(document, [chapter]):
             print(message)

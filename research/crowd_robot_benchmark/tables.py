@@ -1,7 +1,7 @@
 """Tables of the benchmark of robots."""
 import math
 
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 
 from .catalogue import CROWDNAV_ORCA, INVISIBLE, VISIBLE
 from .measures import Summary, interval, joined, rows_of

@@ -7,10 +7,9 @@ import signal
 import sys
 import time
 
-from crowd_experiments.document import fill_document
+from crowd_experiments.pages import fill_document, write_page
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, interrupt
-from crowd_experiments.numbers import positive
-from crowd_experiments.page import print_table, write_page, write_tables
+from crowd_experiments.arguments import positive
 from crowd_experiments.progress import text_of
 from crowd_experiments.runs import RunError, carry_out
 from crowd_experiments.setting import Setting
@@ -100,9 +99,11 @@ class Program:
                 continue
             chapter = experiment.report(setting)
             chapter.commands = runs[0].lines()
-            write_tables(setting.results / 'tables', chapter)
+            folder = setting.results / 'tables'
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / f'{chapter.name}.md').write_text(chapter.markdown(), encoding='utf-8')
             chapters.append(chapter)
             if experiment in chosen:
                 for table in chapter.tables():
-                    print_table(table)
+                    table.print()
         return chapters

@@ -5,11 +5,9 @@ import signal
 import sys
 import time
 
-from crowd_experiments.chapter import Chapter
-from crowd_experiments.document import fill_document
-from crowd_experiments.numbers import positive
+from crowd_experiments.pages import Chapter, fill_document
+from crowd_experiments.arguments import positive
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, interrupt
-from crowd_experiments.page import print_table
 from crowd_experiments.tools import find_config, find_tools
 from crowd_experiments.progress import text_of
 from crowd_experiments.runs import RunError
@@ -124,7 +122,7 @@ def report(output, chosen, document):
     if not table:
         raise RunError(f'{output}: has no results of the chosen cases')
     for part in table:
-        print_table(part)
+        part.print()
     if document:
         for message in fill_document(document, [chapter]):
             print(message)

@@ -4,8 +4,7 @@ import os
 import pathlib
 import re
 
-from crowd_experiments.document import fill_document
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter, fill_document
 
 from . import table
 from .catalogue import BENCHMARKS

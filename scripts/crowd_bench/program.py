@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED
-from crowd_experiments.numbers import positive
+from crowd_experiments.arguments import positive
 from crowd_experiments.runs import RunError
 from crowd_experiments.tools import REPOSITORY
 

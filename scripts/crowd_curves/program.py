@@ -9,8 +9,7 @@ from crowd_curves.drawing import draw_curves, measures_of
 from crowd_curves.records import by_scenario, read_run
 from crowd_drawing.errors import InputError, problem_of
 from crowd_experiments.confidence import t_quantile
-from crowd_experiments.labels import labelled
-from crowd_experiments.numbers import positive
+from crowd_experiments.arguments import labelled, positive
 
 EXAMPLES = '''examples:
   for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\

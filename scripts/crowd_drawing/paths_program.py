@@ -7,7 +7,7 @@ from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.files import find_scenario, read_scene, read_walks
 from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of
 from crowd_drawing.surroundings import draw_surroundings
-from crowd_experiments.numbers import at_least_zero, whole
+from crowd_experiments.arguments import at_least_zero, whole
 
 EXAMPLES = '''examples:
   rosrun social_crowd evaluate --q-table config/q_tables/human.txt --trajectories recordings place_corner

@@ -1,6 +1,7 @@
 """Folders and numbers that all experiments share."""
 import dataclasses
 import pathlib
+import typing
 
 from .tools import REPOSITORY
 
@@ -13,6 +14,7 @@ class Setting:
     results: pathlib.Path
     quick: bool = False  # minimal numbers, to test the programs
     experiments: pathlib.Path = REPOSITORY / 'research' / 'experiments'  # training configurations
+    benchmark: typing.Optional[pathlib.Path] = None  # folder of the steering benchmark
 
     def count(self, full, quick):
         """Returns the number of seeds, episodes etc."""
@@ -33,6 +35,14 @@ class Setting:
     def scenario(self, name):
         """Returns a scenario file."""
         return self.config / 'scenarios' / f'{name}.yaml'
+
+    def learning(self, model):
+        """Returns a shipped training configuration."""
+        return self.config / 'learning' / f'{model}.yaml'
+
+    def table(self, model):
+        """Returns a shipped Q-table."""
+        return self.config / 'q_tables' / f'{model}.txt'
 
     def run_folder(self, experiment, run):
         """Returns the folder of a run."""

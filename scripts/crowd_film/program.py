@@ -8,7 +8,7 @@ import tempfile
 
 from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.outputs import check_output
-from crowd_experiments.numbers import above_zero, at_least_zero, pixels, whole
+from crowd_experiments.arguments import above_zero, at_least_zero, pixels, whole
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, interrupt
 from crowd_experiments.tools import find_tools
 from crowd_experiments.runs import RunError

@@ -7,7 +7,7 @@ import argparse
 import pathlib
 import sys
 
-from crowd_experiments.numbers import above_zero
+from crowd_experiments.arguments import above_zero
 from crowd_import.errors import InputError
 from crowd_import.pedsim_conversion import Conversion
 from crowd_import.pedsim_scene import PedsimScene

@@ -8,7 +8,7 @@ import sys
 from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.files import DEFAULT_TICK
 from crowd_drawing.outputs import check_output
-from crowd_experiments.numbers import above_zero, whole
+from crowd_experiments.arguments import above_zero, whole
 from crowd_recordings.formats import WRITERS, read_recording, write_recording
 
 EXAMPLES = '''examples:

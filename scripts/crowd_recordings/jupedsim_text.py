@@ -7,7 +7,7 @@ import argparse
 import re
 
 from crowd_drawing.errors import InputError
-from crowd_experiments.numbers import above_zero
+from crowd_experiments.arguments import above_zero
 from crowd_recordings.recording import Recording, collect, numbers_of
 
 RATE = re.compile(r'framerate\s*:?\s*([-+.\deE]+)')

@@ -4,7 +4,7 @@ import pathlib
 
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import HEADER
-from crowd_experiments.labels import labelled
+from crowd_experiments.arguments import labelled
 from crowd_experiments.records import read_csv
 
 METRICS, LOG, RECORD, TRAJECTORIES = 'metrics', 'log', 'record', 'trajectories'

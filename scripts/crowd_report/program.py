@@ -8,7 +8,7 @@ import tempfile
 
 from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.outputs import check_output
-from crowd_experiments.page import write_page
+from crowd_experiments.pages import write_page
 from crowd_report.chapters import chapters_of
 from crowd_report.inputs import HEADERS, LOG, RECORD, source_of
 

@@ -9,7 +9,7 @@ import sys
 import yaml
 
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED
-from crowd_experiments.numbers import positive
+from crowd_experiments.arguments import positive
 from crowd_experiments.runs import RunError
 from crowd_launching.ports import free_port
 from crowd_launching.program import Program

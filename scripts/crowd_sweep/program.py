@@ -7,7 +7,7 @@ import signal
 import sys
 
 from crowd_drawing.errors import InputError, problem_of
-from crowd_experiments.numbers import positive
+from crowd_experiments.arguments import positive
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, interrupt
 from crowd_experiments.runs import carry_out
 from crowd_experiments.tools import find_config, find_tools

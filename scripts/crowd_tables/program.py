@@ -7,7 +7,7 @@ import sys
 from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.files import HOMES
 from crowd_drawing.outputs import check_output
-from crowd_experiments.numbers import whole
+from crowd_experiments.arguments import whole
 from crowd_tables.actions import action_names
 from crowd_tables.drawing import draw_table
 from crowd_tables.state_sets import meaning_of

@@ -10,7 +10,7 @@ import statistics
 import pytest
 import yaml
 from crowd_drawing.motion import place_of
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.runs import Run
 from crowd_experiments.setting import Setting
 from crowd_experiments.variations import changed, vary_config, vary_scenario

@@ -1,6 +1,6 @@
 """Ablations: each idea of the anticipation crowd is switched off once."""
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import vary_config

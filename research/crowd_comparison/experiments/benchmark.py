@@ -2,7 +2,7 @@
 import sys
 
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run, processor_seconds
 

@@ -3,7 +3,7 @@ import numpy
 
 from crowd_drawing.files import read_scene, read_walks
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, rates, read_csv
 from crowd_experiments.runs import Run
 from crowd_studies.scene_figures import draw_moment, last_tick_of

@@ -6,7 +6,7 @@ import numpy
 from crowd_drawing.files import read_scene
 from crowd_drawing.picture import OBSTACLE_COLOUR, Picture
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import rates, read_csv, read_tracks
 from crowd_experiments.runs import Run
 

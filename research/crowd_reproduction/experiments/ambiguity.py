@@ -3,7 +3,7 @@ import numpy
 
 from crowd_drawing.files import read_scene
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import (Spread, median, of_scenario, percent, read_table_header, read_tracks)
 from crowd_studies.scene_figures import draw_perception, draw_scene, frame_alike
 
@@ -54,7 +54,7 @@ def first_decision(setting, scene, states):
     set."""
     folder = twins.folder_of(setting, ('single', states, 'thesis'), 1)
     decisions = read_decisions(folder / 'scenes' / f'{scene}.csv')
-    return {name: column[0] for name, column in decisions.items()}
+    return decisions.iloc[0]
 
 
 def rows_of(setting, states):
@@ -124,7 +124,7 @@ def find_walk(setting, agent, tests, condition):
     """Returns seed, test and instance of the first recorded episode whose row of the record meets a condition, and
     whether there is one; otherwise the first episode. Order: seeds, tests, instances."""
     for seed in setting.seeds(twins.SEEDS):
-        record = twins.record_of(setting, agent, seed)
+        record = twins.records_of(setting, agent)[seed - 1]
         for test in tests:
             lines = numpy.flatnonzero(of_scenario(record, test))[:setting.count(twins.WALKED, 2)]
             for instance, line in enumerate(lines):
@@ -163,7 +163,7 @@ def add_failures(chapter, setting):
     for panel, letter, (title, tests, condition) in zip(axes[0], 'abc', FAILURES):
         seed, test, instance, found = find_walk(setting, agent, tests, condition)
         draw_walk(panel, setting, agent, seed, test, instance)
-        record = twins.record_of(setting, agent, seed)
+        record = twins.records_of(setting, agent)[seed - 1]
         line = numpy.flatnonzero(of_scenario(record, test))[instance]
         words = ending({name: column[line] for name, column in record.items()})
         panel.set_title(f'({letter}) {title if found else "no such episode"}\n{test}, seed {seed}: {words}')
@@ -229,7 +229,7 @@ def add_tables(chapter, setting):
         chapter.add_table(f'Twins tests, {names.PARAMETER_NAMES[parameters]}: mean ± standard deviation over the seeds '
                           '(lowest-highest); path ratio and decisions: the median of the arrivals for each seed, of '
                           'the seeds with arrivals',
-                          ['', 'success %', 'collision %', 'contact %', 'path ratio (arrivals only)',
+                          ['', *names.RATES, 'path ratio (arrivals only)',
                            'decisions (arrivals only)', 'rows visited in training'], rows, name=f'twins_{parameters}')
 
 
@@ -237,14 +237,13 @@ def test_rows(setting, agent, label):
     """Returns a row of the table for each test."""
     rows = []
     records = twins.records_of(setting, agent)
-    visited = Spread(float(read_table_header(twins.table_of(setting, agent, seed))['visited_rows'])
-                     for seed in setting.seeds(twins.SEEDS))
+    files = (twins.folder_of(setting, agent, seed) / twins.TABLES[agent[0]] for seed in setting.seeds(twins.SEEDS))
+    visited = Spread(float(read_table_header(file)['visited_rows']) for file in files)
     for test, title in twins.TESTS.items():
-        success, contact, collision = map(Spread, zip(*twins.measured(setting, agent, test)))
         ratios = Spread.of_numbers(median(record['path_ratio'][of_scenario(record, test) & (record['arrived'] > 0)])
                                    for record in records)
         needed = Spread.of_numbers(decisions_needed(setting, agent, test))
-        rows.append([f'{label}, {title}', success.text(1), collision.text(1), contact.text(1), ratios.text(2),
+        rows.append([f'{label}, {title}', *names.rate_texts(twins.measured(setting, agent, test)), ratios.text(2),
                      needed.text(0), visited.text(0)])
     return rows
 

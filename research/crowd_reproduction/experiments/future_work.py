@@ -1,13 +1,13 @@
 """The future work of section 5.2, applied to the thesis's agent: a stay action, occlusion, condensed states."""
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_table_header
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import vary_config
 
-from .. import agent_runs, agent_training, scenario_runs as runs
+from .. import agent_runs, agent_training, names, scenario_runs as runs
 from ..decisions import read_decisions
-from ..measures import share, surrounded
+from ..measures import surrounded
 from ..surroundings import DEFINITIONS, HEADER, LEAST_SECTORS, SOON, row_of
 
 NAME = 'future_work'
@@ -52,7 +52,7 @@ def make_run(setting, variation, seed):
                      for part in ('single', 'field'))
     walk = agent_training.walk(setting, agent_training.TABLE, seed)
     return Run(folder_of(setting, variation, seed), [
-        agent_training.learn_single(setting, single, seed), agent_training.learn_field(setting, field, seed),
+        *agent_training.learn(setting, seed, single, field),
         walk + ['--episodes', setting.count(EPISODES, 2), '--record', 'demo.csv', setting.scenario(SCENARIO)],
         walk + ['--episodes', setting.count(WATCHED, 2), '--states', 'states', setting.scenario(SCENARIO)]], cost=1.5)
 
@@ -107,23 +107,22 @@ def measured(setting, variation):
 def first_instances(decisions):
     """Returns the decisions of the first WATCHED instances; the scenarios' chapter records more."""
     chosen = decisions['instance'] < WATCHED
-    return {name: column[chosen] for name, column in decisions.items() if name != 'occupied'}
+    return decisions[chosen]
 
 
 def add_table(chapter, setting, records):
     rows = []
     for variation, (label, _) in VARIATIONS.items():
-        success, contact, collision = map(Spread, zip(*map(rates, records[variation])))
         ratios = Spread.of_numbers(median(record['path_ratio'][record['arrived'] > 0]) for record in records[variation])
         times = Spread.of_numbers(median(record['time_ratio'][record['arrived'] > 0]) for record in records[variation])
         visited = Spread(float(read_table_header(folder_of(setting, variation, seed) / agent_training.TABLE)
                                ['visited_rows']) for seed in setting.seeds(SEEDS))
-        rows.append([label, success.text(1), collision.text(1), contact.text(1), ratios.text(2), times.text(2),
+        rows.append([label, *names.rate_texts(map(rates, records[variation])), ratios.text(2), times.text(2),
                      visited.text(0)])
     chapter.add_table(f"Future work: twelve on a circle at varied speeds ({SCENARIO}); set 2 and thesis's parameters, "
                       'with what is named. Mean ± standard deviation over the seeds (lowest-highest); ratios: the '
                       'median of the arrivals for each seed',
-                      ['', 'success %', 'collision %', 'contact %', 'path ratio (arrivals only)',
+                      ['', *names.RATES, 'path ratio (arrivals only)',
                        'time ratio (arrivals only)', 'rows visited in training'], rows, name='future_work')
 
 
@@ -133,7 +132,7 @@ def add_figure(chapter, setting, records, found):
               'collision [% of the agents]': lambda variation: [rates(record)[2] for record in records[variation]],
               'contact [% of the agents]': lambda variation: [rates(record)[1] for record in records[variation]],
               'contact after being surrounded [%]':
-                  lambda variation: [share(one.surrounded_touched, one.surrounded) for one in found[variation]]}
+                  lambda variation: [one.touched_share() for one in found[variation]]}
     for panel, (title, values_of) in zip(axes[0], panels.items()):
         for place, variation in enumerate(VARIATIONS):
             values = Spread.of_numbers(values_of(variation))

@@ -2,17 +2,17 @@
 import numpy
 
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, of_scenario, rates, read_csv, read_table_header
 
-from .. import agent_runs, agent_training, checkpoints, names
+from .. import agent_runs, agent_training, names
 
 NAME = 'learning_curves'
 TITLE = 'Learning curves'
 SETS = agent_training.SETS
 PARAMETERS = agent_training.PARAMETERS
-SEEDS = agent_runs.SEEDS
-SCENARIOS = checkpoints.SCENARIOS
+SEEDS = agent_training.SEEDS
+SCENARIOS = agent_training.CHECKED
 LINES = {'training_field': '-', 'circle6': ':'}
 MEASURES = {'success': 0, 'collision': 2, 'contact': 1}
 
@@ -24,7 +24,7 @@ def report(setting):
     chapter = Chapter(NAME, TITLE)
     chapter.add_text(
         f'{agent_training.DESCRIPTION} In the second part the table is saved every '
-        f'{checkpoints.every(setting)} episodes. Each of these tables is evaluated in demo mode, in fields of '
+        f'{agent_training.save_every(setting)} episodes. Each of these tables is evaluated in demo mode, in fields of '
         'obstacles that were not used in training (training_field), and with six agents on a circle. '
         f'{len(setting.seeds(SEEDS))} seeds.')
     curves = {(states, parameters): Curve(setting, states, parameters) for states in SETS for parameters in PARAMETERS}
@@ -39,12 +39,12 @@ class Curve:
 
     def __init__(self, setting, states, parameters):
         folders = [agent_training.folder_of(setting, states, parameters, seed) for seed in setting.seeds(SEEDS)]
-        self.episodes = list(checkpoints.episodes_of(setting))
-        headers = [[read_table_header(folder / checkpoints.table_after(episodes)) for folder in folders]
+        self.episodes = list(agent_training.checkpoints(setting))
+        headers = [[read_table_header(folder / agent_training.table_after(episodes)) for folder in folders]
                    for episodes in self.episodes]
         self.all_rows = int(headers[0][0]['rows'])
         self.rows = numpy.array([[float(header['visited_rows']) for header in line] for line in headers])
-        records = [[read_csv(folder / checkpoints.record_after(episodes)) for folder in folders]
+        records = [[read_csv(folder / agent_training.record_after(episodes)) for folder in folders]
                    for episodes in self.episodes]
         self.rates = {scenario: numpy.array([[rates(record, of_scenario(record, scenario)) for record in line]
                                              for line in records]) for scenario in SCENARIOS}

@@ -1,7 +1,7 @@
 """Figures 4.1-4.12: comparison of both rewards, with one obstacle."""
 import numpy
 
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, spread_text
 from crowd_experiments.variations import heading_of, read_documents
 

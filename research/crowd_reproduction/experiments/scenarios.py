@@ -1,6 +1,6 @@
 """Figures 4.17-4.25: crowds that use the table of one agent."""
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, median, of_scenario, read_table_header
 
 from .. import agent_runs, agent_training, groups, names, scenario_figures, scenario_runs as runs, surroundings
@@ -44,8 +44,7 @@ def report(setting):
 
 def rate_texts(setting, table, scenario, file=runs.DEMO):
     """Returns the texts of success, collision and contact."""
-    success, contact, collision = map(Spread, zip(*runs.measured(setting, table, scenario, file)))
-    return [success.text(1), collision.text(1), contact.text(1)]
+    return names.rate_texts(runs.measured(setting, table, scenario, file))
 
 
 def scenario_row(setting, scenario, states, parameters, label):
@@ -63,10 +62,8 @@ def scenario_row(setting, scenario, states, parameters, label):
 
 
 def add_tables(chapter, setting):
-    header = ['', 'success %', 'collision %', 'contact %', 'episodes: all arrive, no contact %',
-              'episodes: all arrive, no collision %',
-              'path ratio (arrivals only)', *(f'crowd trained together: {measure} %' for measure in
-                                              ('success', 'collision', 'contact'))]
+    header = ['', *names.RATES, 'episodes: all arrive, no contact %', 'episodes: all arrive, no collision %',
+              'path ratio (arrivals only)', *(f'crowd trained together: {rate}' for rate in names.RATES)]
     spread = 'mean ± standard deviation over the seeds (lowest-highest); path ratio: the median of each seed'
     chapter.add_table(f"Set 2, thesis's parameters, one agent's table; {spread}", header,
                       [scenario_row(setting, scenario, 'occupancy', 'thesis', scenario) for scenario in runs.SCENARIOS],
@@ -84,13 +81,11 @@ def add_synchronicity(chapter, setting):
                             ('circle12_exact_simultaneous', 'starts exactly on the circle, simultaneous moves'),
                             ('circle12', 'starts up to 5 cm off'), ('circle12_varied', 'varied speeds')):
         rates = runs.measured(setting, runs.MAIN, scenario)
-        success, contact, collision = map(Spread, zip(*rates))
         clean = sum(arrived == 100 and touched == 0 for arrived, touched, _ in rates)
-        rows.append([f'{scenario}: {label}', success.text(1), collision.text(1), contact.text(1),
-                     f'{clean} of {len(rates)}'])
+        rows.append([f'{scenario}: {label}', *names.rate_texts(rates), f'{clean} of {len(rates)}'])
     chapter.add_table("Synchronicity: set 2, thesis's parameters, one agent's table; mean ± standard deviation over "
                       'the seeds (lowest-highest)',
-                      ['', 'success %', 'collision %', 'contact %', 'seeds in which all arrive without a contact'],
+                      ['', *names.RATES, 'seeds in which all arrive without a contact'],
                       rows, name='synchronicity')
 
 
@@ -99,9 +94,9 @@ def add_first_part(chapter, setting):
              *rate_texts(setting, runs.MAIN, scenario)] for scenario in runs.SCENARIOS]
     chapter.add_table("Effect of the more thorough training: set 2, thesis's parameters, one agent's table "
                       'after each part of the training; mean ± standard deviation over the seeds (lowest-highest)',
-                      ['', *(f'{label}: {measure} %' for label in
-                             ('after one obstacle (4.1)', 'after several obstacles (4.3)')
-                             for measure in ('success', 'collision', 'contact'))], rows, name='first_part')
+                      ['', *(f'{label}: {rate}' for label in
+                             ('after one obstacle (4.1)', 'after several obstacles (4.3)') for rate in names.RATES)],
+                      rows, name='first_part')
 
 
 def add_rows(chapter, setting):
@@ -126,4 +121,4 @@ def add_dummies_table(chapter, setting):
             for scenario in ('dummies', runs.WIDE) for parameters in runs.PARAMETERS]
     chapter.add_table(f"Dummies, and the same dummies at {runs.WIDER:g} times the distances ({runs.WIDE}); set 2, one "
                       "agent's table; mean ± standard deviation over the seeds (lowest-highest)",
-                      ['', 'success %', 'collision %', 'contact %'], rows, name='dummies')
+                      ['', *names.RATES], rows, name='dummies')

@@ -4,7 +4,7 @@ import functools
 import numpy
 
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, rates, read_csv
 from crowd_experiments.runs import Run
 

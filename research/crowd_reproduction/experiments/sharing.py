@@ -2,7 +2,7 @@
 import numpy
 
 from crowd_experiments import style
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, rates, read_csv
 from crowd_experiments.runs import Run
 
@@ -40,20 +40,20 @@ def plan(setting):
 def make_run(setting, states, seed):
     """Returns a run that, for each number of episodes, trains a pioneer, evaluates a crowd with its table, and lets the
     crowd continue learning."""
-    commands = [agent_training.learn_single(setting, setting.config_file(f'agent_single_{states}_thesis'), seed)]
+    commands = [agent_training.learn(setting, seed, *agent_training.configs(setting, states, 'thesis'))[0]]
     for episodes in episodes_of(setting):
         table = agent_training.SINGLE_TABLE
         if episodes:
             table = f'pioneer_{episodes:05d}.txt'
-            commands.append([setting.tool('train'), setting.config_file(f'agent_field_{states}_thesis'), '--q-table',
-                             agent_training.SINGLE_TABLE, '--output', table, '--seed', seed, '--episodes', episodes])
+            commands.append(agent_training.train(setting, setting.config_file(f'agent_field_{states}_thesis'), seed,
+                                                 episodes, '--q-table', agent_training.SINGLE_TABLE, '--output', table))
         commands.append(agent_training.walk(setting, table, seed) + [
             '--episodes', setting.count(DEMO_EPISODES, 1), '--record', f'fixed_{episodes:05d}.csv',
             setting.scenario(CROWD)])
         for use in ('own', 'shared'):
-            commands.append([setting.tool('train'), setting.config_file(f'sharing_crowd_{states}'), '--q-table', table,
-                             '--tables', use, '--output', f'{use}.txt', '--seed', seed, '--episodes',
-                             setting.count(FURTHER_EPISODES, 2), '--record', f'{use}_{episodes:05d}.csv'])
+            commands.append(agent_training.train(
+                setting, setting.config_file(f'sharing_crowd_{states}'), seed, setting.count(FURTHER_EPISODES, 2),
+                '--q-table', table, '--tables', use, '--output', f'{use}.txt', '--record', f'{use}_{episodes:05d}.csv'))
     return Run(setting.run_folder(NAME, run_name(states, seed)), commands, cost=6.0)
 
 
