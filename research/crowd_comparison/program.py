@@ -1,12 +1,11 @@
 """The command line of research/compare."""
-import pathlib
+import dataclasses
 
-from crowd_studies.program import Program
-from crowd_experiments.tools import find_config, find_tools
+from crowd_experiments.arguments import add_file
 from crowd_experiments.runs import RunError
+from crowd_studies.program import Program
 
 from . import experiments
-from .setting import ComparisonSetting
 
 
 class ComparisonProgram(Program):
@@ -14,17 +13,16 @@ class ComparisonProgram(Program):
 
     def parser(self):
         parser = super().parser()
-        parser.add_argument('--benchmark', type=pathlib.Path, metavar='FOLDER',
-                            help='folder of the steering benchmark with scenarios/, reference.csv and score.py; '
-                                 'experiments that need it are left out without it')
+        add_file(parser, '--benchmark', metavar='FOLDER',
+                 help='folder of the steering benchmark with scenarios/, reference.csv and score.py; experiments that '
+                      'need it are left out without it')
         return parser
 
     def setting_of(self, arguments):
         benchmark = arguments.benchmark
         if benchmark and not (benchmark / 'reference.csv').is_file():
             raise RunError(f'{benchmark}: has no reference.csv')
-        setting = ComparisonSetting(find_tools(arguments.tools), find_config(), arguments.results.absolute(),
-                                    arguments.quick, benchmark=benchmark and benchmark.resolve())
+        setting = dataclasses.replace(super().setting_of(arguments), benchmark=benchmark and benchmark.resolve())
         for experiment in self.experiments:
             if {'all', experiment.NAME} & set(arguments.experiments) and not experiment.plan(setting):
                 print(f'{experiment.NAME}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)

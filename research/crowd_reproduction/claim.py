@@ -1,12 +1,11 @@
-"""A claim of the thesis, and the rule that decides whether our results confirm it."""
+"""A claim of the thesis, and the rules that decide whether our results confirm it."""
 import dataclasses
 import typing
 
 import numpy
-
 from crowd_experiments.records import spread_text
 
-CONFIRMED, PARTLY, NOT_CONFIRMED = 'confirmed', 'partly confirmed', 'not confirmed'
+CONFIRMED, PARTLY, NOT_CONFIRMED = VERDICTS = 'confirmed', 'partly confirmed', 'not confirmed'
 LEAST_SHARE = 0.75  # of the seeds for which a claim must hold
 RULE = (
     f'Verdicts follow a rule. "{CONFIRMED}": the claim holds for the mean over the seeds and for at least three '
@@ -16,6 +15,8 @@ RULE = (
     f'of the thesis is {CONFIRMED} if our mean is within 5 points of it and the range of the seeds includes it, and '
     f'{PARTLY} if one of these conditions is met.')
 NEAR = 5.0  # [points]
+GOOD, HALF = 90.0, 50.0  # [%] success rates from which a claim is confirmed, and partly confirmed
+RARE = 10.0  # [%] highest rate of contacts or collisions with which "avoids" holds
 
 
 @dataclasses.dataclass(frozen=True)
@@ -40,23 +41,39 @@ class Claim:
                 self.reasons.get(judgement.verdict, '')]
 
 
+def all_of(judges):
+    """Returns a judge of a claim with several parts: functions of the Setting and of further arguments."""
+    def judge(setting):
+        parts = [part(setting, *words) for part, words in judges]
+        return joined(parts, '. ')
+    return judge
+
+
+def joined(parts, separator, before=''):
+    """Returns the Judgement on a claim with several parts."""
+    return Judgement(before + separator.join(part.measured for part in parts),
+                     decide_all(*(part.verdict for part in parts)))
+
+
+def compared(before, name, values, other_name, others, decimals=2, falls=False):
+    """Returns the Judgement on 'the first is greater than the second', or with `falls` less."""
+    return Judgement(before + versus(name, values, other_name, others, decimals),
+                     decide_greater(others, values) if falls else decide_greater(values, others))
+
+
 def decide(holds_for_mean, holds_for_seeds):
     """Returns the verdict, given whether a claim holds for the mean and for each of the seeds."""
     holds_for_most = numpy.mean(list(map(bool, holds_for_seeds))) >= LEAST_SHARE
-    return (NOT_CONFIRMED, PARTLY, CONFIRMED)[int(bool(holds_for_mean)) + int(holds_for_most)]
+    return VERDICTS[2 - int(bool(holds_for_mean)) - int(holds_for_most)]
 
 
 def decide_greater(first, second):
     """Returns the verdict on 'the first is greater than the second', given both values of the same seeds."""
     first, second = numpy.array(list(first), dtype=float), numpy.array(list(second), dtype=float)
-    return decide(first.mean() - second.mean() > standard_error(first, second), first > second)
-
-
-def standard_error(first, second):
-    """Returns the standard error of the mean difference; 0 if a value is infinite."""
-    if len(first) < 2 or not (numpy.isfinite(first).all() and numpy.isfinite(second).all()):
-        return 0.0
-    return float(numpy.std(first - second, ddof=1)) / len(first) ** 0.5
+    error = 0.0  # standard error of the mean difference; 0 if a value is infinite
+    if len(first) > 1 and numpy.isfinite([first, second]).all():
+        error = float(numpy.std(first - second, ddof=1)) / len(first) ** 0.5
+    return decide(first.mean() - second.mean() > error, first > second)
 
 
 def decide_each(values, condition):
@@ -69,15 +86,36 @@ def decide_near(values, number):
     """Returns the verdict on a number of the thesis [%]."""
     values = list(values)
     is_near = abs(float(numpy.mean(values)) - number) <= NEAR
-    is_among = min(values) <= number <= max(values)
-    return (NOT_CONFIRMED, PARTLY, CONFIRMED)[int(is_near) + int(is_among)]
+    return VERDICTS[2 - int(is_near) - int(min(values) <= number <= max(values))]
 
 
 def decide_all(*verdicts):
     """Returns the verdict on a claim with several parts."""
-    if len(set(verdicts)) == 1:
-        return verdicts[0]
-    return PARTLY
+    return verdicts[0] if len(set(verdicts)) == 1 else PARTLY
+
+
+def best_of(verdicts):
+    """Returns the best of the verdicts, for claims that the thesis leaves open to several readings."""
+    return min(verdicts, key=VERDICTS.index)
+
+
+def graded(values):
+    """Returns the verdict on 'it succeeds', given the success rate [%] for each seed."""
+    mean = float(numpy.mean(list(values)))
+    return CONFIRMED if mean >= GOOD else PARTLY if mean >= HALF else NOT_CONFIRMED
+
+
+def is_good(value):
+    return value >= GOOD
+
+
+def is_rare(value):
+    return value <= RARE
+
+
+def both(values, conditions):
+    """Returns the verdict on several conditions, each with its own values of the seeds."""
+    return decide_all(*(decide_each(of_seeds, condition) for of_seeds, condition in zip(values, conditions)))
 
 
 def versus(name, values, other_name, other_values, decimals=2):
@@ -93,5 +131,5 @@ def add_claims(chapter, title, claims, setting, name):
     """Adds the table of claims, and a sentence with the number of each verdict."""
     rows = [claim.row(setting) for claim in claims]
     chapter.add_table(title, ['section', 'claim of the thesis', 'measured', 'verdict', 'reason, if known'], rows, name)
-    counts = [f'{sum(row[3] == verdict for row in rows)} {verdict}' for verdict in (CONFIRMED, PARTLY, NOT_CONFIRMED)]
+    counts = [f'{sum(row[3] == verdict for row in rows)} {verdict}' for verdict in VERDICTS]
     chapter.add_text(f'Of {len(rows)} claims: {", ".join(counts)}.')

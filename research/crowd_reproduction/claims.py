@@ -1,27 +1,31 @@
 """The claims of chapters 3-5 of the thesis, judged by the results of the other experiments. Has no runs of its own."""
-import importlib
-import importlib.util
+import pathlib
 
+import yaml
 from crowd_experiments.pages import Chapter
 
-from .claim import RULE, add_claims
+from . import crowd_judges, knowledge_judges, reward_judges, twins_judges
+from .claim import RULE, Claim, add_claims, all_of
+from .experiments import ambiguity, future_work, learning_curves, reward_evaluation, scenarios, sharing
 
 NAME = 'claims'
 TITLE = 'Claims of the thesis'
-# Modules with CLAIMS, TITLE, and NEEDS: the experiments whose results the judges read.
-LISTS = {'reward_claims': 'rewards', 'crowd_claims': 'crowds'}
+FILE = pathlib.Path(__file__).with_name('claims.yaml')
+LISTS = yaml.safe_load(FILE.read_text(encoding='utf-8'))
+JUDGES = {**vars(crowd_judges), **vars(knowledge_judges), **vars(twins_judges), **vars(reward_judges)}
+NEEDS = (reward_evaluation, ambiguity, scenarios, sharing, learning_curves, future_work)  # whose results judges read
 
 
-def lists():
-    """Returns the existing modules, by the names of their tables."""
-    return {name: importlib.import_module(f'.{module}', __package__) for module, name in LISTS.items()
-            if importlib.util.find_spec(f'.{module}', __package__)}
+def claims_of(name):
+    """Returns the Claims of a list of the file."""
+    return [Claim(entry['section'], entry['says'],
+                  all_of([(JUDGES[judge], words) for judge, *words in entry['judges']]), entry.get('reasons', {}))
+            for entry in LISTS[name]['claims']]
 
 
 def plan(setting):
     """Returns the runs of the experiments whose results the judges read."""
-    needed = {experiment.NAME: experiment for module in lists().values() for experiment in module.NEEDS}
-    return [run for experiment in needed.values() for run in experiment.plan(setting)]
+    return [run for experiment in NEEDS for run in experiment.plan(setting)]
 
 
 def report(setting):
@@ -29,6 +33,6 @@ def report(setting):
     chapter = Chapter(NAME, TITLE)
     chapter.add_text(f"{RULE} The thesis's parameters are used unless stated otherwise. Numbers are mean ± standard "
                      'deviation over the seeds (lowest-highest).')
-    for name, module in lists().items():
-        add_claims(chapter, module.TITLE, module.CLAIMS, setting, name)
+    for name, claims in LISTS.items():
+        add_claims(chapter, claims['title'], claims_of(name), setting, name)
     return chapter

@@ -1,92 +1,74 @@
-"""Judges the claims of the thesis about its rewards and about training, from the records of the runs."""
+"""Judges the claims of the thesis about its rewards and about training, from the records of the runs. The thesis's
+parameters are used; measures are functions of reward_runs, given by their names."""
 import math
+import operator
 
 import numpy
-
 from crowd_experiments.records import spread_text
 
 from . import reward_runs as runs
-from .claim import Judgement, decide, decide_all, decide_each, decide_greater, decide_near, versus
+from .claim import Judgement, compared, decide, decide_each, decide_near, joined
 from .names import REWARD_NAMES
-from .reward_runs import COSINE, GAIN, MODES, THESIS_SUCCESS, Variant, per_seed, records
+from .reward_runs import COSINE, GAIN, MODES, REWARDS, THESIS_SUCCESS, Variant, per_seed, records
 
 DIFFERENT = 5.0  # [points] rates that differ by more do not depict each other
 SIMILAR = 10.0  # [points] rates that differ by at most this are similar
 # A separation is a gap of WIDTH [m], with a share of LEAST_SIDE of the episodes or more on each side, and at most
 # MOST_BETWEEN in the gap.
 WIDTH, LEAST_SIDE, MOST_BETWEEN = 0.005, 0.05, 0.01
-HALF, FOUR_FIFTHS = (25, 75), (10, 90)  # percentiles between which the middle half and four fifths of the values lie
+# Percentiles between which the middle half and four fifths of the values lie.
+MIDDLES = {'middle half': (25, 75), 'four fifths': (10, 90)}
+CONDITIONS = {'<=': operator.le, '<': operator.lt, '>': operator.gt}
 
 
-def compare(measure, mode, greater, decimals=2):
+def measured(setting, reward, mode, measure):
+    """Returns a measure, given by its name or as a function, for each seed."""
+    return per_seed(setting, Variant(reward), mode, getattr(runs, measure) if isinstance(measure, str) else measure)
+
+
+def compare(setting, measure, mode, greater, decimals=2):
     """Judges that a measure is greater with the one reward than with the other."""
-    def judge(setting):
-        other = COSINE if greater is GAIN else GAIN
-        first, second = (per_seed(setting, variant, mode, measure) for variant in (greater, other))
-        return Judgement(versus(REWARD_NAMES[greater.reward], first, REWARD_NAMES[other.reward], second, decimals),
-                         decide_greater(first, second))
-    return judge
+    other = next(reward for reward in REWARDS if reward != greater)
+    return compared('', REWARD_NAMES[greater], measured(setting, greater, mode, measure), REWARD_NAMES[other],
+                    measured(setting, other, mode, measure), decimals)
 
 
-def scattered(breadth, mode, greater, decimals=2):
+def scattered(setting, breadth, mode, greater, decimals=2):
     """Judges that a measure is more scattered with the one reward, by its middle half and its middle four fifths."""
-    return named_parts({'middle half': compare(breadth(HALF), mode, greater, decimals),
-                        'four fifths': compare(breadth(FOUR_FIFTHS), mode, greater, decimals)})
+    parts = {name: compare(setting, getattr(runs, breadth)(percentiles), mode, greater, decimals)
+             for name, percentiles in MIDDLES.items()}
+    return joined([Judgement(f'{name}: {part.measured}', part.verdict) for name, part in parts.items()], '. ')
 
 
-def named_parts(judges):
-    """Judges a claim with several named parts."""
-    def judge(setting):
-        parts = {name: part(setting) for name, part in judges.items()}
-        return Judgement('. '.join(f'{name}: {part.measured}' for name, part in parts.items()),
-                         decide_all(*(part.verdict for part in parts.values())))
-    return judge
-
-
-def each(variant, mode, measure, condition, decimals=2):
+def each(setting, reward, mode, measure, sign, limit):
     """Judges that a measure meets a condition."""
-    def judge(setting):
-        values = per_seed(setting, variant, mode, measure)
-        return Judgement(f'{REWARD_NAMES[variant.reward]} {spread_text(values, decimals)}',
-                         decide_each(values, condition))
-    return judge
+    values = measured(setting, reward, mode, measure)
+    return Judgement(f'{REWARD_NAMES[reward]} {spread_text(values)}',
+                     decide_each(values, lambda value: CONDITIONS[sign](value, limit)))
 
 
-def both(*judges):
-    """Judges a claim with several parts."""
-    def judge(setting):
-        parts = [part(setting) for part in judges]
-        return Judgement('. '.join(part.measured for part in parts), decide_all(*(part.verdict for part in parts)))
-    return judge
-
-
-def number(variant, mode):
+def number(setting, reward, mode):
     """Judges a rate of success that the thesis reports."""
-    def judge(setting):
-        values, reported = per_seed(setting, variant, mode, runs.success), THESIS_SUCCESS[variant.reward, mode]
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: thesis {reported:.2f}, here {spread_text(values)}',
-                         decide_near(values, reported))
-    return judge
+    values, reported = measured(setting, reward, mode, 'success'), THESIS_SUCCESS[reward, mode]
+    return Judgement(f'{REWARD_NAMES[reward]}: thesis {reported:.2f}, here {spread_text(values)}',
+                     decide_near(values, reported))
 
 
 def curved(setting):
     """Judges that paths without an obstacle bend more with distance gained."""
     gain, cosine = (runs.free_bends(setting, variant)[:, 0] for variant in (GAIN, COSINE))
-    return Judgement('sum of the bends [degrees]: ' + versus('distance gained', gain, 'cos³', cosine, 0),
-                     decide_greater(gain, cosine))
+    return compared('sum of the bends [degrees]: ', 'distance gained', gain, 'cos³', cosine, 0)
 
 
 def softer(setting):
     """Judges that paths with distance gained have less sharp bends and less turning per metre."""
     gain, cosine = (runs.free_bends(setting, variant)[:, 1] for variant in (GAIN, COSINE))
+    parts = [compared('sharpest bend [degrees]: ', 'cos³', cosine, 'distance gained', gain, 0)]
     turning = numpy.array([per_seed(setting, variant, 'free', runs.turning) for variant in (GAIN, COSINE)])
-    gain_turning, cosine_turning = turning[:, numpy.isfinite(turning).all(axis=0)]  # seeds with which both arrive
-    verdicts = [decide_greater(cosine, gain)]
-    text = 'sharpest bend [degrees]: ' + versus('cos³', cosine, 'distance gained', gain, 0)
-    if len(gain_turning):
-        text += '. Turning [rad/m], arrivals only: ' + versus('cos³', cosine_turning, 'distance gained', gain_turning)
-        verdicts.append(decide_greater(cosine_turning, gain_turning))
-    return Judgement(text, decide_all(*verdicts))
+    gain, cosine = turning[:, numpy.isfinite(turning).all(axis=0)]  # seeds with which both arrive
+    if len(gain):
+        parts.append(compared('Turning [rad/m], arrivals only: ', 'cos³', cosine, 'distance gained', gain))
+    return joined(parts, '. ')
 
 
 def separated(record):
@@ -97,94 +79,70 @@ def separated(record):
     return bool(gaps[side - 1:len(gaps) + 1 - side].max(initial=0.0) >= WIDTH)
 
 
-def separation(variant):
+def separation(setting, reward):
     """Judges that the charts show a separation, in runs in which some episodes fail, as in the thesis."""
-    def judge(setting):
-        flags = [separated(record) for record in records(setting, variant, 'demo')
-                 if 100.0 * LEAST_SIDE <= runs.success(record) <= 100.0 * (1.0 - LEAST_SIDE)]
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: in {sum(flags)} of the {len(flags)} seeds with success '
-                         'between 5 and 95 %', decide(numpy.mean(flags or [0.0]) > 0.5, flags or [False]))
-    return judge
+    flags = [separated(record) for record in records(setting, Variant(reward), 'demo')
+             if 100.0 * LEAST_SIDE <= runs.success(record) <= 100.0 * (1.0 - LEAST_SIDE)]
+    return Judgement(f'{REWARD_NAMES[reward]}: in {sum(flags)} of the {len(flags)} seeds with success between 5 and '
+                     '95 %', decide(numpy.mean(flags or [0.0]) > 0.5, flags or [False]))
 
 
-def less_in_demo(variant):
+def less_in_demo(setting, reward):
     """Judges that success is lower in demo than in training."""
-    def judge(setting):
-        training, demo = (per_seed(setting, variant, mode, runs.success) for mode in MODES)
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: {versus("training", training, "demo", demo)}',
-                         decide_greater(training, demo))
-    return judge
+    training, demo = (measured(setting, reward, mode, 'success') for mode in MODES)
+    return compared(f'{REWARD_NAMES[reward]}: ', 'training', training, 'demo', demo)
 
 
-def longer(variant, measure, is_better_greater):
+def longer(setting, reward, measure, rises):
     """Judges that more training improves a rate in demo."""
-    def judge(setting):
-        usual, more = (per_seed(setting, Variant(variant.reward, is_longer=is_longer), 'demo', measure)
-                       for is_longer in (False, True))
-        name, usual_name = (f'{setting.count(*numbers):,} episodes'
-                            for numbers in ((runs.LONGER_EPISODES, 80), (runs.EPISODES, 40)))
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: {versus(name, more, usual_name, usual)}',
-                         decide_greater(more, usual) if is_better_greater else decide_greater(usual, more))
-    return judge
+    usual, more = (per_seed(setting, Variant(reward, is_longer=is_longer), 'demo', getattr(runs, measure))
+                   for is_longer in (False, True))
+    name, usual_name = (f'{setting.count(*numbers):,} episodes'
+                        for numbers in ((runs.LONGER_EPISODES, 80), (runs.EPISODES, 40)))
+    return compared(f'{REWARD_NAMES[reward]}: ', name, more, usual_name, usual, falls=not rises)
 
 
-def more_decisions(variant):
+def more_decisions(setting, reward):
     """Judges that more decisions per episode improve the success in demo, with the same episodes."""
-    def judge(setting):
-        patient = per_seed(setting, variant, 'patient', runs.success)
-        usual = per_seed(setting, variant, 'demo', lambda record: runs.success(
-            {name: column[:setting.count(runs.PATIENT_EPISODES, 5)] for name, column in record.items()}))
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: ' + versus(
-            f'{runs.PATIENT_DURATION:,} decisions', patient, '2,000 decisions', usual), decide_greater(patient, usual))
-    return judge
+    patient = measured(setting, reward, 'patient', 'success')
+    usual = measured(setting, reward, 'demo', lambda record: runs.success(
+        {name: column[:setting.count(runs.PATIENT_EPISODES, 5)] for name, column in record.items()}))
+    return compared(f'{REWARD_NAMES[reward]}: ', f'{runs.PATIENT_DURATION:,} decisions', patient, '2,000 decisions',
+                    usual)
 
 
 def quarter(measure, last):
     """Returns a measure of the first or the last quarter of the episodes."""
-    def measured(record):
+    def of_part(record):
         length = len(record['arrived']) // 4
         part = slice(-length, None) if last else slice(length)
         return measure({name: column[part] for name, column in record.items()})
-    return measured
+    return of_part
 
 
-def in_course(variant, measure, falls):
+def in_course(setting, reward, measure, falls):
     """Judges that a rate decreases, or increases, in the course of the training."""
-    def judge(setting):
-        first, last = (per_seed(setting, variant, 'training', quarter(measure, is_last)) for is_last in (False, True))
-        text = versus('first quarter', first, 'last quarter', last)
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: {text}',
-                         decide_greater(first, last) if falls else decide_greater(last, first))
-    return judge
+    first, last = (measured(setting, reward, 'training', quarter(getattr(runs, measure), is_last))
+                   for is_last in (False, True))
+    return compared(f'{REWARD_NAMES[reward]}: ', 'first quarter', first, 'last quarter', last, falls=not falls)
 
 
-def training_differs(variant):
+def training_differs(setting, reward):
     """Judges that success in training does not depict success in demo."""
-    def judge(setting):
-        training, demo = (numpy.array(per_seed(setting, variant, mode, runs.success)) for mode in MODES)
-        difference = training - demo
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: training minus demo {spread_text(difference)} points',
-                         decide_each(numpy.abs(difference), lambda points: points > DIFFERENT))
-    return judge
+    training, demo = (numpy.array(measured(setting, reward, mode, 'success')) for mode in MODES)
+    return Judgement(f'{REWARD_NAMES[reward]}: training minus demo {spread_text(training - demo)} points',
+                     decide_each(numpy.abs(training - demo), lambda points: points > DIFFERENT))
 
 
 def similar_success(setting):
     """Judges that both rewards have similar rates of success in demo."""
-    gain, cosine = (numpy.array(per_seed(setting, variant, 'demo', runs.success)) for variant in (GAIN, COSINE))
-    difference = cosine - gain
-    return Judgement(f'cos³ minus distance gained: {spread_text(difference)} points',
-                     decide(abs(difference.mean()) <= SIMILAR, numpy.abs(difference) <= SIMILAR))
+    gain, cosine = (numpy.array(measured(setting, reward, 'demo', 'success')) for reward in REWARDS)
+    return Judgement(f'cos³ minus distance gained: {spread_text(cosine - gain)} points',
+                     decide(abs((cosine - gain).mean()) <= SIMILAR, numpy.abs(cosine - gain) <= SIMILAR))
 
 
-def mostly_free(variant):
+def mostly_free(setting, reward):
     """Judges that most states in training are without an obstacle."""
-    def judge(setting):
-        shares = runs.free_share(setting, variant)
-        return Judgement(f'{REWARD_NAMES[variant.reward]}: {spread_text(shares, 1)} % without an obstacle',
-                         decide_each(shares, lambda share: share > 50.0))
-    return judge
-
-
-def of_both(make, *arguments):
-    """Judges a claim for both rewards."""
-    return both(*(make(variant, *arguments) for variant in (GAIN, COSINE)))
+    shares = runs.free_share(setting, Variant(reward))
+    return Judgement(f'{REWARD_NAMES[reward]}: {spread_text(shares, 1)} % without an obstacle',
+                     decide_each(shares, lambda share: share > 50.0))

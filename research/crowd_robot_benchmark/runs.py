@@ -38,7 +38,7 @@ class Benchmark:
     def crowdnav_runs(self, robot):
         """Returns the runs of a robot in CrowdNav's setting, by VISIBLE and INVISIBLE. There are none where people do
         not see a robot that both sides give way to, and none through ROS."""
-        if robot in DRIVEN:
+        if robot in DRIVEN or self.crowdnav_episodes <= 0:
             return {}
         return {kind: self.run(robot, f'crowdnav_{kind}', CROWDNAV, keys, self.crowdnav_episodes)
                 for kind, keys in CROWDNAV_KEYS.items() if kind == VISIBLE or not ROBOTS[robot][1]}

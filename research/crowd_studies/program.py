@@ -1,19 +1,26 @@
 """A program that runs experiments and writes a page with their results."""
-import argparse
 import dataclasses
 import os
 import pathlib
-import signal
-import sys
 import time
 
+from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
 from crowd_experiments.pages import fill_document, write_page
-from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, interrupt
-from crowd_experiments.arguments import positive
 from crowd_experiments.progress import text_of
-from crowd_experiments.runs import RunError, carry_out
+from crowd_experiments.runs import execute_left
 from crowd_experiments.setting import Setting
 from crowd_experiments.tools import find_config, find_tools
+
+EPILOG = '''experiments:
+{experiments}  all                all of them
+
+Completed runs are kept unless one of their programs, configurations or scenarios has changed. Ctrl-C keeps the
+finished runs; the same command continues from there.
+
+example:
+  research/{program.name} {program.experiments[0].NAME} --results results --processes 2
+
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,64 +34,44 @@ class Program:
     intro: str  # of the page
 
     def main(self, words=None):
-        """Runs the program with command line words. Returns the exit status."""
-        arguments = self.parse_arguments(words)
-        signal.signal(signal.SIGTERM, interrupt)
+        """Runs the program with command line words."""
+        arguments = self.parser().parse_args(words)
         start = time.monotonic()
         chosen = [experiment for experiment in self.experiments
                   if experiment.NAME in arguments.experiments or 'all' in arguments.experiments]
-        try:
-            setting = self.setting_of(arguments)
-            if not carry_out(setting, chosen, arguments):
-                return EXIT_INTERRUPTED
-            page = self.write(setting, self.chapters(setting, chosen), arguments)
-        except KeyboardInterrupt:
-            print('Interrupted; the finished runs are kept.')
-            return EXIT_INTERRUPTED
-        except (RunError, OSError) as error:
-            print(f'{self.name}: {error}', file=sys.stderr)
-            return EXIT_FAILED
+        setting = self.setting_of(arguments)
+        execute_left([run for experiment in chosen for run in experiment.plan(setting)], arguments.processes,
+                     arguments.force)
+        page = self.write(setting, self.chapters(setting, chosen), arguments.document)
         print(f'\nTook {text_of(time.monotonic() - start)}. All figures and tables: {page}')
-        return EXIT_FINE
 
     def parser(self):
         """Returns the parser of the command line."""
-        described = '\n'.join(f'  {experiment.NAME:18} {experiment.TITLE}' for experiment in self.experiments)
-        parser = argparse.ArgumentParser(
-            prog=self.name, formatter_class=argparse.RawDescriptionHelpFormatter, description=self.description,
-            epilog=f'experiments:\n{described}\n  {"all":18} all of them\n\n'
-                   'Completed runs are kept unless one of their programs, configurations or scenarios has changed. '
-                   'Ctrl-C keeps the\nfinished runs; the same command continues from there.\n\n'
-                   f'example:\n  research/{self.name} {self.experiments[0].NAME} --results results --processes 2\n\n'
-                   'Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.')
-        names = [experiment.NAME for experiment in self.experiments]
-        parser.add_argument('experiments', nargs='+', choices=[*names, 'all'], metavar='EXPERIMENT', help='see below')
-        parser.add_argument('--results', type=pathlib.Path, default=pathlib.Path('results'), metavar='FOLDER',
-                            help='folder of all results (default: results)')
+        listed = ''.join(f'  {experiment.NAME:18} {experiment.TITLE}\n' for experiment in self.experiments)
+        parser = parser_of(self.name, self.description, EPILOG.format(experiments=listed, program=self))
+        parser.add_argument('experiments', nargs='+', choices=[*(one.NAME for one in self.experiments), 'all'],
+                            metavar='EXPERIMENT', help='see below')
+        add_file(parser, '--results', default=pathlib.Path('results'), metavar='FOLDER',
+                 help='folder of all results (default: results)')
         parser.add_argument('--processes', type=positive, default=min(2, os.cpu_count() or 1), metavar='N',
                             help='number of parallel runs (default: %(default)s)')
         parser.add_argument('--force', action='store_true', help='repeat all runs')
         parser.add_argument('--quick', action='store_true',
                             help='minimal numbers of seeds and episodes, to test the program; results are meaningless')
-        parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER',
-                            help='folder of train and evaluate (default: the folder of this program; if they are not '
-                                 'there, the package is built)')
-        parser.add_argument('--document', type=pathlib.Path, metavar='FILE.md',
-                            help='also update the tables of this document, and its pictures in images/')
+        add_tools(parser)
+        add_file(parser, '--document', metavar='FILE.md',
+                 help='also update the tables of this document, and its pictures in images/')
         return parser
-
-    def parse_arguments(self, words):
-        return self.parser().parse_args(words)
 
     def setting_of(self, arguments):
         return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick)
 
-    def write(self, setting, chapters, arguments):
+    def write(self, setting, chapters, document):
         """Writes the page and updates the document. Returns the file of the page."""
-        if arguments.document:
-            for message in fill_document(arguments.document, chapters):
-                print(message)
+        if document:
+            print('\n'.join(fill_document(document, chapters)))
         page = setting.results / 'index.html'
+        page.parent.mkdir(parents=True, exist_ok=True)
         write_page(page, self.title, self.name, chapters,
                    self.intro + (' Quick run: the results are meaningless.' if setting.quick else ''))
         return page
@@ -99,9 +86,9 @@ class Program:
                 continue
             chapter = experiment.report(setting)
             chapter.commands = runs[0].lines()
-            folder = setting.results / 'tables'
-            folder.mkdir(parents=True, exist_ok=True)
-            (folder / f'{chapter.name}.md').write_text(chapter.markdown(), encoding='utf-8')
+            file = setting.results / 'tables' / f'{chapter.name}.md'
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(chapter.markdown(), encoding='utf-8')
             chapters.append(chapter)
             if experiment in chosen:
                 for table in chapter.tables():

@@ -1,23 +1,22 @@
 """The command line of research/validate."""
-import argparse
 import pathlib
-import signal
 import sys
 import time
 
+from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
+from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, EXIT_USAGE
 from crowd_experiments.pages import Chapter, fill_document
-from crowd_experiments.arguments import positive
-from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, interrupt
-from crowd_experiments.tools import find_config, find_tools
 from crowd_experiments.progress import text_of
 from crowd_experiments.runs import RunError
+from crowd_experiments.tools import find_evaluation
 
 from . import cases
 from .case import load, store
 from .evaluation import Evaluation
 
 HEADER = ['case', 'title', 'measured', 'expected', 'passed']
-EXIT_USAGE = 2
+DESCRIPTION = '''Runs the field's standard tests of pedestrian models with a learned crowd, and prints a table: what was
+measured, what the guideline expects, and whether the test is passed.'''
 EXAMPLES = '''examples:
   research/validate --list                                 the cases
   research/validate                                        all cases, with three seeds each
@@ -35,31 +34,25 @@ Exit status: 0 all chosen cases were run (passed or not), 1 a run failed, 2 wron
 
 def parser():
     """Returns the parser of the command line."""
-    found = argparse.ArgumentParser(
-        prog='validate', formatter_class=argparse.RawDescriptionHelpFormatter, epilog=EXAMPLES,
-        description="Runs the field's standard tests of pedestrian models with a learned crowd, and prints a table: "
-                    'what was\nmeasured, what the guideline expects, and whether the test is passed.')
+    found = parser_of('validate', DESCRIPTION, EXAMPLES)
     found.add_argument('cases', nargs='*', metavar='CASE', help='names of cases, see --list (default: all)')
     found.add_argument('--list', action='store_true', help='list the cases, and those left out with the reason')
     found.add_argument('--table', action='store_true', help='print the table of stored results; runs nothing')
     found.add_argument('--seeds', type=positive, default=3, metavar='N', help='number of seeds (default: %(default)s)')
-    found.add_argument('--output', type=pathlib.Path, default=pathlib.Path('validation'), metavar='FOLDER',
-                       help='folder of scenarios, trajectories, results and pictures (default: %(default)s)')
-    found.add_argument('--document', type=pathlib.Path, metavar='FILE.md',
-                       help='also update the table of this document, and its pictures in images/')
-    found.add_argument('--q-table', type=pathlib.Path, metavar='FILE', help='Q-table (default: anticipation)')
+    add_file(found, '--output', default=pathlib.Path('validation'), metavar='FOLDER',
+             help='folder of scenarios, trajectories, results and pictures (default: %(default)s)')
+    add_file(found, '--document', metavar='FILE.md',
+             help='also update the table of this document, and its pictures in images/')
+    add_file(found, '--q-table', help='Q-table (default: anticipation)')
     found.add_argument('--processes', type=positive, default=1, metavar='N',
                        help='number of parallel runs (default: %(default)s)')
-    found.add_argument('--tools', type=pathlib.Path, metavar='FOLDER',
-                       help='folder of train and evaluate (default: the folder of this program; if they are not there, '
-                            'the package is built)')
+    add_tools(found)
     return found
 
 
 def main(words=None):
     """Runs the program with command line words. Returns the exit status."""
     arguments = parser().parse_args(words)
-    signal.signal(signal.SIGTERM, interrupt)
     names = [case.name for case in cases.ALL]
     for name in arguments.cases:
         if name not in names:
@@ -67,37 +60,24 @@ def main(words=None):
             print(f"validate: no case '{name}'{reason}; there are {', '.join(names)}", file=sys.stderr)
             return EXIT_USAGE
     if arguments.list:
-        list_cases()
+        print('\n'.join([*(f'{case.name:10} {case.title}' for case in cases.ALL),
+                         *(f'{name:10} left out: {reason}' for name, reason in cases.LEFT_OUT.items())]))
         return EXIT_FINE
     chosen = [case for case in cases.ALL if case.name in arguments.cases or not arguments.cases]
     output = arguments.output.absolute()
     try:
         failed = [] if arguments.table else run_cases(chosen, arguments, output)
-        report(output, [case.name for case in chosen if case.name not in failed], arguments.document)
     except KeyboardInterrupt:
         print(f'Interrupted; the finished runs are kept in {output}, and the same command continues from there.')
         return EXIT_INTERRUPTED
-    except (RunError, OSError) as error:
-        print(f'validate: {error}', file=sys.stderr)
-        return EXIT_FAILED
+    report(output, [case.name for case in chosen if case.name not in failed], arguments.document)
     return EXIT_FAILED if failed else EXIT_FINE
-
-
-def list_cases():
-    """Prints the cases and the cases that are left out."""
-    for case in cases.ALL:
-        print(f'{case.name:10} {case.title}')
-    for name, reason in cases.LEFT_OUT.items():
-        print(f'{name:10} left out: {reason}')
 
 
 def run_cases(chosen, arguments, output):
     """Runs the cases one after the other, and stores their results. Returns the names of cases that could not be
     run."""
-    q_table = (arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute()
-    if not q_table.is_file():
-        raise RunError(f'{q_table}: there is no such Q-table')
-    evaluate = find_tools(arguments.tools) / 'evaluate'
+    evaluate, q_table = find_evaluation(arguments)
     failed = []
     for number, case in enumerate(chosen, 1):
         print(f'[{number}/{len(chosen)}] {case.name}: {case.title}', file=sys.stderr, flush=True)
@@ -117,36 +97,30 @@ def run_cases(chosen, arguments, output):
 
 def report(output, chosen, document):
     """Prints the table of the chosen cases, and updates the document with all stored results."""
-    chapter = chapter_of(output, [case.name for case in cases.ALL])
-    table = chapter_of(output, chosen).tables()
-    if not table:
+    tables = chapter_of(output, chosen).tables()
+    if not tables:
         raise RunError(f'{output}: has no results of the chosen cases')
-    for part in table:
-        part.print()
+    for table in tables:
+        table.print()
     if document:
-        for message in fill_document(document, [chapter]):
-            print(message)
+        print('\n'.join(fill_document(document, [chapter_of(output, [case.name for case in cases.ALL])])))
 
 
 def chapter_of(output, names):
     """Returns the stored results of these cases: a table of results, a table of remarks and pictures. Cases without
     a stored result are skipped."""
     stored = [(case, load(output / case.name)) for case in cases.ALL if case.name in names]
-    rows, remarks, seeds = [], [], set()
+    stored = [(case, *found) for case, found in stored if found]
     chapter = Chapter('validation', 'Validation')
-    for case, found in stored:
-        if found is None:
-            continue
-        result, number = found
-        seeds.add(number)
-        rows.append([case.name, case.title, result.measured, result.expected, result.verdict()])
-        if result.remarks:
-            remarks.append([case.name, result.remarks])
+    for case, result, _ in stored:
         for picture in result.pictures:
             chapter.add_figure(picture, case.title)
-    if rows:
-        numbers = ' or '.join(map(str, sorted(seeds)))
-        chapter.add_table(f'Results: means over {numbers} seeds (lowest-highest)', HEADER, rows, 'results')
+    if stored:
+        numbers = ' or '.join(map(str, sorted({seeds for _, _, seeds in stored})))
+        chapter.add_table(f'Results: means over {numbers} seeds (lowest-highest)', HEADER, [
+            [case.name, case.title, result.measured, result.expected, result.verdict()] for case, result, _ in stored],
+            'results')
+    remarks = [[case.name, result.remarks] for case, result, _ in stored if result.remarks]
     if remarks:
         chapter.add_table('Remarks', ['case', 'remark'], remarks, 'remarks')
     return chapter

@@ -159,22 +159,19 @@ class Runner:
                 child.send_signal(signal.SIGINT)
 
 
-def carry_out(setting, chosen, arguments):
-    """Executes the runs that are not done yet; runs that several experiments share are executed once. Returns whether
-    all were completed."""
-    runs = list({run.folder: run for experiment in chosen for run in experiment.plan(setting)}.values())
-    left = runs if arguments.force else [run for run in runs if not run.is_done()]
+def execute_left(runs, processes, force=False):
+    """Executes the runs that are not done yet, or all; runs that are given several times are executed once."""
+    runs = list({run.folder: run for run in runs}.values())
+    left = runs if force else [run for run in runs if not run.is_done()]
     print(f'{len(runs)} runs, {len(runs) - len(left)} of them done before', flush=True)
-    if not left:
-        return True
     try:
-        Runner(arguments.processes).carry_out(left)
+        if left:
+            Runner(processes).carry_out(left)
     except KeyboardInterrupt:
-        done = sum(run.is_done() for run in runs)
-        print(f'Interrupted: {done} of {len(runs)} runs are done and kept in {setting.results}; '
-              'the same command continues from there.')
-        return False
-    return True
+        print(f'Interrupted: {sum(run.is_done() for run in runs)} of {len(runs)} runs are done and kept; the same '
+              f'command '
+              'continues from there.')
+        raise
 
 
 def processor_seconds(folder):

@@ -39,6 +39,14 @@ def find_config():
     raise RunError(f'{REPOSITORY}: found no config/scenarios')
 
 
+def find_evaluation(arguments):
+    """Returns the program evaluate and the Q-table that the options --tools and --q-table name."""
+    q_table = (arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute()
+    if not q_table.is_file():
+        raise RunError(f'{q_table}: there is no such Q-table')
+    return find_tools(arguments.tools) / 'evaluate', q_table
+
+
 def programs_in(prefix):
     """Returns the folder of the package's programs."""
     return prefix / 'lib' / 'social_crowd'

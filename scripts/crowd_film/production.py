@@ -7,7 +7,6 @@ import sys
 
 from crowd_drawing.errors import InputError
 from crowd_experiments.progress import ProgressBar
-from crowd_film.errors import FilmError
 from crowd_film.frames import FramePainter
 from crowd_film.pictures import write_gif, write_webp
 from crowd_film.stage import LEAST_WIDTH, Stage
@@ -57,7 +56,7 @@ def frame_times(settings, tracks):
 
 def make(settings, scene, tracks):
     """Makes a film. The file appears when it is complete. If it is larger than `max_megabytes`, it is made again with a
-    smaller picture. Returns width, height and number of frames. Raises FilmError, InputError, OSError."""
+    smaller picture. Returns width, height and number of frames. Raises InputError, OSError."""
     times = frame_times(settings, tracks)
     part = settings.output.with_name(f'.{settings.output.name}.part')
     size = settings.size
@@ -69,9 +68,9 @@ def make(settings, scene, tracks):
                 break
             size = int(SAFETY * size * (settings.max_megabytes / megabytes)**SHRINKAGE)
             if size < LEAST_WIDTH:
-                raise FilmError(f'the film has {megabytes:.1f} MB with {width} x {height} pixels, more than '
-                                f'{settings.max_megabytes:g} MB; give a shorter --duration, a lower --fps, a higher '
-                                '--speed, or .webp')
+                raise InputError(f'the film has {megabytes:.1f} MB with {width} x {height} pixels, more than '
+                                 f'{settings.max_megabytes:g} MB; give a shorter --duration, a lower --fps, a higher '
+                                 '--speed, or .webp')
             print(f'film: {megabytes:.1f} MB are too large; once more with {size} pixels', file=sys.stderr, flush=True)
         os.replace(part, settings.output)
     finally:
@@ -84,9 +83,9 @@ def shoot(file, settings, scene, tracks, times):
     stage = Stage(scene, tracks, settings.title, settings.size, settings.view)
     gigabytes = 3 * stage.width * stage.height * len(times) / 1e9
     if settings.output.suffix.lower() == '.webp' and gigabytes > MOST_GIGABYTES:
-        raise FilmError(f'a WebP film of {len(times)} frames with {stage.width} x {stage.height} pixels would need '
-                        f'{gigabytes:.1f} GB of memory, more than {MOST_GIGABYTES:g}; expected .gif or .mp4, or a '
-                        'shorter --duration')
+        raise InputError(f'a WebP film of {len(times)} frames with {stage.width} x {stage.height} pixels would need '
+                         f'{gigabytes:.1f} GB of memory, more than {MOST_GIGABYTES:g}; expected .gif or .mp4, or a '
+                         'shorter --duration')
     painter = FramePainter(stage, scene, tracks)
     samples = [painter.draw(time) for time in times[::max(1, len(times) // SAMPLES)]]
     bar = ProgressBar(len(times), len(times), 'frames')

@@ -3,17 +3,17 @@ import itertools
 import shutil
 import subprocess
 
-from crowd_film.errors import FilmError
+from crowd_drawing.errors import InputError
 
 QUALITY = '20'  # constant rate factor of x264: 0 is lossless, 51 the worst
 
 
 def need_ffmpeg():
-    """Returns the program ffmpeg. Raises FilmError if it is not installed."""
+    """Returns the program ffmpeg. Raises InputError if it is not installed."""
     program = shutil.which('ffmpeg')
     if program is None:
-        raise FilmError('ffmpeg is not installed, which MP4 needs; install it, or give --output a name with .gif or '
-                        '.webp')
+        raise InputError('ffmpeg is not installed, which MP4 needs; install it, or give --output a name with .gif or '
+                         '.webp')
     return program
 
 
@@ -37,4 +37,4 @@ def write_mp4(file, frames, _samples, duration):
         raise
     _, message = ffmpeg.communicate()
     if ffmpeg.returncode != 0:
-        raise FilmError(f"ffmpeg: {message.decode(errors='replace').strip()}")
+        raise InputError(f"ffmpeg: {message.decode(errors='replace').strip()}")

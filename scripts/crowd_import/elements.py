@@ -2,7 +2,7 @@
 import math
 import xml.parsers.expat
 
-from crowd_import.errors import InputError
+from crowd_drawing.errors import InputError
 
 
 class Element:

@@ -14,7 +14,7 @@ from crowd_experiments.pages import Chapter
 from crowd_experiments.runs import Run
 from crowd_experiments.setting import Setting
 from crowd_experiments.variations import changed, vary_config, vary_scenario
-from crowd_reproduction import claim, reward_claims
+from crowd_reproduction import claim, claims
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
 REWARDS = ('distance_gained', 'cosine_cubed')
@@ -72,9 +72,9 @@ class ReproduceTest:
         setting = Setting(pathlib.Path(), pathlib.Path(in_package('config')),
                           pathlib.Path(runner.path('results')), quick=True)
         chapter = Chapter('claims', 'Claims')
-        claim.add_claims(chapter, 'Rewards', reward_claims.CLAIMS, setting, 'rewards')
+        claim.add_claims(chapter, 'Rewards', claims.claims_of('rewards'), setting, 'rewards')
         rows = chapter.tables()[0].rows
-        assert len(rows) == len(reward_claims.CLAIMS)
+        assert len(rows) == len(claims.claims_of('rewards'))
         assert {row[3] for row in rows} <= {claim.CONFIRMED, claim.PARTLY, claim.NOT_CONFIRMED}
         arrivals = [self.success_in(runner, f'cosine_cubed_thesis_{seed:02d}/demo.csv') for seed in (1, 2)]
         assert f'cos³ {statistics.mean(arrivals):.2f} ' in next(

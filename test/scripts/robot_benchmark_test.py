@@ -180,7 +180,7 @@ class RobotBenchmarkTest:
         log = runner.path('results/runs/reactive/robot_station/log.txt')
         wait_for(lambda: os.path.exists(log) and 'evaluate' in read_text(log), 'the first run')
         assert running.stop() == 130, running.output()
-        assert_says(running.output(), 'Interrupted; the finished runs are kept in')
+        assert_says(running.output(), 'Interrupted: ', ' runs are done and kept')
 
 
 def has_move_base():

@@ -58,7 +58,7 @@ def make_run(setting, ablation, seed):
         [setting.tool('train'), write_config(setting, ablation), '--output', 'q_table.txt', '--seed', seed]
         + (['--episodes', QUICK_EPISODES] if setting.quick else []),
         [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'metrics.csv',
-         *setting.benchmark_scenarios()],
+         *sorted((setting.benchmark / 'scenarios').glob('*.yaml'))],
     ], cost=14.0)
 
 

@@ -42,7 +42,7 @@ def make_run(setting, model, seed):
         [setting.tool('train'), setting.learning(model), '--output', 'q_table.txt', '--seed', seed]
         + (['--episodes', QUICK_EPISODES[model]] if setting.quick else []),
         [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'metrics.csv',
-         *setting.benchmark_scenarios()],
+         *sorted((setting.benchmark / 'scenarios').glob('*.yaml'))],
     ], cost=COSTS[model])
 
 
@@ -50,7 +50,7 @@ def make_scored_run(setting):
     """Returns a run that evaluates the shipped table with `evaluate` and with the benchmark's scorer."""
     return Run(scored_folder(setting), [
         [setting.tool('evaluate'), '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
-         '--trajectories', 'trajectories', *setting.benchmark_scenarios()],
+         '--trajectories', 'trajectories', *sorted((setting.benchmark / 'scenarios').glob('*.yaml'))],
         [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
          'scored.csv'],
     ], cost=20.0)
