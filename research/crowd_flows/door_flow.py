@@ -4,11 +4,9 @@
 crossings of the line of the wall by the first and by the last person).
 """
 import numpy
-
 from crowd_experiments import style
 
-from .evaluation import TICK, evaluate, read_tracks
-from .measurements import COLOURS, door_range, read_columns
+from .measurements import COLOURS, TICK, door_range, evaluate, read_columns, read_tracks
 
 COUNT = 60
 WIDTHS = (0.8, 0.9, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.2, 2.4)  # [m]

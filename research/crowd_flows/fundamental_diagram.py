@@ -6,12 +6,10 @@ file: by the length). Speed is the mean over the persons and ticks of the veloci
 of walking. Only intervals from 8 to 20 s are used: later, the ends of the filled part reach the area.
 """
 import numpy
-
 from crowd_experiments import style
 
 from .corridors import CORRIDORS, document
-from .evaluation import TICK, evaluate, read_tracks
-from .measurements import COLOURS, LEAST_IN_BIN, bands, read_columns, weidmann
+from .measurements import COLOURS, LEAST_IN_BIN, TICK, bands, evaluate, read_columns, read_tracks, weidmann
 
 INTERVAL = round(1.0 / TICK)  # [ticks]
 FIGURE = 'validation_fundamental_diagram.png'

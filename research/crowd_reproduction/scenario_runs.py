@@ -2,15 +2,14 @@
 import functools
 
 import numpy
-
-from crowd_drawing.motion import place_of
 from crowd_drawing.files import read_scene
+from crowd_drawing.motion import place_of
 from crowd_experiments.records import of_scenario, rates, read_csv, read_tracks
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import read_documents, vary_scenario
 
 from . import agent_training
-from .decisions import read_decisions, read_visits
+from .measures import read_decisions, read_visits
 
 NAME = 'scenarios'
 SETS = agent_training.SETS

@@ -8,10 +8,9 @@ from crowd_experiments.runs import RunError, execute_left
 from crowd_experiments.tools import find_config, find_evaluation
 from crowd_robots.driving import DRIVEN
 
-from .catalogue import CROWDNAV_EPISODES, PLACEMENTS, ROBOTS, ROS_PLACEMENTS, SCENARIOS
-from .measures import joined, read_record
+from .measures import (CROWDNAV_EPISODES, PLACEMENTS, ROBOTS, ROS_PLACEMENTS, SCENARIOS, chapter_of, joined,
+                       read_record)
 from .runs import RECORD, Benchmark
-from .tables import chapter_of
 
 DESCRIPTION = '''Measures robots among people: success, contacts by cause, time, discomfort, and what they cost '
               'people, in the

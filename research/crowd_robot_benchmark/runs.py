@@ -4,13 +4,11 @@ import pathlib
 import shutil
 
 import yaml
-
 from crowd_experiments.runs import Run
 from crowd_experiments.tools import REPOSITORY
 from crowd_robots.driving import DRIVEN
 
-from .catalogue import CROWDNAV, CROWDNAV_KEYS, ROBOTS, VISIBLE
-from .measures import read_record
+from .measures import CROWDNAV, CROWDNAV_KEYS, ROBOTS, VISIBLE, read_record
 
 RECORD = 'robots.csv'  # in a run's folder
 DRIVER = REPOSITORY / 'scripts' / 'drive_robots'

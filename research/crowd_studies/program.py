@@ -6,10 +6,9 @@ import time
 
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
 from crowd_experiments.pages import fill_document, write_page
-from crowd_experiments.progress import text_of
-from crowd_experiments.runs import execute_left
-from crowd_experiments.setting import Setting
+from crowd_experiments.runs import execute_left, text_of
 from crowd_experiments.tools import find_config, find_tools
+from crowd_experiments.variations import Setting
 
 EPILOG = '''experiments:
 {experiments}  all                all of them

@@ -1,8 +1,7 @@
 """The command line of research/bench_sweeps."""
 from crowd_bench import program
 
-from .rank_scaling import RANK_SWEEPS
-from .sweeps import SWEEPS
+from .sweeps import RANK_SWEEPS, SWEEPS
 
 
 def main(words=None):

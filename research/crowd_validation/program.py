@@ -6,13 +6,11 @@ import time
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, EXIT_USAGE
 from crowd_experiments.pages import Chapter, fill_document
-from crowd_experiments.progress import text_of
-from crowd_experiments.runs import RunError
+from crowd_experiments.runs import RunError, text_of
 from crowd_experiments.tools import find_evaluation
 
 from . import cases
-from .case import load, store
-from .evaluation import Evaluation
+from .evaluation import Evaluation, load, store
 
 HEADER = ['case', 'title', 'measured', 'expected', 'passed']
 DESCRIPTION = '''Runs the field's standard tests of pedestrian models with a learned crowd, and prints a table: what was

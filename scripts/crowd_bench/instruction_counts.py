@@ -7,13 +7,12 @@ import subprocess
 import tempfile
 
 import yaml
-
 from crowd_experiments.arguments import add_tools, parser_of
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE
-from crowd_experiments.tools import REPOSITORY, find_tools
 from crowd_experiments.runs import RunError
+from crowd_experiments.tools import REPOSITORY, find_tools
 
-from .callgrind import COLLECT, require_valgrind
+from .profile import COLLECT, require_valgrind
 
 KEPT = REPOSITORY / 'test' / 'data' / 'instruction_counts.yaml'
 CONFIG = REPOSITORY / 'config'

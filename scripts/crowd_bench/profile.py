@@ -1,13 +1,26 @@
 """Profiles: instructions of each function, counted with callgrind."""
 import dataclasses
 import re
+import shutil
 import subprocess
 import tempfile
 
 from crowd_experiments.runs import RunError
 
-from .callgrind import COLLECT, require_valgrind
 from .core_benchmarks import PROGRAM, filter_of
+
+# Counts instructions within the functions of --toggle-collect= and the functions that they call.
+COLLECT = ['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet']
+
+
+def has_valgrind():
+    return shutil.which('valgrind') is not None
+
+
+def require_valgrind():
+    if not has_valgrind():
+        raise RunError('there is no valgrind, see scripts/install_dependencies')
+
 
 MOST_LINES = 12
 LEAST_SHARE = 0.5  # [%]

@@ -5,14 +5,14 @@ import pathlib
 import subprocess
 import sys
 
-from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.arguments import positive
+from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.runs import RunError
 from crowd_experiments.tools import REPOSITORY
 
-from . import document, rank_benchmarks, ros_benchmarks, table
+from . import core_benchmarks as rank_benchmarks, ros_benchmarks, table, table as document
 from .catalogue import BENCHMARKS, Benchmark
-from .core_benchmarks import PROGRAM, CoreBenchmarks
+from .core_benchmarks import CoreBenchmarks, PROGRAM
 from .profile import PROFILES
 
 GROUPS = {'benchmarks (run by default)': BENCHMARKS, 'profiles, with callgrind': PROFILES}

@@ -1,12 +1,11 @@
 """The program `plot_learning`."""
 import sys
 
-from crowd_curves.bands import band_of, default_window, episodes_of
 from crowd_curves.drawing import draw_curves, measures_of
-from crowd_curves.records import by_scenario, read_run
+from crowd_curves.records import band_of, by_scenario, default_window, episodes_of, read_run
 from crowd_drawing.errors import InputError
-from crowd_experiments.confidence import t_quantile
 from crowd_experiments.arguments import add_file, labelled, parser_of, positive
+from crowd_experiments.confidence import t_quantile
 
 EXAMPLES = '''examples:
   for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\

@@ -1,4 +1,30 @@
-"""Errors that end a program with a message."""
+"""Files that programs read and write, and errors that end a program with a message."""
+import pathlib
+
+
+def complete_lines(stream, file):
+    """Yields the lines of a stream. Raises InputError if the last one has no end: the file was cut off, maybe within a
+    number."""
+    for number, line in enumerate(stream, 1):
+        if not line.endswith('\n'):
+            raise InputError(f'{file}:{number}: the last line is not complete, as in a file that was cut off; expected '
+                             'a line end')
+        yield line
+
+
+def ended_lines(stream):
+    """Yields the lines of a stream that have an end: the last one may still be being written."""
+    return (line for line in stream if line.endswith('\n'))
+
+
+def check_output(file):
+    """Raises InputError if a file cannot be written, because there is no folder for it, or it is a folder itself. To be
+    called before work that takes long."""
+    file = pathlib.Path(file)
+    if file.is_dir():
+        raise InputError(f'{file}: cannot be written: it is a folder')
+    if not file.parent.is_dir():
+        raise InputError(f'{file}: cannot be written: there is no folder {file.parent.absolute()}')
 
 
 class InputError(Exception):

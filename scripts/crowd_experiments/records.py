@@ -3,8 +3,7 @@ import csv
 import itertools
 
 import numpy
-from crowd_drawing.errors import InputError
-from crowd_drawing.lines import complete_lines, ended_lines
+from crowd_drawing.errors import InputError, complete_lines, ended_lines
 
 TEXTS = ('scenario', 'robot')
 

@@ -2,12 +2,11 @@
 import pathlib
 import tempfile
 
-from crowd_drawing.outputs import check_output
+from crowd_drawing.errors import check_output
 from crowd_experiments.arguments import above_zero, add_file, add_tools, at_least_zero, parser_of, pixels, whole
 from crowd_experiments.tools import find_tools
-from crowd_film.production import MEGABYTE, WRITERS, Settings, make
-from crowd_film.video import need_ffmpeg
-from crowd_film.recording import table_for, walk
+from crowd_film.pictures import need_ffmpeg
+from crowd_film.production import MEGABYTE, Settings, WRITERS, make, table_for, walk
 from crowd_recordings.shown import read_shown
 
 EXAMPLES = '''examples:

@@ -7,9 +7,8 @@ import pathlib
 import sys
 
 from crowd_experiments.arguments import above_zero, parser_of
-from crowd_import.pedsim_conversion import Conversion
+from crowd_import.pedsim_conversion import Conversion, name_text, number_text, section
 from crowd_import.pedsim_scene import PedsimScene
-from crowd_import.scenario_text import name_text, number_text, section
 
 EXAMPLES = '''example:
   rosrun social_crowd pedsim_import hall.xml --output hall.yaml --duration 120

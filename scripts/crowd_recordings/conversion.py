@@ -2,7 +2,7 @@
 import math
 
 from crowd_drawing.files import DEFAULT_TICK
-from crowd_drawing.outputs import check_output
+from crowd_drawing.errors import check_output
 from crowd_experiments.arguments import above_zero, add_file, parser_of, whole
 from crowd_recordings.formats import WRITERS, read_recording, write_recording
 

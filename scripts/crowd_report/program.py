@@ -3,12 +3,11 @@ import os
 import pathlib
 import tempfile
 
-from crowd_drawing.errors import InputError
-from crowd_drawing.outputs import check_output
+from crowd_drawing.errors import InputError, check_output
 from crowd_experiments.arguments import add_file, parser_of
 from crowd_experiments.pages import write_page
 from crowd_report.chapters import chapters_of
-from crowd_report.inputs import HEADERS, LOG, RECORD, source_of
+from crowd_report.tables import HEADERS, LOG, RECORD, source_of
 
 EXAMPLES = '''examples:
   for table in anticipation human; do mkdir -p $table

@@ -5,12 +5,11 @@ import subprocess
 import sys
 
 import yaml
-
-from crowd_experiments.interruption import EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.arguments import add_file, parser_of, positive
+from crowd_experiments.interruption import EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.records import read_csv
 from crowd_experiments.runs import RunError
-from crowd_launching.ports import free_port
+from crowd_launching.launch_end import free_port
 from crowd_launching.program import Program
 
 # Robots that are driven through ROS, and their arguments of move_base.launch.

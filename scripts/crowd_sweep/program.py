@@ -6,11 +6,11 @@ import shlex
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
 from crowd_experiments.runs import execute_left
 from crowd_experiments.tools import find_config, find_tools
-from crowd_experiments.setting import Setting
-from crowd_report.inputs import METRICS, RECORD, TRAJECTORIES, Source
+from crowd_experiments.variations import Setting
 from crowd_report.program import write_report
+from crowd_report.tables import METRICS, RECORD, Source, TRAJECTORIES
 from crowd_sweep import plan as planning
-from crowd_sweep.checks import check_configurations
+from crowd_sweep.plan import check_configurations
 from crowd_sweep.sweep_file import read_sweep
 
 REPORT = 'report.html'

@@ -2,15 +2,12 @@
 import os
 import pathlib
 
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, check_output
 from crowd_drawing.files import HOMES
-from crowd_drawing.outputs import check_output
 from crowd_experiments.arguments import add_file, parser_of, whole
-from crowd_tables.actions import action_names
 from crowd_tables.drawing import draw_table
-from crowd_tables.state_sets import meaning_of
-from crowd_tables.summary import row_visits
-from crowd_tables.table import read_table
+from crowd_tables.state_sets import action_names, meaning_of
+from crowd_tables.table import read_table, row_visits
 
 EXAMPLES = '''examples:
   draw_q_table config/q_tables/thesis_nearest.txt --output nearest.png

@@ -5,7 +5,7 @@ import pathlib
 
 import pytest
 from crowd_bench import instruction_counts
-from crowd_bench.callgrind import has_valgrind
+from crowd_bench.profile import has_valgrind
 from crowd_experiments.runs import RunError
 from programs import ANTICIPATION_TABLE, assert_same_recording, in_package, read_bytes, tools_folder
 

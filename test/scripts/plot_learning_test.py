@@ -4,12 +4,11 @@ import math
 import os
 import subprocess
 
-import numpy
 import PIL.Image
+import numpy
 import pytest
-from crowd_curves.bands import band_of, default_window
 from crowd_curves.drawing import measures_of
-from crowd_curves.records import read_run, window_means
+from crowd_curves.records import band_of, default_window, read_run, window_means
 from crowd_drawing.errors import InputError
 from crowd_experiments.confidence import bootstrap_difference, mean_interval, t_quantile
 from learning_files import config_text

@@ -4,7 +4,7 @@ import math
 import numpy
 import pytest
 from crowd_reproduction import measures
-from crowd_reproduction.decisions import Sector, read_decisions, read_visits, sectors_of
+from crowd_reproduction.measures import Sector, read_decisions, read_visits, sectors_of
 
 NAN = math.nan
 

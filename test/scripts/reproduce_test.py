@@ -12,8 +12,7 @@ import yaml
 from crowd_drawing.motion import place_of
 from crowd_experiments.pages import Chapter
 from crowd_experiments.runs import Run
-from crowd_experiments.setting import Setting
-from crowd_experiments.variations import changed, vary_config, vary_scenario
+from crowd_experiments.variations import Setting, changed, vary_config, vary_scenario
 from crowd_reproduction import claim, claims
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 

@@ -7,10 +7,9 @@ import subprocess
 import numpy
 import pytest
 from crowd_experiments.runs import RunError
-from crowd_robot_benchmark.catalogue import CROWDNAV_ORCA, INVISIBLE, VISIBLE
+from crowd_robot_benchmark.measures import (CROWDNAV_ORCA, INVISIBLE, VISIBLE, Summary, chapter_of, interval,
+                                            number_text, read_record, rows_of)
 from crowd_robots.driving import launch_arguments
-from crowd_robot_benchmark.measures import Summary, interval, read_record, rows_of
-from crowd_robot_benchmark.tables import chapter_of, number_text
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
 COLUMNS = ('episode,scenario,robot,success,time_to_reach_goal,robot_on_person_collisions,person_on_robot_collisions,'
@@ -166,7 +165,7 @@ class RobotBenchmarkTest:
 
     @pytest.mark.parametrize('words, said', [
         (['--q-table', 'nowhere.txt'], 'nowhere.txt: there is no such Q-table'),
-        (['--robot', 'tug=nowhere.csv'], "No such file or directory: 'nowhere.csv'"),
+        (['--robot', 'tug=nowhere.csv'], 'nowhere.csv: No such file or directory'),
         (['--table'], 'has no results'),
     ])
     def test_wrong_input(self, runner, words, said):

@@ -6,9 +6,9 @@ import random
 
 import numpy
 import pytest
-from crowd_validation import measures, people, texts
+from crowd_validation import measures, measures as texts, plan as people
 from crowd_validation.cases import rimea_09
-from crowd_validation.recording import Recording, read_tracks
+from crowd_validation.evaluation import Recording, read_tracks
 
 NAN = [math.nan, math.nan]
 

@@ -5,7 +5,7 @@ import stat
 
 import pytest
 from crowd_validation import cases
-from crowd_validation.case import Result, load, store
+from crowd_validation.evaluation import Result, load, store
 from crowd_validation.program import chapter_of
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 

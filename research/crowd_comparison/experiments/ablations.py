@@ -5,8 +5,7 @@ from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import vary_config
 
-from ..metrics_csv import greatest, judged, least, not_slower, read_metrics, time_against
-from ..models import COLOURS, ORCA, OURS
+from ..metrics_csv import COLOURS, ORCA, OURS, greatest, judged, least, not_slower, read_metrics, time_against
 from .benchmark import spread_text
 
 NAME = 'ablations'

@@ -7,8 +7,8 @@ from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run, processor_seconds
 
 from .. import bars
-from ..metrics_csv import greatest, judged, largest_difference, least, not_slower, read_metrics, time_against
-from ..models import COLOURS, LEARNED, NAMES, ORCA, OURS, REFERENCES
+from ..metrics_csv import (COLOURS, LEARNED, NAMES, ORCA, OURS, REFERENCES, greatest, judged, largest_difference,
+                           least, not_slower, read_metrics, time_against)
 
 NAME = 'benchmark'
 TITLE = 'The steering benchmark'

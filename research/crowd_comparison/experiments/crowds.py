@@ -1,6 +1,5 @@
 """Large crowds: arrivals and contacts."""
 import numpy
-
 from crowd_drawing.files import read_scene, read_walks
 from crowd_experiments import style
 from crowd_experiments.pages import Chapter
@@ -8,7 +7,7 @@ from crowd_experiments.records import Spread, rates, read_csv
 from crowd_experiments.runs import Run
 from crowd_studies.scene_figures import draw_moment, last_tick_of
 
-from ..models import NAMES, OURS
+from ..metrics_csv import NAMES, OURS
 
 NAME = 'crowds'
 TITLE = 'Large crowds'

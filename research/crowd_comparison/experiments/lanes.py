@@ -1,6 +1,5 @@
 """Lane formation of two crowds in a corridor."""
 import numpy
-
 from crowd_drawing.files import read_scene, read_walks
 from crowd_experiments import style
 from crowd_experiments.pages import Chapter
@@ -9,7 +8,7 @@ from crowd_experiments.runs import Run
 from crowd_studies.scene_figures import draw_moment
 
 from ..lane_order import HALF_WIDTH, STRETCH, order_over_time
-from ..models import COLOURS, LEARNED, NAMES
+from ..metrics_csv import COLOURS, LEARNED, NAMES
 
 NAME = 'lanes'
 TITLE = 'Lanes in a two-way corridor'

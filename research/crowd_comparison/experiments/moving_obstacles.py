@@ -2,7 +2,6 @@
 import math
 
 import numpy
-
 from crowd_drawing.files import read_scene
 from crowd_drawing.picture import OBSTACLE_COLOUR, Picture
 from crowd_experiments import style
@@ -10,8 +9,8 @@ from crowd_experiments.pages import Chapter
 from crowd_experiments.records import rates, read_csv, read_tracks
 from crowd_experiments.runs import Run
 
-from ..avoidability import HEADINGS, LOOK_BACK, LOOK_ON, TURNED_WITHIN, Recording
-from ..models import COLOURS, LEARNED, NAMES, OURS
+from ..avoidability import HEADINGS, LOOK_BACK, LOOK_ON, Recording, TURNED_WITHIN
+from ..metrics_csv import COLOURS, LEARNED, NAMES, OURS
 
 NAME = 'moving_obstacles'
 TITLE = 'Moving obstacles that do not yield'

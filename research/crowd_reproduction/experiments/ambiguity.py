@@ -1,15 +1,13 @@
 """Figures 4.13-4.16: situations that state set 1 does not distinguish, and two obstacles side by side."""
 import numpy
-
 from crowd_drawing.files import read_scene
 from crowd_experiments import style
 from crowd_experiments.pages import Chapter
-from crowd_experiments.records import (Spread, median, of_scenario, percent, read_table_header, read_tracks)
+from crowd_experiments.records import Spread, median, of_scenario, percent, read_table_header, read_tracks
 from crowd_studies.scene_figures import draw_perception, draw_scene, frame_alike
 
 from .. import agent_runs, agent_training, names, twins_runs as twins
-from ..decisions import read_decisions, sectors_of
-from ..measures import crossing
+from ..measures import crossing, read_decisions, sectors_of
 
 NAME = twins.NAME
 TITLE = 'Ambiguity of state set 1: the twins tests (figures 4.13-4.16)'

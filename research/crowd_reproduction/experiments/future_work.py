@@ -6,8 +6,7 @@ from crowd_experiments.runs import Run
 from crowd_experiments.variations import vary_config
 
 from .. import agent_runs, agent_training, names, scenario_runs as runs
-from ..decisions import read_decisions
-from ..measures import surrounded
+from ..measures import read_decisions, surrounded
 from ..surroundings import DEFINITIONS, HEADER, LEAST_SECTORS, SOON, row_of
 
 NAME = 'future_work'

@@ -1,11 +1,11 @@
 """RiMEA 1: keeping the walking speed in a corridor."""
 from crowd_experiments.records import Spread
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
 from ..drawing import draw_paths
+from ..evaluation import Case, Result
 from ..measures import crossing_times
-from ..people import RADIUS
+from ..plan import RADIUS
 
 LENGTH, WIDTH, SPEED = 40.0, 2.0, 1.33  # [m], [m], [m/s]
 EXPECTED = (26.0, 34.0)  # [s]

@@ -2,13 +2,12 @@
 import random
 
 import numpy
-
 from crowd_experiments.style import new_figure, save
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
+from ..evaluation import Case, Result
 from ..measures import starts
-from ..people import RADIUS, adult_speeds, places
+from ..plan import RADIUS, adult_speeds, places
 
 WIDTH, LENGTH = 5.0, 8.0  # of the room [m]; the exit is in the middle of a short wall
 PEOPLE = 10

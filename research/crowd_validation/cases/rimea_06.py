@@ -1,11 +1,11 @@
 """RiMEA 6: movement around a corner."""
 import random
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
 from ..drawing import draw_paths, shown
+from ..evaluation import Case, Result
 from ..measures import largest_overlap, through_walls
-from ..people import RADIUS, adult_speeds, places
+from ..plan import RADIUS, adult_speeds, places
 
 PEOPLE = 20
 WIDTH, LEG = 2.0, 10.0  # of the corridor [m]: inner sides of both legs

@@ -2,14 +2,13 @@
 import random
 
 import numpy
+from crowd_experiments.style import new_figure, save
 from matplotlib.patches import Rectangle
 
-from crowd_experiments.style import new_figure, save
-
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
+from ..evaluation import Case, Result
 from ..measures import mean_speeds
-from ..people import RADIUS, SPEEDS, speed_of
+from ..plan import RADIUS, SPEEDS, speed_of
 
 PER_GROUP = 15
 SPACING = 2.0  # [m] between people abreast, so that they do not influence each other

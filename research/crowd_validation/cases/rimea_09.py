@@ -2,14 +2,13 @@
 import random
 
 import numpy
-
 from crowd_experiments.records import Spread
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
 from ..drawing import draw_departures, draw_moments, shown
+from ..evaluation import Case, Result
 from ..measures import nearest_of
-from ..people import RADIUS, adult_speeds, places
+from ..plan import RADIUS, adult_speeds, places
 
 PEOPLE = 1000
 WIDTH, HEIGHT = 30.0, 20.0  # of the room [m]

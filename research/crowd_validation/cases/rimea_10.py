@@ -3,11 +3,11 @@ import random
 
 import numpy
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
 from ..drawing import draw_paths, shown
+from ..evaluation import Case, Result
 from ..measures import crossing_times, through_walls
-from ..people import RADIUS, adult_speeds, places
+from ..plan import RADIUS, adult_speeds, places
 
 ROOM, DEPTH, DOOR = 3.0, 5.0, 0.9  # width and depth of a room, width of its door [m]
 CORRIDOR = (5.0, 6.0)  # y [m]

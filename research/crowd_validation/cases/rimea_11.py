@@ -3,11 +3,11 @@ import random
 
 import numpy
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
 from ..drawing import draw_moments, shown
+from ..evaluation import Case, Result
 from ..measures import crossing_times
-from ..people import RADIUS_IN_DENSE_CROWDS, adult_speeds, places
+from ..plan import RADIUS_IN_DENSE_CROWDS, adult_speeds, places
 
 PEOPLE = 1000
 WIDTH, HEIGHT = 30.0, 20.0  # of the room [m]

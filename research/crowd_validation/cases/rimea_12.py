@@ -3,11 +3,11 @@ import random
 
 from crowd_experiments.style import new_figure, save
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
 from ..drawing import draw_moments, shown
+from ..evaluation import Case, Result
 from ..measures import slow_people, sustained_peak
-from ..people import RADIUS, adult_speeds, places
+from ..plan import RADIUS, adult_speeds, places
 
 PEOPLE = 150
 ROOM, CORRIDOR, WIDTH = 10.0, 5.0, 1.0  # side of the rooms, length and width of the corridor and the exit [m]

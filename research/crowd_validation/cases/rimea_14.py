@@ -3,11 +3,11 @@ import random
 
 import numpy
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
 from ..drawing import draw_paths, shown
+from ..evaluation import Case, Result
 from ..measures import crossing_times
-from ..people import RADIUS, adult_speeds, places
+from ..plan import RADIUS, adult_speeds, places
 
 PEOPLE = 100
 SHORT = [[10.0, 18.0], [12.0, 18.0]]  # across the nearer of two parallel corridors

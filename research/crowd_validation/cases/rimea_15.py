@@ -1,11 +1,11 @@
 """RiMEA 15: a large crowd around a corner."""
 import random
 
-from .. import plan, texts
-from ..case import Case, Result
+from .. import measures as texts, plan
 from ..drawing import draw_moments, shown
+from ..evaluation import Case, Result
 from ..measures import crossing_times
-from ..people import RADIUS_IN_DENSE_CROWDS, adult_speeds, places
+from ..plan import RADIUS_IN_DENSE_CROWDS, adult_speeds, places
 
 PEOPLE = 500
 WIDTH, DEPTH = 20.0, 6.0  # of the corridors, and of the area at their upper ends where people start [m]
