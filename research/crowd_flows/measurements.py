@@ -4,6 +4,7 @@ import dataclasses
 import subprocess
 
 import numpy
+from crowd_experiments import records
 
 TICK = 0.1  # [s]
 
@@ -20,16 +21,8 @@ def evaluate(program, table, scenario, folder, *options):
 
 
 def read_tracks(file):
-    """Returns an array (tick, agent, 2) of the positions of each instance of a recording; nan after the arrival."""
-    data = numpy.loadtxt(file, delimiter=',', skiprows=1, usecols=(0, 1, 2, 3, 4), ndmin=2)
-    tracks = []
-    for instance in numpy.unique(data[:, 0]):
-        rows = data[data[:, 0] == instance]
-        ticks, agents = rows[:, 1].astype(int), rows[:, 2].astype(int)
-        track = numpy.full((ticks.max() + 1, agents.max() + 1, 2), numpy.nan)
-        track[ticks, agents] = rows[:, 3:5]
-        tracks.append(track)
-    return tracks
+    """Returns the positions of each instance of a recording, arrays (tick, agent, 2); nan after the arrival."""
+    return list(records.read_tracks(file).values())
 
 
 LEAST_IN_BIN = 5  # values; bins with fewer are left out

@@ -1,85 +1,15 @@
-"""Measures of episodes of one robot, from records of `evaluate --robots-csv`, and their tables."""
+"""Scenarios and robots of the benchmark; measures of episodes of one robot, from records of `evaluate --robots-csv`,
+and their tables."""
 import dataclasses
 import math
 
 import numpy
+import pandas
 from crowd_drawing.errors import InputError
 from crowd_experiments.pages import Chapter
 from crowd_experiments.records import read_csv
 from crowd_experiments.runs import RunError
-
-
-HEADER = ['success', 'success without contact', 'contacts: robot on person, person on robot, mutual', 'time [s]',
-          'personal space [s]', "people's delay [s]", 'detour [m]']
-
-
-def chapter_of(records, scenarios, crowdnav):
-    """Returns the tables `robots/summary`, `robots/scenarios` and `robots/crowdnav`.
-
-    @param records by robot, with the rows of all scenarios
-    @param crowdnav by (robot, VISIBLE or INVISIBLE): records in CrowdNav's setting"""
-    chapter = Chapter('robots', 'Robots among people')
-    summary, single = [], []
-    for robot, record in records.items():
-        parts = {name: rows_of(record, name) for name in scenarios}
-        parts = {name: rows for name, rows in parts.items() if len(rows['success'])}
-        if not parts:
-            continue
-        whole = Summary.of(joined(parts.values()))
-        summary.append([robot, f'{len(parts)} x {text_of_episodes(parts)}', *cells(whole)])
-        single += [[name, robot, *cells(Summary.of(rows))] for name, rows in parts.items()]
-    single.sort(key=lambda row: scenarios.index(row[0]))
-    if summary:
-        chapter.add_table('All scenarios', ['robot', 'episodes', *HEADER], summary, 'summary')
-        chapter.add_table('By scenario', ['scenario', 'robot', *HEADER], single, 'scenarios')
-    if crowdnav:
-        chapter.add_table("CrowdNav's setting", ['people', 'robot', 'episodes', 'success', 'contact', 'neither',
-                                                 'time [s]'], crowdnav_rows(crowdnav), 'crowdnav')
-    return chapter
-
-
-def text_of_episodes(parts):
-    """Returns the number of episodes of a scenario, such as 20 or 18-20."""
-    numbers = [len(rows['success']) for rows in parts.values()]
-    return f'{min(numbers)}' if min(numbers) == max(numbers) else f'{min(numbers)}-{max(numbers)}'
-
-
-def cells(summary):
-    """Returns the cells of a row, without its names."""
-    return [share_text(summary.arrived, summary.episodes), share_text(summary.clean, summary.episodes),
-            ', '.join(map(str, summary.contacts)), number_text(summary.time, 1),
-            number_text(summary.personal_space_time, 1), number_text(summary.people_delay, 2),
-            number_text(summary.people_detour, 2)]
-
-
-def crowdnav_rows(crowdnav):
-    """Returns a row for each robot, and for ORCA as published. Success is as in CrowdNav without a contact."""
-    rows = []
-    for kind in (VISIBLE, INVISIBLE):
-        clean, touched, time = CROWDNAV_ORCA[kind]
-        rows.append([f'robot {kind}', 'ORCA, published', *crowdnav_cells(clean, touched, 500, time)])
-        for (robot, of_kind), record in crowdnav.items():
-            if of_kind == kind:
-                found = Summary.of(record)
-                rows.append([f'robot {kind}', robot,
-                             *crowdnav_cells(found.clean, found.touched, found.episodes, found.clean_time)])
-    return rows
-
-
-def crowdnav_cells(clean, touched, episodes, time):
-    return [str(episodes), share_text(clean, episodes), share_text(touched, episodes),
-            str(episodes - clean - touched), number_text(time, 2)]
-
-
-def share_text(count, total):
-    """Returns a count with the 95 % interval of its share, such as `213 (38-47 %)`."""
-    low, high = interval(count, total)
-    return f'{count} ({math.floor(100 * low + 0.5)}-{math.floor(100 * high + 0.5)} %)'
-
-
-def number_text(value, decimals):
-    """Returns a number; `-` for nan, and no sign for zero."""
-    return '-' if math.isnan(value) else f'{round(value, decimals) + 0.0:.{decimals}f}'
+from scipy.stats import binomtest
 
 SCENARIOS = ('robot_corridor_with', 'robot_corridor_against', 'robot_crossing', 'robot_overtaking', 'robot_door',
              'robot_corner', 'robot_circle_5', 'robot_circle_20', 'robot_circle_50', 'robot_hall', 'robot_queue',
@@ -93,8 +23,7 @@ ROBOTS = {
     'learned_stop': ('learned', {'yields': 'both'}),
 }
 PLACEMENTS = 20  # episodes of each scenario
-ROS_PLACEMENTS = 5  # the same for DRIVEN
-
+ROS_PLACEMENTS = 5  # the same for robots that are driven through ROS
 # CrowdNav's setting: a circle of 4 m, five people, bodies of 0.3 m, 1 m/s, 25 s.
 CROWDNAV = 'robot_circle_5'
 CROWDNAV_EPISODES = 500
@@ -104,40 +33,30 @@ CROWDNAV_KEYS = {VISIBLE: {}, INVISIBLE: {'perceived': False}}
 # contact, episodes with a contact, and the mean time of the former [s].
 CROWDNAV_ORCA = {VISIBLE: (500, 0, 10.02), INVISIBLE: (213, 284, 10.86)}
 
-
-NEEDED = ('episode', 'scenario', 'robot', 'success', 'time_to_reach_goal', 'robot_on_person_collisions',
-          'person_on_robot_collisions', 'mutual_collisions', 'personal_space_time')
+CAUSES = ['robot_on_person_collisions', 'person_on_robot_collisions', 'mutual_collisions']
+NEEDED = ['episode', 'scenario', 'robot', 'success', 'time_to_reach_goal', *CAUSES, 'personal_space_time']
 # Of `evaluate --people-delay` only: a run through ROS has no run without robots to compare with.
 PEOPLE = {'people_compared': 0.0, 'people_delay': math.nan, 'people_detour': math.nan}
-CAUSES = ('robot_on_person_collisions', 'person_on_robot_collisions', 'mutual_collisions')
-CONFIDENCE = 1.959964  # standard deviations of a 95 % interval
+HEADER = ['success', 'success without contact', 'contacts: robot on person, person on robot, mutual', 'time [s]',
+          'personal space [s]', "people's delay [s]", 'detour [m]']
 
 
 def read_record(file):
-    """Returns the columns of a record of robots by their names. Raises RunError if it is not one."""
+    """Returns a record of robots. Raises RunError if it is not one, OSError."""
     try:
-        record = read_csv(file)
+        record = pandas.DataFrame(read_csv(file))
     except InputError as error:
         raise RunError(f'{file}: expected a record of robots as CSV, got something else ({error})') from error
     missing = [name for name in NEEDED if name not in record]
     if missing:
         raise RunError(f'{file}: expected a record as of `evaluate --robots-csv`, got one without the columns '
                        f'{", ".join(missing)}')
-    for name, without in PEOPLE.items():
-        record.setdefault(name, numpy.full(len(record['episode']), without))
-    return record
+    return record.assign(**{name: value for name, value in PEOPLE.items() if name not in record})
 
 
 def rows_of(record, scenario):
     """Returns the rows of a record that belong to a scenario."""
-    rows = numpy.array([name == scenario for name in record['scenario']], dtype=bool)
-    return {name: numpy.array(column)[rows] for name, column in record.items()}
-
-
-def joined(records):
-    """Returns the rows of several records as one."""
-    return {name: numpy.concatenate([numpy.array(record[name]) for record in records])
-            for name in (*NEEDED, *PEOPLE)}
+    return record[record['scenario'] == scenario]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -157,31 +76,71 @@ class Summary:
     @classmethod
     def of(cls, record):
         """Sums up a record."""
-        success = record['success'] > 0
-        contacts = sum(record[cause] for cause in CAUSES)
-        clean = success & (contacts == 0)
-        people = record['people_compared']
-        known = people > 0
+        success, touched = record['success'] > 0, record[CAUSES].sum(axis=1) > 0
+        time = record['time_to_reach_goal']
+        known = record[record['people_compared'] > 0]
+        of_people = [float(numpy.average(known[column], weights=known['people_compared'])) if len(known) else math.nan
+                     for column in ('people_delay', 'people_detour')]
+        return cls(len(record), int(success.sum()), int((success & ~touched).sum()), int(touched.sum()),
+                   tuple(record[CAUSES].sum().astype(int)), time[success].mean(), time[success & ~touched].mean(),
+                   record['personal_space_time'].mean(), *of_people)
 
-        def of_people(column):
-            return float(numpy.average(record[column][known], weights=people[known])) if known.any() else math.nan
-        return cls(len(success), int(success.sum()), int(clean.sum()), int((contacts > 0).sum()),
-                   tuple(int(record[cause].sum()) for cause in CAUSES), mean(record['time_to_reach_goal'][success]),
-                   mean(record['time_to_reach_goal'][clean]), mean(record['personal_space_time']),
-                   of_people('people_delay'), of_people('people_detour'))
-
-
-def mean(values):
-    """Returns the mean; nan without values."""
-    return float(numpy.mean(values)) if len(values) else math.nan
+    def cells(self):
+        """Returns the cells of a row, without its names."""
+        return [share_text(self.arrived, self.episodes), share_text(self.clean, self.episodes),
+                ', '.join(map(str, self.contacts)), number_text(self.time, 1),
+                number_text(self.personal_space_time, 1), number_text(self.people_delay, 2),
+                number_text(self.people_detour, 2)]
 
 
 def interval(count, total):
     """Returns the 95 % interval of a share of which `count` of `total` were observed: Wilson's score interval."""
-    if total == 0:
-        return 0.0, 1.0
-    square = CONFIDENCE ** 2
-    share = count / total
-    centre = (share + square / (2 * total)) / (1 + square / total)
-    half = CONFIDENCE / (1 + square / total) * math.sqrt(share * (1 - share) / total + square / (4 * total ** 2))
-    return max(0.0, centre - half), min(1.0, centre + half)
+    return tuple(binomtest(count, total).proportion_ci(method='wilson')) if total else (0.0, 1.0)
+
+
+def chapter_of(records, scenarios, crowdnav):
+    """Returns the tables `robots/summary`, `robots/scenarios` and `robots/crowdnav`.
+
+    @param records by robot, with the rows of all scenarios
+    @param crowdnav by (robot, VISIBLE or INVISIBLE): records in CrowdNav's setting"""
+    chapter = Chapter('robots', 'Robots among people')
+    summary, single = [], []
+    for robot, record in records.items():
+        parts = {name: rows_of(record, name) for name in scenarios if (record['scenario'] == name).any()}
+        if parts:
+            low, high = (extreme(map(len, parts.values())) for extreme in (min, max))
+            episodes = f'{len(parts)} x {low}' + (f'-{high}' if low != high else '')
+            summary.append([robot, episodes, *Summary.of(pandas.concat(parts.values())).cells()])
+            single += [[name, robot, *Summary.of(rows).cells()] for name, rows in parts.items()]
+    single.sort(key=lambda row: scenarios.index(row[0]))
+    if summary:
+        chapter.add_table('All scenarios', ['robot', 'episodes', *HEADER], summary, 'summary')
+        chapter.add_table('By scenario', ['scenario', 'robot', *HEADER], single, 'scenarios')
+    if crowdnav:
+        chapter.add_table("CrowdNav's setting", ['people', 'robot', 'episodes', 'success', 'contact', 'neither',
+                                                 'time [s]'], crowdnav_rows(crowdnav), 'crowdnav')
+    return chapter
+
+
+def crowdnav_rows(crowdnav):
+    """Returns a row for each robot, and for ORCA as published. Success is as in CrowdNav without a contact."""
+    rows = []
+    for kind, (clean, touched, time) in CROWDNAV_ORCA.items():
+        found = [('ORCA, published', clean, touched, 500, time)]
+        for robot, summary in ((robot, Summary.of(record)) for (robot, one), record in crowdnav.items() if one == kind):
+            found.append((robot, summary.clean, summary.touched, summary.episodes, summary.clean_time))
+        rows += [[f'robot {kind}', robot, str(episodes), share_text(clean, episodes), share_text(touched, episodes),
+                  str(episodes - clean - touched), number_text(time, 2)]
+                 for robot, clean, touched, episodes, time in found]
+    return rows
+
+
+def share_text(count, total):
+    """Returns a count with the 95 % interval of its share, such as `213 (38-47 %)`."""
+    low, high = interval(count, total)
+    return f'{count} ({math.floor(100 * low + 0.5)}-{math.floor(100 * high + 0.5)} %)'
+
+
+def number_text(value, decimals):
+    """Returns a number; `-` for nan, and no sign for zero."""
+    return '-' if math.isnan(value) else f'{round(value, decimals) + 0.0:.{decimals}f}'

@@ -2,14 +2,14 @@
 import argparse
 import pathlib
 
+import pandas
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
 from crowd_experiments.pages import fill_document
 from crowd_experiments.runs import RunError, execute_left
 from crowd_experiments.tools import find_config, find_evaluation
 from crowd_robots.driving import DRIVEN
 
-from .measures import (CROWDNAV_EPISODES, PLACEMENTS, ROBOTS, ROS_PLACEMENTS, SCENARIOS, chapter_of, joined,
-                       read_record)
+from .measures import CROWDNAV_EPISODES, PLACEMENTS, ROBOTS, ROS_PLACEMENTS, SCENARIOS, chapter_of, read_record
 from .runs import RECORD, Benchmark
 
 DESCRIPTION = '''Measures robots among people: success, contacts by cause, time, discomfort, and what they cost '
@@ -97,7 +97,7 @@ def report(benchmark, document):
     for robot in (*ROBOTS, *DRIVEN):
         done = [run for run in (benchmark.run_of(robot, name) for name in SCENARIOS) if run.is_done()]
         if done:
-            records[robot] = joined([read_record(run.folder / RECORD) for run in done])
+            records[robot] = pandas.concat([read_record(run.folder / RECORD) for run in done])
         crowdnav.update({(robot, kind): read_record(run.folder / RECORD)
                          for kind, run in benchmark.crowdnav_runs(robot).items() if run.is_done()})
     records.update(benchmark.others())

@@ -4,6 +4,7 @@ import dataclasses
 import pathlib
 
 import numpy
+import pandas
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import HEADER
 from crowd_experiments.arguments import labelled
@@ -41,9 +42,9 @@ def source_of(word):
 
 
 def columns_of(source):
-    """Returns the columns of a file of metrics or of a record, by name. Raises InputError."""
-    columns = read_csv(source.file)
-    if not columns['scenario']:
+    """Returns a file of metrics or of a record as a table. Raises InputError."""
+    columns = pandas.DataFrame(read_csv(source.file))
+    if columns.empty:
         raise InputError(f'{source.file}: has no rows')
     return columns
 
@@ -73,18 +74,16 @@ def metrics_rows(groups):
     label, a value is their mean, plus or minus half of its 95 % confidence interval."""
     rows = []
     for label, sources in groups.items():
-        files = [columns_of(source) for source in sources]
-        for scenario in dict.fromkeys(name for columns in files for name in columns['scenario']):
-            cells = [metric_cell(files, scenario, column, decimals) for column, _, decimals in METRIC_COLUMNS]
-            rows.append([label, scenario, str(len(files)), *cells])
+        for scenario, values in pandas.concat(map(columns_of, sources)).groupby('scenario', sort=False):
+            cells = [metric_cell(values.get(column, pandas.Series(dtype=float)), decimals)
+                     for column, _, decimals in METRIC_COLUMNS]
+            rows.append([label, scenario, str(len(sources)), *cells])
     return ['', 'scenario', 'runs', *(title for _, title, _ in METRIC_COLUMNS)], rows
 
 
-def metric_cell(files, scenario, column, decimals):
+def metric_cell(values, decimals):
     """Returns the text of a metric."""
-    values = [columns[column][i] for columns in files for i, name in enumerate(columns['scenario'])
-              if name == scenario and column in columns]
-    mean, low, _ = mean_interval([value for value in values if numpy.isfinite(value)])
+    mean, low, _ = mean_interval(values[numpy.isfinite(values)])
     if not numpy.isfinite(mean):
         return '-'
     return f'{mean:.{decimals}f}' + (f' ± {mean - low:.{decimals}f}' if numpy.isfinite(low) else '')
@@ -95,15 +94,11 @@ def samples(sources, scenario, column):
     file. People of an episode depend on each other."""
     episodes = []
     for source in sources:
-        columns = columns_of(source)
-        values = columns.get(column)
-        if values is None:
-            continue
-        chosen = numpy.array([name == scenario for name in columns['scenario']]) & numpy.isfinite(values)
-        if column not in OF_ALL:
-            chosen &= columns['arrived'] > 0
-        numbers = columns['episode'][chosen]
-        episodes.append([values[chosen][numbers == episode].mean() for episode in numpy.unique(numbers)])
+        rows = columns_of(source)
+        if column in rows:
+            rows = rows[(rows['scenario'] == scenario) & numpy.isfinite(rows[column])]
+            chosen = rows if column in OF_ALL else rows[rows['arrived'] > 0]
+            episodes.append(chosen.groupby('episode')[column].mean().tolist())
     if len(episodes) == 1:
         return episodes[0]
     return [float(numpy.mean(means)) for means in episodes if means]
