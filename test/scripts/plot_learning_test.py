@@ -71,12 +71,12 @@ class RecordTest:
         assert run.columns['arrived'].tolist() == [1, 0, 1, 1]
 
     def test_band(self, runner):
-        """In the first window the runs have 0.25 and 0.75: a mean of 0.5, plus or minus 12.706 x 0.25."""
+        """In the first window the runs have 0.25 and 0.75: a mean of 0.5, plus or minus 12.7062 x 0.25."""
         one = read_run('', runner.write('one.csv', RECORD))
         other = read_run('', runner.write('other.csv', 'episode,arrived\n0,1\n1,0.5\n'))
         band = band_of('', [one, other], 'arrived', 2)
         assert band.episodes.tolist() == [2, 4]
-        assert (band.mean[0], band.low[0], band.high[0]) == pytest.approx((0.5, 0.5 - 3.1765, 0.5 + 3.1765))
+        assert (band.mean[0], band.low[0], band.high[0]) == pytest.approx((0.5, 0.5 - 3.176551, 0.5 + 3.176551))
         assert (band.mean[1], band.runs) == (1, 2)
         assert math.isnan(band.low[1])  # only one run has come so far
         percent = measures_of([one, other])[0]
