@@ -147,8 +147,8 @@ class VideoTest:
             for number in range(50):
                 drawn.append(number)
                 yield numpy.full((2, 4, 3), number, dtype=numpy.uint8)
-        monkeypatch.setattr('crowd_film.video.need_ffmpeg', lambda: 'ffmpeg')
-        monkeypatch.setattr('crowd_film.video.subprocess.Popen', lambda *_, **__: encoder)
+        monkeypatch.setattr('crowd_film.pictures.need_ffmpeg', lambda: 'ffmpeg')
+        monkeypatch.setattr('crowd_film.pictures.subprocess.Popen', lambda *_, **__: encoder)
         write_mp4('film.mp4', frames(), None, 50)
         assert encoder.noted == list(range(1, 51))
 
