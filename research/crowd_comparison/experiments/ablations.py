@@ -1,4 +1,7 @@
 """Ablations: each idea of the anticipation crowd is switched off once."""
+import pathlib
+
+import yaml
 from crowd_experiments import style
 from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread
@@ -14,26 +17,7 @@ SEEDS = 3
 QUICK_EPISODES = 5
 WHOLE = 'everything'
 # Changes of the training configuration, by the paths of keys.
-ABLATIONS = {
-    WHOLE: {},
-    'no reciprocal time': {'state_set.reciprocal_times': []},
-    'no constant-velocity time': {'state_set.constant_velocity_times': []},
-    'no time to static bodies': {'state_set.static_times': []},
-    'no admissible fraction': {'state_set.admissible_fractions': []},
-    'no turn in the state': {'state_set.turns': []},
-    'no oncoming': {'state_set.oncoming': []},
-    'gap shared half and half': {'action_set.gap_sharing': 'half'},
-    'no separation rule': {'action_set.gap_sharing': 'none'},
-    'no escape from moving obstacles': {'action_set.lookout': 0},
-    'no stay': {'action_set.stay': False},
-    'no slow moves': {'action_set.slow_headings': []},
-    'no conflict penalty': {'reward.conflict_penalty': 0},
-    'no turn penalty': {'reward.turn_penalty': 0},
-    'no rest penalty': {'reward.rest_penalty': 0},
-    'gamma 0.95': {'learning.gamma': 0.95},
-    'gamma 0.1, as the thesis': {'learning.gamma': 0.1},
-    'constant learning rate': {'learning.alpha': 0.1, 'learning.alpha_decay': 0},
-}
+ABLATIONS = yaml.safe_load(pathlib.Path(__file__).with_suffix('.yaml').read_text(encoding='utf-8'))
 QUICK_ABLATIONS = (WHOLE, 'no stay')
 
 
