@@ -1,14 +1,12 @@
 """The command line of scripts/bench, and of research/bench_sweeps."""
 import argparse
-import os
 import pathlib
-import subprocess
 import sys
 
 from crowd_experiments.arguments import positive
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.runs import RunError
-from crowd_experiments.tools import REPOSITORY
+from crowd_experiments.tools import run_build
 
 from . import core_benchmarks as rank_benchmarks, ros_benchmarks, table, table as document
 from .catalogue import BENCHMARKS, Benchmark
@@ -45,22 +43,11 @@ def parse_arguments(words, groups, example):
     return parser.parse_args(words)
 
 
-def build():
-    """Builds the package with its benchmarks. Returns the folder of the programs."""
-    print('Building (takes minutes the first time)', flush=True)
-    built = subprocess.run([REPOSITORY / 'scripts' / 'build', '--bench'], stdout=subprocess.PIPE,
-                           stderr=subprocess.STDOUT, text=True, check=False)
-    if built.returncode != 0:
-        raise RunError(f'{built.stdout}\nthe package does not build')
-    folder = os.environ.get('SOCIAL_CROWD_BUILD', REPOSITORY / '.build')
-    return pathlib.Path(folder).resolve() / 'devel' / 'lib' / 'social_crowd'
-
-
 class Measuring:
     """Measures benchmarks, and sweeps and profiles, which have tables, one after the other, and stores all results."""
 
     def __init__(self, arguments):
-        self.folder = arguments.tools.resolve() if arguments.tools else build()
+        self.folder = arguments.tools.resolve() if arguments.tools else run_build('--bench')
         self.core = CoreBenchmarks(self.folder, arguments.repetitions, arguments.map)
         self.json, self.plots = arguments.json, arguments.plots
         self.results, self.tables = [], []
