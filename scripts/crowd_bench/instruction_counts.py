@@ -1,18 +1,17 @@
 """Counts the instructions of small runs and compares them with stored counts, to detect slower code independently of
 the machine's speed and load."""
-import argparse
 import dataclasses
 import os
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
 
 import yaml
-
-from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, REPOSITORY, find_tools
+from crowd_experiments.arguments import add_tools, parser_of
+from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE
 from crowd_experiments.runs import RunError
+from crowd_experiments.tools import REPOSITORY, find_tools
 
 from .callgrind import COLLECT, require_valgrind
 
@@ -93,25 +92,20 @@ def is_fine(count, kept):
 
 def main(words=None):
     """Runs scripts/count_instructions with command line words. Returns the exit status."""
-    parser = argparse.ArgumentParser(
-        prog='count_instructions', formatter_class=argparse.RawDescriptionHelpFormatter,
-        description=f'Counts the instructions of small runs and compares them with those in {KEPT.name}.',
-        epilog='example:\n  scripts/count_instructions\n\nExit status: 0 all differ by less than '
-               f'{TOLERANCE:g} %, 1 an error or a larger difference, 2 wrong usage.')
+    parser = parser_of('count_instructions', 'Counts the instructions of small runs and compares them with those in '
+                       f'{KEPT.name}.', 'example:\n  scripts/count_instructions\n\nExit status: 0 all differ by less '
+                                        'than '
+                       f'{TOLERANCE:g} %, 1 an error or a larger difference, 2 wrong usage.')
     parser.add_argument('--keep', action='store_true', help='store these counts instead of comparing them')
-    parser.add_argument('--tools', type=pathlib.Path, metavar='FOLDER', help='folder of train and evaluate')
+    add_tools(parser)
     arguments = parser.parse_args(words)
-    try:
-        tools = find_tools(arguments.tools)
-        require_valgrind(tools / RUNS[0].command[0])
-        counts = {run.name: run.count(tools) for run in RUNS}
-        kind = kind_of(tools)
-        if arguments.keep:
-            write_kept(kind, counts)
-        return compare(kind, counts)
-    except (RunError, OSError) as error:
-        print(f'count_instructions: {error}', file=sys.stderr)
-        return EXIT_FAILED
+    tools = find_tools(arguments.tools)
+    require_valgrind(tools / RUNS[0].command[0])
+    counts = {run.name: run.count(tools) for run in RUNS}
+    kind = kind_of(tools)
+    if arguments.keep:
+        write_kept(kind, counts)
+    return compare(kind, counts)
 
 
 def compare(kind, counts):

@@ -25,20 +25,17 @@ class Profile:
     function: str
     by_class: bool = False  # sums by class, for many small functions
 
-    @property
-    def header(self):
-        return ['class' if self.by_class else 'function', '% of all instructions']
-
-    def measure(self, folder):
-        """Returns functions or classes with their own share of all instructions [%], largest first."""
-        require_valgrind(folder / PROGRAM)
+    def measure(self, measuring):
+        """Returns header and rows of the table of the functions or classes with the largest shares; no picture."""
+        require_valgrind(measuring.folder / PROGRAM)
         with tempfile.TemporaryDirectory() as scratch:
             output = f'{scratch}/callgrind.out'
-            run(COLLECT + [f'--toggle-collect={self.function}', f'--callgrind-out-file={output}', folder / PROGRAM,
-                           filter_of(self.benchmark), '--benchmark_min_time=0'],
+            run(COLLECT + [f'--toggle-collect={self.function}', f'--callgrind-out-file={output}',
+                           measuring.folder / PROGRAM, filter_of(self.benchmark), '--benchmark_min_time=0'],
                 scratch)
             shares = read_annotation(run(['callgrind_annotate', '--threshold=100', output], scratch))
-        return by_class(shares) if self.by_class else shares
+        header = ['class' if self.by_class else 'function', '% of all instructions']
+        return header, rows(by_class(shares) if self.by_class else shares), None
 
 
 def run(command, folder):

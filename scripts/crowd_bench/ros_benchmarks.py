@@ -1,18 +1,16 @@
-#!/usr/bin/python3
 """Benchmarks of the nodes: lockstep through ROS and through nodelets, and the load of a crowd in real time.
 
 Each benchmark starts its own master and nodes. `value` is in ticks/s or % of a core; `yardstick` has the same unit.
 `ratio` is the time of a tick through ROS divided by the yardstick's time; for nodelets it is their rate divided by the
 headless rate.
 """
-import json
 import math
 import os
-import sys
 import time
 
-sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
-from crowd_bench.ros_system import REPOSITORY, RosSystem, arguments_of, cpu_seconds, program  # noqa: E402
+from crowd_experiments.tools import REPOSITORY
+
+from .ros_system import RosSystem, arguments_of, cpu_seconds, program
 
 Q_TABLE = os.path.join(REPOSITORY, 'config', 'q_tables', 'anticipation.txt')
 MAX_NEIGHBOURS = 16  # those of the Q-table's model
@@ -131,19 +129,6 @@ BENCHMARKS = {function.__name__: function for function in
               (ros_lockstep_1000, ros_lockstep_12, nodelets_1000, real_time_1000)}
 
 
-def run(names):
-    """Runs benchmarks one after the other. Returns a list of {name, value, unit, yardstick, ratio, detail}."""
-    return [{'name': name, **BENCHMARKS[name]()} for name in names]
-
-
-def main():
-    """Runs the named benchmarks, by default all, and prints their results as JSON."""
-    names = sys.argv[1:] or list(BENCHMARKS)
-    unknown = [name for name in names if name not in BENCHMARKS]
-    if unknown:
-        sys.exit(f'ros_benchmarks: unknown {", ".join(unknown)}; there are {", ".join(BENCHMARKS)}')
-    print(json.dumps(run(names), indent=2))
-
-
-if __name__ == '__main__':
-    main()
+def run(name):
+    """Runs a benchmark. Returns {name, value, unit, yardstick, ratio, detail}."""
+    return {'name': name, **BENCHMARKS[name]()}

@@ -7,8 +7,8 @@ import tempfile
 import time
 
 from crowd_experiments.runs import RunError
+from crowd_experiments.tools import REPOSITORY
 
-REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 BUILD = os.environ.get('SOCIAL_CROWD_BUILD', os.path.join(REPOSITORY, '.build'))
 PROGRAMS = os.path.join(BUILD, 'devel', 'lib', 'social_crowd')
 PATIENCE = 300.0  # [s] time limit of each command

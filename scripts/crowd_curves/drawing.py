@@ -2,7 +2,7 @@
 import dataclasses
 
 import numpy
-from crowd_curves.bands import band_of
+from crowd_curves.records import band_of
 from crowd_drawing.picture import colours_of
 from crowd_experiments.style import new_figure, save
 from matplotlib.ticker import MaxNLocator

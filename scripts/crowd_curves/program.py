@@ -1,16 +1,11 @@
 """The program `plot_learning`."""
-import argparse
-import csv
-import pathlib
 import sys
 
-from crowd_curves.bands import band_of, default_window, episodes_of
 from crowd_curves.drawing import draw_curves, measures_of
-from crowd_curves.records import by_scenario, read_run
-from crowd_drawing.errors import InputError, problem_of
+from crowd_curves.records import band_of, by_scenario, default_window, episodes_of, read_run
+from crowd_drawing.errors import InputError
+from crowd_experiments.arguments import add_file, labelled, parser_of, positive
 from crowd_experiments.confidence import t_quantile
-from crowd_experiments.labels import labelled
-from crowd_experiments.numbers import positive
 
 EXAMPLES = '''examples:
   for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\
@@ -27,13 +22,12 @@ Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 def parser():
     """Returns the parser of the command line."""
-    result = argparse.ArgumentParser(prog='plot_learning', description='Draws learning curves over several seeds, from '
-                                     'logs of `train --log` or records of `train --record`.', epilog=EXAMPLES,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = parser_of('plot_learning',
+                       'Draws learning curves over several seeds, from logs of `train --log` or records '
+                       'of `train --record`.', EXAMPLES)
     result.add_argument('records', nargs='+', metavar='[LABEL=]CSV', help='a log or record for each run; runs with the '
                         'same label are one curve')
-    result.add_argument('--output', type=pathlib.Path, required=True, metavar='FILE',
-                        help='picture, such as learning.png, .svg or .pdf')
+    add_file(result, '--output', required=True, help='picture, such as learning.png, .svg or .pdf')
     result.add_argument('--window', type=positive, metavar='N',
                         help='number of episodes in a point of a curve, at most all (default: a fiftieth of all)')
     result.add_argument('--columns', metavar='NAME,...', help='columns of the records that are drawn (default: '
@@ -88,8 +82,9 @@ def hints(groups):
     return found
 
 
-def plot(arguments):
-    """Reads the files, draws the curves, and prints the last point of each."""
+def main(words=None):
+    """Reads the files of the command line, draws the curves, and prints the last point of each."""
+    arguments = parser().parse_args(words)
     runs = read_runs(arguments)
     measures, window = measures_for(arguments, runs), window_of(arguments, runs)
     draw_curves(arguments.output, runs, measures, window, arguments.title)
@@ -103,14 +98,3 @@ def plot(arguments):
             print(f"  {label + ', ' if label else ''}{measure.title}: {mean:.4g} ({spread})", flush=True)
     for hint in hints(groups):
         print(f'plot_learning: {hint}', file=sys.stderr)
-
-
-def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
-    arguments = parser().parse_args(words)
-    try:
-        plot(arguments)
-    except (OSError, InputError, ValueError, csv.Error) as error:
-        print(f'plot_learning: {problem_of(error, arguments.output)}', file=sys.stderr)
-        return 1
-    return 0

@@ -1,15 +1,42 @@
-"""Errors in files that are drawn."""
+"""Files that programs read and write, and errors that end a program with a message."""
+import pathlib
+
+
+def complete_lines(stream, file):
+    """Yields the lines of a stream. Raises InputError if the last one has no end: the file was cut off, maybe within a
+    number."""
+    for number, line in enumerate(stream, 1):
+        if not line.endswith('\n'):
+            raise InputError(f'{file}:{number}: the last line is not complete, as in a file that was cut off; expected '
+                             'a line end')
+        yield line
+
+
+def ended_lines(stream):
+    """Yields the lines of a stream that have an end: the last one may still be being written."""
+    return (line for line in stream if line.endswith('\n'))
+
+
+def check_output(file):
+    """Raises InputError if a file cannot be written, because there is no folder for it, or it is a folder itself. To be
+    called before work that takes long."""
+    file = pathlib.Path(file)
+    if file.is_dir():
+        raise InputError(f'{file}: cannot be written: it is a folder')
+    if not file.parent.is_dir():
+        raise InputError(f'{file}: cannot be written: there is no folder {file.parent.absolute()}')
 
 
 class InputError(Exception):
-    """A file cannot be drawn; the message contains the file, the place and the reason."""
+    """An input is wrong; the message contains the file, the place and the reason."""
 
 
-def problem_of(error, file):
+def problem_of(error, file=None):
     """Returns the message of an exception, with the file of an OSError.
 
     :param file: named if the OSError names none
     """
     if isinstance(error, OSError):
-        return f'{error.filename or file}: {error.strerror or error}'
+        file = error.filename or file
+        return f'{file}: {error.strerror or error}' if file else str(error.strerror or error)
     return str(error)

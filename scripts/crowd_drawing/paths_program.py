@@ -1,13 +1,11 @@
 """Draws the paths of the agents in a recorded episode."""
-import argparse
-import csv
 import sys
 
-from crowd_drawing.errors import InputError, problem_of
+from crowd_drawing.errors import InputError
 from crowd_drawing.files import find_scenario, read_scene, read_walks
 from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of
 from crowd_drawing.surroundings import draw_surroundings
-from crowd_experiments.numbers import at_least_zero, whole
+from crowd_experiments.arguments import at_least_zero, parser_of, whole
 
 EXAMPLES = '''examples:
   rosrun social_crowd evaluate --q-table config/q_tables/human.txt --trajectories recordings place_corner
@@ -53,8 +51,7 @@ def draw(scene, walks, file, title, moment):
 
 
 def parse_arguments(words):
-    parser = argparse.ArgumentParser(prog='plot_paths', description=__doc__, epilog=EXAMPLES,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = parser_of('plot_paths', __doc__, EXAMPLES)
     parser.add_argument('--trajectories', required=True, metavar='FILE.csv', help='recorded episodes')
     parser.add_argument('--scenario', required=True, metavar='SCENARIO',
                         help='scenario of the episodes: a file, or a name in config/scenarios')
@@ -67,20 +64,15 @@ def parse_arguments(words):
 
 
 def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
+    """Runs the program with command line words."""
     arguments = parse_arguments(words)
-    try:
-        instance, walks = read_walks(arguments.trajectories, arguments.instance)
-        scene = read_scene(find_scenario(arguments.scenario), instance)
-        if max(walks) >= len(scene.agents) and not scene.population.source_areas:
-            raise InputError(f'{arguments.trajectories}: instance {instance} has an agent {max(walks)}, but '
-                             f'{scene.place} has {len(scene.agents)} agents, counted from 0')
-        draw(scene, walks, arguments.output, arguments.title or scene.name, arguments.moment)
-        if arguments.moment is None and not has_all(scene):
-            print('plot_paths: goals or obstacles that were drawn at random are not in the picture; '
-                  '`evaluate --scenes DIR` writes a scenario file with the drawn values, for the option --scenario',
-                  file=sys.stderr)
-    except (OSError, InputError, ValueError, csv.Error) as error:
-        print(f'plot_paths: {problem_of(error, arguments.output)}', file=sys.stderr)
-        return 1
-    return 0
+    instance, walks = read_walks(arguments.trajectories, arguments.instance)
+    scene = read_scene(find_scenario(arguments.scenario), instance)
+    if max(walks) >= len(scene.agents) and not scene.population.source_areas:
+        raise InputError(f'{arguments.trajectories}: instance {instance} has an agent {max(walks)}, but '
+                         f'{scene.place} has {len(scene.agents)} agents, counted from 0')
+    draw(scene, walks, arguments.output, arguments.title or scene.name, arguments.moment)
+    if arguments.moment is None and not has_all(scene):
+        print('plot_paths: goals or obstacles that were drawn at random are not in the picture; `evaluate --scenes '
+              'DIR` '
+              'writes a scenario file with the drawn values, for the option --scenario', file=sys.stderr)

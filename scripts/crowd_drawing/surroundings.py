@@ -1,8 +1,7 @@
 """Draws the surroundings of a crowd: maps, areas where people enter and leave, queues and gates."""
+from crowd_drawing.files import is_open
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Rectangle
-
-from crowd_drawing.population import is_open
 
 SOURCE_COLOUR, SINK_COLOUR, GATE_COLOUR = '#8ecbf5', '#a5dba0', '#e07b00'
 

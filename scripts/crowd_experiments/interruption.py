@@ -1,9 +1,13 @@
-"""Ends programs on Ctrl-C with a message in place of a traceback."""
+"""Runs the main function of a program: signals, messages of errors, exit statuses."""
+import csv
 import importlib
 import signal
+import subprocess
 import sys
 
-EXIT_INTERRUPTED = 130
+from crowd_drawing.errors import InputError, problem_of
+
+EXIT_FINE, EXIT_FAILED, EXIT_USAGE, EXIT_INTERRUPTED = 0, 1, 2, 130
 
 
 def interrupt(_signal, _frame):
@@ -12,10 +16,18 @@ def interrupt(_signal, _frame):
 
 
 def run_program(name, module):
-    """Runs main() of a module, whose import can be interrupted, too. Returns its exit status; 130 if interrupted."""
+    """Runs main() of a module, whose import can be interrupted, too. Returns its exit status."""
     try:
         signal.signal(signal.SIGTERM, interrupt)
-        return importlib.import_module(module).main()
-    except KeyboardInterrupt:
-        print(f'{name}: interrupted', file=sys.stderr)
+        return importlib.import_module(module).main() or EXIT_FINE
+    except KeyboardInterrupt as stop:
+        print(f'{name}: interrupted{"".join(stop.args)}', file=sys.stderr)
         return EXIT_INTERRUPTED
+    except (InputError, OSError, ValueError, csv.Error, subprocess.CalledProcessError) as error:
+        print(f'{name}: {problem_of(error)}', file=sys.stderr)
+        return EXIT_FAILED
+
+
+def start(name, module):
+    """Ends this process with the exit status of run_program()."""
+    sys.exit(run_program(name, module))

@@ -1,18 +1,19 @@
-"""Reads the files of the tools: records, trajectories, Q-tables."""
+"""Reads the files of the tools: records, trajectories, Q-tables; rates and spreads of their values."""
 import csv
+import itertools
 
 import numpy
-from crowd_drawing.errors import InputError
-from crowd_drawing.lines import complete_lines
+from crowd_drawing.errors import InputError, complete_lines, ended_lines
 
 TEXTS = ('scenario', 'robot')
 
 
-def read_csv(file):
+def read_csv(file, grows=False):
     """Returns the columns of a CSV file by their names: arrays of numbers, lists of texts. Raises InputError if
-    there is no header, a row is not complete, or a value is not a number, and OSError."""
+    there is no header, a row is not complete, or a value is not a number, and OSError. `grows`: the file may still be
+    being written, so that a last line without an end is left out; otherwise it is an error."""
     with open(file, newline='', encoding='utf-8', errors='replace') as stream:
-        rows = csv.reader(complete_lines(stream, file))
+        rows = csv.reader(ended_lines(stream) if grows else complete_lines(stream, file))
         names = next(rows, None)
         if names is None:
             raise InputError(f'{file}: expected a header, got an empty file')
@@ -40,9 +41,9 @@ def numbers_of(column, file, name):
     return numbers
 
 
-def read_tracks(file):
-    """Returns the recorded places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left. Raises
-    InputError, OSError."""
+def read_tracks(file, agents=0):
+    """Returns the recorded places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left, with at
+    least this number of agents. Raises InputError, OSError."""
     try:
         with open(file, encoding='utf-8', errors='replace') as stream:
             rows = numpy.loadtxt(complete_lines(stream, file), delimiter=',', skiprows=1, ndmin=2)
@@ -51,9 +52,9 @@ def read_tracks(file):
     tracks = {}
     for instance in numpy.unique(rows[:, 0]):
         of_instance = rows[rows[:, 0] == instance]
-        ticks, agents = of_instance[:, 1].astype(int), of_instance[:, 2].astype(int)
-        track = numpy.full((ticks.max() + 1, agents.max() + 1, 2), numpy.nan)
-        track[ticks, agents] = of_instance[:, 3:]
+        ticks, numbers = of_instance[:, 1].astype(int), of_instance[:, 2].astype(int)
+        track = numpy.full((ticks.max() + 1, max(agents, numbers.max() + 1), 2), numpy.nan)
+        track[ticks, numbers] = of_instance[:, 3:]
         tracks[int(instance)] = track
     return tracks
 
@@ -87,37 +88,28 @@ def median(values):
 
 def read_table_header(file):
     """Returns the header of a Q-table file, as texts by their keys."""
-    header = {}
     with open(file, encoding='utf-8') as stream:
-        next(stream)
-        for line in stream:
-            if line.startswith('---'):
-                return header
-            key, _, value = line.partition(': ')
-            header[key] = value.strip()
-    raise ValueError(f'{file}: the header has no end')
+        lines = list(itertools.takewhile(lambda line: not line.startswith('---'), stream))
+    return dict(map(str.strip, line.split(': ', 1)) for line in lines[1:])
 
 
 def read_visits(file):
-    """Returns the number of visits of each visited row of a Q-table."""
+    """Returns the number of visits of each visited row of a Q-table, without those of other sources."""
     with open(file, encoding='utf-8') as stream:
-        lines = iter(stream)
-        for line in lines:
-            if line.startswith('---'):
-                break
-        rows = [line.split() for line in lines if line[0].isdigit()]
+        lines = itertools.dropwhile(lambda line: not line.startswith('---'), stream)
+        next(lines)
+        rows = [line.split() for line in itertools.takewhile(lambda line: line[0].isdigit(), lines)]
     return {int(row[0]): sum(map(int, row[1::2])) for row in rows}
 
 
 def spread_text(values, decimals=2):
     """Returns mean ± standard deviation (lowest-highest) of the finite values, and the number of other values."""
     values = numpy.array(list(values), dtype=float)
-    numbers = finite(values)
-    text = Spread(numbers).text(decimals)
-    if len(numbers) == len(values):
+    text = Spread.of_numbers(values).text(decimals)
+    if numpy.isfinite(values).all():
         return text
     kind = 'infinite' if numpy.isinf(values).any() else 'none'
-    return f'{text}; {kind} in {len(values) - len(numbers)} of {len(values)} seeds'
+    return f'{text}; {kind} in {(~numpy.isfinite(values)).sum()} of {len(values)} seeds'
 
 
 class Spread:
@@ -127,20 +119,18 @@ class Spread:
         self.values = numpy.array(list(values), dtype=float)
         if len(self.values) == 0:
             self.values = numpy.array([float('nan')])
-        self.mean = float(numpy.mean(self.values))
+        self.mean, self.low, self.high = (float(of(self.values)) for of in (numpy.mean, numpy.min, numpy.max))
         self.deviation = float(numpy.std(self.values, ddof=1)) if len(self.values) > 1 else 0.0
-        self.low = float(numpy.min(self.values))
-        self.high = float(numpy.max(self.values))
 
     @classmethod
     def of_numbers(cls, values):
         """Creates a Spread of the finite values."""
         return cls(finite(numpy.array(list(values), dtype=float)))
 
-    def text(self, decimals=2):
+    def text(self, decimals=2, deviation=True):
         """Returns mean ± standard deviation (lowest-highest)."""
         if numpy.isnan(self.mean):
             return '-'
-        mean, deviation, low, high = (f'{value:.{decimals}f}' for value in
-                                      (self.mean, self.deviation, self.low, self.high))
-        return f'{mean} ± {deviation} ({low}-{high})'
+        mean, deviated, low, high = (f'{value:.{decimals}f}' for value in
+                                     (self.mean, self.deviation, self.low, self.high))
+        return f'{mean} ± {deviated} ({low}-{high})' if deviation else f'{mean} ({low}-{high})'

@@ -1,4 +1,4 @@
-"""Runs of the tools, each in its own folder, several in parallel."""
+"""Runs of the tools, each in its own folder, several in parallel, with a progress bar."""
 import concurrent.futures
 import dataclasses
 import functools
@@ -9,18 +9,67 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import threading
+import time
 
 import yaml
+from crowd_drawing.errors import InputError
 
-from .progress import ProgressBar
+WIDTH = 30
+PLAIN_PERIOD = 10.0  # [s] between two lines without a terminal
+
+
+class ProgressBar:
+    """Shows the progress of runs of different lengths, or of other things: `name` is their plural."""
+
+    def __init__(self, total, runs, name='runs'):
+        self.total = total
+        self.runs = runs
+        self.name = name
+        self.done = 0.0
+        self.runs_done = 0
+        self.start = time.monotonic()
+        self.is_terminal = sys.stderr.isatty()
+        self.next = self.start if self.is_terminal else self.start + PLAIN_PERIOD
+
+    def add(self, cost):
+        """Counts a finished run."""
+        self.done += cost
+        self.runs_done += 1
+        self.show()
+
+    def show(self):
+        """Draws the bar; without a terminal only periodically."""
+        now = time.monotonic()
+        if now < self.next:
+            return
+        self.next = now if self.is_terminal else now + PLAIN_PERIOD
+        share = self.done / self.total if self.total else 1.0
+        bar = '#' * round(share * WIDTH)
+        left = text_of((now - self.start) * (1 - share) / share) if share else '?'
+        line = (f'[{bar:.<{WIDTH}}] {self.runs_done}/{self.runs} {self.name}  took {text_of(now - self.start)}  '
+                f'left {left}')
+        sys.stderr.write(f'\r{line}\x1b[K' if self.is_terminal else f'{line}\n')
+        sys.stderr.flush()
+
+    def end(self):
+        """Ends the line of the bar."""
+        if self.is_terminal:
+            sys.stderr.write('\n')
+
+
+def text_of(seconds):
+    """65 -> 1:05"""
+    return f'{int(seconds) // 60}:{int(seconds) % 60:02d}'
+
 
 STAMP = 'done.txt'  # in a run's folder: digest of commands and input files
 LOG = 'log.txt'  # in a run's folder: commands, their output, processor time
 PROCESSOR_TIME = 'processor time'
 
 
-class RunError(Exception):
+class RunError(InputError):
     """A tool has failed; the message contains the end of its output."""
 
 
@@ -155,6 +204,21 @@ class Runner:
             self.stopped = True
             for child in self.children:
                 child.send_signal(signal.SIGINT)
+
+
+def execute_left(runs, processes, force=False):
+    """Executes the runs that are not done yet, or all; runs that are given several times are executed once."""
+    runs = list({run.folder: run for run in runs}.values())
+    left = runs if force else [run for run in runs if not run.is_done()]
+    print(f'{len(runs)} runs, {len(runs) - len(left)} of them done before', flush=True)
+    try:
+        if left:
+            Runner(processes).carry_out(left)
+    except KeyboardInterrupt:
+        print(f'Interrupted: {sum(run.is_done() for run in runs)} of {len(runs)} runs are done and kept; the same '
+              f'command '
+              'continues from there.')
+        raise
 
 
 def processor_seconds(folder):

@@ -21,7 +21,7 @@ def find_tools(given):
         return folder.resolve()
     if given:
         raise RunError(f'{given}: has no train and evaluate')
-    build = pathlib.Path(os.environ.get('SOCIAL_CROWD_BUILD', REPOSITORY / '.build')).resolve()
+    build = build_folder()
     built = programs_in(build / 'devel')
     if has_tools(built) and is_current(build):
         return built
@@ -29,6 +29,22 @@ def find_tools(given):
     if sourced is None:
         run_build()
     return sourced or built
+
+
+def find_config():
+    """Returns the folder of scenarios, Q-tables and training configurations, in a clone or an installed package."""
+    for folder in (REPOSITORY / 'config', REPOSITORY.parent / 'share' / 'social_crowd' / 'config'):
+        if (folder / 'scenarios').is_dir():
+            return folder
+    raise RunError(f'{REPOSITORY}: found no config/scenarios')
+
+
+def find_evaluation(arguments):
+    """Returns the program evaluate and the Q-table that the options --tools and --q-table name."""
+    q_table = (arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute()
+    if not q_table.is_file():
+        raise RunError(f'{q_table}: there is no such Q-table')
+    return find_tools(arguments.tools) / 'evaluate', q_table
 
 
 def programs_in(prefix):
@@ -64,10 +80,16 @@ def workspaces():
             yield prefix.resolve()
 
 
-def run_build():
-    """Builds the package in the clone."""
+def build_folder():
+    """Returns the build folder of the clone."""
+    return pathlib.Path(os.environ.get('SOCIAL_CROWD_BUILD', REPOSITORY / '.build')).resolve()
+
+
+def run_build(*words):
+    """Builds the package in the clone. Returns the folder of the programs."""
     print('Building (takes minutes the first time)', flush=True)
-    done = subprocess.run([REPOSITORY / 'scripts' / 'build'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    done = subprocess.run([REPOSITORY / 'scripts' / 'build', *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, check=False)
     if done.returncode != 0:
         raise RunError(f'{done.stdout}\nthe package does not build')
+    return programs_in(build_folder() / 'devel')

@@ -8,8 +8,7 @@ import math
 import numpy
 
 from .gait import FRAMES, joints
-from .shapes import ellipse, ellipsoid, join, limb, loft
-from .stl import write
+from .shapes import ellipse, ellipsoid, join, limb, loft, write
 
 THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when standing [m]
 UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42

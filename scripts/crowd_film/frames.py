@@ -2,9 +2,9 @@
 import math
 
 import numpy
+from crowd_drawing.files import is_open
 from crowd_drawing.motion import place_of
 from crowd_drawing.picture import OBSTACLE_COLOUR, colours_of
-from crowd_drawing.population import is_open
 from crowd_drawing.surroundings import GATE_COLOUR
 from crowd_film.stage import DPI, ROBOT_COLOUR
 from matplotlib.collections import LineCollection, PolyCollection

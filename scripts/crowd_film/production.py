@@ -1,18 +1,42 @@
-"""Makes a film from a scene and its tracks."""
+"""Walks an episode for a film, and makes the film from a scene and its tracks."""
 import dataclasses
 import math
 import os
 import pathlib
+import subprocess
 import sys
 
 from crowd_drawing.errors import InputError
-from crowd_experiments.progress import ProgressBar
-from crowd_film.errors import FilmError
+from crowd_drawing.files import HOMES, find_scenario
+from crowd_experiments.runs import ProgressBar, RunError
 from crowd_film.frames import FramePainter
-from crowd_film.pictures import write_gif, write_webp
+from crowd_film.pictures import write_gif, write_mp4, write_webp
 from crowd_film.stage import LEAST_WIDTH, Stage
-from crowd_film.video import write_mp4
+from crowd_recordings.shown import read_shown
 from matplotlib import pyplot
+
+
+def table_for(scenario):
+    """Returns the Q-table file that demo.launch uses for a scenario: `human` for places, else `anticipation`."""
+    name = 'human' if pathlib.Path(scenario).stem.startswith('place_') else 'anticipation'
+    files = [home / 'config' / 'q_tables' / f'{name}.txt' for home in HOMES]
+    return next((file for file in files if file.is_file()), files[0])
+
+
+def walk(scenario, evaluate, table, seed, folder):
+    """Walks one episode with the program `evaluate`. Returns the scene as it was drawn, and the Tracks by agent.
+
+    Raises RunError with the output of the program."""
+    file = pathlib.Path(find_scenario(scenario)).resolve()
+    print(f'film: walking {file.stem}', file=sys.stderr, flush=True)
+    command = [evaluate, '--q-table', table, '--episodes', 1, '--seed', seed, '--trajectories', folder, '--scenes',
+               folder, file]
+    done = subprocess.run(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if done.returncode != 0:
+        raise RunError(done.stdout.decode(errors='replace').strip())
+    scene, tracks, _ = read_shown(folder / f'{file.stem}.csv', folder / file.name)
+    return scene, tracks
+
 
 WRITERS = {'.gif': write_gif, '.webp': write_webp, '.mp4': write_mp4}
 SAMPLES = 6  # frames that determine the palette of a GIF
@@ -57,7 +81,7 @@ def frame_times(settings, tracks):
 
 def make(settings, scene, tracks):
     """Makes a film. The file appears when it is complete. If it is larger than `max_megabytes`, it is made again with a
-    smaller picture. Returns width, height and number of frames. Raises FilmError, InputError, OSError."""
+    smaller picture. Returns width, height and number of frames. Raises InputError, OSError."""
     times = frame_times(settings, tracks)
     part = settings.output.with_name(f'.{settings.output.name}.part')
     size = settings.size
@@ -69,9 +93,9 @@ def make(settings, scene, tracks):
                 break
             size = int(SAFETY * size * (settings.max_megabytes / megabytes)**SHRINKAGE)
             if size < LEAST_WIDTH:
-                raise FilmError(f'the film has {megabytes:.1f} MB with {width} x {height} pixels, more than '
-                                f'{settings.max_megabytes:g} MB; give a shorter --duration, a lower --fps, a higher '
-                                '--speed, or .webp')
+                raise InputError(f'the film has {megabytes:.1f} MB with {width} x {height} pixels, more than '
+                                 f'{settings.max_megabytes:g} MB; give a shorter --duration, a lower --fps, a higher '
+                                 '--speed, or .webp')
             print(f'film: {megabytes:.1f} MB are too large; once more with {size} pixels', file=sys.stderr, flush=True)
         os.replace(part, settings.output)
     finally:
@@ -84,9 +108,9 @@ def shoot(file, settings, scene, tracks, times):
     stage = Stage(scene, tracks, settings.title, settings.size, settings.view)
     gigabytes = 3 * stage.width * stage.height * len(times) / 1e9
     if settings.output.suffix.lower() == '.webp' and gigabytes > MOST_GIGABYTES:
-        raise FilmError(f'a WebP film of {len(times)} frames with {stage.width} x {stage.height} pixels would need '
-                        f'{gigabytes:.1f} GB of memory, more than {MOST_GIGABYTES:g}; expected .gif or .mp4, or a '
-                        'shorter --duration')
+        raise InputError(f'a WebP film of {len(times)} frames with {stage.width} x {stage.height} pixels would need '
+                         f'{gigabytes:.1f} GB of memory, more than {MOST_GIGABYTES:g}; expected .gif or .mp4, or a '
+                         'shorter --duration')
     painter = FramePainter(stage, scene, tracks)
     samples = [painter.draw(time) for time in times[::max(1, len(times) // SAMPLES)]]
     bar = ProgressBar(len(times), len(times), 'frames')

@@ -1,20 +1,12 @@
 """The program `film`."""
-import argparse
-import csv
 import pathlib
-import signal
-import sys
 import tempfile
 
-from crowd_drawing.errors import InputError, problem_of
-from crowd_drawing.outputs import check_output
-from crowd_experiments.numbers import above_zero, at_least_zero, pixels, whole
-from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, find_tools, interrupt
-from crowd_experiments.runs import RunError
-from crowd_film.errors import FilmError
-from crowd_film.production import MEGABYTE, WRITERS, Settings, make
-from crowd_film.video import need_ffmpeg
-from crowd_film.recording import table_for, walk
+from crowd_drawing.errors import check_output
+from crowd_experiments.arguments import above_zero, add_file, add_tools, at_least_zero, parser_of, pixels, whole
+from crowd_experiments.tools import find_tools
+from crowd_film.pictures import need_ffmpeg
+from crowd_film.production import MEGABYTE, Settings, WRITERS, make, table_for, walk
 from crowd_recordings.shown import read_shown
 
 EXAMPLES = '''examples:
@@ -29,18 +21,16 @@ Robots are shown at their start. Exit status: 0 success, 1 an error, 2 wrong usa
 
 def parser():
     """Returns the parser of the command line."""
-    result = argparse.ArgumentParser(prog='film', formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     description='Makes a film of a scenario: GIF, WebP or MP4. Needs neither a '
-                                     'display nor ROS running.', epilog=EXAMPLES)
+    result = parser_of('film', 'Makes a film of a scenario: GIF, WebP or MP4. Needs neither a display nor ROS running.',
+                       EXAMPLES)
     add = result.add_argument
     add('scenario', nargs='?', metavar='SCENARIO', help='a scenario file, or a name in config/scenarios; not required '
         'with --trajectories')
-    add('--output', type=pathlib.Path, required=True, metavar='FILE', help='FILE.gif, FILE.webp or FILE.mp4')
-    add('--q-table', type=pathlib.Path, metavar='FILE',
-        help='Q-table (default: human for scenarios place_*, else anticipation)')
+    add_file(result, '--output', required=True, help='FILE.gif, FILE.webp or FILE.mp4')
+    add_file(result, '--q-table', help='Q-table (default: human for scenarios place_*, else anticipation)')
     add('--seed', type=whole, metavar='N', help='seed of the episode (default: 1)')
-    add('--trajectories', type=pathlib.Path, metavar='FILE',
-        help="show this recording: CSV of evaluate, JuPedSim's text format, or obsmat.txt")
+    add_file(result, '--trajectories', help="show this recording: CSV of evaluate, JuPedSim's text format, or "
+                                            "obsmat.txt")
     add('--frame-rate', type=above_zero, metavar='HZ', help='of the recording, in place of that in the file')
     add('--instance', type=whole, metavar='N', help='episode of the recording (default: the first)')
     add('--start', type=at_least_zero, default=0.0, metavar='S', help='simulated time of the first frame [s]')
@@ -55,8 +45,7 @@ def parser():
     add('--max-size', type=above_zero, default=float('inf'), metavar='MB',
         help='greatest size of the file [MB]; a larger film is made again with fewer pixels')
     add('--title', help="title of the film (default: the scenario's name)")
-    add('--tools', type=pathlib.Path, metavar='FOLDER', help='folder of `evaluate` (default: that of this program; if '
-        'it is not there, the package is built)')
+    add_tools(result, 'evaluate')
     return result
 
 
@@ -88,7 +77,7 @@ def produce(arguments):
 
 
 def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
+    """Runs the program with command line words."""
     checked = parser()
     arguments = checked.parse_args(words)
     if arguments.view and not (arguments.view[0] < arguments.view[2] and arguments.view[1] < arguments.view[3]):
@@ -100,13 +89,7 @@ def main(words=None):
     for name, value in (('--q-table', arguments.q_table), ('--seed', arguments.seed)):
         if arguments.trajectories and value is not None:
             checked.error(f'{name}: a recording is not walked again; expected either {name} or --trajectories')
-    signal.signal(signal.SIGTERM, interrupt)
     try:
         produce(arguments)
     except KeyboardInterrupt:
-        print('film: interrupted, nothing was written', file=sys.stderr)
-        return EXIT_INTERRUPTED
-    except (OSError, FilmError, InputError, RunError, ValueError, csv.Error) as error:
-        print(f'film: {problem_of(error, arguments.output)}', file=sys.stderr)
-        return EXIT_FAILED
-    return EXIT_FINE
+        raise KeyboardInterrupt(', nothing was written') from None

@@ -3,15 +3,12 @@
 Obstacles become walls; waypoints, queues and sinks become routes; agents and sources are carried over. What is not
 carried over, or is changed, is printed and written at the top of the scenario file, with its line in the scene.
 """
-import argparse
 import pathlib
 import sys
 
-from crowd_experiments.numbers import above_zero
-from crowd_import.errors import InputError
-from crowd_import.pedsim_conversion import Conversion
+from crowd_experiments.arguments import above_zero, parser_of
+from crowd_import.pedsim_conversion import Conversion, name_text, number_text, section
 from crowd_import.pedsim_scene import PedsimScene
-from crowd_import.scenario_text import name_text, number_text, section
 
 EXAMPLES = '''example:
   rosrun social_crowd pedsim_import hall.xml --output hall.yaml --duration 120
@@ -43,8 +40,7 @@ def scenario_of(conversion, source, name, duration):
 
 
 def parse_arguments(words):
-    parser = argparse.ArgumentParser(prog='pedsim_import', description=__doc__, epilog=EXAMPLES,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = parser_of('pedsim_import', __doc__, EXAMPLES)
     parser.add_argument('scene', metavar='FILE.xml', help='scene of pedsim_ros')
     parser.add_argument('--output', required=True, metavar='SCENARIO.yaml', help='scenario file to write')
     parser.add_argument('--duration', type=above_zero, default=300.0, metavar='S',
@@ -58,20 +54,12 @@ def parse_arguments(words):
 
 
 def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
+    """Runs the program with command line words."""
     arguments = parse_arguments(words)
-    try:
-        scene = PedsimScene(arguments.scene, arguments.skip_unknown)
-        conversion = Conversion(scene, arguments.radius, arguments.spawn_period)
-        output = pathlib.Path(arguments.output)
-        source = pathlib.Path(arguments.scene).name
-        output.write_text(scenario_of(conversion, source, output.stem, arguments.duration), encoding='utf-8')
-    except OSError as error:
-        print(f'pedsim_import: {error.filename}: {error.strerror}', file=sys.stderr)
-        return 1
-    except InputError as error:
-        print(f'pedsim_import: {error}', file=sys.stderr)
-        return 1
+    scene = PedsimScene(arguments.scene, arguments.skip_unknown)
+    conversion = Conversion(scene, arguments.radius, arguments.spawn_period)
+    output = pathlib.Path(arguments.output)
+    source = pathlib.Path(arguments.scene).name
+    output.write_text(scenario_of(conversion, source, output.stem, arguments.duration), encoding='utf-8')
     for line, note in conversion.notes:
         print(f'{arguments.scene}:{line}: {note}', file=sys.stderr)
-    return 0

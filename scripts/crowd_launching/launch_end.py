@@ -1,6 +1,15 @@
-"""Ends the roslaunch process that started this process; launch_end.h does the same for C++ nodes."""
+"""Ends the roslaunch process that started this process, as launch_end.h does for C++ nodes; ports for ROS masters."""
 import os
 import signal
+import socket
+
+
+def free_port():
+    """Returns a TCP port of this machine that is free at present."""
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
 
 STOPS = {signal.SIGINT, signal.SIGTERM}
 PATIENCE = 20.0  # [s] time for roslaunch to stop this process

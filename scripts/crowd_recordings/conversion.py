@@ -1,14 +1,9 @@
 """The program `convert_trajectories`."""
-import argparse
-import csv
 import math
-import pathlib
-import sys
 
-from crowd_drawing.errors import InputError, problem_of
 from crowd_drawing.files import DEFAULT_TICK
-from crowd_drawing.outputs import check_output
-from crowd_experiments.numbers import above_zero, whole
+from crowd_drawing.errors import check_output
+from crowd_experiments.arguments import above_zero, add_file, parser_of, whole
 from crowd_recordings.formats import WRITERS, read_recording, write_recording
 
 EXAMPLES = '''examples:
@@ -21,13 +16,11 @@ Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 def parser():
     """Returns the parser of the command line."""
-    result = argparse.ArgumentParser(
-        prog='convert_trajectories', formatter_class=argparse.RawDescriptionHelpFormatter, epilog=EXAMPLES,
-        description="Converts recorded trajectories: CSV files of `evaluate --trajectories`, JuPedSim's text format, "
-        'and obsmat.txt of the ETH and UCY data sets (input only).')
+    result = parser_of('convert_trajectories',
+                       "Converts recorded trajectories: CSV files of `evaluate --trajectories`, "
+                       "JuPedSim's text format, and obsmat.txt of the ETH and UCY data sets (input only).", EXAMPLES)
     result.add_argument('input', metavar='IN', help='a recording; its format is recognised')
-    result.add_argument('--output', type=pathlib.Path, required=True, metavar='OUT',
-                        help="OUT.csv, or OUT.txt in JuPedSim's format")
+    add_file(result, '--output', required=True, metavar='OUT', help="OUT.csv, or OUT.txt in JuPedSim's format")
     result.add_argument('--instance', type=whole, metavar='N', help='episode of a CSV file (default: the first)')
     result.add_argument('--frame-rate', type=above_zero, metavar='HZ',
                         help='frames in a second, in place of that of IN (CSV: 10; obsmat.txt: 2.5)')
@@ -35,20 +28,16 @@ def parser():
 
 
 def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
+    """Runs the program with command line words."""
     checked = parser()
     arguments = checked.parse_args(words)
     if arguments.output.suffix.lower() not in WRITERS:
         checked.error(f"--output: expected a name with {' or '.join(WRITERS)}, got '{arguments.output}'")
-    try:
-        check_output(arguments.output)
-        recording = read_recording(arguments.input, arguments.instance).at_rate(arguments.frame_rate)
-        if recording.frame_duration is None:
-            recording = recording.at_rate(1 / DEFAULT_TICK)
-        write_recording(arguments.output, recording)
-    except (OSError, InputError, csv.Error) as error:
-        print(f'convert_trajectories: {problem_of(error, arguments.output)}', file=sys.stderr)
-        return 1
+    check_output(arguments.output)
+    recording = read_recording(arguments.input, arguments.instance).at_rate(arguments.frame_rate)
+    if recording.frame_duration is None:
+        recording = recording.at_rate(1 / DEFAULT_TICK)
+    write_recording(arguments.output, recording)
     rows = sum(map(len, recording.walks.values()))
     people = '1 person' if len(recording.walks) == 1 else f'{len(recording.walks)} people'
     print(f'{arguments.output}: {people}, {rows} positions, '
@@ -56,4 +45,3 @@ def main(words=None):
     if arguments.output.suffix.lower() == '.csv' and not math.isclose(recording.frame_duration, DEFAULT_TICK):
         print(f'A CSV file has no frame rate: give --frame-rate {1 / recording.frame_duration:g} to programs that read '
               'it.')
-    return 0

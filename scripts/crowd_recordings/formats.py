@@ -1,11 +1,139 @@
-"""Reads and writes recordings; the format of a file is recognised by its first line."""
+"""Recorded crowds, and the formats of their files, which are recognised by the first line: CSV of `evaluate`,
+JuPedSim's text format (`id frame x y [z ...]`, with comments that begin with #, as PedPy reads it), and obsmat.txt of
+the ETH and UCY data sets (`frame person x z y vx vz vy`, annotated every 0.4 s)."""
+import argparse
+import collections
+import dataclasses
+import functools
+import math
 import os
 import pathlib
+import re
 
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import HEADER, read_walks
-from crowd_recordings import jupedsim_text, obsmat
-from crowd_recordings.recording import Recording
+from crowd_experiments.arguments import above_zero
+
+
+@dataclasses.dataclass(frozen=True)
+class Recording:
+    """The positions of people. `walks`: lists of (frame, x, y) [m] by the number of the person, frames ascending;
+    `frame_duration`: time between two frames [s], None if the file does not contain it."""
+    walks: dict
+    frame_duration: float = None
+
+    def at_rate(self, frame_rate):
+        """Returns the same recording with a frame rate [Hz] in place of that of the file, if it is not None."""
+        return self if frame_rate is None else dataclasses.replace(self, frame_duration=1 / frame_rate)
+
+
+def collect(file, rows):
+    """Returns the walks of rows (line, person, frame, x, y), in any order. Raises InputError if a person is twice in a
+    frame, if a number is negative or not finite, or if there are no rows."""
+    walks = {}
+    for line, person, frame, x, y in rows:
+        if min(person, frame) < 0 or not (math.isfinite(x) and math.isfinite(y)):
+            raise InputError(f'{file}:{line}: expected numbers of person and frame from 0, and finite positions')
+        places = walks.setdefault(person, {})
+        if frame in places:
+            raise InputError(f'{file}:{line}: person {person} is in frame {frame} for the second time')
+        places[frame] = (x, y)
+    if not walks:
+        raise InputError(f'{file}: has no trajectory')
+    return {person: [(frame, *places[frame]) for frame in sorted(places)] for person, places in sorted(walks.items())}
+
+
+def step_of(walks):
+    """Returns the largest step of which all frame numbers are multiples, counted from the first one; at least 1."""
+    frames = sorted({frame for walk in walks.values() for frame, _, _ in walk})
+    return max(1, functools.reduce(math.gcd, (frame - frames[0] for frame in frames), 0))
+
+
+def numbers_of(file, line, words, columns, expected):
+    """Returns columns of a line: whole numbers for the first two, then two numbers. Whole numbers may be written as
+    7.8000000e+02. Raises InputError."""
+    try:
+        values = [float(words[column]) for column in columns]
+        if not (values[0].is_integer() and values[1].is_integer()):
+            raise ValueError
+        return int(values[0]), int(values[1]), values[2], values[3]
+    except (ValueError, IndexError, OverflowError):
+        raise InputError(f"{file}:{line}: expected {expected}, got '{' '.join(words)}'") from None
+
+
+COLUMNS = 8
+PERIOD = 0.4  # [s] between two annotated frames
+OBSMAT_COLUMNS = 'frame, person, x, z, y, vx, vz and vy'
+
+
+def is_obsmat(first):
+    """Returns whether a file begins as obsmat.txt."""
+    return len(first.split()) == COLUMNS
+
+
+def read_obsmat(file, stream):
+    """Reads a file. Returns a Recording whose frames are the annotated ones, counted from 0. Raises InputError."""
+    rows = []
+    for line, text in enumerate(stream, 1):
+        if text.strip():
+            words = text.split()
+            words = words if len(words) == COLUMNS else []
+            frame, person, x, y = numbers_of(file, line, words, (0, 1, 2, 4), OBSMAT_COLUMNS)
+            rows.append((line, person, frame, x, y))
+    walks = collect(file, rows)
+    step, first = step_of(walks), min(walk[0][0] for walk in walks.values())
+    return Recording({person: [((frame - first) // step, x, y) for frame, x, y in walk]
+                      for person, walk in walks.items()}, PERIOD / (annotated_step(walks, step) / step))
+
+
+def annotated_step(walks, default):
+    """Returns the most frequent number of frames between two rows of a person."""
+    steps = collections.Counter(there[0] - here[0] for walk in walks.values() for here, there in zip(walk, walk[1:]))
+    return steps.most_common(1)[0][0] if steps else default
+
+
+RATE = re.compile(r'framerate\s*:?\s*([-+.\deE]+)')
+CENTIMETRES = re.compile(r'[xX]/cm|in cm')
+JUPEDSIM_COLUMNS = 'id, frame, x and y'
+
+
+def is_jupedsim(first):
+    """Returns whether a file begins as JuPedSim's: with a comment, or with 4 or 5 columns."""
+    return first.startswith('#') or len(first.split()) in (4, 5)
+
+
+def read_jupedsim(file, stream):
+    """Reads a file. Returns a Recording. Raises InputError."""
+    frame_duration, scale, rows = None, 1.0, []
+    for line, text in enumerate(stream, 1):
+        if text.startswith('#'):
+            match = RATE.search(text)
+            if match and frame_duration is None:
+                frame_duration = duration_of(file, line, match[1])
+            scale = 0.01 if CENTIMETRES.search(text) else scale
+        elif text.strip():
+            person, frame, x, y = numbers_of(file, line, text.split(), (0, 1, 2, 3), JUPEDSIM_COLUMNS)
+            rows.append((line, person, frame, scale * x, scale * y))
+    return Recording(collect(file, rows), frame_duration)
+
+
+def duration_of(file, line, rate):
+    """Returns the time between two frames [s] of a frame rate in a header."""
+    try:
+        return 1 / above_zero(rate)
+    except (ValueError, argparse.ArgumentTypeError):
+        raise InputError(f"{file}:{line}: expected a frame rate above 0, got '{rate}'") from None
+
+
+def write_jupedsim(stream, recording):
+    """Writes a Recording with a known frame rate. Numbers are written so that reading gives the same bits."""
+    stream.write('# description: social_crowd trajectories\n'
+                 f'# framerate: {round(1 / recording.frame_duration, 9)}\n'
+                 '# id frame x/m y/m z/m\n')
+    rows = sorted((frame, person, x, y) for person, walk in recording.walks.items() for frame, x, y in walk)
+    for frame, person, x, y in rows:
+        stream.write(f'{person} {frame} {x!r} {y!r} 0\n')
+
 
 CSV_HEADER = ','.join(HEADER)
 
@@ -21,7 +149,7 @@ def read_recording(file, instance=None):
             return Recording(read_walks(file, instance)[1])
         if instance not in (None, 0):
             raise InputError(f'{file}: has no instance {instance}, expected 0')
-        for recognise, read in ((jupedsim_text.is_jupedsim, jupedsim_text.read), (obsmat.is_obsmat, obsmat.read)):
+        for recognise, read in ((is_jupedsim, read_jupedsim), (is_obsmat, read_obsmat)):
             if recognise(first):
                 return read(file, stream)
     raise InputError(f'{file}:1: is not a recording; expected the header {CSV_HEADER}, the text format of JuPedSim '
@@ -36,7 +164,7 @@ def write_csv(stream, recording):
         stream.write(f'0,{frame},{person},{x!r},{y!r}\n')
 
 
-WRITERS = {'.csv': write_csv, '.txt': jupedsim_text.write}
+WRITERS = {'.csv': write_csv, '.txt': write_jupedsim}
 
 
 def write_recording(file, recording):

@@ -1,12 +1,10 @@
 """The chapters of a report."""
-from crowd_curves.bands import default_window
 from crowd_curves.drawing import draw_curves, measures_of
-from crowd_curves.records import read_run
+from crowd_curves.records import default_window, read_run
 from crowd_drawing.files import DEFAULT_TICK
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_report.figures import draw_paths, draw_separations, draw_speeds, scenario_of
-from crowd_report.inputs import METRICS, RECORD, TRAJECTORIES, of_kind
-from crowd_report.tables import comparison_rows, metrics_rows
+from crowd_report.tables import METRICS, RECORD, TRAJECTORIES, comparison_rows, metrics_rows, of_kind
 
 
 def chapters_of(sources, training, folder):

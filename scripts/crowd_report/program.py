@@ -1,16 +1,13 @@
 """The program `report`."""
-import argparse
-import csv
 import os
 import pathlib
-import sys
 import tempfile
 
-from crowd_drawing.errors import InputError, problem_of
-from crowd_drawing.outputs import check_output
-from crowd_experiments.page import write_page
+from crowd_drawing.errors import InputError, check_output
+from crowd_experiments.arguments import add_file, parser_of
+from crowd_experiments.pages import write_page
 from crowd_report.chapters import chapters_of
-from crowd_report.inputs import HEADERS, LOG, RECORD, source_of
+from crowd_report.tables import HEADERS, LOG, RECORD, source_of
 
 EXAMPLES = '''examples:
   for table in anticipation human; do mkdir -p $table
@@ -26,14 +23,13 @@ Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 def parser():
     """Returns the parser of the command line."""
-    result = argparse.ArgumentParser(prog='report', formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     epilog=EXAMPLES, description='Writes a page with the results of runs, which needs '
-                                     'no other file: metrics, comparison, learning curves, paths, separation, speed '
-                                     'against density.')
+    result = parser_of('report',
+                       'Writes a page with the results of runs, which needs no other file: metrics, comparison, '
+                       'learning curves, paths, separation, speed against density.', EXAMPLES)
     result.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
     result.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV',
                         help='logs or records of `train`')
-    result.add_argument('--output', type=pathlib.Path, required=True, metavar='FILE.html', help='the page')
+    add_file(result, '--output', required=True, metavar='FILE.html', help='the page')
     result.add_argument('--title', default='Crowd report', help='title of the page (default: %(default)s)')
     return result
 
@@ -52,25 +48,19 @@ def write_report(output, title, sources, training):
 
 
 def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
+    """Runs the program with command line words."""
     checked = parser()
     arguments = checked.parse_args(words)
     if not (arguments.files or arguments.training):
         checked.error('expected at least one file')
     if arguments.output.suffix.lower() not in ('.html', '.htm'):
         checked.error(f"--output: expected FILE.html, got '{arguments.output}'")
-    try:
-        check_output(arguments.output)
-        sources, training = ([source_of(word) for word in words] for words in (arguments.files, arguments.training))
-        for source in training:
-            if source.kind not in (LOG, RECORD):
-                raise InputError(f'{source.file}: --training: expected a record or log of `train`, with the header '
-                                 f'{HEADERS[RECORD][0]}... or {HEADERS[LOG][0]}...')
-        training += [source for source in sources if source.kind == LOG]
-        sources = [source for source in sources if source.kind != LOG]
-        write_report(arguments.output, arguments.title, sources, training)
-    except (OSError, InputError, ValueError, csv.Error) as error:
-        print(f'report: {problem_of(error, arguments.output)}', file=sys.stderr)
-        return 1
+    check_output(arguments.output)
+    sources, training = ([source_of(word) for word in words] for words in (arguments.files, arguments.training))
+    for source in training:
+        if source.kind not in (LOG, RECORD):
+            raise InputError(f'{source.file}: --training: expected a record or log of `train`, with the header '
+                             f'{HEADERS[RECORD][0]}... or {HEADERS[LOG][0]}...')
+    training += [source for source in sources if source.kind == LOG]
+    write_report(arguments.output, arguments.title, [source for source in sources if source.kind != LOG], training)
     print(f'{arguments.output}: {arguments.output.stat().st_size / 1e6:.1f} MB')
-    return 0

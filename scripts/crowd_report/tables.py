@@ -1,7 +1,62 @@
-"""Tables of a report: metrics, and differences of runs with their confidence intervals."""
+"""The files of a report, recognised by their headers, and its tables: metrics, and differences of runs with their
+confidence intervals."""
+import dataclasses
+import pathlib
+
 import numpy
+import pandas
+from crowd_drawing.errors import InputError
+from crowd_drawing.files import HEADER
+from crowd_experiments.arguments import labelled
 from crowd_experiments.confidence import bootstrap_difference, mean_interval
-from crowd_report.inputs import columns_of
+from crowd_experiments.records import read_csv
+
+METRICS, LOG, RECORD, TRAJECTORIES = 'metrics', 'log', 'record', 'trajectories'
+# First columns, by kind; those of a log begin with those of a record.
+HEADERS = {METRICS: ('scenario,instances,success_pct', '`evaluate --csv`'),
+           LOG: ('episode,scenario,agents', '`train --log`'),
+           RECORD: ('episode,scenario,agent', '`train` or `evaluate --record`'),
+           TRAJECTORIES: (','.join(HEADER), '`evaluate --trajectories`')}
+
+
+@dataclasses.dataclass(frozen=True)
+class Source:
+    """A file of a report. Files with the same label are runs of the same thing, such as seeds."""
+    label: str
+    kind: str
+    file: pathlib.Path
+
+
+def source_of(word):
+    """Returns the Source of a word of the command line, [LABEL=]FILE. The default label is the name of the file's
+    folder. Raises InputError, OSError."""
+    label, name = labelled(word)
+    file = pathlib.Path(name)
+    with open(file, encoding='utf-8', errors='replace') as stream:
+        first = next(stream, '').strip()
+    for kind, (header, _) in HEADERS.items():
+        if first.startswith(header):
+            return Source(file.resolve().parent.name if label is None else label, kind, file)
+    expected = ', '.join(f'{header}... ({program})' for header, program in HEADERS.values())
+    raise InputError(f'{file}:1: expected one of the headers {expected}')
+
+
+def columns_of(source):
+    """Returns a file of metrics or of a record as a table. Raises InputError."""
+    columns = pandas.DataFrame(read_csv(source.file))
+    if columns.empty:
+        raise InputError(f'{source.file}: has no rows')
+    return columns
+
+
+def of_kind(sources, kind):
+    """Returns the sources of a kind, as lists by label in the order of the labels."""
+    found = {}
+    for source in sources:
+        if source.kind == kind:
+            found.setdefault(source.label, []).append(source)
+    return found
+
 
 # Column of `evaluate --csv`, title, decimals.
 METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%]', 1),
@@ -19,18 +74,16 @@ def metrics_rows(groups):
     label, a value is their mean, plus or minus half of its 95 % confidence interval."""
     rows = []
     for label, sources in groups.items():
-        files = [columns_of(source) for source in sources]
-        for scenario in dict.fromkeys(name for columns in files for name in columns['scenario']):
-            cells = [metric_cell(files, scenario, column, decimals) for column, _, decimals in METRIC_COLUMNS]
-            rows.append([label, scenario, str(len(files)), *cells])
+        for scenario, values in pandas.concat(map(columns_of, sources)).groupby('scenario', sort=False):
+            cells = [metric_cell(values.get(column, pandas.Series(dtype=float)), decimals)
+                     for column, _, decimals in METRIC_COLUMNS]
+            rows.append([label, scenario, str(len(sources)), *cells])
     return ['', 'scenario', 'runs', *(title for _, title, _ in METRIC_COLUMNS)], rows
 
 
-def metric_cell(files, scenario, column, decimals):
+def metric_cell(values, decimals):
     """Returns the text of a metric."""
-    values = [columns[column][i] for columns in files for i, name in enumerate(columns['scenario'])
-              if name == scenario and column in columns]
-    mean, low, _ = mean_interval([value for value in values if numpy.isfinite(value)])
+    mean, low, _ = mean_interval(values[numpy.isfinite(values)])
     if not numpy.isfinite(mean):
         return '-'
     return f'{mean:.{decimals}f}' + (f' ± {mean - low:.{decimals}f}' if numpy.isfinite(low) else '')
@@ -41,15 +94,11 @@ def samples(sources, scenario, column):
     file. People of an episode depend on each other."""
     episodes = []
     for source in sources:
-        columns = columns_of(source)
-        values = columns.get(column)
-        if values is None:
-            continue
-        chosen = numpy.array([name == scenario for name in columns['scenario']]) & numpy.isfinite(values)
-        if column not in OF_ALL:
-            chosen &= columns['arrived'] > 0
-        numbers = columns['episode'][chosen]
-        episodes.append([values[chosen][numbers == episode].mean() for episode in numpy.unique(numbers)])
+        rows = columns_of(source)
+        if column in rows:
+            rows = rows[(rows['scenario'] == scenario) & numpy.isfinite(rows[column])]
+            chosen = rows if column in OF_ALL else rows[rows['arrived'] > 0]
+            episodes.append(chosen.groupby('episode')[column].mean().tolist())
     if len(episodes) == 1:
         return episodes[0]
     return [float(numpy.mean(means)) for means in episodes if means]

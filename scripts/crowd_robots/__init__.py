@@ -1,1 +1,1 @@
-"""The benchmark of robots among people."""
+"""Robots that other nodes drive: starting them, recording their results."""

@@ -1,21 +1,19 @@
 """The command line of scripts/drive_robots: `evaluate --robot` for robots that move_base drives."""
-import argparse
 import os
-import pathlib
 import shutil
 import subprocess
 import sys
 
 import yaml
-
-from crowd_experiments.program import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED, positive
+from crowd_experiments.arguments import add_file, parser_of, positive
+from crowd_experiments.interruption import EXIT_FINE, EXIT_INTERRUPTED
+from crowd_experiments.records import read_csv
 from crowd_experiments.runs import RunError
-from crowd_launching.ports import free_port
+from crowd_launching.launch_end import free_port
 from crowd_launching.program import Program
 
-from .catalogue import DRIVEN
-from .measures import read_record
-
+# Robots that are driven through ROS, and their arguments of move_base.launch.
+DRIVEN = {'move_base': {}, 'move_base_people': {'people_layer': True}}
 EXAMPLES = '''example:
   scripts/drive_robots --robot move_base --episodes 5 --robots-csv /tmp/robots.csv config/scenarios/robot_hall.yaml
 
@@ -29,23 +27,25 @@ or an input is wrong, 2 wrong usage, 130 interrupted.'''
 
 def parser():
     """Returns the parser of the command line."""
-    found = argparse.ArgumentParser(
-        prog='drive_robots', formatter_class=argparse.RawDescriptionHelpFormatter, epilog=EXAMPLES,
-        description='Drives the robots of a scenario through ROS and writes their results as `evaluate --robots-csv` '
-                    'does.')
+    found = parser_of('drive_robots',
+                      'Drives the robots of a scenario through ROS and writes their results as `evaluate '
+                      '--robots-csv` does.', EXAMPLES)
     found.add_argument('--robot', choices=DRIVEN, default='move_base',
                        help='move_base with DWA, or also with the costs of PeopleLayer (default: %(default)s)')
     found.add_argument('--episodes', type=positive, default=1, metavar='N', help='(default: %(default)s)')
     found.add_argument('--seed', type=int, default=1, metavar='S', help='of placements (default: %(default)s)')
-    found.add_argument('--q-table', type=pathlib.Path, metavar='FILE', help='of the people (default: anticipation)')
-    found.add_argument('--robots-csv', type=pathlib.Path, required=True, metavar='FILE', help='results of the robots')
-    found.add_argument('scenario', type=pathlib.Path, metavar='SCENARIO.yaml')
+    add_file(found, '--q-table', help='of the people (default: anticipation)')
+    add_file(found, '--robots-csv', required=True, help='results of the robots')
+    add_file(found, 'scenario', metavar='SCENARIO.yaml')
     return found
 
 
 def launch_arguments(scenario, robot):
     """Returns the arguments of move_base.launch for a scenario file and a robot of DRIVEN."""
-    document = yaml.safe_load(scenario.read_text(encoding='utf-8'))
+    try:
+        document = yaml.safe_load(scenario.read_text(encoding='utf-8'))
+    except yaml.YAMLError as error:
+        raise RunError(str(error)) from None
     robots = document.get('robots') if isinstance(document, dict) else None
     if not robots:
         raise RunError(f'{scenario}: expected a scenario with robots')
@@ -70,8 +70,9 @@ def text_of(value):
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
-def drive(arguments):
-    """Runs the launch file. Returns the exit status."""
+def main(words=None):
+    """Runs the launch file with command line words. Returns the exit status."""
+    arguments = parser().parse_args(words)
     settings = launch_arguments(arguments.scenario, arguments.robot)
     if not shutil.which('roslaunch') or subprocess.run(['rospack', 'find', 'move_base'], stdout=subprocess.DEVNULL,
                                                        stderr=subprocess.DEVNULL, check=False).returncode != 0:
@@ -92,19 +93,9 @@ def drive(arguments):
         return EXIT_INTERRUPTED
     if status != 0:
         return status
-    count = len(read_record(part)['episode'])
+    count = len(read_csv(part)['episode'])
     expected = arguments.episodes * len(settings['robots'].split() or [''])
     if count != expected:
         raise RunError(f'{part}: expected {expected} rows, got {count}; see the messages above')
     os.replace(part, record)
     return EXIT_FINE
-
-
-def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
-    arguments = parser().parse_args(words)
-    try:
-        return drive(arguments)
-    except (RunError, OSError, yaml.YAMLError) as error:
-        print(f'drive_robots: {error}', file=sys.stderr)
-        return EXIT_FAILED

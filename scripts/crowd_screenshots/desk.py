@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 import time
 
-from crowd_launching.ports import free_port
+from crowd_launching.launch_end import free_port
 
 SIZE = '1280x800x24'
 PATIENCE = 120.0  # [s]

@@ -1,18 +1,13 @@
 """The program `draw_q_table`."""
-import argparse
 import os
 import pathlib
-import sys
 
-from crowd_drawing.errors import InputError, problem_of
+from crowd_drawing.errors import InputError, check_output
 from crowd_drawing.files import HOMES
-from crowd_drawing.outputs import check_output
-from crowd_experiments.numbers import whole
-from crowd_tables.actions import action_names
+from crowd_experiments.arguments import add_file, parser_of, whole
 from crowd_tables.drawing import draw_table
-from crowd_tables.state_sets import meaning_of
-from crowd_tables.summary import row_visits
-from crowd_tables.table import read_table
+from crowd_tables.state_sets import action_names, meaning_of
+from crowd_tables.table import read_table, row_visits
 
 EXAMPLES = '''examples:
   draw_q_table config/q_tables/thesis_nearest.txt --output nearest.png
@@ -32,11 +27,11 @@ def table_file(name):
 
 def parser():
     """Returns the parser of the command line."""
-    result = argparse.ArgumentParser(prog='draw_q_table', description='Draws the values and visits of all rows of a '
-                                     'Q-table as heat maps, or explains one row.', epilog=EXAMPLES,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = parser_of('draw_q_table',
+                       'Draws the values and visits of all rows of a Q-table as heat maps, or explains one '
+                       'row.', EXAMPLES)
     result.add_argument('table', metavar='FILE', help='a Q-table file, or a name in config/q_tables')
-    result.add_argument('--output', type=pathlib.Path, metavar='FILE', help='picture, such as table.png or table.pdf')
+    add_file(result, '--output', help='picture, such as table.png or table.pdf')
     result.add_argument('--row', type=whole, metavar='N', help='print what row N means, with visits and values')
     result.add_argument('--title', help='title of the picture (default: the name of the file)')
     return result
@@ -54,27 +49,22 @@ def explain(table, meaning, row):
 
 
 def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
+    """Runs the program with command line words."""
     checked = parser()
     arguments = checked.parse_args(words)
     if arguments.output is None and arguments.row is None:
         checked.error('expected --output or --row')
     if arguments.output and arguments.output.suffix.lower() not in PICTURES:
         checked.error(f"--output: expected a name with {', '.join(PICTURES)}, got '{arguments.output}'")
-    try:
-        if arguments.output:
-            check_output(arguments.output)
-        table = read_table(table_file(arguments.table))
-        meaning = meaning_of(table)
-        if arguments.row is not None:
-            explain(table, meaning, arguments.row)
-        if arguments.output is not None:
-            visits = row_visits(table)
-            subtitle = f'{(visits > 0).sum()} of {len(visits)} rows visited, {visits.sum()} visits'
-            draw_table(arguments.output, table, meaning, f'{arguments.title or pathlib.Path(arguments.table).name}: '
-                       f'{meaning.type}, {subtitle}')
-            print(f'{arguments.output}: {subtitle}')
-    except (OSError, InputError, ValueError) as error:
-        print(f'draw_q_table: {problem_of(error, arguments.output)}', file=sys.stderr)
-        return 1
-    return 0
+    if arguments.output:
+        check_output(arguments.output)
+    table = read_table(table_file(arguments.table))
+    meaning = meaning_of(table)
+    if arguments.row is not None:
+        explain(table, meaning, arguments.row)
+    if arguments.output is not None:
+        visits = row_visits(table)
+        subtitle = f'{(visits > 0).sum()} of {len(visits)} rows visited, {visits.sum()} visits'
+        draw_table(arguments.output, table, meaning, f'{arguments.title or pathlib.Path(arguments.table).name}: '
+                   f'{meaning.type}, {subtitle}')
+        print(f'{arguments.output}: {subtitle}')

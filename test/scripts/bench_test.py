@@ -1,13 +1,14 @@
-"""scripts/bench: processing of benchmark results, which are written by hand."""
+"""scripts/bench and research/bench_sweeps: processing of benchmark results, which are written by hand."""
 import json
 import os
 import pathlib
 import signal
 
 import pytest
-from crowd_bench import document, profile, rank_scaling, table
+from crowd_bench import profile, table, table as document
 from crowd_bench.catalogue import BENCHMARKS
-from crowd_bench.sweeps import SWEEPS
+from crowd_sweeps import sweeps as rank_scaling
+from crowd_sweeps.sweeps import SWEEPS
 from programs import assert_says, in_package, read_bytes, read_text, wait_for
 
 # Writes the output format of Google Benchmark with the given counters of each repetition; None never ends.
@@ -53,11 +54,11 @@ ENTRIES = {entry.name: entry for entry in BENCHMARKS + SWEEPS}
 class BenchTest:
     """The complete program."""
 
-    def bench(self, runner, *words, program=PROGRAM.format(counters=COUNTERS)):
-        """Starts scripts/bench with a substitute for the benchmarks."""
+    def bench(self, runner, *words, program=PROGRAM.format(counters=COUNTERS), script='scripts/bench'):
+        """Starts scripts/bench, or another script, with a substitute for the benchmarks."""
         os.makedirs(runner.path('tools'), exist_ok=True)
         os.chmod(runner.write('tools/core_benchmarks', program), 0o755)
-        return runner.start('bench', [in_package('scripts', 'bench'), '--tools', runner.path('tools'),
+        return runner.start('bench', [in_package(script), '--tools', runner.path('tools'),
                                       '--repetitions', '3', '--plots', runner.path('plots'),
                                       '--json', runner.path('results.json'), *words])
 
@@ -94,7 +95,8 @@ class BenchTest:
         os.mkdir(runner.path('images'))
         pictures = runner.write('pictures.md', '![](images/crowd_step_agents.png)\n')
         tables = runner.write('tables.md', '<!-- table performance/crowd_step_agents -->\n<!-- end -->\n')
-        running = self.bench(runner, 'crowd_step_agents', '--document', pictures, '--document', tables)
+        running = self.bench(runner, 'crowd_step_agents', '--document', pictures, '--document', tables,
+                             script='research/bench_sweeps')
         assert running.wait() == 0, running.output()
         rows = '| 1,000 | 1.000 | 1.00 | 1.00 |\n| 20,000 | 0.500 | 2.00 | 2.00 |'
         assert rows in read_text(tables)
@@ -142,14 +144,14 @@ class TableTest:
                                                     '| q_table_save | a | b | c | d | e | f | g | h | i |\n'
                                                     '<!-- end -->\n'))
         load = ENTRIES['q_table_load']
-        slow = (f'| q_table_load | {load.what} | ≤ 50 ms | 60 ms'
+        slow = (f'| q_table_load | {load.title} | ≤ 50 ms | 60 ms'
                 f' | 49.5, 61 | {load.yardstick} | 0.5 ms | 120.00 |  | no |')
-        fast = f'| q_table_load | {load.what} | ≤ 50 ms | 40 ms |  | {load.yardstick} | 0.5 ms | 80.00 |  | yes |'
-        document.fill(file, [load.result(60.0, 0.5, 120.0, (49.5, 61.0))], [], [], 3)
+        fast = f'| q_table_load | {load.title} | ≤ 50 ms | 40 ms |  | {load.yardstick} | 0.5 ms | 80.00 |  | yes |'
+        document.fill(file, [load.result(60.0, 0.5, 120.0, (49.5, 61.0))], [], 3)
         text = read_text(file)
         assert_says(text, '| q_table_save | a | b | c | d | e | f | g | h | i |', slow,
-                    f"| train_occupancy | {ENTRIES['train_occupancy'].what} |  |")
-        document.fill(file, [load.result(40.0, 0.5, 80.0)], [], [], 3)
+                    f"| train_occupancy | {ENTRIES['train_occupancy'].title} |  |")
+        document.fill(file, [load.result(40.0, 0.5, 80.0)], [], 3)
         assert read_text(file) == text.replace(slow, fast)
 
     def test_a_result_through_ros_has_no_spread(self):

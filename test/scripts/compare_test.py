@@ -1,4 +1,4 @@
-"""scripts/compare: measures of scenes made by hand, and a complete run."""
+"""research/compare: measures of scenes made by hand, and a complete run."""
 import glob
 import math
 import os
@@ -13,8 +13,7 @@ from crowd_comparison.metrics_csv import (judged, largest_difference, not_slower
                                           time_against)
 from crowd_comparison.lane_order import lane_order, order_above_chance, order_over_time
 from crowd_drawing.files import Scene
-from crowd_experiments.chapter import Chapter
-from crowd_experiments.document import fill_document
+from crowd_experiments.pages import Chapter, fill_document
 from crowd_experiments.records import read_tracks
 from crowd_experiments.runs import processor_seconds
 from programs import assert_says, in_package, read_text, tools_folder
@@ -197,8 +196,8 @@ class CompareTest:
     """The complete program."""
 
     def compare(self, runner, *words):
-        """Starts scripts/compare with results in the test's folder."""
-        return runner.start('compare', [in_package('scripts', 'compare'), *words, '--quick',
+        """Starts research/compare with results in the test's folder."""
+        return runner.start('compare', [in_package('research', 'compare'), *words, '--quick',
                                         '--tools', tools_folder(), '--results', runner.path('results')])
 
     def write_benchmark(self, runner):

@@ -5,7 +5,7 @@ import tempfile
 import time
 
 import pytest
-from crowd_bench.hosts import Network, why_not
+from network_hosts import Network, why_not
 from programs import ProgramRunner
 
 DEADLINE = pytest.StashKey()

@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / 'scripts'))
 from crowd_figures import gait  # noqa: E402
 from crowd_figures.shapes import ellipse, limb, loft, volume  # noqa: E402
-from crowd_figures.stl import TRIANGLE  # noqa: E402
+from crowd_figures.shapes import TRIANGLE  # noqa: E402
 
 
 def read(file):

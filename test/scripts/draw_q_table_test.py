@@ -2,15 +2,13 @@
 import os
 import subprocess
 
-import numpy
 import PIL.Image
+import numpy
 import pytest
 from crowd_drawing.errors import InputError
-from crowd_tables.actions import action_names
-from crowd_tables.axes import arranged, explanation
-from crowd_tables.state_sets import meaning_of
-from crowd_tables.summary import greedy_actions, row_values, row_visits
-from crowd_tables.table import read_table
+from crowd_tables.drawing import arranged, explanation
+from crowd_tables.state_sets import action_names, meaning_of
+from crowd_tables.table import greedy_actions, read_table, row_values, row_visits
 from learning_files import QTableFile, q_table_text
 from programs import ANTICIPATION_TABLE, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE, assert_says, in_package, read_text
 

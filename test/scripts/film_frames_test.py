@@ -6,12 +6,10 @@ import pathlib
 import numpy
 import pytest
 from crowd_film.frames import FramePainter
-from crowd_film.pictures import write_gif
+from crowd_film.pictures import write_gif, write_mp4
 from crowd_film.production import Settings, frame_times
 from crowd_film.stage import DPI, FOOT, Stage
-from crowd_film.video import write_mp4
-from crowd_recordings.shown import read_shown
-from crowd_recordings.tracks import track_of
+from crowd_recordings.shown import read_shown, track_of
 from film_files import LINE, WALKS, frames_of
 
 
@@ -149,8 +147,8 @@ class VideoTest:
             for number in range(50):
                 drawn.append(number)
                 yield numpy.full((2, 4, 3), number, dtype=numpy.uint8)
-        monkeypatch.setattr('crowd_film.video.need_ffmpeg', lambda: 'ffmpeg')
-        monkeypatch.setattr('crowd_film.video.subprocess.Popen', lambda *_, **__: encoder)
+        monkeypatch.setattr('crowd_film.pictures.need_ffmpeg', lambda: 'ffmpeg')
+        monkeypatch.setattr('crowd_film.pictures.subprocess.Popen', lambda *_, **__: encoder)
         write_mp4('film.mp4', frames(), None, 50)
         assert encoder.noted == list(range(1, 51))
 

@@ -1,4 +1,4 @@
-"""scripts/flows: measures of walks made by hand, bands, tables with a time gap, and a run of evaluate."""
+"""research/flows: measures of walks made by hand, bands, tables with a time gap, and a run of evaluate."""
 import dataclasses
 import pathlib
 
@@ -6,7 +6,7 @@ import numpy
 import pytest
 import yaml
 from crowd_flows import corridors, door_flow, fundamental_diagram, measurements
-from crowd_flows.evaluation import evaluate, read_tracks
+from crowd_flows.measurements import evaluate, read_tracks
 from crowd_flows.time_gap_table import add_time_gap, with_time_gap
 from programs import ANTICIPATION_TABLE, in_package, tools_folder
 

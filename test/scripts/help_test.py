@@ -7,7 +7,8 @@ import subprocess
 import pytest
 from programs import PATIENCE, in_package, page_text, read_text, tools_folder
 
-SCRIPTS = sorted(file for file in pathlib.Path(in_package('scripts')).iterdir() if file.is_file())
+SCRIPTS = sorted(file for folder in ('scripts', 'research') for file in pathlib.Path(in_package(folder)).iterdir()
+                 if os.access(file, os.X_OK) and file.is_file())
 # Nodes and tools, without programs for tests and benchmarks.
 BUILT = [pathlib.Path(tools_folder(), name) for names in
          re.findall(r'^set\((?:NODES|TOOLS) (.*)\)$', read_text(in_package('CMakeLists.txt')), re.MULTILINE)

@@ -4,7 +4,7 @@ import os
 import pytest
 import ssh_hosts
 from host_crowds import AGENTS, crowd_scenario
-from crowd_bench.hosts import programs_in
+from network_hosts import programs_in
 from programs import (ANTICIPATION_TABLE, assert_same_recording, assert_says, in_package, page_examples, read_bytes,
                       tools_folder, wait_for)
 

@@ -4,12 +4,11 @@ import math
 import os
 import subprocess
 
-import numpy
 import PIL.Image
+import numpy
 import pytest
-from crowd_curves.bands import band_of, default_window
 from crowd_curves.drawing import measures_of
-from crowd_curves.records import read_run, window_means
+from crowd_curves.records import band_of, default_window, read_run, window_means
 from crowd_drawing.errors import InputError
 from crowd_experiments.confidence import bootstrap_difference, mean_interval, t_quantile
 from learning_files import config_text
@@ -39,15 +38,14 @@ class ConfidenceTest:
     """Intervals, with numbers worked out by hand."""
 
     def test_mean(self):
-        """1, 2, 3: the standard error is 1 / sqrt(3), and the quantile for 2 degrees of freedom is 4.303."""
-        assert mean_interval([1, 2, 3]) == pytest.approx((2, 2 - 4.303 / 3**0.5, 2 + 4.303 / 3**0.5))
+        """1, 2, 3: the standard error is 1 / sqrt(3), and the quantile for 2 degrees of freedom is 4.302653."""
+        assert mean_interval([1, 2, 3]) == pytest.approx((2, 2 - 4.302653 / 3**0.5, 2 + 4.302653 / 3**0.5))
         assert mean_interval([5])[0] == 5
         assert all(map(math.isnan, mean_interval([5])[1:] + mean_interval([])))
 
     def test_quantiles(self):
-        """Those of 40 and 100 degrees of freedom are 2.0211 and 1.9840."""
-        assert [t_quantile(n) for n in (1, 30)] == [12.706, 2.042]
-        assert [t_quantile(n) for n in (40, 100)] == pytest.approx([2.0211, 1.9840], abs=2e-3)
+        """Those of tables."""
+        assert [t_quantile(n) for n in (1, 30, 40, 100)] == pytest.approx([12.7062, 2.0423, 2.0211, 1.9840], abs=5e-5)
 
     def test_bootstrap(self):
         """Samples without spread differ by exactly 2; the interval of others contains their difference."""
@@ -73,12 +71,12 @@ class RecordTest:
         assert run.columns['arrived'].tolist() == [1, 0, 1, 1]
 
     def test_band(self, runner):
-        """In the first window the runs have 0.25 and 0.75: a mean of 0.5, plus or minus 12.706 x 0.25."""
+        """In the first window the runs have 0.25 and 0.75: a mean of 0.5, plus or minus 12.7062 x 0.25."""
         one = read_run('', runner.write('one.csv', RECORD))
         other = read_run('', runner.write('other.csv', 'episode,arrived\n0,1\n1,0.5\n'))
         band = band_of('', [one, other], 'arrived', 2)
         assert band.episodes.tolist() == [2, 4]
-        assert (band.mean[0], band.low[0], band.high[0]) == pytest.approx((0.5, 0.5 - 3.1765, 0.5 + 3.1765))
+        assert (band.mean[0], band.low[0], band.high[0]) == pytest.approx((0.5, 0.5 - 3.176551, 0.5 + 3.176551))
         assert (band.mean[1], band.runs) == (1, 2)
         assert math.isnan(band.low[1])  # only one run has come so far
         percent = measures_of([one, other])[0]

@@ -6,9 +6,8 @@ import zlib
 
 import pytest
 from crowd_drawing.errors import InputError
-from crowd_drawing.files import read_scene
+from crowd_drawing.files import is_open, read_scene
 from crowd_drawing.maps import FREE_COLOUR, OCCUPIED_COLOUR, UNKNOWN_COLOUR, read_map
-from crowd_drawing.population import is_open
 from crowd_maps.floor import chunk
 from programs import PATIENCE, assert_says, in_package, read_text
 

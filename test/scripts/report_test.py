@@ -8,17 +8,14 @@ import pathlib
 import re
 import subprocess
 
-import numpy
 import PIL.Image
+import numpy
 import pytest
 from crowd_drawing.errors import InputError
-from crowd_report.crowding import separations, speed_by_density, speeds_and_densities
-from crowd_report.figures import scenario_of, scene_of, tracks_of
-from crowd_report.inputs import METRICS, RECORD, of_kind, source_of
-from crowd_report.tables import comparison_rows, metrics_rows, samples
+from crowd_report.figures import scenario_of, scene_of, separations, speed_by_density, speeds_and_densities, tracks_of
+from crowd_report.tables import METRICS, RECORD, comparison_rows, metrics_rows, of_kind, samples, source_of
 from learning_files import config_text
-from programs import (ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package, page_text,
-                      read_text)
+from programs import ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package, page_text, read_text
 
 METRICS_FILE = '''scenario,instances,success_pct,contact_pct,collision_pct,path_ratio,time_ratio,turn_rad_per_m
 one,2,%s,0,50,1.25,1.5,2

@@ -1,9 +1,9 @@
-"""Parts of the tables of scripts/reproduce: records, and the rules for judging claims and choices."""
+"""Parts of the tables of research/reproduce: records, and the rules for judging claims and choices."""
 import math
 
 import numpy
 import pytest
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_visits, spread_text
 from crowd_reproduction import claim, open_choices, reward_judges, reward_runs
 from crowd_reproduction.experiments import sensitivity

@@ -1,10 +1,10 @@
-"""Measures of scripts/reproduce, compared with numbers computed by hand."""
+"""Measures of research/reproduce, compared with numbers computed by hand."""
 import math
 
 import numpy
 import pytest
 from crowd_reproduction import measures
-from crowd_reproduction.decisions import Sector, read_decisions, read_visits, sectors_of
+from crowd_reproduction.measures import Sector, read_decisions, read_visits, sectors_of
 
 NAN = math.nan
 

@@ -1,4 +1,4 @@
-"""scripts/reproduce: results, continuation, interruption, and variations of shipped files."""
+"""research/reproduce: results, continuation, interruption, and variations of shipped files."""
 import csv
 import glob
 import os
@@ -10,11 +10,10 @@ import statistics
 import pytest
 import yaml
 from crowd_drawing.motion import place_of
-from crowd_experiments.chapter import Chapter
+from crowd_experiments.pages import Chapter
 from crowd_experiments.runs import Run
-from crowd_experiments.setting import Setting
-from crowd_experiments.variations import changed, vary_config, vary_scenario
-from crowd_reproduction import claim, reward_claims
+from crowd_experiments.variations import Setting, changed, vary_config, vary_scenario
+from crowd_reproduction import claim, claims
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
 REWARDS = ('distance_gained', 'cosine_cubed')
@@ -24,8 +23,8 @@ class ReproduceTest:
     """The complete program."""
 
     def reproduce(self, runner, *words):
-        """Starts scripts/reproduce with results in the test's folder."""
-        return runner.start('reproduce', [in_package('scripts', 'reproduce'), *words, '--tools', tools_folder(),
+        """Starts research/reproduce with results in the test's folder."""
+        return runner.start('reproduce', [in_package('research', 'reproduce'), *words, '--tools', tools_folder(),
                                           '--results', runner.path('results')])
 
     def stamps(self, runner):
@@ -41,7 +40,7 @@ class ReproduceTest:
         assert read_text(document).count('\n| thesis\'s parameters, heading: ') == 12
         page = read_text(runner.path('results/index.html'))
         assert '4.1-4.12' in page
-        assert 'scripts/reproduce reward_evaluation' in page
+        assert 'research/reproduce reward_evaluation' in page
         assert '<script' not in page
         figures = {'fig_4_01.png', *(f'fig_4_{number:02d}{parameters}.png' for number in range(2, 13)
                                      for parameters in ('', '_better'))}
@@ -72,9 +71,9 @@ class ReproduceTest:
         setting = Setting(pathlib.Path(), pathlib.Path(in_package('config')),
                           pathlib.Path(runner.path('results')), quick=True)
         chapter = Chapter('claims', 'Claims')
-        claim.add_claims(chapter, 'Rewards', reward_claims.CLAIMS, setting, 'rewards')
+        claim.add_claims(chapter, 'Rewards', claims.claims_of('rewards'), setting, 'rewards')
         rows = chapter.tables()[0].rows
-        assert len(rows) == len(reward_claims.CLAIMS)
+        assert len(rows) == len(claims.claims_of('rewards'))
         assert {row[3] for row in rows} <= {claim.CONFIRMED, claim.PARTLY, claim.NOT_CONFIRMED}
         arrivals = [self.success_in(runner, f'cosine_cubed_thesis_{seed:02d}/demo.csv') for seed in (1, 2)]
         assert f'cos³ {statistics.mean(arrivals):.2f} ' in next(
@@ -100,7 +99,7 @@ class ReproduceTest:
         for tool in ('train', 'evaluate'):
             runner.write(tool, '#!/bin/sh\necho the disk is on fire >&2\nexit 3\n')
             os.chmod(runner.path(tool), stat.S_IRWXU)
-        failing = runner.start('reproduce', [in_package('scripts', 'reproduce'), 'sharing', '--quick',
+        failing = runner.start('reproduce', [in_package('research', 'reproduce'), 'sharing', '--quick',
                                              '--tools', runner.folder, '--results', runner.path('results')])
         assert failing.wait() == 1
         assert_says(failing.output(), 'exit status 3', 'the disk is on fire')
@@ -120,7 +119,7 @@ class VariationsTest:
         config, results = pathlib.Path(runner.path('config')), pathlib.Path(runner.path('results'))
         for folder in ('experiments', 'scenarios'):
             (config / folder).mkdir(parents=True, exist_ok=True)
-        return Setting(pathlib.Path(), config, results)
+        return Setting(pathlib.Path(), config, results, experiments=config / 'experiments')
 
     def test_changes_by_the_paths_of_keys(self):
         scene = {'agents': [{'speed': 1, 'heading': 0}, {'speed': 2}], 'order': 'sequential'}

@@ -1,4 +1,4 @@
-"""scripts/robot_benchmark: measures, tables, and the command line."""
+"""research/robot_benchmark: measures, tables, and the command line."""
 import math
 import os
 import pathlib
@@ -7,10 +7,9 @@ import subprocess
 import numpy
 import pytest
 from crowd_experiments.runs import RunError
-from crowd_robots.catalogue import CROWDNAV_ORCA, INVISIBLE, VISIBLE
+from crowd_robot_benchmark.measures import (CROWDNAV_ORCA, INVISIBLE, VISIBLE, Summary, chapter_of, interval,
+                                            number_text, read_record, rows_of)
 from crowd_robots.driving import launch_arguments
-from crowd_robots.measures import Summary, interval, read_record, rows_of
-from crowd_robots.tables import chapter_of, number_text
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
 COLUMNS = ('episode,scenario,robot,success,time_to_reach_goal,robot_on_person_collisions,person_on_robot_collisions,'
@@ -109,8 +108,8 @@ class RobotBenchmarkTest:
     """The program."""
 
     def benchmark(self, runner, *words):
-        """Starts scripts/robot_benchmark with results in the test's folder."""
-        return runner.start('robot_benchmark', [in_package('scripts', 'robot_benchmark'), *words, '--tools',
+        """Starts research/robot_benchmark with results in the test's folder."""
+        return runner.start('robot_benchmark', [in_package('research', 'robot_benchmark'), *words, '--tools',
                                                 tools_folder(), '--output', runner.path('results')])
 
     def test_a_controller_and_a_robot_from_elsewhere(self, runner):
@@ -166,7 +165,7 @@ class RobotBenchmarkTest:
 
     @pytest.mark.parametrize('words, said', [
         (['--q-table', 'nowhere.txt'], 'nowhere.txt: there is no such Q-table'),
-        (['--robot', 'tug=nowhere.csv'], "No such file or directory: 'nowhere.csv'"),
+        (['--robot', 'tug=nowhere.csv'], 'nowhere.csv: No such file or directory'),
         (['--table'], 'has no results'),
     ])
     def test_wrong_input(self, runner, words, said):
@@ -180,7 +179,7 @@ class RobotBenchmarkTest:
         log = runner.path('results/runs/reactive/robot_station/log.txt')
         wait_for(lambda: os.path.exists(log) and 'evaluate' in read_text(log), 'the first run')
         assert running.stop() == 130, running.output()
-        assert_says(running.output(), 'Interrupted; the finished runs are kept in')
+        assert_says(running.output(), 'Interrupted: ', ' runs are done and kept')
 
 
 def has_move_base():

@@ -8,7 +8,7 @@ import subprocess
 import pytest
 import yaml
 from crowd_drawing.errors import InputError
-from crowd_experiments.setting import Setting
+from crowd_experiments.variations import Setting
 from crowd_report.figures import scene_of
 from crowd_sweep.plan import label_of, plan
 from crowd_sweep.program import EXAMPLES

@@ -1,4 +1,4 @@
-"""scripts/validate: walls of plans and scenarios of the cases, worked out by hand."""
+"""research/validate: walls of plans and scenarios of the cases, worked out by hand."""
 import math
 
 import numpy

@@ -1,4 +1,4 @@
-"""scripts/validate: measures of trajectories made by hand, places and speeds of people, and texts of results."""
+"""research/validate: measures of trajectories made by hand, places and speeds of people, and texts of results."""
 import math
 import os
 import pathlib
@@ -6,9 +6,9 @@ import random
 
 import numpy
 import pytest
-from crowd_validation import measures, people, texts
+from crowd_validation import measures, measures as texts, plan as people
 from crowd_validation.cases import rimea_09
-from crowd_validation.recording import Recording, read_tracks
+from crowd_validation.evaluation import Recording, read_tracks
 
 NAN = [math.nan, math.nan]
 

@@ -1,11 +1,11 @@
-"""scripts/validate: the command line, a case, and the table of stored results."""
+"""research/validate: the command line, a case, and the table of stored results."""
 import json
 import os
 import stat
 
 import pytest
 from crowd_validation import cases
-from crowd_validation.case import Result, load, store
+from crowd_validation.evaluation import Result, load, store
 from crowd_validation.program import chapter_of
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
@@ -29,8 +29,8 @@ class ValidateTest:
     """The program."""
 
     def validate(self, runner, *words):
-        """Starts scripts/validate with results in the test's folder."""
-        return runner.start('validate', [in_package('scripts', 'validate'), *words, '--tools', tools_folder(),
+        """Starts research/validate with results in the test's folder."""
+        return runner.start('validate', [in_package('research', 'validate'), *words, '--tools', tools_folder(),
                                          '--output', runner.path('results')])
 
     def test_the_first_case(self, runner):
@@ -91,7 +91,7 @@ class ValidateTest:
         for tool in ('train', 'evaluate'):
             runner.write(tool, '#!/bin/sh\necho the disk is on fire >&2\nexit 3\n')
             os.chmod(runner.path(tool), stat.S_IRWXU)
-        failing = runner.start('validate', [in_package('scripts', 'validate'), 'rimea_1', '--tools', runner.folder,
+        failing = runner.start('validate', [in_package('research', 'validate'), 'rimea_1', '--tools', runner.folder,
                                             '--output', runner.path('results')])
         assert failing.wait() == 1
         assert_says(failing.output(), 'exit status 3', 'the disk is on fire')

@@ -22,7 +22,8 @@ def code_blocks(page):
 def is_command(line):
     """Returns whether a line calls a program, with arguments unless it is a script."""
     word, _, arguments = line.partition(' ')
-    return (word in PROGRAMS and arguments) or word == 'catkin_make' or word.startswith(('scripts/', 'build/', './'))
+    folders = 'scripts/', 'research/', 'build/', './'
+    return (word in PROGRAMS and arguments) or word == 'catkin_make' or word.startswith(folders)
 
 
 def command_lines(page):

@@ -4,8 +4,8 @@ import socket
 import subprocess
 import urllib.parse
 
-from crowd_launching.ports import free_port
-from programs import PACKAGE, PATIENCE, Folder, wait_for
+from crowd_launching.launch_end import free_port
+from programs import Folder, PACKAGE, PATIENCE, wait_for
 
 BAD = ('[ERROR]', '[FATAL]', 'Traceback', 'has died', 'escalating', 'exit code')
 

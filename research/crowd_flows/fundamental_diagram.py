@@ -1,0 +1,131 @@
+"""Speed against density in corridors, beside measurements of people.
+
+Density and speed are measured in an area 4 m long and as wide as the corridor, in the middle of a part that is filled
+uniformly at the start, over intervals of 1 s. Density is the mean number of centres inside, divided by the area (single
+file: by the length). Speed is the mean over the persons and ticks of the velocity along the corridor, in the direction
+of walking. Only intervals from 8 to 20 s are used: later, the ends of the filled part reach the area.
+"""
+import numpy
+from crowd_experiments import style
+
+from .corridors import CORRIDORS, document
+from .measurements import COLOURS, LEAST_IN_BIN, TICK, bands, evaluate, read_columns, read_tracks, weidmann
+
+INTERVAL = round(1.0 / TICK)  # [ticks]
+FIGURE = 'validation_fundamental_diagram.png'
+HEADER = ['corridor', 'density', 'speed', 'intervals', 'measured_low', 'measured_median', 'measured_high', 'inside']
+
+
+def measure(corridor, track):
+    """Returns an array of (density, speed), one row per interval."""
+    middle = corridor.length / 2.0
+    along = track[..., 0]
+    start = along[0]
+    direction = numpy.sign(along[1:].mean(axis=0) - start)
+    velocities = numpy.diff(along, axis=0) / TICK * direction
+    inside = numpy.abs(along[1:] - middle) < corridor.window / 2.0
+    values = []
+    for begin in range(round(corridor.begin / TICK), len(velocities) - INTERVAL + 1, INTERVAL):
+        present = inside[begin:begin + INTERVAL]
+        if not present.any():
+            continue
+        per_length = present.sum() / INTERVAL / corridor.window
+        values.append((per_length / corridor.per_length(1.0),
+                       velocities[begin:begin + INTERVAL][present].mean()))
+    return numpy.array(values)
+
+
+def measure_corridor(program, table, folder, corridor, seeds):
+    """Returns an array of (density, speed) of all densities and seeds, and the highest contact rate [%]."""
+    values, contact = [], 0.0
+    for density in corridor.densities:
+        scenario = folder / f'{corridor.name}_{density:g}.yaml'
+        scenario.write_text('---\n'.join(document(corridor, density, seed) for seed in range(1, seeds + 1)),
+                            encoding='utf-8')
+        metrics = evaluate(program, table, scenario, folder)
+        contact = max(contact, float(metrics['contact_pct']))
+        recording = folder / f'{scenario.stem}.csv'
+        values += [measure(corridor, track) for track in read_tracks(recording)]
+        recording.unlink()
+    return numpy.concatenate(values), contact
+
+
+def rows_of(corridor, values, measured):
+    """Returns rows of HEADER, one for each bin of densities with enough intervals."""
+    rows = []
+    bins = numpy.digitize(values[:, 0], corridor.edges) - 1
+    for i, band in enumerate(bands(measured, corridor.edges)):
+        speeds = values[bins == i, 1]
+        if len(speeds) < LEAST_IN_BIN:
+            continue
+        density = (corridor.edges[i] + corridor.edges[i + 1]) / 2.0
+        band_cells = ['', '', '', ''] if band is None else [
+            round(band.low, 2), round(band.median, 2), round(band.high, 2),
+            'yes' if band.contains(speeds.mean()) else 'no']
+        rows.append([corridor.name, round(density, 3), round(float(speeds.mean()), 2), len(speeds), *band_cells])
+    return rows
+
+
+def measure_crowd(program, table, folder, seeds, data, corridors=CORRIDORS):
+    """Measures a crowd in all corridors.
+
+    Returns rows of HEADER, the values by the name of the corridor, and the highest contact rate [%]."""
+    folder.mkdir(parents=True, exist_ok=True)
+    rows, values, contact = [], {}, 0.0
+    for corridor in corridors:
+        found, touched = measure_corridor(program, table, folder, corridor, seeds)
+        contact = max(contact, touched)
+        measured = read_columns(data / corridor.data, corridor.density_column, 'speed_m_per_s')
+        rows += rows_of(corridor, found, measured)
+        values[corridor.name] = found
+    return rows, values, contact
+
+
+def run(evaluate_program, table, folder, seeds, data):
+    """Measures the crowd of a table. Returns rows of HEADER, and the file of a figure. data: folder of the
+    measurements of people."""
+    rows, values, _ = measure_crowd(evaluate_program, table, folder, seeds, data)
+    return rows, plot({table.stem: values}, data, folder / FIGURE)
+
+
+def plot(crowds, data, file, corridors=CORRIDORS):
+    """Draws the speeds of several crowds (results of run() by name) beside the measurements. Returns the file."""
+    figure, axes = style.new_figure(2, 2, 11, 8)
+    for panel, corridor in zip(axes.flat, corridors):
+        draw_measured(panel, corridor, read_columns(data / corridor.data, corridor.density_column,
+                                                    'speed_m_per_s'))
+        for (name, values), colour in zip(crowds.items(), COLOURS):
+            draw_means(panel, corridor, values[corridor.name], colour, name)
+        panel.set_title(corridor.title)
+        panel.set_xlim(0.0, corridor.edges[-1])
+        panel.set_ylim(0.0, 1.75)
+        panel.set_ylabel('speed [m/s]')
+        panel.set_xlabel('density [1/m]' if corridor.density_column == 'density_per_m' else 'density [1/m²]')
+    axes[0][0].legend(loc='upper right', fontsize=8)
+    return style.save(figure, file)
+
+
+def draw_measured(panel, corridor, measured):
+    """Draws the measurements, their band, and Weidmann's relation."""
+    panel.plot(*measured.T, '.', color='0.8', markersize=2, label='people')
+    known = [(middle, band) for middle, band in zip(middles(corridor), bands(measured, corridor.edges)) if band]
+    panel.fill_between([middle for middle, _ in known], [band.low for _, band in known],
+                       [band.high for _, band in known], color='0.5', alpha=0.35, linewidth=0,
+                       label='people, 10-90 %')
+    if corridor.density_column == 'density_per_m2':
+        densities = numpy.linspace(0.1, 5.4, 200)
+        panel.plot(densities, weidmann(densities), '--', color=style.REFERENCE, linewidth=1, label='Weidmann')
+
+
+def draw_means(panel, corridor, values, colour, name):
+    """Draws the values of a crowd and their means in the bins of densities."""
+    panel.plot(*values.T, '.', color=colour, markersize=2, alpha=0.3)
+    bins = numpy.digitize(values[:, 0], corridor.edges) - 1
+    means = [(middle, values[bins == i, 1].mean()) for i, middle in enumerate(middles(corridor))
+             if (bins == i).sum() >= LEAST_IN_BIN]
+    panel.plot(*zip(*means), 'o-', color=colour, markersize=4, label=name)
+
+
+def middles(corridor):
+    """Middles of the bins of densities."""
+    return (corridor.edges[:-1] + corridor.edges[1:]) / 2.0

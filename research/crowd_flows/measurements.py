@@ -1,0 +1,76 @@
+"""Runs of evaluate, and measurements of people: speed against density in corridors, flow through doors."""
+import csv
+import dataclasses
+import subprocess
+
+import numpy
+from crowd_experiments import records
+
+TICK = 0.1  # [s]
+
+
+def evaluate(program, table, scenario, folder, *options):
+    """Evaluates a Q-table in a scenario file, and writes trajectories and metrics into a folder.
+
+    Returns the row of metrics (texts by name)."""
+    metrics = folder / f'{scenario.stem}_metrics.csv'
+    subprocess.run([str(program), '--q-table', str(table), '--trajectories', str(folder), '--csv', str(metrics),
+                    *map(str, options), str(scenario)], check=True, stdout=subprocess.DEVNULL)
+    with open(metrics, newline='', encoding='utf-8') as stream:
+        return next(csv.DictReader(stream))
+
+
+def read_tracks(file):
+    """Returns the positions of each instance of a recording, arrays (tick, agent, 2); nan after the arrival."""
+    return list(records.read_tracks(file).values())
+
+
+LEAST_IN_BIN = 5  # values; bins with fewer are left out
+COLOURS = ('#d55e00', '#0072b2', '#009e73', '#8e5ea2')  # of the crowds in figures
+
+
+@dataclasses.dataclass(frozen=True)
+class Band:
+    """Distribution of the measured speeds in a bin of densities."""
+    low: float  # 10 % of the measurements are below [m/s]
+    median: float
+    high: float  # 10 % are above
+    count: int
+
+    def contains(self, speed):
+        """Returns whether a speed is inside, after rounding to hundredths as printed."""
+        return round(self.low, 2) <= round(speed, 2) <= round(self.high, 2)
+
+
+def read_columns(file, *columns):
+    """Returns an array (row, column) of columns of numbers of a CSV file."""
+    with open(file, newline='', encoding='utf-8') as stream:
+        return numpy.array([[float(row[column]) for column in columns] for row in csv.DictReader(stream)])
+
+
+def band_of(speeds):
+    """Returns the Band of some speeds, None if there are too few."""
+    if len(speeds) < LEAST_IN_BIN:
+        return None
+    return Band(*numpy.percentile(speeds, [10, 50, 90]), len(speeds))
+
+
+def bands(measured, edges):
+    """Returns the Band (or None) of each bin of densities. measured: array of (density, speed)."""
+    bins = numpy.digitize(measured[:, 0], edges) - 1
+    return [band_of(measured[bins == i, 1]) for i in range(len(edges) - 1)]
+
+
+def weidmann(density):
+    """Speed [m/s] at a density [1/m2] (Weidmann 1993)."""
+    return 1.34 * (1.0 - numpy.exp(-1.913 * (1.0 / density - 1.0 / 5.4)))
+
+
+def door_range(measured, width, tolerance=0.051):
+    """Returns lowest and highest specific flow [1/s] of the doors about as wide, each scaled to the width; None if
+    there are none. measured: array of (width, flow)."""
+    near = measured[numpy.abs(measured[:, 0] - width) <= tolerance]
+    if len(near) == 0:
+        return None
+    flows = near[:, 1] * width / near[:, 0]
+    return float(flows.min()), float(flows.max())

@@ -1,0 +1,135 @@
+"""A claim of the thesis, and the rules that decide whether our results confirm it."""
+import dataclasses
+import typing
+
+import numpy
+from crowd_experiments.records import spread_text
+
+CONFIRMED, PARTLY, NOT_CONFIRMED = VERDICTS = 'confirmed', 'partly confirmed', 'not confirmed'
+LEAST_SHARE = 0.75  # of the seeds for which a claim must hold
+RULE = (
+    f'Verdicts follow a rule. "{CONFIRMED}": the claim holds for the mean over the seeds and for at least three '
+    'quarters of the seeds. If a claim compares two values, they are compared for each seed, and their means must '
+    f'differ by more than a standard error of the difference. "{PARTLY}": the claim holds for the mean only, for the '
+    f'seeds only, or in part. "{NOT_CONFIRMED}": it holds for neither. Equal values do not count as greater. A number '
+    f'of the thesis is {CONFIRMED} if our mean is within 5 points of it and the range of the seeds includes it, and '
+    f'{PARTLY} if one of these conditions is met.')
+NEAR = 5.0  # [points]
+GOOD, HALF = 90.0, 50.0  # [%] success rates from which a claim is confirmed, and partly confirmed
+RARE = 10.0  # [%] highest rate of contacts or collisions with which "avoids" holds
+
+
+@dataclasses.dataclass(frozen=True)
+class Judgement:
+    """Our numbers, as a text with seeds and spread, and the resulting verdict."""
+    measured: str
+    verdict: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Claim:
+    """A statement of the thesis, and the function that judges it."""
+    section: str
+    says: str  # quotation or summary of the thesis
+    judge: typing.Callable  # takes the Setting, returns a Judgement
+    reasons: dict = dataclasses.field(default_factory=dict)  # known reasons, by verdict
+
+    def row(self, setting):
+        """Returns section, quotation, measured values, verdict and reason."""
+        judgement = self.judge(setting)
+        return [self.section, self.says, judgement.measured, judgement.verdict,
+                self.reasons.get(judgement.verdict, '')]
+
+
+def all_of(judges):
+    """Returns a judge of a claim with several parts: functions of the Setting and of further arguments."""
+    def judge(setting):
+        parts = [part(setting, *words) for part, words in judges]
+        return joined(parts, '. ')
+    return judge
+
+
+def joined(parts, separator, before=''):
+    """Returns the Judgement on a claim with several parts."""
+    return Judgement(before + separator.join(part.measured for part in parts),
+                     decide_all(*(part.verdict for part in parts)))
+
+
+def compared(before, name, values, other_name, others, decimals=2, falls=False):
+    """Returns the Judgement on 'the first is greater than the second', or with `falls` less."""
+    return Judgement(before + versus(name, values, other_name, others, decimals),
+                     decide_greater(others, values) if falls else decide_greater(values, others))
+
+
+def decide(holds_for_mean, holds_for_seeds):
+    """Returns the verdict, given whether a claim holds for the mean and for each of the seeds."""
+    holds_for_most = numpy.mean(list(map(bool, holds_for_seeds))) >= LEAST_SHARE
+    return VERDICTS[2 - int(bool(holds_for_mean)) - int(holds_for_most)]
+
+
+def decide_greater(first, second):
+    """Returns the verdict on 'the first is greater than the second', given both values of the same seeds."""
+    first, second = numpy.array(list(first), dtype=float), numpy.array(list(second), dtype=float)
+    error = 0.0  # standard error of the mean difference; 0 if a value is infinite
+    if len(first) > 1 and numpy.isfinite([first, second]).all():
+        error = float(numpy.std(first - second, ddof=1)) / len(first) ** 0.5
+    return decide(first.mean() - second.mean() > error, first > second)
+
+
+def decide_each(values, condition):
+    """Returns the verdict on 'the value meets the condition', given a value for each seed."""
+    values = list(values)
+    return decide(condition(float(numpy.mean(values))), map(condition, values))
+
+
+def decide_near(values, number):
+    """Returns the verdict on a number of the thesis [%]."""
+    values = list(values)
+    is_near = abs(float(numpy.mean(values)) - number) <= NEAR
+    return VERDICTS[2 - int(is_near) - int(min(values) <= number <= max(values))]
+
+
+def decide_all(*verdicts):
+    """Returns the verdict on a claim with several parts."""
+    return verdicts[0] if len(set(verdicts)) == 1 else PARTLY
+
+
+def best_of(verdicts):
+    """Returns the best of the verdicts, for claims that the thesis leaves open to several readings."""
+    return min(verdicts, key=VERDICTS.index)
+
+
+def graded(values):
+    """Returns the verdict on 'it succeeds', given the success rate [%] for each seed."""
+    mean = float(numpy.mean(list(values)))
+    return CONFIRMED if mean >= GOOD else PARTLY if mean >= HALF else NOT_CONFIRMED
+
+
+def is_good(value):
+    return value >= GOOD
+
+
+def is_rare(value):
+    return value <= RARE
+
+
+def both(values, conditions):
+    """Returns the verdict on several conditions, each with its own values of the seeds."""
+    return decide_all(*(decide_each(of_seeds, condition) for of_seeds, condition in zip(values, conditions)))
+
+
+def versus(name, values, other_name, other_values, decimals=2):
+    """Returns a text with two values, their spread over the seeds, and the number of seeds in which the first is
+    greater."""
+    values, other_values = list(values), list(other_values)
+    greater = sum(a > b for a, b in zip(values, other_values))
+    return (f'{name} {spread_text(values, decimals)}, {other_name} {spread_text(other_values, decimals)}; '
+            f'{name} greater in {greater} of {len(values)} seeds')
+
+
+def add_claims(chapter, title, claims, setting, name):
+    """Adds the table of claims, and a sentence with the number of each verdict."""
+    rows = [claim.row(setting) for claim in claims]
+    chapter.add_table(title, ['section', 'claim of the thesis', 'measured', 'verdict', 'reason, if known'], rows, name)
+    counts = [f'{sum(row[3] == verdict for row in rows)} {verdict}' for verdict in VERDICTS]
+    chapter.add_text(f'Of {len(rows)} claims: {", ".join(counts)}.')

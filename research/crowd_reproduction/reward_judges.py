@@ -1,0 +1,148 @@
+"""Judges the claims of the thesis about its rewards and about training, from the records of the runs. The thesis's
+parameters are used; measures are functions of reward_runs, given by their names."""
+import math
+import operator
+
+import numpy
+from crowd_experiments.records import spread_text
+
+from . import reward_runs as runs
+from .claim import Judgement, compared, decide, decide_each, decide_near, joined
+from .names import REWARD_NAMES
+from .reward_runs import COSINE, GAIN, MODES, REWARDS, THESIS_SUCCESS, Variant, per_seed, records
+
+DIFFERENT = 5.0  # [points] rates that differ by more do not depict each other
+SIMILAR = 10.0  # [points] rates that differ by at most this are similar
+# A separation is a gap of WIDTH [m], with a share of LEAST_SIDE of the episodes or more on each side, and at most
+# MOST_BETWEEN in the gap.
+WIDTH, LEAST_SIDE, MOST_BETWEEN = 0.005, 0.05, 0.01
+# Percentiles between which the middle half and four fifths of the values lie.
+MIDDLES = {'middle half': (25, 75), 'four fifths': (10, 90)}
+CONDITIONS = {'<=': operator.le, '<': operator.lt, '>': operator.gt}
+
+
+def measured(setting, reward, mode, measure):
+    """Returns a measure, given by its name or as a function, for each seed."""
+    return per_seed(setting, Variant(reward), mode, getattr(runs, measure) if isinstance(measure, str) else measure)
+
+
+def compare(setting, measure, mode, greater, decimals=2):
+    """Judges that a measure is greater with the one reward than with the other."""
+    other = next(reward for reward in REWARDS if reward != greater)
+    return compared('', REWARD_NAMES[greater], measured(setting, greater, mode, measure), REWARD_NAMES[other],
+                    measured(setting, other, mode, measure), decimals)
+
+
+def scattered(setting, breadth, mode, greater, decimals=2):
+    """Judges that a measure is more scattered with the one reward, by its middle half and its middle four fifths."""
+    parts = {name: compare(setting, getattr(runs, breadth)(percentiles), mode, greater, decimals)
+             for name, percentiles in MIDDLES.items()}
+    return joined([Judgement(f'{name}: {part.measured}', part.verdict) for name, part in parts.items()], '. ')
+
+
+def each(setting, reward, mode, measure, sign, limit):
+    """Judges that a measure meets a condition."""
+    values = measured(setting, reward, mode, measure)
+    return Judgement(f'{REWARD_NAMES[reward]} {spread_text(values)}',
+                     decide_each(values, lambda value: CONDITIONS[sign](value, limit)))
+
+
+def number(setting, reward, mode):
+    """Judges a rate of success that the thesis reports."""
+    values, reported = measured(setting, reward, mode, 'success'), THESIS_SUCCESS[reward, mode]
+    return Judgement(f'{REWARD_NAMES[reward]}: thesis {reported:.2f}, here {spread_text(values)}',
+                     decide_near(values, reported))
+
+
+def curved(setting):
+    """Judges that paths without an obstacle bend more with distance gained."""
+    gain, cosine = (runs.free_bends(setting, variant)[:, 0] for variant in (GAIN, COSINE))
+    return compared('sum of the bends [degrees]: ', 'distance gained', gain, 'cos³', cosine, 0)
+
+
+def softer(setting):
+    """Judges that paths with distance gained have less sharp bends and less turning per metre."""
+    gain, cosine = (runs.free_bends(setting, variant)[:, 1] for variant in (GAIN, COSINE))
+    parts = [compared('sharpest bend [degrees]: ', 'cos³', cosine, 'distance gained', gain, 0)]
+    turning = numpy.array([per_seed(setting, variant, 'free', runs.turning) for variant in (GAIN, COSINE)])
+    gain, cosine = turning[:, numpy.isfinite(turning).all(axis=0)]  # seeds with which both arrive
+    if len(gain):
+        parts.append(compared('Turning [rad/m], arrivals only: ', 'cos³', cosine, 'distance gained', gain))
+    return joined(parts, '. ')
+
+
+def separated(record):
+    """Returns whether the distances gained per step form two groups."""
+    gains = numpy.sort(record['gain_per_tick'])
+    side, between = max(1, math.ceil(LEAST_SIDE * len(gains))), int(MOST_BETWEEN * len(gains)) + 1
+    gaps = gains[between:] - gains[:-between]
+    return bool(gaps[side - 1:len(gaps) + 1 - side].max(initial=0.0) >= WIDTH)
+
+
+def separation(setting, reward):
+    """Judges that the charts show a separation, in runs in which some episodes fail, as in the thesis."""
+    flags = [separated(record) for record in records(setting, Variant(reward), 'demo')
+             if 100.0 * LEAST_SIDE <= runs.success(record) <= 100.0 * (1.0 - LEAST_SIDE)]
+    return Judgement(f'{REWARD_NAMES[reward]}: in {sum(flags)} of the {len(flags)} seeds with success between 5 and '
+                     '95 %', decide(numpy.mean(flags or [0.0]) > 0.5, flags or [False]))
+
+
+def less_in_demo(setting, reward):
+    """Judges that success is lower in demo than in training."""
+    training, demo = (measured(setting, reward, mode, 'success') for mode in MODES)
+    return compared(f'{REWARD_NAMES[reward]}: ', 'training', training, 'demo', demo)
+
+
+def longer(setting, reward, measure, rises):
+    """Judges that more training improves a rate in demo."""
+    usual, more = (per_seed(setting, Variant(reward, is_longer=is_longer), 'demo', getattr(runs, measure))
+                   for is_longer in (False, True))
+    name, usual_name = (f'{setting.count(*numbers):,} episodes'
+                        for numbers in ((runs.LONGER_EPISODES, 80), (runs.EPISODES, 40)))
+    return compared(f'{REWARD_NAMES[reward]}: ', name, more, usual_name, usual, falls=not rises)
+
+
+def more_decisions(setting, reward):
+    """Judges that more decisions per episode improve the success in demo, with the same episodes."""
+    patient = measured(setting, reward, 'patient', 'success')
+    usual = measured(setting, reward, 'demo', lambda record: runs.success(
+        {name: column[:setting.count(runs.PATIENT_EPISODES, 5)] for name, column in record.items()}))
+    return compared(f'{REWARD_NAMES[reward]}: ', f'{runs.PATIENT_DURATION:,} decisions', patient, '2,000 decisions',
+                    usual)
+
+
+def quarter(measure, last):
+    """Returns a measure of the first or the last quarter of the episodes."""
+    def of_part(record):
+        length = len(record['arrived']) // 4
+        part = slice(-length, None) if last else slice(length)
+        return measure({name: column[part] for name, column in record.items()})
+    return of_part
+
+
+def in_course(setting, reward, measure, falls):
+    """Judges that a rate decreases, or increases, in the course of the training."""
+    first, last = (measured(setting, reward, 'training', quarter(getattr(runs, measure), is_last))
+                   for is_last in (False, True))
+    return compared(f'{REWARD_NAMES[reward]}: ', 'first quarter', first, 'last quarter', last, falls=not falls)
+
+
+def training_differs(setting, reward):
+    """Judges that success in training does not depict success in demo."""
+    training, demo = (numpy.array(measured(setting, reward, mode, 'success')) for mode in MODES)
+    return Judgement(f'{REWARD_NAMES[reward]}: training minus demo {spread_text(training - demo)} points',
+                     decide_each(numpy.abs(training - demo), lambda points: points > DIFFERENT))
+
+
+def similar_success(setting):
+    """Judges that both rewards have similar rates of success in demo."""
+    gain, cosine = (numpy.array(measured(setting, reward, 'demo', 'success')) for reward in REWARDS)
+    return Judgement(f'cos³ minus distance gained: {spread_text(cosine - gain)} points',
+                     decide(abs((cosine - gain).mean()) <= SIMILAR, numpy.abs(cosine - gain) <= SIMILAR))
+
+
+def mostly_free(setting, reward):
+    """Judges that most states in training are without an obstacle."""
+    shares = runs.free_share(setting, Variant(reward))
+    return Judgement(f'{REWARD_NAMES[reward]}: {spread_text(shares, 1)} % without an obstacle',
+                     decide_each(shares, lambda share: share > 50.0))

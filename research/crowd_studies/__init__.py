@@ -1,0 +1,1 @@
+"""Studies: programs that run experiments, and write pages with tables and figures."""

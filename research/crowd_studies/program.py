@@ -1,0 +1,95 @@
+"""A program that runs experiments and writes a page with their results."""
+import dataclasses
+import os
+import pathlib
+import time
+
+from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
+from crowd_experiments.pages import fill_document, write_page
+from crowd_experiments.runs import execute_left, text_of
+from crowd_experiments.tools import find_config, find_tools
+from crowd_experiments.variations import Setting
+
+EPILOG = '''experiments:
+{experiments}  all                all of them
+
+Completed runs are kept unless one of their programs, configurations or scenarios has changed. Ctrl-C keeps the
+finished runs; the same command continues from there.
+
+example:
+  research/{program.name} {program.experiments[0].NAME} --results results --processes 2
+
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+
+
+@dataclasses.dataclass(frozen=True)
+class Program:
+    """The parameters of such a program. An experiment is a module with NAME, TITLE, plan(setting) and report(setting);
+    an experiment without runs is skipped."""
+    name: str
+    title: str  # of the page
+    experiments: tuple
+    description: str  # for --help
+    intro: str  # of the page
+
+    def main(self, words=None):
+        """Runs the program with command line words."""
+        arguments = self.parser().parse_args(words)
+        start = time.monotonic()
+        chosen = [experiment for experiment in self.experiments
+                  if experiment.NAME in arguments.experiments or 'all' in arguments.experiments]
+        setting = self.setting_of(arguments)
+        execute_left([run for experiment in chosen for run in experiment.plan(setting)], arguments.processes,
+                     arguments.force)
+        page = self.write(setting, self.chapters(setting, chosen), arguments.document)
+        print(f'\nTook {text_of(time.monotonic() - start)}. All figures and tables: {page}')
+
+    def parser(self):
+        """Returns the parser of the command line."""
+        listed = ''.join(f'  {experiment.NAME:18} {experiment.TITLE}\n' for experiment in self.experiments)
+        parser = parser_of(self.name, self.description, EPILOG.format(experiments=listed, program=self))
+        parser.add_argument('experiments', nargs='+', choices=[*(one.NAME for one in self.experiments), 'all'],
+                            metavar='EXPERIMENT', help='see below')
+        add_file(parser, '--results', default=pathlib.Path('results'), metavar='FOLDER',
+                 help='folder of all results (default: results)')
+        parser.add_argument('--processes', type=positive, default=min(2, os.cpu_count() or 1), metavar='N',
+                            help='number of parallel runs (default: %(default)s)')
+        parser.add_argument('--force', action='store_true', help='repeat all runs')
+        parser.add_argument('--quick', action='store_true',
+                            help='minimal numbers of seeds and episodes, to test the program; results are meaningless')
+        add_tools(parser)
+        add_file(parser, '--document', metavar='FILE.md',
+                 help='also update the tables of this document, and its pictures in images/')
+        return parser
+
+    def setting_of(self, arguments):
+        return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick)
+
+    def write(self, setting, chapters, document):
+        """Writes the page and updates the document. Returns the file of the page."""
+        if document:
+            print('\n'.join(fill_document(document, chapters)))
+        page = setting.results / 'index.html'
+        page.parent.mkdir(parents=True, exist_ok=True)
+        write_page(page, self.title, self.name, chapters,
+                   self.intro + (' Quick run: the results are meaningless.' if setting.quick else ''))
+        return page
+
+    def chapters(self, setting, chosen):
+        """Returns the chosen chapters, and all other chapters whose runs are complete. Draws figures, writes tables,
+        and prints the tables of the chosen chapters."""
+        chapters = []
+        for experiment in self.experiments:
+            runs = experiment.plan(setting)
+            if not runs or (experiment not in chosen and not all(run.is_done() for run in runs)):
+                continue
+            chapter = experiment.report(setting)
+            chapter.commands = runs[0].lines()
+            file = setting.results / 'tables' / f'{chapter.name}.md'
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(chapter.markdown(), encoding='utf-8')
+            chapters.append(chapter)
+            if experiment in chosen:
+                for table in chapter.tables():
+                    table.print()
+        return chapters

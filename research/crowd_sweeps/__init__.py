@@ -1,0 +1,1 @@
+"""Sweeps of the benchmarks: cost against one variable, measured and modelled."""

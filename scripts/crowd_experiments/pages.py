@@ -1,0 +1,100 @@
+"""Chapters with the results of experiments, and what is made of them: printed tables, Markdown, HTML, documents."""
+import base64
+import dataclasses
+import itertools
+import pathlib
+import re
+import shutil
+import textwrap
+
+MARKS = re.compile(r'(<!-- table ([\w/]+) -->\n).*?(<!-- end -->)', re.DOTALL)
+PICTURES = re.compile(r'!\[[^\]]*\]\(images/(\w+\.png)\)')
+LONGEST_CELL = 80  # [characters] of a printed table
+TEMPLATE = pathlib.Path(__file__).with_name('page.html')
+
+
+@dataclasses.dataclass(frozen=True)
+class Table:
+    """Rows of texts under a header; the first column names the row. By its name a document refers to it."""
+    title: str
+    header: list
+    rows: list
+    name: str = ''
+
+    def markdown(self):
+        """Returns the table in Markdown, without its title."""
+        lines = [f"| {' | '.join(row)} |" for row in (self.header, *self.rows)]
+        return '\n'.join([lines[0], '|---' * len(self.header) + '|', *lines[1:], ''])
+
+    def print(self):
+        """Prints the table; long texts are wrapped."""
+        rows = [[textwrap.wrap(cell, LONGEST_CELL) for cell in row] for row in (self.header, *self.rows)]
+        widths = [max(len(line) for row in rows for line in row[i] or ['']) for i in range(len(self.header))]
+        print(f'\n{self.title}')
+        for row in rows:
+            for line in itertools.zip_longest(*row, fillvalue=''):
+                print('  '.join(f'{cell:{"<" if i == 0 else ">"}{width}}'
+                                for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
+
+
+@dataclasses.dataclass(frozen=True)
+class Figure:
+    """A picture with its caption."""
+    file: pathlib.Path
+    caption: str
+
+    def data(self):
+        """Returns the picture as text for HTML."""
+        return base64.b64encode(self.file.read_bytes()).decode()
+
+
+@dataclasses.dataclass
+class Chapter:
+    """The results of one experiment: texts, Tables and Figures, in order."""
+    name: str  # of the experiment on the command line
+    title: str
+    parts: list = dataclasses.field(default_factory=list)
+    commands: list = dataclasses.field(default_factory=list)  # command lines of one run, as an example
+
+    def add_text(self, text):
+        self.parts.append(text)
+
+    def add_table(self, title, header, rows, name=''):
+        self.parts.append(Table(title, header, rows, name))
+
+    def add_figure(self, file, caption):
+        self.parts.append(Figure(file, caption))
+
+    def tables(self):
+        return [part for part in self.parts if isinstance(part, Table)]
+
+    def markdown(self):
+        """Returns texts and tables in Markdown."""
+        parts = [f'{part.title}:\n\n{part.markdown()}\n' if isinstance(part, Table) else f'{part}\n\n'
+                 for part in self.parts if not isinstance(part, Figure)]
+        return ''.join([f'# {self.title}\n\n', *parts])
+
+
+def write_page(file, title, program, chapters, intro):
+    """Writes a self-contained HTML file with embedded figures. `program` is the name of the program that makes a
+    chapter when it is called with the chapter's name; None: there is none, and the page names no commands."""
+    import jinja2  # where a page is written only, as it takes a tenth of a second
+    template = jinja2.Template(TEMPLATE.read_text(encoding='utf-8'), autoescape=True, trim_blocks=True)
+    file.write_text(template.render(title=title, program=program, chapters=chapters, intro=intro), encoding='utf-8')
+
+
+def fill_document(file, chapters):
+    """Replaces the text between the marks `<!-- table CHAPTER/NAME -->` and `<!-- end -->` by the table, and copies the
+    figures that the document shows to images/. Returns a message for each table and figure that was not measured."""
+    file = pathlib.Path(file)
+    tables = {f'{chapter.name}/{table.name}': table for chapter in chapters for table in chapter.tables() if table.name}
+    figures = {part.file.name: part.file for chapter in chapters for part in chapter.parts if isinstance(part, Figure)}
+    text = file.read_text(encoding='utf-8')
+    file.write_text(MARKS.sub(lambda match: match[1] + tables[match[2]].markdown() + match[3] if match[2] in tables
+                              else match[0], text), encoding='utf-8')
+    shown = PICTURES.findall(text)
+    for name in set(shown) & set(figures):
+        shutil.copyfile(figures[name], file.parent / 'images' / name)
+    missing = [name for _, name, _ in MARKS.findall(text) if name not in tables]
+    missing += [name for name in shown if name not in figures]
+    return [f'{file}: {name} was not measured and is left unchanged' for name in missing]
