@@ -8,7 +8,7 @@
 namespace crowd {
 namespace {
 
-constexpr std::chrono::seconds PERIOD(1);
+constexpr std::chrono::seconds WATCH_PERIOD(1);
 constexpr bool PRINTS_FAILURE = false;
 
 }  // namespace
@@ -43,7 +43,7 @@ void NodeWatch::run() {
     lock.unlock();
     for (const std::string& service : services) report_(service, ros::service::exists(service, PRINTS_FAILURE));
     lock.lock();
-    changed_.wait_for(lock, PERIOD, [&] { return closing_ || has_new_; });
+    changed_.wait_for(lock, WATCH_PERIOD, [&] { return closing_ || has_new_; });
   }
 }
 
