@@ -14,7 +14,8 @@ constexpr std::size_t MOST_NAMES = 200;  // in a message
 
 /// Returns the distance of two names if they are near; nullopt if not, or if their lengths differ too much for that.
 std::optional<std::size_t> nearDistance(std::string_view given, std::string_view known) {
-  const auto [shorter, longer] = std::minmax(given.size(), known.size());
+  const std::size_t shorter = std::min(given.size(), known.size());
+  const std::size_t longer = std::max(given.size(), known.size());
   const std::size_t limit = std::min(MAX_EDITS, longer / 2);
   if (longer - shorter > limit) return std::nullopt;
   const std::size_t distance = editDistance(given, known);
