@@ -30,7 +30,7 @@ sources:
 sinks: {out: {area: {box: [[3, -1], [4, 1]]}}}
 )";
 constexpr std::size_t ENTER = 2001;
-constexpr std::size_t MOST = 40;  // present at a time
+constexpr std::size_t MOST = 60;  // present at a time: some 40, a small share of those who enter
 
 /// What was seen of an agent.
 struct Seen {
@@ -38,7 +38,7 @@ struct Seen {
   std::uint64_t arrived = 0;  // tick
   double path = 0.0;          // [m]
   Vector2 place = Vector2::Zero();
-  int states = 0;             // in which it had arrived
+  int states = 0;  // in which it had arrived
   bool is_removed = false;
 };
 
