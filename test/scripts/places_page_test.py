@@ -5,7 +5,7 @@ import os
 import shutil
 
 import pytest
-from programs import ANTICIPATION_TABLE, assert_says, in_package, page_examples, page_text, read_text
+from programs import ANTICIPATION_TABLE, assert_says, in_package, page_examples, page_text
 
 FILES = sorted(glob.glob(in_package('config', 'scenarios', 'place_*.yaml')))
 NAMES = [os.path.splitext(os.path.basename(file))[0] for file in FILES]

@@ -19,7 +19,9 @@ class AgentMap {
  public:
   AgentMap() = default;
   /// @brief Values of the agents 0, 1, 2 ...
-  AgentMap(std::vector<Value> values) { replace(std::move(values)); }
+  AgentMap(std::vector<Value> values) {  // NOLINT(google-explicit-constructor): a list is one
+    replace(std::move(values));
+  }
 
   std::size_t size() const { return values_.size(); }
   bool empty() const { return values_.empty(); }
