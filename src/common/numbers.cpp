@@ -22,15 +22,15 @@ void appendChars(Number value, std::string& text) {
 
 }  // namespace
 
-void appendText(std::uint32_t value, std::string& text) { appendChars(value, text); }
-
-#if defined(__cpp_lib_to_chars)
-
 std::uint64_t bitsOf(double value) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &value, sizeof bits);
   return bits;
 }
+
+void appendText(std::uint32_t value, std::string& text) { appendChars(value, text); }
+
+#if defined(__cpp_lib_to_chars)
 
 void appendText(double value, std::string& text) { appendChars(value, text); }
 
@@ -75,12 +75,6 @@ std::string toText(double value) {
     if (toNumber(stream.str()) == value) break;
   }
   return stream.str();
-}
-
-std::uint64_t bitsOf(double value) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
 }
 
 void appendText(double value, std::string& text) { text += toText(value); }

@@ -18,7 +18,7 @@ std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   constexpr std::size_t LONGEST_CHARACTER = 4;  // [bytes]
   std::size_t end = most;
-  while (end > 0 && end + LONGEST_CHARACTER > most && continues(text[end])) --end;
+  while (end > 0 && end + LONGEST_CHARACTER > most + 1 && continues(text[end])) --end;
   return std::string(text.substr(0, end)) + DOTS;
 }
 

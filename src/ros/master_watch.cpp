@@ -11,10 +11,9 @@
 namespace crowd {
 namespace {
 
-constexpr double PERIOD = 2.0;  // [s] between two looks
-constexpr double OTHERS_REGISTER =
-    3.0;                       // [s] in which the other nodes have looked, too, and registered what they publish
-constexpr int TOLD_AFTER = 3;  // looks without an answer
+constexpr double PERIOD = 2.0;           // [s] between two looks
+constexpr double OTHERS_REGISTER = 3.0;  // [s] in which other nodes look, too, and register what they publish
+constexpr int TOLD_AFTER = 3;            // looks without an answer
 
 }  // namespace
 

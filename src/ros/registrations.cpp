@@ -50,9 +50,11 @@ std::string serviceUri() {
   return "rosrpc://" + ros::network::getHost() + ":" + std::to_string(ros::ConnectionManager::instance()->getTCPPort());
 }
 
-/// Returns the entries of an array. (XmlRpcValue::begin() is for structs only.)
+/// Returns the entries of an array.
 std::vector<XmlRpcValue> toValues(XmlRpcValue array) {
   std::vector<XmlRpcValue> values;
+  values.reserve(static_cast<std::size_t>(array.size()));
+  // NOLINTNEXTLINE(modernize-loop-convert): its begin() is for structs only
   for (int i = 0; i < array.size(); ++i) values.push_back(array[i]);
   return values;
 }

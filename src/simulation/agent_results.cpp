@@ -19,8 +19,8 @@ std::vector<char> bytesOf(const AgentResult& result) {
 
 /// All results take as many bytes.
 std::size_t recordSize() {
-  static const std::size_t size = bytesOf(AgentResult()).size();
-  return size;
+  static const std::size_t SIZE = bytesOf(AgentResult()).size();
+  return SIZE;
 }
 
 }  // namespace

@@ -276,7 +276,8 @@ int runMain(int argc, char** argv) {
           "success%: agents that arrived; contact%: whose bodies overlapped another one or a wall; collision%: that "
           "had "
           "one within their collision radius; clean%: episodes in which all arrived without contact.\n"
-          "CSV files may be devices or pipes that are read from the start, such as /dev/stdout; the file of --csv keeps "
+          "CSV files may be devices or pipes that are read from the start, such as /dev/stdout; the file of --csv "
+          "keeps "
           "its contents until the metrics are complete.\n"
           "With MPI, several processes walk one crowd together, with the same results: mpirun -n 2 evaluate "
           "--q-table Q_TABLE SCENARIO (docs/mpi.md). This program was built with") +

@@ -8,7 +8,7 @@
 namespace crowd {
 namespace {
 
-std::string placeText(const Vector2& v) { return "[" + toText(v.x()) + ", " + toText(v.y()) + "]"; }
+std::string bracketedText(const Vector2& v) { return "[" + toText(v.x()) + ", " + toText(v.y()) + "]"; }
 
 /// Grows a rectangle; the first point makes it.
 void include(std::optional<FloorPlan::Bounds>& bounds, const Vector2& point, double radius) {
@@ -20,14 +20,14 @@ void include(std::optional<FloorPlan::Bounds>& bounds, const Vector2& point, dou
 
 void check(const Segment& wall, std::size_t number) {
   if (wall.from.allFinite() && wall.to.allFinite()) return;
-  throw InputError("floor: wall " + std::to_string(number) + " is from " + placeText(wall.from) + " to " +
-                   placeText(wall.to) + ", expected finite numbers [m]");
+  throw InputError("floor: wall " + std::to_string(number) + " is from " + bracketedText(wall.from) + " to " +
+                   bracketedText(wall.to) + ", expected finite numbers [m]");
 }
 
 void check(const FloorPlan::Disc& obstacle, std::size_t number) {
   const std::string name = "floor: obstacle " + std::to_string(number);
   if (!obstacle.centre.allFinite()) {
-    throw InputError(name + " is at " + placeText(obstacle.centre) + ", expected finite numbers [m]");
+    throw InputError(name + " is at " + bracketedText(obstacle.centre) + ", expected finite numbers [m]");
   }
   if (!std::isfinite(obstacle.radius) || obstacle.radius < 0.0) {
     throw InputError(name + " has radius " + toText(obstacle.radius) + ", expected a number of at least 0 [m]");
@@ -37,7 +37,7 @@ void check(const FloorPlan::Disc& obstacle, std::size_t number) {
 void check(const FloorPlan::Bounds& bounds) {
   const bool finite = bounds.low.allFinite() && bounds.high.allFinite();
   if (finite && (bounds.high.array() > bounds.low.array()).all()) return;
-  throw InputError("floor: bounds are from " + placeText(bounds.low) + " to " + placeText(bounds.high) +
+  throw InputError("floor: bounds are from " + bracketedText(bounds.low) + " to " + bracketedText(bounds.high) +
                    ", expected finite numbers [m] and an area above 0");
 }
 

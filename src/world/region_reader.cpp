@@ -1,7 +1,7 @@
 #include "world/region_reader.h"
 
-#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 #include "social_crowd/world/limits.h"
 

@@ -108,7 +108,6 @@ TEST(Allocations, NorDoTicksWithRobots) {
 
 /// 2 people enter per second, in ticks of 0.5 s, and are gone after some 6 s. There are walls on their way.
 const char* const STREAM = R"(
-walls: [[[2, -2], [2, -0.4]], [[2, 0.4], [2, 2]]]
 sources: [{area: {box: [[0, -1], [0.5, 1]]}, rate: 2, interval: regular, route: through, speed: 1, radius: 0.1}]
 routes: {through: {waypoints: [{sink: out}]}}
 sinks: {out: {area: {box: [[5, -2], [6, 2]]}}}

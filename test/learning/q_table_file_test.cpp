@@ -116,6 +116,23 @@ TEST(QTableText, ReadsAnEmptyTable) {
   expectRoundTrip(trained);
 }
 
+TEST(QTableText, HasAGreatestSize) {
+  for (TrainedTable trained : {q_table_texts::trained(), q_table_texts::trainedBySources()}) {
+    const std::uint64_t most = maxTextSize(trained);
+    for (Row row = 0; row < trained.table.rows(); ++row) {
+      for (Action action = 0; action < trained.table.actions(); ++action) {
+        trained.table.set(row, action, -Limits::max(), UINT32_MAX);
+      }
+    }
+    trained.parameters = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
+    trained.decisions = UINT64_MAX;
+    trained.seed = UINT64_MAX;
+    const std::size_t size = toText(trained).size();
+    EXPECT_LE(size, most);
+    EXPECT_GT(size, most / 2);
+  }
+}
+
 TEST(QTableText, ReadsBackBitForBit) {
   TrainedTable trained = q_table_texts::trained();
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

@@ -97,7 +97,8 @@ class CrowdPanelTest(PanelTestCase):
         rviz.wait_text('message', lambda text: text.endswith(f'to {self.path("data/floor.yaml")}'), 'the file')
         rviz.click('open_scenario')
         rviz.choose_file(self.file)
-        rviz.wait_text('message', lambda text: 'is not in the folder' in text and '~allow_any_path' in text, 'the error')
+        rviz.wait_text('message', lambda text: 'is not in the folder' in text and '~allow_any_path' in text,
+                       'the error')
 
     def test_mode_parameters_and_tables(self):
         rviz = self.open_both()

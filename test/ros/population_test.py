@@ -3,7 +3,7 @@
 import support
 from controlling import QUIET, ControllerTestCase
 from geometry_msgs.msg import Point, Pose2D
-from social_crowd.msg import AgentState, Walls
+from social_crowd.msg import AgentState, ControllerStatus, Walls
 from walking import WalkTestCase
 
 SHOP = """
@@ -46,6 +46,17 @@ routes:
 gates:
   door: {wall: [[50, 45], [50, 55]], open: false}
   hatch: {wall: [[60, 50], [61, 50]], open: true}
+"""
+
+
+STREAM = """
+name: stream
+duration: 60
+goal_tolerance: 0.3
+agents:
+  - {position: [0, 10], goal: [2, 10], speed: 1, radius: 0.25}
+sources:
+  - {area: [0, 0], rate: 0.5, interval: regular, goal: [3, 0], speed: 1, radius: 0.25}
 """
 
 
@@ -116,6 +127,36 @@ class ServicesTest(ControllerTestCase):
         self.walk(1)
         walls.wait(lambda message: list(message.numbers) == [1])
         self.refuse('set_gate', 'gate', 'door, hatch', gate='tunnel', open=True)
+
+
+class DeparturesTest(ControllerTestCase):
+    """People of a source walk for 3 s and leave."""
+
+    def test_messages_do_not_grow(self):
+        status = self.listen('controller_status', ControllerStatus)
+        self.start_all(STREAM)
+        for _ in range(10):
+            self.walk(40)
+        seen = {}  # by agent: its status in all messages
+        for message in self.agents.messages:
+            self.assertLessEqual(len(message.agents), 6, f'tick {message.tick}')
+            for agent in message.agents:
+                seen.setdefault(agent.agent, []).append(agent.status)
+        walking, arrived = AgentState.WALKING, AgentState.ARRIVED
+        self.assertGreater(len(seen), 18)
+        self.assertEqual(sorted(seen), list(range(len(seen))))
+        gone = [states for agent, states in seen.items() if 0 < agent < len(seen) - 5]
+        for states in gone:
+            self.assertEqual(states, [walking] * (len(states) - 2) + [arrived] * 2)
+        self.assertEqual(self.agents.messages[-1].agents[0].status, arrived, 'the agent of the scenario stays')
+        support.wait_for(lambda: status.messages and status.messages[-1].tick == 400, 'the last tick')
+        last = status.messages[-1]
+        self.assertEqual((last.agents, last.walking + last.arrived), (len(seen), len(seen)))
+        self.assertGreater(last.arrived, len(gone))
+        self.do('pause', data=False)
+        result = self.results.wait()
+        self.assertEqual([agent.agent for agent in result.agents], list(range(len(result.agents))))
+        self.assertTrue(all(agent.arrived for agent in result.agents[:len(seen) - 5]))
 
 
 if __name__ == '__main__':

@@ -5,7 +5,7 @@ import os
 import shutil
 
 import pytest
-from programs import ANTICIPATION_TABLE, assert_says, in_package, page_examples, page_text, read_text
+from programs import ANTICIPATION_TABLE, assert_says, in_package, page_examples, page_text
 
 FILES = sorted(glob.glob(in_package('config', 'scenarios', 'place_*.yaml')))
 NAMES = [os.path.splitext(os.path.basename(file))[0] for file in FILES]
@@ -27,7 +27,7 @@ def assert_all_arrive(rows, people):
 
 
 class PageTest:
-    """Every place has a section with a picture, and a row in the README."""
+    """Every place has a section with a picture, and a row in the list of demos."""
 
     def test_there_are_seven_places(self):
         assert set(NAMES) == {'place_office', 'place_station', 'place_supermarket', 'place_bottleneck',
@@ -37,7 +37,7 @@ class PageTest:
     def test_sections(self, name):
         launch = f'roslaunch social_crowd demo.launch scenario:={name}\n'
         assert_says(page_text('places.md'), f'(images/{name}.png)', f'    {launch}', f'[`{name}`](#')
-        assert_says(read_text(in_package('README.md')), f'(docs/images/{name}.png)', launch.strip())
+        assert_says(page_text('demos.md'), f'(images/{name}.png)', launch.strip())
 
     @pytest.mark.parametrize('name', NAMES)
     def test_pictures_are_small(self, name):

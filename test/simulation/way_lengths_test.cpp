@@ -120,7 +120,7 @@ TEST(Reach, RefusedChangesChangeNothing) {
   expect("too large", [&] { episode.replaceWalls({{{3e7, 0.0}, {3e7, 1.0}}}); });
   expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got 1e+17", [&] { episode.setGoal(0, {1e17, 0.0}); });
   const AgentStart far_goal{{0.0, 3.0}, 0.0, {{0.0, -1.1e6}}, 1.0, RADIUS};
-  expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got -1.1e+06", [&] { episode.spawnAgent(far_goal); });
+  expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got -1100000", [&] { episode.spawnAgent(far_goal); });
   expect("no agent 7", [&] { episode.setGoal(7, {1.0, 1.0}); });
   walkUntil(20.0, episode);
   EXPECT_TRUE(episode.result().agents.at(0).arrived);

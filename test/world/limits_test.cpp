@@ -48,7 +48,7 @@ TEST(Limits, Places) {
   positionSays("{ring: {centre: [2e6, 0], radius: 1}}", ".ring.centre[0]: " + PLACES + "'2e6'");
   positionSays("{ring: {centre: [0, 0], radius: 1e200}}", ".ring.radius: expected at most 1e+06 m, got '1e200'");
   positionSays("{ring: {centre: [9e5, 0], radius: 2e5}}",
-               ".ring: expected a ring with coordinates of up to 1e+06 m, got 1.1e+06 m");
+               ".ring: expected a ring with coordinates of up to 1e+06 m, got 1100000 m");
   const std::string body = "position: [0, 0], speed: 1, radius: 0.2, ";
   expectSaid(agentError(body + "goal: [0, 1e7]"), 5, "agents[0].goal[1]: " + PLACES + "'1e7'");
   expectSaid(agentError(body + "goal: {opposite: [1e7, 0]}"), 5, "agents[0].goal.opposite[0]: " + PLACES + "'1e7'");

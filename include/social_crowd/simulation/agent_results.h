@@ -44,6 +44,7 @@ struct AgentResult {
 class AgentResults {
  public:
   AgentResults() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a list is one
   AgentResults(std::vector<AgentResult> results) : held_(std::move(results)), size_(held_.size()) {}
   AgentResults(std::initializer_list<AgentResult> results) : AgentResults(std::vector<AgentResult>(results)) {}
 
@@ -57,11 +58,13 @@ class AgentResults {
   /// @brief Iterates over copies.
   class Iterator {
    public:
+    // NOLINTBEGIN(readability-identifier-naming): names of the standard library
     using iterator_category = std::input_iterator_tag;
     using value_type = AgentResult;
     using difference_type = std::ptrdiff_t;
     using pointer = const AgentResult*;
     using reference = AgentResult;
+    // NOLINTEND(readability-identifier-naming)
 
     Iterator(const AgentResults& results, std::size_t agent) : results_(&results), agent_(agent) {}
     AgentResult operator*() const { return (*results_)[agent_]; }

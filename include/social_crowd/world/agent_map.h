@@ -8,7 +8,8 @@
 
 namespace crowd {
 
-/// @brief Where nobody says that an agent has left, as many agents are remembered before it is looked for those that have.
+/// @brief Where nobody says that an agent has left, as many agents are remembered before it is looked for those that
+/// have.
 constexpr std::size_t FEW_AGENTS = 1000;
 
 /// @brief A value for each of some agents, in one array by ascending id. Agents may leave at any time, so that a loop
@@ -18,7 +19,9 @@ class AgentMap {
  public:
   AgentMap() = default;
   /// @brief Values of the agents 0, 1, 2 ...
-  AgentMap(std::vector<Value> values) { replace(std::move(values)); }
+  AgentMap(std::vector<Value> values) {  // NOLINT(google-explicit-constructor): a list is one
+    replace(std::move(values));
+  }
 
   std::size_t size() const { return values_.size(); }
   bool empty() const { return values_.empty(); }
