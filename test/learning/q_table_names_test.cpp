@@ -34,6 +34,14 @@ TEST(QTableNames, AFileTakesPrecedence) {
   std::filesystem::current_path(before);
 }
 
+TEST(QTableNames, RelativePathsStartAtTheBaseFolder) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("anticipation.txt", "mine");
+  EXPECT_EQ(findQTable("anticipation.txt", folder.path()), file);
+  EXPECT_EQ(findQTable("./none.txt", folder.path()), folder.file("none.txt"));
+  EXPECT_EQ(findQTable("human", folder.path()), std::string(SOURCE_DIR) + "/config/q_tables/human.txt");
+}
+
 TEST(QTableNames, AnUnknownNameIsRefusedWithTheNearest) {
   const std::string error = errorOf<InputError>([] { findQTable("anticipatoin"); });
   EXPECT_NE(error.find("no Q-table 'anticipatoin', did you mean 'anticipation'? There is no file /"), std::string::npos)

@@ -86,7 +86,7 @@ class SaveAndLoadTest(TableTestCase):
         self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4])
         self.assertEqual(self.saved('learner', agent=4), full(TABLE_A))
         self.refuse('learner/save_q_table', 'agent 3 is not served by', 'it serves agent 4',
-                    file=self.path('saved.txt'), agent=3)
+                    file=self.path('other.txt'), agent=3)
 
     def test_single_agent_need_not_be_named(self):
         self.start_learner(q_table=self.write('a.txt', q_table_text(TABLE_A)), tables='own', agents=[4])
@@ -112,7 +112,8 @@ class SaveAndLoadTest(TableTestCase):
         file = './table.txt'
         self.assert_says(self.succeed('learner/save_q_table', file=file).message, f' to {self.path("table.txt")}')
         self.assert_says(self.succeed('learner/load_q_table', file=file).message, f' from {self.path("table.txt")}:')
-        self.refuse('learner/load_q_table', f'{self.path("none.txt")}: ', file='none.txt')
+        self.refuse('learner/load_q_table', f'there is no file {self.path("none.txt")}', file='none.txt')
+        self.refuse('learner/load_q_table', f'{self.path("none.txt")}: ', file='./none.txt')
 
     def test_errors_quote_nothing_of_other_files(self):
         self.start_learner()

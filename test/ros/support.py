@@ -172,6 +172,7 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
             rospy.set_param(f'{full_name}/{key}', value)
         return self.start(name, find_node('social_crowd', kind)[:1] + [f'__name:={name}', *arguments])
 
+    def start_controller(self, scenario, arguments=(), **parameters):
         """Starts a crowd controller with long deadlines that walks as fast as possible. Its services use the folder of
         the test."""
         defaults = {'scenario': scenario, 'real_time_factor': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0,
