@@ -37,13 +37,13 @@ def text_of(node):
 class ParametersTest(support.CrowdTestCase):
     """Names, ranges, units and defaults of parameters."""
 
-    def stated(self, node):
-        """Returns what a node logs about its parameters at its start."""
+    def stated(self, node, documented_names):
+        """Returns what a node logs about its parameters at its start. Nothing is logged after it was stopped."""
         config = self.write('debug.config', 'log4j.logger.ros.social_crowd=DEBUG\n')
         self.environment.update(ROSCONSOLE_CONFIG_FILE=config, ROSCONSOLE_FORMAT='${message}')
         process = self.start_node(node, node, {})
-        support.wait_for(lambda: not process.is_running() or rosservice.get_service_list(
-            node=f'{self.namespace}/{node}'), 'the node')
+        support.wait_for(lambda: not process.is_running() or documented_names <= set(
+            documented.stated_parameters(process.output())), f'the parameters of {node}: {documented_names}')
         process.stop()
         stated = documented.stated_parameters(process.output())
         self.assertTrue(stated, process.output())
@@ -51,7 +51,8 @@ class ParametersTest(support.CrowdTestCase):
 
     def test_nodes(self):
         for node in PAGES:
-            stated, about = self.stated(node), documented.parameters(text_of(node))
+            about = documented.parameters(text_of(node))
+            stated = self.stated(node, set(about))
             self.assertEqual(set(about), set(stated), node)
             problems = [f'{node}: ~{name}: {problem}' for name in sorted(stated)
                         for problem in differences(about[name], *stated[name])]
