@@ -253,8 +253,8 @@ inline void World::endMove(std::size_t position, std::size_t& arrivals) {
 
 inline bool World::isAnythingWithin(double distance, std::size_t position) const {
   const Vector2& place = agents_.nth(position).pose.position;
-  return grid_.isAnyNear(place, distance, static_cast<std::uint32_t>(position)) || walls_.isAnyWithin(place, distance) ||
-         (hasRobots() && isRobotWithin(distance, place));
+  return grid_.isAnyNear(place, distance, static_cast<std::uint32_t>(position)) ||
+         walls_.isAnyWithin(place, distance) || (hasRobots() && isRobotWithin(distance, place));
 }
 
 template <typename Moves>

@@ -5,7 +5,7 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t PREFETCH_AHEAD = 4;       // [bodies]
+constexpr std::size_t PREFETCH_AHEAD = 4;      // [bodies]
 constexpr std::uint32_t NO_BODY = UINT32_MAX;  // in the grid
 
 /// Loads an agent into the cache: those that are neighbours in the grid are anywhere in memory.

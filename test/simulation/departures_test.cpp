@@ -38,7 +38,7 @@ struct Seen {
   std::uint64_t arrived = 0;  // tick
   double path = 0.0;          // [m]
   Vector2 place = Vector2::Zero();
-  int states = 0;             // in which it had arrived
+  int states = 0;  // in which it had arrived
   bool is_removed = false;
 };
 
@@ -147,7 +147,8 @@ TEST(Departures, TurnsOfTheOthers) {
     std::vector<AgentAction> actions;
     for (const AgentPerception& self : perceptions.agents) {
       turns.push_back(self.agent);
-      actions.push_back({self.agent, {bearingOf(self.goal), 1.0}});
+      const double share = std::min(1.0, self.goal.norm() / (self.max_speed * perceptions.tick_duration));
+      actions.push_back({self.agent, {bearingOf(self.goal), share}});
     }
     const std::size_t active = world.activeCount();
     if (!episode.step(actions)) continue;

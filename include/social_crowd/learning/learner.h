@@ -105,8 +105,8 @@ class Learner {
   }
   bool servesAll() const { return options_.agents.empty() && options_.share.isWhole(); }
   const AgentShare& share() const { return options_.share; }
-  /// @brief Returns the served agents, sorted by id; if it serves all agents or a share of them, those known so far. With
-  /// shared tables, it forgets those that are not perceived any more as soon as there are many.
+  /// @brief Returns the served agents, sorted by id; if it serves all agents or a share of them, those known so far.
+  /// With shared tables, it forgets those that are not perceived any more as soon as there are many.
   std::vector<AgentId> servedAgents() const;
 
   Mode mode() const { return options_.mode; }

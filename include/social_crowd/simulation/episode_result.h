@@ -112,9 +112,9 @@ class EpisodeMonitor {
   double tick_duration_;
   double goal_tolerance_;
   std::uint64_t ticks_ = 0;
-  AgentMap<Track> tracks_;          // of the agents of the world
+  AgentMap<Track> tracks_;  // of the agents of the world
   std::size_t watched_count_ = 0;
-  AgentResults left_;               // of all others
+  AgentResults left_;  // of all others
 };
 
 /// @brief Metrics over many episodes, as printed by the scorer of the steering benchmark.

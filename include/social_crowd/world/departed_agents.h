@@ -12,11 +12,11 @@ namespace crowd {
 struct DepartedAgents {
   // Of those that arrived:
   std::uint32_t arrived = 0;
-  std::uint32_t touched = 0;     ///< that were in contact
-  std::uint32_t collided = 0;    ///< that were in collision
+  std::uint32_t touched = 0;   ///< that were in contact
+  std::uint32_t collided = 0;  ///< that were in collision
   // Of all of them:
-  double largest_radius = 0.0;   ///< [m]
-  Eigen::AlignedBox2d places;    ///< contains their last places and goals [m], `map`
+  double largest_radius = 0.0;  ///< [m]
+  Eigen::AlignedBox2d places;   ///< contains their last places and goals [m], `map`
 
   void add(const Agent& agent) {
     if (agent.hasArrived()) {
