@@ -52,10 +52,8 @@ std::string serviceUri() {
 
 /// Returns the entries of an array.
 std::vector<XmlRpcValue> toValues(XmlRpcValue array) {
-  std::vector<XmlRpcValue> values;
-  values.reserve(static_cast<std::size_t>(array.size()));
-  // NOLINTNEXTLINE(modernize-loop-convert): its begin() is for structs only
-  for (int i = 0; i < array.size(); ++i) values.push_back(array[i]);
+  std::vector<XmlRpcValue> values(static_cast<std::size_t>(array.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = array[static_cast<int>(i)];
   return values;
 }
 

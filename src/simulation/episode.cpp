@@ -82,6 +82,7 @@ bool Episode::step(const std::vector<AgentAction>& actions) {
 
 bool Episode::endTick() {
   population_.update(world_, monitor_);
+  world_.stopRequest().throwIfMade();
   monitor_.observe(world_, *thread_pool_);
   if (!world_.robots().empty()) robot_monitor_.observe(world_);
   noteChange();

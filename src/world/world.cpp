@@ -107,6 +107,7 @@ void World::updateGridOf(std::size_t position) {
 
 void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
   beginStep(actions, thread_pool);
+  stop_.throwIfMade();
   endStep(thread_pool);
 }
 
@@ -168,6 +169,7 @@ void World::finishTick(ThreadPool& thread_pool) {
   ++tick_;
   moveObstacles();
   are_fewer ? rebuildGrid() : updateGrid();
+  stop_.throwIfMade();
   // Agents that arrive in this tick are still present at its end: the grid contains them during the measurements.
   std::atomic<std::size_t> arrived{0};
   thread_pool.run(

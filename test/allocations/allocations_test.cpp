@@ -125,7 +125,7 @@ std::uint64_t mostBytes(int ticks, const Walk& walk) {
 }
 
 /// A long time takes as much memory after 8,000 people have left as after 2,500, within 1 %. It is so long that what is
-/// put aside for many people at a time is always among it.
+/// put aside for many people at a time is always among it. A learner serves them, but they walk straight.
 void expectFlat(const Scene& scene, Mode mode) {
   const std::uint64_t before = bytes_in_use;
   Learner learner = makeLearner(mode);
@@ -134,16 +134,19 @@ void expectFlat(const Scene& scene, Mode mode) {
   RelativeActions actions;
   const auto walk = [&] {
     learner.decide(episode.perceptions(), actions);
-    episode.step(actions.agents);
+    straight_walk::step(episode);
     senses.observe(episode.world());
   };
   constexpr int LONG = 1500;  // [ticks]
-  while (episode.world().departed().arrived < 2500) walk();
+  const auto walk_until = [&](std::size_t arrived) {
+    while (episode.world().departed().arrived < arrived && !episode.isOver()) walk();
+  };
+  walk_until(2500);
   const std::uint64_t early = mostBytes(LONG, walk) - before;
-  while (episode.world().departed().arrived < 8000) walk();
+  walk_until(8000);
   const std::uint64_t late = mostBytes(LONG, walk) - before;
   EXPECT_NEAR(static_cast<double>(late), static_cast<double>(early), 0.01 * static_cast<double>(early));
-  EXPECT_EQ(episode.result().arrivedCount(), episode.world().departed().arrived + 0U);
+  EXPECT_GT(episode.result().arrivedCount(), 9000U);
 }
 
 TEST(Allocations, DoNotGrowWithPeopleWhoHaveLeft) {

@@ -148,7 +148,8 @@ TEST(Departures, TurnsOfTheOthers) {
     std::vector<AgentAction> actions;
     for (const AgentPerception& self : perceptions.agents) {
       turns.push_back(self.agent);
-      actions.push_back({self.agent, {bearingOf(self.goal), 1.0}});
+      const double share = std::min(1.0, self.goal.norm() / (self.max_speed * perceptions.tick_duration));
+      actions.push_back({self.agent, {bearingOf(self.goal), share}});
     }
     const std::size_t active = world.activeCount();
     if (!episode.step(actions)) continue;

@@ -8,8 +8,7 @@
 
 namespace crowd {
 
-/// @brief Where nobody says that an agent has left, as many agents are remembered before it is looked for those that
-/// have.
+/// @brief Where nobody reports that agents have left, so many are remembered before those that have are looked for.
 constexpr std::size_t FEW_AGENTS = 1000;
 
 /// @brief A value for each of some agents, in one array by ascending id. Agents may leave at any time, so that a loop

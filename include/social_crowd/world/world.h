@@ -115,7 +115,7 @@ class World {
   /// @brief Executes one tick. Agents without an action stay; actions of unknown or arrived agents are ignored.
   /// @param thread_pool its threads share the agents; the result does not depend on their number
   /// @throws InputError if an action is not finite or its speed fraction is not within 0 to 1; the world is unchanged
-  /// then.
+  /// then. Stopped if the stop request is made; the world must not be used any more then.
   void step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
   /// @brief The first half of step(): agents turn, and in a ghost world they move. In a solid world the motions are
   /// computed, but not yet carried out.
