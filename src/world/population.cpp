@@ -14,7 +14,7 @@ bool GateDescription::isOpen(double time) const {
 }
 
 std::string unknownNameText(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
-  const std::string text = "there is no " + what + " " + inQuotes(name);
+  std::string text = "there is no " + what + " " + inQuotes(name);
   if (HiddenQuotes::areActive()) return text;  // the known names are in the file, too
   if (known.empty()) return text + "; the scenario has no " + what + "s";
   const std::string hint = didYouMean(name, known);
