@@ -159,7 +159,8 @@ class TrainingTest(support.CrowdTestCase):
     def test_a_learner_for_each_agent(self):
         """The rows are the same; each learner counts the decisions of its own agent only."""
         config, headless, _ = self.train_headless(SCENARIO, 'own')
-        parameters = {'mode': 'training', 'config': config, 'tables': 'own', 'seed': self.SEED}
+        parameters = {'mode': 'training', 'config': config, 'tables': 'own', 'seed': self.SEED,
+                      'data_folder': self.folder}
         self.start_node('learner_crew', 'learner_crew',
                         {f'learner/{name}': value for name, value in parameters.items()})
         self.walk(SCENARIO)
