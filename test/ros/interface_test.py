@@ -157,7 +157,7 @@ class GraphTest(support.CrowdTestCase):
 
     def assert_robot_documented(self, published, subscribed, publishes):
         """Compares the topics of the robot with docs/robots.md, which says which are subscribed to. Removes them."""
-        page = documented.section('robots.md', '4. ROS')
+        page = documented.section('robots.md', 'Topics')
         about = {name: kind for name, kind in documented.typed(page, 'topic').items() if not name.startswith('/')}
         inputs = {name for cells in documented.rows(page, 'topic') if '(subscribed)' in cells[0]
                   for name in documented.names_in(cells[0])}

@@ -16,7 +16,7 @@
 
 namespace crowd {
 
-/// @brief Layer of costmap_2d with the costs of the space around people; docs/robots.md has its parameters.
+/// @brief Layer of costmap_2d with the costs of the space around people; docs/move_base.md has its parameters.
 ///
 /// The update thread of the costmap calls it. Messages arrive in threads that serve the global callback queue.
 class PeopleLayer : public costmap_2d::Layer {
