@@ -17,6 +17,8 @@ NAMING = ('CHANGELOG.rst', 'CMakeLists.txt', 'package.xml', 'bench', 'config', '
 FENCED = re.compile(r'^( *)```.*?^\1```$', re.DOTALL | re.MULTILINE)
 INLINE = re.compile(r'`[^`\n]+`')
 LINK = re.compile(r'\]\(([^)\s]+)\)')
+# A path from the package's folder, which may have an asterisk.
+PATH = re.compile(r'`((?:bench|config|docs|include|launch|msg|python|research|rviz|scripts|src|srv|test)/[\w./*-]+)`')
 # A page, and the quoted titles of its sections behind it, also in a comment of several lines.
 NAMED = re.compile(r'(?:[\w.]+/)*docs/\w+\.md(?:#[\w-]+)?(?:,[\s/#*]+"[^"\n]+")*')
 
@@ -68,6 +70,12 @@ class LinksTest:
     def test_links(self, page):
         targets = [target for target in LINK.findall(INLINE.sub('', text_of(page))) if '://' not in target]
         assert [problem for problem in (problem_of(page, target) for target in targets) if problem] == []
+
+    @pytest.mark.parametrize('page', PAGES, ids=lambda page: os.path.relpath(page, PACKAGE))
+    def test_paths(self, page):
+        """Files and folders of the package that a page names, such as `src/learning/states/`, exist."""
+        named = [path.rstrip('/') for path in PATH.findall(text_of(page)) if 'NAME' not in path]
+        assert [path for path in named if not list(pathlib.Path(PACKAGE).glob(path))] == []
 
     def test_anchors(self, tmp_path):
         """As GitHub makes them."""
