@@ -25,8 +25,8 @@ bool isDivisible(const Scene& scene);
 ///
 /// Each rank owns the agents of a strip of the floor and has copies of the agents around it, in a World of its own. In
 /// a tick it decides for its own agents, receives the actions of the copies from their owners and moves all of them.
-/// Every few ticks the strips are balanced and agents handed over to the owner of the strip that they are in; copies
-/// reach so far that what own agents perceive and touch until the next time is among them. See docs/mpi.md.
+/// Every few ticks the strips are divided anew, each agent is handed over to the owner of the strip that it is in, and
+/// copies are made of all agents that an own agent can perceive or touch before the next division. See docs/mpi.md.
 ///
 /// Call contract: step() until it returns false, then result(). All public functions but tick() are collective.
 class DistributedCrowd {

@@ -69,7 +69,7 @@ class Population {
   /// Whether there is nothing to update, as in scenes of agents with goals alone.
   bool isEmpty() const { return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty(); }
   void updateAll(World& world, EpisodeMonitor& monitor);
-  /// Uses the population of a scene from now on. What was made with the one before still refers to that.
+  /// Uses this description from now on. The one before is kept, because queues, gates and routes refer to it.
   void adopt(const Scene& scene, PopulationDescription description);
   KeyedRandom randomOfRoute(AgentId id, std::uint64_t tick) const;
   Member* find(AgentId id);

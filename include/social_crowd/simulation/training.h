@@ -43,8 +43,8 @@ class Training {
   /// @brief Runs the episodes of the next turn and learns from them. @return these episodes, in order; on other ranks
   /// than 0, nothing @throws SharedError on all of several ranks if an episode throws on one
   std::vector<LearnedEpisode> runNextTurn();
-  /// @brief From now on LearnedEpisode::visited_rows is known. This takes one look at the whole table per turn; with a
-  /// single learner, one at all. To be called on all ranks or on none.
+  /// @brief Sets LearnedEpisode::visited_rows in all later turns. For that, the whole table is read once in each turn
+  /// with several learners, and once in the training with a single one. Collective.
   void countVisitedRows();
   /// @brief Returns the state between two turns; on rank 0.
   TrainingState state() const;

@@ -36,7 +36,8 @@ constexpr double CONTACT_OVERLAP = 1e-3;
 /// is in contact if it overlaps something by more than CONTACT_OVERLAP. In a solid world bodies stop where they touch
 /// (SolidMotion); then an agent is also in contact if it took part in an impact during the tick. An agent is in
 /// collision if the rim of another body, or a wall, is within the scene's collision radius of its centre (thesis, 4.1).
-/// Robots are bodies in this sense, but not in the grid: there are few, and they are not always perceived as they are.
+/// Contacts and collisions with robots count as well. Robots are not in the grid of bodies: there are few of them, and
+/// agents perceive them as discs that are larger than their footprints, or not at all.
 ///
 /// Not thread-safe, except that any number of threads may call perceiveSome() while no thread changes the world.
 class World {
