@@ -1,11 +1,12 @@
-"""All pages: their links lead somewhere, they are short, the index has them, and the code names existing ones only."""
+"""All pages: their links lead somewhere, they are short, the index has them, the code names existing ones only, and the
+columns of CSV files are those of the pages."""
 import os
 import pathlib
 import re
 import subprocess
 
 import pytest
-from programs import PACKAGE, in_package, read_text
+from programs import ANTICIPATION_TABLE, PACKAGE, in_package, page_examples, page_text, read_text
 
 LONGEST = 250  # [lines] of a page in docs/
 LONGEST_OF = {'architecture.md': 100}  # [lines]
@@ -14,6 +15,15 @@ PAGES = [pathlib.Path(in_package('README.md')), *DOCS, *sorted(pathlib.Path(in_p
 # Folders and files with texts that name pages.
 NAMING = ('CHANGELOG.rst', 'CMakeLists.txt', 'package.xml', 'bench', 'config', 'include', 'launch', 'msg', 'python',
           'research', 'rviz', 'scripts', 'src', 'srv', 'test')
+WITH_ROBOT = '''
+name: short
+duration: 1
+goal_tolerance: 0.3
+agents:
+  - {position: [1, 1], goal: [3, 1], speed: 0.5, radius: 0.25}
+robots:
+  - {name: robot, position: [1, 3], goal: [3, 3], radius: 0.25, max_speed: 0.5}
+'''
 FENCED = re.compile(r'^( *)```.*?^\1```$', re.DOTALL | re.MULTILINE)
 INLINE = re.compile(r'`[^`\n]+`')
 LINK = re.compile(r'\]\(([^)\s]+)\)')
@@ -112,3 +122,34 @@ class PagesTest:
         linked = LINK.findall(read_text(in_package('docs', 'README.md')))
         assert sorted(page.name for page in DOCS if page.name != 'README.md') == sorted(set(
             target for target in linked if '/' not in target))
+
+
+def columns_of(file):
+    """Returns the names of the columns of a CSV file."""
+    return read_text(file).splitlines()[0].split(',')
+
+
+def documented_columns(page, title):
+    """Returns the names in the first column of the first table with this title on a page."""
+    table = re.search(rf'^\| {title} \|.*\n\|[-| ]*\n((?:\|.*\n)+)', page, re.MULTILINE)[1]
+    return [name for line in table.splitlines() for name in re.findall(r'`(\w+)`', line.split('|')[1])]
+
+
+class ColumnsTest:
+    """Columns of CSV files are those of the pages."""
+
+    def test_robots(self, runner):
+        file = runner.path('robots.csv')
+        scenario = runner.write('short.yaml', WITH_ROBOT)
+        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--robots-csv', file, scenario)
+        columns = columns_of(file)
+        assert columns[:3] == ['episode', 'scenario', 'robot']
+        assert sorted(documented_columns(page_text('robot_metrics.md'), 'field')) == sorted(columns[3:])
+
+    def test_logs_and_records(self, runner):
+        config = runner.write('least.yaml', page_examples('learning.md')['least.yaml'])
+        runner.tool('train', config, '--episodes', 1, '--output', runner.path('table.txt'),
+                    '--log', runner.path('log.csv'), '--record', runner.path('record.csv'))
+        for name, title in (('log.csv', 'Logs'), ('record.csv', 'Records')):
+            section = page_text('train.md').partition(f'\n## {title}\n')[2]
+            assert documented_columns(section, 'column') == columns_of(runner.path(name))

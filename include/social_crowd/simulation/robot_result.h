@@ -23,7 +23,7 @@ struct RobotInput {
   std::uint64_t stale = 0;          ///< periods without a pose
 };
 
-/// @brief Results of a robot in an episode (docs/robots.md, Metrics). Names are those of HuNavSim where it has the
+/// @brief Results of a robot in an episode (docs/robot_metrics.md). Names are those of HuNavSim where it has the
 /// metric. They are measured until the robot arrives, or until the end. A number that nothing was measured for is NaN.
 ///
 /// The distance to a person is that from the person's centre to the robot's footprint; people are the agents on their
