@@ -7,6 +7,7 @@
 
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/publish_latched.h"
 #include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
@@ -99,7 +100,7 @@ void CrowdBroadcaster::publishScenario(const Episode& episode, std::uint64_t ins
   message.header = header();
   message.episode = episode.number();
   message.instance = instance;
-  scenario_.publish(message);
+  publishLatched(scenario_, message);
   publishWalls(episode);
   const std::shared_ptr<const OccupancyMap>& map = episode.scene().map;
   if (map == map_published_) return;
@@ -116,7 +117,7 @@ void CrowdBroadcaster::publishWalls(const Episode& episode) {
   message.episode = episode.number();
   toMessages(episode.world().walls(), message.walls);
   message.numbers.assign(episode.world().wallIds().begin(), episode.world().wallIds().end());
-  walls_.publish(message);
+  publishLatched(walls_, message);
 }
 
 void CrowdBroadcaster::publishMap(const OccupancyMap& map) {
@@ -125,7 +126,7 @@ void CrowdBroadcaster::publishMap(const OccupancyMap& map) {
   toMessage(map, message);
   message.header = header();
   message.info.map_load_time = message.header.stamp;
-  map_.publish(message);
+  publishLatched(map_, message);
 }
 
 void CrowdBroadcaster::publishResult(const EpisodeResult& result, std::uint64_t number, std::uint64_t instance,

@@ -9,6 +9,7 @@
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
 #include "social_crowd/ros/parameters.h"
+#include "social_crowd/ros/publish_latched.h"
 #include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
@@ -104,7 +105,7 @@ void CrowdMarkers::choose(std::int64_t agent) {
   scene_.choose(agent);
   std_msgs::Int32 message;
   message.data = static_cast<std::int32_t>(agent);
-  chosen_.publish(message);
+  publishLatched(chosen_, message);
 }
 
 void CrowdMarkers::takeScenario(const social_crowd::Scenario& message) {

@@ -6,6 +6,7 @@
 
 #include "social_crowd/common/quotes.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/publish_latched.h"
 #include "social_crowd/ros/reconfigure_messages.h"
 #include "social_crowd/ros/topic_defaults.h"
 
@@ -24,7 +25,7 @@ ReconfigureServer::ReconfigureServer(ros::NodeHandle private_node, std::vector<L
     : parameters_(std::move(parameters)), functions_(std::move(functions)) {
   description_publisher_ =
       private_node.advertise<dynamic_reconfigure::ConfigDescription>(names::PARAMETER_DESCRIPTIONS, 1, LATCHED);
-  description_publisher_.publish(toDescription(parameters_, defaults));
+  publishLatched(description_publisher_, toDescription(parameters_, defaults));
   timer_ = private_node.createWallTimer(
       UPDATE_PERIOD, [this](const ros::WallTimerEvent& /*event*/) { publish(false); }, !ONE_SHOT, !STARTED);
   // Not latched: each new subscriber gets the present values, not those of the last message.

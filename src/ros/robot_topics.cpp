@@ -8,6 +8,7 @@
 
 #include "social_crowd/ros/conversions.h"
 #include "social_crowd/ros/names.h"
+#include "social_crowd/ros/publish_latched.h"
 #include "social_crowd/ros/topic_defaults.h"
 
 namespace crowd {
@@ -134,7 +135,7 @@ void RobotTopics::publishGoal(const Robot& robot, const ros::Time& now, bool beg
   geometry_msgs::PoseStamped message;
   message.header = header(names::MAP_FRAME, now);
   message.pose = toMessage(Pose{*goal, bearingOf(*goal - robot.pose.position)});
-  goals_.publish(message);
+  publishLatched(goals_, message);
 }
 
 void RobotTopics::addTransforms(const Robot& robot, const Odometry& odometry, const ros::Time& now, bool localised,

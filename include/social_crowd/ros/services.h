@@ -63,6 +63,7 @@ class Services {
   /// @brief Shuts the services down and waits for running handlers.
   void stop() {
     for (ros::ServiceServer& server : servers_) server.shutdown();
+    queue_.disable();  // wakes the threads, which otherwise look every 0.1 s whether they are to stop
     spinner_.stop();
   }
 
