@@ -7,19 +7,19 @@
 
 #include "social_crowd/common/stop_request.h"
 #include "social_crowd/common/thread_pool.h"
+#include "social_crowd/geometry/neighbour_grid.h"
+#include "social_crowd/geometry/neighbour_search.h"
+#include "social_crowd/geometry/solid_motion.h"
+#include "social_crowd/geometry/wall_index.h"
+#include "social_crowd/scenario/robot.h"
+#include "social_crowd/scenario/scene.h"
 #include "social_crowd/world/agent.h"
 #include "social_crowd/world/agent_map.h"
 #include "social_crowd/world/departed_agents.h"
-#include "social_crowd/world/neighbour_grid.h"
-#include "social_crowd/world/neighbour_search.h"
 #include "social_crowd/world/occlusion.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/protective_stop.h"
 #include "social_crowd/world/relative_action.h"
-#include "social_crowd/world/robot.h"
-#include "social_crowd/world/scene.h"
-#include "social_crowd/world/solid_motion.h"
-#include "social_crowd/world/wall_index.h"
 
 namespace crowd {
 
