@@ -2,12 +2,10 @@
 
 #include <dlfcn.h>
 
-#include "simulation/agent_transfer.h"
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/ranks/distributed_evaluation.h"
 #include "social_crowd/simulation/byte_archive.h"
-#include "training/learned_episode_transfer.h"
 
 namespace crowd {
 namespace {
@@ -58,14 +56,6 @@ std::string checksumOf(const Scene& scene) {
     write(wall.from);
     write(wall.to);
   }
-  return write.text();
-}
-
-std::string checksumOf(const EpisodeResult& result) {
-  ChecksumWriter write;
-  write(result.ticks);
-  for (const AgentResult& agent : result.agents) transferResult(write, agent);
-  for (const RobotResult& robot : result.robots) transferRobot(write, robot);
   return write.text();
 }
 

@@ -281,7 +281,9 @@ int runMain(int argc, char** argv) {
           "keeps "
           "its contents until the metrics are complete.\n"
           "With MPI, several processes walk one crowd together, with the same results: mpirun -n 2 evaluate "
-          "--q-table Q_TABLE SCENARIO (docs/mpi.md). This program was built with") +
+          "--q-table Q_TABLE SCENARIO (docs/mpi.md). One of them walks scenes with ways, robots or a population; "
+          "without "
+          "mpirun, all processors do. This program was built with") +
       (isBuiltWithMpi() ? "" : "out") +
       " MPI.\n"
       "Ctrl-C or SIGTERM end the run within a second: episodes that are not finished are left out of the results and "
