@@ -210,7 +210,7 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
   const bool writes = ranks.rank() == 0;
   const auto open_records = [&] {
     if (writes && !arguments.csv.empty()) records.metrics.emplace(arguments.csv);
-    if (writes && !arguments.record.empty()) records.agents.emplace(arguments.record, RECORD_HEADER);
+    if (writes && !arguments.record.empty()) records.agents.emplace(arguments.record, recordHeader());
     if (writes && !arguments.robots_csv.empty()) records.robots.emplace(arguments.robots_csv, robotRecordHeader());
   };
   doOnAllRanks(ranks, open_records);
