@@ -4,7 +4,8 @@ import pathlib
 
 from crowd_drawing.errors import InputError, check_output
 from crowd_drawing.files import HOMES
-from crowd_experiments.arguments import add_file, parser_of, whole
+from crowd_experiments.arguments import add_file, add_tools, parser_of, whole
+from crowd_experiments.tools import find_tools
 from crowd_tables.drawing import draw_table
 from crowd_tables.state_sets import action_names, meaning_of
 from crowd_tables.table import read_table, row_visits
@@ -34,6 +35,7 @@ def parser():
     add_file(result, '--output', help='picture, such as table.png or table.pdf')
     result.add_argument('--row', type=whole, metavar='N', help='print what row N means, with visits and values')
     result.add_argument('--title', help='title of the picture (default: the name of the file)')
+    add_tools(result)
     return result
 
 
@@ -59,7 +61,7 @@ def main(words=None):
     if arguments.output:
         check_output(arguments.output)
     table = read_table(table_file(arguments.table))
-    meaning = meaning_of(table)
+    meaning = meaning_of(table, find_tools(arguments.tools) / 'train')
     if arguments.row is not None:
         explain(table, meaning, arguments.row)
     if arguments.output is not None:

@@ -1,8 +1,10 @@
 """What rows and actions of a Q-table mean (docs/state_sets.md, "State sets", "Actions")."""
 import dataclasses
 import math
+import subprocess
 
 import numpy
+import yaml
 from crowd_drawing.errors import InputError
 
 
@@ -33,19 +35,7 @@ def goal_relative(given):
 
 
 ACTION_NAMES = {'kings_moves': kings_moves, 'goal_relative': goal_relative}
-
-
-DISTANCES = 2  # classes of distance
-NAMES_OF_8 = ['ahead', 'ahead left', 'left', 'behind left', 'behind', 'behind right', 'right', 'ahead right']
-# Quantities of `anticipation` by the keys of their limits, from the most significant digit of a row: name and unit.
-ANTICIPATION = {
-    'reciprocal_times': ('reciprocal time to collision', 's'),
-    'constant_velocity_times': ('constant-velocity time to collision', 's'),
-    'static_times': ('time to collision with static bodies', 's'),
-    'admissible_fractions': ('admissible fraction of the move', ''),
-    'turns': ('turn', '°'),
-    'oncoming': ('approach of another agent', 'of the maximum speed'),
-}
+ARRANGEMENTS = {'nearest_obstacle': ([], [1], [0]), 'anticipation': ([], [0, 1], [2, 3, 4, 5])}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,91 +69,32 @@ class Meaning:
                          for quantity, digit in zip(self.quantities, self.digits[row]))
 
 
-def meaning_of(table):
-    """Returns the Meaning of a Table's rows. Raises InputError if the state set is unknown or has another number of
-    rows."""
-    state_set = table.header['state_set']
-    kind = state_set.get('type')
-    if kind not in READERS:
-        raise InputError(f"{table.file}: state_set: expected one of {', '.join(READERS)}, got '{kind}'")
-    try:
-        meaning = READERS[kind](state_set)
-    except (TypeError, ValueError) as error:
-        raise InputError(f'{table.file}: state_set: {error}') from None
-    rows = len(meaning.digits) + len(meaning.extra)
+def meaning_of(table, train):
+    """Returns the Meaning of a Table's rows, which the program `train` describes. Raises InputError if the state set is
+    unknown or has another number of rows."""
+    state_set = yaml.safe_dump(table.header['state_set'], default_flow_style=True, width=math.inf).strip()
+    done = subprocess.run([train, '--describe-rows', state_set], capture_output=True, encoding='utf-8', check=False)
+    if done.returncode != 0:
+        raise InputError(f"{table.file}: {done.stderr.partition('--describe-rows: ')[2].splitlines()[0]}")
+    found = yaml.load(done.stdout, yaml.CSafeLoader)
+    quantities = [Quantity(**quantity) for quantity in found['quantities']]
+    digits = numpy.array(found['rows']) if found['rows'] else digits_of(quantities)
+    rows = len(digits) + len(found['extra'])
     if rows != table.header['rows']:
         raise InputError(f"{table.file}: rows: expected {rows}, the rows of the state set, got {table.header['rows']}")
-    return meaning
+    kind = table.header['state_set']['type']
+    return Meaning(kind, quantities, *arrangement(kind, len(quantities)), digits, found['extra'])
+
+
+def arrangement(kind, quantities):
+    """Returns the quantities of panels, rows and columns of a picture."""
+    if kind in ARRANGEMENTS:
+        return ARRANGEMENTS[kind]
+    middle = 1 + quantities // 2 if kind == 'condensed_occupancy' else (quantities + 1) // 2
+    return [0], list(range(1, middle)), list(range(middle, quantities))
 
 
 def digits_of(quantities):
     """Returns the classes of all rows, the first quantity being the most significant digit: array (row, quantity)."""
     sizes = [len(quantity) for quantity in quantities]
     return numpy.stack(numpy.unravel_index(numpy.arange(math.prod(sizes)), sizes), axis=1)
-
-
-def sector_names(count):
-    """Returns the names of equal sectors: directions if there are eight, else the angles of their middles."""
-    middles = [(360 / count * i + 180) % 360 - 180 for i in range(count)]
-    return NAMES_OF_8 if count == 8 else [f'{middle:g}°' for middle in middles]
-
-
-def nearest_obstacle(given):
-    """(3.2-3.4): goal sectors without an obstacle, then for each goal sector the sector and distance class of the
-    obstacle."""
-    goals = Quantity('goal', sector_names(given.get('goal_sectors', 8)))
-    limits = [0, *given.get('obstacle_sectors', [15, 45, 90, 180])]
-    near, far = given.get('collision_radius', 0.5), given.get('vision_radius', 1.0)
-    names = [f'{side} {low:g}-{high:g}°, {distance}' for side in ('left', 'right')
-             for low, high in zip(limits, limits[1:]) for distance in (f'up to {near:g} m', f'up to {far:g} m')]
-    obstacles = Quantity('nearest obstacle', ['none', *names])
-    with_none = [(goal, 0) for goal in range(len(goals))]
-    digits = with_none + [(goal, 1 + code) for goal in range(len(goals)) for code in range(len(names))]
-    return Meaning('nearest_obstacle', [goals, obstacles], [], [1], [0], numpy.array(digits), ['arrival'])
-
-
-def sectors_of(given):
-    """Returns the number of sectors, and the indices of the quantities of the first and the second half of them."""
-    count = given.get('sectors', 8)
-    return count, list(range(count // 2)), list(range(count // 2, count))
-
-
-def occupancy(given):
-    """(3.5): the goal sector, then the distance class of each sector."""
-    count, first, second = sectors_of(given)
-    near, far = given.get('collision_radius', 0.5), given.get('vision_radius', 1.0)
-    classes = ['empty', f'up to {near:g} m', f'up to {far:g} m']
-    quantities = [Quantity('goal', sector_names(count)), *(Quantity(f'body {name}', classes)
-                                                           for name in sector_names(count))]
-    return Meaning('occupancy', quantities, [0], [1 + i for i in first], [1 + i for i in second], digits_of(quantities),
-                   ['arrival'])
-
-
-def condensed_occupancy(given):
-    """(5.2): the goal sector, whether any body is near, then whether each sector is occupied."""
-    count, first, second = sectors_of(given)
-    near = f"within {given.get('collision_radius', 0.5):g} m"
-    quantities = [Quantity('goal', sector_names(count)), Quantity(f'any body {near}', ['no', 'yes']),
-                  *(Quantity(f'body {name}', ['no', 'yes']) for name in sector_names(count))]
-    return Meaning('condensed_occupancy', quantities, [0], [1] + [2 + i for i in first], [2 + i for i in second],
-                   digits_of(quantities), ['arrival'])
-
-
-def anticipation(given):
-    """One row per action: the class of a quantity is the number of limits that it reaches."""
-    quantities = [Quantity(name, class_names(given.get(key, []), unit))
-                  for key, (name, unit) in ANTICIPATION.items()]
-    return Meaning('anticipation', quantities, [], [0, 1], [2, 3, 4, 5], digits_of(quantities), [])
-
-
-def class_names(limits, unit):
-    """Returns the names of the classes between limits, such as < 1 s, 1-2 s, >= 2 s."""
-    if not limits:
-        return ['any']
-    texts = [f'{limit:g}' for limit in limits]
-    names = [f'< {texts[0]}', *(f'{low}-{high}' for low, high in zip(texts, texts[1:])), f'≥ {texts[-1]}']
-    return [f'{name} {unit}'.strip() if unit != '°' else f'{name}°' for name in names]
-
-
-READERS = {'nearest_obstacle': nearest_obstacle, 'occupancy': occupancy, 'condensed_occupancy': condensed_occupancy,
-           'anticipation': anticipation}

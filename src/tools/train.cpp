@@ -5,7 +5,10 @@
 #include <thread>
 
 #include "command_line.h"
+#include "social_crowd/common/yaml_reader.h"
+#include "social_crowd/learning/actions/kings_moves.h"
 #include "social_crowd/learning/model.h"
+#include "social_crowd/learning/states/row_meaning.h"
 #include "social_crowd/ranks/mpi_communicator.h"
 #include "training_run.h"
 
@@ -26,6 +29,27 @@ std::string rowsOf(const std::string& key, const Types& types) {
 std::string listOfTypes() {
   return "| key | `type` | contents |\n|---|---|---|" + rowsOf("state_set", stateSetTypes()) +
          rowsOf("action_set", actionSetTypes()) + rowsOf("reward", rewardTypes());
+}
+
+/// Returns what the rows of a state set mean, as YAML. @param text the state set, as in a configuration
+std::string meaningOfRows(const std::string& text) {
+  const std::vector<YAML::Node> documents = parseYamlStream(text, "state_set");
+  if (documents.size() != 1) throw InputError("state_set: expected a map such as {type: occupancy}");
+  // The names do not depend on the action set.
+  const auto states = makeStateSet(documents.front(), {"state_set", 0, ""}, KingsMoves());
+  const auto* const rows = dynamic_cast<const ExplainedRows*>(states.get());
+  if (rows == nullptr) throw InputError("state_set: its rows have no description");
+  return rows->meaning().text();
+}
+
+void describeRows(const std::string& state_set) {
+  std::string text;
+  try {
+    text = meaningOfRows(state_set);
+  } catch (const InputError& error) {
+    throw CLI::ValidationError("--describe-rows", error.what());
+  }
+  throw CLI::CallForVersion(text, 0);
 }
 
 void addFileOptions(CLI::App& app, TrainingArguments& arguments) {
@@ -74,6 +98,9 @@ int runMain(int argc, char** argv) {
   app.add_flag_callback(
       "--list-types", [] { throw CLI::CallForVersion(listOfTypes(), 0); },
       "print the types of state sets, action sets and rewards that a configuration can use");
+  app.add_option_function<std::string>("--describe-rows", describeRows,
+                                       "print what the rows of a Q-table with this state set mean, as YAML")
+      ->type_name("STATE_SET");
   addFileOptions(app, arguments);
   app.footer(
       std::string(

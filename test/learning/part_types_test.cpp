@@ -8,6 +8,7 @@
 
 #include "social_crowd/learning/model.h"
 #include "social_crowd/learning/states/obstacle_classes.h"
+#include "social_crowd/learning/states/row_meaning.h"
 #include "support/error_of.h"
 #include "support/learners.h"
 #include "support/moves.h"
@@ -105,6 +106,20 @@ TEST(PartTypes, PicturesShowDistanceLimitsWithinTheVision) {
     if (picture == nullptr) continue;
     ASSERT_FALSE(picture->distanceLimits().empty()) << type.name;
     EXPECT_EQ(picture->distanceLimits().back(), states->visionRadius()) << type.name;
+  }
+}
+
+TEST(PartTypes, DescriptionsHaveAllRows) {
+  const auto actions = makeActions(typed("kings_moves"));
+  for (const StateSetType& type : stateSetTypes()) {
+    const auto states = makeStates(typed(type.name), *actions);
+    const auto* const explained = dynamic_cast<const ExplainedRows*>(states.get());
+    if (explained == nullptr) continue;
+    const RowMeaning meaning = explained->meaning();
+    std::size_t rows = 1;
+    for (const RowQuantity& quantity : meaning.quantities) rows *= quantity.classes.size();
+    if (!meaning.rows.empty()) rows = meaning.rows.size();
+    EXPECT_EQ(rows + (meaning.has_terminal ? 1 : 0), states->rowCount()) << type.name;
   }
 }
 

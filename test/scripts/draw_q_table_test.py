@@ -6,11 +6,13 @@ import PIL.Image
 import numpy
 import pytest
 from crowd_drawing.errors import InputError
+from crowd_tables import state_sets
 from crowd_tables.drawing import arranged, explanation
-from crowd_tables.state_sets import action_names, meaning_of
+from crowd_tables.state_sets import action_names
 from crowd_tables.table import greedy_actions, read_table, row_values, row_visits
 from learning_files import QTableFile, q_table_text
 from programs import ANTICIPATION_TABLE, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE, assert_says, in_package, read_text
+from roslib.packages import find_node
 
 HEADER = '''social_crowd Q-table 1
 state_set: %s
@@ -26,9 +28,20 @@ checksum: 0
 
 def draw(runner, *arguments):
     """Runs the program in the test's folder. Returns exit status and output."""
-    done = subprocess.run([in_package('scripts', 'draw_q_table'), *map(str, arguments)], cwd=runner.folder,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
+    command = [in_package('scripts', 'draw_q_table'), '--tools', os.path.dirname(train()), *map(str, arguments)]
+    done = subprocess.run(command, cwd=runner.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          timeout=PATIENCE, check=False)
     return done.returncode, done.stdout.decode(errors='replace')
+
+
+def train():
+    """Returns the program that describes rows."""
+    return find_node('social_crowd', 'train')[0]
+
+
+def meaning_of(table):
+    """Returns the meaning of the rows of a Table."""
+    return state_sets.meaning_of(table, train())
 
 
 def meaning(runner, state_set, rows):

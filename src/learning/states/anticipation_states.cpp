@@ -73,6 +73,18 @@ std::string AnticipationStates::spec() const {
          ", turns: " + toText(parameters_.turns) + ", oncoming: " + toText(parameters_.oncoming) + "}";
 }
 
+RowMeaning AnticipationStates::meaning() const {
+  const Parameters& p = parameters_;
+  return {{{"reciprocal time to collision", classNames(p.reciprocal_times, " s")},
+           {"constant-velocity time to collision", classNames(p.constant_velocity_times, " s")},
+           {"time to collision with static bodies", classNames(p.static_times, " s")},
+           {"admissible fraction of the move", classNames(p.admissible_fractions, "")},
+           {"turn", classNames(p.turns, "°")},
+           {"approach of another agent", classNames(p.oncoming, " of the maximum speed")}},
+          {},
+          false};
+}
+
 std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const ActionSet& action_set) {
   map.allow({"type", "vision_radius", "max_neighbours", "reciprocal_times", "constant_velocity_times", "static_times",
              "admissible_fractions", "turns", "oncoming"});

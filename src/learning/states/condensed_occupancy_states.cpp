@@ -48,6 +48,13 @@ std::string CondensedOccupancyStates::spec() const {
   return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(sectors_.count()) + distancesSpec() + "}";
 }
 
+RowMeaning CondensedOccupancyStates::meaning() const {
+  const std::string near = "any body within " + shortText(distances().collision_radius) + " m";
+  RowMeaning meaning{{{"goal", namesOf(sectors_)}, {near, {"no", "yes"}}}, {}, true};
+  for (const std::string& sector : namesOf(sectors_)) meaning.quantities.push_back({"body " + sector, {"no", "yes"}});
+  return meaning;
+}
+
 std::shared_ptr<const StateSet> readCondensedOccupancyStates(YamlMap& map, const ActionSet& /*action_set*/) {
   return std::make_shared<CondensedOccupancyStates>(readOccupancyParameters(map));
 }

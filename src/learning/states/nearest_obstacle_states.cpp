@@ -112,6 +112,26 @@ std::string NearestObstacleStates::spec() const {
          ", obstacle_sectors: [" + limits + "]" + distancesSpec() + "}";
 }
 
+RowMeaning NearestObstacleStates::meaning() const {
+  RowQuantity obstacle{"nearest obstacle", {"none"}};
+  for (const char* const side : {"left ", "right "}) {
+    double inner = 0.0;
+    for (const double outer : parameters_.obstacle_sectors) {
+      for (const std::string& distance : namesOf(distances())) {
+        obstacle.classes.push_back(side + shortText(inner) + "-" + shortText(outer) + "°, " + distance);
+      }
+      inner = outer;
+    }
+  }
+  RowMeaning meaning{{{"goal", namesOf(goal_sectors_)}, std::move(obstacle)}, {}, true};
+  for (Row row = 0; row < terminal(); ++row) {
+    const Situation situation = situationOf(row);
+    const int number = situation.obstacle_sector * DistanceClasses::COUNT + situation.distance_class;
+    meaning.rows.push_back({situation.goal_sector, number});
+  }
+  return meaning;
+}
+
 std::shared_ptr<const StateSet> readNearestObstacleStates(YamlMap& map, const ActionSet& /*action_set*/) {
   map.allow({"type", "goal_sectors", "obstacle_sectors", "collision_radius", "vision_radius"});
   NearestObstacleStates::Parameters parameters;

@@ -159,6 +159,14 @@ std::string OccupancyStates::spec() const {
   return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(sectors_.count()) + distancesSpec() + "}";
 }
 
+RowMeaning OccupancyStates::meaning() const {
+  RowMeaning meaning{{{"goal", namesOf(sectors_)}}, {}, true};
+  std::vector<std::string> classes = namesOf(distances());
+  classes.insert(classes.begin(), "empty");
+  for (const std::string& sector : namesOf(sectors_)) meaning.quantities.push_back({"body " + sector, classes});
+  return meaning;
+}
+
 OccupancyStates::Parameters readOccupancyParameters(YamlMap& map) {
   map.allow({"type", "sectors", "collision_radius", "vision_radius"});
   OccupancyStates::Parameters parameters;

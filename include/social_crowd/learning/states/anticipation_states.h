@@ -4,6 +4,7 @@
 
 #include "social_crowd/learning/actions/action_set.h"
 #include "social_crowd/learning/states/move_features.h"
+#include "social_crowd/learning/states/row_meaning.h"
 #include "social_crowd/learning/states/state_set.h"
 
 namespace crowd {
@@ -14,7 +15,7 @@ namespace crowd {
 ///
 /// Each quantity is encoded by its class, the number of its limits that it reaches. A quantity without limits is not
 /// encoded. The classes are the digits of the row number, each with a base of its own. Source: docs/state_sets.md.
-class AnticipationStates : public StateSet {
+class AnticipationStates : public StateSet, public ExplainedRows {
  public:
   static constexpr const char* TYPE = "anticipation";
 
@@ -47,6 +48,7 @@ class AnticipationStates : public StateSet {
   double visionRadius() const override { return parameters_.vision_radius; }
   std::uint32_t maxNeighbours() const override { return parameters_.max_neighbours; }
   std::string spec() const override;
+  RowMeaning meaning() const override;
 
   /// @brief Writes the row of each of the first `count` moves.
   void findRows(const MoveFeatures& features, std::size_t count, Row* rows) const;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "social_crowd/learning/states/occupancy_states.h"
+#include "social_crowd/learning/states/row_meaning.h"
 #include "social_crowd/learning/states/sector_states.h"
 #include "social_crowd/learning/states/sectors.h"
 
@@ -15,7 +16,7 @@ namespace crowd {
 ///
 /// With n sectors the state is G * 2 * 2^n + near * 2^n + code, where the code's binary digits are the sectors, sector
 /// 0 first as in (3.5); terminal n * 2 * 2^n.
-class CondensedOccupancyStates : public SectorStates {
+class CondensedOccupancyStates : public SectorStates, public ExplainedRows {
  public:
   static constexpr const char* TYPE = "condensed_occupancy";
 
@@ -33,6 +34,7 @@ class CondensedOccupancyStates : public SectorStates {
     return occupancy_.occupiedSectors(perception);
   }
   std::string spec() const override;
+  RowMeaning meaning() const override;
 
   /// @brief Returns the row of a situation of state set 2.
   Row rowOf(const OccupancyStates::Situation& situation) const;

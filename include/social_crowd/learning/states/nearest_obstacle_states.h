@@ -1,5 +1,6 @@
 #pragma once
 
+#include "social_crowd/learning/states/row_meaning.h"
 #include "social_crowd/learning/states/sector_states.h"
 #include "social_crowd/learning/states/sectors.h"
 
@@ -10,7 +11,7 @@ namespace crowd {
 ///
 /// With G the goal sector (nG of them), A the obstacle sector (nO), D the distance class (1 .. nD):
 /// nothing perceived: G; else (nG - 1) + G * (nO * nD) + A * nD + D; terminal: nG * nO * nD + nG.
-class NearestObstacleStates : public SectorStates {
+class NearestObstacleStates : public SectorStates, public ExplainedRows {
  public:
   static constexpr const char* TYPE = "nearest_obstacle";
 
@@ -35,6 +36,7 @@ class NearestObstacleStates : public SectorStates {
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
   std::string spec() const override;
+  RowMeaning meaning() const override;
 
   /// @brief Returns the contents of the state that a perception maps to.
   Situation describe(const Perception& perception) const;

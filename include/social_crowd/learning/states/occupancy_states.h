@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "social_crowd/learning/states/row_meaning.h"
 #include "social_crowd/learning/states/sector_states.h"
 #include "social_crowd/learning/states/sectors.h"
 
@@ -20,7 +21,7 @@ namespace crowd {
 ///
 /// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
 /// 3^8 * G + code, terminal 3^8 * 8.
-class OccupancyStates : public SectorStates {
+class OccupancyStates : public SectorStates, public ExplainedRows {
  public:
   static constexpr const char* TYPE = "occupancy";
   static constexpr int MAX_SECTORS = 12;  // a table of 3^12 * 12 rows is the largest practical one
@@ -44,6 +45,7 @@ class OccupancyStates : public SectorStates {
   std::vector<int> distanceClasses(Row row) const override;
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override;
   std::string spec() const override;
+  RowMeaning meaning() const override;
 
   /// @brief Returns the contents of the state that a perception maps to.
   Situation describe(const Perception& perception) const;
