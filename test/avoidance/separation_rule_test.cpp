@@ -1,4 +1,5 @@
 #include "social_crowd/avoidance/separation_rule.h"
+#include "social_crowd/geometry/impact.h"
 
 #include <gtest/gtest.h>
 
