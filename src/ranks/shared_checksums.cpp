@@ -1,10 +1,9 @@
 // Checksums by which ranks find that they compute different things.
 
-#include <dlfcn.h>
-
 #include "simulation/agent_transfer.h"
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
+#include "social_crowd/common/library_file.h"
 #include "social_crowd/ranks/distributed_evaluation.h"
 #include "social_crowd/simulation/byte_archive.h"
 #include "training/learned_episode_transfer.h"
@@ -28,6 +27,12 @@ class ChecksumWriter {
   Checksum checksum_;
   std::vector<char> bytes_;
 };
+
+std::string checksumOf(const std::string& file) {
+  Checksum checksum;
+  checksum.add(readFile(file));
+  return checksum.text();
+}
 
 }  // namespace
 
@@ -70,13 +75,10 @@ std::string checksumOf(const EpisodeResult& result) {
 }
 
 std::string checksumOfLibrary() {
-  Dl_info info = {};
-  // An object of the library whose address is known.
-  static const char PLACE = 0;
-  if (dladdr(&PLACE, &info) == 0 || info.dli_fname == nullptr) return "unknown";
-  Checksum checksum;
-  checksum.add(readFile(info.dli_fname));
-  return checksum.text();
+  const std::string file = libraryFile();
+  return file.empty() ? "unknown" : checksumOf(file);
 }
+
+std::string checksumOfProgram() { return checksumOf("/proc/self/exe"); }
 
 }  // namespace crowd

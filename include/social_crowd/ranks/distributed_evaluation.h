@@ -34,7 +34,8 @@ std::string checksumOf(const Scene& scene);
 /// @brief Checksum of places and times at the end of an episode.
 std::string checksumOf(const EpisodeResult& result);
 
-/// @brief Checksum of the file of this library, in which a crowd is computed.
+/// @brief Checksums of the files in which a crowd is computed: the library social_crowd_core, and the program.
 std::string checksumOfLibrary();
+std::string checksumOfProgram();
 
 }  // namespace crowd
