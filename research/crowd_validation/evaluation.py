@@ -8,10 +8,9 @@ import numpy
 import yaml
 from crowd_experiments.records import read_csv
 from crowd_experiments.runs import Run, Runner
+from crowd_experiments.variations import DUMPER, LOADER
 
 from .plan import TICK
-
-LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -90,7 +89,7 @@ class Result:
 
 @dataclasses.dataclass(frozen=True)
 class Case:
-    """A test. `run(evaluation)` runs the tool with all seeds, draws pictures, returns a Result; see evaluation.py."""
+    """A test. `run(evaluation)` runs the tool with all seeds, draws pictures, returns a Result."""
     name: str  # on the command line
     title: str
     run: typing.Callable
@@ -115,9 +114,6 @@ def load(folder):
         return None
 
 
-DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
-
-
 @dataclasses.dataclass(frozen=True)
 class Evaluation:
     """The tool, the Q-table, and the folder and the seeds of a case. Results of earlier runs with the same program,
@@ -128,22 +124,21 @@ class Evaluation:
     seeds: int
     processes: int = 1
 
-    def seed_numbers(self):
-        """Returns the seeds 1, 2, ..."""
-        return range(1, self.seeds + 1)
-
     def walk(self, plans):
         """Runs one episode of every plan with every seed. `plans` are functions of the seed that return a scenario
         document, by the names of the scenarios. Returns lists of Recordings, one for each seed, by these names.
 
         Raises RunError with the tool's message if it fails."""
-        runs = {(name, seed): self.run_of(name, plan(seed), seed)
-                for name, plan in plans.items() for seed in self.seed_numbers()}
+        seeds = range(1, self.seeds + 1)
+        runs = {(name, seed): self.run_of(name, plan(seed), seed) for name, plan in plans.items() for seed in seeds}
         left = [run for run in runs.values() if not run.is_done()]
         if left:
             Runner(self.processes).carry_out(left)
-        return {name: [read_recording(runs[name, seed].folder, name, TICK) for seed in self.seed_numbers()]
-                for name in plans}
+        return {name: [read_recording(runs[name, seed].folder, name, TICK) for seed in seeds] for name in plans}
+
+    def walk_one(self, name, plan):
+        """Runs one episode of a plan with every seed. Returns Recordings, one for each seed."""
+        return self.walk({name: plan})[name]
 
     def run_of(self, name, document, seed):
         """Writes the scenario file of a run, and returns the run."""

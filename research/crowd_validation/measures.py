@@ -31,12 +31,24 @@ def arrived(recordings):
     return f'{counts(numbers)} of {recordings[0].people()} arrived'
 
 
+def all_arrived(recordings):
+    """Returns whether all people of all seeds arrived."""
+    return all(recording.all_arrived() for recording in recordings)
+
+
+def last(recordings, decimals=0):
+    """Returns when the last person arrived, such as `the last after 31.0 s (30.0-32.0)`."""
+    return f"the last after {spread((max(recording.arrivals) for recording in recordings), 's', decimals)}"
+
+
 def problems(recordings, landmarks):
     """Returns a text about people who did not arrive, by their nearest landmark (points by names), and about contacts;
     empty if there were none in any seed."""
     parts = []
     for seed, recording in enumerate(recordings, 1):
-        of_seed = [text for text in (left_over_text(recording, landmarks), contact_text(recording)) if text]
+        of_seed = list(filter(None, (
+            left_over_text(recording, landmarks),
+            f'{recording.touched.sum()} in contact' if recording.touched.any() else '')))
         if of_seed:
             parts.append(f'seed {seed}: {", ".join(of_seed)}')
     return '; '.join(parts)
@@ -50,11 +62,6 @@ def left_over_text(recording, landmarks):
     near = nearest_of(places, list(landmarks.values()))
     at = ', '.join(f'{(near == i).sum()} at {name}' for i, name in enumerate(landmarks) if (near == i).any())
     return f'{len(places)} left ({at}), {standing} of them stand'
-
-
-def contact_text(recording):
-    """Returns the number of people in contact."""
-    return f'{recording.touched.sum()} in contact' if recording.touched.any() else ''
 
 
 STANDING = 0.2  # [m] a person who moved less than this in STANDING_TIME stands
