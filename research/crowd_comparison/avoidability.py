@@ -66,8 +66,7 @@ class Recording:
         return sorted(found, key=lambda contact: (contact.tick, contact.agent))
 
     def last_escape(self, contact, among_others=True):
-        """Returns the latest move that would have avoided a contact; None if there is none.
-        @param among_others whether to consider the other agents"""
+        """Returns the latest move that would have avoided a contact, maybe without the others; None without one."""
         ticks_back = min(contact.tick, round(LOOK_BACK / self.scene.tick))
         for tick in range(contact.tick - 1, contact.tick - ticks_back - 1, -1):
             velocities = self.straight_moves(contact.agent)

@@ -66,8 +66,7 @@ CORRIDORS = (ONE_WAY, TWO_WAY, TWO_WAY_MIXED, SINGLE_FILE)
 
 
 def places(corridor, density, random):
-    """Returns an array of places (x, y) at a density: staggered rows along the corridor, with random displacements
-    without overlap."""
+    """Returns an array of places (x, y): staggered rows along the corridor, displaced at random without overlap."""
     per_length = corridor.per_length(density)
     free = corridor.width - 2.0 * (RADIUS + GAP)
     single = corridor.density_column == 'density_per_m'

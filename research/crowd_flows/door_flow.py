@@ -76,8 +76,7 @@ def plot(doors, data, file):
     for (name, rows), colour in zip(doors.items(), COLOURS):
         width, flow, low, high = numpy.array([row[:4] for row in rows], dtype=float).T
         panel.errorbar(width, flow, (flow - low, high - flow), fmt='o-', capsize=3, color=colour, label=name)
-    panel.set_xlabel('width of the door [m]')
-    panel.set_ylabel('people per second')
+    panel.set(xlabel='width of the door [m]', ylabel='people per second')
     panel.set_ylim(bottom=0.0)
     panel.legend(loc='upper left')
     return style.save(figure, file)

@@ -67,9 +67,7 @@ def rows_of(corridor, values, measured):
 
 
 def measure_crowd(program, table, folder, seeds, data, corridors=CORRIDORS):
-    """Measures a crowd in all corridors.
-
-    Returns rows of HEADER, the values by the name of the corridor, and the highest contact rate [%]."""
+    """Returns rows of HEADER, the values by the name of the corridor, and the highest contact rate [%] of a crowd."""
     folder.mkdir(parents=True, exist_ok=True)
     rows, values, contact = [], {}, 0.0
     for corridor in corridors:
@@ -96,11 +94,8 @@ def plot(crowds, data, file, corridors=CORRIDORS):
                                                     'speed_m_per_s'))
         for (name, values), colour in zip(crowds.items(), COLOURS):
             draw_means(panel, corridor, values[corridor.name], colour, name)
-        panel.set_title(corridor.title)
-        panel.set_xlim(0.0, corridor.edges[-1])
-        panel.set_ylim(0.0, 1.75)
-        panel.set_ylabel('speed [m/s]')
-        panel.set_xlabel('density [1/m]' if corridor.density_column == 'density_per_m' else 'density [1/m²]')
+        panel.set(title=corridor.title, xlim=(0.0, corridor.edges[-1]), ylim=(0.0, 1.75), ylabel='speed [m/s]',
+                  xlabel='density [1/m]' if corridor.density_column == 'density_per_m' else 'density [1/m²]')
     axes[0][0].legend(loc='upper right', fontsize=8)
     return style.save(figure, file)
 

@@ -10,9 +10,7 @@ TICK = 0.1  # [s]
 
 
 def evaluate(program, table, scenario, folder, *options):
-    """Evaluates a Q-table in a scenario file, and writes trajectories and metrics into a folder.
-
-    Returns the row of metrics (texts by name)."""
+    """Writes trajectories and metrics of a Q-table in a scenario file into a folder. Returns the row of metrics."""
     metrics = folder / f'{scenario.stem}_metrics.csv'
     subprocess.run([str(program), '--q-table', str(table), '--trajectories', str(folder), '--csv', str(metrics),
                     *map(str, options), str(scenario)], check=True, stdout=subprocess.DEVNULL)
@@ -67,8 +65,7 @@ def weidmann(density):
 
 
 def door_range(measured, width, tolerance=0.051):
-    """Returns lowest and highest specific flow [1/s] of the doors about as wide, each scaled to the width; None if
-    there are none. measured: array of (width, flow)."""
+    """Returns lowest and highest specific flow [1/s] of doors about as wide, scaled to the width; None without any."""
     near = measured[numpy.abs(measured[:, 0] - width) <= tolerance]
     if len(near) == 0:
         return None

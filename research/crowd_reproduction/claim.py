@@ -112,8 +112,7 @@ def both(values, conditions):
 
 
 def versus(name, values, other_name, other_values, decimals=2):
-    """Returns a text with two values, their spread over the seeds, and the number of seeds in which the first is
-    greater."""
+    """Returns a text with two values, their spreads, and the number of seeds in which the first is greater."""
     values, other_values = list(values), list(other_values)
     greater = sum(a > b for a, b in zip(values, other_values))
     return (f'{name} {spread_text(values, decimals)}, {other_name} {spread_text(other_values, decimals)}; '

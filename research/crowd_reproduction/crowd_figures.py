@@ -142,8 +142,7 @@ def worst_sentence(runs, scenario, episode, _moments=None, marked=None):
 
 
 def mean_curve(runs, scenario):
-    """Returns the distance to the nearest companion at each tick [m], mean over instances and seeds, until the first
-    agent has arrived in half of them."""
+    """Returns the mean distance to the nearest companion at each tick [m], until half of the groups begin to arrive."""
     curves = [companions(places) for seed in runs.seeds() for places in groups_of(runs, seed, scenario)]
     length = int(numpy.median([len(curve) for curve in curves]))
     grid = numpy.full((len(curves), length), numpy.nan)
@@ -172,7 +171,6 @@ def add_groups(chapter, setting):
         if times:
             panel.axvspan(0.1 * times[0], 0.1 * times[1], color='#d55e00', alpha=0.12, linewidth=0)
         panel.set(title=PARAMETER_NAMES[parameters], xlabel='time [s]')
-    axes[0][0].set_ylabel('distance to the nearest companion [m]')
-    axes[0][0].set_ylim(0, None)
+    axes[0][0].set(ylabel='distance to the nearest companion [m]', ylim=(0, None))
     axes[0][0].legend(loc='lower left')
     chapter.draw(figure, 'figure_4_22_4_23_groups')

@@ -47,8 +47,7 @@ def without_incidents(setting, scenario):
 
 
 def deviations(rows):
-    """Returns the share of the episodes of line6 in which the path of an agent is at least twice the straight-line
-    distance, and the share of these in which this agent arrives [%]."""
+    """Returns the shares [%] of episodes of line6 with a path twice the straight one, and of those that arrive then."""
     ratios = rows['path_length'].to_numpy().reshape(-1, 6) / numpy.hypot(8.0, 2 * STARTS)
     far, farthest = ratios.max(axis=1) >= 2.0, numpy.argmax(ratios, axis=1)
     arrives = rows['arrived'].to_numpy().reshape(-1, 6)[numpy.arange(len(ratios)), farthest] > 0

@@ -79,8 +79,7 @@ def phases(runs, measure):
 
 
 def last_metre(runs, scenario):
-    """Returns an array of the distance to the nearest companion at the start and at the first arrival [m], a pair for
-    each seed."""
+    """Returns distances to the nearest companion at the start and at the first arrival [m], a pair for each seed."""
     return numpy.array([numpy.mean([companions(places)[[0, -1]] for places in groups_of(runs, seed, scenario)], axis=0)
                         for seed in runs.seeds()])
 

@@ -27,8 +27,7 @@ def sectors_of(occupied):
 
 
 def nearest_distances(places):
-    """Returns an array (tick, agent) of the distances to the nearest companion [m], centre to centre; nan without a
-    companion."""
+    """Returns an array (tick, agent) of the distances to the nearest companion [m]; nan without a companion."""
     offsets = places[:, :, None] - places[:, None]
     distances = numpy.hypot(offsets[..., 0], offsets[..., 1])
     others = ~numpy.eye(places.shape[1], dtype=bool)
@@ -49,16 +48,14 @@ def while_all_are_there(places):
 
 
 def passing(places, obstacle, reach):
-    """Returns the first and last tick at which the centre of an agent is within reach [m] of the obstacle's centre;
-    None if there is no such tick. Obstacle: places (tick, 2)."""
+    """Returns the first and last tick at which an agent's centre is within reach [m] of the obstacle's; or None."""
     offsets = places - obstacle[:len(places), None]
     near = numpy.flatnonzero((numpy.hypot(offsets[..., 0], offsets[..., 1]) <= reach).any(axis=1))
     return (int(near[0]), int(near[-1])) if len(near) else None
 
 
 def crossing(walk, x):
-    """Returns the y at which a path, an array (tick, 2), last crosses the line at x from left to right [m]; None if it
-    does not cross the line."""
+    """Returns the y at which a path (tick, 2) last crosses the line at x to the right [m]; None if it does not."""
     crossed = numpy.flatnonzero((walk[:-1, 0] < x) & (walk[1:, 0] >= x))
     if not len(crossed):
         return None
@@ -123,8 +120,7 @@ class Surrounded:
 
 
 def surrounded(decisions, arrived, least_sectors, ticks):
-    """Returns how often agents are surrounded (at least least_sectors sectors occupied), and what follows within the
-    next ticks. Arrived: a set of (instance, agent)."""
+    """Returns a Surrounded. Arrived: a set of (instance, agent); ticks: those within which a contact counts."""
     rows = with_outcomes(decisions, ticks)
     rows['inside'] = rows['sectors'] >= least_sectors
     inside = rows[rows['inside']]
@@ -147,9 +143,7 @@ def longest_run(flags):
 
 
 def by_visits(decisions, visits, limits, ticks, least_sectors=0):
-    """Returns decisions, contacts and collisions by the number of visits of their row in training, as a table. Each
-    class reaches from one limit to below the next. Only decisions with at least least_sectors occupied sectors
-    count."""
+    """Returns decisions, contacts and collisions as a table, by the visits of their row: from a limit to the next."""
     rows = with_outcomes(decisions, ticks).assign(decisions=1)
     rows['visited'] = numpy.digitize(visits[rows['row']], limits) - 1
     counted = rows[rows['sectors'] >= least_sectors].groupby('visited')[['decisions', 'contact', 'collision']].sum()

@@ -202,8 +202,7 @@ def median(values):
 
 
 def episodes_of(rows):
-    """Returns for each seed and episode the number of agents, how many of them arrived, collided and touched, and the
-    duration until the last arrival or the end of the time [ticks]."""
+    """Returns sums of agents for each seed and episode, and the tick of the last arrival or the end of the time."""
     episodes = rows.groupby(['seed', 'episode'])
     return episodes[list(RATES.values())].sum().assign(agents=episodes.size(), ticks=episodes['ticks'].max())
 

@@ -41,8 +41,7 @@ def file_of(number, parameters):
 
 
 def shown_seed(runs):
-    """Returns the seed that is drawn, and its success in demo: the nearest to the thesis's success; with better
-    parameters to the median of the seeds."""
+    """Returns seed and success of the run nearest to the thesis's success in demo, or to the median."""
     values, keys = numpy.array(of_mode(runs, 'demo', success)), dict(runs.keys)
     target = THESIS_SUCCESS[keys['reward'], 'demo'] if keys['parameters'] == 'thesis' else numpy.median(values)
     place = int(numpy.argmin(numpy.abs(values - target)))

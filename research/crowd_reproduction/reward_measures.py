@@ -91,8 +91,7 @@ def free_share(runs):
 
 
 def bends(places):
-    """Returns the sum of a path's bends from one leg to the next, and the sharpest bend [degrees]. A zigzag within a
-    leg is ignored. Places are (ticks, 2), nan after the end."""
+    """Returns sum and greatest of a path's bends from leg to leg [degrees]. Places: (ticks, 2), nan after the end."""
     legs = numpy.diff(places[numpy.isfinite(places[:, 0])][::LEG], axis=0)
     turns = numpy.degrees(numpy.abs(numpy.diff(numpy.unwrap(numpy.arctan2(legs[:, 1], legs[:, 0])))))
     return float(turns.sum()), float(turns.max(initial=0.0))

@@ -34,8 +34,7 @@ class Agent:
         return self.runs.arrivals(f'{self.tests}.csv', column, test)
 
     def clean_shares(self, *tests):
-        """Returns the share of the episodes [%] in which the agent arrives without a collision, for each seed; of
-        several tests the mean."""
+        """Returns the share of episodes [%] with an arrival and without a collision of each seed; of tests the mean."""
         of_tests = [self.record(test).eval('arrived > 0 and collided == 0').groupby(self.record(test)['seed']).mean()
                     for test in tests]
         return 100.0 * sum(of_tests) / len(of_tests)
@@ -45,8 +44,7 @@ class Agent:
         return self.runs.folder(seed) / self.tests
 
     def passages(self):
-        """Returns the shares [%] of the recorded episodes of test d in which the agent passes between the obstacles,
-        and around both, each for all seeds."""
+        """Returns the shares [%] of episodes of test d that pass between the obstacles, and around, for all seeds."""
         shares = []
         for seed in self.runs.seeds():
             places = [crossing(track[:, 0], 0.0)

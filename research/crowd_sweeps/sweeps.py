@@ -93,10 +93,7 @@ class WeakScaling:
                    linestyle='', color='#1f77b4', label=f'measured, {AGENTS:,} agents on each rank')
         panel.set_xscale('log', base=2)
         panel.set_xticks(MODELLED_RANKS, [str(ranks) for ranks in MODELLED_RANKS])
-        panel.set_ylim(0, 1.1)
-        panel.set_title(self.title)
-        panel.set_xlabel('ranks')
-        panel.set_ylabel('efficiency')
+        panel.set(ylim=(0, 1.1), title=self.title, xlabel='ranks', ylabel='efficiency')
         panel.legend(loc='lower left', fontsize='small')
         return style.save(figure, file)
 
@@ -162,10 +159,8 @@ class Sweep:
             panel.set_xticks([point for point, _ in points])
         if self.logarithmic:
             panel.set_xscale('log')
-        panel.set_ylim(0, 1.15 * max(value for _, value in points))
-        panel.set_title(self.title)
-        panel.set_xlabel(self.label)
-        panel.set_ylabel(self.value_label)
+        panel.set(ylim=(0, 1.15 * max(value for _, value in points)), title=self.title, xlabel=self.label,
+                  ylabel=self.value_label)
         return style.save(figure, file)
 
 

@@ -58,8 +58,7 @@ def rimea_9(evaluation):
 
 
 def flow(recording, exits):
-    """Returns how many people leave per second by each of the exits: from the first tenth of the people to the last;
-    infinite if fewer than nine tenths leave."""
+    """Returns people per second and exit, without the first and the last tenth; infinite if the latter stay."""
     first, end = numpy.sort(recording.arrivals)[[PEOPLE // 10, PEOPLE - PEOPLE // 10 - 1]]
     return (PEOPLE - 2 * (PEOPLE // 10) - 1) / (end - first) / len(exits) if numpy.isfinite(end) else numpy.inf
 

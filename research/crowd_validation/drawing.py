@@ -37,8 +37,7 @@ def bodies(axes, places, radii, colours, **style):
 
 
 def draw_paths(recording, file, title, colours=None):
-    """Draws the paths of all agents with a disc at the start. Agents that did not arrive have a red disc at the end.
-    Returns the file."""
+    """Draws all paths with a disc at the start; a red disc is the end of those who did not arrive. Returns the file."""
     figure, ((axes,),) = new_figure(1, 1, WIDTH, height_for([recording], 1))
     frame(axes, recording)
     colours = colours or colours_of(recording.people())
@@ -52,8 +51,7 @@ def draw_paths(recording, file, title, colours=None):
 
 
 def draw_moments(panels, file, columns):
-    """Draws crowds at moments. Panels: (recording, time [s], title). Agents that never arrive are red. Returns
-    the file."""
+    """Draws panels (recording, time [s], title) of crowds; red: agents that never arrive. Returns the file."""
     rows = -(-len(panels) // columns)
     height = rows * height_for([recording for recording, _, _ in panels], columns)
     figure, axes = new_figure(rows, columns, WIDTH if columns == 1 else 1.6 * WIDTH, height)
@@ -79,8 +77,7 @@ def height_for(recordings, columns):
 
 
 def draw_departures(series, file, title):
-    """Draws the number of people that have left over time. Series: (label, colour, arrival times [s]). Returns
-    the file."""
+    """Draws how many people have left over time. Series: (label, colour, arrivals [s]). Returns the file."""
     figure, ((axes,),) = new_figure(1, 1, WIDTH, 4.0)
     for label, colour, arrivals in series:
         times = numpy.sort(arrivals[numpy.isfinite(arrivals)])

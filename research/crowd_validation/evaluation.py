@@ -44,8 +44,7 @@ class Recording:
 
 
 def read_recording(folder, name, tick):
-    """Reads the output of evaluate for one episode of the scenario file NAME.yaml: trajectories/, scenes/, record.csv.
-    Replaces the trajectories by a file of a tenth of their size."""
+    """Reads the output of evaluate for one episode of NAME.yaml, and makes the trajectories a smaller file."""
     with open(folder / 'scenes' / f'{name}.yaml', encoding='utf-8') as stream:
         scene = next(document for document in yaml.load_all(stream, LOADER) if document)
     record = read_csv(folder / 'record.csv')
@@ -116,8 +115,7 @@ def load(folder):
 
 @dataclasses.dataclass(frozen=True)
 class Evaluation:
-    """The tool, the Q-table, and the folder and the seeds of a case. Results of earlier runs with the same program,
-    table and scenario are used again."""
+    """The tool, the Q-table, and folder and seeds of a case. Results of earlier runs of the same are used again."""
     evaluate: pathlib.Path
     q_table: pathlib.Path
     folder: pathlib.Path

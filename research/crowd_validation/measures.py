@@ -42,8 +42,7 @@ def last(recordings, decimals=0):
 
 
 def problems(recordings, landmarks):
-    """Returns a text about people who did not arrive, by their nearest landmark (points by names), and about contacts;
-    empty if there were none in any seed."""
+    """Returns a text about people who did not arrive, by the nearest landmark, and about contacts; or an empty one."""
     parts = []
     for seed, recording in enumerate(recordings, 1):
         of_seed = list(filter(None, (
@@ -75,8 +74,7 @@ def side(start, end, places):
 
 
 def crossing_times(recording, gate):
-    """Returns when each agent first crosses the gate, a segment [[x1, y1], [x2, y2]], interpolated within the tick [s];
-    inf for agents that do not cross it."""
+    """Returns when each agent first crosses a segment, interpolated within the tick [s]; inf if it does not."""
     crossed = crossings(recording.tracks, gate)
     times = numpy.full(recording.people(), math.inf)
     for agent in numpy.flatnonzero(crossed.any(axis=0)):
@@ -123,16 +121,14 @@ def largest_overlap(recording):
 
 
 def starts(recording, distance=0.01):
-    """Returns when each agent began to move: the last moment at which it was still within `distance` [m] of its start
-    [s]; inf if it did not move."""
+    """Returns the last moment at which each agent was still within a distance [m] of its start [s]; inf if always."""
     away = numpy.hypot(*(recording.tracks - recording.tracks[0]).transpose(2, 0, 1)) > distance
     moved = away.any(axis=0)
     return numpy.where(moved, (numpy.argmax(away, axis=0) - 1) * recording.tick, math.inf)
 
 
 def mean_speeds(recording, axis, low, high):
-    """Returns the mean speed of each agent between two coordinates of an axis [m/s]: their distance by the time from
-    the first to the second; nan if an agent does not pass both."""
+    """Returns the mean speed of each agent between two coordinates of an axis [m/s]; nan if it does not pass both."""
     coordinates = recording.tracks[:, :, axis]
     times = [passing_times(coordinates, value) * recording.tick for value in (low, high)]
     with numpy.errstate(invalid='ignore'):
@@ -168,8 +164,7 @@ def nearest_of(places, points):
 
 
 def slow_people(recording, low, high, share=0.5, period=1.0):
-    """Returns at every tick how many agents in a box [m] walked, over the period [s] before, at less than this share of
-    their maximum speed."""
+    """Returns at every tick how many people in a box [m] walked at less than a share of their speed in the period."""
     steps = round(period / recording.tick)
     moved = recording.tracks[steps:] - recording.tracks[:-steps]
     now = recording.tracks[steps:]

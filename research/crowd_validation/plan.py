@@ -19,8 +19,7 @@ def adult_speeds(count, draw):
 
 
 def places(count, low, high, radius, draw):
-    """Draws places in a box, evenly spread without overlap: cells of a grid, and places within the cells. Bodies stay
-    inside the box. Raises ValueError if they do not fit."""
+    """Draws places of bodies in a box, evenly spread without overlap. Raises ValueError if they do not fit."""
     width, height = high[0] - low[0], high[1] - low[1]
     columns = max(1, round(math.sqrt(count * width / height)))
     rows = math.ceil(count / columns)
@@ -36,8 +35,7 @@ def places(count, low, high, radius, draw):
 
 
 def crowd(seed, count, low, high, goal, radius=RADIUS, above=0.0):
-    """Returns adults at random places in a box, which is moved up by `above` [m]. The goal is a place, or a function of
-    the place in the box."""
+    """Returns adults at random places in a box that is moved up [m]. The goal may be a function of the place in it."""
     draw = random.Random(seed)
     starts = places(count, low, high, radius, draw)
     return [agent((place[0], above + place[1]), goal(place) if callable(goal) else goal, speed, radius)

@@ -12,8 +12,7 @@ INNERMOST = re.compile(r'Unrecognised instruction at address .*\n==\d+== +at 0x\
 
 
 def why_not(program):
-    """Returns why valgrind cannot run a program here; an empty text if it can. Valgrind ends a program at an
-    instruction that it does not emulate, which may be in the start-up code of a library."""
+    """Returns why valgrind cannot run a program here, as with an instruction that it does not emulate; or ''."""
     if shutil.which('valgrind') is None:
         return 'there is no valgrind, see scripts/install_dependencies'
     done = subprocess.run(['valgrind', '--tool=none', program, '--help'], stdout=subprocess.PIPE,
@@ -38,8 +37,7 @@ def require_valgrind(program):
 
 
 def collect(function, command, folder, environment=None):
-    """Runs a command in a folder, and counts the instructions within a function and those that it calls. Returns the
-    file of the counts."""
+    """Counts instructions within a function while a command runs. Returns the file of the counts."""
     output = pathlib.Path(folder) / 'callgrind.out'
     run(['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet', f'--toggle-collect={function}',
          f'--callgrind-out-file={output}', *command], folder, environment)

@@ -103,8 +103,7 @@ def report(text):
 
 
 def main(words=None, groups=None, example=EXAMPLE):
-    """Runs the program with command line words. Returns the exit status. Groups: entries by titles for --help, those of
-    the first group being the default."""
+    """Runs the program. Returns the exit status. Groups: entries by titles; the first group is the default."""
     groups = groups or GROUPS
     arguments = parse_arguments(words, groups, example)
     entries = [entry for of_group in groups.values() for entry in of_group]

@@ -91,8 +91,7 @@ def line(result, benchmark=None):
 
 
 def row(result, benchmark):
-    """Returns a result as cells of the document's table. A result through ROS is the best of its rounds, without a
-    spread."""
+    """Returns a result as cells of the document's table."""
     def in_unit(value):
         return quantity(value, benchmark.unit)
     return [benchmark.name, benchmark.title, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),

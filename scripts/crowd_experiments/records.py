@@ -42,8 +42,7 @@ def numbers_of(column, file, name):
 
 
 def read_tracks(file, agents=0):
-    """Returns the recorded places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left, with at
-    least this number of agents. Raises InputError, OSError."""
+    """Returns the places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left."""
     try:
         with open(file, encoding='utf-8', errors='replace') as stream:
             rows = numpy.loadtxt(complete_lines(stream, file), delimiter=',', skiprows=1, ndmin=2)

@@ -93,8 +93,7 @@ class FramePainter:
                             for robot in self.placed_robots()]
 
     def show_goals(self, time):
-        """Shows the last goal of each agent on its way, and the outline of each that has arrived. Agents with routes
-        have no goals of their own, and leave."""
+        """Shows the last goal of each agent on its way, and the outline of each that has arrived."""
         crosses, shades, ends, rings = [], [], [], []
         for agent, track in self.tracks.items():
             goals = self.scene.agents[agent]['goals'] if agent < len(self.scene.agents) else []

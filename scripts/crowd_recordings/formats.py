@@ -28,8 +28,7 @@ class Recording:
 
 
 def collect(file, rows):
-    """Returns the walks of rows (line, person, frame, x, y), in any order. Raises InputError if a person is twice in a
-    frame, if a number is negative or not finite, or if there are no rows."""
+    """Returns the walks of rows (line, person, frame, x, y), in any order. Raises InputError."""
     walks = {}
     for line, person, frame, x, y in rows:
         if min(person, frame) < 0 or not (math.isfinite(x) and math.isfinite(y)):
@@ -50,8 +49,7 @@ def step_of(walks):
 
 
 def numbers_of(file, line, words, columns, expected):
-    """Returns columns of a line: whole numbers for the first two, then two numbers. Whole numbers may be written as
-    7.8000000e+02. Raises InputError."""
+    """Returns columns of a line: two whole numbers, maybe as 7.8000000e+02, and two numbers. Raises InputError."""
     try:
         values = [float(words[column]) for column in columns]
         if not (values[0].is_integer() and values[1].is_integer()):
@@ -139,9 +137,7 @@ CSV_HEADER = ','.join(HEADER)
 
 
 def read_recording(file, instance=None):
-    """Reads a recording. Returns a Recording. `instance`: which episode of a CSV file; None: the first.
-
-    Raises InputError, OSError."""
+    """Reads a Recording. `instance`: which episode of a CSV file; None: the first. Raises InputError, OSError."""
     with open(file, encoding='utf-8', errors='replace') as stream:
         first = next((line for line in stream if line.strip()), '').strip()
         stream.seek(0)

@@ -84,10 +84,7 @@ class Desk:
             raise RunError(f'xdotool failed: {words}')
 
     def take(self, file, seconds=2.0, crop=None):
-        """Waits until RViz has drawn, and writes a picture of the screen. Returns its file.
-
-        `crop`: width, height, left and top of a part [pixels].
-        """
+        """Waits until RViz has drawn, and takes a picture, or its part (width, height, left, top)."""
         time.sleep(seconds)
         part = ['-crop', '{}x{}+{}+{}'.format(*crop), '+repage'] if crop else []
         fresh = os.path.join(self.folder.name, file.name)

@@ -22,8 +22,7 @@ TICKS = [0.6, 0.8, 1.0, 1.5, 2.0, 3.0]  # of the axis of times
 
 
 def plan(setting):
-    """Returns a run for each learned model and training seed, and one for the benchmark's scorer; an empty list without
-    a benchmark."""
+    """Returns a run for each learned model and seed, and one for the benchmark's scorer; none without a benchmark."""
     if not setting.benchmark:
         return []
     runs = [benchmark_run(setting, run_folder(setting, model, seed), setting.learning(model), seed,

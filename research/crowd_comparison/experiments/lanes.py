@@ -61,8 +61,7 @@ def order_above_chance(places, directions):
 
 
 def order_over_time(track, directions):
-    """Returns the order above chance at every tick of a track (tick, agent, 2); nan if the stretch has fewer than
-    LEAST_WALKERS walkers of one direction."""
+    """Returns the order above chance at every tick of a track; nan with fewer than LEAST_WALKERS in one direction."""
     here = numpy.abs(track[:, :, 0]) <= STRETCH
     counts = [here[:, numpy.equal(directions, direction)].sum(axis=1) for direction in (1, -1)]
     enough = numpy.minimum(*counts) >= LEAST_WALKERS
@@ -86,8 +85,7 @@ def report(setting):
 
 
 def curves_of(folder):
-    """Returns an array (placement, tick) of the order, nan after the last agent has left. Agents that start on the left
-    walk to the right."""
+    """Returns an array (placement, tick) of the order; agents that start on the left walk to the right."""
     curves = [order_over_time(track, numpy.where(track[0, :, 0] < 0.0, 1, -1)) for track in
               read_tracks(folder / f'{SCENARIO}.csv').values()]
     ticks = round(SHOWN_TIME / TICK) + 1

@@ -84,8 +84,7 @@ def add_perceptions(chapter, setting):
     for panel, states, letter in zip(axes[0], SETS, 'ab'):
         picture, sectors = draw_view(panel, setting, 'same_state_c', states)
         picture.frame()
-        panel.set_title(f'({letter}) {style.SET_NAMES[states]}')
-        panel.set_xlabel(classes_text(sectors))
+        panel.set(title=f'({letter}) {style.SET_NAMES[states]}', xlabel=classes_text(sectors))
     chapter.draw(figure, 'figure_4_15')
 
 
@@ -97,8 +96,7 @@ def classes_text(sectors, width=63):
 
 
 def find_walk(setting, agent, tests, condition):
-    """Returns row of the record, seed, test and instance of the first recorded episode that meets a condition, and
-    whether there is one; otherwise the first episode. Order: seeds, tests, instances."""
+    """Returns row and test of the first recorded episode that meets a condition, and True; else the first, False."""
     recorded = {test: agent.record(test).query(f'episode < {setting.count(10, 2)}') for test in tests}
     for seed in agent.runs.seeds():
         for test in tests:

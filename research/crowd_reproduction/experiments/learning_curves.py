@@ -29,8 +29,7 @@ def report(setting):
 
 
 class Curve:
-    """Results of one training configuration for each checkpoint and seed: visited rows; success, collision and
-    contact [%] by scenario."""
+    """Visited rows, and the rates [%] by scenario, of a training configuration for each checkpoint and seed."""
 
     def __init__(self, setting, states, parameters):
         runs = agents(setting, parameters, states)

@@ -76,8 +76,7 @@ def strongest(setting, choice, cell):
 
 
 def effects_text(found):
-    """Returns a text that lists the choices by the number of rates that they change; `found` has the strongest changes
-    by the choice."""
+    """Returns a text about the strongest changes, given by choice, from the choice that changes most rates."""
     moved = {name: [effect for effect in effects if effect] for name, effects in found.items()}
     order = sorted(moved, key=lambda name: -len(moved[name]))
     parts = [f'{name} changes {len(moved[name])} of {len(found[name])} rates, by up to '
