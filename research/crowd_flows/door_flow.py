@@ -60,13 +60,6 @@ def measure_crowd(program, table, folder, seeds, data, widths=WIDTHS):
     return rows
 
 
-def run(evaluate_program, table, folder, seeds, data):
-    """Measures the crowd of a table. Returns rows of HEADER, and the file of a figure. data: folder of the
-    measurements of people."""
-    rows = measure_crowd(evaluate_program, table, folder, seeds, data)
-    return rows, plot({table.stem: rows}, data, folder / FIGURE)
-
-
 def plot(doors, data, file):
     """Draws the flows of several crowds (rows by name) beside the experiments. Returns the file."""
     figure, axes = style.new_figure(1, 1, 7, 4.5)

@@ -1,9 +1,9 @@
 """Runs of evaluate, and measurements of people: speed against density in corridors, flow through doors."""
-import csv
 import dataclasses
 import subprocess
 
 import numpy
+import pandas
 from crowd_experiments import records
 
 TICK = 0.1  # [s]
@@ -14,8 +14,7 @@ def evaluate(program, table, scenario, folder, *options):
     metrics = folder / f'{scenario.stem}_metrics.csv'
     subprocess.run([str(program), '--q-table', str(table), '--trajectories', str(folder), '--csv', str(metrics),
                     *map(str, options), str(scenario)], check=True, stdout=subprocess.DEVNULL)
-    with open(metrics, newline='', encoding='utf-8') as stream:
-        return next(csv.DictReader(stream))
+    return pandas.read_csv(metrics, dtype=str).iloc[0]
 
 
 def read_tracks(file):
@@ -42,8 +41,7 @@ class Band:
 
 def read_columns(file, *columns):
     """Returns an array (row, column) of columns of numbers of a CSV file."""
-    with open(file, newline='', encoding='utf-8') as stream:
-        return numpy.array([[float(row[column]) for column in columns] for row in csv.DictReader(stream)])
+    return pandas.read_csv(file, usecols=columns, float_precision='round_trip')[list(columns)].to_numpy(dtype=float)
 
 
 def band_of(speeds):

@@ -10,7 +10,7 @@ import pandas
 import yaml
 from crowd_drawing.files import read_scene
 from crowd_drawing.motion import place_of
-from crowd_experiments.records import finite, read_csv, read_table_header, read_tracks, read_visits
+from crowd_experiments.records import median, read_csv, read_table_header, read_tracks, read_visits
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import EVERY, Setting, read_documents, vary_config, vary_scenario
 
@@ -193,12 +193,6 @@ def rates_of(rows):
 def per_seed(rows, measure):
     """Returns a measure of the rows of each seed."""
     return [measure(of_seed) for _, of_seed in rows.groupby('seed')]
-
-
-def median(values):
-    """Returns the median of the finite values; nan if there are none."""
-    numbers = finite(numpy.asarray(values, dtype=float))
-    return float(numpy.median(numbers)) if len(numbers) else float('nan')
 
 
 def episodes_of(rows):

@@ -2,9 +2,9 @@
 import functools
 
 import numpy
-from crowd_experiments.records import percent
+from crowd_experiments.records import median, percent
 
-from .results import RATES, Runs, median, per_seed
+from .results import RATES, Runs, per_seed
 
 MODES = ('training', 'demo')
 LEG = 20  # [decisions] length of the legs of a path, whose directions are compared

@@ -63,17 +63,6 @@ def percent(flags):
     return 100.0 * float(numpy.mean(flags)) if len(flags) else float('nan')
 
 
-def rates(record, rows=slice(None)):
-    """Returns success, contact and collision [%], as shares of the agents in these rows of a record. A contact is an
-    overlap of bodies; a collision is a rim within the collision radius (thesis, 4.1)."""
-    return tuple(percent(record[column][rows]) for column in ('arrived', 'touched', 'collided'))
-
-
-def of_scenario(record, name):
-    """Returns a mask of the rows of a record that belong to a scenario."""
-    return numpy.array([scenario == name for scenario in record['scenario']], dtype=bool)
-
-
 def finite(values):
     """Returns the finite values."""
     return values[numpy.isfinite(values)]
@@ -81,7 +70,7 @@ def finite(values):
 
 def median(values):
     """Returns the median of the finite values; nan if there are none."""
-    numbers = finite(values)
+    numbers = finite(numpy.asarray(values, dtype=float))
     return float(numpy.median(numbers)) if len(numbers) else float('nan')
 
 

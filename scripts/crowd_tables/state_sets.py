@@ -35,7 +35,6 @@ def goal_relative(given):
 ACTION_NAMES = {'kings_moves': kings_moves, 'goal_relative': goal_relative}
 
 
-DISTANCES = 2  # classes of distance
 NAMES_OF_8 = ['ahead', 'ahead left', 'left', 'behind left', 'behind', 'behind right', 'right', 'ahead right']
 # Quantities of `anticipation` by the keys of their limits, from the most significant digit of a row: name and unit.
 ANTICIPATION = {

@@ -6,7 +6,7 @@ import numpy
 import pandas
 import pytest
 from crowd_experiments.pages import Chapter
-from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_visits, spread_text
+from crowd_experiments.records import Spread, median, read_csv, read_visits, spread_text
 from crowd_reproduction import claim, results, reward_judges, reward_measures
 from crowd_reproduction.experiments import sensitivity
 from crowd_experiments.variations import Setting, read_documents
@@ -31,11 +31,10 @@ class RecordsTest:
         record = read_csv(runner.write(
             'record.csv', 'episode,scenario,arrived,touched,collided,path_ratio\n'
                           '0,"a, b",1,0,1,1.5\n1,"a, b",0,0,1,nan\n2,c,1,1,1,1.25\n3,"a, b",1,1,1,2.5\n'))
-        assert rates(record) == (75.0, 50.0, 100.0)
         assert median(record['path_ratio']) == 1.5
-        rows = of_scenario(record, 'a, b')
-        assert list(rows) == [True, True, False, True]
-        success, contact, collision = rates(record, rows)
+        rows = pandas.DataFrame(record).assign(seed=1)
+        assert results.rates_of(rows).loc[1].tolist() == [75.0, 100.0, 50.0]
+        success, collision, contact = results.rates_of(rows[rows['scenario'] == 'a, b']).loc[1]
         assert success == pytest.approx(200.0 / 3.0, abs=1e-7)
         assert contact == pytest.approx(100.0 / 3.0, abs=1e-7)
         assert collision == 100.0
