@@ -50,14 +50,11 @@ class Recording:
                                       for tick in range(ticks)]).reshape(ticks, len(scene.obstacles), 2)
         self.obstacle_radii = numpy.array([obstacle['radius'] for obstacle in scene.obstacles])
 
-    def is_moving(self, obstacle):
-        return bool(numpy.ptp(self.obstacles[:, obstacle], axis=0).any())
-
     def contacts(self):
         """Returns all contacts with moving obstacles."""
         found = []
         for obstacle in range(len(self.obstacle_radii)):
-            if not self.is_moving(obstacle):
+            if not numpy.ptp(self.obstacles[:, obstacle], axis=0).any():  # it does not move
                 continue
             away = self.track - self.obstacles[:len(self.track), obstacle][:, None]
             overlap = numpy.hypot(away[..., 0], away[..., 1]) < self.radii + self.obstacle_radii[obstacle] - OVERLAP

@@ -6,7 +6,7 @@ import typing
 
 import numpy
 import yaml
-from crowd_experiments.records import read_csv
+from crowd_experiments import records
 from crowd_experiments.runs import Run, Runner
 from crowd_experiments.variations import DUMPER, LOADER
 
@@ -47,7 +47,7 @@ def read_recording(folder, name, tick):
     """Reads the output of evaluate for one episode of NAME.yaml, and makes the trajectories a smaller file."""
     with open(folder / 'scenes' / f'{name}.yaml', encoding='utf-8') as stream:
         scene = next(document for document in yaml.load_all(stream, LOADER) if document)
-    record = read_csv(folder / 'record.csv')
+    record = records.read_csv(folder / 'record.csv')
     arrivals = numpy.where(record['arrived'] > 0, record['ticks'] * tick, numpy.inf)
     agents = scene['agents']
     return Recording(read_tracks(folder / 'trajectories' / f'{name}.csv', len(agents)), tick, scene.get('walls') or [],
@@ -60,10 +60,7 @@ def read_tracks(file, agents):
     compact = file.with_suffix('.npy')
     if compact.is_file() and not file.is_file():
         return numpy.load(compact).astype(float)
-    rows = numpy.loadtxt(file, delimiter=',', skiprows=1, ndmin=2, usecols=(1, 2, 3, 4))
-    ticks = rows[:, 0].astype(int)
-    tracks = numpy.full((ticks.max() + 1, agents, 2), numpy.nan)
-    tracks[ticks, rows[:, 1].astype(int)] = rows[:, 2:]
+    tracks, = records.read_tracks(file, agents).values()
     numpy.save(compact, tracks.astype(numpy.float32))
     file.unlink()
     return tracks
