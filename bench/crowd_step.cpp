@@ -8,8 +8,8 @@
 
 #include "crowd_walk.h"
 #include "measuring.h"
-#include "social_crowd/world/neighbour_grid.h"
-#include "social_crowd/world/neighbour_search.h"
+#include "social_crowd/geometry/neighbour_grid.h"
+#include "social_crowd/geometry/neighbour_search.h"
 #include "thread_counts.h"
 
 namespace crowd {

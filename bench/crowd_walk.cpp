@@ -6,7 +6,7 @@
 
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/world/scenario.h"
+#include "social_crowd/scenario/scenario.h"
 
 namespace crowd {
 namespace {

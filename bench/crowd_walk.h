@@ -4,9 +4,9 @@
 
 #include "social_crowd/common/thread_pool.h"
 #include "social_crowd/learning/learner.h"
+#include "social_crowd/navigation/way_finder.h"
+#include "social_crowd/scenario/scene.h"
 #include "social_crowd/simulation/greedy_crowd.h"
-#include "social_crowd/simulation/way_finder.h"
-#include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {

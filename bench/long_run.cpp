@@ -7,9 +7,9 @@
 
 #include "measuring.h"
 #include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/world/scenario_reader.h"
 
 namespace crowd {
 namespace {

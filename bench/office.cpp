@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "social_crowd/common/random.h"
-#include "social_crowd/world/free_space.h"
-#include "social_crowd/world/map_file.h"
-#include "social_crowd/world/map_walls.h"
-#include "social_crowd/world/scenario.h"
+#include "social_crowd/maps/free_space.h"
+#include "social_crowd/maps/map_file.h"
+#include "social_crowd/maps/map_walls.h"
+#include "social_crowd/scenario/scenario.h"
 
 namespace crowd {
 namespace {

@@ -12,7 +12,7 @@
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/simulation/training_config.h"
+#include "social_crowd/training/training_config.h"
 
 namespace crowd {
 namespace {

@@ -12,9 +12,9 @@
 #include "crowd_walk.h"
 #include "measuring.h"
 #include "sleeping_ranks.h"
-#include "social_crowd/simulation/distributed_crowd.h"
+#include "social_crowd/ranks/distributed_crowd.h"
+#include "social_crowd/ranks/mpi_communicator.h"
 #include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/mpi_communicator.h"
 
 namespace crowd {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "measuring.h"
 #include "sleeping_ranks.h"
-#include "social_crowd/simulation/mpi_communicator.h"
-#include "social_crowd/simulation/training.h"
+#include "social_crowd/ranks/mpi_communicator.h"
+#include "social_crowd/training/training.h"
 
 namespace crowd {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "measuring.h"
 #include "social_crowd/common/errors.h"
-#include "social_crowd/simulation/communicator.h"
+#include "social_crowd/training/communicator.h"
 
 namespace crowd {
 

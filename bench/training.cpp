@@ -3,9 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include "measuring.h"
+#include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/simulation/episode_runner.h"
-#include "social_crowd/simulation/training.h"
-#include "social_crowd/world/scenario_reader.h"
+#include "social_crowd/training/training.h"
 #include "thread_counts.h"
 
 namespace crowd {

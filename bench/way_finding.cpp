@@ -7,10 +7,10 @@
 #include "crowd_walk.h"
 #include "measuring.h"
 #include "office.h"
+#include "social_crowd/maps/map_walls.h"
 #include "social_crowd/navigation/mesh_cache.h"
 #include "social_crowd/navigation/path_follower.h"
-#include "social_crowd/simulation/right_of_way.h"
-#include "social_crowd/world/map_walls.h"
+#include "social_crowd/navigation/right_of_way.h"
 
 namespace crowd {
 namespace {

@@ -4,8 +4,8 @@
 #include "commands.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/simulation/episode.h"
-#include "social_crowd/world/scenario_reader.h"
 
 namespace crowd::bench {
 

@@ -12,16 +12,15 @@ from crowd_robots.driving import DRIVEN
 from .measures import CROWDNAV_EPISODES, PLACEMENTS, ROBOTS, ROS_PLACEMENTS, SCENARIOS, chapter_of, read_record
 from .runs import RECORD, Benchmark
 
-DESCRIPTION = '''Measures robots among people: success, contacts by cause, time, discomfort, and what they cost '
-              'people, in the
-shipped scenarios and in the setting of CrowdNav. Shares have 95 % intervals.'''
+DESCRIPTION = '''Measures robots among people: success, contacts by cause, time, discomfort, and what they cost people,
+in the shipped scenarios and in the setting of CrowdNav. Shares have 95 % intervals.'''
 EXAMPLES = '''examples:
   research/robot_benchmark                                 all robots that `evaluate` drives, in all scenarios
   research/robot_benchmark --robot learned --scenarios robot_door robot_queue
   research/robot_benchmark --robot move_base --robot move_base_people   through ROS, where move_base is
   research/robot_benchmark --robot other=episodes.csv      adds a robot that was driven elsewhere
   research/robot_benchmark --table                         the tables of the results so far, without running anything
-  research/robot_benchmark --document docs/robots.md       also updates the tables of the page
+  research/robot_benchmark --document research/docs/robots.md  also updates the tables of the page
 
 A record of a robot that was driven elsewhere has the columns of `evaluate --robots-csv`, and one row an episode. Its
 rows belong to the scenario that the column `scenario` names; people_compared is 0 where people's delay is not known.

@@ -1,4 +1,4 @@
-"""What rows and actions of a Q-table mean (docs/learning.md, "State sets", "Actions")."""
+"""What rows and actions of a Q-table mean (docs/state_sets.md, "State sets", "Actions")."""
 import dataclasses
 import math
 

@@ -1,4 +1,4 @@
-"""Reads Q-table files (docs/learning.md, "Q-table files"), and sums up their rows."""
+"""Reads Q-table files (docs/q_tables.md, "Q-table files"), and sums up their rows."""
 import dataclasses
 import itertools
 

@@ -6,7 +6,7 @@
 #include "social_crowd/avoidance/escape_planner.h"
 #include "social_crowd/avoidance/near_agents.h"
 #include "social_crowd/common/errors.h"
-#include "social_crowd/world/impact.h"
+#include "social_crowd/geometry/impact.h"
 
 namespace crowd {
 namespace {

@@ -5,7 +5,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
-#include "social_crowd/world/scenario_files.h"
+#include "social_crowd/scenario/scenario_files.h"
 
 namespace crowd {
 namespace {

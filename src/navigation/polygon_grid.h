@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/geometry/geometry.h"
 
 namespace crowd {
 
 /// Lists the polygons near a point with a uniform grid. All coordinates are in cells of the mesh's raster.
 ///
-/// Detour's own search takes ten times as long (docs/performance_log.md).
+/// Detour's own search takes ten times as long (research/docs/performance_log.md).
 class PolygonGrid {
  public:
   PolygonGrid() = default;

@@ -8,10 +8,10 @@
 #include <string>
 #include <thread>
 
-#include "social_crowd/ros/crowd_controller.h"
-#include "social_crowd/ros/crowd_markers.h"
-#include "social_crowd/ros/learner_node.h"
-#include "social_crowd/ros/node_thread.h"
+#include "social_crowd/ros/controller/crowd_controller.h"
+#include "social_crowd/ros/learner/learner_node.h"
+#include "social_crowd/ros/markers/crowd_markers.h"
+#include "social_crowd/ros/node/node_thread.h"
 
 namespace crowd {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <algorithm>
 
-#include "social_crowd/ros/conversions.h"
-#include "social_crowd/ros/marker_scene.h"
-#include "social_crowd/ros/names.h"
-#include "social_crowd/ros/parameters.h"
-#include "social_crowd/ros/topic_defaults.h"
+#include "social_crowd/ros/markers/marker_scene.h"
+#include "social_crowd/ros/messages/conversions.h"
+#include "social_crowd/ros/messages/names.h"
+#include "social_crowd/ros/messages/topic_defaults.h"
+#include "social_crowd/ros/node/parameters.h"
 
 namespace crowd {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "rviz/editor_handles.h"
-#include "social_crowd/ros/main_loop.h"
-#include "social_crowd/ros/service_line.h"
+#include "social_crowd/ros/node/main_loop.h"
+#include "social_crowd/ros/node/service_line.h"
 
 namespace crowd {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/ros/conversions.h"
-#include "social_crowd/ros/names.h"
+#include "social_crowd/ros/messages/conversions.h"
+#include "social_crowd/ros/messages/names.h"
 
 namespace crowd {
 namespace {

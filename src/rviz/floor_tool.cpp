@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-#include "social_crowd/ros/names.h"
+#include "social_crowd/ros/messages/names.h"
 
 namespace crowd {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "rviz/floor_outline.h"
-#include "social_crowd/ros/service_line.h"
+#include "social_crowd/ros/node/service_line.h"
 
 namespace Ogre {
 class Viewport;

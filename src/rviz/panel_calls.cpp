@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/names.h"
+#include "social_crowd/ros/messages/names.h"
 
 namespace crowd {
 namespace {

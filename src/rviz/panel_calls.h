@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rviz/panel_state.h"
-#include "social_crowd/ros/service_line.h"
+#include "social_crowd/ros/node/service_line.h"
 
 namespace crowd {
 

@@ -3,8 +3,8 @@
 #include <std_msgs/Int32.h>
 
 #include "rviz/panel_calls.h"
-#include "social_crowd/ros/names.h"
-#include "social_crowd/ros/topic_defaults.h"
+#include "social_crowd/ros/messages/names.h"
+#include "social_crowd/ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {}  // namespace

@@ -13,8 +13,8 @@
 
 #include "rviz/node_watch.h"
 #include "rviz/panel_model.h"
-#include "social_crowd/ros/master_watch.h"
-#include "social_crowd/ros/service_line.h"
+#include "social_crowd/ros/node/master_watch.h"
+#include "social_crowd/ros/node/service_line.h"
 
 namespace crowd {
 

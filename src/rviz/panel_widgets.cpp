@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 
 #include "rviz/widget_kit.h"
-#include "social_crowd/ros/controller_parameters.h"
+#include "social_crowd/ros/controller/controller_parameters.h"
 
 namespace crowd {
 namespace {

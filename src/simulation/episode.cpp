@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "geometry/finite_checks.h"
 #include "social_crowd/common/errors.h"
-#include "social_crowd/simulation/route_check.h"
-#include "social_crowd/world/population_changes.h"
-#include "world/finite_checks.h"
+#include "social_crowd/population/population_changes.h"
+#include "social_crowd/population/route_check.h"
 
 namespace crowd {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
-#include "social_crowd/simulation/learned_robot.h"
-#include "social_crowd/simulation/reactive_rule.h"
-#include "social_crowd/simulation/steering.h"
+#include "social_crowd/robots/learned_robot.h"
+#include "social_crowd/robots/reactive_rule.h"
+#include "social_crowd/robots/steering.h"
 
 namespace crowd {
 namespace {

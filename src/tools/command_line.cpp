@@ -13,7 +13,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/suggestions.h"
-#include "social_crowd/simulation/mpi_communicator.h"
+#include "social_crowd/ranks/mpi_communicator.h"
 
 namespace crowd {
 namespace {

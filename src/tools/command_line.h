@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "social_crowd/simulation/communicator.h"
+#include "social_crowd/training/communicator.h"
 
 namespace crowd {
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/simulation/metrics.h"
 
 namespace crowd {
 namespace {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "social_crowd/simulation/episode_result.h"
+#include "social_crowd/simulation/metrics.h"
 
 namespace crowd {
 

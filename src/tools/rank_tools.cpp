@@ -5,7 +5,7 @@
 #include "command_line.h"
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
-#include "social_crowd/simulation/checkpoint.h"
+#include "social_crowd/training/checkpoint.h"
 
 namespace crowd {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "progress_bar.h"
-#include "social_crowd/simulation/distributed_evaluation.h"
-#include "social_crowd/simulation/training.h"
+#include "social_crowd/ranks/distributed_evaluation.h"
+#include "social_crowd/training/training.h"
 
 namespace crowd {
 

@@ -6,7 +6,7 @@
 
 #include "command_line.h"
 #include "social_crowd/learning/model.h"
-#include "social_crowd/simulation/mpi_communicator.h"
+#include "social_crowd/ranks/mpi_communicator.h"
 #include "training_run.h"
 
 namespace crowd {

@@ -9,7 +9,7 @@
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/growing_file.h"
 #include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/simulation/record.h"
+#include "social_crowd/training/record.h"
 
 namespace crowd {
 namespace {

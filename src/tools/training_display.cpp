@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/simulation/record.h"
+#include "social_crowd/training/record.h"
 #include "terminal.h"
 
 namespace crowd {

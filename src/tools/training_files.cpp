@@ -6,7 +6,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/files.h"
-#include "social_crowd/simulation/record.h"
+#include "social_crowd/training/record.h"
 
 namespace crowd {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "social_crowd/common/growing_file.h"
-#include "social_crowd/simulation/checkpoint.h"
-#include "social_crowd/simulation/training.h"
+#include "social_crowd/training/checkpoint.h"
+#include "social_crowd/training/training.h"
 
 namespace crowd {
 

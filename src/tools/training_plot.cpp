@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/simulation/record.h"
+#include "social_crowd/training/record.h"
 #include "text_plot.h"
 
 namespace crowd {

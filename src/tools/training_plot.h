@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "episode_curve.h"
-#include "social_crowd/simulation/training_state.h"
+#include "social_crowd/training/training_state.h"
 #include "terminal.h"
 
 namespace crowd {

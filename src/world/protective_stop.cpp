@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "social_crowd/world/impact.h"
-#include "social_crowd/world/robot_sweep.h"
+#include "social_crowd/geometry/impact.h"
+#include "social_crowd/geometry/robot_sweep.h"
 
 namespace crowd {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "social_crowd/common/quotes.h"
-#include "social_crowd/world/impact.h"
+#include "social_crowd/geometry/impact.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {

@@ -3,11 +3,12 @@
 #include <string>
 #include <utility>
 
+#include "geometry/finite_checks.h"
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
 #include "social_crowd/common/quotes.h"
+#include "social_crowd/geometry/impact.h"
 #include "social_crowd/world/world.h"
-#include "world/finite_checks.h"
 
 namespace crowd {
 namespace {

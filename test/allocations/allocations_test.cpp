@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "social_crowd/robots/robot_senses.h"
 #include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/robot_senses.h"
 #include "support/robots.h"
 #include "support/straight_walk.h"
 

@@ -4,7 +4,7 @@
 
 #include "social_crowd/avoidance/separation_rule.h"
 #include "social_crowd/common/random.h"
-#include "social_crowd/world/scenario_reader.h"
+#include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/world/world.h"
 #include "support/moves.h"
 #include "support/perceptions.h"

@@ -1,10 +1,11 @@
 #include "social_crowd/avoidance/separation_rule.h"
+#include "social_crowd/geometry/impact.h"
 
 #include <gtest/gtest.h>
 
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/actions/goal_relative_actions.h"
-#include "social_crowd/world/scenario_reader.h"
+#include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/world/world.h"
 #include "support/error_of.h"
 #include "support/moves.h"

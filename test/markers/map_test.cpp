@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/ros/marker_map.h"
+#include "social_crowd/ros/markers/marker_map.h"
 
 namespace crowd {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <set>
 
-#include "social_crowd/ros/marker_style.h"
-#include "social_crowd/ros/marker_values.h"
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/geometry/geometry.h"
+#include "social_crowd/ros/markers/marker_style.h"
+#include "social_crowd/ros/markers/marker_values.h"
 
 namespace crowd {
 namespace {

@@ -1,6 +1,6 @@
 // Division of the perceptions of a turn among the topics of learners.
 
-#include "social_crowd/ros/perception_routes.h"
+#include "social_crowd/ros/controller/perception_routes.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "social_crowd/common/random.h"
-#include "social_crowd/ros/tick_messages.h"
+#include "social_crowd/ros/messages/tick_messages.h"
 #include "support/perception_bits.h"
 #include "support/perceptions.h"
 #include "support/scenes.h"

@@ -24,9 +24,10 @@ agents:
 robots:
   - {name: robot, namespace: robot, position: [1, 3], goal: [3, 3], radius: 0.25, max_speed: 0.5}
 """
-# Python nodes: the file that reads the parameters; that of replay has a table of defaults.
-SCRIPTS = {'goal_sender': ['crowd_launching/goal_sender.py', 'crowd_launching/back_off.py'],
-           'record_robots': ['crowd_robots/recorder.py'], 'replay': ['crowd_recordings/replay.py']}
+# Python nodes: the page, and the files that read the parameters; that of replay has a table of defaults.
+SCRIPTS = {'goal_sender': ('move_base.md', ['crowd_launching/goal_sender.py', 'crowd_launching/back_off.py']),
+           'record_robots': ('running.md', ['crowd_robots/recorder.py']),
+           'replay': ('running.md', ['crowd_recordings/replay.py'])}
 
 
 def text_of(node):
@@ -59,13 +60,13 @@ class ParametersTest(support.CrowdTestCase):
             self.assertEqual(problems, [])
 
     def test_scripts(self):
-        for node, files in SCRIPTS.items():
+        for node, (page, files) in SCRIPTS.items():
             code = ''.join(support.read_text(support.in_package('scripts', file)) for file in files)
             read = dict(re.findall(r"get_param\('~(\w+)', ([^)]*)\)", code))
             table = re.search(r'^DEFAULTS = \{(.*?)\}', code, re.DOTALL | re.MULTILINE)
             if table:
                 read.update(re.findall(r"'(\w+)': ([^,}]+)", table[1]))
-            about = documented.parameters(documented.section('ros.md', node))
+            about = documented.parameters(documented.section(page, node))
             self.assertEqual(set(about), set(read), node)
             for name, default in read.items():
                 self.assertEqual(as_number(about[name].default), as_number(default.strip("'").lower()),
@@ -157,7 +158,7 @@ class GraphTest(support.CrowdTestCase):
 
     def assert_robot_documented(self, published, subscribed, publishes):
         """Compares the topics of the robot with docs/robots.md, which says which are subscribed to. Removes them."""
-        page = documented.section('robots.md', '4. ROS')
+        page = documented.section('robots.md', 'Topics')
         about = {name: kind for name, kind in documented.typed(page, 'topic').items() if not name.startswith('/')}
         inputs = {name for cells in documented.rows(page, 'topic') if '(subscribed)' in cells[0]
                   for name in documented.names_in(cells[0])}

@@ -58,6 +58,8 @@ class NodeletTestCase(support.CrowdTestCase):
         self.assertTrue(self.manager.is_running(), self.manager.output())
         for loader in self.processes[1:]:
             loader.stop()
+        # The manager unloads in a thread of its own, and cannot be interrupted meanwhile.
+        support.wait_for(lambda: not self.publishers('actions') + self.publishers('agents'), 'the unloading')
         self.assertEqual(self.manager.stop(), 0)
 
 

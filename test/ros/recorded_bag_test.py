@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A bag that was recorded as docs/ros.md says shows everything when it is replayed."""
+"""A bag that was recorded as docs/running.md says shows everything when it is replayed."""
 import re
 import shlex
 
@@ -56,7 +56,7 @@ class RecordedBagTest(LaunchTestCase, RecordingTestCase):
 
     def record(self):
         """Records a crowd that is stepped, and to which a wall is added. Returns where its agent was at the end."""
-        page = support.read_text(support.in_package('docs', 'ros.md'))
+        page = support.read_text(support.in_package('docs', 'running.md'))
         words = shlex.split(re.search('^    (rosbag record .*)$', page, re.MULTILINE)[1])
         words[words.index('walk.bag')] = self.path('walk.bag')
         self.start_learner(q_table=support.ANTICIPATION_TABLE)

@@ -84,9 +84,18 @@ std::string answer(const std::string& verb, const std::string& name) {
   return std::to_string(middle.x()) + " " + std::to_string(middle.y());
 }
 
+/// Closes RViz. It draws no more: Mesa's software renderer writes beyond its buffers if it draws a window that is
+/// closed.
+void close() {
+  for (QWidget* const window : QApplication::topLevelWidgets()) {
+    if (auto* const frame = qobject_cast<rviz::VisualizationFrame*>(window)) frame->getManager()->stopUpdate();
+  }
+  QApplication::closeAllWindows();
+}
+
 void serve() {
   std::string line;
-  if (!std::getline(std::cin, line)) return QApplication::closeAllWindows();
+  if (!std::getline(std::cin, line)) return close();
   const std::size_t gap = line.find(' ');
   std::cout << "answer: " << answer(line.substr(0, gap), gap == std::string::npos ? "" : line.substr(gap + 1))
             << std::endl;

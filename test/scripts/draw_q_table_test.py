@@ -37,7 +37,7 @@ def meaning(runner, state_set, rows):
 
 
 class MeaningTest:
-    """Rows by the formulas of docs/learning.md, worked out by hand."""
+    """Rows by the formulas of docs/state_sets.md, worked out by hand."""
 
     def test_nearest_obstacle(self, runner):
         """Rows 0-7: no obstacle. Then 16 rows for each goal sector: 8 obstacle sectors with 2 distances each. 136 is

@@ -1,4 +1,4 @@
-"""docs/learning.md: the required keys of a training configuration, and the recommended configuration."""
+"""Pages on learning: required keys of a training configuration, the recommended configuration, types of models."""
 import csv
 import re
 import subprocess
@@ -8,7 +8,7 @@ from programs import assert_says, page_examples, page_text
 
 
 class LearningPageTest:
-    """docs/learning.md: the required keys of a training configuration, and the recommended configuration."""
+    """docs/learning.md and docs/state_sets.md."""
 
     def test_agents_arrive_with_the_recommended_configuration(self, runner):
         """The page states 100 %; the naive training configuration is only read."""
@@ -31,7 +31,7 @@ class LearningPageTest:
     def test_table_of_types_is_that_of_the_program(self, runner):
         table = runner.tool('train', '--list-types')
         assert '| `state_set` | `occupancy` |' in table
-        assert table in page_text('learning.md'), 'paste the output of train --list-types into docs/learning.md'
+        assert table in page_text('state_sets.md'), 'paste the output of train --list-types into docs/state_sets.md'
 
     def test_all_of_its_keys_are_required(self, runner):
         text = page_examples('learning.md')['least.yaml']

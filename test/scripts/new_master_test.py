@@ -167,6 +167,11 @@ class NewMasterTest:
         assert manager.output().count('did not know this node') == 1
         assert_no_answer_lost(manager)
         desk.run('rosservice', 'call', '/crowd_controller/pause', 'true')
+        for loader in loaders:
+            loader.stop()
+        # The manager unloads in a thread of its own, and cannot be interrupted meanwhile.
+        wait_for(lambda: not {('publisher', f'/{topic}', '/manager') for topic in ('actions', 'agents')} & desk.state(),
+                 'the unloading')
 
     def test_node_of_the_same_name_is_not_ended(self, desk):
         controller, old = desk.start_controller(answer_deadline=1.0), desk.start_learner()

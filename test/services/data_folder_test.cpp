@@ -1,4 +1,4 @@
-#include "social_crowd/ros/data_folder.h"
+#include "social_crowd/ros/node/data_folder.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>  // setenv

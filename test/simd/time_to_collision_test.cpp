@@ -8,7 +8,7 @@
 
 #include "simd/kernels.h"
 #include "social_crowd/common/random.h"
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/geometry/geometry.h"
 
 namespace crowd::simd {
 namespace {

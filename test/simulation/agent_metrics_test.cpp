@@ -1,3 +1,4 @@
+#include "social_crowd/simulation/episode_monitor.h"
 #include "social_crowd/simulation/episode_result.h"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/world/scenario_reader.h"
+#include "social_crowd/scenario/scenario_reader.h"
 #include "support/evaluations.h"
 
 namespace crowd {

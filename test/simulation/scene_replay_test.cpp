@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/world/scenario_reader.h"
 #include "support/evaluations.h"
 #include "support/temporary_folder.h"
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "social_crowd/learning/rl/merge_copies.h"
-#include "social_crowd/simulation/training.h"
-#include "social_crowd/world/scenario_reader.h"
+#include "social_crowd/scenario/scenario_reader.h"
+#include "social_crowd/training/training.h"
 #include "support/error_of.h"
 #include "support/run_scene.h"
 #include "support/temporary_folder.h"

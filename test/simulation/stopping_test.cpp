@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "social_crowd/common/stop_request.h"
-#include "social_crowd/simulation/distributed_evaluation.h"
+#include "social_crowd/ranks/distributed_evaluation.h"
+#include "social_crowd/robots/robot_way.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/simulation/robot_way.h"
 #include "support/evaluations.h"
 #include "support/thread_ranks.h"
 

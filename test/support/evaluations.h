@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/world/scenario_reader.h"
 
 /// Scenarios, a table and plans for tests of evaluations.
 namespace crowd::evaluations {

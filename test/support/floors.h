@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "social_crowd/common/random.h"
+#include "social_crowd/maps/floor_plan.h"
 #include "social_crowd/navigation/navigation_mesh.h"
-#include "social_crowd/world/floor_plan.h"
 
 /// Floors for tests of way-finding, and distances on them.
 namespace crowd::floors {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "social_crowd/common/random.h"
-#include "social_crowd/world/occupancy_map.h"
+#include "social_crowd/maps/occupancy_map.h"
 
 /// Builders of maps for tests.
 namespace crowd::maps {

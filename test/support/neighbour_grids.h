@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/world/neighbour_grid.h"
+#include "social_crowd/geometry/neighbour_grid.h"
 #include "support/scenes.h"
 #include "support/seeds.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "social_crowd/world/scene.h"
+#include "social_crowd/geometry/impact.h"
+#include "social_crowd/scenario/scene.h"
 
 namespace crowd::scenes {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "social_crowd/common/errors.h"
-#include "social_crowd/world/scenario_reader.h"
+#include "social_crowd/scenario/scenario_reader.h"
 
 /// Texts of scenarios, and the scenes and errors of the reader.
 namespace crowd::scenario_texts {

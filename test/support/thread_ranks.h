@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "social_crowd/simulation/communicator.h"
+#include "social_crowd/training/communicator.h"
 
 namespace crowd {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/simulation/record.h"
+#include "social_crowd/training/record.h"
 
 namespace crowd {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/simulation/record.h"
+#include "social_crowd/training/record.h"
 
 namespace crowd {
 namespace {

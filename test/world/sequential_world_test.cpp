@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/geometry/impact.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/worlds.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/geometry/geometry.h"
 #include "social_crowd/world/relative_action.h"
 
 namespace crowd {

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
+#include "social_crowd/common/span.h"
 #include "social_crowd/world/perception.h"
-#include "social_crowd/world/span.h"
 
 namespace crowd {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "social_crowd/avoidance/candidate_move.h"
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/geometry/geometry.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {

@@ -20,7 +20,7 @@ struct TrainedTable {
   QTable table;
 };
 
-/// @brief Returns the text of a Q-table file (docs/learning.md, "Q-table files"): a header of YAML lines, one line per
+/// @brief Returns the text of a Q-table file (docs/q_tables.md, "Q-table files"): a header of YAML lines, one line per
 /// visited row, the visits of foreign sources if there are any, and a checksum.
 /// @throws InputError if a value is not finite
 std::string toText(const TrainedTable& trained);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "social_crowd/common/stop_request.h"
-#include "social_crowd/world/floor_plan.h"
+#include "social_crowd/maps/floor_plan.h"
 
 namespace crowd {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/world/clearance_grid.h"
+#include "social_crowd/maps/clearance_grid.h"
 
 namespace crowd {
 

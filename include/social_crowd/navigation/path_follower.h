@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "social_crowd/common/span.h"
 #include "social_crowd/navigation/navigation_mesh.h"
-#include "social_crowd/world/span.h"
 
 namespace crowd {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "social_crowd/common/errors.h"
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/geometry/geometry.h"
 
 namespace crowd {
 

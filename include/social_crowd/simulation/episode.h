@@ -9,12 +9,12 @@
 
 #include "social_crowd/common/object_pool.h"
 #include "social_crowd/learning/learner.h"
-#include "social_crowd/simulation/episode_result.h"
+#include "social_crowd/navigation/way_finder.h"
+#include "social_crowd/navigation/way_lengths.h"
+#include "social_crowd/population/population.h"
+#include "social_crowd/scenario/scene.h"
+#include "social_crowd/simulation/episode_monitor.h"
 #include "social_crowd/simulation/greedy_crowd.h"
-#include "social_crowd/simulation/population.h"
-#include "social_crowd/simulation/way_finder.h"
-#include "social_crowd/simulation/way_lengths.h"
-#include "social_crowd/world/scene.h"
 #include "social_crowd/world/world.h"
 
 namespace crowd {

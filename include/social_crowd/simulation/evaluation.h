@@ -7,9 +7,9 @@
 #include "social_crowd/common/stop_request.h"
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/scenario/scenario.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/episode_result.h"
-#include "social_crowd/world/scenario.h"
 
 namespace crowd {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/robots/robot_senses.h"
 #include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/robot_senses.h"
 
 namespace crowd {
 

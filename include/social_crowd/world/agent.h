@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/geometry/geometry.h"
 #include "social_crowd/world/perception.h"
 
 namespace crowd {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <vector>
 
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/geometry/geometry.h"
 
 namespace crowd {
 

@@ -4,13 +4,12 @@
 #include <limits>
 #include <vector>
 
-#include "social_crowd/world/geometry.h"
+#include "social_crowd/common/agent_id.h"
+#include "social_crowd/common/span.h"
+#include "social_crowd/geometry/geometry.h"
 #include "social_crowd/world/neighbours.h"
-#include "social_crowd/world/span.h"
 
 namespace crowd {
-
-using AgentId = std::uint32_t;
 
 /// @brief Range and limits of an agent's perception.
 struct Vision {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "social_crowd/scenario/robot.h"
 #include "social_crowd/world/agent.h"
-#include "social_crowd/world/robot.h"
 
 namespace crowd {
 

@@ -7,19 +7,19 @@
 
 #include "social_crowd/common/stop_request.h"
 #include "social_crowd/common/thread_pool.h"
+#include "social_crowd/geometry/neighbour_grid.h"
+#include "social_crowd/geometry/neighbour_search.h"
+#include "social_crowd/geometry/solid_motion.h"
+#include "social_crowd/geometry/wall_index.h"
+#include "social_crowd/scenario/robot.h"
+#include "social_crowd/scenario/scene.h"
 #include "social_crowd/world/agent.h"
 #include "social_crowd/world/agent_map.h"
 #include "social_crowd/world/departed_agents.h"
-#include "social_crowd/world/neighbour_grid.h"
-#include "social_crowd/world/neighbour_search.h"
 #include "social_crowd/world/occlusion.h"
 #include "social_crowd/world/perception.h"
 #include "social_crowd/world/protective_stop.h"
 #include "social_crowd/world/relative_action.h"
-#include "social_crowd/world/robot.h"
-#include "social_crowd/world/scene.h"
-#include "social_crowd/world/solid_motion.h"
-#include "social_crowd/world/wall_index.h"
 
 namespace crowd {
 
@@ -36,7 +36,8 @@ constexpr double CONTACT_OVERLAP = 1e-3;
 /// is in contact if it overlaps something by more than CONTACT_OVERLAP. In a solid world bodies stop where they touch
 /// (SolidMotion); then an agent is also in contact if it took part in an impact during the tick. An agent is in
 /// collision if the rim of another body, or a wall, is within the scene's collision radius of its centre (thesis, 4.1).
-/// Robots are bodies in this sense, but not in the grid: there are few, and they are not always perceived as they are.
+/// Contacts and collisions with robots count as well. Robots are not in the grid of bodies: there are few of them, and
+/// agents perceive them as discs that are larger than their footprints, or not at all.
 ///
 /// Not thread-safe, except that any number of threads may call perceiveSome() while no thread changes the world.
 class World {

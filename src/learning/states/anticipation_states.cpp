@@ -5,7 +5,7 @@
 
 #include "simd/kernels.h"
 #include "social_crowd/common/numbers.h"
-#include "social_crowd/world/limits.h"
+#include "social_crowd/geometry/limits.h"
 
 namespace crowd {
 namespace {

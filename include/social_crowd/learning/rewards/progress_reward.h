@@ -7,7 +7,7 @@ namespace crowd {
 /// @brief Progress towards the goal, less the time that has passed, less penalties on turning, collision courses,
 /// standing still and contact. Unit: ticks; progress is the decrease of the distance to the goal divided by the path of
 /// one tick at maximum speed. A tick straight to the goal at full speed without a collision course has the reward 0.
-/// Source: docs/learning.md.
+/// Source: docs/state_sets.md.
 class ProgressReward : public Reward {
  public:
   static constexpr const char* TYPE = "progress";

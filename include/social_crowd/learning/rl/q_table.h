@@ -12,7 +12,7 @@ namespace crowd {
 /// @brief Values and visits of every pair of row and action, rows() x actions(), initially zero. Values have the unit
 /// of the reward. Not thread-safe; indices are not checked.
 ///
-/// A table records the sources of its visits (docs/learning.md, Replacing and merging), so that experience that two
+/// A table records the sources of its visits (docs/q_tables.md, "Replacing and merging"), so that experience that two
 /// tables have in common counts once when they are merged: its own source, to which everything learned in it belongs,
 /// and foreign sources that it received. The visits of its own source are not stored; they are all visits less the
 /// foreign ones.

@@ -13,7 +13,7 @@ namespace crowd {
 /// terminal row.
 ///
 /// Each quantity is encoded by its class, the number of its limits that it reaches. A quantity without limits is not
-/// encoded. The classes are the digits of the row number, each with a base of its own. Source: docs/learning.md.
+/// encoded. The classes are the digits of the row number, each with a base of its own. Source: docs/state_sets.md.
 class AnticipationStates : public StateSet {
  public:
   static constexpr const char* TYPE = "anticipation";

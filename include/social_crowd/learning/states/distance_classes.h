@@ -1,6 +1,6 @@
 #pragma once
 
-#include "social_crowd/world/scene.h"
+#include "social_crowd/scenario/scene.h"
 
 namespace crowd {
 

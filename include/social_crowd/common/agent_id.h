@@ -1,0 +1,9 @@
+#pragma once
+
+#include <cstdint>
+
+namespace crowd {
+
+using AgentId = std::uint32_t;
+
+}  // namespace crowd

@@ -1,0 +1,216 @@
+#include "social_crowd/navigation/deadlock_resolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "social_crowd/navigation/remaining_path.h"
+#include "social_crowd/navigation/sliding.h"
+
+namespace crowd {
+namespace {
+
+constexpr double TRAIL_STEP = 0.5;        // between places of a trail [m]
+constexpr std::size_t TRAIL_LENGTH = 20;  // places
+constexpr double REACH = 0.6;             // between bodies that block each other [m]
+constexpr double TOUCH = 0.1;             // bodies nearer to each other than this may wedge [m]
+constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
+constexpr double OPPOSITE = -0.3;         // cosine of the angle from which directions are opposite
+constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
+constexpr double CONTACT = 0.02;          // an agent slides along what is nearer than this [m]
+constexpr double WALKED_BACK = 0.1;       // an agent that moved less could not walk back [m]
+constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
+
+Vector2 priorityDirection(double time) {
+  const double angle = AXIS_TURN * std::floor(time / DeadlockResolver::TURN_TIME);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// Direction to the point of a path at LOOKAHEAD: agents in front of a door all walk in the same direction.
+Vector2 directionOf(const RemainingPath& path, const Agent& agent) {
+  constexpr double LOOKAHEAD = 3.0;  // [m]
+  const Vector2& place = agent.pose.position;
+  const Vector2 offset = pointAlong({path.data(), path.size()}, place, LOOKAHEAD) - place;
+  const double length = offset.norm();
+  return length > 0.0 ? Vector2(offset / length) : agent.ahead;
+}
+
+}  // namespace
+
+void DeadlockResolver::update(World& world, const AgentMap<RemainingPath>& paths) {
+  const double time = world.time();
+  walks_.follow(world.agents());
+  retreating_.clear();
+  walkers_.clear();
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
+    if (agent.isWalking()) follow(agent, paths.nth(i), time, walks_.nth(i));
+  }
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
+    if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
+    if (walksBack(walks_.nth(i))) continue;
+    if (mustGiveWay(world, agent)) {
+      startRetreat(agent, time);
+    } else if (isStuck(walks_.nth(i), time)) {
+      slideAlongWalls(world, agent);
+    }
+  }
+  std::sort(retreating_.begin(), retreating_.end());
+  for (const AgentId agent : retreating_) retreat(world, world.agents()[agent]);
+}
+
+void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, double time, Walk& walk) {
+  const Vector2& place = agent.pose.position;
+  noteProgress(agent, time, walk);
+  if (time < walk.retreat_until) {
+    retreating_.push_back(agent.id);
+    return;
+  }
+  if (walksBack(walk)) {
+    walk.cannot_walk_back = (place - walk.retreat_from).norm() < WALKED_BACK;
+    walk.leaves_trail = walk.cannot_walk_back && !walk.leaves_trail;
+  }
+  walk.retreat_until = 0.0;
+  walk.course = directionOf(path, agent);
+  if (isStuck(walk, time)) walk.remaining = lengthOf(path, place);
+  if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
+  walk.trail.push_back(place);
+  if (walk.trail.size() > TRAIL_LENGTH) walk.trail.pop_front();
+}
+
+void DeadlockResolver::noteProgress(const Agent& agent, double time, Walk& walk) {
+  const Vector2& place = agent.pose.position;
+  if (agent.yielding || agent.held || agent.at_goal || walk.trail.empty() ||
+      (place - walk.reference).norm() > PROGRESS) {
+    walk.reference = place;
+    walk.progress_time = time;
+    walk.cannot_walk_back = false;
+  }
+}
+
+void DeadlockResolver::startRetreat(const Agent& agent, double time) {
+  Walk& walk = walks_[agent.id];
+  walk.retreat_from = agent.pose.position;
+  walk.retreat_until = time + RETREAT_TIME;
+  walk.progress_time = walk.retreat_until + WALK_TIME - STUCK_TIME;
+  walk.course = -walk.course;  // the agents that it meets head-on do not give way, too
+  retreating_.push_back(agent.id);
+}
+
+void DeadlockResolver::sortByX(const World& world) {
+  largest_radius_ = 0.0;
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isWalking()) continue;
+    walkers_.push_back({agent.pose.position.x(), agent.id});
+    largest_radius_ = std::max(largest_radius_, agent.radius);
+  }
+  std::sort(walkers_.begin(), walkers_.end(),
+            [](const Walker& a, const Walker& b) { return std::tie(a.x, a.agent) < std::tie(b.x, b.agent); });
+}
+
+Span<DeadlockResolver::Walker> DeadlockResolver::walkersNear(const World& world, const Agent& agent, double distance) {
+  if (walkers_.empty()) sortByX(world);
+  const double reach = agent.radius + largest_radius_ + distance;
+  const double x = agent.pose.position.x();
+  const auto first = std::lower_bound(walkers_.begin(), walkers_.end(), x - reach,
+                                      [](const Walker& walker, double low) { return walker.x < low; });
+  const auto last = std::upper_bound(first, walkers_.end(), x + reach,
+                                     [](double high, const Walker& walker) { return high < walker.x; });
+  return {walkers_.data() + (first - walkers_.begin()), static_cast<std::size_t>(last - first)};
+}
+
+bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
+  const double time = world.time();
+  const auto has_priority = [&](AgentId other) { return givesWayTo(agent, world.agents()[other], time); };
+  if (isStuck(walks_[agent.id], time)) {
+    if (isBlockedByRobot(world, agent)) return true;
+    const Span<Walker> near = walkersNear(world, agent, REACH);
+    return std::any_of(near.begin(), near.end(), [&](const Walker& other) { return has_priority(other.agent); });
+  }
+  if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
+  return std::any_of(retreating_.begin(), retreating_.end(), has_priority);
+}
+
+/// Whether a robot that agents give way to is ahead of an agent, or touches it.
+bool DeadlockResolver::isBlockedByRobot(const World& world, const Agent& agent) const {
+  const auto blocks = [&](const Robot& robot) {
+    if (!robot.start.perceived || !doesCrowdYield(robot.start.yields)) return false;
+    const Vector2 offset = robot.pose.position - agent.pose.position;
+    const double gap = offset.norm() - agent.radius - robot.perceived_radius;
+    return gap < REACH && offset.dot(walks_[agent.id].course) > (gap < TOUCH ? -BESIDE : 0.0);
+  };
+  return std::any_of(world.robots().begin(), world.robots().end(), blocks);
+}
+
+/// Whether another agent blocks an agent that is stuck or in the way of one that walks back, and has priority.
+bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double time) const {
+  if (other.id == agent.id) return false;
+  const Walk& own = walks_[agent.id];
+  const Walk& its = walks_[other.id];
+  const Vector2 offset = other.pose.position - agent.pose.position;
+  const double gap = offset.norm() - agent.radius - other.radius;
+  // In a door two agents may be wedged side by side.
+  const double ahead = offset.dot(own.course);
+  if (gap > REACH || ahead <= (gap < TOUCH ? -BESIDE : 0.0)) return false;
+  const bool is_opposite = its.course.dot(own.course) < OPPOSITE;
+  const bool forms_arch = !is_opposite && gap < TOUCH && isStuck(own, time) && isStuck(its, time);
+  if (own.cannot_walk_back != its.cannot_walk_back) return its.cannot_walk_back && (is_opposite || forms_arch);
+  if (is_opposite) {
+    return walksBack(its) || priorityDirection(time).dot(its.course - own.course) > 0.0;
+  }
+  return forms_arch && ahead > 0.0 && !walksBack(its) && its.remaining < own.remaining;
+}
+
+/// Appends unit vectors from an agent to the walls that it touches.
+void DeadlockResolver::addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts) {
+  near_walls_.clear();
+  world.wallIndex().findNear(agent.pose.position, agent.radius + CONTACT, near_walls_);
+  for (const std::uint32_t wall : near_walls_) {
+    const Vector2 offset = nearestPoint(world.wallIndex().walls()[wall], agent.pose.position) - agent.pose.position;
+    if (offset.norm() > 0.0) contacts.emplace_back(offset.normalized());
+  }
+}
+
+/// Appends unit vectors from an agent to the agents that it touches.
+void DeadlockResolver::addAgentContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts) {
+  for (const Walker& walker : walkersNear(world, agent, CONTACT)) {
+    const Agent& other = world.agents()[walker.agent];
+    const Vector2 offset = other.pose.position - agent.pose.position;
+    const double length = offset.norm();
+    const bool touches = length > 0.0 && length < agent.radius + other.radius + CONTACT;
+    if (other.id != agent.id && touches) contacts.emplace_back(offset / length);
+  }
+}
+
+/// An agent may be pushed into a gap beside the mesh, from which the straight line to its corner leads into a wall, or
+/// side by side with another agent into a door.
+void DeadlockResolver::slideAlongWalls(World& world, const Agent& agent) {
+  std::vector<Vector2> contacts;
+  addAgentContacts(world, agent, contacts);
+  const std::size_t agents = contacts.size();
+  addWallContacts(world, agent, contacts);
+  if (contacts.size() == agents) return;
+  const Vector2 way = agent.perceivedGoal() - agent.pose.position;
+  const std::optional<Vector2> slid = slideAlong(way.normalized(), contacts);
+  if (slid) world.setWaypoint(agent.id, agent.pose.position + BACK * *slid);
+}
+
+void DeadlockResolver::retreat(World& world, const Agent& agent) {
+  Walk& walk = walks_[agent.id];
+  std::deque<Vector2>& trail = walk.trail;
+  const Vector2& place = agent.pose.position;
+  if (!walk.leaves_trail) {
+    while (trail.size() > 1 && (trail.back() - place).norm() < BACK) trail.pop_back();
+    const Vector2 back = trail.back() - place;
+    if (back.norm() > 0.0) walk.course = back.normalized();
+  }
+  std::vector<Vector2> contacts;
+  addAgentContacts(world, agent, contacts);
+  addWallContacts(world, agent, contacts);
+  const std::optional<Vector2> slid = slideAlong(walk.course, contacts);
+  const Vector2 straight = walk.leaves_trail ? Vector2(place + BACK * walk.course) : trail.back();
+  world.setWaypoint(agent.id, slid ? Vector2(place + BACK * *slid) : straight);
+}
+
+}  // namespace crowd

@@ -1,0 +1,285 @@
+#include "social_crowd/population/population.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/geometry/limits.h"
+#include "social_crowd/population/route_check.h"
+#include "social_crowd/scenario/region_geometry.h"
+
+namespace crowd {
+namespace {
+
+using Kind = WaypointDescription::Kind;
+
+/// What is drawn, as part of the keys of random numbers.
+enum Drawn : std::uint64_t { SOURCE = 0, ROUTE = 1, QUEUE = 2 };
+
+KeyedRandom randomOf(std::uint64_t seed, Drawn what, std::uint64_t number) {
+  return {seed, KeyedRandom::POPULATION, {what, number}};
+}
+
+}  // namespace
+
+Population::Population(const Scene& scene)
+    : description_(scene.population ? scene.population : std::make_shared<const PopulationDescription>()),
+      seed_(scene.population_seed),
+      places_(scene) {
+  if (scene.way_finding) ways_.emplace(scene);
+  for (const AgentStart& start : scene.agents) {
+    if (start.route || start.reaction_time > 0.0) starts_ = scene.agents;
+  }
+  for (std::size_t i = 0; i < description_->sources.size(); ++i) {
+    sources_.emplace_back(*description_, i, randomOf(seed_, SOURCE, i));
+  }
+  for (std::size_t i = 0; i < description_->queues.size(); ++i) {
+    queues_.emplace_back(description_->queues[i], randomOf(seed_, QUEUE, i));
+  }
+  for (const GateDescription& gate : description_->gates) gates_.emplace_back(gate);
+}
+
+void Population::chooseFirstGoals(Scene& scene, const StopRequest& stop) {
+  const auto has_route = [](const AgentStart& start) { return start.route.has_value(); };
+  if (std::none_of(scene.agents.begin(), scene.agents.end(), has_route)) return;
+  const World world(scene, stop);
+  Population population(scene);
+  for (std::size_t i = 0; i < scene.agents.size(); ++i) {
+    AgentStart& start = scene.agents[i];
+    if (!start.route) continue;
+    stop.throwIfMade();
+    Member member;
+    member.route.emplace(population.description_->routes[*start.route],
+                         population.randomOfRoute(static_cast<AgentId>(i), world.tick()));
+    start.goals = {population.goalOfLeg(member, start.position, start.radius, world)};
+    if (start.faces_goal) start.heading = wrapAngle(bearingOf(start.goals.front() - start.position));
+  }
+}
+
+KeyedRandom Population::randomOfRoute(AgentId id, std::uint64_t tick) const {
+  return randomOf(seed_, ROUTE, id).with(tick);
+}
+
+Population::Member* Population::find(AgentId id) {
+  const auto before = [](const Member& member, AgentId sought) { return member.id < sought; };
+  const auto found = std::lower_bound(members_.begin(), members_.end(), id, before);
+  return found != members_.end() && found->id == id ? &*found : nullptr;
+}
+
+void Population::begin(World& world, RouteObserver& observer) {
+  for (std::size_t i = 0; i < starts_.size(); ++i) admit(static_cast<AgentId>(i), starts_[i], world, observer);
+  starts_.clear();
+  updateGates(world);
+  spawn(world, observer);
+}
+
+void Population::admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer) {
+  if (!start.route && start.reaction_time <= 0.0) return;
+  world.stopRequest().throwIfMade();
+  Member& member = members_.emplace_back();
+  member.id = id;
+  member.reacts_at = world.time() + start.reaction_time - TIME_ROUNDING;
+  if (start.route) {
+    member.route.emplace(description_->routes[*start.route], randomOfRoute(id, world.tick()));
+    world.setLeaves(id, false);
+    observer.setEndless(id, member.route->repeats());
+    beginLeg(member, world);
+  }
+  hold(member, world);
+}
+
+Vector2 Population::goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) {
+  const WaypointDescription& waypoint = member.route->waypoint();
+  if (waypoint.kind == Kind::PLACE)
+    return places_.drawGoal(waypoint.place, from, radius, member.route->random(), world);
+  if (waypoint.kind == Kind::QUEUE) return queues_[waypoint.target].end();
+  member.sink = waypoint.target;
+  if (waypoint.kind == Kind::SINK) return places_.nearestIn(description_->sinks[member.sink].area, from, radius, world);
+  return nearestSink(member, from, radius, world);
+}
+
+Vector2 Population::nearestSink(Member& member, const Vector2& from, double radius, const World& world) {
+  Vector2 nearest = from;
+  std::optional<WayLengths::Way> shortest;
+  for (std::size_t sink = 0; sink < description_->sinks.size(); ++sink) {
+    const Vector2 place = places_.nearestIn(description_->sinks[sink].area, from, radius, world);
+    const WayLengths::Way way = wayTo(place, from, radius, world);
+    if (shortest && !(way < *shortest)) continue;
+    shortest = way;
+    nearest = place;
+    member.sink = sink;
+  }
+  return nearest;
+}
+
+WayLengths::Way Population::wayTo(const Vector2& place, const Vector2& from, double radius, const World& world) {
+  const WayLengths::Way straight{WayLengths::Kind::STRAIGHT, (place - from).norm()};
+  if (!ways_) return straight;
+  try {
+    return ways_->find(world, from, place, radius).value_or(straight);
+  } catch (const InputError&) {  // the floor is too large: the episode goes on without way-finding
+    return straight;
+  }
+}
+
+void Population::beginLeg(Member& member, World& world) {
+  const Agent& agent = world.agents()[member.id];
+  const Vector2 goal = goalOfLeg(member, agent.pose.position, agent.radius, world);
+  const WaypointDescription& waypoint = member.route->waypoint();
+  if (waypoint.kind == Kind::QUEUE) queues_[waypoint.target].join(member.id);
+  if (goal != agent.goal() || agent.at_goal) world.setGoal(member.id, goal);
+}
+
+void Population::advance(Member& member, World& world, RouteObserver& observer) {
+  observer.countWaypoint(member.id);
+  if (!member.route->advance()) return world.leave(member.id);
+  beginLeg(member, world);
+  observer.extendWay(world.agents()[member.id]);
+}
+
+void Population::walk(Member& member, World& world, RouteObserver& observer) {
+  if (!member.route || world.time() < member.reacts_at) return;
+  const Agent& agent = world.agents()[member.id];
+  const Kind kind = member.route->waypoint().kind;
+  if (kind == Kind::QUEUE) return;
+  if (kind == Kind::PLACE) {
+    if (agent.at_goal && !member.route->isWaiting()) member.route->beginWait(world.time());
+    if (member.route->hasWaited(world.time())) advance(member, world, observer);
+  } else if (agent.at_goal || contains(description_->sinks[member.sink].area, agent.pose.position)) {
+    advance(member, world, observer);
+  }
+}
+
+/// Agents stand before they react, while they wait at a place, and in their places in line.
+void Population::hold(const Member& member, World& world) const {
+  const Agent& agent = world.agents()[member.id];
+  const bool has_reacted = world.time() >= member.reacts_at;
+  const auto stands_on_route = [&](const RouteFollower& route) {
+    if (route.waypoint().kind != Kind::QUEUE) return route.isWaiting();
+    return queues_[route.waypoint().target].stands(member.id, world);
+  };
+  const bool stands = member.route && stands_on_route(*member.route);
+  if (agent.held != (stands || !has_reacted)) world.hold(member.id, !agent.held);
+}
+
+void Population::serveQueues(World& world, RouteObserver& observer) {
+  for (Queue& queue : queues_) {
+    for (const AgentId id : queue.update(world)) advance(*find(id), world, observer);
+  }
+}
+
+void Population::spawn(World& world, RouteObserver& observer) {
+  for (AgentSource& source : sources_) {
+    while (world.activeCount() < limits::BODIES) {
+      std::optional<AgentStart> start = source.next(world, places_);
+      if (!start) break;
+      world.stopRequest().throwIfMade();
+      const auto id = static_cast<AgentId>(world.enteredCount());
+      if (start->route) {
+        Member member;
+        member.route.emplace(description_->routes[*start->route], randomOfRoute(id, world.tick()));
+        start->goals = {goalOfLeg(member, start->position, start->radius, world)};
+        start->heading = bearingOf(start->goals.front() - start->position);
+      }
+      world.spawnAgent(*start);
+      observer.watch(*start, world);
+      admit(id, *start, world, observer);
+    }
+  }
+}
+
+void Population::updateAll(World& world, RouteObserver& observer) {
+  const auto is_gone = [&](const Member& member) {
+    if (world.isActive(member.id)) return false;
+    for (Queue& queue : queues_) queue.leave(member.id);
+    return true;
+  };
+  const auto is_done = [&](const Member& member) { return !member.route && world.time() >= member.reacts_at; };
+  members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
+  updateGates(world);
+  for (Member& member : members_) walk(member, world, observer);
+  serveQueues(world, observer);
+  members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
+  for (const Member& member : members_) hold(member, world);
+  members_.erase(std::remove_if(members_.begin(), members_.end(), is_done), members_.end());
+  spawn(world, observer);
+}
+
+void Population::updateGates(World& world) {
+  for (Gate& gate : gates_) gate.update(world);
+}
+
+bool Population::expectsAgents() const {
+  return std::any_of(sources_.begin(), sources_.end(), [](const AgentSource& source) { return !source.isOver(); });
+}
+
+void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways, World& world,
+                          RouteObserver& observer) {
+  const auto index = findName(description_->routes, route);
+  if (!index) throw InputError(unknownNameText("route", route, namesOf(description_->routes)));
+  if (ways != nullptr && world.isActive(id)) {
+    const Agent& agent = world.agents()[id];
+    const std::string name = "agent " + std::to_string(id);
+    RouteCheck(name, agent.radius, *description_, places_, *ways, world)
+        .require(description_->routes[*index], agent.pose.position);
+    Member candidate;
+    candidate.route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
+    const Vector2 goal = goalOfLeg(candidate, agent.pose.position, agent.radius, world);
+    ways->requireWay(name, world, agent.pose.position, goal, agent.radius);
+  }
+  world.setLeaves(id, false);  // throws for unknown agents
+  for (Queue& queue : queues_) queue.leave(id);
+  Member* member = find(id);
+  if (member == nullptr) {
+    const auto before = [](const Member& other, AgentId sought) { return other.id < sought; };
+    member = &*members_.emplace(std::lower_bound(members_.begin(), members_.end(), id, before));
+    member->id = id;
+  }
+  // The goal of another route is not that of a leg of this one.
+  member->route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
+  observer.setEndless(id, member->route->repeats());
+  beginLeg(*member, world);
+  observer.recordGoal(world.agents()[id], world.agents()[id].goal());
+  hold(*member, world);
+}
+
+void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
+  Member* const member = find(id);
+  if (member == nullptr || !member->route) return;
+  for (Queue& queue : queues_) queue.leave(id);
+  member->route.reset();
+  world.setLeaves(id, true);
+  observer.setEndless(id, false);
+  hold(*member, world);
+}
+
+void Population::adopt(const Scene& scene, PopulationDescription description) {
+  earlier_.push_back(description_);
+  description_ = std::make_shared<const PopulationDescription>(std::move(description));
+  if (ways_) ways_.emplace(scene);
+}
+
+void Population::addSource(const Scene& scene, const World& world) {
+  PopulationDescription description = *scene.population;
+  SourceDescription& source = description.sources.back();
+  source.from = std::max(source.from, world.time());
+  adopt(scene, std::move(description));
+  const std::size_t index = description_->sources.size() - 1;
+  sources_.emplace_back(*description_, index, randomOf(seed_, SOURCE, index));
+}
+
+void Population::addGate(const Scene& scene, World& world) {
+  adopt(scene, *scene.population);
+  gates_.emplace_back(description_->gates.back()).update(world);
+}
+
+bool Population::setGate(const std::string& gate, bool open, World& world) {
+  const auto index = findName(description_->gates, gate);
+  if (!index) throw InputError(unknownNameText("gate", gate, namesOf(description_->gates)));
+  gates_[*index].setOpen(open, world.time());
+  gates_[*index].update(world);
+  return gates_[*index].isOpen();
+}
+
+}  // namespace crowd

@@ -1,0 +1,102 @@
+#include "social_crowd/ranks/border_exchange.h"
+
+#include <utility>
+
+#include "social_crowd/simulation/byte_archive.h"
+
+namespace crowd {
+namespace {
+
+constexpr RelativeAction NO_ACTION{0.0, -1.0};  // of an agent that has arrived
+
+template <typename Archive, typename AnOutcome>
+void transferOutcome(Archive& archive, AnOutcome& outcome) {
+  archive(outcome.position);
+  archive(outcome.touched);
+  archive(outcome.diverted);
+  archive(outcome.history);
+}
+
+}  // namespace
+
+void BorderExchange::set(std::vector<Shared> shared, std::size_t agents) {
+  shared_ = std::move(shared);
+  slots_.assign(agents, NONE);
+  std::uint32_t count = 0;
+  for (const Shared& with : shared_) {
+    for (const AgentId id : with.sent) {
+      if (slots_[id] == NONE) slots_[id] = count++;
+    }
+  }
+  border_actions_.resize(count);
+  out_.resize(shared_.size());
+  in_.resize(shared_.size());
+}
+
+void BorderExchange::exchangeActions(std::vector<AgentAction>& actions) {
+  border_actions_.assign(border_actions_.size(), NO_ACTION);
+  for (const AgentAction& given : actions) {
+    const std::uint32_t slot = slots_[given.agent];
+    if (slot != NONE) border_actions_[slot] = given.action;
+  }
+  constexpr std::size_t SIZE = 2 * sizeof(double);
+  for (std::size_t rank = 0; rank < shared_.size(); ++rank) {
+    out_[rank].clear();
+    ByteWriter write(out_[rank]);
+    for (const AgentId id : shared_[rank].sent) {
+      write(border_actions_[slots_[id]].rotation);
+      write(border_actions_[slots_[id]].speed_fraction);
+    }
+    in_[rank].resize(SIZE * shared_[rank].received.size());
+  }
+  communicator_.exchange(out_, in_);
+  for (std::size_t rank = 0; rank < shared_.size(); ++rank) {
+    ByteReader read(in_[rank]);
+    for (const AgentId id : shared_[rank].received) {
+      AgentAction given{id, {}};
+      read(given.action.rotation);
+      read(given.action.speed_fraction);
+      if (given.action.isValid()) actions.push_back(given);
+    }
+  }
+}
+
+void BorderExchange::findPlaces(const World& world) {
+  places_.assign(world.agents().size(), NONE);
+  std::uint32_t place = 0;
+  for (const Agent& agent : world.agents()) {
+    if (agent.isWalking()) places_[agent.id] = place++;
+  }
+}
+
+std::uint64_t BorderExchange::exchangeOutcomes(World& world) {
+  findPlaces(world);
+  std::vector<SolidMotion::Outcome>& outcomes = world.solidOutcomes();
+  constexpr std::size_t SIZE = 2 * sizeof(double) + 2 * sizeof(bool) + sizeof(std::uint64_t);
+  for (std::size_t rank = 0; rank < shared_.size(); ++rank) {
+    out_[rank].clear();
+    ByteWriter write(out_[rank]);
+    for (const AgentId id : shared_[rank].sent) {
+      const bool walks = places_[id] != NONE;
+      transferOutcome(write, walks ? std::as_const(outcomes[places_[id]]) : SolidMotion::Outcome());
+    }
+    in_[rank].resize(SIZE * shared_[rank].received.size());
+  }
+  communicator_.exchange(out_, in_);
+  std::uint64_t different = 0;
+  for (std::size_t rank = 0; rank < shared_.size(); ++rank) {
+    ByteReader read(in_[rank]);
+    for (std::size_t i = 0; i < shared_[rank].received.size(); ++i) {
+      SolidMotion::Outcome theirs;
+      transferOutcome(read, theirs);
+      const std::uint32_t place = places_[shared_[rank].received[i]];
+      if (place == NONE) continue;
+      SolidMotion::Outcome& mine = outcomes[place];
+      if (shared_[rank].is_near[i] != 0 && mine.history != theirs.history) ++different;
+      mine = theirs;
+    }
+  }
+  return different;
+}
+
+}  // namespace crowd

@@ -1,0 +1,146 @@
+// How DistributedCrowd divides its agents among the ranks.
+
+#include <algorithm>
+#include <utility>
+
+#include "simulation/agent_transfer.h"
+#include "social_crowd/ranks/distributed_crowd.h"
+#include "social_crowd/simulation/byte_archive.h"
+
+namespace crowd {
+
+void DistributedCrowd::regroup() {
+  next_regroup_ = world_.tick() + options_.regroup_ticks;
+  agents_ = world_.replaceAgents({});
+  tracks_ = monitor_.replaceTracks({});
+  former_names_.swap(names_);
+  strips_.balance(keepOwn(), communicator_);
+  shared_.assign(rankCount(), {});
+  std::vector<Traveller> newcomers = handOver();
+  noteShares(kept_.size() + newcomers.size());
+  std::vector<Traveller> copies = exchangeCopies(newcomers);
+  newcomers.insert(newcomers.end(), std::make_move_iterator(copies.begin()), std::make_move_iterator(copies.end()));
+  adopt(std::move(newcomers));
+}
+
+std::vector<Vector2> DistributedCrowd::keepOwn() {
+  kept_.clear();
+  std::vector<Vector2> places;
+  places.reserve(agents_.size());
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    if (!agents_[i].perceives) continue;
+    if (agents_[i].isWalking()) {
+      kept_.push_back(static_cast<std::uint32_t>(i));
+      places.push_back(agents_[i].pose.position);
+    } else {
+      finished_.push_back({former_names_[i], monitor_.resultOf(tracks_[i])});
+    }
+  }
+  return places;
+}
+
+std::vector<DistributedCrowd::Traveller> DistributedCrowd::handOver() {
+  std::vector<Communicator::Bytes> out(rankCount());
+  std::vector<Communicator::Bytes> in;
+  const auto leaves = [&](std::uint32_t i) {
+    const int owner = strips_.stripOf(agents_[i].pose.position);
+    if (owner == rank()) return false;
+    ByteWriter write(out[static_cast<std::size_t>(owner)]);
+    write(former_names_[i]);
+    transferAgent(write, std::as_const(agents_[i]));
+    transferTrack(write, std::as_const(tracks_[i]));
+    return true;
+  };
+  kept_.erase(std::remove_if(kept_.begin(), kept_.end(), leaves), kept_.end());
+  communicator_.exchangeAnySize(out, in);
+  std::vector<Traveller> newcomers;
+  for (const Communicator::Bytes& message : in) {
+    ByteReader read(message);
+    while (!read.isAtEnd()) {
+      Traveller& newcomer = newcomers.emplace_back();
+      read(newcomer.name);
+      transferAgent(read, newcomer.agent);
+      transferTrack(read, newcomer.track);
+    }
+  }
+  return newcomers;
+}
+
+void DistributedCrowd::writeCopies(AgentId name, const Agent& agent, std::vector<Communicator::Bytes>& messages) {
+  const auto [first, last] = strips_.stripsWithin(reach_.copies, agent.pose.position);
+  for (int other = first; other <= last; ++other) {
+    if (other == rank()) continue;
+    const auto to = static_cast<std::size_t>(other);
+    ByteWriter write(messages[to]);
+    write(name);
+    transferAgent(write, agent);
+    shared_[to].sent.push_back(name);
+  }
+}
+
+std::vector<DistributedCrowd::Traveller> DistributedCrowd::exchangeCopies(const std::vector<Traveller>& newcomers) {
+  std::vector<Communicator::Bytes> out(rankCount());
+  std::vector<Communicator::Bytes> in;
+  for (const std::uint32_t i : kept_) writeCopies(former_names_[i], agents_[i], out);
+  for (const Traveller& newcomer : newcomers) writeCopies(newcomer.name, newcomer.agent, out);
+  communicator_.exchangeAnySize(out, in);
+  std::vector<Traveller> copies;
+  for (std::size_t from = 0; from < in.size(); ++from) {
+    ByteReader read(in[from]);
+    while (!read.isAtEnd()) {
+      Traveller& copy = copies.emplace_back();
+      read(copy.name);
+      transferAgent(read, copy.agent);
+      copy.agent.perceives = false;
+      shared_[from].received.push_back(copy.name);
+      const bool is_near = strips_.distanceTo(rank(), copy.agent.pose.position) <= reach_.touching;
+      shared_[from].is_near.push_back(is_near ? 1 : 0);
+    }
+  }
+  return copies;
+}
+
+void DistributedCrowd::append(AgentId name, Agent&& agent, const Track& track) {
+  names_.push_back(name);
+  next_agents_.push_back(std::move(agent));
+  next_tracks_.push_back(track);
+}
+
+void DistributedCrowd::adopt(std::vector<Traveller> newcomers) {
+  std::sort(newcomers.begin(), newcomers.end(), [](const Traveller& a, const Traveller& b) { return a.name < b.name; });
+  names_.clear();
+  next_agents_.clear();
+  next_tracks_.clear();
+  auto newcomer = newcomers.begin();
+  for (const std::uint32_t i : kept_) {
+    for (; newcomer != newcomers.end() && newcomer->name < former_names_[i]; ++newcomer) {
+      append(newcomer->name, std::move(newcomer->agent), newcomer->track);
+    }
+    append(former_names_[i], std::move(agents_[i]), tracks_[i]);
+  }
+  for (; newcomer != newcomers.end(); ++newcomer) {
+    append(newcomer->name, std::move(newcomer->agent), newcomer->track);
+  }
+  world_.replaceAgents(std::move(next_agents_));
+  monitor_.replaceTracks(std::move(next_tracks_));
+  next_agents_.swap(agents_);
+  next_tracks_.swap(tracks_);
+  for (BorderExchange::Shared& with : shared_) {
+    for (AgentId& name : with.sent) name = idOf(name);
+    for (AgentId& name : with.received) name = idOf(name);
+  }
+  border_.set(std::move(shared_), world_.agents().size());
+}
+
+AgentId DistributedCrowd::idOf(AgentId name) const {
+  return static_cast<AgentId>(std::lower_bound(names_.begin(), names_.end(), name) - names_.begin());
+}
+
+void DistributedCrowd::noteShares(std::size_t own) {
+  const RankSpread shares = spreadOf(communicator_, static_cast<double>(own));
+  if (shares.mean == 0.0) return;
+  imbalance_sum_ += shares.imbalance();
+  ++divisions_;
+}
+
+}  // namespace crowd

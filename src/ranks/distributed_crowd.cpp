@@ -1,0 +1,190 @@
+#include "social_crowd/ranks/distributed_crowd.h"
+
+#include <algorithm>
+
+#include "simulation/agent_transfer.h"
+#include "simulation/stopwatch.h"
+#include "social_crowd/navigation/walking_floor.h"
+#include "social_crowd/scenario/population_spec.h"
+#include "social_crowd/simulation/byte_archive.h"
+#include "social_crowd/simulation/trajectory.h"
+
+namespace crowd {
+namespace {
+
+constexpr double ROUNDING_MARGIN = 1e-3;  // for rounding [m]
+constexpr double CHAIN_ROOM = 3.0;        // length of a chain of impacts that copies allow for [m]
+
+std::vector<Vector2> startsOf(const Scene& scene) {
+  std::vector<Vector2> places;
+  places.reserve(scene.agents.size());
+  for (const AgentStart& start : scene.agents) places.push_back(start.position);
+  return places;
+}
+
+}  // namespace
+
+bool isDivisible(const Scene& scene) {
+  if (scene.order == Order::SEQUENTIAL || !scene.robots.empty()) return false;
+  if (scene.population && !scene.population->empty()) return false;
+  const auto waits = [](const AgentStart& start) { return start.route || start.reaction_time > 0.0; };
+  if (std::any_of(scene.agents.begin(), scene.agents.end(), waits)) return false;
+  double radius = 0.0;
+  for (const AgentStart& start : scene.agents) radius = std::max(radius, start.radius);
+  if (!scene.way_finding || radius == 0.0) return true;
+  Scene floor = scene;
+  floor.agents.clear();
+  return !hasBarriers(walkingFloor(World(floor), radius));
+}
+
+DistributedCrowd::Reach::Reach(const Scene& scene, const Vision& vision, double ticks) {
+  double speed = 0.0;
+  double radius = 0.0;
+  for (const AgentStart& start : scene.agents) {
+    speed = std::max(speed, start.max_speed);
+    radius = std::max(radius, start.radius);
+  }
+  for (const Obstacle& obstacle : scene.obstacles) {  // agents that are pushed are as fast
+    speed = std::max({speed, obstacle.path.speed(), obstacle.path.velocity(0.0).norm()});
+  }
+  const double step = scene.tick_duration * speed;
+  const double wandering = 2.0 * ticks * step;  // of own agents and of others until the next regroup()
+  touching = 2.0 * (radius + step) + wandering + ROUNDING_MARGIN;
+  const double measured = scene.collision_radius + 2.0 * (radius + step);
+  copies =
+      std::max({vision.radius + radius + wandering, measured + wandering, touching + CHAIN_ROOM}) + ROUNDING_MARGIN;
+}
+
+Scene DistributedCrowd::ownPart(const Scene& scene, const FloorStrips& strips, int rank, std::vector<AgentId>& names) {
+  Scene part = scene;
+  part.agents.clear();
+  for (std::size_t i = 0; i < scene.agents.size(); ++i) {
+    if (strips.stripOf(scene.agents[i].position) != rank) continue;
+    part.agents.push_back(scene.agents[i]);
+    names.push_back(static_cast<AgentId>(i));
+  }
+  return part;
+}
+
+DistributedCrowd::DistributedCrowd(const Scene& scene, std::uint64_t episode, const Learner& learner,
+                                   ThreadPool& thread_pool, Communicator& communicator, const Options& options)
+    : scenario_(scene.name),
+      max_ticks_(scene.max_ticks),
+      agent_count_(scene.agents.size()),
+      episode_(episode),
+      options_(options),
+      reach_(scene, learner.model().vision(), static_cast<double>(options.regroup_ticks)),
+      learner_(learner),
+      vision_(learner.model().vision()),
+      thread_pool_(thread_pool),
+      communicator_(communicator),
+      strips_(startsOf(scene), communicator.size()),
+      part_(ownPart(scene, strips_, communicator.rank(), names_)),
+      world_(part_),
+      monitor_(part_, world_),
+      border_(communicator) {
+  part_ = Scene();
+}
+
+bool DistributedCrowd::step(bool stop) {
+  const Stopwatch whole(CLOCK_MONOTONIC, seconds_);
+  const std::uint64_t sent = communicator_.sentBytes();
+  if (world_.tick() >= max_ticks_) return false;
+  if (world_.tick() >= next_regroup_) regroup();
+  {
+    const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, busy_seconds_);
+    crowd_.decide(world_, episode_, vision_, learner_, actions_, thread_pool_, &names_);
+  }
+  std::vector<std::uint64_t> sums = {actions_.size(), stop ? 1U : 0U};
+  communicator_.sum(sums);
+  was_stopped_ = sums[1] > 0;
+  if (sums[0] == 0 || was_stopped_) return false;
+  border_.exchangeActions(actions_);
+  {
+    const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, busy_seconds_);
+    world_.beginStep(actions_, thread_pool_);
+  }
+  if (world_.contact() == Contact::SOLID) agreeOnSolidMotion();
+  {
+    const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, busy_seconds_);
+    world_.endStep(thread_pool_);
+    monitor_.observe(world_, thread_pool_);
+  }
+  bytes_ += communicator_.sentBytes() - sent;
+  return true;
+}
+
+void DistributedCrowd::agreeOnSolidMotion() {
+  std::vector<std::uint64_t> different = {border_.exchangeOutcomes(world_)};
+  communicator_.sum(different);
+  if (different.front() > 0) moveWholeCrowd();
+}
+
+void DistributedCrowd::appendTrajectoryRows(std::string& rows) {
+  std::vector<Communicator::Bytes> out(rankCount());
+  std::vector<Communicator::Bytes> in;
+  ByteWriter write(out.front());
+  for (const Agent& agent : world_.agents()) {
+    if (!agent.perceives || !hasTrajectoryRow(agent, world_)) continue;
+    write(names_[agent.id]);
+    write(agent.pose.position);
+  }
+  communicator_.exchangeAnySize(out, in);
+  if (rank() != 0) return;
+  in.front() = std::move(out.front());
+  std::vector<std::pair<AgentId, Vector2>> places;
+  for (const Communicator::Bytes& message : in) {
+    ByteReader read(message);
+    while (!read.isAtEnd()) {
+      auto& [name, place] = places.emplace_back();
+      read(name);
+      read(place);
+    }
+  }
+  std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [name, place] : places) appendTrajectoryRow(episode_, world_.tick(), name, place, rows);
+}
+
+EpisodeResult DistributedCrowd::result() {
+  std::vector<Communicator::Bytes> out(rankCount());
+  std::vector<Communicator::Bytes> in;
+  ByteWriter write(out.front());
+  const auto add = [&](AgentId name, const AgentResult& agent) {
+    write(name);
+    transferResult(write, agent);
+  };
+  for (const Finished& finished : finished_) add(finished.name, finished.result);
+  for (const Agent& agent : world_.agents()) {
+    if (agent.perceives) add(names_[agent.id], monitor_.resultOf(monitor_.tracks()[agent.id]));
+  }
+  communicator_.exchangeAnySize(out, in);
+  EpisodeResult result;
+  result.scenario = scenario_;
+  result.ticks = world_.tick();
+  if (rank() != 0) return result;
+  in.front() = std::move(out.front());
+  std::vector<AgentResult> agents(agent_count_);
+  for (const Communicator::Bytes& message : in) {
+    ByteReader read(message);
+    while (!read.isAtEnd()) {
+      AgentId name = 0;
+      read(name);
+      transferResult(read, agents[name]);
+    }
+  }
+  result.agents = std::move(agents);
+  return result;
+}
+
+RanksReport DistributedCrowd::report() {
+  RanksReport report;
+  report.agents = agent_count_;
+  report.ticks = world_.tick();
+  report.seconds = seconds_;
+  report.agent_imbalance = divisions_ > 0 ? imbalance_sum_ / static_cast<double>(divisions_) : 1.0;
+  report.whole_motions = whole_motions_;
+  report.collect(communicator_, busy_seconds_, bytes_);
+  return report;
+}
+
+}  // namespace crowd

@@ -1,0 +1,82 @@
+// Checksums by which ranks find that they compute different things.
+
+#include <dlfcn.h>
+
+#include "simulation/agent_transfer.h"
+#include "social_crowd/common/checksum.h"
+#include "social_crowd/common/files.h"
+#include "social_crowd/ranks/distributed_evaluation.h"
+#include "social_crowd/simulation/byte_archive.h"
+#include "training/learned_episode_transfer.h"
+
+namespace crowd {
+namespace {
+
+/// Adds numbers to a checksum, as an archive of byte_archive.h.
+class ChecksumWriter {
+ public:
+  template <typename Value>
+  void operator()(const Value& value) {
+    bytes_.clear();
+    ByteWriter write(bytes_);
+    write(value);
+    checksum_.add({bytes_.data(), bytes_.size()});
+  }
+  std::string text() const { return checksum_.text(); }
+
+ private:
+  Checksum checksum_;
+  std::vector<char> bytes_;
+};
+
+}  // namespace
+
+std::string checksumOf(const Scene& scene) {
+  ChecksumWriter write;
+  write(scene.tick_duration);
+  write(scene.max_ticks);
+  write(scene.goal_tolerance);
+  write(scene.collision_radius);
+  write(scene.contact);
+  write(static_cast<std::uint64_t>(scene.agents.size()));
+  for (const AgentStart& start : scene.agents) {
+    write(start.position);
+    write(start.heading);
+    write(start.goals);
+    write(start.max_speed);
+    write(start.radius);
+    write(start.leaves);
+  }
+  for (const Obstacle& obstacle : scene.obstacles) {
+    write(obstacle.path.points());
+    write(obstacle.path.velocity(0.0));
+    write(obstacle.path.speed());
+    write(obstacle.path.kind());
+    write(obstacle.radius);
+  }
+  for (const Segment& wall : scene.walls) {
+    write(wall.from);
+    write(wall.to);
+  }
+  return write.text();
+}
+
+std::string checksumOf(const EpisodeResult& result) {
+  ChecksumWriter write;
+  write(result.ticks);
+  for (const AgentResult& agent : result.agents) transferResult(write, agent);
+  for (const RobotResult& robot : result.robots) transferRobot(write, robot);
+  return write.text();
+}
+
+std::string checksumOfLibrary() {
+  Dl_info info = {};
+  // An object of the library whose address is known.
+  static const char PLACE = 0;
+  if (dladdr(&PLACE, &info) == 0 || info.dli_fname == nullptr) return "unknown";
+  Checksum checksum;
+  checksum.add(readFile(info.dli_fname));
+  return checksum.text();
+}
+
+}  // namespace crowd

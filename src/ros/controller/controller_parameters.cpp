@@ -1,0 +1,123 @@
+#include "social_crowd/ros/controller/controller_parameters.h"
+
+#include "social_crowd/common/files.h"
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
+#include "social_crowd/scenario/scenario_files.h"
+#include "social_crowd/training/training_config.h"
+
+namespace crowd {
+namespace {
+
+constexpr const char* FAST = "fast";
+
+double readRealTimeFactor(Parameters& parameters, double otherwise) {
+  const std::string expected = "'fast' or " + toText(ControllerParameters::REAL_TIME_FACTOR);
+  const std::string text = parameters.text("real_time_factor", toText(otherwise), expected);
+  if (text == FAST) return 0.0;
+  const std::optional<double> factor = toNumber(text);
+  if (factor && ControllerParameters::REAL_TIME_FACTOR.contains(*factor)) return *factor;
+  parameters.complain("real_time_factor", "expected " + expected + ", got " + inQuotes(text));
+  return otherwise;
+}
+
+/// Takes scenarios, episodes and seed from a training configuration.
+void useConfig(Parameters& parameters, ControllerParameters& read) {
+  const std::string file = parameters.text("config", "");
+  if (file.empty()) return;
+  try {
+    const TrainingConfig config = readTrainingConfig(file);
+    read.scenarios = config.training.scenarios;
+    read.episodes = config.training.episodes;
+    read.seed = config.training.seed;
+    read.name = stemOf(file);
+  } catch (const Error& error) {
+    parameters.complain("config", error.what());
+  }
+}
+
+void readScenario(Parameters& parameters, ControllerParameters& read) {
+  read.scenario_folder = parameters.text("scenario_folder", shippedScenarios());
+  const std::string scenario = parameters.text("scenario", "");
+  if (scenario.empty()) {
+    if (parameters.isSet("scenario") || parameters.isSet("config")) return;
+    return parameters.complainMissing("scenario", "expected a scenario file or name, or ~config, got nothing");
+  }
+  try {
+    read.scenarios = {findScenario(scenario, "", read.scenario_folder)};
+    read.name = stemOf(read.scenarios.front());
+  } catch (const InputError& error) {
+    parameters.complain("scenario", error.what());
+  }
+}
+
+void readRobots(Parameters& parameters, ControllerParameters& read) {
+  read.robot_lockstep = parameters.flag("robot_lockstep", read.robot_lockstep);
+  read.command_deadline = parameters.number("command_deadline", read.command_deadline, ControllerParameters::DEADLINE);
+  read.command_period = parameters.number("command_period", read.command_period, ControllerParameters::COMMAND_PERIOD);
+  read.publish_localisation = parameters.flag("publish_localisation", read.publish_localisation);
+  read.visible_people_only = parameters.flag("visible_people_only", read.visible_people_only);
+  if (read.robot_lockstep && !read.publish_clock) {
+    parameters.complain("robot_lockstep", "needs ~publish_clock: true");
+  }
+}
+
+}  // namespace
+
+void requireRealTimeFactor(double factor) {
+  const NumberRange& range = ControllerParameters::REAL_TIME_FACTOR;
+  if (!range.contains(factor)) throw InputError("factor: expected " + toText(range) + ", got " + toText(factor));
+}
+
+std::string realTimeFactorText(double factor) { return factor > 0.0 ? toText(factor) : FAST; }
+
+ControllerParameters readControllerParameters(const ros::NodeHandle& private_node) {
+  Parameters parameters(private_node);
+  ControllerParameters read;
+  useConfig(parameters, read);
+  readScenario(parameters, read);
+  read.data_folder = readDataFolder(parameters);
+  read.map_topic = parameters.text("map_topic", "");
+  read.seed = static_cast<std::uint64_t>(parameters.whole("seed", static_cast<std::int64_t>(read.seed), 0, MAX_WHOLE));
+  read.episodes =
+      static_cast<std::uint64_t>(parameters.whole("episodes", static_cast<std::int64_t>(read.episodes), 0, MAX_WHOLE));
+  read.real_time_factor = readRealTimeFactor(parameters, read.real_time_factor);
+  read.paused = parameters.flag("paused", read.paused);
+  read.start_deadline = parameters.number("start_deadline", read.start_deadline, ControllerParameters::START_DEADLINE);
+  read.answer_deadline = parameters.number("answer_deadline", read.answer_deadline, ControllerParameters::DEADLINE);
+  const NumberRange& misses = ControllerParameters::MISSES;
+  read.misses_until_absent =
+      static_cast<int>(parameters.whole("misses_until_absent", read.misses_until_absent,
+                                        static_cast<std::int64_t>(misses.low), static_cast<std::int64_t>(misses.high)));
+  read.agents_rate = parameters.number("agents_rate", read.agents_rate, ControllerParameters::AGENTS_RATE);
+  read.diagnostic_period = readDiagnosticPeriod(parameters);
+  read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
+  read.publish_clock = parameters.flag("publish_clock", read.publish_clock);
+  readRobots(parameters, read);
+  read.trajectories = parameters.text("trajectories", "");
+  read.ends_launch = parameters.flag("ends_launch", read.ends_launch);
+  parameters.finish();
+  return read;
+}
+
+LiveParameters<ControllerParameters> liveControllerParameters() {
+  using P = ControllerParameters;
+  LiveParameters<P> live;
+  live.add({"real_time_factor", "factor of real time; 0: as fast as possible", P::REAL_TIME_FACTOR, {}},
+           &P::real_time_factor);
+  live.add({"paused", "pause before the next tick", {}, {}}, &P::paused);
+  live.add({"start_deadline", "timeout for learners that have never answered [s]", P::START_DEADLINE, {}},
+           &P::start_deadline);
+  live.add({"answer_deadline", "timeout for an answer [s]", P::DEADLINE, {}}, &P::answer_deadline);
+  live.add({"misses_until_absent",
+            "consecutive missed answers until an agent, or commands until a robot, is absent",
+            P::MISSES,
+            {}},
+           &P::misses_until_absent);
+  live.add({"command_deadline", "timeout for the commands of robots [s]", P::DEADLINE, {}}, &P::command_deadline);
+  live.add({"agents_rate", "maximum rate of the topic agents and of tf [Hz]; 0: every tick", P::AGENTS_RATE, {}},
+           &P::agents_rate);
+  return live;
+}
+
+}  // namespace crowd

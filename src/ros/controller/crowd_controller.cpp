@@ -1,0 +1,292 @@
+#include "social_crowd/ros/controller/crowd_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "social_crowd/common/files.h"
+#include "social_crowd/common/quotes.h"
+#include "social_crowd/maps/map_walls.h"
+#include "social_crowd/ros/messages/conversions.h"
+#include "social_crowd/ros/messages/names.h"
+#include "social_crowd/ros/messages/topic_defaults.h"
+#include "social_crowd/ros/node/launch_end.h"
+#include "social_crowd/scenario/scenario_reader.h"
+#include "social_crowd/simulation/metrics.h"
+
+namespace crowd {
+namespace {
+
+constexpr unsigned SERVICE_THREADS = 3;
+const ros::WallDuration FLUSH(0.25);       // until the last messages have left the process
+const ros::WallDuration LAUNCH_END(20.0);  // until roslaunch has shut the node down
+constexpr double MAX_LAG = 0.5;            // [s] behind real time; a larger lag is not caught up
+constexpr double MAX_WAIT = 1e6;           // [s] for the next tick; ros::WallDuration holds no more than 68 years
+
+}  // namespace
+
+CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHandle& private_node)
+    : parameters_(readControllerParameters(private_node)),
+      data_folder_(parameters_.data_folder),
+      scenario_folder_(parameters_.scenario_folder),
+      node_(loop_.adopt(node)),
+      answers_(loop_, node_, parameters_),
+      broadcaster_(node_, parameters_),
+      name_(private_node.getNamespace()),
+      robots_(loop_, node_, parameters_, [this] { return broadcaster_.header().stamp; }),
+      seed_(parameters_.seed),
+      status_(node_, [this] { return status(); }),
+      reconfigure_(loop_.adopt(private_node), live_.descriptions(), live_.valuesOf(ControllerParameters()),
+                   {[this] { return live_.valuesOf(parameters_); },
+                    [this](const LiveValues& values) { use(live_.changed(parameters_, values)); }}),
+      diagnostics_(node_, private_node, parameters_.diagnostic_period, [this] { takeSample(); }),
+      files_(private_node, 1),
+      services_(private_node, SERVICE_THREADS) {
+  ScenarioList scenarios = readScenarios(parameters_.scenarios, stop_);
+  scenarios.scene(seed_, 0, stop_);
+  useScenarios(std::move(scenarios), parameters_.name);
+  advertiseServices();
+  addDiagnostics();
+  if (!parameters_.map_topic.empty()) {
+    map_subscriber_ = node_.subscribe<nav_msgs::OccupancyGrid>(parameters_.map_topic, 1,
+                                                               [this](const auto& message) { takeMap(*message); });
+  }
+}
+
+void CrowdController::run() {
+  files_.start();
+  services_.start();
+  try {
+    while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
+      if (tick_ended_) waitWhilePaused();
+      if (!loop_.isClosed()) walkTurn();
+    }
+  } catch (const Stopped&) {  // the node shuts down during a long tick
+  }
+  finishSteps();
+  noteRest();
+  linger();
+  loop_.close();
+}
+
+void CrowdController::linger() {
+  if (metrics_.episodes() > 1) {
+    ROS_INFO(
+        "%lu episodes: success %.2f %%, contact %.2f %%, collision %.2f %%, clean %.1f %%, path ratio %.3f, time ratio "
+        "%.3f",
+        static_cast<unsigned long>(metrics_.episodes()), metrics_.successPercent(), metrics_.contactPercent(),
+        metrics_.collisionPercent(), metrics_.cleanPercent(), metrics_.pathRatio(), metrics_.timeRatio());
+    if (!robot_summary_.text().empty()) ROS_INFO("all episodes, %s", robot_summary_.text().c_str());
+  }
+  // ROS does not report when a message has left the process.
+  serveUntil(Clock::now() + FLUSH);
+  if (parameters_.ends_launch && !loop_.isClosed() && endLaunch()) awaitShutdown(Clock::now() + LAUNCH_END);
+}
+
+void CrowdController::awaitShutdown(const Clock& deadline) {
+  // Service calls must not end the node now: roslaunch would report its exit as the cause of the shutdown.
+  while (!loop_.isClosed() && Clock::now() < deadline) loop_.run(IDLE);
+}
+
+void CrowdController::useScenarios(ScenarioList scenarios, const std::string& name) {
+  // What can fail is done before anything is replaced.
+  std::optional<TrajectoryFile> recording = beginRecording(name);
+  scenarios_ = std::move(scenarios);
+  scenario_name_ = name;
+  restart(std::move(recording));
+}
+
+std::optional<TrajectoryFile> CrowdController::beginRecording(const std::string& name) const {
+  if (parameters_.trajectories.empty()) return std::nullopt;
+  return TrajectoryFile(parameters_.trajectories, name);
+}
+
+void CrowdController::restart(std::optional<TrajectoryFile> recording) {
+  if (pending_steps_ != nullptr && pending_steps_->observe) finishSteps();  // robots of another episode would be driven
+  instance_ = 0;
+  headings_.clear();
+  trajectory_file_ = std::move(recording);
+  beginEpisode();
+}
+
+Scene CrowdController::nextScene() const {
+  Scene scene = scenarios_.scene(seed_, instance_, stop_);
+  keepHeadings(headings_, scene);
+  if (map_ != nullptr) {
+    scene.map = map_;
+    scene.walls.resize(scene.own_walls);
+    scene.walls.insert(scene.walls.end(), map_walls_.begin(), map_walls_.end());
+  }
+  return scene;
+}
+
+void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
+  std::vector<Segment> map_walls;
+  std::shared_ptr<const OccupancyMap> map;
+  const Scene& scene = episode_->scene();
+  try {
+    if (message.header.frame_id != names::MAP_FRAME && !message.header.frame_id.empty()) {
+      throw InputError("header.frame_id: expected 'map', got " + inQuotes(message.header.frame_id));
+    }
+    map = std::make_shared<const OccupancyMap>(fromMessage(message));
+    map_walls = traceWalls(*map);
+    std::vector<Segment> walls(scene.walls.begin(), scene.walls.begin() + static_cast<std::ptrdiff_t>(scene.own_walls));
+    walls.insert(walls.end(), map_walls.begin(), map_walls.end());
+    episode_->replaceWalls(std::move(walls));
+  } catch (const Error& error) {
+    ROS_ERROR("the map on %s is not used: %s", parameters_.map_topic.c_str(), error.what());
+    return;
+  }
+  map_ = std::move(map);
+  map_walls_ = std::move(map_walls);
+  broadcaster_.publishWalls(*episode_);
+  ROS_INFO("map of %u x %u cells from %s: %zu walls", message.info.width, message.info.height,
+           parameters_.map_topic.c_str(), map_walls_.size());
+}
+
+void CrowdController::beginEpisode() {
+  cut_off_ = true;
+  tick_ended_ = true;
+  episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision(), ThreadPool::callerOnly(), stop_);
+  answers_.cancel();
+  robots_.begin(*episode_);
+  trajectory_.clear();
+  if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
+  next_tick_ = Clock::now();
+  broadcaster_.advanceClock(episode_->scene().tick_duration);
+  robots_.publish(broadcaster_.header().stamp, true);
+  broadcaster_.publishClock();
+  broadcaster_.publishScenario(*episode_, instance_);
+  broadcaster_.publishAgentsNow(*episode_);
+  warnOfWays(episode_->result(), "at its start");
+}
+
+void CrowdController::warnOfWays(const EpisodeResult& result, const char* when) const {
+  const std::string warning = result.wayWarning();
+  if (warning.empty()) return;
+  ROS_WARN("episode %lu (%s), %s: %s", static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), when,
+           warning.c_str());
+}
+
+void CrowdController::endEpisode() {
+  broadcaster_.publishAgentsNow(*episode_);
+  answers_.publishLast(*episode_, broadcaster_.header());
+  EpisodeResult result = episode_->result();
+  robots_.writeInput(result.robots);
+  broadcaster_.publishResult(result, episode_->number(), instance_, answers_.missedCount(), answers_.droppedCount());
+  metrics_.add(result);
+  robot_summary_.add(result);
+  headings_ = result.headings();
+  logResult(result);
+  if (trajectory_file_) trajectory_file_->append(trajectory_);
+  ++instance_;
+  if (++ended_episodes_ != parameters_.episodes && robots_.awaitLast()) beginEpisode();
+}
+
+void CrowdController::logResult(const EpisodeResult& result) {
+  Metrics metrics;
+  metrics.add(result);
+  ROS_INFO(
+      "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, %zu in collision, path "
+      "ratio %.3f, "
+      "time ratio %.3f, %lu answers missed, %lu dropped",
+      static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), static_cast<unsigned long>(instance_),
+      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
+      result.collidedCount(), metrics.pathRatio(), metrics.timeRatio(),
+      static_cast<unsigned long>(answers_.missedCount()), static_cast<unsigned long>(answers_.droppedCount()));
+  RobotSummary robots;
+  robots.add(result);
+  if (!robots.text().empty())
+    ROS_INFO("episode %lu, %s", static_cast<unsigned long>(episode_->number()), robots.text().c_str());
+  warnOfWays(result, "at its end");
+}
+
+void CrowdController::waitWhilePaused() {
+  while (!loop_.isClosed() && !mayWalk()) {
+    broadcaster_.publishAgentsNow(*episode_);
+    noteRest();
+    loop_.run(IDLE);
+    next_tick_ = Clock::now();
+  }
+}
+
+void CrowdController::walkTurn() {
+  cut_off_ = false;
+  answers_.ask(*episode_, broadcaster_.header());
+  if (tick_ended_) robots_.ask();
+  // Published while the learners decide; between turns the tick is incomplete.
+  if (tick_ended_) broadcaster_.publishAgents(*episode_);
+  if (!answers_.wait(*episode_)) return;  // ask again, or another episode has begun, or the node shuts down
+  if (tick_ended_ && !robots_.wait([this] { return broadcaster_.timeIn(episode_->scene().tick_duration); })) return;
+  decisions_ += answers_.answers().size();
+  tick_ended_ = episode_->step(answers_.answers());
+  if (tick_ended_) endTick();
+}
+
+void CrowdController::endTick() {
+  ++ticks_;
+  broadcaster_.advanceClock(episode_->scene().tick_duration);
+  robots_.observe();
+  robots_.publish(broadcaster_.header().stamp, false);
+  broadcaster_.publishClock();
+  if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
+  keepPace();
+  observeSteps();
+  if (!cut_off_ && episode_->isOver()) endEpisode();
+  noteStep();
+}
+
+void CrowdController::serveUntil(const Clock& until) {
+  do {
+    loop_.run(std::max(ros::WallDuration(0.0), std::min(IDLE, until - Clock::now())));
+  } while (!loop_.isClosed() && !cut_off_ && Clock::now() < until);
+}
+
+double CrowdController::presentFactor() const {
+  const double factor = parameters_.real_time_factor;
+  // The controller of the robot can start or come back during the episode.
+  const bool waits = (factor <= 0.0 || factor > 1.0) && robots_.commands().isAnyUnattended();
+  return waits ? 1.0 : factor;
+}
+
+void CrowdController::use(const ControllerParameters& parameters) {
+  if (parameters.real_time_factor != parameters_.real_time_factor) next_tick_ = Clock::now();
+  const bool pauses = parameters.paused != parameters_.paused;
+  parameters_ = parameters;
+  if (pauses) pause(parameters.paused);
+  status_.publish();
+}
+
+void CrowdController::keepPace() {
+  const double factor = presentFactor();
+  if (factor <= 0.0) return;
+  next_tick_ += ros::WallDuration(std::min(episode_->scene().tick_duration / factor, MAX_WAIT));
+  if ((Clock::now() - next_tick_).toSec() > MAX_LAG) next_tick_ = Clock::now();
+  if (Clock::now() >= next_tick_) return;
+  broadcaster_.publishAgents(*episode_);
+  serveUntil(next_tick_);
+}
+
+void CrowdController::observeSteps() {
+  if (pending_steps_ == nullptr || pending_steps_->observe == nullptr) return;
+  const bool is_over = !cut_off_ && episode_->isOver();
+  if (is_over) pending_steps_->left = 1;
+  if (pending_steps_->left == 1) pending_steps_->observe(is_over);
+}
+
+void CrowdController::noteStep() {
+  if (pending_steps_ != nullptr && --pending_steps_->left == 0) finishSteps();
+}
+
+void CrowdController::noteRest() {
+  for (std::promise<void>& waiting : waiting_for_rest_) waiting.set_value();
+  waiting_for_rest_.clear();
+}
+
+void CrowdController::finishSteps() {
+  if (pending_steps_ == nullptr) return;
+  robots_.endSteps();
+  pending_steps_->done.set_value();
+  pending_steps_.reset();
+}
+
+}  // namespace crowd

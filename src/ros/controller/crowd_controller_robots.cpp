@@ -1,0 +1,46 @@
+// Services of the crowd controller for robots.
+
+#include <memory>
+#include <utility>
+
+#include "social_crowd/ros/controller/crowd_controller.h"
+#include "social_crowd/ros/messages/names.h"
+
+namespace crowd {
+
+std::future<void> CrowdController::beginRobotSteps(
+    const social_crowd::StepRobots::Request& request,
+    const std::shared_ptr<social_crowd::StepRobots::Response>& response) {
+  if (!parameters_.paused || !tick_ended_) throw InputError("the crowd is walking: call ~pause first");
+  if (pending_steps_ != nullptr) throw InputError("another step request is in progress");
+  const auto observe = [this, response, with_scan = request.with_scan != 0](bool over) {
+    response->episode = episode_->number();
+    response->tick = episode_->world().tick();
+    response->done = over ? 1 : 0;
+    response->observations = robots_.observations(broadcaster_.header().stamp, with_scan);
+    response->message = "now at " + place();
+  };
+  const CommandCollector::Commands commands = robots_.commands().commandsOf(request.robots, request.commands);
+  if (request.ticks > 0) {
+    robots_.beginSteps(commands);
+    return beginSteps(request.ticks, observe);
+  }
+  observe(false);
+  std::promise<void> done;
+  done.set_value();
+  return done.get_future();
+}
+
+void CrowdController::advertiseRobotServices() {
+  services_.serve<social_crowd::StepRobots>(names::STEP_ROBOTS, [this](const auto& request, auto& response) {
+    // Shared with the main loop, which may still write it when this call has ended because the node shuts down.
+    const auto result = std::make_shared<social_crowd::StepRobots::Response>(response);
+    waitFor(loop_.ask<std::future<void>>([&] { return beginRobotSteps(request, result); }), std::chrono::hours(24));
+    loop_.ask<void>([&] {
+      if (result->observations.empty()) throw Error("another call of a service ended the steps");
+      response = *result;
+    });
+  });
+}
+
+}  // namespace crowd

@@ -1,0 +1,33 @@
+#include "social_crowd/ros/learner/learner_visions.h"
+
+#include <ros/console.h>
+
+#include <string>
+
+#include "social_crowd/geometry/limits.h"
+#include "social_crowd/ros/messages/vision.h"
+
+namespace crowd {
+
+void LearnerVisions::report(const std::string& learner, const Vision& vision) {
+  const std::string refusal = refusalOf(vision.radius, limits::DISTANCE_OR_0);
+  if (!refusal.empty()) {
+    ROS_WARN("'%s' requests a vision radius of %g; expected %s. The request is ignored", learner.c_str(), vision.radius,
+             refusal.c_str());
+    return;
+  }
+  if (vision.max_neighbours > limits::NEIGHBOURS) {
+    ROS_WARN("'%s' requests up to %u neighbours; expected at most %u, or 0 for all. The request is ignored",
+             learner.c_str(), vision.max_neighbours, limits::NEIGHBOURS);
+    return;
+  }
+  if (vision.radius == 0.0) {
+    reported_.erase(learner);
+  } else {
+    reported_[learner] = vision;
+  }
+  widest_ = reported_.empty() ? Vision() : reported_.begin()->second;
+  for (const auto& [name, reported] : reported_) widest_ = crowd::widest(widest_, reported);
+}
+
+}  // namespace crowd

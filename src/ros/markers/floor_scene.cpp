@@ -1,0 +1,85 @@
+#include "social_crowd/ros/markers/floor_scene.h"
+
+#include <algorithm>
+
+#include "social_crowd/scenario/population_spec.h"
+
+namespace crowd {
+namespace {
+
+AgentStart startOf(const Agent& agent, const Scene& scene) {
+  AgentStart start;
+  start.position = agent.pose.position;
+  start.heading = agent.pose.heading;
+  start.goals.assign(agent.goals.begin() + static_cast<std::ptrdiff_t>(agent.next_goal), agent.goals.end());
+  start.max_speed = agent.max_speed;
+  start.radius = agent.radius;
+  start.leaves = agent.leaves;
+  if (agent.id < scene.agents.size()) start.route = scene.agents[agent.id].route;
+  return start;
+}
+
+bool isGate(const Segment& wall, const Scene& scene) {
+  if (!scene.population) return false;
+  const std::vector<GateDescription>& gates = scene.population->gates;
+  return std::any_of(gates.begin(), gates.end(), [&](const GateDescription& gate) {
+    return gate.wall.from == wall.from && gate.wall.to == wall.to;
+  });
+}
+
+/// Writes the present walls. Gates are not among them, as the population has them.
+void takeWalls(const World& world, bool with_map_file, Scene& scene) {
+  const std::size_t map_walls = scene.walls.size() - scene.own_walls;
+  const auto is_of_map = [&, end = scene.walls.size()](std::size_t id) { return id >= scene.own_walls && id < end; };
+  const std::vector<std::size_t>& ids = world.wallIds();
+  const auto left = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_of_map));
+  const bool leaves_to_map = with_map_file && !scene.map_file.empty() && left == map_walls;
+  std::vector<Segment> walls;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Segment& wall = world.walls()[i];
+    if (!isGate(wall, scene) && !(leaves_to_map && is_of_map(ids[i]))) walls.push_back(wall);
+  }
+  if (!leaves_to_map) scene.map_file.clear();
+  scene.walls = std::move(walls);
+  scene.own_walls = scene.walls.size();
+}
+
+RobotStart startOf(const Robot& robot) {
+  RobotStart start = robot.start;
+  start.position = robot.pose.position;
+  start.heading = robot.pose.heading;
+  start.goals.clear();
+  if (!robot.hasArrived() && robot.hasGoal()) {
+    start.goals.assign(robot.goals.begin() + static_cast<std::ptrdiff_t>(robot.next_goal), robot.goals.end());
+  }
+  return start;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
+  const World& world = episode.world();
+  Scene scene = episode.scene();
+  std::vector<AgentStart> agents;
+  for (const Agent& agent : world.agents()) {
+    if (agent.isWalking()) agents.push_back(startOf(agent, scene));
+  }
+  scene.agents = std::move(agents);
+  scene.obstacles = world.obstacles();
+  for (Obstacle& obstacle : scene.obstacles) obstacle.path = obstacle.path.after(world.time());
+  takeWalls(world, with_map_file, scene);
+  scene.robots.clear();
+  for (const Robot& robot : world.robots()) scene.robots.push_back(startOf(robot));
+  return scene;
+}
+
+std::string countsText(const Scene& scene) {
+  return counted(scene.agents.size(), "agent") + ", " + counted(scene.obstacles.size(), "obstacle") + ", " +
+         counted(scene.own_walls, "wall") + (scene.robots.empty() ? "" : ", " + counted(scene.robots.size(), "robot"));
+}
+
+}  // namespace crowd

@@ -1,0 +1,31 @@
+#include "social_crowd/ros/messages/vision.h"
+
+#include <algorithm>
+
+#include "social_crowd/common/numbers.h"
+
+namespace crowd {
+
+Vision widest(const Vision& a, const Vision& b) {
+  Vision wide;
+  wide.radius = std::max(a.radius, b.radius);
+  wide.occlusion = a.occlusion && b.occlusion && a.radius == b.radius;
+  const bool must_add_occlusion = (a.occlusion || b.occlusion) && !wide.occlusion;
+  const bool is_unlimited = a.max_neighbours == 0 || b.max_neighbours == 0 || must_add_occlusion;
+  wide.max_neighbours = is_unlimited ? 0 : std::max(a.max_neighbours, b.max_neighbours);
+  return wide;
+}
+
+bool covers(const Vision& vision, const Vision& needed) { return areEqual(widest(vision, needed), vision); }
+
+bool areEqual(const Vision& a, const Vision& b) {
+  return a.radius == b.radius && a.max_neighbours == b.max_neighbours && a.occlusion == b.occlusion;
+}
+
+std::string toText(const Vision& vision) {
+  return "radius " + toText(vision.radius) + " m, " +
+         (vision.max_neighbours == 0 ? "any number of" : "at most " + std::to_string(vision.max_neighbours)) +
+         " neighbours, " + (vision.occlusion ? "with" : "without") + " occlusion";
+}
+
+}  // namespace crowd

@@ -1,0 +1,265 @@
+#include "social_crowd/ros/robots/robot_messages.h"
+
+#include <sensor_msgs/point_cloud2_iterator.h>
+#include <tf2/utils.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "social_crowd/ros/messages/conversions.h"
+
+namespace crowd {
+namespace {
+
+constexpr int DISC_CORNERS = 16;
+constexpr double UNMEASURED = 1e6;       // variance of height [m^2], roll and pitch [rad^2], and of their rates
+constexpr double LEAST_VARIANCE = 1e-6;  // of the others
+constexpr std::size_t DIMENSIONS = 6;    // x, y, z, and rotations about these axes
+constexpr std::array<std::size_t, 3> MEASURED = {0, 1, 5};
+
+geometry_msgs::Pose2D toPose2D(const Pose& pose) {
+  geometry_msgs::Pose2D message;
+  message.x = pose.position.x();
+  message.y = pose.position.y();
+  message.theta = pose.heading;
+  return message;
+}
+
+/// @param covariance of x, y and heading
+void writeCovariance(const Eigen::Matrix3d& covariance, boost::array<double, DIMENSIONS * DIMENSIONS>& numbers) {
+  numbers.fill(0.0);
+  for (std::size_t i = 0; i < DIMENSIONS; ++i) numbers[i * DIMENSIONS + i] = UNMEASURED;
+  for (std::size_t i = 0; i < MEASURED.size(); ++i) {
+    for (std::size_t k = 0; k < MEASURED.size(); ++k) {
+      const double value = covariance(static_cast<int>(i), static_cast<int>(k));
+      numbers[MEASURED[i] * DIMENSIONS + MEASURED[k]] = i == k ? std::max(LEAST_VARIANCE, value) : value;
+    }
+  }
+}
+
+void addOnce(AgentId agent, std::vector<AgentId>& agents) {
+  if (std::find(agents.begin(), agents.end(), agent) == agents.end()) agents.push_back(agent);
+}
+
+double clearanceOf(const Robot& robot, const World& world) {
+  double clearance = std::numeric_limits<double>::infinity();
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isWalking()) continue;
+    const double apart = distance(robot.start.footprint, robot.pose, agent.pose.position);
+    clearance = std::min(clearance, apart - agent.radius);
+  }
+  return clearance;
+}
+
+}  // namespace
+
+std::string framePrefix(const RobotStart& start) { return start.name_space.empty() ? "" : start.name_space + "/"; }
+
+Twist fromMessage(const geometry_msgs::Twist& message) {
+  return {{message.linear.x, message.linear.y}, message.angular.z};
+}
+
+Pose fromMessage(const geometry_msgs::Transform& message) {
+  return {fromVector3(message.translation), tf2::getYaw(message.rotation)};
+}
+
+geometry_msgs::Twist toMessage(const Twist& twist) {
+  geometry_msgs::Twist message;
+  message.linear = toVector3(twist.linear);
+  message.angular.z = twist.rotation;
+  return message;
+}
+
+geometry_msgs::Pose toMessage(const Pose& pose) {
+  geometry_msgs::Pose message;
+  message.position = toPoint(pose.position);
+  message.orientation = toQuaternion(pose.heading);
+  return message;
+}
+
+geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, const std::string& child,
+                                            const Pose& pose) {
+  geometry_msgs::TransformStamped transform;
+  transform.header = header;
+  transform.child_frame_id = child;
+  transform.transform.translation = toVector3(pose.position);
+  transform.transform.rotation = toQuaternion(pose.heading);
+  return transform;
+}
+
+Pose relativePose(const Pose& from, const Pose& to) {
+  return {Rotation(from.heading).intoFrame(to.position - from.position), wrapAngle(to.heading - from.heading)};
+}
+
+Pose composedPose(const Pose& frame, const Pose& pose) {
+  return {frame.position + Rotation(frame.heading).outOfFrame(pose.position), wrapAngle(frame.heading + pose.heading)};
+}
+
+nav_msgs::Odometry toMessage(const Odometry& odometry, const OdometryCovariance& covariance) {
+  nav_msgs::Odometry message;
+  message.pose.pose = toMessage(odometry.pose);
+  message.twist.twist = toMessage(odometry.twist);
+  writeCovariance(covariance.pose, message.pose.covariance);
+  writeCovariance(covariance.twist, message.twist.covariance);
+  return message;
+}
+
+sensor_msgs::LaserScan toMessage(const ScanSpec& spec, const std::vector<float>& ranges, double tick_duration) {
+  sensor_msgs::LaserScan message;
+  const double increment = angleIncrement(spec);
+  message.angle_min = static_cast<float>(spec.first_angle);
+  message.angle_max = static_cast<float>(spec.first_angle + increment * (static_cast<double>(spec.rays) - 1.0));
+  message.angle_increment = static_cast<float>(increment);
+  message.scan_time = static_cast<float>(static_cast<double>(scanTicks(spec, tick_duration)) * tick_duration);
+  message.range_min = static_cast<float>(spec.min_range);
+  message.range_max = static_cast<float>(spec.max_range);
+  message.ranges = ranges;
+  return message;
+}
+
+sensor_msgs::PointCloud2 toCloud(const ScanSpec& spec, const std::vector<float>& ranges) {
+  sensor_msgs::PointCloud2 cloud;
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(1, "xyz");
+  const auto is_hit = [](float range) { return std::isfinite(range); };
+  modifier.resize(static_cast<std::size_t>(std::count_if(ranges.begin(), ranges.end(), is_hit)));
+  sensor_msgs::PointCloud2Iterator<float> x(cloud, "x");
+  sensor_msgs::PointCloud2Iterator<float> y(cloud, "y");
+  sensor_msgs::PointCloud2Iterator<float> z(cloud, "z");
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!is_hit(ranges[i])) continue;
+    const Vector2 point =
+        static_cast<double>(ranges[i]) * unitVector(spec.first_angle + static_cast<double>(i) * angleIncrement(spec));
+    *x = static_cast<float>(point.x());
+    *y = static_cast<float>(point.y());
+    *z = 0.0F;
+    ++x;
+    ++y;
+    ++z;
+  }
+  cloud.is_dense = 1;
+  return cloud;
+}
+
+geometry_msgs::Polygon toMessage(const Footprint& footprint) {
+  std::vector<Vector2> corners = footprint.corners;
+  for (int i = 0; footprint.isDisc() && i < DISC_CORNERS; ++i) {
+    corners.emplace_back(footprint.radius * unitVector(2.0 * PI * i / DISC_CORNERS));
+  }
+  geometry_msgs::Polygon polygon;
+  for (const Vector2& corner : corners) {
+    geometry_msgs::Point32 point;
+    point.x = static_cast<float>(corner.x());
+    point.y = static_cast<float>(corner.y());
+    polygon.points.push_back(point);
+  }
+  return polygon;
+}
+
+social_crowd::RobotState toMessage(const Robot& robot, RobotId id) {
+  social_crowd::RobotState message;
+  message.robot = id;
+  message.name = robot.start.name;
+  message.status = static_cast<std::uint8_t>(robot.status);
+  message.pose = toPose2D(robot.pose);
+  message.twist = toMessage(robot.twist);
+  message.command = toMessage(robot.target);
+  for (const Vector2& corner : robot.start.footprint.corners) message.footprint.push_back(toPoint(corner));
+  message.radius = robot.start.footprint.reach();
+  message.has_goal = robot.hasGoal() ? 1 : 0;
+  if (robot.hasGoal()) message.goal = toPoint(robot.goal());
+  message.blocked = robot.blocked ? 1 : 0;
+  for (const RobotContact& contact : robot.contacts) message.contacts.push_back(contact.agent);
+  return message;
+}
+
+void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message) {
+  const auto refused = [&](CommandRefusal cause) { return counts.refused[static_cast<std::size_t>(cause)]; };
+  message.commands_taken = counts.taken;
+  message.commands_missed = counts.missed;
+  message.commands_late = counts.late;
+  message.command_timeouts = counts.timeouts;
+  message.commands_not_finite = refused(CommandRefusal::NOT_FINITE);
+  message.commands_of_others = refused(CommandRefusal::OTHER_PUBLISHER);
+  message.commands_repeated = refused(CommandRefusal::SECOND_IN_TICK);
+}
+
+void writeCounts(const PoseInput& input, social_crowd::RobotState& message) {
+  message.poses_taken = input.counts.taken;
+  message.poses_not_finite = input.counts.not_finite;
+  message.poses_backwards = input.counts.backwards;
+  message.poses_without_frame = input.without_frame;
+  message.pose_jumps = input.counts.jumps;
+  message.pose_gaps = input.counts.gaps;
+  message.pose_stale = input.counts.stale;
+}
+
+social_crowd::RobotResult toMessage(const RobotResult& result) {
+  social_crowd::RobotResult message;
+  message.robot = result.name;
+  message.success = result.success ? 1 : 0;
+  message.timeout = result.timeout ? 1 : 0;
+  message.stuck = result.stuck ? 1 : 0;
+  message.time_to_reach_goal = result.time_to_reach_goal;
+  message.path_length = result.path_length;
+  message.path_length_ratio = result.path_length_ratio;
+  message.final_distance = result.final_distance;
+  message.minimum_distance_to_goal = result.minimum_distance_to_goal;
+  message.avg_robot_linear_speed = result.avg_robot_linear_speed;
+  message.max_speed = result.max_speed;
+  message.avg_acceleration = result.avg_acceleration;
+  message.max_acceleration = result.max_acceleration;
+  message.avg_jerk = result.avg_jerk;
+  message.max_jerk = result.max_jerk;
+  message.cumulative_heading_changes = result.cumulative_heading_changes;
+  message.time_not_moving = result.time_not_moving;
+  message.robot_on_person_collisions = result.robot_on_person_collisions;
+  message.person_on_robot_collisions = result.person_on_robot_collisions;
+  message.mutual_collisions = result.mutual_collisions;
+  message.contact_time = result.contact_time;
+  message.wall_contacts = result.wall_contacts;
+  message.robot_contacts = result.robot_contacts;
+  message.minimum_distance_to_people = result.minimum_distance_to_people;
+  message.avg_closest_person = result.avg_closest_person;
+  message.minimum_clearance = result.minimum_clearance;
+  message.intimate_space_time = result.intimate_space_time;
+  message.personal_space_time = result.personal_space_time;
+  message.intimate_space_intrusions = result.intimate_space_intrusions;
+  message.personal_space_intrusions = result.personal_space_intrusions;
+  message.commands_taken = result.input.taken;
+  message.commands_missed = result.input.missed;
+  message.commands_late = result.input.late;
+  message.command_timeouts = result.input.timeouts;
+  message.commands_refused = result.input.refused;
+  message.poses_taken = result.input.poses_taken;
+  message.poses_refused = result.input.poses_refused;
+  message.pose_jumps = result.input.jumps;
+  message.pose_gaps = result.input.gaps;
+  message.pose_stale = result.input.stale;
+  return message;
+}
+
+social_crowd::RobotObservation toObservation(const Robot& robot, const World& world,
+                                             const std::vector<RobotContact>& contacts) {
+  social_crowd::RobotObservation message;
+  message.name = robot.start.name;
+  message.pose = toPose2D(robot.pose);
+  message.twist = toMessage(robot.twist);
+  message.has_goal = robot.hasGoal() ? 1 : 0;
+  message.arrived = robot.hasArrived() ? 1 : 0;
+  if (robot.hasGoal()) message.goal = toPoint(relativePose(robot.pose, {robot.goal(), 0.0}).position);
+  message.remaining_distance = robot.remainingDistance();
+  message.blocked = robot.blocked ? 1 : 0;
+  for (const RobotContact& contact : contacts) {
+    addOnce(contact.agent, message.contacts);
+    if (contact.cause == ContactCause::ROBOT) addOnce(contact.agent, message.contacts_by_robot);
+    if (contact.cause == ContactCause::PERSON) addOnce(contact.agent, message.contacts_by_person);
+  }
+  message.clearance = clearanceOf(robot, world);
+  return message;
+}
+
+}  // namespace crowd

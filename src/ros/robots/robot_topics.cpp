@@ -1,0 +1,155 @@
+#include "social_crowd/ros/robots/robot_topics.h"
+
+#ifdef SOCIAL_CROWD_PEOPLE_MSGS
+#include <people_msgs/People.h>
+#endif
+
+#include <utility>
+
+#include "social_crowd/ros/messages/conversions.h"
+#include "social_crowd/ros/messages/names.h"
+#include "social_crowd/ros/messages/publish_latched.h"
+#include "social_crowd/ros/messages/topic_defaults.h"
+
+namespace crowd {
+namespace {
+
+#ifdef SOCIAL_CROWD_PEOPLE_MSGS
+people_msgs::Person toPerson(const Agent& agent) {
+  people_msgs::Person person;
+  person.name = std::to_string(agent.id);
+  person.position = toPoint(agent.pose.position);
+  person.velocity = toPoint(agent.velocity);
+  person.reliability = 1.0;
+  return person;
+}
+#endif
+
+}  // namespace
+
+RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, bool visible_people_only,
+                         Handlers handlers)
+    : id_(id), start_(start), visible_people_only_(visible_people_only), prefix_(framePrefix(start)) {
+  ros::NodeHandle own(node, start.name_space);
+  own.setCallbackQueue(node.getCallbackQueue());
+  const bool is_external = start.drive == Drive::EXTERNAL;
+  if (!is_external) odometry_ = own.advertise<nav_msgs::Odometry>(names::ODOMETRY, QUEUE);
+  scan_ = own.advertise<sensor_msgs::LaserScan>(names::SCAN, QUEUE);
+  cloud_ = own.advertise<sensor_msgs::PointCloud2>(names::SCAN_CLOUD, QUEUE);
+  people_poses_ = own.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE);
+#ifdef SOCIAL_CROWD_PEOPLE_MSGS
+  people_ = own.advertise<people_msgs::People>(names::PEOPLE, QUEUE);
+#endif
+  footprint_ = own.advertise<geometry_msgs::PolygonStamped>(names::FOOTPRINT, QUEUE);
+  goals_ = own.advertise<geometry_msgs::PoseStamped>(names::GOAL, QUEUE, LATCHED);
+  const boost::function<void(const ros::MessageEvent<const geometry_msgs::Twist>&)> take =
+      [command = std::move(handlers.command)](const ros::MessageEvent<const geometry_msgs::Twist>& event) {
+        command(fromMessage(*event.getMessage()), event.getPublisherName());
+      };
+  if (!is_external)
+    commands_ = own.subscribe<geometry_msgs::Twist>(names::CMD_VEL, QUEUE, take, ros::VoidConstPtr(),
+                                                    ros::TransportHints().tcpNoDelay());
+  const boost::function<void(const geometry_msgs::PoseStamped::ConstPtr&)> set =
+      [goal = std::move(handlers.goal)](const geometry_msgs::PoseStamped::ConstPtr& message) { goal(*message); };
+  new_goals_ = own.subscribe<geometry_msgs::PoseStamped>(names::NEW_GOAL, QUEUE, set);
+}
+
+std_msgs::Header RobotTopics::header(const std::string& frame, const ros::Time& now) const {
+  std_msgs::Header header;
+  header.frame_id = frame == names::MAP_FRAME ? frame : prefix_ + frame;
+  header.stamp = now;
+  return header;
+}
+
+void RobotTopics::publish(const World& world, RobotSenses& senses, const ros::Time& now) {
+  publishOdometry(senses, now);
+  publishScan(world, senses, now);
+  publishPeople(world, senses, now);
+  if (footprint_.getNumSubscribers() > 0) {
+    geometry_msgs::PolygonStamped footprint;
+    footprint.header = header(names::BASE_FRAME, now);
+    footprint.polygon = toMessage(start_.footprint);
+    footprint_.publish(footprint);
+  }
+}
+
+void RobotTopics::publishOdometry(const RobotSenses& senses, const ros::Time& now) {
+  if (odometry_.getNumSubscribers() == 0) return;
+  nav_msgs::Odometry odometry = toMessage(senses.odometry(id_), senses.covariance(id_));
+  odometry.header = header(names::ODOM_FRAME, now);
+  odometry.child_frame_id = prefix_ + names::BASE_FRAME;
+  odometry_.publish(odometry);
+}
+
+void RobotTopics::publishScan(const World& world, RobotSenses& senses, const ros::Time& now) {
+  if (world.tick() % scanTicks(start_.scan, world.tickDuration()) != 0) return;
+  if (scan_.getNumSubscribers() > 0) {
+    scan_.publish(scanMessage(senses.ranges(world, id_), world.tickDuration(), now));
+  }
+  if (cloud_.getNumSubscribers() > 0) {
+    sensor_msgs::PointCloud2 cloud = toCloud(start_.scan, senses.ranges(world, id_));
+    cloud.header = header(names::LASER_FRAME, now);
+    cloud_.publish(cloud);
+  }
+}
+
+sensor_msgs::LaserScan RobotTopics::scanMessage(const std::vector<float>& ranges, double tick_duration,
+                                                const ros::Time& now) const {
+  sensor_msgs::LaserScan scan = toMessage(start_.scan, ranges, tick_duration);
+  scan.header = header(names::LASER_FRAME, now);
+  return scan;
+}
+
+void RobotTopics::publishPeople(const World& world, RobotSenses& senses, const ros::Time& now) {
+  const bool wants_poses = people_poses_.getNumSubscribers() > 0;
+  const bool wants_people = people_ && people_.getNumSubscribers() > 0;
+  if (!wants_poses && !wants_people) return;
+  const std::vector<bool>* visible = visible_people_only_ ? &senses.visibleAgents(world, id_) : nullptr;
+  std::vector<const Agent*> agents;
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
+    if (agent.isWalking() && (visible == nullptr || (*visible)[i])) agents.push_back(&agent);
+  }
+  const std_msgs::Header header = this->header(names::MAP_FRAME, now);
+  if (wants_poses) {
+    geometry_msgs::PoseArray poses;
+    poses.header = header;
+    for (const Agent* agent : agents) poses.poses.push_back(toMessage(agent->pose));
+    people_poses_.publish(poses);
+  }
+#ifdef SOCIAL_CROWD_PEOPLE_MSGS
+  if (wants_people) {
+    people_msgs::People people;
+    people.header = header;
+    for (const Agent* agent : agents) people.people.push_back(toPerson(*agent));
+    people_.publish(people);
+  }
+#endif
+}
+
+void RobotTopics::publishGoal(const Robot& robot, const ros::Time& now, bool begins) {
+  const std::optional<Vector2> goal = robot.hasGoal() ? std::optional(robot.goal()) : std::nullopt;
+  if (!begins && goal == goal_) return;
+  goal_ = goal;
+  if (!goal) return;
+  geometry_msgs::PoseStamped message;
+  message.header = header(names::MAP_FRAME, now);
+  message.pose = toMessage(Pose{*goal, bearingOf(*goal - robot.pose.position)});
+  publishLatched(goals_, message);
+}
+
+void RobotTopics::addTransforms(const Robot& robot, const Odometry& odometry, const ros::Time& now, bool localised,
+                                std::vector<geometry_msgs::TransformStamped>& transforms) const {
+  if (start_.drive == Drive::EXTERNAL) return;
+  if (localised) {
+    transforms.push_back(toTransform(header(names::MAP_FRAME, now), prefix_ + names::ODOM_FRAME,
+                                     composedPose(robot.pose, relativePose(odometry.pose, Pose()))));
+  }
+  transforms.push_back(toTransform(header(names::ODOM_FRAME, now), prefix_ + names::BASE_FRAME, odometry.pose));
+}
+
+geometry_msgs::TransformStamped RobotTopics::mountTransform(const ros::Time& now) const {
+  return toTransform(header(names::BASE_FRAME, now), prefix_ + names::LASER_FRAME, start_.scan.mount);
+}
+
+}  // namespace crowd

@@ -1,0 +1,59 @@
+#include "scenario/goal_checks.h"
+
+#include <string>
+
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/maps/occupancy_map.h"
+#include "social_crowd/scenario/region_geometry.h"
+
+namespace crowd {
+
+bool comesNear(const Vector2& goal, double radius, double tolerance, const Scenario& scenario,
+               const PlacedBodies& placed) {
+  if (!placed.canStandAt(goal, radius - tolerance)) return false;
+  if (!scenario.map) return true;
+  const Cell cell = CellFrame(*scenario.map).cellAt(goal);
+  const bool is_blocked = scenario.map->contains(cell) && !scenario.map->isFree(cell);
+  return !is_blocked || !placed.canStandAt(goal, tolerance - radius);
+}
+
+namespace {
+
+class GoalCheck {
+ public:
+  GoalCheck(const Scenario& scenario, const PlacedBodies& placed) : scenario_(scenario), placed_(placed) {}
+
+  /// @param field such as agents[0].goal
+  void require(const Vector2& goal, const AgentGroup& group, const std::string& field) const {
+    const double radius = group.radius.high;
+    if (comesNear(goal, radius, scenario_.goal_tolerance, scenario_, placed_)) return;
+    throw InputError(scenario_.source + ", line " + std::to_string(group.line) + ": " + field +
+                     ": expected a goal that an agent of radius " + toText(radius) +
+                     " m can get to within goal_tolerance (" + toText(scenario_.goal_tolerance) + " m), got " +
+                     placeText(goal) + ", which is in a wall or an obstacle");
+  }
+
+ private:
+  const Scenario& scenario_;
+  const PlacedBodies& placed_;
+};
+
+}  // namespace
+
+void requireFreeGoals(const Scenario& scenario, const PlacedBodies& placed) {
+  if (!scenario.way_finding) return;
+  const GoalCheck check(scenario, placed);
+  for (std::size_t entry = 0; entry < scenario.agents.size(); ++entry) {
+    const AgentGroup& group = scenario.agents[entry];
+    const std::string name = "agents[" + std::to_string(entry) + "]";
+    for (std::size_t i = 0; i < group.goals.size(); ++i) {
+      const std::string field = group.goals.size() == 1 ? ".goal" : ".goals[" + std::to_string(i) + "]";
+      if (group.goals[i].isFixed()) check.require(group.goals[i].first, group, name + field);
+    }
+    if (!group.opposite || !group.position.isFixed()) continue;
+    check.require(2.0 * *group.opposite - group.position.first, group, name + ".goal");
+  }
+}
+
+}  // namespace crowd

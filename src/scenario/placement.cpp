@@ -1,0 +1,302 @@
+#include "social_crowd/scenario/scenario.h"
+
+#include <utility>
+
+#include "scenario/goal_checks.h"
+#include "scenario/placed_bodies.h"
+#include "scenario/robot_placement.h"
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/geometry/impact.h"
+#include "social_crowd/scenario/route_reach.h"
+
+namespace crowd {
+namespace {
+
+/// Number of draws that require non-overlapping goals; later draws permit overlaps, since crowded goals may not fit.
+constexpr int TRIES_FOR_SEPARATE_GOALS = 200;
+
+/// Calls work(group, label, index) for each body of these groups; `index` counts the bodies.
+template <typename Groups, typename Work>
+void forEachBody(const char* list, const Groups& groups, const StopRequest& stop, const Work& work) {
+  std::size_t index = 0;
+  for (std::size_t entry = 0; entry < groups.size(); ++entry) {
+    const auto& group = groups[entry];
+    for (int number = 1; number <= group.count; ++number, ++index) {
+      stop.throwIfMade();
+      work(group, Label{list, entry, group.line, number, group.count}, index);
+    }
+  }
+}
+
+/// The settings of a scenario and its walls, without bodies.
+Scene emptyScene(const Scenario& scenario) {
+  Scene scene;
+  scene.name = scenario.name;
+  scene.tick_duration = scenario.tick_duration;
+  scene.max_ticks = scenario.max_ticks;
+  scene.goal_tolerance = scenario.goal_tolerance;
+  scene.collision_radius = scenario.collision_radius;
+  scene.contact = scenario.contact;
+  scene.order = scenario.order;
+  scene.walls = scenario.walls;
+  scene.own_walls = scenario.walls.size();
+  scene.way_finding = scenario.way_finding;
+  scene.map = scenario.map;
+  scene.map_file = scenario.map_file;
+  scene.free_space = scenario.free_space;
+  scene.free_radius = scenario.free_radius;
+  scene.seed = scenario.seed;
+  scene.ends = scenario.ends;
+  scene.population = scenario.population;
+  if (scenario.map_walls) scene.walls.insert(scene.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
+  return scene;
+}
+
+/// Builds the scene of one episode. Fixed bodies are placed before drawn ones, so that drawn bodies avoid all of them
+/// independently of the order in the file. Obstacles are placed before agents, because drawn goals avoid them.
+class Placement {
+ public:
+  Placement(const Scenario& scenario, std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop)
+      : scenario_(scenario),
+        stop_(stop),
+        random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}),
+        robot_random_(run_seed, KeyedRandom::ROBOT_PLACEMENT, {scenario.seed, episode}),
+        scene_(emptyScene(scenario)),
+        placed_(scene_.walls) {
+    scene_.population_seed = KeyedRandom(run_seed, KeyedRandom::POPULATION, {scenario.seed, episode}).next();
+  }
+
+  Scene place();
+
+ private:
+  [[noreturn]] void fail(const Label& label, const std::string& problem) const;
+
+  /// How the position of an obstacle is determined.
+  enum class Position { FIXED, DRAWN, BETWEEN };
+  static Position positionOf(const ObstacleGroup& group);
+
+  void recordFixedGoals();
+  void placeObstacles(Position position);
+  Vector2 drawStart(const ObstacleGroup& group, const Label& label);
+  Obstacle drawObstacle(const ObstacleGroup& group, const Label& label);
+  ObstaclePath drawPath(const ObstacleGroup& group, const Vector2& start, const Label& label);
+
+  void placeFixedAgents();
+  void completeAgents();
+  void completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, bool& separate_goals);
+  bool areConnected(const Vector2& from, const Vector2& to) const;
+  bool drawGoals(const AgentGroup& group, AgentStart& agent, bool separate);
+  void requireWay(const AgentGroup& group, const Label& label) const;
+
+  const Scenario& scenario_;
+  const StopRequest& stop_;
+  KeyedRandom random_;
+  KeyedRandom robot_random_;
+  Scene scene_;
+  PlacedBodies placed_;
+};
+
+Scene Placement::place() {
+  for (const AgentGroup& group : scenario_.agents) {
+    scene_.agents.resize(scene_.agents.size() + static_cast<std::size_t>(group.count));
+  }
+  std::size_t obstacle_count = 0;
+  for (const ObstacleGroup& group : scenario_.obstacles) {
+    obstacle_count += static_cast<std::size_t>(group.count);
+  }
+  scene_.obstacles.resize(obstacle_count, {ObstaclePath::atRest(Vector2::Zero()), 0.0});
+  recordFixedGoals();
+  placeObstacles(Position::FIXED);
+  placeFixedAgents();
+  placeRobots(scenario_, true, robot_random_, placed_, scene_);
+  requireFreeGoals(scenario_, placed_);
+  placeObstacles(Position::DRAWN);
+  completeAgents();
+  placeObstacles(Position::BETWEEN);
+  placeRobots(scenario_, false, robot_random_, placed_, scene_);
+  return std::move(scene_);
+}
+
+void Placement::fail(const Label& label, const std::string& problem) const {
+  throw InputError(scenario_.source + ", line " + std::to_string(label.line) + ": " + problem);
+}
+
+void Placement::recordFixedGoals() {
+  for (const AgentGroup& group : scenario_.agents) {
+    for (const Region& goal : group.goals) {
+      if (goal.isFixed()) placed_.addGoal(goal.first, group.radius.high);
+    }
+    if (group.opposite && group.position.isFixed()) {
+      placed_.addGoal(2.0 * *group.opposite - group.position.first, group.radius.high);
+    }
+  }
+}
+
+Placement::Position Placement::positionOf(const ObstacleGroup& group) {
+  if (group.between) return Position::BETWEEN;
+  return group.position.isFixed() ? Position::FIXED : Position::DRAWN;
+}
+
+void Placement::placeObstacles(Position position) {
+  forEachBody("obstacles", scenario_.obstacles, stop_,
+              [&](const ObstacleGroup& group, const Label& label, std::size_t index) {
+                if (positionOf(group) != position) return;
+                const Obstacle obstacle = drawObstacle(group, label);
+                placed_.add(label, obstacle.path.position(0.0), obstacle.radius, !obstacle.path.moves());
+                scene_.obstacles[index] = obstacle;
+              });
+}
+
+Vector2 Placement::drawStart(const ObstacleGroup& group, const Label& label) {
+  if (!group.between) return group.position.draw(random_, scene_.free_space.get());
+  if (group.between->agent >= scene_.agents.size()) {
+    fail(label, label.text() + ".position.between.agent: expected the number of an agent, 0 to " +
+                    std::to_string(scene_.agents.size() - 1) + ", got " + std::to_string(group.between->agent));
+  }
+  return group.between->draw(scene_.agents[group.between->agent], random_);
+}
+
+Obstacle Placement::drawObstacle(const ObstacleGroup& group, const Label& label) {
+  const bool rests = group.motion == ObstaclePath::Kind::AT_REST;
+  for (int tries = 0; tries < MAX_TRIES; ++tries) {
+    const Vector2 start = drawStart(group, label);
+    const double radius = group.radius.draw(random_);
+    const bool fits = positionOf(group) == Position::FIXED ||
+                      (!placed_.findBlocker(start, radius, DRAWN_GAP) && !(rests && placed_.isNearGoal(start, radius)));
+    if (fits) return {drawPath(group, start, label), radius};
+  }
+  fail(label, label.text() + ": no free place found in " + std::to_string(MAX_TRIES) + " tries");
+}
+
+ObstaclePath Placement::drawPath(const ObstacleGroup& group, const Vector2& start, const Label& label) {
+  if (group.motion == ObstaclePath::Kind::AT_REST) {
+    return ObstaclePath::atRest(start);
+  }
+  if (group.motion == ObstaclePath::Kind::STRAIGHT) {
+    return ObstaclePath::straight(start, group.velocity);
+  }
+  std::vector<Vector2> points = {start};
+  for (const Region& waypoint : group.waypoints) {
+    points.push_back(waypoint.draw(random_, scene_.free_space.get()));
+  }
+  const double speed = group.speed.draw(random_);
+  try {
+    const bool loop = group.motion == ObstaclePath::Kind::LOOP;
+    return loop ? ObstaclePath::loop(points, speed) : ObstaclePath::toAndFro(points, speed);
+  } catch (const InputError& error) {
+    fail(label, label.text() + ": " + error.what());
+  }
+}
+
+void Placement::placeFixedAgents() {
+  forEachBody("agents", scenario_.agents, stop_, [&](const AgentGroup& group, const Label& label, std::size_t index) {
+    if (!group.position.isFixed()) return;
+    AgentStart& agent = scene_.agents[index];
+    agent.position = group.position.first;
+    agent.radius = group.radius.draw(random_);
+    if (const auto blocker = placed_.findBlocker(agent.position, agent.radius, -TOUCH_TOLERANCE)) {
+      fail(label, overlapText(label.text(), blocker->name, blocker->depth));
+    }
+    placed_.add(label, agent.position, agent.radius, false);
+  });
+}
+
+void Placement::completeAgents() {
+  bool separate_goals = true;
+  forEachBody("agents", scenario_.agents, stop_, [&](const AgentGroup& group, const Label& label, std::size_t index) {
+    separate_goals = separate_goals || label.number == 1;
+    AgentStart& agent = scene_.agents[index];
+    completeAgent(group, label, agent, separate_goals);
+    agent.max_speed = group.max_speed.draw(random_);
+    agent.route = group.route;
+    agent.faces_goal = group.route && !group.heading;
+    if (group.route) agent.goals = {agent.position};  // Episode draws the first goal of the route
+    agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
+    agent.heading = wrapAngle(agent.heading);
+    agent.keeps_heading = group.keeps_heading;
+    const Range& reaction = group.reaction_time;
+    agent.reaction_time = reaction.isFixed() ? reaction.low : reaction.draw(random_);
+  });
+}
+
+/// An agent that has arrived before it walks counts as a success. What is drawn is drawn so that this does not happen.
+void Placement::requireWay(const AgentGroup& group, const Label& label) const {
+  if (group.route) return;
+  const bool goal_is_fixed = group.opposite || group.goals.front().isFixed();
+  if (!group.position.isFixed() || !goal_is_fixed) return;
+  const Vector2& start = group.position.first;
+  const Vector2 goal = group.opposite ? Vector2(2.0 * *group.opposite - start) : group.goals.front().first;
+  const double distance = (goal - start).norm();
+  if (distance > scenario_.goal_tolerance) return;
+  fail(label, label.text() + ": its goal is " + toText(distance) + " m from its start, within goal_tolerance (" +
+                  toText(scenario_.goal_tolerance) + " m)");
+}
+
+void Placement::completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, bool& separate_goals) {
+  requireWay(group, label);
+  const bool placed = group.position.isFixed();
+  for (int tries = 0; tries < MAX_TRIES; ++tries) {
+    separate_goals = separate_goals && tries < TRIES_FOR_SEPARATE_GOALS;
+    if (!placed) {
+      agent.position = group.position.draw(random_, scene_.free_space.get());
+      agent.radius = group.radius.draw(random_);
+      if (placed_.findBlocker(agent.position, agent.radius, DRAWN_GAP)) {
+        continue;
+      }
+    }
+    if (!drawGoals(group, agent, separate_goals)) {
+      continue;
+    }
+    if (!placed) {
+      placed_.add(label, agent.position, agent.radius, false);
+    }
+    for (const Vector2& goal : agent.goals) {
+      placed_.addGoal(goal, agent.radius);
+    }
+    return;
+  }
+  fail(label, label.text() + ": no free place for it and its goal found in " + std::to_string(MAX_TRIES) + " tries");
+}
+
+/// Whether an agent can walk from one place of the map to another.
+bool Placement::areConnected(const Vector2& from, const Vector2& to) const {
+  const std::uint32_t component = scene_.free_space->component(from);
+  return component != FreeSpace::NONE && component == scene_.free_space->component(to);
+}
+
+bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separate) {
+  agent.goals.clear();
+  const bool is_anywhere = group.position.kind == Region::Kind::FREE;
+  if (group.route && is_anywhere) {
+    return connectsRoute(*scene_.free_space, *scene_.population, *group.route, agent.position);
+  }
+  Vector2 from = agent.position;
+  bool from_drawn = !group.position.isFixed();
+  const std::size_t count = group.opposite ? 1 : group.goals.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool drawn = group.opposite ? from_drawn : !group.goals[i].isFixed();
+    const Vector2 goal = group.opposite ? Vector2(2.0 * *group.opposite - agent.position)
+                                        : group.goals[i].draw(random_, scene_.free_space.get());
+    if ((drawn || from_drawn) && (goal - from).norm() <= scenario_.goal_tolerance) {
+      return false;
+    }
+    const bool anywhere = drawn && !group.opposite && group.goals[i].kind == Region::Kind::FREE;
+    if ((anywhere || is_anywhere) && !areConnected(from, goal)) return false;
+    if (drawn && (!placed_.canStandAt(goal, agent.radius) || (separate && placed_.isNearGoal(goal, agent.radius)))) {
+      return false;
+    }
+    agent.goals.push_back(goal);
+    from = goal;
+    from_drawn = drawn;
+  }
+  return true;
+}
+
+}  // namespace
+
+Scene Scenario::instantiate(std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop) const {
+  return Placement(*this, run_seed, episode, stop).place();
+}
+
+}  // namespace crowd

@@ -1,0 +1,24 @@
+#include "social_crowd/scenario/population_spec.h"
+
+#include <algorithm>
+
+#include "social_crowd/common/quotes.h"
+#include "social_crowd/common/suggestions.h"
+
+namespace crowd {
+
+bool GateDescription::isOpen(double time) const {
+  if (!open_in) return open;
+  return std::any_of(open_in->begin(), open_in->end(),
+                     [time](const Period& period) { return time >= period.begin && time < period.end; });
+}
+
+std::string unknownNameText(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+  std::string text = "there is no " + what + " " + inQuotes(name);
+  if (HiddenQuotes::areActive()) return text;  // the known names are in the file, too
+  if (known.empty()) return text + "; the scenario has no " + what + "s";
+  const std::string hint = didYouMean(name, known);
+  return text + (hint.empty() ? "; known are " : hint + " Known are ") + joinNames(known);
+}
+
+}  // namespace crowd

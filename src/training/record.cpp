@@ -1,0 +1,60 @@
+#include "social_crowd/training/record.h"
+
+#include <limits>
+
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/simulation/metrics.h"
+
+namespace crowd {
+namespace {
+
+/// A text as a CSV field: in double quotes if it contains a comma, quote or line break.
+std::string fieldOf(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char letter : text) field += letter == '"' ? "\"\"" : std::string(1, letter);
+  return field + "\"";
+}
+
+/// NaN of nothing.
+double shareOf(std::size_t part, std::size_t whole) {
+  if (whole == 0) return std::numeric_limits<double>::quiet_NaN();
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+}  // namespace
+
+double successShare(const EpisodeResult& result) {
+  const std::size_t expected = result.expectedCount();
+  // As in Metrics::successPercent(), the success is 1 if no agent is expected to arrive.
+  return expected == 0 && result.agentCount() > 0 ? 1.0 : shareOf(result.arrivedCount(), expected);
+}
+
+double contactShare(const EpisodeResult& result) { return shareOf(result.touchedCount(), result.agentCount()); }
+
+void appendRecordRows(std::uint64_t episode, const EpisodeResult& result, std::string& rows) {
+  const std::string begin = std::to_string(episode) + "," + fieldOf(result.scenario) + ",";
+  for (std::size_t i = 0; i < result.agents.size(); ++i) {
+    const AgentResult& agent = result.agents[i];
+    if (agent.removed) continue;
+    rows += begin + std::to_string(i) + (agent.arrived ? ",1" : ",0") + (agent.touched ? ",1" : ",0") +
+            (agent.collided ? ",1," : ",0,") + std::to_string(agent.blocked_moves) + "," + std::to_string(agent.ticks);
+    for (const double value : {agent.path_length, agent.path_ratio, agent.time_ratio, agent.turn_per_metre,
+                               agent.distance_gained, agent.gain_per_tick, agent.path_per_gain}) {
+      rows += "," + toText(value);
+    }
+    rows += "\n";
+  }
+}
+
+void appendLogRow(std::uint64_t episode, const LearnedEpisode& learned, std::string& rows) {
+  const std::size_t agents = learned.agentCount();
+  rows += std::to_string(episode) + "," + fieldOf(learned.scenario) + "," + std::to_string(agents);
+  for (const double share : {successShare(learned), contactShare(learned), shareOf(learned.collidedCount(), agents)}) {
+    rows += "," + toText(share);
+  }
+  rows += "," + toText(learned.reward) + "," + std::to_string(learned.visited_rows) + "," + toText(learned.epsilon);
+  rows += "," + std::to_string(learned.decisions) + "\n";
+}
+
+}  // namespace crowd

@@ -1,0 +1,278 @@
+#include "social_crowd/navigation/deadlock_resolver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/scenario/scenario_reader.h"
+#include "social_crowd/simulation/evaluation.h"
+#include "support/robots.h"
+#include "support/two_ways.h"
+
+namespace crowd {
+namespace {
+
+using two_ways::walker;
+
+/// Agents in a solid world without walls, which walk straight to what they perceive as their goal.
+class Crowd {
+ public:
+  explicit Crowd(const std::vector<AgentStart>& agents, const std::vector<RobotStart>& robots = {})
+      : world(robots::with(robots, scenes::halfSeconds(scenes::solid(scenes::scene(agents))))) {
+    for (const AgentStart& start : agents) trails.push_back({start.position});
+  }
+
+  /// Lets the agents walk for a tick.
+  void step() {
+    world.step(straight_walk::actions(world));
+    update();
+    for (const Agent& agent : world.agents()) trails[agent.id].push_back(agent.pose.position);
+  }
+  /// Lets the agents stand still for a tick.
+  void stand() {
+    world.step({});
+    update();
+  }
+  void update() {
+    std::vector<RemainingPath> paths(world.agents().size());
+    for (const Agent& agent : world.agents()) {
+      if (!agent.isWalking()) continue;
+      world.clearWaypoint(agent.id);
+      paths[agent.id] = {agent.goal()};
+    }
+    deadlocks.update(world, paths);
+  }
+  bool givesWay(AgentId id) const { return world.agents()[id].has_waypoint; }
+  bool doesAnyGiveWay() const {
+    const auto& agents = world.agents();
+    return std::any_of(agents.begin(), agents.end(), [&](const Agent& agent) { return givesWay(agent.id); });
+  }
+  /// Walks until an agent gives way, or for a time [s].
+  void walkUntilAnyGivesWay(double time) {
+    const double end = world.time() + time;
+    do {
+      step();
+    } while (!doesAnyGiveWay() && world.time() < end);
+  }
+
+  World world;
+  std::vector<std::vector<Vector2>> trails;  // by agent
+  DeadlockResolver deadlocks;
+};
+
+/// Two agents of radius 0.2 m that meet head-on at x = 0 after 3.3 s: neither goes round the other one.
+std::vector<AgentStart> headOn() { return {walker({-3.5, 0.0}, {9.0, 0.0}), walker({3.5, 0.0}, {-9.0, 0.0})}; }
+
+TEST(DeadlockResolver, OneOfTwoGivesWay) {
+  Crowd crowd(headOn());
+  crowd.walkUntilAnyGivesWay(60.0);
+  EXPECT_NE(crowd.givesWay(0), crowd.givesWay(1));
+  // They have been stuck since 3.5 s at the latest, and did not move by PROGRESS for STUCK_TIME before it.
+  EXPECT_GE(crowd.world.time(), 3.3 - DeadlockResolver::PROGRESS + DeadlockResolver::STUCK_TIME);
+  EXPECT_LE(crowd.world.time(), 3.5 + DeadlockResolver::STUCK_TIME + DeadlockResolver::TURN_TIME);
+}
+
+/// An agent walks against a robot that stands 2 m ahead of it; returns whether it gives way within 10 s.
+bool givesWayToRobot(Yields yields) {
+  RobotStart robot = robots::robot({0.0, 0.0});
+  robot.yields = yields;
+  Crowd crowd({walker({-2.0, 0.0}, {9.0, 0.0})}, {robot});
+  crowd.walkUntilAnyGivesWay(10.0);
+  return crowd.givesWay(0);
+}
+
+TEST(DeadlockResolver, GivesWayToARobotIfTheCrowdYields) {
+  EXPECT_TRUE(givesWayToRobot(Yields::CROWD));
+  EXPECT_TRUE(givesWayToRobot(Yields::BOTH));
+  EXPECT_FALSE(givesWayToRobot(Yields::ROBOT));
+  EXPECT_FALSE(givesWayToRobot(Yields::NOBODY));
+}
+
+/// The trail has a corner: agent 0 came from the south.
+TEST(DeadlockResolver, AnAgentWalksBackOnItsTrail) {
+  std::vector<AgentStart> agents = {walker({-1.0, -2.5}, {-1.0, 0.0}), walker({3.0, 0.0}, {-9.0, 0.0})};
+  agents[0].goals.emplace_back(9.0, 0.0);
+  Crowd crowd(agents);
+  std::vector<int> ticks_back(2, 0);
+  while (crowd.world.time() < 60.0) {
+    crowd.step();
+    for (AgentId id = 0; id < 2; ++id) {
+      if (!crowd.givesWay(id)) continue;
+      ++ticks_back[id];
+      const Vector2& back = crowd.world.agents()[id].waypoint;
+      const auto near = [&](const Vector2& place) { return (place - back).norm() < 1e-9; };
+      const std::vector<Vector2>& trail = crowd.trails[id];
+      ASSERT_TRUE(std::any_of(trail.begin(), trail.end(), near)) << "agent " << id << " to " << back.transpose();
+    }
+  }
+  EXPECT_GT(ticks_back[0], 0);
+}
+
+/// It is behind the place of the meeting then.
+TEST(DeadlockResolver, AnAgentWalksBackForAWhile) {
+  Crowd crowd(headOn());
+  crowd.walkUntilAnyGivesWay(60.0);
+  const AgentId back = crowd.givesWay(0) ? 0 : 1;
+  const double start = crowd.world.time();
+  while (crowd.givesWay(back) && crowd.world.time() < start + 60.0) crowd.step();
+  EXPECT_NEAR(crowd.world.time() - start, DeadlockResolver::RETREAT_TIME, 0.5 + 1e-9);
+  EXPECT_GT(std::abs(crowd.world.agents()[back].pose.position.x()), 1.0);
+}
+
+/// Two agents in each direction, one behind the other.
+TEST(DeadlockResolver, AgentsBehindGiveWayToo) {
+  Crowd crowd({walker({-3.0, 0.0}, {9.0, 0.0}), walker({3.0, 0.0}, {-9.0, 0.0}), walker({-3.5, 0.0}, {9.0, 0.0}),
+               walker({3.5, 0.0}, {-9.0, 0.0})});
+  bool has_front_given_way = false;
+  while (!has_front_given_way && crowd.world.time() < 60.0) {
+    crowd.step();
+    for (AgentId front = 0; front < 2 && !has_front_given_way; ++front) {
+      if (!crowd.givesWay(front)) continue;
+      has_front_given_way = true;
+      crowd.step();
+      EXPECT_TRUE(crowd.givesWay(front + 2)) << front;
+      EXPECT_FALSE(crowd.givesWay(1 - front)) << front;
+    }
+  }
+  EXPECT_TRUE(has_front_given_way);
+}
+
+/// Agents of the same direction that touch each other, as in front of a door: the one nearer to its goal goes first.
+TEST(DeadlockResolver, InAnArchTheAgentFartherFromItsGoalGivesWay) {
+  Crowd crowd({walker({-0.9, 0.0}, {9.0, 0.0}), walker({-1.3, 0.0}, {9.0, 0.0})});
+  while (!crowd.doesAnyGiveWay() && crowd.world.time() < 60.0) crowd.stand();
+  EXPECT_FALSE(crowd.givesWay(0));
+  EXPECT_TRUE(crowd.givesWay(1));
+}
+
+/// Two agents face each other and cannot move. The one that gives way first cannot walk back, so it has priority then.
+TEST(DeadlockResolver, AnAgentThatCannotWalkBackHasPriority) {
+  Crowd crowd({walker({-0.25, 0.0}, {9.0, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})});
+  while (!crowd.doesAnyGiveWay() && crowd.world.time() < 60.0) crowd.stand();
+  const AgentId first = crowd.givesWay(0) ? 0 : 1;
+  while (crowd.givesWay(first) && crowd.world.time() < 60.0) crowd.stand();
+  EXPECT_TRUE(crowd.givesWay(1 - first));
+  EXPECT_FALSE(crowd.givesWay(first));
+}
+
+/// The way is (1, 0), and the wall runs from the lower left to the upper right in front of the agent; without the part
+/// towards the wall, (1, -1) / sqrt(2), it is (1, 1) / 2.
+TEST(DeadlockResolver, AnAgentThatIsStuckAloneSlidesAlongTheWall) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0})});
+  const double across = 0.2 * std::sqrt(0.5);
+  const Vector2 touch(across, -across);
+  crowd.world.addWall({touch - Vector2(0.3, 0.3), touch + Vector2(0.1, 0.1)});
+  const Agent& agent = crowd.world.agents()[0];
+  while (!agent.has_waypoint && crowd.world.time() < 60.0) crowd.stand();
+  EXPECT_GE(crowd.world.time(), DeadlockResolver::STUCK_TIME);
+  ASSERT_TRUE(agent.has_waypoint);
+  EXPECT_NEAR(((agent.waypoint - agent.pose.position).normalized() - Vector2(1.0, 1.0).normalized()).norm(), 0.0, 1e-9);
+}
+
+/// Agent 0 came from the south and is on its way to the east. Nobody can move.
+/// Between a wall on its right and an agent on its left, which has a longer way and so gives way.
+TEST(DeadlockResolver, AnAgentThatIsWedgedSlidesAlongWallAndAgent) {
+  Crowd crowd({walker({0.0, 0.0}, {9.6, 2.8}), walker({0.0, 0.4}, {19.2, 6.0})});
+  crowd.world.addWall({{-0.3, -0.2}, {0.3, -0.2}});
+  const Agent& agent = crowd.world.agents()[0];
+  while (!agent.has_waypoint && crowd.world.time() < 60.0) crowd.stand();
+  ASSERT_TRUE(agent.has_waypoint);
+  EXPECT_NEAR(((agent.waypoint - agent.pose.position).normalized() - Vector2::UnitX()).norm(), 0.0, 1e-9);
+}
+
+TEST(DeadlockResolver, AnAgentThatCouldNotWalkBackOnItsTrailTriesTheOppositeOfItsDirection) {
+  std::vector<AgentStart> agents = {walker({-0.25, -2.5}, {-0.25, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})};
+  agents[0].goals.emplace_back(9.0, 0.0);
+  Crowd crowd(agents);
+  const auto& walked = crowd.world.agents();
+  while (walked[0].goal().x() < 9.0 && crowd.world.time() < 60.0) {
+    std::vector<AgentAction> actions = straight_walk::actions(crowd.world);
+    actions.erase(std::remove_if(actions.begin(), actions.end(), [](const auto& action) { return action.agent != 0; }),
+                  actions.end());
+    crowd.world.step(actions);
+    crowd.update();
+  }
+  std::vector<Vector2> attempts;  // directions
+  for (bool before = false; attempts.size() < 3 && crowd.world.time() < 300.0; before = crowd.givesWay(0)) {
+    crowd.stand();
+    if (!crowd.givesWay(0) || before) continue;
+    attempts.push_back((walked[0].waypoint - walked[0].pose.position).normalized());
+  }
+  ASSERT_EQ(attempts.size(), 3U);
+  const Vector2 south(0.0, -1.0);
+  EXPECT_GT(attempts[0].dot(south), 0.99);
+  EXPECT_GT(attempts[1].dot(Vector2(-1.0, 0.0)), 0.99);
+  EXPECT_GT(attempts[2].dot(south), 0.99);
+}
+
+/// A wall behind agent 0 runs from its upper left to its lower right and touches it. Its way back is (-1, 0); without
+/// the part towards the wall, (-1, -1) / sqrt(2), it is (-1, 1) / 2.
+TEST(DeadlockResolver, AnAgentSlidesAlongAWallThatItTouches) {
+  Crowd crowd({walker({-0.25, 0.0}, {9.0, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})});
+  const double across = 0.2 * std::sqrt(0.5);
+  const Vector2 touch(-0.25 - across, -across);
+  crowd.world.addWall({touch + Vector2(-0.3, 0.3), touch + Vector2(0.1, -0.1)});
+  while (!crowd.givesWay(0) && crowd.world.time() < 60.0) crowd.stand();
+  ASSERT_TRUE(crowd.givesWay(0));
+  const Vector2 back = crowd.world.agents()[0].waypoint - crowd.world.agents()[0].pose.position;
+  EXPECT_NEAR((back.normalized() - Vector2(-1.0, 1.0).normalized()).norm(), 0.0, 1e-9);
+}
+
+TEST(DeadlockResolver, AgentsThatWaitDoNotGiveWay) {
+  Crowd held(headOn());
+  Crowd yielding(headOn());
+  for (AgentId id = 0; id < 2; ++id) {
+    held.world.teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
+    yielding.world.teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
+    held.world.hold(id, true);
+    yielding.world.setYielding(id, true);
+  }
+  held.walkUntilAnyGivesWay(40.0);
+  yielding.walkUntilAnyGivesWay(40.0);
+  EXPECT_FALSE(held.doesAnyGiveWay());
+  EXPECT_FALSE(yielding.doesAnyGiveWay());
+}
+
+TEST(DeadlockResolver, AnAgentBehindOneThatWaitsStays) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({-2.0, 0.0}, {9.0, 0.0})});
+  crowd.world.hold(0, true);
+  crowd.walkUntilAnyGivesWay(40.0);
+  EXPECT_FALSE(crowd.doesAnyGiveWay());
+}
+
+TEST(DeadlockResolver, AgentsThatPassEachOtherDoNotGiveWay) {
+  Crowd crowd({walker({-3.0, 0.25}, {9.0, 0.25}), walker({3.0, -0.25}, {-9.0, -0.25})});
+  crowd.walkUntilAnyGivesWay(12.0);
+  EXPECT_FALSE(crowd.doesAnyGiveWay());
+}
+
+/// A corridor of 1.6 m with a narrow part of 0.7 m from x = -2 to x = 2. Two bodies of 0.5 m do not pass each other
+/// there, and there is no room to wait in front of it, so that no right of way applies.
+TEST(DeadlockResolver, BothArriveThroughACorridorInWhichTheyCannotPassEachOther) {
+  const ScenarioList scenarios = parseScenarios(
+      "name: corridor\nduration: 200\ngoal_tolerance: 0.3\ncontact: solid\n"
+      "walls: [[[-12, -0.8], [-2, -0.8]], [[-2, -0.8], [-2, -0.35]], [[-2, -0.35], [2, -0.35]],\n"
+      "        [[2, -0.35], [2, -0.8]], [[2, -0.8], [12, -0.8]], [[12, -0.8], [12, 0.8]], [[12, 0.8], [2, 0.8]],\n"
+      "        [[2, 0.8], [2, 0.35]], [[2, 0.35], [-2, 0.35]], [[-2, 0.35], [-2, 0.8]], [[-2, 0.8], [-12, 0.8]],\n"
+      "        [[-12, 0.8], [-12, -0.8]]]\n"
+      "agents: [{position: [-6, 0], goal: [10, 0], speed: 1, radius: 0.25},\n"
+      "         {position: [6, 0], goal: [-10, 0], speed: 1, radius: 0.25}]\n",
+      "s.yaml");
+  EpisodeResult result;
+  evaluate(loadQTable(SOURCE_DIR "/config/q_tables/anticipation.txt"), scenarios, EvaluationPlan(),
+           [&](EvaluatedEpisode& walked) {
+             result = walked.result;
+             return true;
+           });
+  EXPECT_EQ(result.arrivedCount(), 2U);
+  for (const AgentResult& agent : result.agents) EXPECT_FALSE(agent.touched);
+  // Without a meeting a way of 16 m takes 16 s; one agent gave way, which costs STUCK_TIME at least.
+  EXPECT_GT(result.ticks, static_cast<std::uint64_t>(10.0 * (16.0 + DeadlockResolver::STUCK_TIME)));
+}
+
+}  // namespace
+}  // namespace crowd

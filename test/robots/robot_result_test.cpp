@@ -1,0 +1,151 @@
+#include "social_crowd/robots/robot_result.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "social_crowd/simulation/episode.h"
+#include "support/robots.h"
+#include "support/worlds.h"
+
+namespace crowd::robots {
+namespace {
+
+/// An episode in which the first robot gets one command, after a number of ticks.
+Episode after(int ticks, Scene scene, const Twist& command) {
+  Episode episode(std::move(scene), 0, Vision());
+  episode.commandRobot(0, command);
+  for (int tick = 0; tick < ticks; ++tick) episode.step({});
+  return episode;
+}
+
+RobotResult resultAfter(int ticks, Scene scene, const Twist& command) {
+  return after(ticks, std::move(scene), command).result().robots.at(0);
+}
+
+TEST(RobotResult, MeasuresTheMotion) {
+  // From rest at 1 m/s^2: 0.1, 0.2, ... 1.0 m/s in ticks of 0.1 s.
+  RobotStart start = robotTo({5.0, 0.0}, {0.0, 0.0});
+  start.limits.max_acceleration = 1.0;
+  const RobotResult result = resultAfter(10, with({start}, scene({})), {{1.0, 0.0}, 0.0});
+  EXPECT_EQ(result.name, "robot");
+  EXPECT_NEAR(result.path_length, 0.55, 1e-12);
+  EXPECT_NEAR(result.path_length_ratio, 0.55 / 4.9, 1e-12);
+  EXPECT_NEAR(result.final_distance, 4.45, 1e-12);
+  EXPECT_NEAR(result.minimum_distance_to_goal, 4.45, 1e-12);
+  EXPECT_NEAR(result.avg_robot_linear_speed, 0.55, 1e-12);
+  EXPECT_NEAR(result.max_speed, 1.0, 1e-12);
+  EXPECT_NEAR(result.avg_acceleration, 1.0, 1e-9);
+  EXPECT_NEAR(result.avg_jerk, 1.0, 1e-9);  // 10 m/s^3 in the first tick, then 0
+  EXPECT_NEAR(result.max_jerk, 10.0, 1e-9);
+  EXPECT_TRUE(result.timeout);
+  EXPECT_FALSE(result.success);
+  EXPECT_FALSE(result.stuck);  // 10 s are not over
+  EXPECT_TRUE(std::isnan(result.time_to_reach_goal));
+  EXPECT_TRUE(std::isnan(result.minimum_distance_to_people));
+}
+
+TEST(RobotResult, MeasuresRotationAndRest) {
+  const RobotResult turning = resultAfter(5, with({robot({0.0, 0.0})}, scene({})), {{0.0, 0.0}, -1.0});
+  EXPECT_NEAR(turning.cumulative_heading_changes, 0.5, 1e-12);
+  EXPECT_EQ(turning.time_not_moving, 0.0);
+  const RobotResult standing = resultAfter(5, with({robot({0.0, 0.0})}, scene({})), {});
+  EXPECT_NEAR(standing.time_not_moving, 0.5, 1e-12);
+  EXPECT_FALSE(standing.timeout);  // it has no goal
+  EXPECT_TRUE(std::isnan(standing.final_distance));
+}
+
+TEST(RobotResult, EndsAtTheArrival) {
+  // 0.9 m to the tolerance of 0.1 m; then it drives on, which is not measured.
+  RobotStart start = robotTo({1.05, 0.0}, {0.0, 0.0});
+  const RobotResult result = resultAfter(20, with({start}, scene({})), {{1.0, 0.0}, 0.0});
+  EXPECT_TRUE(result.success);
+  EXPECT_FALSE(result.timeout);
+  EXPECT_NEAR(result.time_to_reach_goal, 1.0, 1e-12);
+  EXPECT_NEAR(result.path_length, 1.0, 1e-12);
+  EXPECT_NEAR(result.path_length_ratio, 1.0 / 0.95, 1e-12);
+  EXPECT_TRUE(result.isClean());
+}
+
+TEST(RobotResult, AStuckRobotHasNotMovedFor10Seconds) {
+  const Scene blocked =
+      scenes::solid(with({robotTo({5.0, 0.0}, {0.0, 0.0})}, scene({}, {}, {{{0.8, -1.0}, {0.8, 1.0}}})));
+  EXPECT_FALSE(resultAfter(100, blocked, {{1.0, 0.0}, 0.0}).stuck);
+  const RobotResult result = resultAfter(104, blocked, {{1.0, 0.0}, 0.0});
+  EXPECT_TRUE(result.stuck);
+  EXPECT_EQ(result.wall_contacts, 1U);
+  const Scene open = with({robotTo({50.0, 0.0}, {0.0, 0.0})}, scene({}));
+  EXPECT_FALSE(resultAfter(150, open, {{1.0, 0.0}, 0.0}).stuck);
+}
+
+TEST(RobotResult, MeasuresTheDistanceToPeople) {
+  // After tick k the robot of 0.3 m is at 0.1 k m, its rim 1.45 - 0.1 k m from the centre of the person: 1.35 to 0.45
+  // m. 1.35 and 1.25 are above 1.2; in 3 more ticks it is below 0.45.
+  const RobotResult result =
+      resultAfter(13, with({robot({0.0, 0.0})}, scene({wanderer({1.745, 0.0})})), {{1.0, 0.0}, 0.0});
+  EXPECT_NEAR(result.minimum_distance_to_people, 0.145, 1e-9);
+  EXPECT_NEAR(result.minimum_clearance, 0.145 - 0.25, 1e-9);
+  EXPECT_NEAR(result.avg_closest_person, 1.445 - 0.7 - 0.25, 1e-9);  // the mean of 0.1 to 1.3 m is 0.7 m
+  EXPECT_NEAR(result.intimate_space_time, 0.4, 1e-9);                // after ticks 10 to 13
+  EXPECT_NEAR(result.personal_space_time, 1.1, 1e-9);                // after ticks 3 to 13
+  EXPECT_NEAR(result.intimate_space_intrusions, 100.0 * 4 / 13, 1e-9);
+  EXPECT_NEAR(result.personal_space_intrusions, 100.0 * 7 / 13, 1e-9);
+}
+
+TEST(RobotResult, CountsContactsByCause) {
+  // The robot passes through a standing person: contact from 1.951 m to 3.049 m, in ticks 20 to 31.
+  const RobotResult result =
+      resultAfter(40, with({robot({0.0, 0.0})}, scene({wanderer({2.5, 0.0})})), {{1.0, 0.0}, 0.0});
+  EXPECT_EQ(result.robot_on_person_collisions, 1U);
+  EXPECT_EQ(result.person_on_robot_collisions, 0U);
+  EXPECT_EQ(result.mutual_collisions, 0U);
+  EXPECT_NEAR(result.contact_time, 1.2, 1e-9);
+  EXPECT_FALSE(result.isClean());
+}
+
+TEST(RobotResult, CountsContactsOfRobots) {
+  const Scene two = scenes::solid(with({robot({0.0, 0.0}), robot({0.9, 0.0})}, scene({})));
+  Episode episode(two, 0, Vision());
+  episode.commandRobot(0, {{1.0, 0.0}, 0.0});
+  for (int tick = 0; tick < 6; ++tick) episode.step({});
+  EXPECT_EQ(episode.result().robots[0].robot_contacts, 1U);
+  EXPECT_EQ(episode.result().robots[1].robot_contacts, 1U);
+}
+
+TEST(RobotResult, ANewGoalBeginsAnew) {
+  Episode episode = after(12, with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({})), {{1.0, 0.0}, 0.0});
+  EXPECT_TRUE(episode.result().robots[0].success);
+  episode.setRobotGoals(0, {{3.0, 0.0}});
+  episode.step({});
+  const RobotResult result = episode.result().robots[0];
+  EXPECT_FALSE(result.success);
+  EXPECT_TRUE(result.timeout);
+}
+
+TEST(RobotEpisode, IsOverWhenTheCrowdAndTheRobotsAre) {
+  const Scene both = with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({scenes::agent({0.0, 5.0}, {0.5, 5.0}, 1.0)}));
+  Episode episode(both, 0, Vision());
+  for (int tick = 0; tick < 5; ++tick) episode.step({ahead(0)});
+  EXPECT_EQ(episode.world().activeCount(), 0U);
+  EXPECT_FALSE(episode.isOver());
+  episode.commandRobot(0, {{1.0, 0.0}, 0.0});
+  for (int tick = 0; tick < 10; ++tick) episode.step({});
+  EXPECT_TRUE(episode.isOver());
+}
+
+TEST(RobotEpisode, MayEndWithTheRobots) {
+  Scene both = with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({wanderer({0.0, 5.0})}));
+  both.ends = Ends::ROBOTS;
+  EXPECT_FALSE(after(5, both, {{1.0, 0.0}, 0.0}).isOver());
+  EXPECT_TRUE(after(10, both, {{1.0, 0.0}, 0.0}).isOver());
+}
+
+TEST(RobotEpisode, WithoutGoalsLastsForItsDuration) {
+  Scene alone = with({robot({0.0, 0.0})}, scene({}));
+  alone.max_ticks = 7;
+  EXPECT_FALSE(after(6, alone, {}).isOver());
+  EXPECT_TRUE(after(7, alone, {}).isOver());
+}
+
+}  // namespace
+}  // namespace crowd::robots

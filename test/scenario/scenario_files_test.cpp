@@ -1,0 +1,74 @@
+#include "social_crowd/scenario/scenario_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "social_crowd/common/errors.h"
+#include "support/error_of.h"
+#include "support/temporary_folder.h"
+
+namespace crowd {
+namespace {
+
+const std::string SHIPPED = std::string(SOURCE_DIR) + "/config/scenarios";
+
+TEST(ScenarioFiles, ShippedScenariosAreInTheSourceTreeBeforeInstallation) { EXPECT_EQ(shippedScenarios(), SHIPPED); }
+
+TEST(ScenarioFiles, FindsShippedScenariosByName) {
+  EXPECT_EQ(findScenario("circle6"), SHIPPED + "/circle6.yaml");
+  EXPECT_EQ(findScenario("circle6.yaml"), SHIPPED + "/circle6.yaml");
+}
+
+TEST(ScenarioFiles, PrefersAFileToAName) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("circle6", "");
+  EXPECT_EQ(findScenario("circle6", folder.path()), file);
+  EXPECT_EQ(findScenario(file), file);
+  std::filesystem::create_directory(folder.file("line6"));  // a folder is no file
+  EXPECT_EQ(findScenario("line6", folder.path()), SHIPPED + "/line6.yaml");
+}
+
+TEST(ScenarioFiles, RelativePathsStartAtTheBaseFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("sub"));
+  const std::string file = folder.write("sub/mine.yaml", "");
+  EXPECT_EQ(findScenario("sub/mine.yaml", folder.path()), file);
+  EXPECT_EQ(findScenario("../sub/mine.yaml", folder.file("sub")), file);
+}
+
+TEST(ScenarioFiles, FindsNamesInAnotherFolder) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("mine.yaml", "");
+  EXPECT_EQ(findScenario("mine", "", folder.path()), file);
+  EXPECT_EQ(errorOf<InputError>([&] { findScenario("mien", "/nowhere", folder.path()); }),
+            "no scenario 'mien', did you mean 'mine'? There is no file /nowhere/mien, and in " + folder.path() +
+                " none of that name; there is mine");
+}
+
+TEST(ScenarioFiles, ErrorNamesSearchedPlacesAndAlternatives) {
+  const TemporaryFolder folder;
+  const std::string bare = errorOf<InputError>([&] { findScenario("circel12"); });
+  const std::string here = std::filesystem::current_path().string();
+  EXPECT_EQ(bare.find("no scenario 'circel12', did you mean 'circle12'? There is no file " + here +
+                      "/circel12, and in " + SHIPPED + " none of that name; there are circle12, circle6, "),
+            0U)
+      << bare;
+  folder.write("b.yaml", "");
+  folder.write("corner.yaml", "");
+  EXPECT_EQ(errorOf<InputError>([&] { findScenario(folder.file("corer.yaml")); }),
+            "no scenario '" + folder.file("corer.yaml") + "', did you mean '" + folder.file("corner.yaml") +
+                "'? There is no file " + folder.file("corer.yaml") + "; there are " + folder.file("corner.yaml") +
+                ", " + folder.file("b.yaml"));
+  const std::string base = std::filesystem::path(folder.path()).parent_path().string();
+  const std::string below = std::filesystem::path(folder.path()).filename().string();
+  const std::string relative = errorOf<InputError>([&] { findScenario(below + "/corner", base); });
+  EXPECT_EQ(relative, "no scenario '" + below + "/corner', did you mean '" + below +
+                          "/corner.yaml'? There is no file " + folder.file("corner") + "; there are " + below +
+                          "/corner.yaml, " + below + "/b.yaml");
+  const std::string elsewhere = errorOf<InputError>([&] { findScenario("no/such.yaml", "/base"); });
+  EXPECT_EQ(elsewhere, "no scenario 'no/such.yaml': there is no file /base/no/such.yaml");
+}
+
+}  // namespace
+}  // namespace crowd

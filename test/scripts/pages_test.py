@@ -1,0 +1,155 @@
+"""All pages: their links lead somewhere, they are short, the index has them, the code names existing ones only, and the
+columns of CSV files are those of the pages."""
+import os
+import pathlib
+import re
+import subprocess
+
+import pytest
+from programs import ANTICIPATION_TABLE, PACKAGE, in_package, page_examples, page_text, read_text
+
+LONGEST = 250  # [lines] of a page in docs/
+LONGEST_OF = {'architecture.md': 100}  # [lines]
+DOCS = sorted(pathlib.Path(in_package('docs')).glob('*.md'))
+PAGES = [pathlib.Path(in_package('README.md')), *DOCS, *sorted(pathlib.Path(in_package('research')).rglob('*.md'))]
+# Folders and files with texts that name pages.
+NAMING = ('CHANGELOG.rst', 'CMakeLists.txt', 'package.xml', 'bench', 'config', 'include', 'launch', 'msg', 'python',
+          'research', 'rviz', 'scripts', 'src', 'srv', 'test')
+WITH_ROBOT = '''
+name: short
+duration: 1
+goal_tolerance: 0.3
+agents:
+  - {position: [1, 1], goal: [3, 1], speed: 0.5, radius: 0.25}
+robots:
+  - {name: robot, position: [1, 3], goal: [3, 3], radius: 0.25, max_speed: 0.5}
+'''
+FENCED = re.compile(r'^( *)```.*?^\1```$', re.DOTALL | re.MULTILINE)
+INLINE = re.compile(r'`[^`\n]+`')
+LINK = re.compile(r'\]\(([^)\s]+)\)')
+# A path from the package's folder, which may have an asterisk.
+PATH = re.compile(r'`((?:bench|config|docs|include|launch|msg|python|research|rviz|scripts|src|srv|test)/[\w./*-]+)`')
+# A page, and the quoted titles of its sections behind it, also in a comment of several lines.
+NAMED = re.compile(r'(?:[\w.]+/)*docs/\w+\.md(?:#[\w-]+)?(?:,[\s/#*]+"[^"\n]+")*')
+
+
+def text_of(page):
+    """Returns the text of a page without blocks of code."""
+    return FENCED.sub('', read_text(page))
+
+
+def titles(page):
+    """Returns the titles of the sections of a page, as they are shown."""
+    found = re.findall(r'^#+ (.*?)\s*$', text_of(page), re.MULTILINE)
+    return [re.sub(r'\[([^]]*)\]\([^)]*\)', r'\1', title).replace('`', '') for title in found]
+
+
+def anchors(page):
+    """Returns the anchors of a page, as GitHub makes them."""
+    found = []
+    for title in titles(page):
+        anchor = re.sub(r'[^\w\- ]', '', title.lower()).replace(' ', '-')
+        same = sum(known == anchor or re.fullmatch(f'{re.escape(anchor)}-\\d+', known) is not None for known in found)
+        found.append(f'{anchor}-{same}' if same else anchor)
+    return found
+
+
+def problem_of(page, target):
+    """Returns what is wrong with a link on a page, or None."""
+    file, _, anchor = target.partition('#')
+    linked = (page.parent / file).resolve() if file else page
+    if not linked.exists():
+        return f'{page}: {target}: there is no such file'
+    if anchor and anchor not in anchors(linked):
+        return f'{page}: {target}: there is no such section; sections are {", ".join(anchors(linked))}'
+    return None
+
+
+def texts_that_name_pages():
+    """Returns {file: text} of the source files that name a page in docs/."""
+    done = subprocess.run(['grep', '-rIlE', '--exclude=*.md', '--exclude-dir=data', r'docs/\w+\.md', *NAMING],
+                          cwd=PACKAGE, stdout=subprocess.PIPE, check=True)
+    files = [pathlib.Path(PACKAGE, name) for name in done.stdout.decode().splitlines()]
+    return {file: read_text(file) for file in files if file != pathlib.Path(__file__).resolve()}
+
+
+class LinksTest:
+    """Links between pages, and names of pages elsewhere."""
+
+    @pytest.mark.parametrize('page', PAGES, ids=lambda page: os.path.relpath(page, PACKAGE))
+    def test_links(self, page):
+        targets = [target for target in LINK.findall(INLINE.sub('', text_of(page))) if '://' not in target]
+        assert [problem for problem in (problem_of(page, target) for target in targets) if problem] == []
+
+    @pytest.mark.parametrize('page', PAGES, ids=lambda page: os.path.relpath(page, PACKAGE))
+    def test_paths(self, page):
+        """Files and folders of the package that a page names, such as `src/learning/states/`, exist."""
+        named = [path.rstrip('/') for path in PATH.findall(text_of(page)) if 'NAME' not in path]
+        assert [path for path in named if not list(pathlib.Path(PACKAGE).glob(path))] == []
+
+    def test_anchors(self, tmp_path):
+        """As GitHub makes them."""
+        page = tmp_path / 'page.md'
+        text = '# `some_node`, and more\n## Up to 2 m/s\n```\n# no title\n```\n## Up to 2 m/s\n'
+        page.write_text(text, encoding='utf-8')
+        assert anchors(page) == ['some_node-and-more', 'up-to-2-ms', 'up-to-2-ms-1']
+
+    def test_pages_that_texts_name(self):
+        """In comments, messages and --help: `docs/PAGE.md`, `docs/PAGE.md#ANCHOR`, or `docs/PAGE.md, "Section"`."""
+        texts = texts_that_name_pages()
+        assert len(texts) > 20
+        problems = []
+        for file, text in texts.items():
+            for named in NAMED.findall(text):
+                page, *sections = re.split(r',[\s/#*]+(?=")', named)
+                problem = problem_of(pathlib.Path(PACKAGE, 'README.md'), page)
+                if not problem:
+                    of_page = titles(pathlib.Path(PACKAGE, page.partition('#')[0]))
+                    problem = [section for section in sections if section.strip('"') not in of_page]
+                if problem:
+                    problems.append(f'{os.path.relpath(file, PACKAGE)}: {named}: {problem}')
+        assert problems == []
+
+
+class PagesTest:
+    """Pages in docs/."""
+
+    @pytest.mark.parametrize('page', DOCS, ids=lambda page: page.name)
+    def test_pages_are_short(self, page):
+        assert len(read_text(page).splitlines()) <= LONGEST_OF.get(page.name, LONGEST)
+
+    def test_the_index_has_all_pages(self):
+        linked = LINK.findall(read_text(in_package('docs', 'README.md')))
+        assert sorted(page.name for page in DOCS if page.name != 'README.md') == sorted(set(
+            target for target in linked if '/' not in target))
+
+
+def columns_of(file):
+    """Returns the names of the columns of a CSV file."""
+    return read_text(file).splitlines()[0].split(',')
+
+
+def documented_columns(page, title):
+    """Returns the names in the first column of the first table with this title on a page."""
+    table = re.search(rf'^\| {title} \|.*\n\|[-| ]*\n((?:\|.*\n)+)', page, re.MULTILINE)[1]
+    return [name for line in table.splitlines() for name in re.findall(r'`(\w+)`', line.split('|')[1])]
+
+
+class ColumnsTest:
+    """Columns of CSV files are those of the pages."""
+
+    def test_robots(self, runner):
+        file = runner.path('robots.csv')
+        scenario = runner.write('short.yaml', WITH_ROBOT)
+        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--robots-csv', file, scenario)
+        columns = columns_of(file)
+        assert columns[:3] == ['episode', 'scenario', 'robot']
+        assert sorted(documented_columns(page_text('robot_metrics.md'), 'field')) == sorted(columns[3:])
+
+    def test_logs_and_records(self, runner):
+        config = runner.write('least.yaml', page_examples('learning.md')['least.yaml'])
+        runner.tool('train', config, '--episodes', 1, '--output', runner.path('table.txt'),
+                    '--log', runner.path('log.csv'), '--record', runner.path('record.csv'))
+        for name, title in (('log.csv', 'Logs'), ('record.csv', 'Records')):
+            section = page_text('train.md').partition(f'\n## {title}\n')[2]
+            assert documented_columns(section, 'column') == columns_of(runner.path(name))
