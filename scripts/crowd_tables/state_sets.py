@@ -35,7 +35,6 @@ def goal_relative(given):
 ACTION_NAMES = {'kings_moves': kings_moves, 'goal_relative': goal_relative}
 
 
-DISTANCES = 2  # classes of distance
 NAMES_OF_8 = ['ahead', 'ahead left', 'left', 'behind left', 'behind', 'behind right', 'right', 'ahead right']
 # Quantities of `anticipation` by the keys of their limits, from the most significant digit of a row: name and unit.
 ANTICIPATION = {
@@ -80,8 +79,7 @@ class Meaning:
 
 
 def meaning_of(table):
-    """Returns the Meaning of a Table's rows. Raises InputError if the state set is unknown or has another number of
-    rows."""
+    """Returns the Meaning of a Table's rows. Raises InputError if state set or number of rows do not fit."""
     state_set = table.header['state_set']
     kind = state_set.get('type')
     if kind not in READERS:
@@ -109,8 +107,7 @@ def sector_names(count):
 
 
 def nearest_obstacle(given):
-    """(3.2-3.4): goal sectors without an obstacle, then for each goal sector the sector and distance class of the
-    obstacle."""
+    """(3.2-3.4): goal sectors without an obstacle, then for each the sector and distance class of the obstacle."""
     goals = Quantity('goal', sector_names(given.get('goal_sectors', 8)))
     limits = [0, *given.get('obstacle_sectors', [15, 45, 90, 180])]
     near, far = given.get('collision_radius', 0.5), given.get('vision_radius', 1.0)
