@@ -10,7 +10,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::sequential_world_test {
 namespace {
 
 using scenes::moving_obstacle;
@@ -176,4 +176,4 @@ TEST(SequentialWorld, SolidBodiesNeverOverlap) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::sequential_world_test
