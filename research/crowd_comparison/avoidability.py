@@ -50,14 +50,11 @@ class Recording:
                                       for tick in range(ticks)]).reshape(ticks, len(scene.obstacles), 2)
         self.obstacle_radii = numpy.array([obstacle['radius'] for obstacle in scene.obstacles])
 
-    def is_moving(self, obstacle):
-        return bool(numpy.ptp(self.obstacles[:, obstacle], axis=0).any())
-
     def contacts(self):
         """Returns all contacts with moving obstacles."""
         found = []
         for obstacle in range(len(self.obstacle_radii)):
-            if not self.is_moving(obstacle):
+            if not numpy.ptp(self.obstacles[:, obstacle], axis=0).any():  # it does not move
                 continue
             away = self.track - self.obstacles[:len(self.track), obstacle][:, None]
             overlap = numpy.hypot(away[..., 0], away[..., 1]) < self.radii + self.obstacle_radii[obstacle] - OVERLAP
@@ -66,8 +63,7 @@ class Recording:
         return sorted(found, key=lambda contact: (contact.tick, contact.agent))
 
     def last_escape(self, contact, among_others=True):
-        """Returns the latest move that would have avoided a contact; None if there is none.
-        @param among_others whether to consider the other agents"""
+        """Returns the latest move that would have avoided a contact, maybe without the others; None without one."""
         ticks_back = min(contact.tick, round(LOOK_BACK / self.scene.tick))
         for tick in range(contact.tick - 1, contact.tick - ticks_back - 1, -1):
             velocities = self.straight_moves(contact.agent)

@@ -60,13 +60,6 @@ def measure_crowd(program, table, folder, seeds, data, widths=WIDTHS):
     return rows
 
 
-def run(evaluate_program, table, folder, seeds, data):
-    """Measures the crowd of a table. Returns rows of HEADER, and the file of a figure. data: folder of the
-    measurements of people."""
-    rows = measure_crowd(evaluate_program, table, folder, seeds, data)
-    return rows, plot({table.stem: rows}, data, folder / FIGURE)
-
-
 def plot(doors, data, file):
     """Draws the flows of several crowds (rows by name) beside the experiments. Returns the file."""
     figure, axes = style.new_figure(1, 1, 7, 4.5)
@@ -76,8 +69,7 @@ def plot(doors, data, file):
     for (name, rows), colour in zip(doors.items(), COLOURS):
         width, flow, low, high = numpy.array([row[:4] for row in rows], dtype=float).T
         panel.errorbar(width, flow, (flow - low, high - flow), fmt='o-', capsize=3, color=colour, label=name)
-    panel.set_xlabel('width of the door [m]')
-    panel.set_ylabel('people per second')
+    panel.set(xlabel='width of the door [m]', ylabel='people per second')
     panel.set_ylim(bottom=0.0)
     panel.legend(loc='upper left')
     return style.save(figure, file)

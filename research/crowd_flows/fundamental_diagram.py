@@ -67,40 +67,27 @@ def rows_of(corridor, values, measured):
 
 
 def measure_crowd(program, table, folder, seeds, data, corridors=CORRIDORS):
-    """Measures a crowd in all corridors.
-
-    Returns rows of HEADER, the values by the name of the corridor, and the highest contact rate [%]."""
+    """Returns rows of HEADER, the values by the name of the corridor, and the highest contact rate [%] of a crowd."""
     folder.mkdir(parents=True, exist_ok=True)
     rows, values, contact = [], {}, 0.0
     for corridor in corridors:
         found, touched = measure_corridor(program, table, folder, corridor, seeds)
         contact = max(contact, touched)
-        measured = read_columns(data / corridor.data, corridor.density_column, 'speed_m_per_s')
+        measured = read_columns(data / corridor.data, *corridor.columns)
         rows += rows_of(corridor, found, measured)
         values[corridor.name] = found
     return rows, values, contact
 
 
-def run(evaluate_program, table, folder, seeds, data):
-    """Measures the crowd of a table. Returns rows of HEADER, and the file of a figure. data: folder of the
-    measurements of people."""
-    rows, values, _ = measure_crowd(evaluate_program, table, folder, seeds, data)
-    return rows, plot({table.stem: values}, data, folder / FIGURE)
-
-
 def plot(crowds, data, file, corridors=CORRIDORS):
-    """Draws the speeds of several crowds (results of run() by name) beside the measurements. Returns the file."""
+    """Draws the speeds of several crowds (values by name) beside the measurements. Returns the file."""
     figure, axes = style.new_figure(2, 2, 11, 8)
     for panel, corridor in zip(axes.flat, corridors):
-        draw_measured(panel, corridor, read_columns(data / corridor.data, corridor.density_column,
-                                                    'speed_m_per_s'))
+        draw_measured(panel, corridor, read_columns(data / corridor.data, *corridor.columns))
         for (name, values), colour in zip(crowds.items(), COLOURS):
             draw_means(panel, corridor, values[corridor.name], colour, name)
-        panel.set_title(corridor.title)
-        panel.set_xlim(0.0, corridor.edges[-1])
-        panel.set_ylim(0.0, 1.75)
-        panel.set_ylabel('speed [m/s]')
-        panel.set_xlabel('density [1/m]' if corridor.density_column == 'density_per_m' else 'density [1/m²]')
+        panel.set(title=corridor.title, xlim=(0.0, corridor.edges[-1]), ylim=(0.0, 1.75), ylabel='speed [m/s]',
+                  xlabel='density [1/m]' if corridor.is_single else 'density [1/m²]')
     axes[0][0].legend(loc='upper right', fontsize=8)
     return style.save(figure, file)
 
@@ -112,7 +99,7 @@ def draw_measured(panel, corridor, measured):
     panel.fill_between([middle for middle, _ in known], [band.low for _, band in known],
                        [band.high for _, band in known], color='0.5', alpha=0.35, linewidth=0,
                        label='people, 10-90 %')
-    if corridor.density_column == 'density_per_m2':
+    if not corridor.is_single:
         densities = numpy.linspace(0.1, 5.4, 200)
         panel.plot(densities, weidmann(densities), '--', color=style.REFERENCE, linewidth=1, label='Weidmann')
 

@@ -1,23 +1,20 @@
 """Runs of evaluate, and measurements of people: speed against density in corridors, flow through doors."""
-import csv
 import dataclasses
 import subprocess
 
 import numpy
+import pandas
 from crowd_experiments import records
 
 TICK = 0.1  # [s]
 
 
 def evaluate(program, table, scenario, folder, *options):
-    """Evaluates a Q-table in a scenario file, and writes trajectories and metrics into a folder.
-
-    Returns the row of metrics (texts by name)."""
+    """Writes trajectories and metrics of a Q-table in a scenario file into a folder. Returns the row of metrics."""
     metrics = folder / f'{scenario.stem}_metrics.csv'
     subprocess.run([str(program), '--q-table', str(table), '--trajectories', str(folder), '--csv', str(metrics),
                     *map(str, options), str(scenario)], check=True, stdout=subprocess.DEVNULL)
-    with open(metrics, newline='', encoding='utf-8') as stream:
-        return next(csv.DictReader(stream))
+    return pandas.read_csv(metrics, dtype=str).iloc[0]
 
 
 def read_tracks(file):
@@ -44,8 +41,7 @@ class Band:
 
 def read_columns(file, *columns):
     """Returns an array (row, column) of columns of numbers of a CSV file."""
-    with open(file, newline='', encoding='utf-8') as stream:
-        return numpy.array([[float(row[column]) for column in columns] for row in csv.DictReader(stream)])
+    return pandas.read_csv(file, usecols=columns, float_precision='round_trip')[list(columns)].to_numpy(dtype=float)
 
 
 def band_of(speeds):
@@ -67,8 +63,7 @@ def weidmann(density):
 
 
 def door_range(measured, width, tolerance=0.051):
-    """Returns lowest and highest specific flow [1/s] of the doors about as wide, each scaled to the width; None if
-    there are none. measured: array of (width, flow)."""
+    """Returns lowest and highest specific flow [1/s] of doors about as wide, scaled to the width; None without any."""
     near = measured[numpy.abs(measured[:, 0] - width) <= tolerance]
     if len(near) == 0:
         return None

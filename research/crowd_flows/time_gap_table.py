@@ -14,9 +14,7 @@ def fnv1a(data):
 
 
 def with_time_gap(contents, time_gap, width):
-    """Returns the contents of a Q-table file with another time gap of its action set, all values unchanged. 0: none.
-
-    Throws ValueError if it is no complete Q-table file with the action set goal_relative."""
+    """Returns the contents of a Q-table file with another time gap, 0: none. Throws ValueError if it is not one."""
     body, found, checksum = contents.rpartition(CHECKSUM)
     if not found or checksum.strip() != b'%016x' % fnv1a(body):
         raise ValueError('expected a Q-table file with a valid checksum')

@@ -7,13 +7,6 @@ from crowd_experiments.records import spread_text
 
 CONFIRMED, PARTLY, NOT_CONFIRMED = VERDICTS = 'confirmed', 'partly confirmed', 'not confirmed'
 LEAST_SHARE = 0.75  # of the seeds for which a claim must hold
-RULE = (
-    f'Verdicts follow a rule. "{CONFIRMED}": the claim holds for the mean over the seeds and for at least three '
-    'quarters of the seeds. If a claim compares two values, they are compared for each seed, and their means must '
-    f'differ by more than a standard error of the difference. "{PARTLY}": the claim holds for the mean only, for the '
-    f'seeds only, or in part. "{NOT_CONFIRMED}": it holds for neither. Equal values do not count as greater. A number '
-    f'of the thesis is {CONFIRMED} if our mean is within 5 points of it and the range of the seeds includes it, and '
-    f'{PARTLY} if one of these conditions is met.')
 NEAR = 5.0  # [points]
 GOOD, HALF = 90.0, 50.0  # [%] success rates from which a claim is confirmed, and partly confirmed
 RARE = 10.0  # [%] highest rate of contacts or collisions with which "avoids" holds
@@ -119,8 +112,7 @@ def both(values, conditions):
 
 
 def versus(name, values, other_name, other_values, decimals=2):
-    """Returns a text with two values, their spread over the seeds, and the number of seeds in which the first is
-    greater."""
+    """Returns a text with two values, their spreads, and the number of seeds in which the first is greater."""
     values, other_values = list(values), list(other_values)
     greater = sum(a > b for a, b in zip(values, other_values))
     return (f'{name} {spread_text(values, decimals)}, {other_name} {spread_text(other_values, decimals)}; '

@@ -2,18 +2,18 @@
 import pathlib
 
 import yaml
-from crowd_experiments.pages import Chapter
+from crowd_studies.report import Report
 
 from . import crowd_judges, knowledge_judges, reward_judges, twins_judges
-from .claim import RULE, Claim, add_claims, all_of
-from .experiments import ambiguity, future_work, learning_curves, reward_evaluation, scenarios, sharing
+from .claim import Claim, add_claims, all_of
+from .names import TEXTS
+from .results import plan as plan_of
 
 NAME = 'claims'
-TITLE = 'Claims of the thesis'
-FILE = pathlib.Path(__file__).with_name('claims.yaml')
-LISTS = yaml.safe_load(FILE.read_text(encoding='utf-8'))
+TITLE = TEXTS[NAME]['title']
+LISTS = yaml.safe_load(pathlib.Path(__file__).with_suffix('.yaml').read_text(encoding='utf-8'))
 JUDGES = {**vars(crowd_judges), **vars(knowledge_judges), **vars(twins_judges), **vars(reward_judges)}
-NEEDS = (reward_evaluation, ambiguity, scenarios, sharing, learning_curves, future_work)  # whose results judges read
+plan = plan_of(NAME)
 
 
 def claims_of(name):
@@ -23,16 +23,10 @@ def claims_of(name):
             for entry in LISTS[name]['claims']]
 
 
-def plan(setting):
-    """Returns the runs of the experiments whose results the judges read."""
-    return [run for experiment in NEEDS for run in experiment.plan(setting)]
-
-
 def report(setting):
     """Returns the chapter, from the records of the other chapters' runs."""
-    chapter = Chapter(NAME, TITLE)
-    chapter.add_text(f"{RULE} The thesis's parameters are used unless stated otherwise. Numbers are mean ± standard "
-                     'deviation over the seeds (lowest-highest).')
+    chapter = Report(NAME, TEXTS, setting)
+    chapter.say('intro')
     for name, claims in LISTS.items():
         add_claims(chapter, claims['title'], claims_of(name), setting, name)
     return chapter

@@ -1,23 +1,26 @@
 """Names, colours and texts that the figures and tables of the thesis's experiments share."""
 from crowd_experiments.records import Spread
+from crowd_studies.report import Report, read_texts
 
+from .results import RATES
+
+TEXTS = read_texts(__file__)
 REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
 REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
 PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
-THESIS_MARK = dict(marker='D', color='black', linestyle='', markersize=7, zorder=6)
-RATES = ['success %', 'collision %', 'contact %']  # in the order of all texts
-SPREAD = 'mean ± standard deviation over the seeds (lowest-highest)'
+RATE_HEADER = [f'{rate} %' for rate in RATES]
 
 
-def rate_spreads(rates):
-    """Returns Spreads of success, collision and contact, given (success, contact, collision) for each seed."""
-    success, contact, collision = map(Spread, zip(*rates))
-    return success, collision, contact
+def report_of(name, setting, seeds, **values):
+    """Returns the empty chapter of an experiment with this number of seeds, and its first text."""
+    report = Report(name, TEXTS, setting, seeds=len(setting.seeds(seeds)), spread=TEXTS['spread'], **values)
+    report.say('intro')
+    return report
 
 
 def rate_texts(rates):
-    """Returns their texts."""
-    return [spread.text(1) for spread in rate_spreads(rates)]
+    """Returns the texts of success, collision and contact, given a table with a row for each seed."""
+    return [Spread(rates[rate]).text(1) for rate in RATES]
 
 
 def rates_sentence(rates):
@@ -27,5 +30,5 @@ def rates_sentence(rates):
 
 def means_sentence(rates, contact=0):
     """Returns the means as part of a sentence; `contact`: decimals of its contact."""
-    means = [spread.mean for spread in rate_spreads(rates)]
-    return f'success {means[0]:.0f} %, collision {means[1]:.0f} %, contact {means[2]:.{contact}f} %'
+    means = rates.mean()
+    return f'success {means.success:.0f} %, collision {means.collision:.0f} %, contact {means.contact:.{contact}f} %'

@@ -1,15 +1,16 @@
 """Judges the claims of the thesis about its rewards and about training, from the records of the runs. The thesis's
-parameters are used; measures are functions of reward_runs, given by their names."""
+parameters are used; measures are functions of reward_measures, given by their names."""
 import math
 import operator
 
 import numpy
 from crowd_experiments.records import spread_text
 
-from . import reward_runs as runs
+from . import reward_measures as measures
 from .claim import Judgement, compared, decide, decide_each, decide_near, joined
 from .names import REWARD_NAMES
-from .reward_runs import COSINE, GAIN, MODES, REWARDS, THESIS_SUCCESS, Variant, per_seed, records
+from .results import REWARDS, per_seed
+from .reward_measures import MODES, THESIS_SUCCESS, learned, of_mode
 
 DIFFERENT = 5.0  # [points] rates that differ by more do not depict each other
 SIMILAR = 10.0  # [points] rates that differ by at most this are similar
@@ -23,7 +24,7 @@ CONDITIONS = {'<=': operator.le, '<': operator.lt, '>': operator.gt}
 
 def measured(setting, reward, mode, measure):
     """Returns a measure, given by its name or as a function, for each seed."""
-    return per_seed(setting, Variant(reward), mode, getattr(runs, measure) if isinstance(measure, str) else measure)
+    return of_mode(learned(setting, reward), mode, getattr(measures, measure) if isinstance(measure, str) else measure)
 
 
 def compare(setting, measure, mode, greater, decimals=2):
@@ -35,7 +36,7 @@ def compare(setting, measure, mode, greater, decimals=2):
 
 def scattered(setting, breadth, mode, greater, decimals=2):
     """Judges that a measure is more scattered with the one reward, by its middle half and its middle four fifths."""
-    parts = {name: compare(setting, getattr(runs, breadth)(percentiles), mode, greater, decimals)
+    parts = {name: compare(setting, getattr(measures, breadth)(percentiles), mode, greater, decimals)
              for name, percentiles in MIDDLES.items()}
     return joined([Judgement(f'{name}: {part.measured}', part.verdict) for name, part in parts.items()], '. ')
 
@@ -56,15 +57,15 @@ def number(setting, reward, mode):
 
 def curved(setting):
     """Judges that paths without an obstacle bend more with distance gained."""
-    gain, cosine = (runs.free_bends(setting, variant)[:, 0] for variant in (GAIN, COSINE))
+    gain, cosine = (measures.free_bends(learned(setting, reward))[:, 0] for reward in REWARDS)
     return compared('sum of the bends [degrees]: ', 'distance gained', gain, 'cos³', cosine, 0)
 
 
 def softer(setting):
     """Judges that paths with distance gained have less sharp bends and less turning per metre."""
-    gain, cosine = (runs.free_bends(setting, variant)[:, 1] for variant in (GAIN, COSINE))
+    gain, cosine = (measures.free_bends(learned(setting, reward))[:, 1] for reward in REWARDS)
     parts = [compared('sharpest bend [degrees]: ', 'cos³', cosine, 'distance gained', gain, 0)]
-    turning = numpy.array([per_seed(setting, variant, 'free', runs.turning) for variant in (GAIN, COSINE)])
+    turning = numpy.array([measured(setting, reward, 'free', 'turning') for reward in REWARDS])
     gain, cosine = turning[:, numpy.isfinite(turning).all(axis=0)]  # seeds with which both arrive
     if len(gain):
         parts.append(compared('Turning [rad/m], arrivals only: ', 'cos³', cosine, 'distance gained', gain))
@@ -81,8 +82,8 @@ def separated(record):
 
 def separation(setting, reward):
     """Judges that the charts show a separation, in runs in which some episodes fail, as in the thesis."""
-    flags = [separated(record) for record in records(setting, Variant(reward), 'demo')
-             if 100.0 * LEAST_SIDE <= runs.success(record) <= 100.0 * (1.0 - LEAST_SIDE)]
+    found = measured(setting, reward, 'demo', lambda rows: (measures.success(rows), separated(rows)))
+    flags = [flag for success, flag in found if 100.0 * LEAST_SIDE <= success <= 100.0 * (1.0 - LEAST_SIDE)]
     return Judgement(f'{REWARD_NAMES[reward]}: in {sum(flags)} of the {len(flags)} seeds with success between 5 and '
                      '95 %', decide(numpy.mean(flags or [0.0]) > 0.5, flags or [False]))
 
@@ -95,34 +96,31 @@ def less_in_demo(setting, reward):
 
 def longer(setting, reward, measure, rises):
     """Judges that more training improves a rate in demo."""
-    usual, more = (per_seed(setting, Variant(reward, is_longer=is_longer), 'demo', getattr(runs, measure))
-                   for is_longer in (False, True))
-    name, usual_name = (f'{setting.count(*numbers):,} episodes'
-                        for numbers in ((runs.LONGER_EPISODES, 80), (runs.EPISODES, 40)))
-    return compared(f'{REWARD_NAMES[reward]}: ', name, more, usual_name, usual, falls=not rises)
+    more = of_mode(measures.longer(setting, reward), 'demo', getattr(measures, measure))
+    name, usual_name = (f'{number:,} episodes' for number in setting.count((8000, 2000), (80, 40)))
+    return compared(f'{REWARD_NAMES[reward]}: ', name, more, usual_name, measured(setting, reward, 'demo', measure),
+                    falls=not rises)
 
 
 def more_decisions(setting, reward):
     """Judges that more decisions per episode improve the success in demo, with the same episodes."""
-    patient = measured(setting, reward, 'patient', 'success')
-    usual = measured(setting, reward, 'demo', lambda record: runs.success(
-        {name: column[:setting.count(runs.PATIENT_EPISODES, 5)] for name, column in record.items()}))
-    return compared(f'{REWARD_NAMES[reward]}: ', f'{runs.PATIENT_DURATION:,} decisions', patient, '2,000 decisions',
-                    usual)
+    patient = learned(setting, reward).record('patient.csv')
+    usual = measured(setting, reward, 'demo', lambda rows: measures.success(rows[:patient['episode'].nunique()]))
+    return compared(f'{REWARD_NAMES[reward]}: ', '8,000 decisions', per_seed(patient, measures.success),
+                    '2,000 decisions', usual)
 
 
 def quarter(measure, last):
     """Returns a measure of the first or the last quarter of the episodes."""
-    def of_part(record):
-        length = len(record['arrived']) // 4
-        part = slice(-length, None) if last else slice(length)
-        return measure({name: column[part] for name, column in record.items()})
+    def of_part(rows):
+        length = len(rows) // 4
+        return measure(rows[-length:] if last else rows[:length])
     return of_part
 
 
 def in_course(setting, reward, measure, falls):
     """Judges that a rate decreases, or increases, in the course of the training."""
-    first, last = (measured(setting, reward, 'training', quarter(getattr(runs, measure), is_last))
+    first, last = (measured(setting, reward, 'training', quarter(getattr(measures, measure), is_last))
                    for is_last in (False, True))
     return compared(f'{REWARD_NAMES[reward]}: ', 'first quarter', first, 'last quarter', last, falls=not falls)
 
@@ -143,6 +141,6 @@ def similar_success(setting):
 
 def mostly_free(setting, reward):
     """Judges that most states in training are without an obstacle."""
-    shares = runs.free_share(setting, Variant(reward))
+    shares = measures.free_share(learned(setting, reward))
     return Judgement(f'{REWARD_NAMES[reward]}: {spread_text(shares, 1)} % without an obstacle',
                      decide_each(shares, lambda share: share > 50.0))

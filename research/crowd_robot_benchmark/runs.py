@@ -34,8 +34,7 @@ class Benchmark:
         return self.run(robot, scenario, scenario, {}, self.placements)
 
     def crowdnav_runs(self, robot):
-        """Returns the runs of a robot in CrowdNav's setting, by VISIBLE and INVISIBLE. There are none where people do
-        not see a robot that both sides give way to, and none through ROS."""
+        """Returns the runs in CrowdNav's setting, by VISIBLE and INVISIBLE, as far as they make sense for the robot."""
         if robot in DRIVEN or self.crowdnav_episodes <= 0:
             return {}
         return {kind: self.run(robot, f'crowdnav_{kind}', CROWDNAV, keys, self.crowdnav_episodes)

@@ -24,8 +24,7 @@ Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 @dataclasses.dataclass(frozen=True)
 class Program:
-    """The parameters of such a program. An experiment is a module with NAME, TITLE, plan(setting) and report(setting);
-    an experiment without runs is skipped."""
+    """Its parameters. An experiment is a module with NAME, TITLE, plan(setting) and report(setting)."""
     name: str
     title: str  # of the page
     experiments: tuple
@@ -76,8 +75,7 @@ class Program:
         return page
 
     def chapters(self, setting, chosen):
-        """Returns the chosen chapters, and all other chapters whose runs are complete. Draws figures, writes tables,
-        and prints the tables of the chosen chapters."""
+        """Returns the chosen chapters, whose tables it prints, and all others whose runs are complete."""
         chapters = []
         for experiment in self.experiments:
             runs = experiment.plan(setting)

@@ -13,8 +13,7 @@ CLASS_COLOURS = {1: '#e31a1c', 2: '0.6'}  # the inner radius is red in the thesi
 def draw_scene(axes, scenario, trajectories, instance, colour=None, obstacle_colour=OBSTACLE_COLOUR):
     """Draws a scene with the complete paths of one instance. Returns the picture."""
     _, walks = read_walks(trajectories, instance)
-    axes.set_xlabel('x [m]')
-    axes.set_ylabel('y [m]')
+    axes.set(xlabel='x [m]', ylabel='y [m]')
     picture = draw_moment(axes, read_scene(scenario, instance), walks, last_tick_of(walks), colour, with_starts=True,
                           obstacle_colour=obstacle_colour)
     picture.frame()

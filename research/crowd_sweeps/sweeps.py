@@ -17,6 +17,7 @@ DENSITY = 0.5  # [agents per m²]
 REACH = 9.5  # of the copies beyond a border, for vision of 6 m and agents of 1.6 m/s [m]; docs/mpi.md
 BANDWIDTH = 1e9  # of a network [bytes/s]
 ACTION = 16  # [bytes] of a copy in each tick
+COLOUR = '#1f77b4'
 COPY = 26  # [bytes] of a copy in each tick: 260 in every tenth
 
 
@@ -52,7 +53,7 @@ class Model:
 
 @dataclasses.dataclass(frozen=True)
 class WeakScaling:
-    """Sweep over the number of ranks. Its points are (ranks, run of rank_benchmarks)."""
+    """Sweep over the number of ranks."""
     name: str
     title: str
 
@@ -60,57 +61,36 @@ class WeakScaling:
         """Returns header and rows of the table, and the picture, of equally many agents on each rank."""
         if shutil.which('mpirun') is None:
             raise RunError('there is no mpirun')
-        measured = [(ranks, measure(measuring.folder / RANKS_PROGRAM, ranks, ranks * AGENTS, 1)[0]) for ranks in RANKS]
-        return (*self.table(measured), self.draw(measured, measuring.plots / f'{self.name}.png'))
-
-    def table(self, measured):
-        """Returns header and rows, measured and modelled."""
-        model = Model.of(times(measured))
-        alone = dict(times(measured))[1]
+        runs = {ranks: measure(measuring.folder / RANKS_PROGRAM, ranks, ranks * AGENTS, 1)[0] for ranks in RANKS}
+        times = {ranks: run['computing_ms'] for ranks, run in runs.items()}
+        efficiencies = {ranks: times[1] / time for ranks, time in times.items()}
+        model = Model.of(times.items())
         header = ['ranks', 'computing, slowest rank [ms per tick]', 'sent by all ranks [MB per tick]', 'efficiency',
                   *(f'modelled, {agents:,} agents each' for agents in MODELLED_AGENTS)]
-        runs = dict(measured)
         rows = []
         for ranks in sorted({*runs, *MODELLED_RANKS}):
-            cells = ['', '', '']
-            if ranks in runs:
-                value = runs[ranks]['computing_ms']
-                cells = [f'{value:.1f}', f"{runs[ranks]['megabytes']:.2f}", f'{alone / value:.2f}']
+            cells = [f'{times[ranks]:.1f}', f"{runs[ranks]['megabytes']:.2f}", f'{efficiencies[ranks]:.2f}'] \
+                if ranks in runs else ['', '', '']
             rows.append([str(ranks), *cells,
                          *(f'{model.efficiency(ranks, agents):.2f}' for agents in MODELLED_AGENTS)])
-        return header, rows
+        return header, rows, self.draw(efficiencies, model, measuring.plots / f'{self.name}.png')
 
-    def draw(self, measured, file):
+    def draw(self, efficiencies, model, file):
         """Draws measured points and the model. Returns the file."""
-        figure, axes = style.new_figure(1, 1, 5.2, 3.4)
-        panel = axes[0][0]
-        model = Model.of(times(measured))
-        alone = dict(times(measured))[1]
+        figure, ((panel,),) = style.new_figure(1, 1, 5.2, 3.4)
         for agents, line in zip(MODELLED_AGENTS, ('-', '--')):
             panel.plot(MODELLED_RANKS, [model.efficiency(ranks, agents) for ranks in MODELLED_RANKS], linestyle=line,
                        color=style.REFERENCE, label=f'modelled, {agents:,} agents on each rank')
-        panel.plot([ranks for ranks, _ in measured], [alone / value for _, value in times(measured)], marker='o',
-                   linestyle='', color='#1f77b4', label=f'measured, {AGENTS:,} agents on each rank')
+        panel.plot(*zip(*efficiencies.items()), marker='o', linestyle='', color=COLOUR,
+                   label=f'measured, {AGENTS:,} agents on each rank')
         panel.set_xscale('log', base=2)
         panel.set_xticks(MODELLED_RANKS, [str(ranks) for ranks in MODELLED_RANKS])
-        panel.set_ylim(0, 1.1)
-        panel.set_title(self.title)
-        panel.set_xlabel('ranks')
-        panel.set_ylabel('efficiency')
+        panel.set(ylim=(0, 1.1), title=self.title, xlabel='ranks', ylabel='efficiency')
         panel.legend(loc='lower left', fontsize='small')
         return style.save(figure, file)
 
 
-def times(measured):
-    """Returns (ranks, computing time [ms per tick])."""
-    return [(ranks, run['computing_ms']) for ranks, run in measured]
-
-
 RANK_SWEEPS = (WeakScaling('crowd_ranks_weak', 'One crowd on several ranks, square floor'),)
-
-
-COLOUR = '#1f77b4'
-PANEL = (4.6, 3.2)  # [inch]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -153,8 +133,7 @@ class Sweep:
 
     def draw(self, measured, file):
         """Draws the measured points. Returns the file."""
-        figure, axes = style.new_figure(1, 1, *PANEL)
-        panel = axes[0][0]
+        figure, ((panel,),) = style.new_figure(1, 1, 4.6, 3.2)
         points = self.points(measured)
         panel.plot(*zip(*points), marker='o', color=COLOUR)
         if self.threads:
@@ -162,10 +141,8 @@ class Sweep:
             panel.set_xticks([point for point, _ in points])
         if self.logarithmic:
             panel.set_xscale('log')
-        panel.set_ylim(0, 1.15 * max(value for _, value in points))
-        panel.set_title(self.title)
-        panel.set_xlabel(self.label)
-        panel.set_ylabel(self.value_label)
+        panel.set(ylim=(0, 1.15 * max(value for _, value in points)), title=self.title, xlabel=self.label,
+                  ylabel=self.value_label)
         return style.save(figure, file)
 
 

@@ -21,13 +21,9 @@ def frame(axes, recording):
     axes.add_collection(LineCollection([numpy.array(wall) for wall in recording.walls], colors='black', linewidths=2))
     points = [numpy.array(recording.walls).reshape(-1, 2), recording.tracks.reshape(-1, 2)]
     low, high = (function(numpy.concatenate(points), axis=0) for function in (numpy.nanmin, numpy.nanmax))
-    axes.set_xlim(low[0] - MARGIN, high[0] + MARGIN)
-    axes.set_ylim(low[1] - MARGIN, high[1] + MARGIN)
-    axes.set_aspect('equal')
+    axes.set(xlim=(low[0] - MARGIN, high[0] + MARGIN), ylim=(low[1] - MARGIN, high[1] + MARGIN), aspect='equal',
+             xlabel='x [m]', ylabel='y [m]')
     axes.grid(False)
-    axes.set_xlabel('x [m]')
-    axes.set_ylabel('y [m]')
-    return high - low + 2.0 * MARGIN
 
 
 def bodies(axes, places, radii, colours, **style):
@@ -41,23 +37,21 @@ def bodies(axes, places, radii, colours, **style):
 
 
 def draw_paths(recording, file, title, colours=None):
-    """Draws the paths of all agents with a disc at the start. Agents that did not arrive have a red disc at the end.
-    Returns the file."""
-    figure, axes = new_figure(1, 1, WIDTH, height_for([recording], 1))
-    axes = axes[0, 0]
+    """Draws all paths with a disc at the start; a red disc is the end of those who did not arrive. Returns the file."""
+    figure, ((axes,),) = new_figure(1, 1, WIDTH, height_for([recording], 1))
     frame(axes, recording)
     colours = colours or colours_of(recording.people())
     for agent, colour in enumerate(colours):
         axes.plot(*recording.tracks[:, agent].T, color=colour, linewidth=1.0, zorder=2)
     bodies(axes, recording.tracks[0], recording.radii, colours, alpha=0.5, zorder=3)
-    mark_stuck(axes, recording)
+    stuck = ~numpy.isfinite(recording.arrivals)
+    bodies(axes, recording.last_places()[stuck], recording.radii[stuck], [STUCK_COLOUR] * int(stuck.sum()), zorder=4)
     axes.set_title(title)
     return save(figure, file)
 
 
 def draw_moments(panels, file, columns):
-    """Draws crowds at moments. Panels: (recording, time [s], title). Agents that never arrive are red. Returns
-    the file."""
+    """Draws panels (recording, time [s], title) of crowds; red: agents that never arrive. Returns the file."""
     rows = -(-len(panels) // columns)
     height = rows * height_for([recording for recording, _, _ in panels], columns)
     figure, axes = new_figure(rows, columns, WIDTH if columns == 1 else 1.6 * WIDTH, height)
@@ -82,24 +76,13 @@ def height_for(recordings, columns):
     return min(7.5, (width - 0.6) * max(ratios) + 0.9)
 
 
-def mark_stuck(axes, recording):
-    """Draws the agents that did not arrive at their last places."""
-    stuck = ~numpy.isfinite(recording.arrivals)
-    bodies(axes, recording.last_places()[stuck], recording.radii[stuck],
-           [STUCK_COLOUR] * int(stuck.sum()), zorder=4)
-
-
 def draw_departures(series, file, title):
-    """Draws the number of people that have left over time. Series: (label, colour, arrival times [s]). Returns
-    the file."""
-    figure, axes = new_figure(1, 1, WIDTH, 4.0)
-    axes = axes[0, 0]
+    """Draws how many people have left over time. Series: (label, colour, arrivals [s]). Returns the file."""
+    figure, ((axes,),) = new_figure(1, 1, WIDTH, 4.0)
     for label, colour, arrivals in series:
         times = numpy.sort(arrivals[numpy.isfinite(arrivals)])
         axes.step(numpy.concatenate([[0.0], times]), numpy.arange(len(times) + 1), where='post', color=colour,
                   label=label)
-    axes.set_xlabel('time [s]')
-    axes.set_ylabel('people that have left')
-    axes.set_title(title)
+    axes.set(xlabel='time [s]', ylabel='people that have left', title=title)
     axes.legend()
     return save(figure, file)

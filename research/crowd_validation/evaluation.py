@@ -6,12 +6,11 @@ import typing
 
 import numpy
 import yaml
-from crowd_experiments.records import read_csv
+from crowd_experiments import records
 from crowd_experiments.runs import Run, Runner
+from crowd_experiments.variations import DUMPER, LOADER
 
 from .plan import TICK
-
-LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -45,11 +44,10 @@ class Recording:
 
 
 def read_recording(folder, name, tick):
-    """Reads the output of evaluate for one episode of the scenario file NAME.yaml: trajectories/, scenes/, record.csv.
-    Replaces the trajectories by a file of a tenth of their size."""
+    """Reads the output of evaluate for one episode of NAME.yaml, and makes the trajectories a smaller file."""
     with open(folder / 'scenes' / f'{name}.yaml', encoding='utf-8') as stream:
         scene = next(document for document in yaml.load_all(stream, LOADER) if document)
-    record = read_csv(folder / 'record.csv')
+    record = records.read_csv(folder / 'record.csv')
     arrivals = numpy.where(record['arrived'] > 0, record['ticks'] * tick, numpy.inf)
     agents = scene['agents']
     return Recording(read_tracks(folder / 'trajectories' / f'{name}.csv', len(agents)), tick, scene.get('walls') or [],
@@ -62,10 +60,7 @@ def read_tracks(file, agents):
     compact = file.with_suffix('.npy')
     if compact.is_file() and not file.is_file():
         return numpy.load(compact).astype(float)
-    rows = numpy.loadtxt(file, delimiter=',', skiprows=1, ndmin=2, usecols=(1, 2, 3, 4))
-    ticks = rows[:, 0].astype(int)
-    tracks = numpy.full((ticks.max() + 1, agents, 2), numpy.nan)
-    tracks[ticks, rows[:, 1].astype(int)] = rows[:, 2:]
+    tracks, = records.read_tracks(file, agents).values()
     numpy.save(compact, tracks.astype(numpy.float32))
     file.unlink()
     return tracks
@@ -90,7 +85,7 @@ class Result:
 
 @dataclasses.dataclass(frozen=True)
 class Case:
-    """A test. `run(evaluation)` runs the tool with all seeds, draws pictures, returns a Result; see evaluation.py."""
+    """A test. `run(evaluation)` runs the tool with all seeds, draws pictures, returns a Result."""
     name: str  # on the command line
     title: str
     run: typing.Callable
@@ -115,35 +110,30 @@ def load(folder):
         return None
 
 
-DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
-
-
 @dataclasses.dataclass(frozen=True)
 class Evaluation:
-    """The tool, the Q-table, and the folder and the seeds of a case. Results of earlier runs with the same program,
-    table and scenario are used again."""
+    """The tool, the Q-table, and folder and seeds of a case. Results of earlier runs of the same are used again."""
     evaluate: pathlib.Path
     q_table: pathlib.Path
     folder: pathlib.Path
     seeds: int
     processes: int = 1
 
-    def seed_numbers(self):
-        """Returns the seeds 1, 2, ..."""
-        return range(1, self.seeds + 1)
-
     def walk(self, plans):
         """Runs one episode of every plan with every seed. `plans` are functions of the seed that return a scenario
         document, by the names of the scenarios. Returns lists of Recordings, one for each seed, by these names.
 
         Raises RunError with the tool's message if it fails."""
-        runs = {(name, seed): self.run_of(name, plan(seed), seed)
-                for name, plan in plans.items() for seed in self.seed_numbers()}
+        seeds = range(1, self.seeds + 1)
+        runs = {(name, seed): self.run_of(name, plan(seed), seed) for name, plan in plans.items() for seed in seeds}
         left = [run for run in runs.values() if not run.is_done()]
         if left:
             Runner(self.processes).carry_out(left)
-        return {name: [read_recording(runs[name, seed].folder, name, TICK) for seed in self.seed_numbers()]
-                for name in plans}
+        return {name: [read_recording(runs[name, seed].folder, name, TICK) for seed in seeds] for name in plans}
+
+    def walk_one(self, name, plan):
+        """Runs one episode of a plan with every seed. Returns Recordings, one for each seed."""
+        return self.walk({name: plan})[name]
 
     def run_of(self, name, document, seed):
         """Writes the scenario file of a run, and returns the run."""

@@ -31,12 +31,23 @@ def arrived(recordings):
     return f'{counts(numbers)} of {recordings[0].people()} arrived'
 
 
+def all_arrived(recordings):
+    """Returns whether all people of all seeds arrived."""
+    return all(recording.all_arrived() for recording in recordings)
+
+
+def last(recordings, decimals=0):
+    """Returns when the last person arrived, such as `the last after 31.0 s (30.0-32.0)`."""
+    return f"the last after {spread((max(recording.arrivals) for recording in recordings), 's', decimals)}"
+
+
 def problems(recordings, landmarks):
-    """Returns a text about people who did not arrive, by their nearest landmark (points by names), and about contacts;
-    empty if there were none in any seed."""
+    """Returns a text about people who did not arrive, by the nearest landmark, and about contacts; or an empty one."""
     parts = []
     for seed, recording in enumerate(recordings, 1):
-        of_seed = [text for text in (left_over_text(recording, landmarks), contact_text(recording)) if text]
+        of_seed = list(filter(None, (
+            left_over_text(recording, landmarks),
+            f'{recording.touched.sum()} in contact' if recording.touched.any() else '')))
         if of_seed:
             parts.append(f'seed {seed}: {", ".join(of_seed)}')
     return '; '.join(parts)
@@ -52,11 +63,6 @@ def left_over_text(recording, landmarks):
     return f'{len(places)} left ({at}), {standing} of them stand'
 
 
-def contact_text(recording):
-    """Returns the number of people in contact."""
-    return f'{recording.touched.sum()} in contact' if recording.touched.any() else ''
-
-
 STANDING = 0.2  # [m] a person who moved less than this in STANDING_TIME stands
 STANDING_TIME = 10.0  # [s]
 
@@ -68,8 +74,7 @@ def side(start, end, places):
 
 
 def crossing_times(recording, gate):
-    """Returns when each agent first crosses the gate, a segment [[x1, y1], [x2, y2]], interpolated within the tick [s];
-    inf for agents that do not cross it."""
+    """Returns when each agent first crosses a segment, interpolated within the tick [s]; inf if it does not."""
     crossed = crossings(recording.tracks, gate)
     times = numpy.full(recording.people(), math.inf)
     for agent in numpy.flatnonzero(crossed.any(axis=0)):
@@ -116,16 +121,14 @@ def largest_overlap(recording):
 
 
 def starts(recording, distance=0.01):
-    """Returns when each agent began to move: the last moment at which it was still within `distance` [m] of its start
-    [s]; inf if it did not move."""
+    """Returns the last moment at which each agent was still within a distance [m] of its start [s]; inf if always."""
     away = numpy.hypot(*(recording.tracks - recording.tracks[0]).transpose(2, 0, 1)) > distance
     moved = away.any(axis=0)
     return numpy.where(moved, (numpy.argmax(away, axis=0) - 1) * recording.tick, math.inf)
 
 
 def mean_speeds(recording, axis, low, high):
-    """Returns the mean speed of each agent between two coordinates of an axis [m/s]: their distance by the time from
-    the first to the second; nan if an agent does not pass both."""
+    """Returns the mean speed of each agent between two coordinates of an axis [m/s]; nan if it does not pass both."""
     coordinates = recording.tracks[:, :, axis]
     times = [passing_times(coordinates, value) * recording.tick for value in (low, high)]
     with numpy.errstate(invalid='ignore'):
@@ -161,8 +164,7 @@ def nearest_of(places, points):
 
 
 def slow_people(recording, low, high, share=0.5, period=1.0):
-    """Returns at every tick how many agents in a box [m] walked, over the period [s] before, at less than this share of
-    their maximum speed."""
+    """Returns at every tick how many people in a box [m] walked at less than a share of their speed in the period."""
     steps = round(period / recording.tick)
     moved = recording.tracks[steps:] - recording.tracks[:-steps]
     now = recording.tracks[steps:]

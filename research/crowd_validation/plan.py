@@ -1,48 +1,45 @@
 """Floor plans, people by age, and scenario documents."""
 import math
+import random
 
 RADIUS = 0.2  # [m]
 RADIUS_IN_DENSE_CROWDS = 0.18  # [m] where people start at more than 4 per square metre
+TICK = 0.1  # [s]
 # Lowest and highest free walking speeds on the plane [m/s] by age, in the guideline's table after Weidmann (1992).
-SPEEDS = {
-    'under 30': (0.58, 1.61),
-    '30 to 50': (1.41, 1.54),
-    'over 50': (0.68, 1.41),
-    'limited mobility': (0.46, 0.76),
-}
+SPEEDS = {'under 30': (0.58, 1.61), '30 to 50': (1.41, 1.54), 'over 50': (0.68, 1.41),
+          'limited mobility': (0.46, 0.76)}
 ADULTS = ('under 30', '30 to 50', 'over 50')
 
 
-def speed_of(group, random):
-    """Draws the free walking speed of a person [m/s], evenly from the range of the group."""
-    return random.uniform(*SPEEDS[group])
-
-
-def adult_speeds(count, random):
+def adult_speeds(count, draw):
     """Draws the speeds of adults [m/s]: the three age groups in turn, in a random order."""
-    speeds = [speed_of(ADULTS[i % len(ADULTS)], random) for i in range(count)]
-    random.shuffle(speeds)
+    speeds = [draw.uniform(*SPEEDS[ADULTS[i % len(ADULTS)]]) for i in range(count)]
+    draw.shuffle(speeds)
     return speeds
 
 
-def places(count, low, high, radius, random):
-    """Draws places in a box, evenly spread without overlap: cells of a grid, and places within the cells. Bodies stay
-    inside the box. Raises ValueError if they do not fit."""
+def places(count, low, high, radius, draw):
+    """Draws places of bodies in a box, evenly spread without overlap. Raises ValueError if they do not fit."""
     width, height = high[0] - low[0], high[1] - low[1]
     columns = max(1, round(math.sqrt(count * width / height)))
     rows = math.ceil(count / columns)
     cell = width / columns, height / rows
     if min(cell) < 2.0 * radius:
         raise ValueError(f'{count} people of radius {radius} m do not fit into {width:g} x {height:g} m')
-    cells = random.sample([(column, row) for row in range(rows) for column in range(columns)], count)
+    cells = draw.sample([(column, row) for row in range(rows) for column in range(columns)], count)
 
     def place(index, axis):
         play = cell[axis] / 2.0 - radius
-        return low[axis] + (index + 0.5) * cell[axis] + random.uniform(-play, play)
+        return low[axis] + (index + 0.5) * cell[axis] + draw.uniform(-play, play)
     return [(place(column, 0), place(row, 1)) for column, row in cells]
 
 
-TICK = 0.1  # [s]
+def crowd(seed, count, low, high, goal, radius=RADIUS, above=0.0):
+    """Returns adults at random places in a box that is moved up [m]. The goal may be a function of the place in it."""
+    draw = random.Random(seed)
+    starts = places(count, low, high, radius, draw)
+    return [agent((place[0], above + place[1]), goal(place) if callable(goal) else goal, speed, radius)
+            for place, speed in zip(starts, adult_speeds(count, draw))]
 
 
 def wall(start, end, gaps=()):
@@ -60,7 +57,7 @@ def polyline(*points):
     return [[list(start), list(end)] for start, end in zip(points, points[1:])]
 
 
-def agent(position, goal, speed, radius):
+def agent(position, goal, speed, radius=RADIUS):
     """Returns an agent of a scenario. The position may be a region."""
     return {'position': [round(value, 4) for value in position], 'goal': list(goal), 'speed': round(speed, 4),
             'radius': radius}

@@ -73,8 +73,7 @@ def main(words=None):
 
 
 def run_cases(chosen, arguments, output):
-    """Runs the cases one after the other, and stores their results. Returns the names of cases that could not be
-    run."""
+    """Runs the cases, and stores their results. Returns the names of cases that could not be run."""
     evaluate, q_table = find_evaluation(arguments)
     failed = []
     for number, case in enumerate(chosen, 1):
@@ -105,8 +104,7 @@ def report(output, chosen, document):
 
 
 def chapter_of(output, names):
-    """Returns the stored results of these cases: a table of results, a table of remarks and pictures. Cases without
-    a stored result are skipped."""
+    """Returns tables and pictures of the stored results of these cases."""
     stored = [(case, load(output / case.name)) for case in cases.ALL if case.name in names]
     stored = [(case, *found) for case, found in stored if found]
     chapter = Chapter('validation', 'Validation')

@@ -6,18 +6,13 @@ import subprocess
 
 from crowd_experiments.runs import RunError
 
-# Counts instructions within the functions of --toggle-collect= and the functions that they call.
-COLLECT = ['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet']
 # What valgrind prints of an instruction that it does not emulate, and the innermost function that contains it.
 UNKNOWN_INSTRUCTION = re.compile(r'unhandled instruction bytes: .*|Unrecognised instruction at address .*')
 INNERMOST = re.compile(r'Unrecognised instruction at address .*\n==\d+== +at 0x\w+: (.*)')
 
 
 def why_not(program):
-    """Returns why valgrind cannot run a program here; an empty text if it can.
-
-    Valgrind does not emulate every instruction of every processor, and ends a program at one that it does not know,
-    which may be in the start-up code of a library."""
+    """Returns why valgrind cannot run a program here, as with an instruction that it does not emulate; or ''."""
     if shutil.which('valgrind') is None:
         return 'there is no valgrind, see scripts/install_dependencies'
     done = subprocess.run(['valgrind', '--tool=none', program, '--help'], stdout=subprocess.PIPE,
@@ -39,3 +34,20 @@ def require_valgrind(program):
     reason = why_not(program)
     if reason:
         raise RunError(reason)
+
+
+def collect(function, command, folder, environment=None):
+    """Counts instructions within a function while a command runs. Returns the file of the counts."""
+    output = pathlib.Path(folder) / 'callgrind.out'
+    run(['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet', f'--toggle-collect={function}',
+         f'--callgrind-out-file={output}', *command], folder, environment)
+    return output
+
+
+def run(command, folder, environment=None):
+    """Runs a program. Returns its output."""
+    done = subprocess.run(list(map(str, command)), cwd=folder, env=environment, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        raise RunError(f"{' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
+    return done.stdout

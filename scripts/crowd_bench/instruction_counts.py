@@ -4,7 +4,6 @@ import dataclasses
 import os
 import pathlib
 import re
-import subprocess
 import tempfile
 
 import yaml
@@ -13,13 +12,17 @@ from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE
 from crowd_experiments.runs import RunError
 from crowd_experiments.tools import REPOSITORY, find_tools
 
-from .callgrind import COLLECT, require_valgrind
+from .callgrind import collect, require_valgrind
 
 KEPT = REPOSITORY / 'test' / 'data' / 'instruction_counts.yaml'
 CONFIG = REPOSITORY / 'config'
 BUILD_KIND = 'build_kind.txt'  # beside the tools: compiler, flags
 TOLERANCE = 2.0  # [%]; repeated counts differ by less than a hundredth of this
 VECTORS = ('avx2', 'fma')  # processor features by which libraries select their code
+EXAMPLE = f'''example:
+  scripts/count_instructions
+
+Exit status: 0 all differ by less than {TOLERANCE:g} %, 1 an error or a larger difference, 2 wrong usage.'''
 TOTAL = re.compile(r'^(?:summary|totals): (\d+)', re.MULTILINE)
 
 
@@ -32,16 +35,10 @@ class CountedRun:
 
     def count(self, tools):
         """Returns the number of instructions."""
+        # With the kernels for this processor, which valgrind chooses as well.
+        environment = {name: value for name, value in os.environ.items() if name != 'SOCIAL_CROWD_SIMD'}
         with tempfile.TemporaryDirectory() as folder:
-            output = pathlib.Path(folder) / 'callgrind.out'
-            command = [*COLLECT, f'--toggle-collect={self.function}', f'--callgrind-out-file={output}',
-                       tools / self.command[0], *self.command[1:]]
-            # With the kernels for this processor, which valgrind chooses as well.
-            environment = {name: value for name, value in os.environ.items() if name != 'SOCIAL_CROWD_SIMD'}
-            done = subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, text=True, check=False)
-            if done.returncode != 0:
-                raise RunError(f'{self.name} failed:\n{done.stdout}')
+            output = collect(self.function, [tools / self.command[0], *self.command[1:]], folder, environment)
             count = sum(map(int, TOTAL.findall(output.read_text(encoding='utf-8'))[:1]))
         if count == 0:
             raise RunError(f'{self.name}: {self.function} was never entered')
@@ -93,9 +90,7 @@ def is_fine(count, kept):
 def main(words=None):
     """Runs scripts/count_instructions with command line words. Returns the exit status."""
     parser = parser_of('count_instructions', 'Counts the instructions of small runs and compares them with those in '
-                       f'{KEPT.name}.', 'example:\n  scripts/count_instructions\n\nExit status: 0 all differ by less '
-                                        'than '
-                       f'{TOLERANCE:g} %, 1 an error or a larger difference, 2 wrong usage.')
+                       f'{KEPT.name}.', EXAMPLE)
     parser.add_argument('--keep', action='store_true', help='store these counts instead of comparing them')
     add_tools(parser)
     arguments = parser.parse_args(words)

@@ -1,12 +1,12 @@
 """Profiles: instructions of each function, counted with callgrind."""
 import dataclasses
 import re
-import subprocess
 import tempfile
 
+import pandas
 from crowd_experiments.runs import RunError
 
-from .callgrind import COLLECT, require_valgrind
+from .callgrind import collect, require_valgrind, run
 from .core_benchmarks import PROGRAM, filter_of
 
 MOST_LINES = 12
@@ -29,58 +29,40 @@ class Profile:
         """Returns header and rows of the table of the functions or classes with the largest shares; no picture."""
         require_valgrind(measuring.folder / PROGRAM)
         with tempfile.TemporaryDirectory() as scratch:
-            output = f'{scratch}/callgrind.out'
-            run(COLLECT + [f'--toggle-collect={self.function}', f'--callgrind-out-file={output}',
-                           measuring.folder / PROGRAM, filter_of(self.benchmark), '--benchmark_min_time=0'],
-                scratch)
+            output = collect(self.function, [measuring.folder / PROGRAM, filter_of(self.benchmark),
+                                             '--benchmark_min_time=0'], scratch)
             shares = read_annotation(run(['callgrind_annotate', '--threshold=100', output], scratch))
         header = ['class' if self.by_class else 'function', '% of all instructions']
         return header, rows(by_class(shares) if self.by_class else shares), None
 
 
-def run(command, folder):
-    """Runs a program. Returns its output."""
-    done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
-    if done.returncode != 0:
-        raise RunError(f"{' '.join(map(str, command))} failed:\n{done.stderr}")
-    return done.stdout
-
-
 def read_annotation(text):
     """Returns [(function, share)] from the output of callgrind_annotate."""
-    shares = {}
-    for line in text.splitlines():
-        match = LINE.match(line)
-        if match and 'PROGRAM TOTALS' not in line:
-            name = ARGUMENTS.sub('', match[2].replace('(anonymous namespace)::', ''))
-            shares[name] = shares.get(name, 0.0) + float(match[1])
-    if not shares:
+    matches = [match for line in text.splitlines() if 'PROGRAM TOTALS' not in line and (match := LINE.match(line))]
+    if not matches:
         raise RunError('callgrind has counted nothing: the profiled function was not called')
-    return most_first(shares)
+    return summed((ARGUMENTS.sub('', match[2].replace('(anonymous namespace)::', '')), float(match[1]))
+                  for match in matches)
 
 
 def by_class(shares):
     """Returns the sums of the shares by class."""
-    sums = {}
-    for name, share in shares:
-        part = name.rpartition('::')[0] if name.startswith('crowd::') else LIBRARIES
-        sums[part] = sums.get(part, 0.0) + share
-    return most_first(sums)
+    return summed((name.rpartition('::')[0] if name.startswith('crowd::') else LIBRARIES, share)
+                  for name, share in shares)
 
 
-def most_first(shares):
-    return sorted(shares.items(), key=lambda pair: -pair[1])
+def summed(shares):
+    """Returns the sums of shares of the same name, the largest first."""
+    sums = pandas.DataFrame(shares, columns=['name', 'share']).groupby('name', sort=False)['share'].sum()
+    return list(sums.sort_values(ascending=False, kind='stable').items())
 
 
 def rows(shares):
     """Returns table cells of the functions with the largest shares."""
     shown = [(name, share) for name, share in shares[:MOST_LINES] if share >= LEAST_SHARE]
     others = 100.0 - sum(share for _, share in shown)
-    return [[text_of(name), f'{share:.1f}'] for name, share in shown] + [['all others', f'{max(0.0, others):.1f}']]
-
-
-def text_of(name):
-    return name if name == LIBRARIES else f'`{name}`'
+    return [[name if name == LIBRARIES else f'`{name}`', f'{share:.1f}'] for name, share in shown] + [
+        ['all others', f'{max(0.0, others):.1f}']]
 
 
 PROFILES = (

@@ -8,7 +8,7 @@ from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUP
 from crowd_experiments.runs import RunError
 from crowd_experiments.tools import run_build
 
-from . import core_benchmarks as rank_benchmarks, ros_benchmarks, table, table as document
+from . import core_benchmarks, ros_benchmarks, table
 from .catalogue import BENCHMARKS, Benchmark
 from .core_benchmarks import CoreBenchmarks, PROGRAM
 from .profile import PROFILES
@@ -62,9 +62,9 @@ class Measuring:
 
     def measure_benchmark(self, benchmark):
         if benchmark.mpi:
-            result = rank_benchmarks.run(self.folder, benchmark, self.core.repetitions)
+            result = core_benchmarks.run(self.folder, benchmark, self.core.repetitions)
         else:
-            result = ros_benchmarks.run(benchmark.name) if benchmark.ros else self.core.measure(benchmark)
+            result = ros_benchmarks.run(benchmark) if benchmark.ros else self.core.measure(benchmark)
         if result is None:
             return f'{benchmark.name}: left out, there is no mpirun'
         self.results.append(result)
@@ -75,7 +75,7 @@ class Measuring:
     def measure_all(self, entries):
         """Measures all entries until interrupted; failures are reported. Returns the exit status."""
         status = EXIT_FINE
-        print(table.heading(), flush=True)
+        print(table.HEADING, flush=True)
         for entry in entries:
             show(f'{entry.name} ...')
             try:
@@ -103,8 +103,7 @@ def report(text):
 
 
 def main(words=None, groups=None, example=EXAMPLE):
-    """Runs the program with command line words. Returns the exit status. Groups: entries by titles for --help, those of
-    the first group being the default."""
+    """Runs the program. Returns the exit status. Groups: entries by titles; the first group is the default."""
     groups = groups or GROUPS
     arguments = parse_arguments(words, groups, example)
     entries = [entry for of_group in groups.values() for entry in of_group]
@@ -112,6 +111,6 @@ def main(words=None, groups=None, example=EXAMPLE):
     measuring = Measuring(arguments)
     status = measuring.measure_all(chosen or next(iter(groups.values())))
     for file in arguments.documents:
-        lacking = document.fill(file, measuring.results, measuring.tables, arguments.repetitions)
+        lacking = table.fill(file, measuring.results, measuring.tables, arguments.repetitions)
         print('\n'.join(lacking if 'all' in arguments.names else [f'{file}: filled']))
     return status

@@ -1,18 +1,16 @@
 """Benchmarks of the nodes: lockstep through ROS and through nodelets, and the load of a crowd in real time.
 
-Each benchmark starts its own master and nodes. `value` is in ticks/s or % of a core; `yardstick` has the same unit.
-`ratio` is the time of a tick through ROS divided by the yardstick's time; for nodelets it is their rate divided by the
-headless rate.
-"""
+Each benchmark starts its own master and nodes, and returns value, yardstick in the same unit (ticks/s or % of a core),
+and ratio: the time of a tick through ROS divided by the time of the yardstick; for nodelets their rate divided by the
+headless rate."""
 import math
-import os
 import time
 
 from crowd_experiments.tools import REPOSITORY
 
 from .ros_system import RosSystem, arguments_of, cpu_seconds, program
 
-Q_TABLE = os.path.join(REPOSITORY, 'config', 'q_tables', 'anticipation.txt')
+Q_TABLE = REPOSITORY / 'config' / 'q_tables' / 'anticipation.txt'
 MAX_NEIGHBOURS = 16  # those of the Q-table's model
 NODELET = ['rosrun', 'nodelet', 'nodelet']
 WARM_UP = 30  # ticks
@@ -42,9 +40,10 @@ def few_scenario():
     return '\n'.join(lines) + '\n'
 
 
-def controller_parameters(scenario, **others):
-    """Returns the parameters of a controller that waits for `step`."""
-    return {'scenario': scenario, 'real_time_factor': 'fast', 'paused': True, 'answer_deadline': 60.0, **others}
+def controller_parameters(system, text, **others):
+    """Returns the parameters of a controller with a scenario that waits for `step`."""
+    return {'scenario': system.write('scenario.yaml', text), 'real_time_factor': 'fast', 'paused': True,
+            'answer_deadline': 60.0, **others}
 
 
 def best_of(*measures):
@@ -53,82 +52,58 @@ def best_of(*measures):
     return [max(rates) for rates in zip(*rounds)]
 
 
-def headless(system, scenario, ticks):
-    """Returns a function that measures ticks/s without ROS."""
-    return lambda: system.figures('ros_bench', 'headless', scenario, Q_TABLE, MAX_NEIGHBOURS, WARM_UP, ticks)[0]
-
-
 def walking(system, ticks):
-    """Returns a function that measures ticks/s of the running controller."""
-    return lambda: system.figures('ros_bench', 'lockstep', WARM_UP, ticks)[0]
+    """Returns functions that measure ticks/s of the running controller, and without ROS."""
+    return (lambda: system.figures('ros_bench', 'lockstep', WARM_UP, ticks)[0],
+            lambda: system.figures('ros_bench', 'headless', system.path('scenario.yaml'), Q_TABLE, MAX_NEIGHBOURS,
+                                   WARM_UP, ticks)[0])
 
 
 def lockstep(text, ticks):
     """Measures controller and learner as nodes."""
     with RosSystem() as system:
-        scenario = system.write('scenario.yaml', text)
         system.start_node('learner', q_table=Q_TABLE)
-        system.start_node('crowd_controller', **controller_parameters(scenario))
-        _, perceptions, actions = (int(number) for number in system.figures('ros_bench', 'lockstep', WARM_UP, ticks))
+        system.start_node('crowd_controller', **controller_parameters(system, text))
+        _, perceptions, actions = map(int, system.figures('ros_bench', 'lockstep', WARM_UP, ticks))
         system.start('echo', [program('ros_bench'), 'echo', str(actions)])
-        rate, alone, trips = best_of(
-            walking(system, ticks), headless(system, scenario, ticks),
-            lambda: system.figures('ros_bench', 'round_trip', perceptions, WARM_UP, TRIPS)[0])
+        rate, alone, trips = best_of(*walking(system, ticks), lambda: system.figures(
+            'ros_bench', 'round_trip', perceptions, WARM_UP, TRIPS)[0])
     yardstick = 1.0 / (1.0 / trips + 1.0 / alone)
-    detail = {'round_trips': trips, 'headless': alone, 'perceptions_bytes': perceptions, 'actions_bytes': actions}
-    return figure(rate, 'ticks/s', yardstick, yardstick / rate, detail)
+    return rate, yardstick, yardstick / rate
 
 
-def ros_lockstep_1000():
-    """Measures 1,000 agents with one learner node."""
-    return lockstep(crowd_scenario(), CROWD_TICKS)
-
-
-def ros_lockstep_12():
-    """Measures 12 agents with one learner node."""
-    return lockstep(few_scenario(), FEW_TICKS)
-
-
-def nodelets_1000():
+def nodelets():
     """Measures controller and learner as nodelets in one manager."""
     with RosSystem() as system:
-        scenario = system.write('scenario.yaml', crowd_scenario())
         system.start('manager', [*NODELET, 'manager', '__name:=manager'])
         for kind, parameters in (('learner', {'q_table': Q_TABLE}),
-                                 ('crowd_controller', controller_parameters(scenario))):
+                                 ('crowd_controller', controller_parameters(system, crowd_scenario()))):
             system.start(kind, [*NODELET, 'load', f'social_crowd/{kind}', 'manager', f'__name:={kind}',
                                 *arguments_of(parameters)])
-        rate, alone = best_of(walking(system, CROWD_TICKS), headless(system, scenario, CROWD_TICKS))
-    return figure(rate, 'ticks/s', alone, rate / alone, {})
+        rate, alone = best_of(*walking(system, CROWD_TICKS))
+    return rate, alone, rate / alone
 
 
-def real_time_1000():
+def real_time():
     """Measures the load of all nodes together with 1,000 agents in real time at 10 Hz, with markers and frames."""
     with RosSystem() as system:
-        scenario = system.write('scenario.yaml', crowd_scenario())
-        parameters = controller_parameters(scenario, real_time_factor=1.0, paused=False, publish_tf=True)
-        kinds = {'learner': {'q_table': Q_TABLE}, 'crowd_markers': {}, 'crowd_controller': parameters}
-        nodes = {kind: system.start_node(kind, **parameters) for kind, parameters in kinds.items()}
+        nodes = [system.start_node('learner', q_table=Q_TABLE), system.start_node('crowd_markers'),
+                 system.start_node('crowd_controller', **controller_parameters(
+                     system, crowd_scenario(), real_time_factor=1.0, paused=False, publish_tf=True))]
         system.start('sink', [program('ros_bench'), 'sink', 'markers', '/tf'])
         time.sleep(5.0)  # until all nodes are connected, and the drawn paths have their full length
-        before = {kind: cpu_seconds([node]) for kind, node in nodes.items()}
-        begin = time.monotonic()
+        before, begin = cpu_seconds(nodes), time.monotonic()
         time.sleep(REAL_TIME)
-        seconds = time.monotonic() - begin
-        shares = {kind: 100.0 * (cpu_seconds([node]) - before[kind]) / seconds for kind, node in nodes.items()}
+        share = 100.0 * (cpu_seconds(nodes) - before) / (time.monotonic() - begin)
         system.check()
-    return figure(sum(shares.values()), '% of a core', None, None, shares)
+    return share, None, None
 
 
-def figure(value, unit, yardstick, ratio, detail):
-    """Returns a benchmark's result without its name."""
-    return {'value': value, 'unit': unit, 'yardstick': yardstick, 'ratio': ratio, 'detail': detail}
+BENCHMARKS = {'ros_lockstep_1000': lambda: lockstep(crowd_scenario(), CROWD_TICKS),
+              'ros_lockstep_12': lambda: lockstep(few_scenario(), FEW_TICKS),
+              'nodelets_1000': nodelets, 'real_time_1000': real_time}
 
 
-BENCHMARKS = {function.__name__: function for function in
-              (ros_lockstep_1000, ros_lockstep_12, nodelets_1000, real_time_1000)}
-
-
-def run(name):
-    """Runs a benchmark. Returns {name, value, unit, yardstick, ratio, detail}."""
-    return {'name': name, **BENCHMARKS[name]()}
+def run(benchmark):
+    """Runs a benchmark. Returns its result."""
+    return benchmark.result(*BENCHMARKS[benchmark.name]())

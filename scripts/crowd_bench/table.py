@@ -17,13 +17,8 @@ def benchmark_rows(results, document):
     """Returns the rows of all benchmarks: from the results, otherwise from the document, otherwise empty."""
     measured = {result['name']: result for result in results}
     before = {name: [cell.strip() for cell in [name, *cells.split('|')]] for name, cells in ROW.findall(document)}
-    rows = []
-    for benchmark in BENCHMARKS:
-        if benchmark.name in measured:
-            rows.append(row(measured[benchmark.name], benchmark))
-        else:
-            rows.append(before.get(benchmark.name, [benchmark.name, benchmark.title] + [''] * (len(HEADER) - 2)))
-    return rows
+    return [row(measured[one.name], one) if one.name in measured else
+            before.get(one.name, [one.name, one.title] + [''] * (len(HEADER) - 2)) for one in BENCHMARKS]
 
 
 def machine_text(repetitions):
@@ -57,10 +52,13 @@ HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured'
 LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
 
 
-def quantity(value, unit):
-    """2510000, 'decisions/s' -> 2.51 M decisions/s"""
-    if value is None:
-        return ''
+HEADING = LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
+
+
+def quantity(value, unit, number=None):
+    """2510000, 'decisions/s' -> 2.51 M decisions/s; an empty text for None. `number`: the format of the number."""
+    if value is None or number:
+        return '' if value is None else f'{value:{number}}'
     if abs(value) >= 1e5:
         return f'{value / 1e6:.3g} M {unit}'
     return f'{value:,.0f} {unit}' if abs(value) >= 1000 else f'{value:.3g} {unit}'
@@ -71,10 +69,6 @@ def spread_text(spread):
     if spread is None or spread[0] == spread[1]:
         return ''
     return ', '.join(quantity(value, '').rstrip() for value in spread)
-
-
-def ratio_text(result):
-    return '' if result['ratio'] is None else f"{result['ratio']:.2f}"
 
 
 def bar_text(number, at_most, text):
@@ -89,25 +83,20 @@ def met_text(result, benchmark):
     return 'yes' if benchmark.clears_bar(result) else 'no'
 
 
-def heading():
-    return LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
-
-
 def line(result, benchmark=None):
     """Returns a result as a printed line."""
     return LINE.format(result['name'], quantity(result['value'], result['unit']),
-                       quantity(result['yardstick'], result['unit']), ratio_text(result),
+                       quantity(result['yardstick'], result['unit']), quantity(result['ratio'], '', '.2f'),
                        met_text(result, benchmark)).rstrip()
 
 
 def row(result, benchmark):
-    """Returns a result as cells of the document's table. A result through ROS is the best of its rounds, without a
-    spread."""
+    """Returns a result as cells of the document's table."""
     def in_unit(value):
         return quantity(value, benchmark.unit)
     return [benchmark.name, benchmark.title, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
             in_unit(result['value']), spread_text(result.get('spread')), benchmark.yardstick,
-            in_unit(result['yardstick']), ratio_text(result),
+            in_unit(result['yardstick']), quantity(result['ratio'], '', '.2f'),
             bar_text(benchmark.ratio_bar, not benchmark.ratio_is_rate, '{:g}'.format), met_text(result, benchmark)]
 
 

@@ -66,8 +66,7 @@ def draw_curves(file, runs, measures, window, title=''):
         for label, colour in zip(labels, colours_of(len(labels))):
             draw_band(panel, band_of(label, [run for run in runs if run.label == label], measure.column, window),
                       measure, colour)
-        panel.set_title(measure.title)
-        panel.set_xlabel('episode')
+        panel.set(title=measure.title, xlabel='episode')
         panel.set_xlim(left=0)
         panel.xaxis.set_major_locator(MaxNLocator(5, integer=True))
         panel.set_ylim(*measure.limits)

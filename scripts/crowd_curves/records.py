@@ -13,8 +13,7 @@ WINDOWS = 50  # by default
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """A record or log of one training: its numbers, with a row for every agent of every episode, or for every
-    episode."""
+    """The numbers of a record or log of one training, with a row for every agent or every episode."""
     label: str  # of the group of runs that it belongs to
     file: str
     columns: pandas.DataFrame
@@ -23,8 +22,7 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Band:
-    """The mean over runs in each window of episodes, with the ends of its 95 % confidence interval; nan where they are
-    unknown, as with a single run."""
+    """The mean over runs in each window of episodes, with its 95 % confidence interval; nan where that is unknown."""
     label: str
     runs: int
     episodes: numpy.ndarray  # at the end of each window
@@ -34,9 +32,7 @@ class Band:
 
 
 def read_run(label, file, scenario=None, grows=False):
-    """Reads a record of `train --record` or a log of `train --log`, or its rows of one scenario. `grows`: the training
-    may still run, so that a last line without an end is left out; otherwise it is an error. Raises InputError,
-    OSError."""
+    """Reads a record or log of `train`, maybe of one scenario. `grows`: see read_csv(). Raises InputError, OSError."""
     with open(file, encoding='utf-8', errors='replace') as stream:
         if EPISODE not in next(stream, '').rstrip('\r\n').split(','):
             raise InputError(f'{file}:1: expected a record of `train --record` or a log of `train --log`, with a '

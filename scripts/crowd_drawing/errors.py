@@ -3,8 +3,7 @@ import pathlib
 
 
 def complete_lines(stream, file):
-    """Yields the lines of a stream. Raises InputError if the last one has no end: the file was cut off, maybe within a
-    number."""
+    """Yields the lines of a stream. Raises InputError if the last one has no end: the file was cut off."""
     for number, line in enumerate(stream, 1):
         if not line.endswith('\n'):
             raise InputError(f'{file}:{number}: the last line is not complete, as in a file that was cut off; expected '
@@ -18,8 +17,7 @@ def ended_lines(stream):
 
 
 def check_output(file):
-    """Raises InputError if a file cannot be written, because there is no folder for it, or it is a folder itself. To be
-    called before work that takes long."""
+    """Raises InputError if a file cannot be written. To be called before work that takes long."""
     file = pathlib.Path(file)
     if file.is_dir():
         raise InputError(f'{file}: cannot be written: it is a folder')
@@ -32,10 +30,7 @@ class InputError(Exception):
 
 
 def problem_of(error, file=None):
-    """Returns the message of an exception, with the file of an OSError.
-
-    :param file: named if the OSError names none
-    """
+    """Returns the message of an exception, with the file of an OSError; `file` is named if it names none."""
     if isinstance(error, OSError):
         file = error.filename or file
         return f'{file}: {error.strerror or error}' if file else str(error.strerror or error)

@@ -77,9 +77,7 @@ def find_scenario(name_or_file):
 
 
 def read_walks(file, instance):
-    """Returns the instance and its trajectories by agent: lists of (tick, x, y) [m]. Default: the first instance.
-
-    Raises InputError, also if an agent has two positions in a tick of this instance, and OSError."""
+    """Returns the instance, by default the first, and lists of (tick, x, y) [m] by agent. Raises InputError."""
     walks = {}
     instances = set()
     with open(file, newline='', encoding='utf-8', errors='replace') as stream:

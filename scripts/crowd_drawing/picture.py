@@ -148,9 +148,7 @@ class Picture:
 
     def save(self, file, title):
         size = self.frame()
-        self.axes.set_title(title)
-        self.axes.set_xlabel('x [m]')
-        self.axes.set_ylabel('y [m]')
+        self.axes.set(title=title, xlabel='x [m]', ylabel='y [m]')
         scale = LONGER_SIDE / max(size)
         self.figure.set_size_inches(size[0] * scale + 1.5, size[1] * scale + 1.5)
         self.figure.savefig(file, dpi=150, bbox_inches='tight')

@@ -42,8 +42,7 @@ def numbers_of(column, file, name):
 
 
 def read_tracks(file, agents=0):
-    """Returns the recorded places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left, with at
-    least this number of agents. Raises InputError, OSError."""
+    """Returns the places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left."""
     try:
         with open(file, encoding='utf-8', errors='replace') as stream:
             rows = numpy.loadtxt(complete_lines(stream, file), delimiter=',', skiprows=1, ndmin=2)
@@ -64,17 +63,6 @@ def percent(flags):
     return 100.0 * float(numpy.mean(flags)) if len(flags) else float('nan')
 
 
-def rates(record, rows=slice(None)):
-    """Returns success, contact and collision [%], as shares of the agents in these rows of a record. A contact is an
-    overlap of bodies; a collision is a rim within the collision radius (thesis, 4.1)."""
-    return tuple(percent(record[column][rows]) for column in ('arrived', 'touched', 'collided'))
-
-
-def of_scenario(record, name):
-    """Returns a mask of the rows of a record that belong to a scenario."""
-    return numpy.array([scenario == name for scenario in record['scenario']], dtype=bool)
-
-
 def finite(values):
     """Returns the finite values."""
     return values[numpy.isfinite(values)]
@@ -82,7 +70,7 @@ def finite(values):
 
 def median(values):
     """Returns the median of the finite values; nan if there are none."""
-    numbers = finite(values)
+    numbers = finite(numpy.asarray(values, dtype=float))
     return float(numpy.median(numbers)) if len(numbers) else float('nan')
 
 

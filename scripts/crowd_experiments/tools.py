@@ -13,9 +13,7 @@ BUILT = 'sources_built'  # in the build folder: has the time at which the last s
 
 
 def find_tools(given):
-    """Returns the folder of the programs: the given one, that of this program, the build folder of the clone if nothing
-    was changed since it was built, or a catkin workspace that was sourced. Otherwise builds them in the clone. Raises
-    RunError."""
+    """Returns the folder of the programs: given, beside this program, built or sourced; else builds them."""
     folder = given or pathlib.Path(sys.argv[0]).parent
     if has_tools(folder):
         return folder.resolve()

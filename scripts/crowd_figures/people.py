@@ -6,6 +6,8 @@ import dataclasses
 import math
 
 import numpy
+from crowd_experiments.arguments import add_file, parser_of
+from crowd_experiments.tools import REPOSITORY
 
 from .gait import FRAMES, joints
 from .shapes import ellipse, ellipsoid, join, limb, loft, write
@@ -95,3 +97,22 @@ def make(folder):
             shapes[f'{build.name}_dark_{frame}'] = join(lower + up, hair(build))
             shapes[f'{build.name}_shirt_{frame}'] = shirt(build, frame) + up
     return [write(folder / f'{name}.stl', shape) for name, shape in shapes.items()]
+
+
+EXAMPLE = '''Each build has a head, and for each picture of the walking cycle (frames 0 to 7, and 8: standing)
+a shirt and a mesh of the dark parts: hair, trousers or skirt, shoes.
+
+example:
+  scripts/draw_figures --output /tmp/meshes
+
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+
+
+def main(words=None):
+    """Runs scripts/draw_figures with command line words."""
+    parser = parser_of('draw_figures', 'Makes the meshes of people who walk, which crowd_markers shows in RViz.',
+                       EXAMPLE)
+    add_file(parser, '--output', default=REPOSITORY / 'meshes', metavar='FOLDER',
+             help='folder of the meshes (default: meshes)')
+    files = make(parser.parse_args(words).output)
+    print(f'{len(files)} meshes, {sum(file.stat().st_size for file in files) / 1e3:.0f} kB')

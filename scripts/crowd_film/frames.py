@@ -26,6 +26,7 @@ class FramePainter:
         # Without agents in a scenario the numbers are those of a recording, which may be large.
         order = sorted({*range(len(scene.agents)), *tracks})
         self.colours = {agent: to_rgb(colour) for agent, colour in zip(order, colours_of(len(order)))}
+        self.placed_robots = [robot for robot in scene.robots if robot['position'] is not None]
         axes = stage.picture.axes
         self.gates = [axes.plot(*zip(*wall), color=GATE_COLOUR, linewidth=2.5, zorder=4)[0]
                       for wall, _ in scene.population.gates]
@@ -78,30 +79,25 @@ class FramePainter:
         set_discs(self.bodies, discs)
         self.noses.set_segments(noses)
         self.robots.set_segments([[robot['position'], point_ahead(robot['position'], robot['heading'],
-                                                                  robot['radius'])] for robot in self.placed_robots()])
+                                                                  robot['radius'])] for robot in self.placed_robots])
         self.show_goals(time)
-
-    def placed_robots(self):
-        """Returns the robots whose place at the start is known."""
-        return [robot for robot in self.scene.robots if robot['position'] is not None]
 
     def other_discs(self, time):
         """Returns obstacles and robots as discs; robots stand at their start."""
         obstacles = [(place_of(obstacle, time), obstacle['radius'], to_rgb(OBSTACLE_COLOUR))
                      for obstacle in self.scene.obstacles if obstacle['position'] is not None]
         return obstacles + [(robot['position'], robot['radius'], to_rgb(ROBOT_COLOUR))
-                            for robot in self.placed_robots()]
+                            for robot in self.placed_robots]
 
     def show_goals(self, time):
-        """Shows the last goal of each agent on its way, and the outline of each that has arrived. Agents with routes
-        have no goals of their own, and leave."""
+        """Shows the last goal of each agent on its way, and the outline of each that has arrived."""
         crosses, shades, ends, rings = [], [], [], []
         for agent, track in self.tracks.items():
             goals = self.scene.agents[agent]['goals'] if agent < len(self.scene.agents) else []
             if not goals:
                 continue
             radius, colour = self.scene.radius_of(agent), self.colours[agent]
-            if track.has_ended(time):
+            if time > track.times[-1]:
                 ends.append((track.place_at(time), radius, 'none'))
                 rings.append(colour)
                 continue

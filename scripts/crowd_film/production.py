@@ -24,9 +24,7 @@ def table_for(scenario):
 
 
 def walk(scenario, evaluate, table, seed, folder):
-    """Walks one episode with the program `evaluate`. Returns the scene as it was drawn, and the Tracks by agent.
-
-    Raises RunError with the output of the program."""
+    """Walks one episode with `evaluate`. Returns the scene as drawn, and the Tracks by agent. Raises RunError."""
     file = pathlib.Path(find_scenario(scenario)).resolve()
     print(f'film: walking {file.stem}', file=sys.stderr, flush=True)
     command = [evaluate, '--q-table', table, '--episodes', 1, '--seed', seed, '--trajectories', folder, '--scenes',
@@ -80,8 +78,7 @@ def frame_times(settings, tracks):
 
 
 def make(settings, scene, tracks):
-    """Makes a film. The file appears when it is complete. If it is larger than `max_megabytes`, it is made again with a
-    smaller picture. Returns width, height and number of frames. Raises InputError, OSError."""
+    """Makes a film, again and smaller if it is larger than `max_megabytes`. Returns width, height, number of frames."""
     times = frame_times(settings, tracks)
     part = settings.output.with_name(f'.{settings.output.name}.part')
     size = settings.size

@@ -49,14 +49,6 @@ def parser():
     return result
 
 
-def settings_of(arguments, scene):
-    """Returns the settings of the film."""
-    name = scene.name or arguments.trajectories.stem
-    title = name if arguments.title is None else arguments.title
-    return Settings(arguments.output, title, arguments.start, arguments.duration, arguments.speed, arguments.fps,
-                    arguments.size, arguments.max_size, arguments.view)
-
-
 def produce(arguments):
     """Reads or walks the episode, and makes the film."""
     check_output(arguments.output)
@@ -71,7 +63,10 @@ def produce(arguments):
             seed = 1 if arguments.seed is None else arguments.seed
             scene, tracks = walk(arguments.scenario, find_tools(arguments.tools) / 'evaluate', table, seed,
                                  pathlib.Path(folder))
-    width, height, frames = make(settings_of(arguments, scene), scene, tracks)
+    title = (scene.name or arguments.trajectories.stem) if arguments.title is None else arguments.title
+    settings = Settings(arguments.output, title, arguments.start, arguments.duration, arguments.speed, arguments.fps,
+                        arguments.size, arguments.max_size, arguments.view)
+    width, height, frames = make(settings, scene, tracks)
     megabytes = arguments.output.stat().st_size / MEGABYTE
     print(f'{arguments.output}: {frames} frames of {width} x {height} pixels, {megabytes:.2f} MB')
 

@@ -45,8 +45,7 @@ class Stage:
         self.picture.frame()
         if view is not None:
             check_view(view, axes.get_xlim(), axes.get_ylim())
-            axes.set_xlim(view[0], view[2])
-            axes.set_ylim(view[1], view[3])
+            axes.set(xlim=(view[0], view[2]), ylim=(view[1], view[3]))
         axes.set_axis_off()
         metres = [high - low for low, high in (axes.get_xlim(), axes.get_ylim())]
         self.scale = min(size / metres[0], (size - HEAD - FOOT) / metres[1])  # [pixels/m]

@@ -81,7 +81,7 @@ def read_root(file):
 SIMPLE, SOURCE, SINK = 0, 1, 2  # behaviours of a waypoint
 ADULT, CHILD, ROBOT, ELDER = 0, 1, 2, 3  # types of agents
 TYPE_NAMES = {ADULT: 'adult', CHILD: 'child', ROBOT: 'robot', ELDER: 'elder'}
-ROUTE_PARTS = {'addwaypoint', 'addqueue'}
+ROUTE_PARTS = ('addwaypoint', 'addqueue')
 
 
 class Waypoint:
@@ -107,6 +107,9 @@ class Queue:
         self.direction = element.number('direction')
 
 
+STOPS = {'waypoint': Waypoint, 'queue': Queue}
+
+
 class Cluster:
     """Agents, or a source of agents: their number, the middle and the sides of their box, their type and stops."""
 
@@ -128,37 +131,26 @@ class PedsimScene:
     def __init__(self, file, skip_unknown=False):
         self.skip_unknown = skip_unknown
         self.unknown = []  # parts of routes that were skipped
-        self.walls = []  # elements
         self.stops = {}  # waypoints and queues by id
-        self.agents = []
-        self.sources = []
-        self.others = []  # all other elements
         root = read_root(file)
         if root.tag != 'scenario':
             root.fail("expected a scene of pedsim_ros, whose root is 'scenario'")
+        elements = {tag: [element for element in root.children if element.tag == tag]
+                    for tag in ('obstacle', 'agent', 'source')}
+        self.walls = elements['obstacle']
         for element in root.children:
-            self.add(element)
+            if element.tag in STOPS:
+                self.add_stop(STOPS[element.tag](element))
+            elif element.tag in ROUTE_PARTS:
+                element.fail('expected within an agent or a source')
+        self.agents, self.sources = ([Cluster(element) for element in elements[tag]] for tag in ('agent', 'source'))
+        self.others = [element for element in root.children if element.tag not in (*elements, *STOPS)]
         for cluster in self.agents + self.sources:
             stops = [self.stop_of(part) for part in cluster.element.children if part.tag in ROUTE_PARTS]
             cluster.stops = [stop for stop in stops if stop is not None]
             self.others += [part for part in cluster.element.children if part.tag not in ROUTE_PARTS]
         if not self.agents and not self.sources:
             root.fail('expected at least one agent or source')
-
-    def add(self, element):
-        """Adds an element below the root."""
-        if element.tag == 'obstacle':
-            self.walls.append(element)
-        elif element.tag in ('waypoint', 'queue'):
-            self.add_stop(Waypoint(element) if element.tag == 'waypoint' else Queue(element))
-        elif element.tag == 'agent':
-            self.agents.append(Cluster(element))
-        elif element.tag == 'source':
-            self.sources.append(Cluster(element))
-        elif element.tag in ROUTE_PARTS:
-            element.fail('expected within an agent or a source')
-        else:
-            self.others.append(element)
 
     def add_stop(self, stop):
         """Adds a waypoint or a queue, whose id must be new."""

@@ -7,7 +7,7 @@ import pathlib
 import sys
 
 from crowd_experiments.arguments import above_zero, parser_of
-from crowd_import.pedsim_conversion import Conversion, name_text, number_text, section
+from crowd_import.pedsim_conversion import Conversion, number, text_of
 from crowd_import.pedsim_scene import PedsimScene
 
 EXAMPLES = '''example:
@@ -18,25 +18,20 @@ Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 def scenario_of(conversion, source, name, duration):
     """Returns the text of a scenario file."""
-    notes = ''.join(f'#   line {line}: {note}\n' for line, note in conversion.notes)
-    routes = {name: '\n' + text for text, name in conversion.routes.items()}
-    sinks = {name: f' {{area: {area}}}' for name, area in conversion.sinks.items()}
-    queues = {name: ' ' + queue for name, queue in conversion.queues.items()}
-    parts = [
-        f'# Converted from {source}, a scene of pedsim_ros.\n',
-        f'# Not carried over, or changed:\n{notes}' if notes else '',
-        f'name: {name_text(name)}\n',
-        f'duration: {number_text(duration)}\n',
-        'goal_tolerance: 0.3\n',
-        section('agents', conversion.agents),
-        section('obstacles', conversion.obstacles),
-        section('sources', conversion.sources),
-        section('sinks', sinks),
-        section('queues', queues),
-        section('routes', routes),
-        section('walls', conversion.walls),
-    ]
-    return ''.join(parts)
+    lines = [f'# Converted from {source}, a scene of pedsim_ros.']
+    if conversion.notes:
+        lines += ['# Not carried over, or changed:', *(f'#   line {line}: {note}' for line, note in conversion.notes)]
+    lines += [f'name: {text_of(name)}', f'duration: {number(duration)}', 'goal_tolerance: 0.3']
+    for key, entries in conversion.sections().items():
+        named = isinstance(entries, dict)
+        lines.append(f'{key}:')
+        for entry in entries:
+            if key == 'routes':
+                lines += [f'  {entry}:', f"    repeat: {text_of(entries[entry]['repeat'])}", '    waypoints:',
+                          *(f'      - {text_of(stop)}' for stop in entries[entry]['waypoints'])]
+            else:
+                lines.append(f'  {text_of(entry)}: {text_of(entries[entry])}' if named else f'  - {text_of(entry)}')
+    return '\n'.join([*lines, ''])
 
 
 def parse_arguments(words):

@@ -25,16 +25,12 @@ def command_of(process):
 
 
 def is_roslaunch(command):
-    """Returns whether a command is roslaunch, directly or as the script of an interpreter, but not as a child of a
-    roslaunch on another machine."""
+    """Returns whether a command is roslaunch, but not as a child of a roslaunch on another machine."""
     return 'roslaunch' in map(os.path.basename, command[:2]) and '-c' not in command[2:]
 
 
 def end_launch():
-    """Interrupts the roslaunch that started this process, and waits until it stops this process.
-
-    Does nothing if this process was started by another program.
-    """
+    """Interrupts the roslaunch that started this process, if one did, and waits until it stops this process."""
     parent = os.getppid()
     if not is_roslaunch(command_of(parent)):
         return

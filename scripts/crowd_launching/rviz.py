@@ -26,10 +26,7 @@ def draws_in_software(environment, devices=GRAPHICS):
 
 
 def sides_of(scenario):
-    """Returns width and height of the bounding box of agents, goals, obstacles and walls [m].
-
-    Returns an empty list for a Scenario without any of them.
-    """
+    """Returns width and height of the box of all that a Scenario has [m]; an empty list if it has nothing."""
     points = [point for agent in scenario.agents for point in (agent.pose, agent.goal)]
     points += [obstacle.position for obstacle in scenario.obstacles]
     points += [end for wall in scenario.walls for end in (wall.from_, wall.to)]  # `from` is a keyword of Python

@@ -1,65 +1,74 @@
-"""Floors that are drawn cell by cell, and written in the format of map_server."""
-import struct
-import zlib
+"""Draws floors cell by cell, and writes them in the format of map_server."""
+import pathlib
 
+import numpy
+import PIL.Image
+import yaml
+from crowd_experiments.arguments import add_file, parser_of
+from crowd_experiments.tools import REPOSITORY
+
+FLOORS = yaml.safe_load(pathlib.Path(__file__).with_name('floors.yaml').read_text(encoding='utf-8'))
 RESOLUTION = 0.05  # [m]
-CELLS_PER_METRE = 20
 MARGIN = 0.5  # of unknown cells around the floor [m]
 OCCUPIED, UNKNOWN, FREE = 0, 205, 254  # grey values of map_server's map_saver
-
-YAML = '''image: {name}.png
-resolution: {resolution}
-origin: [{origin}, {origin}, 0]
+YAML = f'''image: {{name}}.png
+resolution: {RESOLUTION}
+origin: [{-MARGIN}, {-MARGIN}, 0]
 occupied_thresh: 0.65
 free_thresh: 0.196
 negate: 0
 '''
+EXAMPLE = '''Writes NAME.png and NAME.yaml for each, in the format of map_server.
+
+example:
+  scripts/draw_maps --output /tmp/maps
+
+Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
 
 
 def cells(metres):
     """Returns the number of the cell border at a coordinate, which must be a multiple of the resolution."""
-    border = round(metres * CELLS_PER_METRE)
-    if abs(border - metres * CELLS_PER_METRE) > 1e-6:
+    border = round(metres / RESOLUTION)
+    if abs(border * RESOLUTION - metres) > 1e-6:
         raise ValueError(f'{metres} m is not a multiple of {RESOLUTION} m')
     return border
 
 
 class Floor:
-    """A rectangular floor whose lower left inner corner is the origin. Coordinates in metres, multiples of 0.05."""
+    """A rectangular floor whose lower left inner corner is the origin; rows of cells from the bottom."""
 
     def __init__(self, width, height, wall=0.2):
-        self.size = [cells(side + 2 * MARGIN) for side in (width, height)]
-        self.rows = [bytearray([UNKNOWN]) * self.size[0] for _ in range(self.size[1])]  # from the bottom
-        self.fill(-wall, -wall, width + wall, height + wall, OCCUPIED)
-        self.fill(0, 0, width, height, FREE)
+        self.rows = numpy.full([cells(side + 2 * MARGIN) for side in (height, width)], UNKNOWN, dtype=numpy.uint8)
+        self.block(-wall, -wall, width + wall, height + wall)
+        self.opening(0, 0, width, height)
 
-    def fill(self, left, bottom, right, top, value):
-        """Gives a value to the cells of a box."""
-        margin = cells(MARGIN)
-        first, last = cells(left) + margin, cells(right) + margin
-        for row in range(cells(bottom) + margin, cells(top) + margin):
-            self.rows[row][first:last] = bytes([value]) * (last - first)
-
-    def block(self, left, bottom, right, top):
+    def block(self, left, bottom, right, top, value=OCCUPIED):
         """Adds a wall or a piece of furniture."""
-        self.fill(left, bottom, right, top, OCCUPIED)
+        left, bottom, right, top = (cells(side) + cells(MARGIN) for side in (left, bottom, right, top))
+        self.rows[bottom:top, left:right] = value
 
-    def opening(self, left, bottom, right, top):
+    def opening(self, *box):
         """Removes walls, for a door."""
-        self.fill(left, bottom, right, top, FREE)
-
-    def png(self):
-        """Returns the map as a PNG file of 8-bit grey values, whose first row is the uppermost."""
-        raw = b''.join(b'\0' + bytes(row) for row in reversed(self.rows))
-        header = struct.pack('>IIBBBBB', *self.size, 8, 0, 0, 0, 0)
-        chunks = [(b'IHDR', header), (b'IDAT', zlib.compress(raw, 9)), (b'IEND', b'')]
-        return b'\x89PNG\r\n\x1a\n' + b''.join(chunk(kind, data) for kind, data in chunks)
-
-    def yaml(self, name):
-        """Returns the text of map_server's YAML file."""
-        return YAML.format(name=name, resolution=RESOLUTION, origin=-MARGIN)
+        self.block(*box, FREE)
 
 
-def chunk(kind, data):
-    """Returns a chunk of a PNG file."""
-    return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+def draw(description):
+    """Returns a floor of floors.yaml."""
+    floor = Floor(*description['size'])
+    for entry in description['drawn']:
+        for along in entry.get('at', [0]):
+            left, bottom, right, top = entry.get('block') or entry['opening']
+            (floor.block if 'block' in entry else floor.opening)(left + along, bottom, right + along, top)
+    return floor
+
+
+def main(words=None):
+    """Runs scripts/draw_maps with command line words."""
+    parser = parser_of('draw_maps', f"Draws the package's own maps: {', '.join(FLOORS)}.", EXAMPLE)
+    add_file(parser, '--output', default=REPOSITORY / 'config' / 'maps', metavar='FOLDER',
+             help="folder of the maps (default: the package's config/maps)")
+    folder = parser.parse_args(words).output
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, description in FLOORS.items():
+        PIL.Image.fromarray(draw(description).rows[::-1]).save(folder / f'{name}.png', optimize=True)
+        (folder / f'{name}.yaml').write_text(YAML.format(name=name), encoding='utf-8')

@@ -4,7 +4,7 @@ import math
 from crowd_drawing.files import DEFAULT_TICK
 from crowd_drawing.errors import check_output
 from crowd_experiments.arguments import above_zero, add_file, parser_of, whole
-from crowd_recordings.formats import WRITERS, read_recording, write_recording
+from crowd_recordings.formats import WRITTEN, read_recording, write_recording
 
 EXAMPLES = '''examples:
   convert_trajectories recordings/circle6.csv --output circle6.txt      for PedPy and JuPedSim
@@ -31,8 +31,8 @@ def main(words=None):
     """Runs the program with command line words."""
     checked = parser()
     arguments = checked.parse_args(words)
-    if arguments.output.suffix.lower() not in WRITERS:
-        checked.error(f"--output: expected a name with {' or '.join(WRITERS)}, got '{arguments.output}'")
+    if arguments.output.suffix.lower() not in WRITTEN:
+        checked.error(f"--output: expected a name with {' or '.join(WRITTEN)}, got '{arguments.output}'")
     check_output(arguments.output)
     recording = read_recording(arguments.input, arguments.instance).at_rate(arguments.frame_rate)
     if recording.frame_duration is None:

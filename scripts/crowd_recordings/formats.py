@@ -28,8 +28,7 @@ class Recording:
 
 
 def collect(file, rows):
-    """Returns the walks of rows (line, person, frame, x, y), in any order. Raises InputError if a person is twice in a
-    frame, if a number is negative or not finite, or if there are no rows."""
+    """Returns the walks of rows (line, person, frame, x, y), in any order. Raises InputError."""
     walks = {}
     for line, person, frame, x, y in rows:
         if min(person, frame) < 0 or not (math.isfinite(x) and math.isfinite(y)):
@@ -50,8 +49,7 @@ def step_of(walks):
 
 
 def numbers_of(file, line, words, columns, expected):
-    """Returns columns of a line: whole numbers for the first two, then two numbers. Whole numbers may be written as
-    7.8000000e+02. Raises InputError."""
+    """Returns columns of a line: two whole numbers, maybe as 7.8000000e+02, and two numbers. Raises InputError."""
     try:
         values = [float(words[column]) for column in columns]
         if not (values[0].is_integer() and values[1].is_integer()):
@@ -66,40 +64,25 @@ PERIOD = 0.4  # [s] between two annotated frames
 OBSMAT_COLUMNS = 'frame, person, x, z, y, vx, vz and vy'
 
 
-def is_obsmat(first):
-    """Returns whether a file begins as obsmat.txt."""
-    return len(first.split()) == COLUMNS
-
-
 def read_obsmat(file, stream):
     """Reads a file. Returns a Recording whose frames are the annotated ones, counted from 0. Raises InputError."""
     rows = []
     for line, text in enumerate(stream, 1):
         if text.strip():
-            words = text.split()
-            words = words if len(words) == COLUMNS else []
+            words = text.split() if len(text.split()) == COLUMNS else []
             frame, person, x, y = numbers_of(file, line, words, (0, 1, 2, 4), OBSMAT_COLUMNS)
             rows.append((line, person, frame, x, y))
     walks = collect(file, rows)
     step, first = step_of(walks), min(walk[0][0] for walk in walks.values())
-    return Recording({person: [((frame - first) // step, x, y) for frame, x, y in walk]
-                      for person, walk in walks.items()}, PERIOD / (annotated_step(walks, step) / step))
-
-
-def annotated_step(walks, default):
-    """Returns the most frequent number of frames between two rows of a person."""
     steps = collections.Counter(there[0] - here[0] for walk in walks.values() for here, there in zip(walk, walk[1:]))
-    return steps.most_common(1)[0][0] if steps else default
+    annotated = steps.most_common(1)[0][0] if steps else step  # frames between two rows of a person
+    return Recording({person: [((frame - first) // step, x, y) for frame, x, y in walk]
+                      for person, walk in walks.items()}, PERIOD / (annotated / step))
 
 
 RATE = re.compile(r'framerate\s*:?\s*([-+.\deE]+)')
 CENTIMETRES = re.compile(r'[xX]/cm|in cm')
 JUPEDSIM_COLUMNS = 'id, frame, x and y'
-
-
-def is_jupedsim(first):
-    """Returns whether a file begins as JuPedSim's: with a comment, or with 4 or 5 columns."""
-    return first.startswith('#') or len(first.split()) in (4, 5)
 
 
 def read_jupedsim(file, stream):
@@ -125,23 +108,8 @@ def duration_of(file, line, rate):
         raise InputError(f"{file}:{line}: expected a frame rate above 0, got '{rate}'") from None
 
 
-def write_jupedsim(stream, recording):
-    """Writes a Recording with a known frame rate. Numbers are written so that reading gives the same bits."""
-    stream.write('# description: social_crowd trajectories\n'
-                 f'# framerate: {round(1 / recording.frame_duration, 9)}\n'
-                 '# id frame x/m y/m z/m\n')
-    rows = sorted((frame, person, x, y) for person, walk in recording.walks.items() for frame, x, y in walk)
-    for frame, person, x, y in rows:
-        stream.write(f'{person} {frame} {x!r} {y!r} 0\n')
-
-
-CSV_HEADER = ','.join(HEADER)
-
-
 def read_recording(file, instance=None):
-    """Reads a recording. Returns a Recording. `instance`: which episode of a CSV file; None: the first.
-
-    Raises InputError, OSError."""
+    """Reads a Recording. `instance`: which episode of a CSV file; None: the first. Raises InputError, OSError."""
     with open(file, encoding='utf-8', errors='replace') as stream:
         first = next((line for line in stream if line.strip()), '').strip()
         stream.seek(0)
@@ -149,22 +117,20 @@ def read_recording(file, instance=None):
             return Recording(read_walks(file, instance)[1])
         if instance not in (None, 0):
             raise InputError(f'{file}: has no instance {instance}, expected 0')
-        for recognise, read in ((is_jupedsim, read_jupedsim), (is_obsmat, read_obsmat)):
-            if recognise(first):
-                return read(file, stream)
-    raise InputError(f'{file}:1: is not a recording; expected the header {CSV_HEADER}, the text format of JuPedSim '
-                     '(comments with #, then id frame x y z), or the 8 columns of obsmat.txt')
+        columns = len(first.split())
+        if first.startswith('#') or columns in (4, 5):
+            return read_jupedsim(file, stream)
+        if columns == COLUMNS:
+            return read_obsmat(file, stream)
+    raise InputError(f"{file}:1: is not a recording; expected the header {','.join(HEADER)}, the text format of "
+                     'JuPedSim (comments with #, then id frame x y z), or the 8 columns of obsmat.txt')
 
 
-def write_csv(stream, recording):
-    """Writes a Recording as evaluate does: one instance with the frames as ticks."""
-    stream.write(CSV_HEADER + '\n')
-    rows = sorted((frame, person, x, y) for person, walk in recording.walks.items() for frame, x, y in walk)
-    for frame, person, x, y in rows:
-        stream.write(f'0,{frame},{person},{x!r},{y!r}\n')
-
-
-WRITERS = {'.csv': write_csv, '.txt': write_jupedsim}
+# Head and line of a file of one instance, as evaluate or JuPedSim write it, by its ending. The numbers are read as the
+# same bits.
+WRITTEN = {'.csv': (','.join(HEADER) + '\n', '0,{frame},{person},{x!r},{y!r}\n'),
+           '.txt': ('# description: social_crowd trajectories\n# framerate: {rate}\n# id frame x/m y/m z/m\n',
+                    '{person} {frame} {x!r} {y!r} 0\n')}
 
 
 def write_recording(file, recording):
@@ -173,7 +139,11 @@ def write_recording(file, recording):
     part = file.with_name(f'.{file.name}.part')
     try:
         with open(part, 'w', encoding='utf-8') as stream:
-            WRITERS[file.suffix.lower()](stream, recording)
+            head, line = WRITTEN[file.suffix.lower()]
+            stream.write(head.format(rate=round(1 / recording.frame_duration, 9)))
+            for frame, person, x, y in sorted((frame, person, x, y) for person, walk in recording.walks.items()
+                                              for frame, x, y in walk):
+                stream.write(line.format(frame=frame, person=person, x=x, y=y))
         os.replace(part, file)
     finally:
         part.unlink(missing_ok=True)

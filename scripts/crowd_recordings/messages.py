@@ -28,8 +28,7 @@ class Messages:
         self.last_tick = round((last - self.first) / self.tick_duration)
 
     def scenario(self, episode, stamp):
-        """Returns the Scenario of an episode. It has all people at their first places, so that a view of the scenario
-        contains all that follows."""
+        """Returns the Scenario of an episode, with all people at their first places, so that a view has all."""
         people = [self.agent(number, track, track.times[0], False) for number, track in enumerate(self.tracks)]
         return Scenario(header=Header(stamp=stamp, frame_id=FRAME), episode=episode, name=self.scene.name or self.name,
                         instance=episode, tick_duration=self.tick_duration, max_ticks=self.last_tick,

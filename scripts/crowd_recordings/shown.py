@@ -21,10 +21,6 @@ class Track:
         """Returns whether the agent is in the world at a time [s]."""
         return self.times[0] <= time <= self.times[-1]
 
-    def has_ended(self, time):
-        """Returns whether the agent has left the world before a time [s]."""
-        return time > self.times[-1]
-
     def place_at(self, time):
         """Returns x, y [m] at a time [s], or at the first or last time of the track."""
         return [float(numpy.interp(time, self.times, self.places[:, axis])) for axis in (0, 1)]

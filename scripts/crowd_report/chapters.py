@@ -8,8 +8,7 @@ from crowd_report.tables import METRICS, RECORD, TRAJECTORIES, comparison_rows, 
 
 
 def chapters_of(sources, training, folder):
-    """Returns the chapters for which there are files; `training`: logs and records of `train` as Sources. Figures
-    are written to a folder."""
+    """Returns the chapters for which there are files. Figures are written to a folder."""
     made = [metrics_chapter(of_kind(sources, METRICS)), comparison_chapter(of_kind(sources, RECORD)),
             learning_chapter(training, folder), *walking_chapters(of_kind(sources, TRAJECTORIES), folder)]
     return [chapter for chapter in made if chapter is not None]

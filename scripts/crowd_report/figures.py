@@ -15,8 +15,7 @@ SPAN = 1.0  # [s] over which speeds are measured
 
 
 def separations(track, tick):
-    """Returns the distance from each person to the nearest other one [m], centre to centre, at moments 0.5 s apart.
-    Track: array (tick, agent, 2) with nan for those who are not there; tick: duration [s]."""
+    """Returns the distance from each person to the nearest other one [m], at moments 0.5 s apart, of a track."""
     found = []
     for places in track[::stride(STEP, tick)]:
         here = places[numpy.isfinite(places[:, 0])]
@@ -55,8 +54,7 @@ def stride(duration, tick):
 
 
 def speed_by_density(speeds, densities, least=20):
-    """Returns density [1/m2], and mean and standard deviation of the speeds [m/s], for each number of people in the
-    disc that occurred at least `least` times."""
+    """Returns density [1/m2], mean and standard deviation of speeds [m/s] for densities with enough values."""
     rows = [(density, speeds[densities == density]) for density in numpy.unique(densities)]
     return numpy.array([(density, values.mean(), values.std()) for density, values in rows
                         if len(values) >= least]).reshape(-1, 3)
@@ -72,8 +70,7 @@ MOST_OPAQUE = 30  # paths; more are paler
 
 
 def scenario_of(file):
-    """Returns the scenario file of a file of trajectories: NAME.yaml beside it, as `evaluate --scenes` writes it, else
-    the package's scenario of this name; None if there is neither."""
+    """Returns the scenario of a file of trajectories: NAME.yaml beside it, else the package's; None without either."""
     beside = file.with_suffix('.yaml')
     return beside if beside.is_file() else shipped_scenarios().get(file.stem)
 
@@ -94,9 +91,7 @@ def draw_paths(target, groups):
         _, walks = read_walks(sources[0].file, None)
         width, height = draw_walks(Picture(panel), scene_of(sources[0].file), walks).frame()
         ratios.append(height / width)
-        panel.set_xlabel('x [m]')
-        panel.set_ylabel('y [m]')
-        panel.set_title('\n'.join(textwrap.wrap(label, TITLE_WIDTH)))
+        panel.set(xlabel='x [m]', ylabel='y [m]', title='\n'.join(textwrap.wrap(label, TITLE_WIDTH)))
     for panel in list(axes.flat)[len(groups):]:
         panel.set_axis_off()
     figure.set_size_inches(WIDTH * columns, (min(1.5, max(ratios)) * WIDTH + ROOM) * rows)
@@ -129,8 +124,7 @@ def tracks_of(sources):
 
 
 def draw_separations(target, groups):
-    """Draws the histogram of the distances to the nearest person, for each label. Returns the file, or None if no
-    moment has two people."""
+    """Draws the histogram of the distances to the nearest person. Returns the file; None if nobody has company."""
     apart = {label: numpy.concatenate([separations(*track) for track in tracks_of(sources)])
              for label, sources in groups.items()}
     if not any(map(len, apart.values())):
@@ -141,16 +135,14 @@ def draw_separations(target, groups):
             axes[0, 0].hist(values, numpy.arange(0, FARTHEST + BIN, BIN), histtype='step', linewidth=1.6, color=colour,
                             weights=numpy.full(len(values), 100 / len(values)),
                             label=f'{label} (least {values.min():.2f} m)')
-    axes[0, 0].set_xlabel('distance to the nearest person, centre to centre [m]')
-    axes[0, 0].set_ylabel('share of all moments [%]')
-    axes[0, 0].set_xlim(0, FARTHEST)
+    axes[0, 0].set(xlabel='distance to the nearest person, centre to centre [m]', ylabel='share of all moments [%]',
+                   xlim=(0, FARTHEST))
     axes[0, 0].legend()
     return save(figure, target)
 
 
 def draw_speeds(target, groups):
-    """Draws mean speed against density, with the standard deviation, for each label. Returns the file, or None if there
-    was only one density."""
+    """Draws mean speed against density, with the standard deviation. Returns the file; None with only one density."""
     points = {}
     for label, sources in groups.items():
         pairs = [speeds_and_densities(*track) for track in tracks_of(sources)]
@@ -162,8 +154,7 @@ def draw_speeds(target, groups):
         if len(rows):
             axes[0, 0].errorbar(*rows.T[:2], yerr=rows[:, 2], color=colour, marker='o', markersize=4, capsize=3,
                                 linewidth=1.2, label=label)
-    axes[0, 0].set_xlabel('people within 2 m [1/m²]')
-    axes[0, 0].set_ylabel('speed [m/s]')
+    axes[0, 0].set(xlabel='people within 2 m [1/m²]', ylabel='speed [m/s]')
     axes[0, 0].set_ylim(bottom=0)
     axes[0, 0].legend()
     return save(figure, target)

@@ -28,8 +28,7 @@ class Source:
 
 
 def source_of(word):
-    """Returns the Source of a word of the command line, [LABEL=]FILE. The default label is the name of the file's
-    folder. Raises InputError, OSError."""
+    """Returns the Source of a word [LABEL=]FILE; the default label is the folder's name. Raises InputError, OSError."""
     label, name = labelled(word)
     file = pathlib.Path(name)
     with open(file, encoding='utf-8', errors='replace') as stream:
@@ -70,8 +69,7 @@ OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people wh
 
 
 def metrics_rows(groups):
-    """Returns header and rows of the table of metrics. Groups: sources of metrics by label. With several files of a
-    label, a value is their mean, plus or minus half of its 95 % confidence interval."""
+    """Returns header and rows of the table of metrics, with the mean over several files of a label."""
     rows = []
     for label, sources in groups.items():
         for scenario, values in pandas.concat(map(columns_of, sources)).groupby('scenario', sort=False):
@@ -90,8 +88,7 @@ def metric_cell(values, decimals):
 
 
 def samples(sources, scenario, column):
-    """Returns independent values of a column: the means of files if there are several, else of the episodes of the one
-    file. People of an episode depend on each other."""
+    """Returns independent values of a column: means of files if there are several, else of the episodes of the file."""
     episodes = []
     for source in sources:
         rows = columns_of(source)
@@ -105,8 +102,7 @@ def samples(sources, scenario, column):
 
 
 def comparison_rows(groups):
-    """Returns header and rows of the comparison of all labels with the first one. Groups: sources of records by
-    label."""
+    """Returns header and rows of the comparison of all labels with the first one."""
     labels, rows = list(groups), []
     scenarios = list(dict.fromkeys(name for source in groups[labels[0]] for name in columns_of(source)['scenario']))
     for label in labels[1:]:

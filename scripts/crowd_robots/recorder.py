@@ -78,18 +78,14 @@ class Recorder:
     def run(self):
         """Restarts the episodes if that is wanted, then records until the node is shut down or all is recorded."""
         if self.first is None:
-            self.wait_for_commands()
+            while not wait_for(self.is_driven, LONG) and not rospy.is_shutdown():
+                rospy.logwarn('waiting for the first command of %s', ', '.join(self.waiting) or 'the robots')
             if rospy.is_shutdown():
                 return
             self.restart()
         wait_for(self.is_done)
         if self.is_done.is_set():
             end_launch()
-
-    def wait_for_commands(self):
-        """Waits until all robots were commanded, and says every ten seconds which were not."""
-        while not wait_for(self.is_driven, LONG) and not rospy.is_shutdown():
-            rospy.logwarn('waiting for the first command of %s', ', '.join(self.waiting) or 'the robots')
 
     def restart(self):
         """Restarts with the first episode, of which no result can have come before the answer of the controller."""

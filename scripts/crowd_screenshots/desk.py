@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import time
 
+from crowd_experiments.runs import RunError
 from crowd_launching.launch_end import free_port
 
 SIZE = '1280x800x24'
@@ -70,7 +71,7 @@ class Desk:
             if output is not None and words in output:
                 return
             if time.monotonic() > deadline:
-                raise RuntimeError(f'timeout of {PATIENCE:g} s while waiting for {what}')
+                raise RunError(f'timeout of {PATIENCE:g} s while waiting for {what}')
             time.sleep(PERIOD)
 
     def call(self, service, request):
@@ -80,17 +81,14 @@ class Desk:
     def mouse(self, *words):
         """Moves and clicks, with the words of xdotool."""
         if self.run('xdotool', *words) is None:
-            raise RuntimeError(f'xdotool failed: {words}')
+            raise RunError(f'xdotool failed: {words}')
 
     def take(self, file, seconds=2.0, crop=None):
-        """Waits until RViz has drawn, and writes a picture of the screen. Returns its file.
-
-        `crop`: width, height, left and top of a part [pixels].
-        """
+        """Waits until RViz has drawn, and takes a picture, or its part (width, height, left, top)."""
         time.sleep(seconds)
         part = ['-crop', '{}x{}+{}+{}'.format(*crop), '+repage'] if crop else []
         fresh = os.path.join(self.folder.name, file.name)
         if self.run('import', '-window', 'root', *part, 'png24:' + fresh) is None:
-            raise RuntimeError(f'{file} cannot be written')
+            raise RunError(f'{file} cannot be written')
         shutil.copyfile(fresh, file)
         return file

@@ -6,11 +6,12 @@ import shutil
 import subprocess
 import tempfile
 
-from crowd_experiments.tools import find_tools
+from crowd_experiments.runs import RunError
+from crowd_experiments.tools import REPOSITORY, find_tools
 
-SCRIPTS = pathlib.Path(__file__).resolve().parents[1]
-TABLES = SCRIPTS.parent / 'config' / 'q_tables'
-CONFIGURATION = SCRIPTS.parent / 'config' / 'learning' / 'anticipation.yaml'
+SCRIPTS = REPOSITORY / 'scripts'
+TABLES = REPOSITORY / 'config' / 'q_tables'
+CONFIGURATION = REPOSITORY / 'config' / 'learning' / 'anticipation.yaml'
 
 # As in README.md.
 FILM = 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30'
@@ -23,11 +24,11 @@ WINDOW = 1080, 2000  # [pixels]; the first chapters of the report
 
 
 def run(command, folder):
-    """Runs a command. Raises RuntimeError with its output if it fails."""
+    """Runs a command. Raises RunError with its output if it fails."""
     done = subprocess.run(list(map(str, command)), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           check=False)
     if done.returncode != 0:
-        raise RuntimeError(f'{shlex.join(map(str, command))}: {done.stdout.decode(errors="replace")}')
+        raise RunError(f'{shlex.join(map(str, command))}: {done.stdout.decode(errors="replace")}')
 
 
 def film(folder):
@@ -57,7 +58,7 @@ def write_report(folder):
 def report(folder):
     """Takes a picture of a report in a browser, if there is one. Yields its file."""
     if shutil.which(BROWSER) is None:
-        raise RuntimeError(f'report.png needs the program {BROWSER}')
+        raise RunError(f'report.png needs the program {BROWSER}')
     file = folder / 'report.png'
     with tempfile.TemporaryDirectory(prefix='social_crowd_screenshots_') as work:
         page = write_report(pathlib.Path(work))

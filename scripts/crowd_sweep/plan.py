@@ -12,8 +12,7 @@ from crowd_experiments.variations import vary_config, vary_scenario
 
 
 def check_configurations(sweep, setting, members):
-    """Trains one episode with each combination that has runs to do. Raises InputError with the keys of the sweep if a
-    configuration is refused."""
+    """Trains one episode with each combination that has runs to do. Raises InputError if one is refused."""
     if sweep.config is None:
         return
     first = {member.label: member for member in reversed(members) if not member.run.is_done()}

@@ -35,8 +35,7 @@ def index_of(meaning, axis):
 
 
 def levels_of(meaning, axis):
-    """Returns the outer quantities of an axis of which all classes can be labelled, as (quantity, labels, cells of one
-    label), outer ones first; at least one."""
+    """Returns the outer quantities of an axis that can be labelled, as (quantity, labels, cells of one label)."""
     levels, total, labels = [], sizes(meaning, axis), 1
     for i in axis:
         quantity = meaning.quantities[i]

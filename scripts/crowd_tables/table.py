@@ -26,8 +26,7 @@ def row_values(table, kind):
 
 
 def greedy_actions(table):
-    """Returns the action with the highest value in each row, as an agent chooses it: the first one of several, actions
-    without a visit having the value 0."""
+    """Returns the action with the highest value in each row, the first of several; 0 without a visit."""
     return table.values.argmax(axis=1)
 
 

@@ -1,9 +1,8 @@
 // Checksums by which ranks find that they compute different things.
 
-#include <dlfcn.h>
-
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
+#include "social_crowd/common/library_file.h"
 #include "social_crowd/ranks/distributed_evaluation.h"
 #include "social_crowd/simulation/byte_archive.h"
 
@@ -26,6 +25,12 @@ class ChecksumWriter {
   Checksum checksum_;
   std::vector<char> bytes_;
 };
+
+std::string checksumOf(const std::string& file) {
+  Checksum checksum;
+  checksum.add(readFile(file));
+  return checksum.text();
+}
 
 }  // namespace
 
@@ -60,13 +65,10 @@ std::string checksumOf(const Scene& scene) {
 }
 
 std::string checksumOfLibrary() {
-  Dl_info info = {};
-  // An object of the library whose address is known.
-  static const char PLACE = 0;
-  if (dladdr(&PLACE, &info) == 0 || info.dli_fname == nullptr) return "unknown";
-  Checksum checksum;
-  checksum.add(readFile(info.dli_fname));
-  return checksum.text();
+  const std::string file = libraryFile();
+  return file.empty() ? "unknown" : checksumOf(file);
 }
+
+std::string checksumOfProgram() { return checksumOf("/proc/self/exe"); }
 
 }  // namespace crowd

@@ -1,12 +1,11 @@
 #include "social_crowd/scenario/scenario_files.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <vector>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/common/library_file.h"
 #include "social_crowd/common/quotes.h"
 #include "social_crowd/common/suggestions.h"
 
@@ -30,11 +29,8 @@ bool isFile(const fs::path& path) {
 
 /// A few levels above the library, as in PREFIX/lib/libNAME.so.
 fs::path installedScenarios() {
-  Dl_info library{};
-  if (::dladdr(reinterpret_cast<const void*>(&shippedScenarios), &library) == 0)
-    return {};  // NOLINT(*-reinterpret-cast)
   std::error_code ignored;
-  fs::path folder = fs::canonical(library.dli_fname, ignored).parent_path();
+  fs::path folder = fs::canonical(libraryFile(), ignored).parent_path();
   for (int level = 0; level < 2; ++level) {
     folder = folder.parent_path();
     if (isFolder(folder / SCENARIOS_IN_PREFIX)) return folder / SCENARIOS_IN_PREFIX;

@@ -36,7 +36,7 @@ void* operator new(std::size_t size) { return allocate(size); }
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t /*size*/) noexcept { release(memory); }
 
-namespace crowd {
+namespace crowd::allocations_test {
 namespace {
 
 /// A lattice of agents that walk to and fro past each other, and a wall.
@@ -164,4 +164,4 @@ TEST(Allocations, NorBesideARobot) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::allocations_test

@@ -9,7 +9,7 @@
 #include "support/moves.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::escape_planner_test {
 namespace {
 
 constexpr double LOOKOUT = 1.5;  // [s]
@@ -119,4 +119,4 @@ TEST(EscapePlanner, TheSameAgentHasContactsWithoutIt) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::escape_planner_test

@@ -10,7 +10,7 @@
 #include "support/robots.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::robot_separation_test {
 namespace {
 
 constexpr double LOOKOUT = 1.5;  // [s]
@@ -180,4 +180,4 @@ TEST(RobotSeparation, AnAgentInTheOpenEscapesARobotThatDrivesStraightAtIt) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robot_separation_test

@@ -1,4 +1,5 @@
 #include "social_crowd/avoidance/separation_rule.h"
+#include "social_crowd/geometry/impact.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 #include "support/moves.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::separation_rule_test {
 namespace {
 
 constexpr double LOOKOUT = 1.5;  // [s]
@@ -135,4 +136,4 @@ TEST(GapSharing, HasNames) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::separation_rule_test

@@ -9,7 +9,7 @@
 #include "support/moves.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::time_gap_test {
 namespace {
 
 constexpr double REFERENCE = TimeGap::REFERENCE_SPEED;
@@ -125,4 +125,4 @@ TEST(TimeGap, DoesNotHoldUpWhoEscapesFromAMovingObstacle) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::time_gap_test

@@ -9,7 +9,7 @@
 #include "social_crowd/common/random.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::time_to_collision_test {
 namespace {
 
 TEST(TimeToCollision, OfTwoDiscs) {
@@ -115,4 +115,4 @@ TEST(TimeToCollision, OfManyBodiesEqualsTheMinimumOverTheBodies) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::time_to_collision_test

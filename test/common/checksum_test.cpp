@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crowd {
+namespace crowd::checksum_test {
 namespace {
 
 std::string checksumOf(std::string_view text) {
@@ -30,4 +30,4 @@ TEST(Checksum, TreatsBytesAsUnsigned) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::checksum_test

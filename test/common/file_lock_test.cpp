@@ -10,7 +10,7 @@
 #include "social_crowd/common/files.h"
 #include "support/file_tests.h"
 
-namespace crowd {
+namespace crowd::file_lock_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -63,4 +63,4 @@ TEST(FileLock, ChangesNothingThatIsNoLock) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::file_lock_test

@@ -12,7 +12,7 @@
 #include "social_crowd/common/errors.h"
 #include "support/file_tests.h"
 
-namespace crowd {
+namespace crowd::files_test {
 namespace {
 
 TEST(ReadFile, ReturnsEveryByte) {
@@ -132,4 +132,4 @@ TEST(StemOf, RemovesFolderAndExtension) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::files_test

@@ -11,7 +11,7 @@
 #include "social_crowd/common/files.h"
 #include "support/file_tests.h"
 
-namespace crowd {
+namespace crowd::growing_file_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -90,4 +90,4 @@ TEST(GrowingFile, GoesOnInAnOpenFileOfThisProcess) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::growing_file_test

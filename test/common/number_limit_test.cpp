@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace crowd {
+namespace crowd::number_limit_test {
 namespace {
 
 constexpr double NO_LIMIT = std::numeric_limits<double>::infinity();
@@ -28,4 +28,4 @@ TEST(NumberLimit, OfARuleAloneIsAnyMagnitude) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::number_limit_test

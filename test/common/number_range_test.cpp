@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crowd {
+namespace crowd::number_range_test {
 namespace {
 
 constexpr double NO_LIMIT = std::numeric_limits<double>::infinity();
@@ -33,4 +33,4 @@ TEST(NumberRange, TextNamesLimitsAndUnit) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::number_range_test

@@ -14,7 +14,7 @@
 
 #include "social_crowd/common/random.h"
 
-namespace crowd {
+namespace crowd::numbers_test {
 namespace {
 
 using Limits = std::numeric_limits<double>;
@@ -179,4 +179,4 @@ TEST(Numbers, DoNotDependOnTheLocale) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::numbers_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace crowd {
+namespace crowd::object_pool_test {
 namespace {
 
 using Pointer = std::shared_ptr<std::vector<int>>;
@@ -107,4 +107,4 @@ TEST(ObjectPool, HeldObjectsOutliveThePool) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::object_pool_test

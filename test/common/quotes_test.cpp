@@ -8,7 +8,7 @@
 #include "social_crowd/common/yaml_reader.h"
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::quotes_test {
 namespace {
 
 TEST(Quotes, ShortTextsAreQuotedInFull) {
@@ -69,4 +69,4 @@ TEST(RequireFew, RefusesLongLists) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::quotes_test

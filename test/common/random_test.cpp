@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-namespace crowd {
+namespace crowd::random_test {
 namespace {
 
 std::vector<std::uint64_t> firstNumbers(KeyedRandom random) {
@@ -172,4 +172,4 @@ TEST(KeyedRandom, ChoosesBelowTheLargestInteger) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::random_test

@@ -16,7 +16,7 @@
 #include "social_crowd/common/result_file.h"
 #include "support/file_tests.h"
 
-namespace crowd {
+namespace crowd::replace_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -244,4 +244,4 @@ TEST(ReplaceFile, CanBeCalledByManyAtOnce) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::replace_file_test

@@ -11,7 +11,7 @@
 #include "social_crowd/common/files.h"
 #include "support/file_tests.h"
 
-namespace crowd {
+namespace crowd::result_file_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -81,4 +81,4 @@ TEST(ResultFile, RefusesFoldersAndSockets) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::result_file_test

@@ -5,7 +5,7 @@
 #include "social_crowd/common/errors.h"
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::scratch_file_test {
 namespace {
 
 std::vector<char> bytes(const std::string& text) { return {text.begin(), text.end()}; }
@@ -41,4 +41,4 @@ TEST(ScratchFile, FilesAreSeparate) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scratch_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crowd {
+namespace crowd::stop_request_test {
 namespace {
 
 TEST(StopRequest, IsNeverMadeWithoutAFunction) {
@@ -21,4 +21,4 @@ TEST(StopRequest, CopiesAskTheSameFunction) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::stop_request_test

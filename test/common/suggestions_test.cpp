@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crowd {
+namespace crowd::suggestions_test {
 namespace {
 
 TEST(EditDistance, CountsInsertedOmittedReplacedAndExchangedLetters) {
@@ -59,4 +59,4 @@ TEST(JoinNames, CutsLongNamesAndManyNames) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::suggestions_test

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace crowd {
+namespace crowd::thread_pool_test {
 namespace {
 
 TEST(ThreadPool, ProcessesEachItemOnceForAnyNumberOfThreads) {
@@ -103,4 +103,4 @@ TEST(ThreadPool, RethrowsTheFirstErrorAndStaysUsable) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::thread_pool_test

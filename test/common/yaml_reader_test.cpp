@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace crowd {
+namespace crowd::yaml_reader_test {
 namespace {
 
 const YamlPlace PLACE{"file.yaml", 2, "here"};
@@ -234,4 +234,4 @@ TEST(YamlStream, ReadsAFile) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::yaml_reader_test

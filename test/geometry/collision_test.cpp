@@ -7,7 +7,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::collision_test {
 namespace {
 
 using scenes::agent;
@@ -125,4 +125,4 @@ TEST(Collision, AgreesWithItsDefinitionInRandomWorlds) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::collision_test

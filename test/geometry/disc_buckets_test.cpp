@@ -7,7 +7,7 @@
 
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::disc_buckets_test {
 namespace {
 
 /// The first of all discs whose rim is within the distance of a point.
@@ -48,4 +48,4 @@ TEST(DiscBuckets, FindTheFirstDiscAsAListDoes) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::disc_buckets_test

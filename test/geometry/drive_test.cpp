@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace crowd {
+namespace crowd::drive_test {
 namespace {
 
 constexpr double NO_LIMIT = 1e9;
@@ -107,4 +107,4 @@ TEST(Twist, IsFiniteIfAllItsNumbersAre) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::drive_test

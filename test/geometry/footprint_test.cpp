@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace crowd {
+namespace crowd::footprint_test {
 namespace {
 
 Footprint polygon(std::vector<Vector2> corners) { return {0.0, std::move(corners)}; }
@@ -64,4 +64,4 @@ TEST(Footprint, RefusesPolygonsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::footprint_test

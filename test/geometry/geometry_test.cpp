@@ -10,7 +10,7 @@
 
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::geometry_test {
 namespace {
 
 void expectVector(const Vector2& v, double x, double y) {
@@ -171,4 +171,4 @@ TEST(NearestPoint, LiesOnTheSegmentAndNoOtherPointIsNearer) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::geometry_test

@@ -6,7 +6,7 @@
 
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::impact_test {
 namespace {
 
 /// A wall across the way, 2 m ahead.
@@ -94,4 +94,4 @@ TEST(FirstTouchProperty, OfWallsAgreesWithSampledTimes) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::impact_test

@@ -13,7 +13,7 @@
 #include "support/scenario_texts.h"
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::limits_test {
 namespace {
 
 using scenario_texts::agentError;
@@ -164,4 +164,4 @@ TEST(Limits, ChangesOfTheWorld) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::limits_test

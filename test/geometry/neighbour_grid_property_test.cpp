@@ -12,7 +12,7 @@
 #include "support/neighbour_grids.h"
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::neighbour_grid_property_test {
 namespace {
 
 using neighbour_grids::checkManyPlaces;
@@ -183,4 +183,4 @@ TEST(NeighbourGrid, EqualsANewGridAfterClear) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::neighbour_grid_property_test

@@ -8,7 +8,7 @@
 
 #include "support/neighbour_grids.h"
 
-namespace crowd {
+namespace crowd::neighbour_grid_test {
 namespace {
 
 using neighbour_grids::Disc;
@@ -105,4 +105,4 @@ TEST(NeighbourGrid, FindsDiscsAtTheSamePosition) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::neighbour_grid_test

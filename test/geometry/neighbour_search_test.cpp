@@ -10,7 +10,7 @@
 #include "social_crowd/common/random.h"
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::neighbour_search_test {
 namespace {
 
 using Disc = NeighbourGrid::Disc;
@@ -148,4 +148,4 @@ TEST(NeighbourSearch, AgreesWithSortingForEachAgentOfACrowdOfVaryingDensity) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::neighbour_search_test

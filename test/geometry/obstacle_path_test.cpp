@@ -5,7 +5,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/random.h"
 
-namespace crowd {
+namespace crowd::obstacle_path_test {
 namespace {
 
 void expectAt(const ObstaclePath& path, double t, const Vector2& position, const Vector2& velocity) {
@@ -143,4 +143,4 @@ TEST(ObstaclePath, MovesWithItsVelocityAndAtMostAtItsSpeed) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::obstacle_path_test

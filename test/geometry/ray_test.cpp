@@ -10,7 +10,7 @@
 #include "social_crowd/geometry/wall_index.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::ray_test {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
@@ -89,4 +89,4 @@ TEST(WallIndexRay, EqualsTheMinimumOverAllWalls) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::ray_test

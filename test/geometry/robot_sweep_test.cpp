@@ -9,7 +9,7 @@
 #include "social_crowd/common/random.h"
 #include "social_crowd/geometry/impact.h"
 
-namespace crowd {
+namespace crowd::robot_sweep_test {
 namespace {
 
 const Footprint DISC{0.3, {}};
@@ -103,4 +103,4 @@ TEST(RobotSweep, AgreesWithSamplesOfTheDistance) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robot_sweep_test

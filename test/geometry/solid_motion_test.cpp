@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace crowd {
+namespace crowd::solid_motion_test {
 namespace {
 
 using Disc = SolidMotion::Disc;
@@ -186,4 +186,4 @@ TEST(SolidObstacle, PushesAnAgentThatStoppedEarlierInTheTick) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::solid_motion_test

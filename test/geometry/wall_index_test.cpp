@@ -12,7 +12,7 @@
 #include "support/scenes.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::wall_index_test {
 namespace {
 
 using Found = std::vector<std::uint32_t>;
@@ -231,4 +231,4 @@ TEST(WallIndex, MemoryIsLimited) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::wall_index_test

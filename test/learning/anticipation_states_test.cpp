@@ -10,7 +10,7 @@
 #include "support/perceptions.h"
 #include "support/rows.h"
 
-namespace crowd {
+namespace crowd::anticipation_states_test {
 namespace {
 
 constexpr double ROUNDING = 1e-5;  // tolerance of times in single precision
@@ -187,4 +187,4 @@ TEST(AnticipationStates, AgreesWithItsSpec) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::anticipation_states_test

@@ -8,7 +8,7 @@
 #include "support/perceptions.h"
 #include "support/rows.h"
 
-namespace crowd {
+namespace crowd::condensed_occupancy_states_test {
 namespace {
 
 using Classes = std::vector<int>;
@@ -134,4 +134,4 @@ TEST(CondensedOccupancyStates, ReadBackTheirSpec) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::condensed_occupancy_states_test

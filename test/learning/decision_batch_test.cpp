@@ -15,7 +15,7 @@
 #include "support/moves.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::decision_batch_test {
 namespace {
 
 constexpr double LOOKOUT = 1.5;  // [s]
@@ -122,4 +122,4 @@ TEST(DecisionBatch, SeparationLimitsDoNotDependOnTheBatch) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::decision_batch_test

@@ -5,7 +5,7 @@
 #include "social_crowd/learning/learner.h"
 #include "support/learners.h"
 
-namespace crowd {
+namespace crowd::decision_values_test {
 namespace {
 
 using learners::actionOf;
@@ -88,4 +88,4 @@ TEST(DecisionValues, AreAbsentIfTheAgentDidNotDecide) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::decision_values_test

@@ -6,7 +6,7 @@
 #include "support/moves.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::goal_relative_actions_test {
 namespace {
 
 GoalRelativeActions smallActionSet() {
@@ -80,4 +80,4 @@ TEST(GoalRelativeActions, AgreesWithItsSpec) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::goal_relative_actions_test

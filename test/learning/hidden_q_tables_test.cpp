@@ -10,7 +10,7 @@
 #include "social_crowd/learning/q_table_file.h"
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::hidden_q_tables_test {
 namespace {
 
 constexpr const char* SECRET = "sEcReT";
@@ -43,4 +43,4 @@ TEST(HiddenQTables, AnotherModelIsNotTold) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::hidden_q_tables_test

@@ -8,7 +8,7 @@
 #include "support/moves.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::kings_moves_test {
 namespace {
 
 std::shared_ptr<const ActionSet> make(const std::string& yaml) {
@@ -107,4 +107,4 @@ TEST(KingsMoves, ErrorsNameWrongKeysAndValues) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::kings_moves_test

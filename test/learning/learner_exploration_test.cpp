@@ -8,7 +8,7 @@
 #include "social_crowd/learning/learner.h"
 #include "support/learners.h"
 
-namespace crowd {
+namespace crowd::learner_exploration_test {
 namespace {
 
 using learners::actionOf;
@@ -258,4 +258,4 @@ TEST(Decisions, DifferForSharedAndOwnTables) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::learner_exploration_test

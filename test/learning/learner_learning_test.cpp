@@ -5,7 +5,7 @@
 #include "social_crowd/learning/learner.h"
 #include "support/learners.h"
 
-namespace crowd {
+namespace crowd::learner_learning_test {
 namespace {
 
 using learners::actionOf;
@@ -191,4 +191,4 @@ TEST(Learning, AMissedAnswerCutsTraces) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::learner_learning_test

@@ -8,7 +8,7 @@
 #include "support/error_of.h"
 #include "support/learners.h"
 
-namespace crowd {
+namespace crowd::learner_tables_test {
 namespace {
 
 using learners::decide;
@@ -235,4 +235,4 @@ TEST(TakeTableDeathTest, AcceptsAnyAgentId) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::learner_tables_test

@@ -8,7 +8,7 @@
 #include "support/error_of.h"
 #include "support/learners.h"
 
-namespace crowd {
+namespace crowd::learner_test {
 namespace {
 
 using learners::decide;
@@ -264,4 +264,4 @@ TEST(Learner, UsesOnlyWhatIsWithinTheVisionOfItsModel) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::learner_test

@@ -7,7 +7,7 @@
 
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::learning_parameters_test {
 namespace {
 
 using Shape = EpsilonSchedule::Shape;
@@ -210,4 +210,4 @@ TEST(Differences, NameTheChangedParameters) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::learning_parameters_test

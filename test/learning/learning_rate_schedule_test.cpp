@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crowd {
+namespace crowd::learning_rate_schedule_test {
 namespace {
 
 LearningParameters decaying(double alpha, double alpha_decay) {
@@ -38,4 +38,4 @@ TEST(LearningRateSchedule, AgreesWithTheParametersBitForBit) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::learning_rate_schedule_test

@@ -8,7 +8,7 @@
 #include "social_crowd/common/random.h"
 #include "social_crowd/learning/rl/td_learner.h"
 
-namespace crowd {
+namespace crowd::merge_copies_test {
 namespace {
 
 /// Updates the only entry of the table with a target.
@@ -142,4 +142,4 @@ TEST(MergeCopies, MergesOnlyTheRequestedRows) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::merge_copies_test

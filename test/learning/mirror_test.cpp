@@ -12,7 +12,7 @@
 #include "support/perceptions.h"
 #include "support/rows.h"
 
-namespace crowd {
+namespace crowd::mirror_test {
 namespace {
 
 using mirror_models::mirrorOf;
@@ -173,4 +173,4 @@ TEST(Mirror, WithoutAModelHasNoImages) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::mirror_test

@@ -11,7 +11,7 @@
 #include "support/learners.h"
 #include "support/mirror_models.h"
 
-namespace crowd {
+namespace crowd::mirrored_learning_test {
 namespace {
 
 using learners::decide;
@@ -169,4 +169,4 @@ TEST(MirroredLearning, IsWrittenInTheHeaderOfTheTable) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::mirrored_learning_test

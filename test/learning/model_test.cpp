@@ -5,7 +5,7 @@
 #include "social_crowd/common/numbers.h"
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::model_test {
 namespace {
 
 const char* const NEAREST =
@@ -181,4 +181,4 @@ TEST(ParseModel, RefusesTablesThatAreTooLarge) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::model_test

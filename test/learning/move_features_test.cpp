@@ -7,7 +7,7 @@
 #include "support/moves.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::move_features_test {
 namespace {
 
 constexpr double MIN_FRACTION = 0.05;
@@ -105,4 +105,4 @@ TEST(MoveFeatures, OncomingIsTheFastestApproachOnTheWayToTheGoal) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::move_features_test

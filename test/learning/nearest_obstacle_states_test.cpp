@@ -10,7 +10,7 @@
 #include "support/rows.h"
 #include "support/sector_cases.h"
 
-namespace crowd {
+namespace crowd::nearest_obstacle_states_test {
 namespace {
 
 using Situation = NearestObstacleStates::Situation;
@@ -213,4 +213,4 @@ TEST(NearestObstacleStates, UsesItsParameters) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::nearest_obstacle_states_test

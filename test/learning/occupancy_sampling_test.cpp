@@ -10,7 +10,7 @@
 #include "social_crowd/learning/states/occupancy_states.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::occupancy_sampling_test {
 namespace {
 
 constexpr int POINTS = 4000;          // samples per body and wall
@@ -159,4 +159,4 @@ TEST(OccupancySampling, FindsTheSameSectorsOfAWall) { EXPECT_GT(countCompared(0,
 TEST(OccupancySampling, FindsTheSameSectorsOfSeveralBodiesAndWalls) { EXPECT_GT(countCompared(3, 2), 500); }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::occupancy_sampling_test

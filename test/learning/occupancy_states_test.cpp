@@ -8,7 +8,7 @@
 #include "support/rows.h"
 #include "support/sector_cases.h"
 
-namespace crowd {
+namespace crowd::occupancy_states_test {
 namespace {
 
 using Classes = std::vector<int>;
@@ -247,4 +247,4 @@ TEST(OccupancyStates, UsesItsParameters) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::occupancy_states_test

@@ -14,7 +14,7 @@
 #include "support/moves.h"
 #include "support/rows.h"
 
-namespace crowd {
+namespace crowd::part_types_test {
 namespace {
 
 std::string typed(const std::string& name) { return "{type: " + name + "}"; }
@@ -133,4 +133,4 @@ TEST(PartTypes, ThesisRewardRequiresDistanceClasses) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::part_types_test

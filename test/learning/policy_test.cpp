@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace crowd {
+namespace crowd::policy_test {
 namespace {
 
 TEST(Policy, ChoosesTheFirstOfEqualValues) {
@@ -42,4 +42,4 @@ TEST(Policy, ExploresUniformly) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::policy_test

@@ -7,7 +7,7 @@
 #include "support/error_of.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::progress_reward_test {
 namespace {
 
 constexpr double SPEED = 0.3;  // of the builder's agents [m/s]; 0.03 m a tick
@@ -125,4 +125,4 @@ TEST(ProgressReward, AgreesWithItsSpec) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::progress_reward_test

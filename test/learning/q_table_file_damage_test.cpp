@@ -9,7 +9,7 @@
 #include "support/error_of.h"
 #include "support/q_table_texts.h"
 
-namespace crowd {
+namespace crowd::q_table_file_damage_test {
 namespace {
 
 using q_table_texts::body;
@@ -291,4 +291,4 @@ TEST(QTableDamage, RemovalOrInsertionOfAnyByte) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::q_table_file_damage_test

@@ -12,7 +12,7 @@
 #include "support/q_table_texts.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::q_table_file_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -256,4 +256,4 @@ TEST(QTableFile, ErrorsNameMissingAndDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::q_table_file_test

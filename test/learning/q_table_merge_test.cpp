@@ -10,7 +10,7 @@
 #include "social_crowd/common/random.h"
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::q_table_merge_test {
 namespace {
 
 QTable cell(double value, std::uint32_t visits) {
@@ -281,4 +281,4 @@ TEST(QTableMerge, RefusesAnotherShapeAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::q_table_merge_test

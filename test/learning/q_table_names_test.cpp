@@ -10,7 +10,7 @@
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::q_table_names_test {
 namespace {
 
 TEST(QTableNames, AreThoseOfShippedTables) {
@@ -50,4 +50,4 @@ TEST(QTableNames, AnUnknownNameIsRefusedWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::q_table_names_test

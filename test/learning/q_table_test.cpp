@@ -10,7 +10,7 @@
 #include "social_crowd/common/random.h"
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::q_table_test {
 namespace {
 
 /// The rows of a state set that has one row for all actions.
@@ -188,4 +188,4 @@ TEST(QTable, CountsNewRows) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::q_table_test

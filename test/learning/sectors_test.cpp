@@ -7,7 +7,7 @@
 
 #include "support/sector_cases.h"
 
-namespace crowd {
+namespace crowd::sectors_test {
 namespace {
 
 using sector_cases::SectorCase;
@@ -118,4 +118,4 @@ TEST(MirroredSectors, CanBeOnlyLeftAndRight) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::sectors_test

@@ -10,7 +10,7 @@
 #include "social_crowd/learning/q_table_file.h"
 #include "support/learners.h"
 
-namespace crowd {
+namespace crowd::sharing_property_test {
 namespace {
 
 using learners::decide;
@@ -185,4 +185,4 @@ TEST(SharingProperty, EachExperienceCountsOnce) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::sharing_property_test

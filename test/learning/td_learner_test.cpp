@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace crowd {
+namespace crowd::td_learner_test {
 namespace {
 
 /// A learner on a table of a few rows and two actions, one row a state. All numbers are exact in binary.
@@ -256,4 +256,4 @@ TEST(QLearning, UpdatesTheRowOfTheChosenAction) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::td_learner_test

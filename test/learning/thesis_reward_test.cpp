@@ -9,7 +9,7 @@
 #include "support/error_of.h"
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::thesis_reward_test {
 namespace {
 
 /// (3.6) or (3.7), with the obstacle part of the thesis's state set 1 (3.8).
@@ -214,4 +214,4 @@ TEST(MakeReward, ErrorsNameWrongKeysAndValues) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::thesis_reward_test

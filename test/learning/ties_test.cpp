@@ -7,7 +7,7 @@
 #include "social_crowd/learning/learner.h"
 #include "support/learners.h"
 
-namespace crowd {
+namespace crowd::ties_test {
 namespace {
 
 using learners::actionOf;
@@ -186,4 +186,4 @@ TEST(Ties, RandomTiesDoNotCutTraces) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::ties_test

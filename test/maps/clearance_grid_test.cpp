@@ -9,7 +9,7 @@
 #include "support/floors.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::clearance_grid_test {
 namespace {
 
 using Index = ClearanceGrid::Index;
@@ -81,4 +81,4 @@ TEST(ClearanceGrid, NeighboursAndOffsets) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::clearance_grid_test

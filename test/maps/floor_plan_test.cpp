@@ -9,7 +9,7 @@
 #include "social_crowd/common/errors.h"
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::floor_plan_test {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
@@ -60,4 +60,4 @@ TEST(FloorPlan, InvalidPlansAreRefused) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::floor_plan_test

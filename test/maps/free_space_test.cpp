@@ -10,7 +10,7 @@
 #include "support/floors.h"
 #include "support/maps.h"
 
-namespace crowd {
+namespace crowd::free_space_test {
 namespace {
 
 FloorPlan floorOf(const OccupancyMap& map) {
@@ -99,4 +99,4 @@ TEST(FreeSpace, TheSameNumbersGiveTheSamePlace) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::free_space_test

@@ -10,7 +10,7 @@
 #include "support/error_of.h"
 #include "support/map_texts.h"
 
-namespace crowd {
+namespace crowd::map_file_test {
 namespace {
 
 using map_texts::bytes;
@@ -155,4 +155,4 @@ TEST(MapFileRefusals, MissingImage) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::map_file_test

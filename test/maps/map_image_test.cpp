@@ -9,7 +9,7 @@
 #include "support/map_texts.h"
 #include "support/png_texts.h"
 
-namespace crowd {
+namespace crowd::map_image_test {
 namespace {
 
 using map_texts::bytes;
@@ -207,4 +207,4 @@ TEST(PngImageRefusals, DamagedChecksum) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::map_image_test

@@ -13,7 +13,7 @@
 #include "support/error_of.h"
 #include "support/maps.h"
 
-namespace crowd {
+namespace crowd::map_walls_test {
 namespace {
 
 using Rows = std::vector<std::string>;
@@ -187,4 +187,4 @@ TEST(MapWalls, AreAsNearAsTheNearestCellThatIsNotFree) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::map_walls_test

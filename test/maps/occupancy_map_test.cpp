@@ -11,7 +11,7 @@
 #include "support/error_of.h"
 #include "support/maps.h"
 
-namespace crowd {
+namespace crowd::occupancy_map_test {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
@@ -145,4 +145,4 @@ TEST(OccupancyMap, PlacesMustBeWithinTheLimit) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::occupancy_map_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crowd {
+namespace crowd::gait_test {
 namespace {
 
 constexpr double STEP = WalkingCycles::STRIDE / WalkingCycles::FRAMES;  // distance from one frame to the next: 0.175 m
@@ -108,4 +108,4 @@ TEST(WalkingCycles, ForgetsOthers) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::gait_test

@@ -6,7 +6,7 @@
 
 #include "social_crowd/ros/markers/marker_map.h"
 
-namespace crowd {
+namespace crowd::map_test {
 namespace {
 
 /// Rows from the bottom; `#` is occupied, `?` unknown.
@@ -74,4 +74,4 @@ TEST(MarkerMap, IsDeletedWithoutCells) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::map_test

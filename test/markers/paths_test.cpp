@@ -2,7 +2,7 @@
 
 #include "social_crowd/ros/markers/marker_paths.h"
 
-namespace crowd {
+namespace crowd::paths_test {
 namespace {
 
 /// A walk of one metre a second along x, seen each second for 10 s, of which 4 s are shown.
@@ -90,4 +90,4 @@ TEST(WalkedPaths, ThoseWhoHaveLeftAreForgottenWhenTheyHaveFaded) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::paths_test

@@ -9,7 +9,7 @@
 #include "social_crowd/ros/markers/marker_style.h"
 #include "social_crowd/ros/markers/marker_values.h"
 
-namespace crowd {
+namespace crowd::values_test {
 namespace {
 
 using visualization_msgs::Marker;
@@ -161,4 +161,4 @@ TEST(Values, ThatCannotBeDrawnAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::values_test

@@ -13,7 +13,7 @@
 
 #include "social_crowd/common/random.h"
 
-namespace crowd {
+namespace crowd::perception_routes_test {
 namespace {
 
 using Topics = std::vector<std::string>;
@@ -137,4 +137,4 @@ TEST(PerceptionRoutesProperty, AgreesWithASearchOfAllClaims) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::perception_routes_test

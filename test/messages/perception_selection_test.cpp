@@ -17,7 +17,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::perception_selection_test {
 namespace {
 
 template <typename Message>
@@ -186,4 +186,4 @@ TEST(PerceptionSelectionProperty, EqualsTheGeneratedMessage) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::perception_selection_test

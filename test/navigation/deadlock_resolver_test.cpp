@@ -13,7 +13,7 @@
 #include "support/robots.h"
 #include "support/two_ways.h"
 
-namespace crowd {
+namespace crowd::deadlock_resolver_test {
 namespace {
 
 using two_ways::walker;
@@ -275,4 +275,4 @@ TEST(DeadlockResolver, BothArriveThroughACorridorInWhichTheyCannotPassEachOther)
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::deadlock_resolver_test

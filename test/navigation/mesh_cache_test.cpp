@@ -9,7 +9,7 @@
 #include "social_crowd/common/errors.h"
 #include "support/floors.h"
 
-namespace crowd {
+namespace crowd::mesh_cache_test {
 namespace {
 
 constexpr double RADIUS = 0.2;
@@ -77,4 +77,4 @@ TEST(MeshCache, ThreadsGetTheSameData) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::mesh_cache_test

@@ -11,7 +11,7 @@
 #include "support/error_of.h"
 #include "support/floors.h"
 
-namespace crowd {
+namespace crowd::navigation_mesh_reach_test {
 namespace {
 
 using Query = NavigationMesh::Query;
@@ -137,4 +137,4 @@ TEST(NavigationMeshReach, InvalidNumbersAreRefused) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::navigation_mesh_reach_test

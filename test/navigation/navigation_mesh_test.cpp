@@ -7,7 +7,7 @@
 
 #include "support/floors.h"
 
-namespace crowd {
+namespace crowd::navigation_mesh_test {
 namespace {
 
 using Query = NavigationMesh::Query;
@@ -169,4 +169,4 @@ TEST(NavigationMesh, ManyObstaclesMakeLargerCells) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::navigation_mesh_test

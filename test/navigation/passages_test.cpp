@@ -11,7 +11,7 @@
 #include "support/floors.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::passages_test {
 namespace {
 
 constexpr double RADIUS = 0.2;
@@ -155,4 +155,4 @@ TEST(Passages, WithoutPassagesNoDistanceIsKnown) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::passages_test

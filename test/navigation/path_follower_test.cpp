@@ -7,7 +7,7 @@
 
 #include "support/floors.h"
 
-namespace crowd {
+namespace crowd::path_follower_test {
 namespace {
 
 using State = PathFollower::State;
@@ -145,4 +145,4 @@ TEST_F(PathFollowerTest, TheSamePositionsGiveTheSamePoints) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::path_follower_test

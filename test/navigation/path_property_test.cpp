@@ -15,7 +15,7 @@
 #include "support/floors.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::path_property_test {
 namespace {
 
 using Query = NavigationMesh::Query;
@@ -207,4 +207,4 @@ TEST(PathProperty, ReachAgreesWithAFloodFill) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::path_property_test

@@ -11,7 +11,7 @@
 #include "support/seeds.h"
 #include "support/two_ways.h"
 
-namespace crowd {
+namespace crowd::right_of_way_test {
 namespace {
 
 using two_ways::RADIUS;
@@ -254,4 +254,4 @@ TEST(RightOfWay, OneDirectionAtATimeForAnyCrowd) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::right_of_way_test

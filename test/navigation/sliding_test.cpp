@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace crowd {
+namespace crowd::sliding_test {
 namespace {
 
 const double SQRT_HALF = std::sqrt(0.5);
@@ -31,4 +31,4 @@ TEST(SlideAlong, ACornerLeavesNoDirection) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::sliding_test

@@ -8,7 +8,7 @@
 #include "support/floors.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::small_things_test {
 namespace {
 
 /// Number of walls that are left.
@@ -89,4 +89,4 @@ TEST(SmallThings, EachThingIsJudgedByItself) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::small_things_test

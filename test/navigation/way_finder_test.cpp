@@ -14,7 +14,7 @@
 #include "support/seeds.h"
 #include "support/two_ways.h"
 
-namespace crowd {
+namespace crowd::way_finder_test {
 namespace {
 
 using two_ways::RADIUS;
@@ -227,4 +227,4 @@ TEST(WayFinder, AnAgentAloneArrivesOnRandomFloors) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::way_finder_test

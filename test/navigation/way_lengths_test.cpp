@@ -9,7 +9,7 @@
 #include "support/straight_walk.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::way_lengths_test {
 namespace {
 
 using straight_walk::actions;
@@ -175,4 +175,4 @@ TEST(Reach, TheNearestSinkIsThatWithTheShortestWay) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::way_lengths_test

@@ -7,7 +7,7 @@
 
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::gate_test {
 namespace {
 
 GateDescription gateAt(double x) {
@@ -102,4 +102,4 @@ TEST(Gate, AClosedOneReturnsWhenOthersRemoveItsWall) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::gate_test

@@ -10,7 +10,7 @@
 #include "support/error_of.h"
 #include "support/straight_walk.h"
 
-namespace crowd {
+namespace crowd::population_changes_test {
 namespace {
 
 using straight_walk::episodeOf;
@@ -202,4 +202,4 @@ TEST(PopulationChanges, RefusesInvalidGates) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::population_changes_test

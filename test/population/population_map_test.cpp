@@ -7,7 +7,7 @@
 #include "support/straight_walk.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::population_map_test {
 namespace {
 
 /// Two rooms, each 4 m x 4 m, left (x from 0.5 to 4.5 m) and right (x from 5 to 9 m), without a door between them.
@@ -71,4 +71,4 @@ TEST_F(TwoRooms, GoalsAnywhereAreInTheSameRoom) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::population_map_test

@@ -8,7 +8,7 @@
 #include "social_crowd/simulation/episode.h"
 #include "support/straight_walk.h"
 
-namespace crowd {
+namespace crowd::population_property_test {
 namespace {
 
 using straight_walk::episodeOf;
@@ -137,4 +137,4 @@ TEST(Population, ManyAgentsThatAreAddedAndRemoved) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::population_property_test

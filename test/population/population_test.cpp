@@ -11,7 +11,7 @@
 #include "support/error_of.h"
 #include "support/straight_walk.h"
 
-namespace crowd {
+namespace crowd::population_test {
 namespace {
 
 using straight_walk::episodeOf;
@@ -250,4 +250,4 @@ TEST(Population, MoreAgentsThanALineHasPlaces) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::population_test

@@ -4,7 +4,7 @@
 
 #include "support/straight_walk.h"
 
-namespace crowd {
+namespace crowd::queue_test {
 namespace {
 
 /// Head at the origin, places at x = 0, 1, 2 ...; agents stay at the goals they have until the queue sends them.
@@ -142,4 +142,4 @@ TEST(Queue, ServiceTimesAreInTheirRange) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::queue_test

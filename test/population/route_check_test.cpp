@@ -8,7 +8,7 @@
 #include "support/straight_walk.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::route_check_test {
 namespace {
 
 /// A room of 10 m x 10 m with a closed cell of 2 m x 2 m in its lower right corner, whose wall is on the lines x = 3
@@ -69,4 +69,4 @@ TEST(RouteCheck, IsNotMadeWithoutWayFinding) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::route_check_test

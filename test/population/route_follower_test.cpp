@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace crowd {
+namespace crowd::route_follower_test {
 namespace {
 
 using Kind = WaypointDescription::Kind;
@@ -104,4 +104,4 @@ TEST(RouteFollower, EachLegHasItsRandomNumbers) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::route_follower_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace crowd {
+namespace crowd::source_schedule_test {
 namespace {
 
 KeyedRandom randomOf(std::uint64_t seed) { return {seed, KeyedRandom::POPULATION, {}}; }
@@ -70,4 +70,4 @@ TEST(SourceSchedule, DependsOnTheSeedOnly) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::source_schedule_test

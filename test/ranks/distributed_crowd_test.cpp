@@ -14,7 +14,7 @@
 #include "support/seeds.h"
 #include "support/thread_ranks.h"
 
-namespace crowd {
+namespace crowd::distributed_crowd_test {
 namespace {
 
 constexpr std::uint64_t EPISODE = 3;
@@ -230,4 +230,4 @@ TEST(IsDivisible, NeedsAgentsThatAreIndependentOfWaysAndTurns) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::distributed_crowd_test

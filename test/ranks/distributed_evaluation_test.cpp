@@ -10,7 +10,7 @@
 #include "support/evaluations.h"
 #include "support/thread_ranks.h"
 
-namespace crowd {
+namespace crowd::distributed_evaluation_test {
 namespace {
 
 /// Agents that keep their heading, so that each episode depends on the one before it.
@@ -176,4 +176,4 @@ TEST(EvaluateOnRanks, RequiresTheSameScenes) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::distributed_evaluation_test

@@ -6,7 +6,7 @@
 
 #include "support/thread_ranks.h"
 
-namespace crowd {
+namespace crowd::floor_strips_test {
 namespace {
 
 /// Places at distances of 1 m along y.
@@ -63,4 +63,4 @@ TEST(FloorStrips, AreBalancedByAllRanks) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::floor_strips_test

@@ -17,7 +17,7 @@
 #include "support/temporary_folder.h"
 #include "support/thread_ranks.h"
 
-namespace crowd {
+namespace crowd::training_ranks_test {
 namespace {
 
 /// Agents that keep their headings from one episode to the next, and agents with a robot that stands in their way.
@@ -226,4 +226,4 @@ TEST_F(TrainingRanks, ReportTheirTimes) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::training_ranks_test

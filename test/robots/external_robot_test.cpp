@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace crowd {
+namespace crowd::external_robot_test {
 namespace {
 
 Pose at(double x, double heading = 0.0) { return {{x, 0.0}, heading}; }
@@ -139,4 +139,4 @@ TEST(ExternalRobot, IgnoresBadPoses) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::external_robot_test

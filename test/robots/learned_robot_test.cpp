@@ -9,7 +9,7 @@
 #include "support/robots.h"
 #include "support/seeds.h"
 
-namespace crowd::robots {
+namespace crowd::robots::learned_robot_test {
 namespace {
 
 /// A scene with people, a pillar, a wall and another robot, and the last place: that of an agent or a robot.
@@ -116,4 +116,4 @@ TEST(LearnedRobot, FindsItsWayRoundWalls) {
 }
 
 }  // namespace
-}  // namespace crowd::robots
+}  // namespace crowd::robots::learned_robot_test

@@ -6,7 +6,7 @@
 
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::legs_test {
 namespace {
 
 TEST(Legs, StandBesideEachOther) {
@@ -51,4 +51,4 @@ TEST(Gait, AddsUpWhatAgentsWalk) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::legs_test

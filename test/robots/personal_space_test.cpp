@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace crowd {
+namespace crowd::personal_space_test {
 namespace {
 
 // exp(-1/2), exp(-2): the cost at one and at two standard deviations.
@@ -90,4 +90,4 @@ TEST(PersonalSpace, isEmptyIfTheCutoffIsAboveTheAmplitude) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::personal_space_test

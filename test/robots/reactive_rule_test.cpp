@@ -7,7 +7,7 @@
 
 #include "support/robots.h"
 
-namespace crowd {
+namespace crowd::reactive_rule_test {
 namespace {
 
 constexpr float NOTHING = std::numeric_limits<float>::infinity();
@@ -79,4 +79,4 @@ TEST(ReactiveRule, AHolonomicRobotDrivesSideways) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::reactive_rule_test

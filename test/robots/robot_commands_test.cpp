@@ -8,7 +8,7 @@
 
 #include "social_crowd/common/errors.h"
 
-namespace crowd {
+namespace crowd::robot_commands_test {
 namespace {
 
 constexpr PublisherId JOYSTICK = 0;
@@ -212,4 +212,4 @@ TEST(RobotCommands, RefusesAnUnknownRobot) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robot_commands_test

@@ -8,7 +8,7 @@
 #include "support/robots.h"
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::robot_senses_test {
 namespace {
 
 constexpr RobotId ROBOT = 0;
@@ -146,4 +146,4 @@ TEST(RobotSenses, CovarianceOfADrift) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robot_senses_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace crowd {
+namespace crowd::scan_test {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
@@ -76,4 +76,4 @@ TEST(VisibleBodies, AreThoseThatARayHits) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scan_test

@@ -9,7 +9,7 @@
 
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::scanner_test {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
@@ -151,4 +151,4 @@ TEST(Scanner, EqualsTheMinimumOverAllBodies) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scanner_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crowd {
+namespace crowd::steering_test {
 namespace {
 
 void expectTwist(const Twist& twist, double ahead, double left, double rotation) {
@@ -30,4 +30,4 @@ TEST(Steer, KeepsACarMoving) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::steering_test

@@ -8,7 +8,7 @@
 
 #include "support/panels.h"
 
-namespace crowd {
+namespace crowd::panel_model_learners_test {
 namespace {
 
 using namespace panels;  // NOLINT(google-build-using-namespace): all of it is for these tests
@@ -144,4 +144,4 @@ TEST(PanelModelLearners, watchesFewOfManyLearners) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::panel_model_learners_test

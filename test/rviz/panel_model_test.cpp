@@ -8,7 +8,7 @@
 
 #include "support/panels.h"
 
-namespace crowd {
+namespace crowd::panel_model_test {
 namespace {
 
 using namespace panels;  // NOLINT(google-build-using-namespace): all of it is for these tests
@@ -254,4 +254,4 @@ TEST(PanelModel, asksForScenariosAgainWhenAFileIsSavedAndAfterARestart) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::panel_model_test

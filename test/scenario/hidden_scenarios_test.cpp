@@ -11,7 +11,7 @@
 #include "social_crowd/scenario/scenario_reader.h"
 #include "support/error_of.h"
 
-namespace crowd {
+namespace crowd::hidden_scenarios_test {
 namespace {
 
 constexpr const char* SECRET = "sEcReT";
@@ -85,4 +85,4 @@ TEST(HiddenScenarios, NamesOfOthersAreQuotedOtherwise) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::hidden_scenarios_test

@@ -5,7 +5,7 @@
 #include "social_crowd/common/errors.h"
 #include "support/scenario_texts.h"
 
-namespace crowd {
+namespace crowd::population_reader_refusals_test {
 namespace {
 
 using scenario_texts::AGENTS;
@@ -141,4 +141,4 @@ TEST(PopulationRefusals, ReactionTimes) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::population_reader_refusals_test

@@ -6,7 +6,7 @@
 #include "social_crowd/scenario/region_geometry.h"
 #include "support/scenario_texts.h"
 
-namespace crowd {
+namespace crowd::population_reader_test {
 namespace {
 
 using scenario_texts::AGENTS;
@@ -156,4 +156,4 @@ TEST(RegionGeometry, NearestPointsAndInnerRegions) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::population_reader_test

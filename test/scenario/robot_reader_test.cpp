@@ -7,7 +7,7 @@
 #include "social_crowd/scenario/scene_document.h"
 #include "support/scenario_texts.h"
 
-namespace crowd {
+namespace crowd::robot_reader_test {
 namespace {
 
 using scenario_texts::AGENTS;
@@ -206,4 +206,4 @@ TEST(RobotReader, RefusesGoalsWhereTheRobotDoesNotFitOrIs) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robot_reader_test

@@ -8,7 +8,7 @@
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::scenario_files_test {
 namespace {
 
 const std::string SHIPPED = std::string(SOURCE_DIR) + "/config/scenarios";
@@ -71,4 +71,4 @@ TEST(ScenarioFiles, ErrorNamesSearchedPlacesAndAlternatives) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scenario_files_test

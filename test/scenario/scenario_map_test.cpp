@@ -6,7 +6,7 @@
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::scenario_map_test {
 namespace {
 
 /// A scenario with a map of 10 x 1 cells of 1 m; the last four, from x = 6 to 10 m, are occupied. So there are walls
@@ -93,4 +93,4 @@ TEST_F(ScenarioMap, GoalsInOccupiedCellsAreRefused) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scenario_map_test

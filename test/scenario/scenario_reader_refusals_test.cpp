@@ -8,7 +8,7 @@
 #include "social_crowd/common/errors.h"
 #include "support/scenario_texts.h"
 
-namespace crowd {
+namespace crowd::scenario_reader_refusals_test {
 namespace {
 
 using scenario_texts::AGENT;
@@ -198,4 +198,4 @@ TEST(ScenarioReader, RefusesFilesWithoutAScenario) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scenario_reader_refusals_test

@@ -8,7 +8,7 @@
 #include "social_crowd/common/errors.h"
 #include "support/scenario_texts.h"
 
-namespace crowd {
+namespace crowd::scenario_reader_test {
 namespace {
 
 using scenario_texts::agentError;
@@ -219,4 +219,4 @@ TEST(ScenarioReader, ReadsAPlaceBetweenAgentAndGoal) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scenario_reader_test

@@ -8,7 +8,7 @@
 #include "social_crowd/scenario/scenario_reader.h"
 #include "support/overlaps.h"
 
-namespace crowd {
+namespace crowd::scenario_test {
 namespace {
 
 const char* const HEAD = "name: n\nduration: 60\ngoal_tolerance: 0.3\n";
@@ -295,4 +295,4 @@ TEST(Scenario, KeptHeadingsComeFromThePreviousEpisode) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scenario_test

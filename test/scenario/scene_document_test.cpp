@@ -8,7 +8,7 @@
 #include "social_crowd/scenario/scenario_reader.h"
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::scene_document_test {
 namespace {
 
 constexpr double EPSILON = 1e-12;
@@ -144,4 +144,4 @@ gates:
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scene_document_test

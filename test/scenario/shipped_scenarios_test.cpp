@@ -15,7 +15,7 @@
 #error "SOURCE_DIR must be the package's root folder"
 #endif
 
-namespace crowd {
+namespace crowd::shipped_scenarios_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST(BenchmarkScenarios, CanAllBeRead) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::shipped_scenarios_test

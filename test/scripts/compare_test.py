@@ -6,12 +6,12 @@ import pathlib
 import re
 
 import numpy
+import pandas
 import pytest
 from crowd_comparison import bars
 from crowd_comparison.avoidability import Contact, Recording
-from crowd_comparison.metrics_csv import (judged, largest_difference, not_slower, read_metrics,
-                                          time_against)
-from crowd_comparison.lane_order import lane_order, order_above_chance, order_over_time
+from crowd_comparison.experiments.lanes import lane_order, order_above_chance, order_over_time
+from crowd_comparison.models import judged, largest_difference, not_slower, read_metrics, time_against
 from crowd_drawing.files import Scene
 from crowd_experiments.pages import Chapter, fill_document
 from crowd_experiments.records import read_tracks
@@ -136,19 +136,24 @@ class AvoidabilityTest:
         assert not self.recording(self.slow()).had_turned(Contact(0, 0, 26))
 
 
+def table(rows):
+    """Returns metrics, given by scenario."""
+    return pandas.DataFrame.from_dict(rows, orient='index', dtype=float)
+
+
 class BarsTest:
     """The requirements, and the seeds that meet them."""
 
     def figures(self, time, contact=0.0):
         row = {'contact_pct': contact, 'clean_pct': 100.0, 'path_ratio': 1.0, 'turn_rad_per_m': 0.1,
                'max_speed_ratio': 1.0}
-        return {'near': dict(row, time_ratio=time[0]), 'far': dict(row, time_ratio=time[1]),
-                'door12': dict(row, time_ratio=9.0, clean_pct=0.0)}
+        return table({'near': dict(row, time_ratio=time[0]), 'far': dict(row, time_ratio=time[1]),
+                      'door12': dict(row, time_ratio=9.0, clean_pct=0.0)})
 
     def test_time_against_orca(self):
         orca = self.figures((1.0, 2.0))
         ours = self.figures((2.0, 1.0))
-        assert judged(ours) == ['near', 'far']
+        assert list(judged(ours).index) == ['near', 'far']
         assert time_against(ours, orca) == pytest.approx(1.0, abs=1e-7)  # sqrt(2 / 1 * 1 / 2)
         assert time_against(self.figures((2.0, 4.0)), orca) == pytest.approx(2.0, abs=1e-7)
         assert not_slower(ours, orca) == 1
@@ -164,8 +169,8 @@ class BarsTest:
         assert rows['training, processor time [s]'][3:5] == ['70.0', '1 of 2']
 
     def test_largest_difference(self):
-        one = {'near': {'a': 1.0, 'b': 2.0, 'c': 5.0}}
-        assert largest_difference(one, {'near': {'a': 1.25, 'b': 2.0}}) == 0.25
+        one = table({'near': {'a': 1.0, 'b': 2.0, 'c': 5.0}})
+        assert largest_difference(one, table({'near': {'a': 1.25, 'b': 2.0}})) == 0.25
 
 
 class DocumentTest:
@@ -215,7 +220,7 @@ class CompareTest:
         assert running.wait() == 0, running.output()
         assert_says(running.output(), 'time / ORCA', 'thesis set 2')
         figures = read_metrics(runner.path('results/runs/benchmark/thesis_nearest_01/metrics.csv'))
-        assert set(figures) == {'near', 'far'}
+        assert set(figures.index) == {'near', 'far'}
         row = re.search(r'^\| near \| (\S+).*$', read_text(document), re.MULTILINE)
         assert row is not None, read_text(document)
         assert '| 1.100 | 1.500 | 1.200 |' in row[0]

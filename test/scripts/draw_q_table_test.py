@@ -85,7 +85,8 @@ class MeaningTest:
         assert_says(found.describe(0), 'reciprocal time to collision: < 0.5 s', 'fraction of the move: < 0.05')
 
     def test_quantities_that_are_not_used(self, runner):
-        found = meaning(runner, '{type: anticipation, reciprocal_times: [1], turns: [90]}', 4)
+        found = meaning(runner, '{type: anticipation, reciprocal_times: [1], turns: [90], constant_velocity_times: [], '
+                        'static_times: [], admissible_fractions: [], oncoming: []}', 4)
         assert_says(found.describe(1), 'reciprocal time to collision: < 1 s', 'turn: ≥ 90°',
                     'static bodies: any')
 

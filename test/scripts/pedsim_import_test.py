@@ -153,7 +153,7 @@ class NotesTest:
 
     NOTES = [
         (9, 'attraction shop: not carried over: people do not stop at attractions'),
-        (14, 'agent: the waypoints after the sink "way out" are not carried over'),
+        (14, "agent: the waypoints after the sink 'way out' are not carried over"),
         (19, "agent: a robot is a person here, with the size and speed of pedsim_ros's SOCIAL_DRIVE"),
         (20, 'agent: without waypoints it stands still: carried over as an obstacle'),
         (21, 'source: people come one by one, not 2 at once each 5 s'),

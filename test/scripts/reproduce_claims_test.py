@@ -1,12 +1,16 @@
 """Parts of the tables of research/reproduce: records, and the rules for judging claims and choices."""
 import math
+import pathlib
 
 import numpy
+import pandas
 import pytest
 from crowd_experiments.pages import Chapter
-from crowd_experiments.records import Spread, median, of_scenario, rates, read_csv, read_visits, spread_text
-from crowd_reproduction import claim, open_choices, reward_judges, reward_runs
+from crowd_experiments.records import Spread, median, read_csv, read_visits, spread_text
+from crowd_reproduction import claim, results, reward_judges, reward_measures
 from crowd_reproduction.experiments import sensitivity
+from crowd_experiments.variations import Setting, read_documents
+from programs import in_package
 
 
 class RecordsTest:
@@ -27,11 +31,10 @@ class RecordsTest:
         record = read_csv(runner.write(
             'record.csv', 'episode,scenario,arrived,touched,collided,path_ratio\n'
                           '0,"a, b",1,0,1,1.5\n1,"a, b",0,0,1,nan\n2,c,1,1,1,1.25\n3,"a, b",1,1,1,2.5\n'))
-        assert rates(record) == (75.0, 50.0, 100.0)
         assert median(record['path_ratio']) == 1.5
-        rows = of_scenario(record, 'a, b')
-        assert list(rows) == [True, True, False, True]
-        success, contact, collision = rates(record, rows)
+        rows = pandas.DataFrame(record).assign(seed=1)
+        assert results.rates_of(rows).loc[1].tolist() == [75.0, 100.0, 50.0]
+        success, collision, contact = results.rates_of(rows[rows['scenario'] == 'a, b']).loc[1]
         assert success == pytest.approx(200.0 / 3.0, abs=1e-7)
         assert contact == pytest.approx(100.0 / 3.0, abs=1e-7)
         assert collision == 100.0
@@ -48,14 +51,14 @@ class RecordsTest:
     def test_measures_of_an_episode(self):
         record = {'path_per_gain': numpy.array([1.5, math.nan, 4.0]), 'gain_per_tick': numpy.array([0.02, 0.0, 0.01]),
                   'path_ratio': numpy.array([1.4, 20.0, 3.0]), 'arrived': numpy.array([1.0, 0.0, 1.0])}
-        assert reward_runs.path_per_gain(record) == 4.0  # median of 1.5, 4 and infinity
-        assert reward_runs.shortfall(record) == pytest.approx(0.02, abs=1e-7)  # median of 0.01, 0.03 and 0.02
-        assert reward_runs.path_ratio(record) == pytest.approx(2.2, abs=1e-7)
-        assert reward_runs.breadth(numpy.arange(11.0), (10, 90)) == 8.0  # from 1 to 9
-        assert reward_runs.breadth(numpy.array([1.0, math.inf]), (10, 90)) == math.inf
+        assert reward_measures.path_per_gain(record) == 4.0  # median of 1.5, 4 and infinity
+        assert reward_measures.shortfall(record) == pytest.approx(0.02, abs=1e-7)  # median of 0.01, 0.03 and 0.02
+        assert reward_measures.path_ratio(record) == pytest.approx(2.2, abs=1e-7)
+        assert reward_measures.breadth(numpy.arange(11.0), (10, 90)) == 8.0  # from 1 to 9
+        assert reward_measures.breadth(numpy.array([1.0, math.inf]), (10, 90)) == math.inf
 
     def test_quarter(self):
-        record = {'arrived': numpy.array([0, 1, 1, 1, 0, 0, 1, 1])}
+        record = pandas.DataFrame({'arrived': [0, 1, 1, 1, 0, 0, 1, 1]})
         assert reward_judges.quarter(self.share_of_arrivals, False)(record) == 0.5
         assert reward_judges.quarter(self.share_of_arrivals, True)(record) == 1.0
 
@@ -67,7 +70,7 @@ class RecordsTest:
         # 1.2 m east in a zigzag, 0.6 m north, 0.6 m north-west; then the agent has left.
         steps = [(0.03, 0.01), (0.03, -0.01)] * 20 + [(0.0, 0.03)] * 20 + [(-0.03, 0.03)] * 20
         places = numpy.vstack([[0.0, 0.0], numpy.cumsum(steps, axis=0), [[math.nan, math.nan]] * 5])
-        total, sharpest = reward_runs.bends(places)
+        total, sharpest = reward_measures.bends(places)
         assert total == pytest.approx(90.0 + 45.0, abs=1e-7)
         assert sharpest == pytest.approx(90.0, abs=1e-7)
 
@@ -149,6 +152,52 @@ class SensitivityTest:
         assert '(distance gained 0.0 to 100.0 %, cos³ 26.5 to 80.0 %). So 2 seeds' in text
 
     def test_names(self):
-        variations = {variation.name() for variation in open_choices.VARIATIONS}
-        assert len(variations) == len(open_choices.VARIATIONS)  # all files have different names
-        assert 'sector_limits_of_set_1_degrees_22.5_67.5_112.5_180' in variations
+        assert len(results.CHOICES) == 1 + sum(len(choice['others']) for choice in results.DECLARED['choices'])
+        assert 'sector_limits_of_set_1_degrees_22.5_67.5_112.5_180' in results.CHOICES
+
+
+class DeclaredRunsTest:
+    """The commands of the runs in runs.yaml."""
+
+    @pytest.fixture
+    def setting(self, tmp_path):
+        return Setting(pathlib.Path('/tools'), pathlib.Path(in_package('config')), tmp_path)
+
+    def test_words(self, setting):
+        def words(declared, **keys):
+            return [[*map(str, command)] for command in results.commands_of(setting, declared, {'seed': 3, **keys})]
+        assert words('walk a.txt --episodes 50|2 ~nine')[0][:9] == [
+            '/tools/evaluate', '--q-table', 'a.txt', '--threads', '1', '--seed', '1003', '--episodes', '50']
+        assert len(words('walk a.txt --episodes 50|2 ~nine')[0]) == 9 + 9
+        assert words('train @twins_nearest_{p} --seed {seed}', p='thesis') == [
+            ['/tools/train', in_package('research', 'experiments', 'twins_nearest_thesis.yaml'), '--seed', '3']]
+        assert words({'when': {'seed': 1}, 'run': 'walk a.txt'}) == []
+        tables = [command[2] for command in words({'each': {'n': '5 6|1'}, 'run': 'walk {n:02d}.txt'})]
+        assert tables == ['05.txt', '06.txt']
+
+    def test_variations_change_configuration_and_scenario(self, setting):
+        command, = results.commands_of(setting, 'train @reward_cosine_cubed_thesis',
+                                       {'seed': 1, 'variation': 'heading_goal'})
+        scenario, = read_documents(command[1])[0]['training']['scenarios']
+        assert read_documents(scenario)[0]['agents'][0]['heading'] == 'goal'
+        command, = results.commands_of(setting, 'train @agent_single_occupancy_thesis',
+                                       {'seed': 1, 'variation': 'stay_1'})
+        assert read_documents(command[1])[0]['reward']['stay_cost'] == 1.0
+
+    def test_every_run_has_its_own_folder(self, setting):
+        runs = [run for group in results.GROUPS for run in results.runs_of(setting, group)]
+        assert len({run.folder for run in runs}) == len(runs)
+
+
+class EpisodesTest:
+    """Values for each seed, worked out by hand."""
+
+    def test_rates_and_whole_episodes(self):
+        rows = pandas.DataFrame({'seed': [1] * 4 + [2] * 4, 'episode': [0, 0, 1, 1] * 2, 'ticks': [5, 9, 3, 2] * 2,
+                                 'arrived': [1, 1, 1, 0, 1, 1, 1, 1], 'collided': [0, 1, 0, 0, 0, 0, 0, 0],
+                                 'touched': [0, 0, 0, 0, 1, 0, 0, 0]})
+        rates = results.rates_of(rows)
+        assert rates.loc[1].tolist() == [75.0, 25.0, 0.0]
+        assert rates.loc[2].tolist() == [100.0, 0.0, 25.0]
+        episodes = results.episodes_of(rows)
+        assert episodes.loc[1, 0].to_dict() == {'arrived': 2, 'collided': 1, 'touched': 0, 'agents': 2, 'ticks': 9}

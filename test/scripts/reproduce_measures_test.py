@@ -4,7 +4,8 @@ import math
 import numpy
 import pytest
 from crowd_reproduction import measures
-from crowd_reproduction.measures import Sector, read_decisions, read_visits, sectors_of
+from crowd_reproduction.measures import Sector, sectors_of
+from crowd_reproduction.results import read_decisions, visits_in
 
 NAN = math.nan
 
@@ -35,8 +36,8 @@ class DecisionsTest:
             read_decisions(runner.write('walks.csv', 'instance,tick,agent,x,y\n0,0,0,1,2\n'))
 
     def test_visits(self, runner):
-        visits = read_visits(runner.write('table.txt', 'social_crowd Q-table 1\nrows: 5\nactions: 2\n---\n'
-                                                       '1 10 0.5 3 -1.25\n4 0 0 7 2\nchecksum: 0123456789abcdef\n'))
+        visits = visits_in(runner.write('table.txt', 'social_crowd Q-table 1\nrows: 5\nactions: 2\n---\n'
+                                                     '1 10 0.5 3 -1.25\n4 0 0 7 2\nchecksum: 0123456789abcdef\n'))
         assert visits.tolist() == [0, 13, 0, 0, 7]
 
 
@@ -109,19 +110,20 @@ class SurroundedTest:
         # Surrounded at ticks 0 and 1: a collision (0.7 m, tick 2) follows within two ticks of both, a contact (tick 3)
         # only within two ticks of the second. Other decisions: agent 1 at the same ticks; both agents at tick 2,
         # followed by a contact and a collision; both agents at tick 3, followed by nothing.
-        assert found.inside == measures.Outcome(decisions=2, contacts=1, collisions=2)
-        assert found.outside == measures.Outcome(decisions=7, contacts=3, collisions=4)
+        assert found.inside == (2, 50.0, 100.0)
+        assert found.outside == (7, pytest.approx(100 * 3 / 7, abs=1e-7), pytest.approx(100 * 4 / 7, abs=1e-7))
         assert found.per_thousand() == pytest.approx(1000 * 2 / 9, abs=1e-7)
-        assert (found.agents, found.surrounded, found.surrounded_arrived, found.surrounded_touched) == (3, 1, 1, 1)
+        assert found.ever == pytest.approx(100 / 3, abs=1e-7)  # one of three agents
+        assert (found.arrived, found.touched) == (100.0, 100.0)
         assert found.longest == 2
 
     def test_by_visits(self, runner):
         # Agent 0 has rows 0 to 3, agent 1 has row 4; the single agent of instance 1 has row 0 and perceives nothing.
         visits = numpy.array([0, 5, 10, 99, 0])
-        never, some, many = measures.by_visits(self.decisions(runner), visits, [0, 1, 10], 1)
-        assert (never.decisions, some.decisions, many.decisions) == (6, 1, 2)
+        found = measures.by_visits(self.decisions(runner), visits, [0, 1, 10], 1)
+        assert found['decisions'].tolist() == [6, 1, 2]
         # Within one tick: a contact after tick 2, a collision after ticks 1 and 2.
-        assert (never.contacts, some.contacts, many.contacts) == (1, 0, 1)
-        assert (never.collisions, some.collisions, many.collisions) == (2, 1, 1)
+        assert found['contact'].tolist() == [1, 0, 1]
+        assert found['collision'].tolist() == [2, 1, 1]
         crowded = measures.by_visits(self.decisions(runner), visits, [0, 1, 10], 1, least_sectors=7)
-        assert [one.decisions for one in crowded] == [1, 1, 0]
+        assert crowded['decisions'].tolist() == [1, 1, 0]

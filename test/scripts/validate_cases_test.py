@@ -3,8 +3,7 @@ import math
 
 import numpy
 import pytest
-from crowd_validation import cases, plan
-from crowd_validation.cases import rimea_05, rimea_07, rimea_09, rimea_10, rimea_11, rimea_12, rimea_15
+from crowd_validation import cases, crowds, movement, plan
 
 
 def total_length(walls):
@@ -32,20 +31,20 @@ class CasesTest:
         assert not set(names) & set(cases.LEFT_OUT)
 
     def test_reaction_times(self):
-        agents = rimea_05.document(1)['agents']
+        agents = movement.room(1)['agents']
         assert [agent['reaction_time'] for agent in agents] == [10, 20, 30, 40, 50, 60, 70, 80, 90, 100]
         # 8 + 5 + 8 m of walls, and 5 m with an exit of 1 m.
-        assert total_length(rimea_05.document(1)['walls']) == pytest.approx(25.0)
+        assert total_length(movement.room(1)['walls']) == pytest.approx(25.0)
 
     def test_speed_ranges(self):
-        assert rimea_07.within(numpy.array([0.59, 1.6]), 0.58, 1.61)
-        assert not rimea_07.within(numpy.array([0.5, 1.6]), 0.58, 1.61)
-        assert not rimea_07.within(numpy.array([0.59, math.nan]), 0.58, 1.61)
+        assert movement.within(numpy.array([0.59, 1.6]), 0.58, 1.61)
+        assert not movement.within(numpy.array([0.5, 1.6]), 0.58, 1.61)
+        assert not movement.within(numpy.array([0.59, math.nan]), 0.58, 1.61)
 
     def test_exits_of_the_large_room(self):
         # The perimeter of 100 m without two or four metres of exits. The same people in both.
-        four = rimea_09.document(3, {**rimea_09.UPPER, **rimea_09.LOWER})
-        two = rimea_09.document(3, rimea_09.LOWER)
+        four = crowds.large_room(3, {**crowds.UPPER, **crowds.LOWER})
+        two = crowds.large_room(3, crowds.LOWER)
         assert total_length(four['walls']) == pytest.approx(96.0)
         assert total_length(two['walls']) == pytest.approx(98.0)
         assert [agent['position'] for agent in four['agents']] == [agent['position'] for agent in two['agents']]
@@ -55,23 +54,22 @@ class CasesTest:
             assert agent['goal'] == [4.5 if x < 15 else 25.5, -1.0 if y < 10 else 21.0]
 
     def test_rooms_and_assigned_exits(self):
-        assigned = rimea_10.assignments()
+        assigned = crowds.ASSIGNED
         assert len(assigned) == 23
         assert assigned.count(3) == 1
-        assert sum(room in rimea_10.TO_MAIN_EXIT for room in assigned) == 15
-        assert [agent['goal'] for agent in rimea_10.document(1)['agents']].count([6.6, 12.0]) == 15
+        assert sum(room in crowds.TO_MAIN_EXIT for room in assigned) == 15
+        assert [agent['goal'] for agent in crowds.twelve_rooms(1)['agents']].count([6.6, 12.0]) == 15
 
     def test_two_bottlenecks(self):
         # Left wall 10 m, three walls with a gap of 1 m each, four long sides of 10 m, both sides of the corridor.
-        assert total_length(rimea_12.document(1)['walls']) == pytest.approx(10 + 3 * 9 + 40 + 10)
+        assert total_length(crowds.two_rooms(1)['walls']) == pytest.approx(10 + 3 * 9 + 40 + 10)
 
     def test_as_far_from_both_exits(self):
-        (first, _), (_, last) = rimea_11.EXITS.values()
-        assert rimea_11.OUTSIDE[0] == (first[0] + last[0]) / 2.0
+        (first, _), (_, last) = crowds.EXITS.values()
+        assert crowds.OUTSIDE[0] == (first[0] + last[0]) / 2.0
 
     def test_the_same_people_in_three_corridors(self):
-        documents = [document(2) for document, _ in
-                     (rimea_15.straight(rimea_15.SHORT), rimea_15.corner(), rimea_15.straight(rimea_15.LONG))]
+        documents = [crowds.wide_corridor(2, 50.0), crowds.wide_corner(2), crowds.wide_corridor(2, 81.0)]
         for attribute in ('speed', 'radius'):
             values = [[agent[attribute] for agent in document['agents']] for document in documents]
             assert values[0] == values[1] == values[2]

@@ -6,8 +6,7 @@ import random
 
 import numpy
 import pytest
-from crowd_validation import measures, measures as texts, plan as people
-from crowd_validation.cases import rimea_09
+from crowd_validation import crowds, measures, measures as texts, plan as people
 from crowd_validation.evaluation import Recording, read_tracks
 
 NAN = [math.nan, math.nan]
@@ -87,9 +86,9 @@ class MeasuresTest:
     def test_flow(self):
         # 1,000 people leave one after the other every 0.5 s by two exits: one person per second and exit.
         walk = recording([[[0, 0]]] * 1000, arrivals=0.5 * numpy.arange(1000))
-        assert rimea_09.flow(walk, rimea_09.LOWER) == pytest.approx(1.0, abs=1e-9)
+        assert crowds.flow(walk, crowds.LOWER) == pytest.approx(1.0, abs=1e-9)
         stuck = numpy.where(numpy.arange(1000) < 800, walk.arrivals, math.inf)
-        assert math.isinf(rimea_09.flow(recording([[[0, 0]]] * 1000, arrivals=stuck), rimea_09.LOWER))
+        assert math.isinf(crowds.flow(recording([[[0, 0]]] * 1000, arrivals=stuck), crowds.LOWER))
 
     def test_tracks_are_stored_in_a_smaller_file(self, runner):
         file = runner.write('walk.csv', 'instance,tick,agent,x,y\n0,0,0,1.5,2\n0,0,1,3,4\n0,1,1,5,6\n')

@@ -10,7 +10,7 @@
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::data_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST_F(DataFolderTest, IsInTheFolderOfRosByDefault) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::data_folder_test

@@ -8,7 +8,7 @@
 
 #include "social_crowd/common/errors.h"
 
-namespace crowd::simd {
+namespace crowd::simd::kernels_test {
 namespace {
 
 TEST(Kernels, HaveDistinctNamesAndEndWithTheReference) {
@@ -54,4 +54,4 @@ TEST(Kernels, RefuseAnUnknownName) {
 }
 
 }  // namespace
-}  // namespace crowd::simd
+}  // namespace crowd::simd::kernels_test

@@ -6,7 +6,7 @@
 #include "simd/kernels.h"
 #include "social_crowd/common/random.h"
 
-namespace crowd::simd {
+namespace crowd::simd::near_neighbours_test {
 namespace {
 
 struct Neighbours {
@@ -67,4 +67,4 @@ TEST(FindNear, IsEqualOnEveryTarget) {
 }
 
 }  // namespace
-}  // namespace crowd::simd
+}  // namespace crowd::simd::near_neighbours_test

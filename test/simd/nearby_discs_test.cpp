@@ -8,7 +8,7 @@
 #include "simd/kernels.h"
 #include "social_crowd/common/random.h"
 
-namespace crowd::simd {
+namespace crowd::simd::nearby_discs_test {
 namespace {
 
 constexpr std::uint32_t NO_BODY = std::numeric_limits<std::uint32_t>::max();
@@ -147,4 +147,4 @@ TEST(IsAnyNearby, IsEqualOnEveryTarget) {
 }
 
 }  // namespace
-}  // namespace crowd::simd
+}  // namespace crowd::simd::nearby_discs_test

@@ -7,7 +7,7 @@
 #include "simd/kernels.h"
 #include "social_crowd/common/random.h"
 
-namespace crowd::simd {
+namespace crowd::simd::ranks_test {
 namespace {
 
 using Numbers = std::array<double, MAX_RANKED>;
@@ -55,4 +55,4 @@ TEST(RankAscending, IsEqualOnEveryTarget) {
 }
 
 }  // namespace
-}  // namespace crowd::simd
+}  // namespace crowd::simd::ranks_test

@@ -6,7 +6,7 @@
 #include "simd/kernels.h"
 #include "social_crowd/common/random.h"
 
-namespace crowd::simd {
+namespace crowd::simd::row_numbers_test {
 namespace {
 
 constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
@@ -72,4 +72,4 @@ TEST(FindRowNumbers, IsEqualOnEveryTarget) {
 }
 
 }  // namespace
-}  // namespace crowd::simd
+}  // namespace crowd::simd::row_numbers_test

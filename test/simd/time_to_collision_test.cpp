@@ -10,7 +10,7 @@
 #include "social_crowd/common/random.h"
 #include "social_crowd/geometry/geometry.h"
 
-namespace crowd::simd {
+namespace crowd::simd::time_to_collision_test {
 namespace {
 
 constexpr float NEVER = 1e-9F;  // [1/s]
@@ -170,4 +170,4 @@ TEST(TimeToCollision, IsEqualOnEveryTarget) {
 }
 
 }  // namespace
-}  // namespace crowd::simd
+}  // namespace crowd::simd::time_to_collision_test

@@ -8,7 +8,7 @@
 
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::agent_metrics_test {
 namespace {
 
 using scenes::agent;
@@ -292,4 +292,4 @@ TEST(AgentMetrics, TurnsFollowTheMotionOfAPushedAgent) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::agent_metrics_test

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace crowd {
+namespace crowd::agent_results_test {
 namespace {
 
 constexpr std::size_t AGENTS = 5000;  // more than are held in memory
@@ -76,4 +76,4 @@ TEST(AgentResults, OfAList) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::agent_results_test

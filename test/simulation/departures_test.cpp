@@ -11,7 +11,7 @@
 #include "social_crowd/simulation/episode.h"
 #include "support/straight_walk.h"
 
-namespace crowd {
+namespace crowd::departures_test {
 namespace {
 
 using straight_walk::episodeOf;
@@ -163,4 +163,4 @@ TEST(Departures, TurnsOfTheOthers) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::departures_test

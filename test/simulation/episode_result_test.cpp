@@ -9,7 +9,7 @@
 
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::episode_result_test {
 namespace {
 
 AgentResult agentResult(bool arrived, bool touched, double path, double time, double turn, double speed) {
@@ -112,4 +112,4 @@ TEST(Metrics, HaveNoMeansWithoutArrivals) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::episode_result_test

@@ -12,7 +12,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::episode_test {
 namespace {
 
 using scenes::agent;
@@ -199,4 +199,4 @@ TEST(EpisodeChanges, RefusedChangesHaveNoEffect) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::episode_test

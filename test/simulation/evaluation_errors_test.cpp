@@ -13,7 +13,7 @@
 #include "support/error_of.h"
 #include "support/evaluations.h"
 
-namespace crowd {
+namespace crowd::evaluation_errors_test {
 namespace {
 
 using evaluations::planOf;
@@ -89,4 +89,4 @@ TEST(Evaluation, PlaysNoEpisodeWithoutScenarios) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::evaluation_errors_test

@@ -13,7 +13,7 @@
 #include "social_crowd/scenario/scenario_reader.h"
 #include "support/evaluations.h"
 
-namespace crowd {
+namespace crowd::evaluation_test {
 namespace {
 
 using evaluations::evaluateAll;
@@ -204,4 +204,4 @@ TEST(Evaluation, RecordsAStateForEachDecision) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::evaluation_test

@@ -10,7 +10,7 @@
 #include "support/learners.h"
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::greedy_crowd_test {
 namespace {
 
 constexpr std::uint64_t EPISODE = 7;
@@ -199,4 +199,4 @@ TEST(GreedyCrowd, DecidesNothingWithoutWalkingAgents) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::greedy_crowd_test

@@ -4,7 +4,7 @@
 
 #include "support/answers.h"
 
-namespace crowd {
+namespace crowd::lockstep_presence_test {
 namespace {
 
 using answers::agentsOf;
@@ -229,4 +229,4 @@ TEST(LockstepPresence, AgentsThatHaveLeftDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::lockstep_presence_test

@@ -9,7 +9,7 @@
 #include "social_crowd/simulation/lockstep.h"
 #include "support/answers.h"
 
-namespace crowd {
+namespace crowd::lockstep_property_test {
 namespace {
 
 using answers::agentsOf;
@@ -142,4 +142,4 @@ TEST(LockstepProperty, AgreesWithAReferenceForRandomAnswers) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::lockstep_property_test

@@ -6,7 +6,7 @@
 
 #include "support/answers.h"
 
-namespace crowd {
+namespace crowd::lockstep_refusals_test {
 namespace {
 
 using answers::agentsOf;
@@ -164,4 +164,4 @@ TEST(LockstepRefusals, AllowALearnerToReplaceAStoppedOne) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::lockstep_refusals_test

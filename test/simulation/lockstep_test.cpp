@@ -4,7 +4,7 @@
 
 #include "support/answers.h"
 
-namespace crowd {
+namespace crowd::lockstep_test {
 namespace {
 
 using answers::agentsOf;
@@ -68,4 +68,4 @@ TEST(LockstepCounts, ResetSetsThemToZero) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::lockstep_test

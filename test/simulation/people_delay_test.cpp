@@ -6,7 +6,7 @@
 
 #include "support/evaluations.h"
 
-namespace crowd {
+namespace crowd::people_delay_test {
 namespace {
 
 AgentResult walker(std::uint64_t ticks, double path_length, const Vector2& start, bool arrived = true) {
@@ -82,4 +82,4 @@ TEST(PeopleDelay, IsPositiveBehindASlowRobot) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::people_delay_test

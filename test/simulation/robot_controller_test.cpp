@@ -7,7 +7,7 @@
 #include "support/evaluations.h"
 #include "support/robots.h"
 
-namespace crowd {
+namespace crowd::robot_controller_test {
 namespace {
 
 using robots::robotTo;
@@ -110,4 +110,4 @@ TEST(RobotEpisode, ACrowdNeverWalksIntoARobotThatDrivesThroughIt) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robot_controller_test

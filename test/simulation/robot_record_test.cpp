@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace crowd {
+namespace crowd::robot_record_test {
 namespace {
 
 /// An episode of a robot that arrived after 10 s, and of one that drove into a person.
@@ -65,4 +65,4 @@ TEST(RobotSummary, WeighsTheDelayOfPeopleByTheirNumber) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::robot_record_test

@@ -12,7 +12,7 @@
 #include "support/evaluations.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::scene_replay_test {
 namespace {
 
 using evaluations::expectSame;
@@ -122,4 +122,4 @@ TEST_F(SceneReplay, NamesTheMapAndTheRadiusOfItsFreeSpace) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::scene_replay_test

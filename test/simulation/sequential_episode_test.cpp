@@ -8,7 +8,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::sequential_episode_test {
 namespace {
 
 using scenes::agent;
@@ -115,4 +115,4 @@ TEST(SequentialEpisode, RemovingAnAgentInItsTurnKeepsTheNextTurn) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::sequential_episode_test

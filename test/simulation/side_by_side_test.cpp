@@ -9,7 +9,7 @@
 #include "support/run_scene.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::side_by_side_test {
 namespace {
 
 /// Three agents that cross a ring around an obstacle, 30 ticks at most; two documents.
@@ -179,4 +179,4 @@ TEST_F(SideBySide, UsesOneLearnerByDefault) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::side_by_side_test

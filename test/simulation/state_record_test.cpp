@@ -6,7 +6,7 @@
 
 #include "support/perceptions.h"
 
-namespace crowd {
+namespace crowd::state_record_test {
 namespace {
 
 /// The thesis's state set of that type; action 2 is the best one in every row.
@@ -52,4 +52,4 @@ TEST(StateRecord, HeaderNamesEveryField) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::state_record_test

@@ -15,7 +15,7 @@
 #include "support/evaluations.h"
 #include "support/thread_ranks.h"
 
-namespace crowd {
+namespace crowd::stopping_test {
 namespace {
 
 using evaluations::planOf;
@@ -165,4 +165,4 @@ TEST(Stopping, AllRanksEndWhenOneLeavesAnEpisodeInItsMiddle) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::stopping_test

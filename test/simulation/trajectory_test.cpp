@@ -14,7 +14,7 @@
 #include "support/temporary_folder.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::trajectory_test {
 namespace {
 
 using scenes::agent;
@@ -118,4 +118,4 @@ TEST(TrajectoryFile, ReportsAFullDisk) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::trajectory_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace crowd {
+namespace crowd::episode_curve_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -63,4 +63,4 @@ TEST(EpisodeCurve, KeepsTheMeanOfALongRun) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::episode_curve_test

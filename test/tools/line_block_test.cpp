@@ -2,7 +2,7 @@
 
 #include "tools/terminal.h"
 
-namespace crowd {
+namespace crowd::line_block_test {
 namespace {
 
 // Carriage return; ESC[K: clear to the end of the line; ESC[J: clear all below; ESC[nA: n lines up.
@@ -33,4 +33,4 @@ TEST(LineBlock, ClearsTheScreenOfATerminalOfAnotherWidth) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::line_block_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace crowd {
+namespace crowd::text_plot_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -103,4 +103,4 @@ TEST(ShortNumber, HasAtMostSixCharacters) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::text_plot_test

@@ -8,7 +8,7 @@
 
 #include "social_crowd/training/record.h"
 
-namespace crowd {
+namespace crowd::training_display_test {
 namespace {
 
 /// An episode of agents of which the first ones arrive, and the last ones are on routes that repeat.
@@ -37,4 +37,4 @@ TEST(RecentRates, AreMeansOfTheSharesInTheLog) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::training_display_test

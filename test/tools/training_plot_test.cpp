@@ -9,7 +9,7 @@
 
 #include "social_crowd/training/record.h"
 
-namespace crowd {
+namespace crowd::training_plot_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -127,4 +127,4 @@ TEST(TrainingPlot, SurvivesEpisodesWithoutAgents) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::training_plot_test

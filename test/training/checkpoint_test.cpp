@@ -11,7 +11,7 @@
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::checkpoint_test {
 namespace {
 
 /// Two agents that cross a ring and keep their headings between episodes, 20 ticks at most.
@@ -182,4 +182,4 @@ TEST_F(CheckpointTest, RefusesAStateThatTheTrainingCannotReach) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::checkpoint_test

@@ -8,7 +8,7 @@
 #include "support/error_of.h"
 #include "support/thread_ranks.h"
 
-namespace crowd {
+namespace crowd::communicator_test {
 namespace {
 
 Communicator::Bytes bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
@@ -92,4 +92,4 @@ TEST(Communicator, NamesTheFirstLineThatDiffers) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::communicator_test

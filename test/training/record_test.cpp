@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace crowd {
+namespace crowd::record_test {
 namespace {
 
 /// Different numbers that are exact in binary.
@@ -97,4 +97,4 @@ TEST(Log, OfAgentsThatAreNotExpectedToArrive) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::record_test

@@ -12,7 +12,7 @@
 #include "support/seeds.h"
 #include "support/thread_ranks.h"
 
-namespace crowd {
+namespace crowd::table_exchange_test {
 namespace {
 
 /// A learning rate of 0.5: each visit halves the weight of the value before.
@@ -102,4 +102,4 @@ TEST(TableExchange, VisitsSaturate) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::table_exchange_test

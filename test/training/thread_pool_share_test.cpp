@@ -6,7 +6,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::thread_pool_share_test {
 namespace {
 
 Scene crowd(std::uint64_t seed) {
@@ -77,4 +77,4 @@ TEST(ThreadPoolShare, EpisodesDependOnLearning) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::thread_pool_share_test

@@ -10,7 +10,7 @@
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::training_config_test {
 namespace {
 
 const char* const CONFIG =
@@ -199,4 +199,4 @@ TEST(TrainingConfig, ReportsAMissingFile) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::training_config_test

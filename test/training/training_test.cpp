@@ -12,7 +12,7 @@
 #include "support/run_scene.h"
 #include "support/temporary_folder.h"
 
-namespace crowd {
+namespace crowd::training_test {
 namespace {
 
 /// An agent with a random heading, and an obstacle half-way to its goal at 3 m; speeds of the thesis.
@@ -313,4 +313,4 @@ TEST(Training, CountsVisitedRowsOfGivenTables) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::training_test

@@ -7,7 +7,7 @@
 
 #include "social_crowd/common/random.h"
 
-namespace crowd {
+namespace crowd::agent_map_test {
 namespace {
 
 std::vector<AgentId> idsOf(const AgentMap<int>& map) {
@@ -90,4 +90,4 @@ TEST(AgentMap, IsAMap) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::agent_map_test

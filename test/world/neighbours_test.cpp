@@ -7,7 +7,7 @@
 
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::neighbours_test {
 namespace {
 
 constexpr NeighbourKind AGENT = NeighbourKind::AGENT;
@@ -218,4 +218,4 @@ TEST(NeighbourSpan, ForgetsClearedObstacles) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::neighbours_test

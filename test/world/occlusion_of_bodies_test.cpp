@@ -5,7 +5,7 @@
 #include "social_crowd/world/occlusion.h"
 #include "support/hidden_bodies.h"
 
-namespace crowd {
+namespace crowd::occlusion_of_bodies_test {
 namespace {
 
 using sceneries::BIG;
@@ -94,4 +94,4 @@ TEST(OcclusionOfBodies, WallsSeenEdgeOnHideNothing) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::occlusion_of_bodies_test

@@ -8,7 +8,7 @@
 #include "social_crowd/world/occlusion.h"
 #include "support/hidden_bodies.h"
 
-namespace crowd {
+namespace crowd::occlusion_of_parts_test {
 namespace {
 
 using sceneries::BIG;
@@ -98,4 +98,4 @@ TEST(OcclusionOfParts, KeepsTheOrderOfEqualBodies) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::occlusion_of_parts_test

@@ -7,7 +7,7 @@
 #include "social_crowd/world/occlusion.h"
 #include "support/hidden_bodies.h"
 
-namespace crowd {
+namespace crowd::occlusion_of_walls_test {
 namespace {
 
 using sceneries::BIG;
@@ -63,4 +63,4 @@ TEST(OcclusionOfWalls, OmitsPartsBeyondTheRadiusOfVision) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::occlusion_of_walls_test

@@ -10,7 +10,7 @@
 #include "support/look_everywhere.h"
 #include "support/sceneries.h"
 
-namespace crowd {
+namespace crowd::occlusion_property_test {
 namespace {
 
 using sceneries::find;
@@ -253,4 +253,4 @@ TEST(OcclusionProperty, HiddenBodiesHideNothing) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::occlusion_property_test

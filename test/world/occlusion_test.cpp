@@ -7,7 +7,7 @@
 #include "support/hidden_bodies.h"
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::occlusion_test {
 namespace {
 
 using sceneries::BIG;
@@ -78,4 +78,4 @@ TEST(OcclusionInTheWorld, MaxNeighboursKeepsTheNearestVisibleParts) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::occlusion_test

@@ -9,7 +9,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::perceive_some_test {
 namespace {
 
 using scenes::agent;
@@ -167,4 +167,4 @@ TEST(PerceiveSome, AgreesWithPerceiveForAnyBlocks) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::perceive_some_test

@@ -13,7 +13,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::perception_property_test {
 namespace {
 
 /// A neighbour that an agent must perceive.
@@ -168,4 +168,4 @@ TEST(PerceptionProperty, IsInvariantUnderRotationAndTranslationOfTheWorld) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::perception_property_test

@@ -8,7 +8,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::perception_test {
 namespace {
 
 using scenes::agent;
@@ -166,4 +166,4 @@ TEST(PerceptionList, LastPerceptionOfAnArrivingAgentContainsItsNeighbours) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::perception_test

@@ -9,7 +9,7 @@
 #include "support/robots.h"
 #include "support/seeds.h"
 
-namespace crowd::robots {
+namespace crowd::robots::protective_stop_test {
 namespace {
 
 /// A robot of any drive, shape and limits.
@@ -150,4 +150,4 @@ TEST(ProtectiveStop, LeavesAGapToPeopleThatStand) {
 }
 
 }  // namespace
-}  // namespace crowd::robots
+}  // namespace crowd::robots::protective_stop_test

@@ -9,7 +9,7 @@
 #include "support/robots.h"
 #include "support/worlds.h"
 
-namespace crowd::robots {
+namespace crowd::robots::robot_contact_test {
 namespace {
 
 constexpr double NEAR = 1e-6;
@@ -237,4 +237,4 @@ TEST(RobotPerception, DependsOnWhoYields) {
 }
 
 }  // namespace
-}  // namespace crowd::robots
+}  // namespace crowd::robots::robot_contact_test

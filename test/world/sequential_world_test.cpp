@@ -5,11 +5,12 @@
 #include <algorithm>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/geometry/impact.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::sequential_world_test {
 namespace {
 
 using scenes::moving_obstacle;
@@ -175,4 +176,4 @@ TEST(SequentialWorld, SolidBodiesNeverOverlap) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::sequential_world_test

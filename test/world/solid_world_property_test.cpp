@@ -12,7 +12,7 @@
 #include "support/scenes.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::solid_world_property_test {
 namespace {
 
 using scenes::moving_obstacle;
@@ -213,4 +213,4 @@ TEST(SolidWorldProperty, EqualActionsGiveEqualWorldsBitForBit) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::solid_world_property_test

@@ -10,7 +10,7 @@
 #include "support/error_of.h"
 #include "support/scenes.h"
 
-namespace crowd {
+namespace crowd::solid_world_test {
 namespace {
 
 using scenes::moving_obstacle;
@@ -123,4 +123,4 @@ TEST(SolidWorld, RefusesSpawnedBodiesWithAnyOverlap) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::solid_world_test

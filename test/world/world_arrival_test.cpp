@@ -8,7 +8,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::world_arrival_test {
 namespace {
 
 using scenes::agent;
@@ -107,4 +107,4 @@ TEST(WorldArrival, ContactsAtTheEndOfTheArrivalTickCount) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::world_arrival_test

@@ -9,7 +9,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::world_changes_test {
 namespace {
 
 using scenes::agent;
@@ -212,4 +212,4 @@ TEST(WorldChanges, EveryNewGoalHasANewNumber) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::world_changes_test

@@ -9,7 +9,7 @@
 #include "support/scenes.h"
 #include "support/seeds.h"
 
-namespace crowd {
+namespace crowd::world_contact_test {
 namespace {
 
 using scenes::moving_obstacle;
@@ -102,4 +102,4 @@ TEST(WorldContact, AgreesWithASearchOfAllBodies) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::world_contact_test

@@ -9,7 +9,7 @@
 #include "support/error_of.h"
 #include "support/robots.h"
 
-namespace crowd::robots {
+namespace crowd::robots::world_robot_test {
 namespace {
 
 TEST(WorldRobot, FollowsItsCommandUntilTheNext) {
@@ -112,4 +112,4 @@ TEST(WorldRobot, RefusesWrongCommands) {
 }
 
 }  // namespace
-}  // namespace crowd::robots
+}  // namespace crowd::robots::world_robot_test

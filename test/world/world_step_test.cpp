@@ -15,7 +15,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd {
+namespace crowd::world_step_test {
 namespace {
 
 using scenes::agent;
@@ -137,4 +137,4 @@ TEST(WorldStep, ErrorNamesAgentAndNumbers) {
 }
 
 }  // namespace
-}  // namespace crowd
+}  // namespace crowd::world_step_test

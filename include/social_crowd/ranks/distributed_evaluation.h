@@ -32,7 +32,8 @@ bool evaluateOnRanks(Communicator& communicator, const TrainedTable& trained, co
 /// @brief Checksum of everything in a scene that the motions of a DistributedCrowd depend on.
 std::string checksumOf(const Scene& scene);
 
-/// @brief Checksum of the file of this library, in which a crowd is computed.
+/// @brief Checksums of the files in which a crowd is computed: the library social_crowd_core, and the program.
 std::string checksumOfLibrary();
+std::string checksumOfProgram();
 
 }  // namespace crowd

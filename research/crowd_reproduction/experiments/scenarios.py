@@ -1,124 +1,126 @@
 """Figures 4.17-4.25: crowds that use the table of one agent."""
 from crowd_experiments import style
-from crowd_experiments.pages import Chapter
-from crowd_experiments.records import Spread, median, of_scenario, read_table_header
+from crowd_experiments.records import Spread
 
-from .. import agent_runs, agent_training, groups, names, scenario_figures, scenario_runs as runs, surroundings
+from ..crowd_figures import add_dummies, add_figures, add_groups
+from ..crowds import (APART, CROWDED, GROUPING, LEAST_SECTORS, SCENARIOS, SOON, TIMES, VISIT_CLASSES, WATCHED, agents,
+                      by_visits, last_metre, phases, rates, surrounded)
+from ..measures import share
+from ..names import PARAMETER_NAMES, RATE_HEADER, TEXTS, rate_texts, report_of
+from ..results import PARAMETERS, SETS, Runs, plan as plan_of
 
-NAME = runs.NAME
-TITLE = 'Scenarios (figures 4.17-4.25)'
-
-
-def plan(setting):
-    """Returns the runs of the agents that learn alone, and of the crowds that are trained together."""
-    return agent_runs.plan(setting) + runs.plan(setting)
+NAME = 'scenarios'
+TITLE = TEXTS[NAME]['title']
+# Columns of tables about surrounded agents: measure of a Surrounded and decimals, by title.
+SURROUNDED = {
+    'surrounded, per 1,000 decisions': (lambda one: one.per_thousand(), 2),
+    'agents ever surrounded %': (lambda one: one.ever, 1),
+    f'contact within {SOON} decisions %': (lambda one: one.inside[1], 1),
+    'contact, other decisions %': (lambda one: one.outside[1], 1),
+    f'collision within {SOON} decisions %': (lambda one: one.inside[2], 1),
+    'collision, other decisions %': (lambda one: one.outside[2], 1),
+    'longest [decisions]': (lambda one: one.longest, 0),
+    'surrounded agents that arrive %': (lambda one: one.arrived, 1),
+    f'with a contact within {SOON} decisions %': (lambda one: one.touched, 1)}
+SYNCHRONICITY = {'circle12_exact': 'starts exactly on the circle',
+                 'circle12_exact_simultaneous': 'starts exactly on the circle, simultaneous moves',
+                 'circle12': 'starts up to 5 cm off', 'circle12_varied': 'varied speeds'}
+plan = plan_of(NAME)
 
 
 def report(setting):
     """Returns the chapter, from the runs' records."""
-    chapter = Chapter(NAME, TITLE)
-    chapter.add_text(
-        "The thesis's agents always walk at full speed, and walk through bodies that they do not avoid. "
-        f'{agent_training.DESCRIPTION} All agents of the scenarios use its table, which does not change; none of the '
-        'scenarios was used in the training. This is the protocol of 4.3; set 2 with the thesis\'s parameters is the '
-        'main result. For comparison, "crowd trained together": all agents learned in one table, in '
-        f'{setting.count(runs.MIX_EPISODES, 16):,} episodes of a mix of eight scenarios, most of which are also used '
-        f'in the test. {len(setting.seeds(runs.SEEDS))} training seeds, {setting.count(runs.EPISODES, 2)} '
-        'instances per scenario with random starts.')
-    add_tables(chapter, setting)
-    scenario_figures.add_dummies(chapter, setting)
-    add_dummies_table(chapter, setting)
-    for scenario in scenario_figures.NUMBERS:
-        scenario_figures.add_moments(chapter, setting, scenario)
-    scenario_figures.add_best(chapter, setting)
-    scenario_figures.add_worst(chapter, setting)
-    groups.add_figure(chapter, setting)
-    groups.add_table(chapter, setting)
-    surroundings.add_table(chapter, setting)
-    surroundings.add_visits_table(chapter, setting)
-    add_synchronicity(chapter, setting)
-    add_first_part(chapter, setting)
-    add_rows(chapter, setting)
+    chapter = report_of(NAME, setting, 10, least=LEAST_SECTORS, soon=SOON)
+    header = ['', *RATE_HEADER, 'episodes: all arrive, no contact %', 'episodes: all arrive, no collision %',
+              'path ratio (arrivals only)', *(f'crowd trained together: {rate}' for rate in RATE_HEADER)]
+    chapter.tabulate('set2_thesis', header, [
+        scenario_row(setting, scenario, 'occupancy', 'thesis', scenario) for scenario in SCENARIOS])
+    chapter.tabulate('others', header, [
+        scenario_row(setting, scenario, states, parameters,
+                     f'{scenario}, {style.short_set_name(states)}, {PARAMETER_NAMES[parameters]}')
+        for scenario in SCENARIOS for states, parameters in
+        (('nearest', 'thesis'), ('nearest', 'better'), ('occupancy', 'better'))])
+    add_dummies(chapter, setting)
+    chapter.tabulate('dummies', ['', *RATE_HEADER], [
+        [f'{PARAMETER_NAMES[parameters]}, {scenario}', *rate_texts(rates(agents(setting, parameters), scenario))]
+        for scenario in ('dummies', 'dummies_wide') for parameters in PARAMETERS])
+    add_figures(chapter, setting)
+    add_groups(chapter, setting)
+    add_group_tables(chapter, setting)
+    chapter.tabulate('surrounded', ['', *SURROUNDED], [
+        surrounded_row(f'{PARAMETER_NAMES[parameters]}, {scenario}', surrounded(agents(setting, parameters), scenario))
+        for parameters in PARAMETERS for scenario in WATCHED], definitions=chapter.text_of('definitions'))
+    add_visits(chapter, setting)
+    add_main_tables(chapter, agents(setting))
+    chapter.tabulate('rows', ['', 'rows', 'visited', 'decisions in training [million]'], [
+        rows_row(Runs.of(setting, group, states=states, parameters=parameters),
+                 f'{label}, {style.SET_NAMES[states]}, {PARAMETER_NAMES[parameters]}')
+        for group, label in (('agents', 'one agent'), ('crowds', 'crowd trained together on a mix'))
+        for parameters in PARAMETERS for states in SETS])
     return chapter
-
-
-def rate_texts(setting, table, scenario, file=runs.DEMO):
-    """Returns the texts of success, collision and contact."""
-    return names.rate_texts(runs.measured(setting, table, scenario, file))
 
 
 def scenario_row(setting, scenario, states, parameters, label):
     """Returns a row with the results of one agent's table, followed by those of a crowd's table."""
-    table = ('agent', states, parameters)
-    seeds = setting.seeds(runs.SEEDS)
-    ratios = []
-    for seed in seeds:
-        record = runs.record_of(setting, table, seed)
-        ratios.append(median(record['path_ratio'][of_scenario(record, scenario) & (record['arrived'] > 0)]))
-    clean = [Spread(runs.clean_share(setting, table, seed, scenario, incident) for seed in seeds).text(1)
-             for incident in ('touched', 'collided')]
-    return [label, *rate_texts(setting, table, scenario), *clean, Spread.of_numbers(ratios).text(2),
-            *rate_texts(setting, ('crowd', states, parameters), scenario)]
+    runs = agents(setting, parameters, states)
+    clean = [Spread(runs.whole('demo.csv', scenario, incident)).text(1) for incident in ('touched', 'collided')]
+    ratio = Spread.of_numbers(runs.arrivals('demo.csv', 'path_ratio', scenario)).text(2)
+    crowd = Runs.of(setting, 'crowds', states=states, parameters=parameters)
+    return [label, *rate_texts(rates(runs, scenario)), *clean, ratio, *rate_texts(rates(crowd, scenario))]
 
 
-def add_tables(chapter, setting):
-    header = ['', *names.RATES, 'episodes: all arrive, no contact %', 'episodes: all arrive, no collision %',
-              'path ratio (arrivals only)', *(f'crowd trained together: {rate}' for rate in names.RATES)]
-    spread = 'mean ± standard deviation over the seeds (lowest-highest); path ratio: the median of each seed'
-    chapter.add_table(f"Set 2, thesis's parameters, one agent's table; {spread}", header,
-                      [scenario_row(setting, scenario, 'occupancy', 'thesis', scenario) for scenario in runs.SCENARIOS],
-                      name='set2_thesis')
-    rows = [scenario_row(setting, scenario, states, parameters,
-                         f'{scenario}, {style.short_set_name(states)}, {names.PARAMETER_NAMES[parameters]}')
-            for scenario in runs.SCENARIOS for states, parameters in
-            (('nearest', 'thesis'), ('nearest', 'better'), ('occupancy', 'better'))]
-    chapter.add_table(f"The other sets and parameters, one agent's table; {spread}", header, rows, name='others')
-
-
-def add_synchronicity(chapter, setting):
+def add_group_tables(chapter, setting):
+    """Adds the tables of distances between agents."""
     rows = []
-    for scenario, label in (('circle12_exact', 'starts exactly on the circle'),
-                            ('circle12_exact_simultaneous', 'starts exactly on the circle, simultaneous moves'),
-                            ('circle12', 'starts up to 5 cm off'), ('circle12_varied', 'varied speeds')):
-        rates = runs.measured(setting, runs.MAIN, scenario)
-        clean = sum(arrived == 100 and touched == 0 for arrived, touched, _ in rates)
-        rows.append([f'{scenario}: {label}', *names.rate_texts(rates), f'{clean} of {len(rates)}'])
-    chapter.add_table("Synchronicity: set 2, thesis's parameters, one agent's table; mean ± standard deviation over "
-                      'the seeds (lowest-highest)',
-                      ['', *names.RATES, 'seeds in which all arrive without a contact'],
-                      rows, name='synchronicity')
+    for parameters in PARAMETERS:
+        for title, measure in GROUPING.items():
+            values = phases(agents(setting, parameters), measure)
+            for i, scenario in enumerate(('with the moving obstacle', 'without it, at the same ticks')):
+                rows.append([f'{PARAMETER_NAMES[parameters]}, distance to the {title}, {scenario}',
+                             *(Spread.of_numbers(of_time).text(2) for of_time in values[:, :, i].T)])
+    chapter.tabulate('groups', ['', *TIMES], rows)
+    chapter.tabulate('groups_end', ['', 'at the start', 'at the first arrival'], [
+        [f'{PARAMETER_NAMES[parameters]}, {scenario}',
+         *(Spread(values).text(2) for values in last_metre(agents(setting, parameters), scenario).T)]
+        for parameters in PARAMETERS for scenario in ('same_goal6', 'same_goal6_mover', APART)])
 
 
-def add_first_part(chapter, setting):
-    rows = [[scenario, *rate_texts(setting, runs.MAIN, scenario, 'single.csv'),
-             *rate_texts(setting, runs.MAIN, scenario)] for scenario in runs.SCENARIOS]
-    chapter.add_table("Effect of the more thorough training: set 2, thesis's parameters, one agent's table "
-                      'after each part of the training; mean ± standard deviation over the seeds (lowest-highest)',
-                      ['', *(f'{label}: {rate}' for label in
-                             ('after one obstacle (4.1)', 'after several obstacles (4.3)') for rate in names.RATES)],
-                      rows, name='first_part')
+def surrounded_row(label, found):
+    """Returns a row of the table, from a Surrounded for each seed."""
+    return [label, *(Spread.of_numbers(map(measure, found)).text(decimals)
+                     for measure, decimals in SURROUNDED.values())]
 
 
-def add_rows(chapter, setting):
+def add_visits(chapter, setting):
+    """Adds the table of decisions in rows of the Q-table that were rarely visited in training (5.1)."""
     rows = []
-    for learner, label in runs.LEARNERS.items():
-        for parameters in runs.PARAMETERS:
-            for states in runs.SETS:
-                headers = [read_table_header(runs.folder_of(setting, (learner, states, parameters), seed)
-                                             / agent_training.TABLE) for seed in setting.seeds(runs.SEEDS)]
-                visited = Spread(float(header['visited_rows']) for header in headers)
-                decisions = Spread(float(header['decisions']) / 1e6 for header in headers)
-                rows.append([f'{label}, {style.SET_NAMES[states]}, {names.PARAMETER_NAMES[parameters]}',
-                             headers[0]['rows'], visited.text(0), decisions.text(1)])
-    chapter.add_table('Rows of the table that were visited in training; mean ± standard deviation over the seeds '
-                      '(lowest-highest)', ['', 'rows', 'visited', 'decisions in training [million]'], rows,
-                      name='rows')
+    for scenario in WATCHED:
+        for least, label in ((0, 'all decisions'), (CROWDED, f'{CROWDED} or more sectors occupied')):
+            seeds = by_visits(agents(setting), scenario, least)
+            for i, visited in enumerate(VISIT_CLASSES.values()):
+                shares = [(share(outcomes.decisions[i], outcomes.decisions.sum()),
+                           share(outcomes.contact[i], outcomes.decisions[i]),
+                           share(outcomes.collision[i], outcomes.decisions[i])) for outcomes in seeds]
+                rows.append([f'{scenario}, {label}, row visited {visited}',
+                             *(Spread.of_numbers(of_seeds).text(2) for of_seeds in zip(*shares))])
+    chapter.tabulate('visits', ['', 'decisions %', 'followed by contact %', 'followed by collision %'], rows)
 
 
-def add_dummies_table(chapter, setting):
-    rows = [[f'{names.PARAMETER_NAMES[parameters]}, {scenario}',
-             *rate_texts(setting, ('agent', 'occupancy', parameters), scenario)]
-            for scenario in ('dummies', runs.WIDE) for parameters in runs.PARAMETERS]
-    chapter.add_table(f"Dummies, and the same dummies at {runs.WIDER:g} times the distances ({runs.WIDE}); set 2, one "
-                      "agent's table; mean ± standard deviation over the seeds (lowest-highest)",
-                      ['', *names.RATES], rows, name='dummies')
+def add_main_tables(chapter, runs):
+    """Adds the tables about synchronicity and about both parts of the training, of the thesis's set 2."""
+    rows = []
+    for scenario, label in SYNCHRONICITY.items():
+        found = rates(runs, scenario)
+        clean = ((found.success == 100) & (found.contact == 0)).sum()
+        rows.append([f'{scenario}: {label}', *rate_texts(found), f'{clean} of {len(found)}'])
+    chapter.tabulate('synchronicity', ['', *RATE_HEADER, 'seeds in which all arrive without a contact'], rows)
+    chapter.tabulate('first_part', ['', *(
+        f'{label}: {rate}' for label in ('after one obstacle (4.1)', 'after several obstacles (4.3)')
+        for rate in RATE_HEADER)], [[scenario, *rate_texts(runs.rates('single.csv', scenario)),
+                                     *rate_texts(rates(runs, scenario))] for scenario in SCENARIOS])
+
+
+def rows_row(runs, label):
+    """Returns a row of the table of visited rows."""
+    rows, visited, decisions = (runs.headers('q_table.txt', key) for key in ('rows', 'visited_rows', 'decisions'))
+    return [label, f'{rows[0]:.0f}', Spread(visited).text(0), Spread(number / 1e6 for number in decisions).text(1)]

@@ -1,0 +1,223 @@
+"""The runs that runs.yaml declares, and what they have written: a measure is a value for each seed."""
+import dataclasses
+import functools
+import itertools
+import pathlib
+import re
+
+import numpy
+import pandas
+import yaml
+from crowd_drawing.files import read_scene
+from crowd_drawing.motion import place_of
+from crowd_experiments.records import median, read_csv, read_table_header, read_tracks, read_visits
+from crowd_experiments.runs import Run
+from crowd_experiments.variations import EVERY, Setting, read_documents, vary_config, vary_scenario
+
+DECLARED = yaml.safe_load(pathlib.Path(__file__).with_name('runs.yaml').read_text(encoding='utf-8'))
+GROUPS, LISTS, NEEDS = (DECLARED[key] for key in ('groups', 'lists', 'needs'))
+DEMO_SEED = 1000  # is added to the seed of the training, so that the places differ from those of the training
+RATES = {'success': 'arrived', 'collision': 'collided', 'contact': 'touched'}  # in the order of all texts
+PARAMETERS, SETS, REWARDS = ('thesis', 'better'), ('nearest', 'occupancy'), ('distance_gained', 'cosine_cubed')
+DECISIONS = ['instance', 'tick', 'agent', 'x', 'y', 'heading', 'row', 'action', 'occupied']  # columns of a file
+
+
+def value_text(value):
+    """15, 45, 90, 180"""
+    return ', '.join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+def variation_of(choice, value):
+    """Returns the variation in which a choice has a value."""
+    label = f"{choice['name']}: {value_text(value)}"
+    return re.sub(r'[^a-z0-9.]+', '_', label.lower()).strip('_'), {
+        'label': label, 'choice': choice['name'], 'value': value_text(value),
+        **{file: {choice[file]: value} for file in ('config', 'scenario') if file in choice}}
+
+
+CHOICES = {'thesis_configuration': {'label': 'thesis configuration'},
+           **dict(variation_of(choice, value) for choice in DECLARED['choices'] for value in choice['others'])}
+VARIATIONS = {**DECLARED['variations'], **CHOICES}
+
+
+def choices_of(setting):
+    """Returns the names of the variations of choices that are tried, that without a change first."""
+    return list(CHOICES)[:3] if setting.quick else list(CHOICES)
+
+
+def chosen(setting, choice):
+    """Returns the value of a choice in the thesis configuration, as a text."""
+    file = setting.config_file(f'reward_{REWARDS[0]}_thesis') if 'config' in choice else \
+        setting.scenario('single_obstacle')
+    value = read_documents(file)[0]
+    for key in (choice.get('config') or choice['scenario']).split('.'):
+        value = value[0] if key == EVERY else value.get(key, choice.get('default', ''))
+    return value_text(value)
+
+
+def scenario_file(setting, name, variation=None):
+    """Returns the file of a scenario, which is written if it is not shipped as it is."""
+    made = DECLARED['scenarios'].get(name)
+    if made:
+        return vary_scenario(setting, made['of'], made['keys'], name)
+    keys = VARIATIONS.get(variation, {}).get('scenario')
+    return vary_scenario(setting, name, keys, f'{name}_{variation}') if keys else setting.scenario(name)
+
+
+def config_file(setting, name, variation):
+    """Returns the file of a training configuration, as changed by a variation."""
+    changes = VARIATIONS.get(variation, {})
+    scenarios = [scenario_file(setting, 'single_obstacle', variation)] if 'scenario' in changes else None
+    if 'config' in changes or scenarios:
+        return vary_config(setting, name, changes.get('config', {}), f'{name}_{variation}', scenarios)
+    return setting.config_file(name)
+
+
+def words_of(setting, word, keys):
+    """Returns what a word of a declared command stands for."""
+    variation = keys.get('variation')
+    if word.startswith('@'):
+        return [config_file(setting, word[1:], variation)]
+    if word.startswith('~'):
+        return [scenario_file(setting, name, variation) for name in LISTS.get(word[1:], [word[1:]])]
+    full, bar, quick = word.partition('|')
+    return [setting.count(full, quick) if bar else word]
+
+
+def commands_of(setting, declared, keys):
+    """Yields the commands of a declared one, which may be for certain runs only, or for several values."""
+    if isinstance(declared, str):
+        words = [part for word in declared.format(**keys).split() for part in words_of(setting, word, keys)]
+        if words[0] == 'walk':
+            words[:2] = ['evaluate', '--q-table', words[1], '--threads', 1, '--seed', DEMO_SEED + keys['seed']]
+        yield [setting.tool(words[0]), *words[1:]]
+    elif all(keys[key] == value for key, value in declared.get('when', {}).items()):
+        for more in combinations(setting, declared.get('each', {})):
+            yield from commands_of(setting, declared['run'], {**keys, **more})
+
+
+def combinations(setting, each):
+    """Yields all combinations of values by their keys; numbers may be fewer with --quick."""
+    values = [choices_of(setting) if listed == 'choices' else numbers_of(setting, listed) for listed in each.values()]
+    return (dict(zip(each, chosen_ones)) for chosen_ones in itertools.product(*values))
+
+
+def numbers_of(setting, listed):
+    """'0 10 100|0 5' -> [0, 10, 100], with --quick [0, 5]; another list is returned as it is."""
+    return list(map(int, setting.count(*listed.split('|')).split())) if isinstance(listed, str) else listed
+
+
+def plan(experiment):
+    """Returns the function that plans the runs of an experiment."""
+    def runs(setting):
+        return [run for group in NEEDS[experiment] for run in runs_of(setting, group)]
+    return runs
+
+
+def runs_of(setting, group):
+    """Yields the runs of a group."""
+    declared = GROUPS[group]
+    for keys in combinations(setting, {'seed': setting.seeds(declared['seeds']), **declared['each']}):
+        yield Run(Runs.of(setting, group, **keys).folder(keys['seed']), [
+            command for line in declared['commands'] for command in commands_of(setting, line, keys)], declared['cost'])
+
+
+@dataclasses.dataclass(frozen=True)
+class Runs:
+    """The runs of a group that differ only in their seeds."""
+    setting: Setting
+    group: str
+    keys: tuple  # of pairs
+
+    @classmethod
+    def of(cls, setting, group, **keys):
+        """Returns the runs with these keys; the seed is ignored."""
+        return cls(setting, group, tuple(sorted((key, value) for key, value in keys.items() if key != 'seed')))
+
+    def seeds(self):
+        return self.setting.seeds(GROUPS[self.group]['seeds'])
+
+    def folder(self, seed):
+        declared = GROUPS[self.group]
+        return self.setting.run_folder(declared['in'], declared['folder'].format(seed=seed, **dict(self.keys)))
+
+    @functools.lru_cache(maxsize=None)
+    def record(self, file, scenario=None):
+        """Returns a record of all seeds as one table with the column seed; of one scenario, if it is given."""
+        if scenario is not None:
+            rows = self.record(file)
+            return rows[rows['scenario'] == scenario]
+        rows = {seed: pandas.DataFrame(read_csv(self.folder(seed) / file)) for seed in self.seeds()}
+        return pandas.concat(rows, names=['seed', 'row']).reset_index('seed')
+
+    def rates(self, file, scenario=None):
+        """Returns the rates of the seeds [%], see rates_of()."""
+        return rates_of(self.record(file, scenario))
+
+    def arrivals(self, file, column, scenario=None):
+        """Returns the median of a column over the agents that arrived, for each seed; nan without arrivals."""
+        return per_seed(self.record(file, scenario), lambda rows: median(rows[column][rows['arrived'] > 0]))
+
+    def whole(self, file, scenario, *incidents):
+        """Returns the share of the episodes [%] in which all agents arrive without these incidents, for each seed."""
+        sums = episodes_of(self.record(file, scenario))
+        fine = (sums['arrived'] == sums['agents']) & (sums[list(incidents)] == 0).all(axis=1)
+        return 100.0 * fine.groupby('seed').mean()
+
+    def headers(self, table, key):
+        """Returns a number in the headers of Q-tables, for each seed."""
+        return [float(read_table_header(self.folder(seed) / table)[key]) for seed in self.seeds()]
+
+    @functools.lru_cache(maxsize=None)
+    def tracks(self, seed, file):
+        """Returns the recorded places, by instance."""
+        return read_tracks(self.folder(seed) / file)
+
+    @functools.lru_cache(maxsize=None)
+    def decisions(self, seed, scenario, folder='states'):
+        """Returns all recorded decisions in a scenario."""
+        return read_decisions(self.folder(seed) / folder / f'{scenario}.csv')
+
+    @functools.lru_cache(maxsize=None)
+    def visits(self, seed):
+        """Returns the number of visits of each row of the Q-table in training, as an array."""
+        return visits_in(self.folder(seed) / 'q_table.txt')
+
+
+def rates_of(rows):
+    """Returns success, collision and contact [%] as the columns of a table with a row for each seed: shares of the
+    agents. A contact is an overlap of bodies; a collision is a rim within the collision radius (thesis, 4.1)."""
+    return 100.0 * rows.groupby('seed')[list(RATES.values())].mean().set_axis(list(RATES), axis=1)
+
+
+def per_seed(rows, measure):
+    """Returns a measure of the rows of each seed."""
+    return [measure(of_seed) for _, of_seed in rows.groupby('seed')]
+
+
+def episodes_of(rows):
+    """Returns sums of agents for each seed and episode, and the tick of the last arrival or the end of the time."""
+    episodes = rows.groupby(['seed', 'episode'])
+    return episodes[list(RATES.values())].sum().assign(agents=episodes.size(), ticks=episodes['ticks'].max())
+
+
+def read_decisions(file):
+    """Returns a table of decisions; the column `occupied` has texts, `sectors` the number of occupied sectors."""
+    with open(file, encoding='utf-8') as stream:
+        if next(stream, '').rstrip('\n').split(',') != DECISIONS:
+            raise ValueError(f"{file}:1: expected the header {','.join(DECISIONS)}")
+        decisions = pandas.read_csv(stream, names=DECISIONS, keep_default_na=False, dtype={
+            'x': float, 'y': float, 'heading': float, 'occupied': str})
+    return decisions.assign(sectors=decisions['occupied'].str.count(':').floordiv(2))
+
+
+def visits_in(file):
+    """Returns the number of visits of each row of a Q-table, as an array."""
+    found = pandas.Series(read_visits(file))
+    return found.reindex(range(int(read_table_header(file)['rows'])), fill_value=0).to_numpy()
+
+
+def obstacle_places(setting, scenario, ticks):
+    """Returns the places of the first obstacle of a scenario at each tick from the start [m]."""
+    scene = read_scene(setting.scenario(scenario), 0)
+    return numpy.array([place_of(scene.obstacles[0], tick * scene.tick) for tick in range(ticks)])
