@@ -7,7 +7,6 @@
 #include "simulation/instance_walk.h"
 #include "simulation/stopwatch.h"
 #include "social_crowd/common/checksum.h"
-#include "social_crowd/ranks/shared_decisions.h"
 #include "social_crowd/scenario/scene_document.h"
 #include "social_crowd/simulation/byte_archive.h"
 
@@ -49,12 +48,12 @@ class RankEvaluation {
   bool divides(const Scene& scene) const { return !records_states_ && isDivisible(scene); }
   /// Runs an episode. Returns nothing if it was stopped.
   std::optional<EvaluatedEpisode> run(Scene scene, std::uint64_t instance, bool divided) {
-    return divided ? walkDivided(std::move(scene), instance) : walkWhole(std::move(scene), instance);
+    return divided ? walkDivided(std::move(scene), instance) : walkOnFirst(std::move(scene), instance);
   }
 
  private:
   std::optional<EvaluatedEpisode> walkDivided(Scene scene, std::uint64_t instance);
-  std::optional<EvaluatedEpisode> walkWhole(Scene scene, std::uint64_t instance);
+  std::optional<EvaluatedEpisode> walkOnFirst(Scene scene, std::uint64_t instance);
   void noteTick(std::uint64_t instance, std::uint64_t tick, std::uint64_t max_ticks) const {
     if (observer_.on_tick) observer_.on_tick(instance, tick, max_ticks);
   }
@@ -87,39 +86,38 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkDivided(Scene scene, std::ui
   return walked;
 }
 
-std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint64_t instance) {
-  RanksReport measured;
-  measured.is_divided = false;
-  SharedDecisions decisions(communicator_, learner_, [this] { return plan_.stop.isMade(); });
-  const std::uint64_t max_ticks = scene.max_ticks;
-  const InstanceWalk walk{
-      plan_,
-      learner_,
-      thread_pool_,
-      [&](Episode& episode, RelativeActions& actions) { decisions.decide(episode, actions); },
-      [&](const Episode& episode) { plan_.warnOfWays(episode); },
-      [&](const World& world) {
-        measured.ticks += world.tick() > 0 ? 1 : 0;  // with --people-delay, those without robots, too
-        noteTick(instance, world.tick(), max_ticks);
-      },
-      [&] { return decisions.wasStopped(); },
-  };
+/// Rank 0 walks, the others wait; they return no results.
+std::optional<EvaluatedEpisode> RankEvaluation::walkOnFirst(Scene scene, std::uint64_t instance) {
   EvaluatedEpisode walked;
-  double processor_seconds = 0.0;
-  {
-    const Stopwatch whole(CLOCK_MONOTONIC, measured.seconds);
-    const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, processor_seconds);
+  std::vector<std::uint64_t> stops = {0};
+  doOnAllRanks(communicator_, [&] {
+    if (communicator_.rank() != 0) return;
+    RanksReport measured;
+    measured.is_divided = false;
+    const std::uint64_t max_ticks = scene.max_ticks;
+    const InstanceWalk walk{
+        plan_,
+        learner_,
+        thread_pool_,
+        [&](const Episode& episode) { plan_.warnOfWays(episode); },
+        [&](const World& world) {
+          measured.ticks += world.tick() > 0 ? 1 : 0;  // with --people-delay, those without robots, too
+          noteTick(instance, world.tick(), max_ticks);
+        },
+    };
     try {
+      const Stopwatch whole(CLOCK_MONOTONIC, measured.seconds);
       walked = walk.run(std::move(scene), instance);
-    } catch (const Stopped&) {  // anywhere between two exchanges; all ranks are about to decide next
-      decisions.stop();
+    } catch (const Stopped&) {
+      stops.front() = 1;
+      return;
     }
-  }
-  if (decisions.wasStopped()) return std::nullopt;
-  requireSameOnAllRanks(communicator_, {{"results of '" + walked.result.scenario + "'", checksumOf(walked.result)}});
-  measured.agents = walked.result.agents.size();
-  measured.collect(communicator_, processor_seconds - decisions.waitingSeconds(), decisions.sentBytes());
-  report(measured);
+    measured.ranks = communicator_.size();
+    measured.agents = walked.result.agents.size();
+    report(measured);
+  });
+  communicator_.sum(stops);
+  if (stops.front() > 0) return std::nullopt;
   return walked;
 }
 

@@ -20,12 +20,11 @@ void RanksReport::collect(Communicator& communicator, double own_busy_seconds, s
 std::string RanksReport::text() const {
   const double each = 1.0 / static_cast<double>(std::max<std::uint64_t>(1, ticks));
   std::string text = std::to_string(ranks) + " ranks, " + std::to_string(agents) + " agents, " + std::to_string(ticks) +
-                     " ticks: " + toFixedText(1e3 * seconds * each, 2) + " ms per tick (" +
-                     toFixedText(1e3 * busy_seconds * each, 2) + " ms computing on the slowest rank), " +
-                     toFixedText(1e-6 * static_cast<double>(bytes) * each, 3) + " MB exchanged per tick";
-  text += is_divided ? ", imbalance of agents " + toFixedText(agent_imbalance, 3) + ", of computing "
-                     : ", only decisions divided, imbalance of computing ";
-  text += toFixedText(time_imbalance, 3);
+                     " ticks: " + toFixedText(1e3 * seconds * each, 2) + " ms per tick";
+  if (!is_divided) return text + ", by rank 0 alone";
+  text += " (" + toFixedText(1e3 * busy_seconds * each, 2) + " ms computing on the slowest rank), " +
+          toFixedText(1e-6 * static_cast<double>(bytes) * each, 3) + " MB exchanged per tick, imbalance of agents " +
+          toFixedText(agent_imbalance, 3) + ", of computing " + toFixedText(time_imbalance, 3);
   if (whole_motions > 0) text += ", " + std::to_string(whole_motions) + " ticks with the motion of the whole crowd";
   return text;
 }

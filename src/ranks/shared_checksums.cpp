@@ -1,12 +1,10 @@
 // Checksums by which ranks find that they compute different things.
 
-#include "simulation/agent_transfer.h"
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/library_file.h"
 #include "social_crowd/ranks/distributed_evaluation.h"
 #include "social_crowd/simulation/byte_archive.h"
-#include "training/learned_episode_transfer.h"
 
 namespace crowd {
 namespace {
@@ -28,7 +26,7 @@ class ChecksumWriter {
   std::vector<char> bytes_;
 };
 
-std::string checksumOf(const std::string& file) {
+std::string checksumOfFile(const std::string& file) {
   Checksum checksum;
   checksum.add(readFile(file));
   return checksum.text();
@@ -66,19 +64,11 @@ std::string checksumOf(const Scene& scene) {
   return write.text();
 }
 
-std::string checksumOf(const EpisodeResult& result) {
-  ChecksumWriter write;
-  write(result.ticks);
-  for (const AgentResult& agent : result.agents) transferResult(write, agent);
-  for (const RobotResult& robot : result.robots) transferRobot(write, robot);
-  return write.text();
-}
-
 std::string checksumOfLibrary() {
   const std::string file = libraryFile();
-  return file.empty() ? "unknown" : checksumOf(file);
+  return file.empty() ? "unknown" : checksumOfFile(file);
 }
 
-std::string checksumOfProgram() { return checksumOf("/proc/self/exe"); }
+std::string checksumOfProgram() { return checksumOfFile("/proc/self/exe"); }
 
 }  // namespace crowd

@@ -39,27 +39,7 @@ void transferAgent(Archive& archive, AnAgent& agent) {
 /// The same for the result of an agent.
 template <typename Archive, typename AResult>
 void transferResult(Archive& archive, AResult& result) {
-  archive(result.arrived);
-  archive(result.removed);
-  archive(result.touched);
-  archive(result.collided);
-  archive(result.out_of_reach);
-  archive(result.endless);
-  archive(result.waypoints);
-  archive(result.blocked_moves);
-  archive(result.appeared);
-  archive(result.start);
-  archive(result.ticks);
-  archive(result.heading);
-  archive(result.path_length);
-  archive(result.straight_length);
-  archive(result.path_ratio);
-  archive(result.time_ratio);
-  archive(result.turn_per_metre);
-  archive(result.max_speed_ratio);
-  archive(result.distance_gained);
-  archive(result.gain_per_tick);
-  archive(result.path_per_gain);
+  AgentResult::visitFields([&](const char* /*name*/, auto& field) { archive(field); }, result);
 }
 
 /// The same for the track of an agent.

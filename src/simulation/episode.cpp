@@ -154,15 +154,12 @@ void Episode::perceiveTurn() {
   perceptions_->turn = turn_;
 }
 
-void Episode::decide(Learner& learner, const DecisionShare& share, RelativeActions& actions) {
-  const bool are_divisible = learner.mode() == Mode::DEMO && !isSequential();
-  if (!are_divisible && share.number == 0) return learner.decide(perceptions(), actions);
+void Episode::decide(Learner& learner, RelativeActions& actions) {
+  if (learner.mode() != Mode::DEMO || isSequential()) return learner.decide(perceptions(), actions);
   actions.episode = number_;
   actions.tick = world_.tick();
   actions.agents.clear();
-  if (isSequential()) perceptions();  // finds whose turn it is
-  if (!are_divisible || isOver()) return;
-  crowd_.decide(world_, number_, vision_, learner, actions.agents, *thread_pool_, nullptr, share);
+  if (!isOver()) crowd_.decide(world_, number_, vision_, learner, actions.agents, *thread_pool_);
 }
 
 AgentId Episode::spawnAgent(const AgentStart& start) {

@@ -95,9 +95,8 @@ bool evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
     try {
       ThreadPool thread_pool(plan.threads / side_by_side);
       Learner learner = makeDemoLearner(trained, plan.seed);
-      const auto decide = [&](Episode& episode, RelativeActions& actions) { episode.decide(learner, actions); };
       const auto begin = [&](const Episode& episode) { run.begin(episode); };
-      const InstanceWalk walk{plan, learner, thread_pool, decide, begin, {}, {}};
+      const InstanceWalk walk{plan, learner, thread_pool, begin, {}};
       std::vector<double> headings;  // of the agents at the end of the previous episode
       std::uint64_t instance = 0;
       while (run.next(instance)) {

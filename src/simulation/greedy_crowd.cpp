@@ -11,12 +11,10 @@ constexpr std::size_t FEW_BLOCKS = ThreadPool::FEW_SHORT_ITEMS / BLOCK;
 }  // namespace
 
 void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
-                         std::vector<AgentAction>& actions, ThreadPool& thread_pool, const std::vector<AgentId>* names,
-                         const DecisionShare& share) {
+                         std::vector<AgentAction>& actions, ThreadPool& thread_pool,
+                         const std::vector<AgentId>* names) {
   const std::size_t bodies = world.bodyCount();
-  const std::size_t all_blocks = (bodies + BLOCK - 1) / BLOCK;
-  const std::size_t first_block = all_blocks * share.number / share.count;
-  const std::size_t blocks = all_blocks * (share.number + 1) / share.count - first_block;
+  const std::size_t blocks = (bodies + BLOCK - 1) / BLOCK;
   if (workspaces_.size() < thread_pool.count()) workspaces_.resize(thread_pool.count());
   // A single worker writes its decisions directly to `actions`.
   const std::size_t lists = thread_pool.runsInCaller(blocks, FEW_BLOCKS) ? 0 : blocks;
@@ -30,7 +28,7 @@ void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision
         workspace.perceptions.episode = episode;
         for (std::size_t block = begin; block < end; ++block) {
           world.stopRequest().throwIfMade();
-          const std::size_t first = (first_block + block) * BLOCK;
+          const std::size_t first = block * BLOCK;
           world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), workspace.perception_workspace,
                              workspace.perceptions);
           decideBlock(learner, names, workspace, lists == 0 ? actions : decided_[block]);

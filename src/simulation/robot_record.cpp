@@ -3,70 +3,17 @@
 #include "social_crowd/common/numbers.h"
 
 namespace crowd {
-namespace {
-
-/// Calls number(name, value) or count(name, value) for each field of a result but the name of the robot.
-template <typename Number, typename Count>
-void forEachField(const RobotResult& result, const Number& number, const Count& count) {
-  count("success", result.success ? 1 : 0);
-  count("timeout", result.timeout ? 1 : 0);
-  count("stuck", result.stuck ? 1 : 0);
-  number("time_to_reach_goal", result.time_to_reach_goal);
-  number("path_length", result.path_length);
-  number("path_length_ratio", result.path_length_ratio);
-  number("final_distance", result.final_distance);
-  number("minimum_distance_to_goal", result.minimum_distance_to_goal);
-  number("avg_robot_linear_speed", result.avg_robot_linear_speed);
-  number("max_speed", result.max_speed);
-  number("avg_acceleration", result.avg_acceleration);
-  number("max_acceleration", result.max_acceleration);
-  number("avg_jerk", result.avg_jerk);
-  number("max_jerk", result.max_jerk);
-  number("cumulative_heading_changes", result.cumulative_heading_changes);
-  number("time_not_moving", result.time_not_moving);
-  count("robot_on_person_collisions", result.robot_on_person_collisions);
-  count("person_on_robot_collisions", result.person_on_robot_collisions);
-  count("mutual_collisions", result.mutual_collisions);
-  number("contact_time", result.contact_time);
-  count("wall_contacts", result.wall_contacts);
-  count("robot_contacts", result.robot_contacts);
-  number("minimum_distance_to_people", result.minimum_distance_to_people);
-  number("avg_closest_person", result.avg_closest_person);
-  number("minimum_clearance", result.minimum_clearance);
-  number("intimate_space_time", result.intimate_space_time);
-  number("personal_space_time", result.personal_space_time);
-  number("intimate_space_intrusions", result.intimate_space_intrusions);
-  number("personal_space_intrusions", result.personal_space_intrusions);
-  count("people_compared", result.people_compared);
-  number("people_delay", result.people_delay);
-  number("people_detour", result.people_detour);
-  count("commands_taken", result.input.taken);
-  count("commands_missed", result.input.missed);
-  count("commands_late", result.input.late);
-  count("command_timeouts", result.input.timeouts);
-  count("commands_refused", result.input.refused);
-  count("poses_taken", result.input.poses_taken);
-  count("poses_refused", result.input.poses_refused);
-  count("pose_jumps", result.input.jumps);
-  count("pose_gaps", result.input.gaps);
-  count("pose_stale", result.input.stale);
-}
-
-}  // namespace
-
 std::string robotRecordHeader() {
   std::string header = "episode,scenario,robot";
-  const auto append = [&](const char* name, auto /*value*/) { header += std::string(",") + name; };
-  forEachField(RobotResult(), append, append);
+  const RobotResult result;
+  RobotResult::visitFields([&](const std::string& name, const auto& /*value*/) { header += "," + name; }, result);
   return header + "\n";
 }
 
 void appendRobotRows(std::uint64_t episode, const EpisodeResult& result, std::string& rows) {
   for (const RobotResult& robot : result.robots) {
     rows += std::to_string(episode) + "," + result.scenario + "," + robot.name;
-    forEachField(
-        robot, [&](const char* /*name*/, double value) { rows += "," + toText(value); },
-        [&](const char* /*name*/, std::uint64_t value) { rows += "," + std::to_string(value); });
+    RobotResult::visitFields([&](const char* /*name*/, const auto& value) { rows += "," + toField(value); }, robot);
     rows += "\n";
   }
 }

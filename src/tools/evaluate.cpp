@@ -210,7 +210,7 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
   const bool writes = ranks.rank() == 0;
   const auto open_records = [&] {
     if (writes && !arguments.csv.empty()) records.metrics.emplace(arguments.csv);
-    if (writes && !arguments.record.empty()) records.agents.emplace(arguments.record, RECORD_HEADER);
+    if (writes && !arguments.record.empty()) records.agents.emplace(arguments.record, recordHeader());
     if (writes && !arguments.robots_csv.empty()) records.robots.emplace(arguments.robots_csv, robotRecordHeader());
   };
   doOnAllRanks(ranks, open_records);
@@ -281,7 +281,9 @@ int runMain(int argc, char** argv) {
           "keeps "
           "its contents until the metrics are complete.\n"
           "With MPI, several processes walk one crowd together, with the same results: mpirun -n 2 evaluate "
-          "--q-table Q_TABLE SCENARIO (docs/mpi.md). This program was built with") +
+          "--q-table Q_TABLE SCENARIO (docs/mpi.md). One of them walks scenes with ways, robots or a population; "
+          "without "
+          "mpirun, all processors do. This program was built with") +
       (isBuiltWithMpi() ? "" : "out") +
       " MPI.\n"
       "Ctrl-C or SIGTERM end the run within a second: episodes that are not finished are left out of the results and "

@@ -1,6 +1,5 @@
 #include "training_checks.h"
 
-#include <cstring>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -15,10 +14,10 @@ namespace crowd {
 namespace {
 
 /// Whether a file has more than a header.
-bool hasRows(const std::string& file, const char* header) {
+bool hasRows(const std::string& file, const std::string& header) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(file, ignored) &&
-         std::filesystem::file_size(file, ignored) > std::strlen(header);
+         std::filesystem::file_size(file, ignored) > header.size();
 }
 
 /// Whether a file has anything but a table without experience.
@@ -53,7 +52,7 @@ void requireNothingLost(const std::string& output, const TrainingFileNames& name
   std::string found;
   if (hasRows(names.log, LOG_HEADER)) {
     found = "--log " + names.log;
-  } else if (hasRows(names.record, RECORD_HEADER)) {
+  } else if (hasRows(names.record, recordHeader())) {
     found = "--record " + names.record;
   } else if (output != q_table && hasLearned(output)) {
     found = "--output " + output;

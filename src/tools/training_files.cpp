@@ -17,11 +17,11 @@ constexpr const char* LOG = "--log";
 /// The largest share of the time that saving may take.
 constexpr double MAX_SAVING_SHARE = 0.05;
 
-std::optional<GrowingFile> open(const std::string& file, const char* option, const char* header,
+std::optional<GrowingFile> open(const std::string& file, const char* option, const std::string& header,
                                 const std::map<std::string, std::uint64_t>* before) {
   if (file.empty()) return std::nullopt;
   if (before != nullptr) return GrowingFile(file, before->at(option));
-  return GrowingFile(file, std::string(header));
+  return GrowingFile(file, header);
 }
 
 /// Checks that a file is as long as it was when the checkpoint was written, or longer.
@@ -54,7 +54,7 @@ TrainingFiles::TrainingFiles(TrainingFileNames names, std::string identity, doub
       identity_(std::move(identity)),
       interval_(interval),
       next_(Clock::now() + std::chrono::duration_cast<Clock::duration>(interval_)),
-      record_(open(names_.record, RECORD, RECORD_HEADER, before)),
+      record_(open(names_.record, RECORD, recordHeader(), before)),
       log_(open(names_.log, LOG, LOG_HEADER, before)) {}
 
 void TrainingFiles::append(std::uint64_t first, const std::vector<LearnedEpisode>& episodes) {

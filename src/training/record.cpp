@@ -32,17 +32,20 @@ double successShare(const EpisodeResult& result) {
 
 double contactShare(const EpisodeResult& result) { return shareOf(result.touchedCount(), result.agentCount()); }
 
+std::string recordHeader() {
+  std::string header = "episode,scenario,agent";
+  const AgentResult result;
+  AgentResult::visitRecord([&](const std::string& name, const auto& /*value*/) { header += "," + name; }, result);
+  return header + "\n";
+}
+
 void appendRecordRows(std::uint64_t episode, const EpisodeResult& result, std::string& rows) {
   const std::string begin = std::to_string(episode) + "," + fieldOf(result.scenario) + ",";
   for (std::size_t i = 0; i < result.agents.size(); ++i) {
     const AgentResult& agent = result.agents[i];
     if (agent.removed) continue;
-    rows += begin + std::to_string(i) + (agent.arrived ? ",1" : ",0") + (agent.touched ? ",1" : ",0") +
-            (agent.collided ? ",1," : ",0,") + std::to_string(agent.blocked_moves) + "," + std::to_string(agent.ticks);
-    for (const double value : {agent.path_length, agent.path_ratio, agent.time_ratio, agent.turn_per_metre,
-                               agent.distance_gained, agent.gain_per_tick, agent.path_per_gain}) {
-      rows += "," + toText(value);
-    }
+    rows += begin + std::to_string(i);
+    AgentResult::visitRecord([&](const char* /*name*/, const auto& value) { rows += "," + toField(value); }, agent);
     rows += "\n";
   }
 }

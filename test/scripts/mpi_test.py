@@ -111,7 +111,7 @@ class OneCrowdTest:
             assert status == 0, output
             written.append({os.path.relpath(file, folder): read_bytes(file)
                             for file in glob.glob(f'{folder}/**', recursive=True) if os.path.isfile(file)})
-        assert_says(output, '3 ranks', 'only decisions divided')
+        assert_says(output, '3 ranks', 'by rank 0 alone')
         assert len(written[0]) >= 3
         assert written[0] == written[1]
 

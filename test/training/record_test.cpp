@@ -46,7 +46,7 @@ TEST(Record, HasOneRowPerAgent) {
 }
 
 TEST(Record, HeaderNamesEveryField) {
-  const std::string header = RECORD_HEADER;
+  const std::string header = recordHeader();
   const std::string row = rowsOf("pair", {walked()});
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
   EXPECT_EQ(header.back(), '\n');

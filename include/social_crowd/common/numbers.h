@@ -4,12 +4,20 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace crowd {
 
 /// @brief Shortest decimal text that is read back as the same double, bit for bit ("nan", "inf", "-inf" included).
 std::string toText(double value);
+
+/// @brief A number, or 1 or 0 for true or false, as a field of a CSV file.
+template <typename Number>
+std::string toField(Number value) {
+  if constexpr (std::is_floating_point_v<Number>) return toText(value);
+  return std::to_string(value);
+}
 
 /// @brief The bits of a number: equal for the same double only.
 std::uint64_t bitsOf(double value);

@@ -15,7 +15,7 @@ struct RanksReport {
   double seconds = 0.0;             ///< of all ticks, on the wall
   std::uint64_t bytes = 0;          ///< sent by all ranks in these ticks
   double busy_seconds = 0.0;        ///< processor time of the slowest rank, without waiting for others
-  bool is_divided = true;           ///< whether each rank has a part of the floor; else each has the whole crowd
+  bool is_divided = true;           ///< whether each rank has a part of the floor; else rank 0 walks alone
   double agent_imbalance = 1.0;     ///< agents of the largest share / mean, averaged over the divisions of the floor
   double time_imbalance = 1.0;      ///< computing time of the slowest rank / mean, without waiting for others
   std::uint64_t whole_motions = 0;  ///< ticks in which each rank computed the motion of the whole solid crowd

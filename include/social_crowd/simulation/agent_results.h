@@ -12,7 +12,7 @@
 
 namespace crowd {
 
-/// @brief Results of one agent in an episode.
+/// @brief Results of one agent in an episode. A new field also belongs in one of the functions below.
 struct AgentResult {
   bool arrived = false;
   bool removed = false;             ///< was removed on its way; excluded from all metrics
@@ -35,6 +35,45 @@ struct AgentResult {
   double distance_gained = 0.0;     ///< decrease of the distance to the goal, summed over its goals [m]
   double gain_per_tick = 0.0;       ///< distance gained per step (thesis): distance_gained / ticks [m]
   double path_per_gain = 0.0;       ///< path_length / distance_gained; NaN if distance_gained is not positive
+
+  /// @brief Calls visit(name, field...) for each field that records and AgentResult.msg have; with several objects,
+  /// such as a result and its message, for the field of all.
+  template <typename Visit, typename... Results>
+  static void visitMeasures(const Visit& visit, Results&... results) {
+    visit("arrived", results.arrived...);
+    visit("touched", results.touched...);
+    visit("collided", results.collided...);
+    visit("blocked_moves", results.blocked_moves...);
+    visit("ticks", results.ticks...);
+    visit("path_length", results.path_length...);
+    visit("path_ratio", results.path_ratio...);
+    visit("time_ratio", results.time_ratio...);
+    visit("turn_per_metre", results.turn_per_metre...);
+  }
+
+  /// @brief The same for each field of a record of agents.
+  template <typename Visit, typename AResult>
+  static void visitRecord(const Visit& visit, AResult& result) {
+    visitMeasures(visit, result);
+    visit("distance_gained", result.distance_gained);
+    visit("gain_per_tick", result.gain_per_tick);
+    visit("path_per_gain", result.path_per_gain);
+  }
+
+  /// @brief The same for all fields.
+  template <typename Visit, typename AResult>
+  static void visitFields(const Visit& visit, AResult& result) {
+    visitRecord(visit, result);
+    visit("removed", result.removed);
+    visit("out_of_reach", result.out_of_reach);
+    visit("endless", result.endless);
+    visit("waypoints", result.waypoints);
+    visit("appeared", result.appeared);
+    visit("start", result.start);
+    visit("heading", result.heading);
+    visit("straight_length", result.straight_length);
+    visit("max_speed_ratio", result.max_speed_ratio);
+  }
 };
 
 /// @brief Results of the agents 0, 1, 2 ... of an episode. Those of many agents that have left are in a temporary file,

@@ -47,10 +47,7 @@ class Episode {
   /// @brief Writes the learner's actions for perceptions(), the same as of Learner::decide(). For simultaneous turns in
   /// demo mode it uses the faster GreedyCrowd: the order of the agents then differs, and the learner does not register
   /// them.
-  void decide(Learner& learner, RelativeActions& actions) { decide(learner, {}, actions); }
-  /// @brief A part of these actions, for processes that divide them; the parts, one after the other, are all. If the
-  /// actions cannot be divided, the first part is all of them, and the others are empty.
-  void decide(Learner& learner, const DecisionShare& share, RelativeActions& actions);
+  void decide(Learner& learner, RelativeActions& actions);
   /// @brief Moves the agents whose turn it is; agents without an action stay.
   /// @throws InputError as World::step() does; the world is unchanged then.
   /// @return whether that was the last turn of the tick

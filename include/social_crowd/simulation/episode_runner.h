@@ -12,18 +12,11 @@ namespace crowd {
 struct EpisodeObserver {
   std::function<void(const World&)> on_tick;        ///< at the start of each tick, and at the end of the episode
   std::function<void(const Perceptions&)> on_turn;  ///< before the decisions of each turn
-  std::function<bool()> is_stopped;                 ///< after the decisions of each turn: whether the episode ends now
 };
-
-/// @brief Writes the actions of the agents whose turn it is. Also called at the end of an episode, when there are none.
-using Decide = std::function<void(Episode& episode, RelativeActions& actions)>;
-
-/// @brief Runs an episode to its end.
-/// @param robots command the robots before each tick; null: the robots get no commands
-EpisodeResult runEpisode(Episode& episode, const Decide& decide, const EpisodeObserver& observer, RobotDrivers* robots);
 
 /// @brief Runs an episode to its end with one learner, which decides for all agents. In training mode the learner also
 /// learns from the last tick.
+/// @param robots command the robots before each tick; null: the robots get no commands
 EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer = {},
                          RobotDrivers* robots = nullptr);
 

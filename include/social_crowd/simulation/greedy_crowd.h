@@ -9,12 +9,6 @@
 
 namespace crowd {
 
-/// @brief A part of the decisions of a tick, for processes that divide them: consecutive blocks of agents.
-struct DecisionShare {
-  std::size_t number = 0;  ///< of this part, from 0
-  std::size_t count = 1;   ///< of parts
-};
-
 /// @brief Greedy decisions for all agents of a world. It processes blocks of spatially adjacent agents, whose
 /// perceptions stay in the cache until they have decided and are then discarded. The decisions equal those of
 /// World::perceive() and Learner::decide() in demo mode, with less time and memory.
@@ -25,11 +19,10 @@ class GreedyCrowd {
   /// @param thread_pool its threads share the agents; the decisions do not depend on their number
   /// @param names of the world's agents, by their id, by which a learner that serves all agents knows them; null: their
   /// ids
-  /// @param share only these decisions; the shares of all numbers, one after the other, are all decisions
   /// @throws Stopped if the world's stop request is made
   void decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
               std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly(),
-              const std::vector<AgentId>* names = nullptr, const DecisionShare& share = {});
+              const std::vector<AgentId>* names = nullptr);
 
  private:
   /// Workspace of one worker.

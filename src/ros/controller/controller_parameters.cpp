@@ -64,11 +64,6 @@ void readRobots(Parameters& parameters, ControllerParameters& read) {
 
 }  // namespace
 
-void requireRealTimeFactor(double factor) {
-  const NumberRange& range = ControllerParameters::REAL_TIME_FACTOR;
-  if (!range.contains(factor)) throw InputError("factor: expected " + toText(range) + ", got " + toText(factor));
-}
-
 std::string realTimeFactorText(double factor) { return factor > 0.0 ? toText(factor) : FAST; }
 
 ControllerParameters readControllerParameters(const ros::NodeHandle& private_node) {

@@ -37,7 +37,7 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       status_(node_, [this] { return status(); }),
       reconfigure_(loop_.adopt(private_node), live_.descriptions(), live_.valuesOf(ControllerParameters()),
                    {[this] { return live_.valuesOf(parameters_); },
-                    [this](const LiveValues& values) { use(live_.changed(parameters_, values)); }}),
+                    [this](const LiveChanges& changes) { use(live_.changed(parameters_, changes)); }}),
       diagnostics_(node_, private_node, parameters_.diagnostic_period, [this] { takeSample(); }),
       files_(private_node, 1),
       services_(private_node, SERVICE_THREADS) {

@@ -77,11 +77,8 @@ void CrowdController::advertiseScenarioServices() {
   });
   services_.serve<social_crowd::SetRealTimeFactor>(
       names::SET_REAL_TIME_FACTOR, [this](const auto& request, auto& response) {
-        requireRealTimeFactor(request.factor);
         loop_.ask<void>([&] {
-          ControllerParameters parameters = parameters_;
-          parameters.real_time_factor = request.factor;
-          use(parameters);
+          use(live_.changed(parameters_, {{"real_time_factor", request.factor}}));
           response.message = "real_time_factor: " + realTimeFactorText(request.factor) + " since " + place();
         });
       });

@@ -34,7 +34,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       decision_publisher_(node_, name_),
       reconfigure_(loop_.adopt(private_node), live_.descriptions(), live_.valuesOf(settings()),
                    {[this] { return live_.valuesOf(settings()); },
-                    [this](const LiveValues& values) { use(live_.changed(settings(), values)); }}),
+                    [this](const LiveChanges& changes) { use(live_.changed(settings(), changes)); }}),
       diagnostics_(node_, private_node, parameters.diagnostic_period, [this] { takeSample(); }),
       taking_(private_node, 1),
       sharing_(private_node, 1),

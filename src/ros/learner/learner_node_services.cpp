@@ -86,9 +86,8 @@ void LearnerNode::advertiseServices() {
     response.message = "reset the eligibility traces and the last decisions; the Q-table is unchanged";
   });
   services_.serve<social_crowd::SetMode>(names::SET_MODE, [this](const auto& request, auto& response) {
-    const Mode mode = MODES.parse(request.mode);
-    loop_.ask<void>([&] { use({mode, learner_.plan()}); });
-    response.message = "now in " + MODES.nameOf(mode) + " mode";
+    loop_.ask<void>([&] { use(live_.changed(settings(), {{"mode", request.mode}})); });
+    response.message = "now in " + request.mode + " mode";
   });
   services_.serve<social_crowd::SetLearningParameters>(
       names::SET_LEARNING_PARAMETERS, [this](const auto& request, auto& response) {

@@ -52,16 +52,9 @@ std::vector<social_crowd::ObstacleState> obstacleStates(const World& world) {
 social_crowd::AgentResult toMessage(const AgentResult& result, std::size_t agent) {
   social_crowd::AgentResult message;
   message.agent = static_cast<AgentId>(agent);
-  message.arrived = result.arrived ? 1 : 0;
   message.removed = result.removed ? 1 : 0;
-  message.touched = result.touched ? 1 : 0;
-  message.collided = result.collided ? 1 : 0;
-  message.blocked_moves = result.blocked_moves;
-  message.ticks = result.ticks;
-  message.path_length = result.path_length;
-  message.path_ratio = result.path_ratio;
-  message.time_ratio = result.time_ratio;
-  message.turn_per_metre = result.turn_per_metre;
+  AgentResult::visitMeasures([](const char* /*name*/, const auto& value, auto& field) { field = value; }, result,
+                             message);
   message.max_speed_ratio = result.max_speed_ratio;
   return message;
 }

@@ -100,17 +100,17 @@ bool RobotInterface::wait(const std::function<ros::Time()>& end) {
 RobotInput RobotInterface::inputOf(RobotId robot) const {
   RobotInput input;
   const CommandCounts& commands = commands_.countsOf(robot);
-  input.taken = commands.taken;
-  input.missed = commands.missed;
-  input.late = commands.late;
-  input.timeouts = commands.timeouts;
-  for (const std::uint64_t refused : commands.refused) input.refused += refused;
+  input.commands_taken = commands.taken;
+  input.commands_missed = commands.missed;
+  input.commands_late = commands.late;
+  input.command_timeouts = commands.timeouts;
+  for (const std::uint64_t refused : commands.refused) input.commands_refused += refused;
   if (const std::optional<PoseInput> poses = poses_.inputOf(robot)) {
     input.poses_taken = poses->counts.taken;
     input.poses_refused = poses->counts.not_finite + poses->counts.backwards + poses->without_frame;
-    input.jumps = poses->counts.jumps;
-    input.gaps = poses->counts.gaps;
-    input.stale = poses->counts.stale;
+    input.pose_jumps = poses->counts.jumps;
+    input.pose_gaps = poses->counts.gaps;
+    input.pose_stale = poses->counts.stale;
   }
   return input;
 }

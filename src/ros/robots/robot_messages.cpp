@@ -200,45 +200,9 @@ void writeCounts(const PoseInput& input, social_crowd::RobotState& message) {
 social_crowd::RobotResult toMessage(const RobotResult& result) {
   social_crowd::RobotResult message;
   message.robot = result.name;
-  message.success = result.success ? 1 : 0;
-  message.timeout = result.timeout ? 1 : 0;
-  message.stuck = result.stuck ? 1 : 0;
-  message.time_to_reach_goal = result.time_to_reach_goal;
-  message.path_length = result.path_length;
-  message.path_length_ratio = result.path_length_ratio;
-  message.final_distance = result.final_distance;
-  message.minimum_distance_to_goal = result.minimum_distance_to_goal;
-  message.avg_robot_linear_speed = result.avg_robot_linear_speed;
-  message.max_speed = result.max_speed;
-  message.avg_acceleration = result.avg_acceleration;
-  message.max_acceleration = result.max_acceleration;
-  message.avg_jerk = result.avg_jerk;
-  message.max_jerk = result.max_jerk;
-  message.cumulative_heading_changes = result.cumulative_heading_changes;
-  message.time_not_moving = result.time_not_moving;
-  message.robot_on_person_collisions = result.robot_on_person_collisions;
-  message.person_on_robot_collisions = result.person_on_robot_collisions;
-  message.mutual_collisions = result.mutual_collisions;
-  message.contact_time = result.contact_time;
-  message.wall_contacts = result.wall_contacts;
-  message.robot_contacts = result.robot_contacts;
-  message.minimum_distance_to_people = result.minimum_distance_to_people;
-  message.avg_closest_person = result.avg_closest_person;
-  message.minimum_clearance = result.minimum_clearance;
-  message.intimate_space_time = result.intimate_space_time;
-  message.personal_space_time = result.personal_space_time;
-  message.intimate_space_intrusions = result.intimate_space_intrusions;
-  message.personal_space_intrusions = result.personal_space_intrusions;
-  message.commands_taken = result.input.taken;
-  message.commands_missed = result.input.missed;
-  message.commands_late = result.input.late;
-  message.command_timeouts = result.input.timeouts;
-  message.commands_refused = result.input.refused;
-  message.poses_taken = result.input.poses_taken;
-  message.poses_refused = result.input.poses_refused;
-  message.pose_jumps = result.input.jumps;
-  message.pose_gaps = result.input.gaps;
-  message.pose_stale = result.input.stale;
+  const auto copy = [](const char* /*name*/, const auto& value, auto& field) { field = value; };
+  RobotResult::visitMeasures(copy, result, message);
+  RobotInput::visitFields(copy, result.input, message);
   return message;
 }
 

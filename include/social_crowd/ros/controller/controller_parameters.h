@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/ros/controller/live_parameters.h"
 #include "social_crowd/ros/node/data_folder.h"
 #include "social_crowd/ros/node/diagnostic_period.h"
+#include "social_crowd/ros/node/live_parameters.h"
 #include "social_crowd/ros/node/parameters.h"
 
 namespace crowd {
@@ -46,8 +46,6 @@ struct ControllerParameters {
   bool ends_launch = false;                      ///< ~ends_launch: end the parent roslaunch after the last episode
 };
 
-/// @throws InputError unless it is a factor of real time in the range of ~real_time_factor
-void requireRealTimeFactor(double factor);
 /// @brief The factor as text, `fast` for 0.
 std::string realTimeFactorText(double factor);
 

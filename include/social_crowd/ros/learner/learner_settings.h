@@ -1,7 +1,7 @@
 #pragma once
 
 #include "social_crowd/learning/learner.h"
-#include "social_crowd/ros/controller/live_parameters.h"
+#include "social_crowd/ros/node/live_parameters.h"
 
 namespace crowd {
 

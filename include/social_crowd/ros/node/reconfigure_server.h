@@ -6,24 +6,24 @@
 #include <functional>
 #include <vector>
 
-#include "social_crowd/ros/controller/live_parameters.h"
+#include "social_crowd/ros/node/live_parameters.h"
 #include "social_crowd/ros/node/main_loop.h"
 #include "social_crowd/ros/node/services.h"
 
 namespace crowd {
 
 /// @brief Server of dynamic_reconfigure (`~set_parameters`, `~parameter_descriptions`, `~parameter_updates`) for
-/// parameters that are described at run time. dynamic_reconfigure::Server needs a .cfg file instead, which would repeat
-/// defaults and ranges.
+/// parameters that are described at run time. dynamic_reconfigure::Server needs a class that is generated from a .cfg
+/// file instead, which would repeat defaults and ranges, and clamps invalid values.
 ///
-/// Owned by a node; the functions `present` and `use` run in its main loop. A request with an invalid value changes
+/// Owned by a node; the functions `present` and `change` run in its main loop. A request with an invalid value changes
 /// nothing; the response has the present values in any case. Changes by other ways are published within a tenth of a
 /// second, if there are subscribers. The parameter server is not written to.
 class ReconfigureServer {
  public:
   struct Functions {
     std::function<LiveValues()> present;
-    std::function<void(const LiveValues&)> use;  ///< uses all values, or throws and changes nothing
+    std::function<void(const LiveChanges&)> change;  ///< makes all changes, or throws and makes none
   };
 
   /// @param private_node whose callbacks the main loop serves
