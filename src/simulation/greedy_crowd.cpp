@@ -13,7 +13,7 @@ constexpr std::size_t FEW_BLOCKS = ThreadPool::FEW_SHORT_ITEMS / BLOCK;
 void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
                          std::vector<AgentAction>& actions, ThreadPool& thread_pool, const std::vector<AgentId>* names,
                          const DecisionShare& share) {
-  const std::size_t bodies = world.bodyCount();
+  const std::size_t bodies = world.grid().size();
   const std::size_t all_blocks = (bodies + BLOCK - 1) / BLOCK;
   const std::size_t first_block = all_blocks * share.number / share.count;
   const std::size_t blocks = all_blocks * (share.number + 1) / share.count - first_block;
@@ -31,8 +31,8 @@ void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision
         for (std::size_t block = begin; block < end; ++block) {
           world.stopRequest().throwIfMade();
           const std::size_t first = (first_block + block) * BLOCK;
-          world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), workspace.perception_workspace,
-                             workspace.perceptions);
+          const Viewers& viewers = workspace.viewers.among(world, first, std::min(first + BLOCK, bodies));
+          workspace.perceiver.perceive(world, vision, viewers, workspace.perceptions);
           decideBlock(learner, names, workspace, lists == 0 ? actions : decided_[block]);
         }
       },

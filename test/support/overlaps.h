@@ -1,5 +1,6 @@
 #pragma once
 
+#include "social_crowd/geometry/impact.h"
 #include "social_crowd/scenario/scene.h"
 
 namespace crowd::scenes {
