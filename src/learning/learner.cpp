@@ -16,8 +16,7 @@ Learner::Learner(Model model, Options options)
 
 Learner::Learner(Model model, Options options, QTable table)
     : model_(std::move(model)),
-      vision_radius_(model_.state_set->visionRadius()),
-      max_neighbours_(model_.state_set->maxNeighbours()),
+      vision_{model_.state_set->visionRadius(), model_.state_set->maxNeighbours()},
       rows_each_(model_.state_set->rowsPerPerception()),
       blocks_each_(blocksOf(model_.action_set->size())),
       has_constant_moves_(model_.action_set->hasConstantMoves()),
@@ -140,11 +139,7 @@ inline void Learner::perceive(const Perceptions& perceptions, std::size_t first,
 /// Limits a perception to the model's vision: messages may contain more neighbours.
 inline void Learner::limit(Perception& seen) const {
   // Without a limit the state set selects the neighbours itself.
-  if (max_neighbours_ == 0) return;
-  std::size_t count = std::min<std::size_t>(max_neighbours_, seen.neighbours.size());
-  // Neighbours are sorted, nearest rim first.
-  while (count > 0 && rimDistance(seen.neighbours[count - 1]) > vision_radius_) --count;
-  seen.neighbours = seen.neighbours.front(count);
+  if (vision_.max_neighbours > 0) seen.neighbours = seen.neighbours.front(vision_.countOf(seen.neighbours));
 }
 
 inline void Learner::findRows(DecisionWorkspace& workspace) const {

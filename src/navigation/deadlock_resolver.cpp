@@ -165,9 +165,9 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
 /// Appends unit vectors from an agent to the walls that it touches.
 void DeadlockResolver::addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts) {
   near_walls_.clear();
-  world.wallIndex().findNear(agent.pose.position, agent.radius + CONTACT, near_walls_);
+  world.walls().index().findNear(agent.pose.position, agent.radius + CONTACT, near_walls_);
   for (const std::uint32_t wall : near_walls_) {
-    const Vector2 offset = nearestPoint(world.wallIndex().walls()[wall], agent.pose.position) - agent.pose.position;
+    const Vector2 offset = nearestPoint(world.walls().index().walls()[wall], agent.pose.position) - agent.pose.position;
     if (offset.norm() > 0.0) contacts.emplace_back(offset.normalized());
   }
 }
@@ -193,7 +193,7 @@ void DeadlockResolver::slideAlongWalls(World& world, const Agent& agent) {
   if (contacts.size() == agents) return;
   const Vector2 way = agent.perceivedGoal() - agent.pose.position;
   const std::optional<Vector2> slid = slideAlong(way.normalized(), contacts);
-  if (slid) world.setWaypoint(agent.id, agent.pose.position + BACK * *slid);
+  if (slid) world.walkingAgent(agent.id).setWaypoint(agent.pose.position + BACK * *slid);
 }
 
 void DeadlockResolver::retreat(World& world, const Agent& agent) {
@@ -210,7 +210,7 @@ void DeadlockResolver::retreat(World& world, const Agent& agent) {
   addWallContacts(world, agent, contacts);
   const std::optional<Vector2> slid = slideAlong(walk.course, contacts);
   const Vector2 straight = walk.leaves_trail ? Vector2(place + BACK * walk.course) : trail.back();
-  world.setWaypoint(agent.id, slid ? Vector2(place + BACK * *slid) : straight);
+  world.walkingAgent(agent.id).setWaypoint(slid ? Vector2(place + BACK * *slid) : straight);
 }
 
 }  // namespace crowd

@@ -201,7 +201,7 @@ void RightOfWay::guide(std::size_t passage, const PassageState& state, World& wo
   });
   for (auto claim = state.claims.begin(); claim != state.claims.end(); ++claim) {
     if (state.isAdmitted(claim->agent)) continue;
-    if (isBehindAnother(world, state.claims.begin(), claim)) world.setYielding(claim->agent, true);
+    if (isBehindAnother(world, state.claims.begin(), claim)) world.walkingAgent(claim->agent).yielding = true;
     guideWaiting((*passages_)[passage].mouths[claim->mouth], two_way, *claim, world);
   }
 }
@@ -223,14 +223,14 @@ void RightOfWay::guideWaiting(const Mouth& mouth, bool two_way, const Claim& cla
   const double ahead = offset.dot(mouth.outward);
   const double aside = cross(mouth.outward, offset);
   if (!two_way) {
-    if (offset.norm() < ONE_WAY_ZONE + STOP_MARGIN) world.setYielding(claim.agent, true);
+    if (offset.norm() < ONE_WAY_ZONE + STOP_MARGIN) world.walkingAgent(claim.agent).yielding = true;
     return;
   }
   const double half_lane = 2.0 * radius_ + BESIDE_LANE;
   const bool in_lane = ahead < LANE_LENGTH && std::abs(aside) < half_lane;
   if (!in_lane) {
     const bool enters_next = ahead < LANE_LENGTH + STOP_MARGIN && std::abs(aside) < half_lane + STOP_MARGIN;
-    if (enters_next || offset.norm() < LANE_LENGTH) world.setYielding(claim.agent, true);
+    if (enters_next || offset.norm() < LANE_LENGTH) world.walkingAgent(claim.agent).yielding = true;
     return;
   }
   const Vector2 left(-mouth.outward.y(), mouth.outward.x());
@@ -239,10 +239,10 @@ void RightOfWay::guideWaiting(const Mouth& mouth, bool two_way, const Claim& cla
   for (const double to : {side, -side}) {
     const Vector2 place = mouth.centre + out * mouth.outward + to * (half_lane + STOP_MARGIN + 0.1) * left;
     if (passages_->fits(place, radius_) && passages_->fits(place - to * radius_ * left, radius_)) {
-      return world.setWaypoint(claim.agent, place);
+      return world.walkingAgent(claim.agent).setWaypoint(place);
     }
   }
-  world.setWaypoint(claim.agent, mouth.centre + (LANE_LENGTH + 1.0) * mouth.outward);
+  world.walkingAgent(claim.agent).setWaypoint(mouth.centre + (LANE_LENGTH + 1.0) * mouth.outward);
 }
 
 void RightOfWay::formSingleFiles(World& world, const DeadlockResolver& deadlocks) const {
@@ -264,7 +264,7 @@ void RightOfWay::formSingleFile(const PassageState& state, const DeadlockResolve
       const bool is_in_way = earlier.distance == 0.0 || earlier.mouth == claim->mouth;
       return is_in_way && offset.norm() < 2.0 * radius_ + FILE_GAP && offset.dot(course) > -FILE_BESIDE;
     };
-    if (std::any_of(state.claims.begin(), claim, is_ahead)) world.setYielding(claim->agent, true);
+    if (std::any_of(state.claims.begin(), claim, is_ahead)) world.walkingAgent(claim->agent).yielding = true;
   }
 }
 

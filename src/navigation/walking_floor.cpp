@@ -40,11 +40,11 @@ bool contains(const FloorPlan::Bounds& bounds, const Vector2& point) {
   return (point.array() >= bounds.low.array()).all() && (point.array() <= bounds.high.array()).all();
 }
 
-FloorPlan walkingFloor(const World& world, double radius) {
+FloorPlan walkingFloor(const World& world, double radius, const WorldChange& change) {
   FloorPlan floor;
   floor.bounds = FloorPlan::Bounds{Vector2::Constant(INFINITE), Vector2::Constant(-INFINITE)};
-  floor.walls = world.walls();
-  for (const Obstacle& obstacle : world.obstacles()) {
+  floor.walls = change.walls != nullptr ? *change.walls : world.walls().list();
+  for (const Obstacle& obstacle : change.obstacles != nullptr ? *change.obstacles : world.obstacles()) {
     if (!obstacle.path.moves()) floor.obstacles.push_back({obstacle.path.position(0.0), obstacle.radius});
   }
   std::vector<FloorPlan::Disc> to_walk_round;
@@ -59,10 +59,14 @@ FloorPlan walkingFloor(const World& world, double radius) {
     includePoint(wall.to, *floor.bounds);
   }
   for (const FloorPlan::Disc& disc : floor.obstacles) includePoint(disc.centre, *floor.bounds);
-  for (const Agent& agent : world.agents()) {
+  const auto include = [&](const Agent& agent) {
     includePoint(agent.pose.position, *floor.bounds);
     for (const Vector2& goal : agent.goals) includePoint(goal, *floor.bounds);
+  };
+  for (const Agent& agent : world.agents()) {
+    if (change.agent == nullptr || agent.id != change.agent->id) include(agent);
   }
+  if (change.agent != nullptr) include(*change.agent);
   // Those who left count, too: the floor of an episode does not shrink.
   const Eigen::AlignedBox2d& left = world.departed().places;
   if (!left.isEmpty()) {
@@ -72,8 +76,9 @@ FloorPlan walkingFloor(const World& world, double radius) {
   return floor;
 }
 
-double largestRadius(const World& world) {
+double largestRadius(const World& world, const WorldChange& change) {
   double radius = world.departed().largest_radius;
+  if (change.agent != nullptr) radius = std::max(radius, change.agent->radius);
   for (const Agent& agent : world.agents()) radius = std::max(radius, agent.radius);
   return radius;
 }
@@ -109,9 +114,9 @@ std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, d
   return navigationData(floor, radius, RightOfWay::maxWidth(radius), stop);
 }
 
-void requireNavigableFloor(const World& world, double least_radius) {
-  const double radius = std::max(least_radius, largestRadius(world));
-  const FloorPlan floor = walkingFloor(world, radius);
+void requireNavigableFloor(const World& world, const WorldChange& change, double least_radius) {
+  const double radius = std::max(least_radius, largestRadius(world, change));
+  const FloorPlan floor = walkingFloor(world, radius, change);
   if (radius > 0.0 && hasBarriers(floor)) navigationDataOf(floor, radius, world.stopRequest());
 }
 

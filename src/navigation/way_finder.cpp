@@ -37,7 +37,7 @@ void WayFinder::update(World& world) {
     const Agent& agent = world.agents().nth(i);
     if (!agent.isWalking()) continue;
     world.stopRequest().throwIfMade();
-    lead(agent, ways_.nth(i), world);
+    lead(world.walkingAgent(agent.id), ways_.nth(i), world);
     const Span<Vector2> corners = ways_.nth(i).follower->corners();
     paths_.nth(i).assign(corners.begin(), corners.end());
   }
@@ -67,14 +67,15 @@ void WayFinder::adoptLayout(World& world) {
 void WayFinder::release(World& world) {
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking()) continue;
-    world.setYielding(agent.id, false);
-    world.clearWaypoint(agent.id);
+    Agent& walking = world.walkingAgent(agent.id);
+    walking.yielding = false;
+    walking.clearWaypoint();
   }
 }
 
-void WayFinder::lead(const Agent& agent, Way& way, World& world) {
+void WayFinder::lead(Agent& agent, Way& way, const World& world) {
   const bool waits = agent.yielding || agent.held;
-  world.setYielding(agent.id, false);
+  agent.yielding = false;
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way = Way();
     way.follower.emplace(agent.goal());
@@ -86,12 +87,12 @@ void WayFinder::lead(const Agent& agent, Way& way, World& world) {
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
   // An agent in a wall or an obstacle, as in a ghost world, is not led, but may walk out of it.
   way.out_of_reach = !is_led && tight_->component(agent.pose.position).has_value();
-  const bool sees_goal = way.out_of_reach && world.wallIndex().isClear(agent.pose.position, agent.goal(), 0.0);
-  if (way.out_of_reach && !sees_goal) world.setYielding(agent.id, true);
+  const bool sees_goal = way.out_of_reach && world.walls().index().isClear(agent.pose.position, agent.goal(), 0.0);
+  if (way.out_of_reach && !sees_goal) agent.yielding = true;
   if (!is_led || next == agent.goal()) {
-    world.clearWaypoint(agent.id);
+    agent.clearWaypoint();
   } else {
-    world.setWaypoint(agent.id, next);
+    agent.setWaypoint(next);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// What keeps an agent farther from a place than the goal tolerance; empty if nothing does.
 std::string coverOf(const World& world, const Vector2& place, double distance) {
   if (distance <= 0.0) return "";
-  if (world.wallIndex().isAnyWithin(place, distance)) return "a wall";
+  if (world.walls().index().isAnyWithin(place, distance)) return "a wall";
   const auto covers = [&](const Obstacle& obstacle) {
     return !obstacle.path.moves() && (obstacle.path.position(0.0) - place).norm() < obstacle.radius + distance;
   };

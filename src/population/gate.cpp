@@ -1,4 +1,5 @@
 #include "social_crowd/population/gate.h"
+#include "social_crowd/world/world_editor.h"
 
 #include <algorithm>
 
@@ -30,13 +31,13 @@ void Gate::setOpen(bool open, double time) {
 
 void Gate::update(World& world) {
   follow(world.time());
-  const auto& ids = world.wallIds();
+  const auto& ids = world.walls().ids();
   if (wall_ && !std::binary_search(ids.begin(), ids.end(), *wall_)) wall_.reset();  // it was removed by another caller
   if (wants_open_ && wall_) {
-    world.removeWall(*wall_);
+    WorldEditor(world).removeWall(*wall_);
     wall_.reset();
   } else if (!wants_open_ && !wall_ && !isOccupied(gate_->wall, world)) {
-    wall_ = world.addWall(gate_->wall);
+    wall_ = WorldEditor(world).addWall(gate_->wall);
   }
 }
 

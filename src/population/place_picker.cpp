@@ -13,7 +13,7 @@ PlacePicker::PlacePicker(const Scene& scene)
     : goal_tolerance_(scene.goal_tolerance), free_space_(scene.free_space), map_(scene.map) {}
 
 bool PlacePicker::fits(const Vector2& place, double radius, const World& world) const {
-  if (world.wallIndex().isAnyWithin(place, radius - TOUCH_TOLERANCE)) return false;
+  if (world.walls().index().isAnyWithin(place, radius - TOUCH_TOLERANCE)) return false;
   if (map_ != nullptr && !map_->isFree(CellFrame(*map_).cellAt(place))) return false;
   const auto overlaps = [&](const Obstacle& obstacle) {
     return !obstacle.path.moves() && (obstacle.path.position(0.0) - place).norm() < radius + obstacle.radius;
@@ -50,7 +50,7 @@ std::optional<Vector2> PlacePicker::drawStart(const Region& region, double radiu
   const double gap = region.isFixed() ? 0.0 : DRAWN_GAP;
   for (int tries = 0; tries < count; ++tries) {
     const Vector2 place = region.draw(random, free_space_.get());
-    if (world.isFree(place, radius + gap) && (region.isFixed() || fits(place, radius, world))) return place;
+    if (world.blockerAt(place, radius + gap).empty() && (region.isFixed() || fits(place, radius, world))) return place;
   }
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include "social_crowd/geometry/limits.h"
 #include "social_crowd/population/route_check.h"
 #include "social_crowd/scenario/region_geometry.h"
+#include "social_crowd/world/world_editor.h"
 
 namespace crowd {
 namespace {
@@ -82,7 +83,7 @@ void Population::admit(AgentId id, const AgentStart& start, World& world, RouteO
   member.reacts_at = world.time() + start.reaction_time - TIME_ROUNDING;
   if (start.route) {
     member.route.emplace(description_->routes[*start.route], randomOfRoute(id, world.tick()));
-    world.setLeaves(id, false);
+    world.walkingAgent(id).leaves = false;
     observer.setEndless(id, member.route->repeats());
     beginLeg(member, world);
   }
@@ -128,12 +129,12 @@ void Population::beginLeg(Member& member, World& world) {
   const Vector2 goal = goalOfLeg(member, agent.pose.position, agent.radius, world);
   const WaypointDescription& waypoint = member.route->waypoint();
   if (waypoint.kind == Kind::QUEUE) queues_[waypoint.target].join(member.id);
-  if (goal != agent.goal() || agent.at_goal) world.setGoal(member.id, goal);
+  if (goal != agent.goal() || agent.at_goal) world.walkingAgent(member.id).setGoal(goal);
 }
 
 void Population::advance(Member& member, World& world, RouteObserver& observer) {
   observer.countWaypoint(member.id);
-  if (!member.route->advance()) return world.leave(member.id);
+  if (!member.route->advance()) return WorldEditor(world).leave(member.id);
   beginLeg(member, world);
   observer.extendWay(world.agents()[member.id]);
 }
@@ -160,7 +161,7 @@ void Population::hold(const Member& member, World& world) const {
     return queues_[route.waypoint().target].stands(member.id, world);
   };
   const bool stands = member.route && stands_on_route(*member.route);
-  if (agent.held != (stands || !has_reacted)) world.hold(member.id, !agent.held);
+  if (agent.held != (stands || !has_reacted)) world.walkingAgent(member.id).held = !agent.held;
 }
 
 void Population::serveQueues(World& world, RouteObserver& observer) {
@@ -182,7 +183,7 @@ void Population::spawn(World& world, RouteObserver& observer) {
         start->goals = {goalOfLeg(member, start->position, start->radius, world)};
         start->heading = bearingOf(start->goals.front() - start->position);
       }
-      world.spawnAgent(*start);
+      WorldEditor(world).spawnAgent(*start);
       observer.watch(*start, world);
       admit(id, *start, world, observer);
     }
@@ -228,7 +229,7 @@ void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways
     const Vector2 goal = goalOfLeg(candidate, agent.pose.position, agent.radius, world);
     ways->requireWay(name, world, agent.pose.position, goal, agent.radius);
   }
-  world.setLeaves(id, false);  // throws for unknown agents
+  world.walkingAgent(id).leaves = false;  // throws for unknown agents
   for (Queue& queue : queues_) queue.leave(id);
   Member* member = find(id);
   if (member == nullptr) {
@@ -249,7 +250,7 @@ void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
   if (member == nullptr || !member->route) return;
   for (Queue& queue : queues_) queue.leave(id);
   member->route.reset();
-  world.setLeaves(id, true);
+  world.walkingAgent(id).leaves = true;
   observer.setEndless(id, false);
   hold(*member, world);
 }

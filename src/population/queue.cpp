@@ -11,7 +11,7 @@ void erase(AgentId agent, std::vector<AgentId>& agents) {
 }
 
 void send(AgentId agent, const Vector2& place, World& world) {
-  if (world.agents()[agent].goal() != place) world.setGoal(agent, place);
+  if (world.agents()[agent].goal() != place) world.walkingAgent(agent).setGoal(place);
 }
 
 }  // namespace
@@ -39,7 +39,8 @@ void Queue::measure(const World& world) {
   layout_ = world.layoutChanges();
   const double half = 0.5 * queue_->spacing;
   places_ = 1;
-  while (places_ < MAX_PLACES && world.wallIndex().isClear(queue_->place(places_ - 1), queue_->place(places_), half)) {
+  while (places_ < MAX_PLACES &&
+         world.walls().index().isClear(queue_->place(places_ - 1), queue_->place(places_), half)) {
     ++places_;
   }
 }

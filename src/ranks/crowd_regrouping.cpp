@@ -6,12 +6,13 @@
 #include "simulation/agent_transfer.h"
 #include "social_crowd/ranks/distributed_crowd.h"
 #include "social_crowd/simulation/byte_archive.h"
+#include "social_crowd/world/world_editor.h"
 
 namespace crowd {
 
 void DistributedCrowd::regroup() {
   next_regroup_ = world_.tick() + options_.regroup_ticks;
-  agents_ = world_.replaceAgents({});
+  agents_ = WorldEditor(world_).replaceAgents({});
   tracks_ = monitor_.replaceTracks({});
   former_names_.swap(names_);
   strips_.balance(keepOwn(), communicator_);
@@ -121,7 +122,7 @@ void DistributedCrowd::adopt(std::vector<Traveller> newcomers) {
   for (; newcomer != newcomers.end(); ++newcomer) {
     append(newcomer->name, std::move(newcomer->agent), newcomer->track);
   }
-  world_.replaceAgents(std::move(next_agents_));
+  WorldEditor(world_).replaceAgents(std::move(next_agents_));
   monitor_.replaceTracks(std::move(next_tracks_));
   next_agents_.swap(agents_);
   next_tracks_.swap(tracks_);

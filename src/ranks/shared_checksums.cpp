@@ -26,12 +26,6 @@ class ChecksumWriter {
   std::vector<char> bytes_;
 };
 
-std::string checksumOf(const std::string& file) {
-  Checksum checksum;
-  checksum.add(readFile(file));
-  return checksum.text();
-}
-
 }  // namespace
 
 std::string checksumOf(const Scene& scene) {
@@ -66,9 +60,10 @@ std::string checksumOf(const Scene& scene) {
 
 std::string checksumOfLibrary() {
   const std::string file = libraryFile();
-  return file.empty() ? "unknown" : checksumOf(file);
+  if (file.empty()) return "unknown";
+  Checksum checksum;
+  checksum.add(readFile(file));
+  return checksum.text();
 }
-
-std::string checksumOfProgram() { return checksumOf("/proc/self/exe"); }
 
 }  // namespace crowd

@@ -49,7 +49,7 @@ void DistributedCrowd::moveWholeCrowd() {
   const auto obstacles = world_.solidDiscs().begin() + static_cast<std::ptrdiff_t>(walking.size());
   discs.insert(discs.end(), obstacles, world_.solidDiscs().end());
   SolidMotion motion;
-  const std::vector<SolidMotion::Outcome>& outcomes = motion.move(discs, world_.wallIndex());
+  const std::vector<SolidMotion::Outcome>& outcomes = motion.move(discs, world_.walls().index());
   for (std::size_t i = 0; i < walking.size(); ++i) {
     const auto found = std::lower_bound(all.begin(), all.end(), walking[i],
                                         [](const NamedDisc& named, AgentId name) { return named.name < name; });

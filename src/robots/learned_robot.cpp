@@ -14,7 +14,7 @@ constexpr double ALIGNED = toRadians(2.0);  // [rad]
 Twist LearnedRobot::command(const World& world, RobotId id, const Vector2& goal) {
   const Robot& robot = world.robots()[id];
   const Vector2 point = finds_ways_ ? way_.next(world, robot, goal) : goal;
-  world.perceiveRobot(learner_->model().vision(), id, point, perception_workspace_, perceptions_);
+  perceiver_.perceive(world, learner_->model().vision(), viewers_.inPlaceOf(id, world, point), perceptions_);
   actions_.clear();
   learner_->decideGreedily(perceptions_, decision_workspace_, actions_);
   const RelativeAction& action = actions_.front().action;

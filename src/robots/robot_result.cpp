@@ -132,9 +132,9 @@ void RobotMonitor::observeContacts(const World& world, const Robot& robot, Track
   track.contact_ticks += robot.contacts.empty() ? 0 : 1;
   const Footprint& footprint = robot.start.footprint;
   near_walls_.clear();
-  world.wallIndex().findNear(robot.pose.position, footprint.reach() + CONTACT_OVERLAP, near_walls_);
+  world.walls().index().findNear(robot.pose.position, footprint.reach() + CONTACT_OVERLAP, near_walls_);
   const bool at_wall = std::any_of(near_walls_.begin(), near_walls_.end(), [&](std::uint32_t number) {
-    return distance(footprint, robot.pose, world.walls()[number]) < CONTACT_OVERLAP;
+    return distance(footprint, robot.pose, world.walls().list()[number]) < CONTACT_OVERLAP;
   });
   const bool at_robot = std::any_of(world.robots().begin(), world.robots().end(), [&](const Robot& other) {
     return &other != &robot && distance(footprint, robot.pose, other.start.footprint, other.pose) < CONTACT_OVERLAP;

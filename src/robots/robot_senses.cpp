@@ -84,7 +84,7 @@ void RobotSenses::scan(const World& world, RobotId robot) {
   if (sensor.scanned_at == world.tick()) return;
   sensor.scanned_at = world.tick();
   if (walls_of_ != world.layoutChanges()) {
-    walls_ = WallIndex(world.walls());
+    walls_ = WallIndex(world.walls().list());
     walls_of_ = world.layoutChanges();
   }
   const ScanSpec& spec = sensor.scanner.spec();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "social_crowd/geometry/impact.h"
 #include "social_crowd/scenario/scene.h"
 
 namespace crowd {

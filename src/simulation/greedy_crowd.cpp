@@ -13,7 +13,7 @@ constexpr std::size_t FEW_BLOCKS = ThreadPool::FEW_SHORT_ITEMS / BLOCK;
 void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision& vision, const Learner& learner,
                          std::vector<AgentAction>& actions, ThreadPool& thread_pool,
                          const std::vector<AgentId>* names) {
-  const std::size_t bodies = world.bodyCount();
+  const std::size_t bodies = world.grid().size();
   const std::size_t blocks = (bodies + BLOCK - 1) / BLOCK;
   if (workspaces_.size() < thread_pool.count()) workspaces_.resize(thread_pool.count());
   // A single worker writes its decisions directly to `actions`.
@@ -29,8 +29,8 @@ void GreedyCrowd::decide(const World& world, std::uint64_t episode, const Vision
         for (std::size_t block = begin; block < end; ++block) {
           world.stopRequest().throwIfMade();
           const std::size_t first = block * BLOCK;
-          world.perceiveSome(vision, first, std::min(first + BLOCK, bodies), workspace.perception_workspace,
-                             workspace.perceptions);
+          const Viewers& viewers = workspace.viewers.among(world, first, std::min(first + BLOCK, bodies));
+          workspace.perceiver.perceive(world, vision, viewers, workspace.perceptions);
           decideBlock(learner, names, workspace, lists == 0 ? actions : decided_[block]);
         }
       },

@@ -74,8 +74,8 @@ void RobotDrivers::command(Episode& episode) {
     if (!controllers_[id]) continue;
     const Robot& robot = episode.world().robots()[id];
     const bool drives = robot.hasGoal() && !robot.hasArrived();
-    episode.commandRobot(id,
-                         drives ? controllers_[id]->command({episode.world(), id, robot.goal(), senses_}) : Twist());
+    episode.robots().command(
+        id, drives ? controllers_[id]->command({episode.world(), id, robot.goal(), senses_}) : Twist());
   }
 }
 

@@ -15,8 +15,7 @@ void requireSameRun(Communicator& ranks, const TrainedTable& trained, const std:
   table.add(toText(trained));
   std::string scenarios;
   for (const std::string& file : scenario_files) scenarios += " " + stemOf(file);
-  requireSameOnAllRanks(ranks, {{"checksum of the program", checksumOfProgram()},
-                                {"checksum of the program's library", checksumOfLibrary()},
+  requireSameOnAllRanks(ranks, {{"checksum of the program's library", checksumOfLibrary()},
                                 {"checksum of the Q-table", table.text()},
                                 {"list of scenarios", scenarios},
                                 {"seed", std::to_string(plan.seed)},
@@ -31,8 +30,7 @@ void requireSameTraining(Communicator& ranks, const Training& training, const Tr
   Checksum table;
   if (begin != nullptr) table.add(toText(*begin));
   const TrainingPlan& plan = training.config().training;
-  requireSameOnAllRanks(ranks, {{"checksum of the program", checksumOfProgram()},
-                                {"checksum of the program's library", checksumOfLibrary()},
+  requireSameOnAllRanks(ranks, {{"checksum of the program's library", checksumOfLibrary()},
                                 {"training", identityOf(training)},
                                 {"number of episodes", std::to_string(plan.episodes)},
                                 {"interval of --save-every", std::to_string(plan.save_every)},

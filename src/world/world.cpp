@@ -7,6 +7,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/geometry/impact.h"
 
 namespace crowd {
 namespace {
@@ -33,24 +34,30 @@ World::World(const Scene& scene, StopRequest stop)
       goal_tolerance_(scene.goal_tolerance),
       collision_radius_(scene.collision_radius),
       contact_(scene.contact),
-      obstacles_(scene.obstacles) {
-  replaceWalls(scene.walls);
-  for (const AgentStart& start : scene.agents) addAgent(start);
-  lasting_count_ = agents_.size();
-  for (const RobotStart& start : scene.robots) addRobot(start);
+      obstacles_(scene.obstacles),
+      robots_(scene) {
+  walls_.replaceAll(scene.walls);
+  std::vector<Agent> agents;
+  agents.reserve(scene.agents.size());
+  for (const AgentStart& start : scene.agents) agents.emplace_back(static_cast<AgentId>(agents.size()), start);
+  lasting_count_ = entered_count_ = active_count_ = agents.size();
+  agents_.replace(std::move(agents));
   refresh();
 }
 
 void World::refresh() {
-  resizeWorkspaces();
-  placeObstacles();
+  obstacle_motions_.clear();
+  moving_obstacles_.clear();
+  for (const Obstacle& obstacle : obstacles_) {
+    if (obstacle.path.moves()) moving_obstacles_.push_back(obstacle_motions_.size());
+    obstacle_motions_.push_back(obstacle.path.at(time()));
+  }
   rebuildGrid();
 }
 
-void World::resizeWorkspaces() {
-  assigned_actions_.resize(agents_.size(), nullptr);
-  had_turn_.resize(agents_.size(), false);
-  places_.resize(agents_.size());
+Agent& World::walkingAgent(AgentId id) {
+  if (!isActive(id)) throw InputError("there is no agent " + std::to_string(id) + " on its way");
+  return agents_[id];
 }
 
 bool World::isActive(AgentId id) const {
@@ -58,17 +65,19 @@ bool World::isActive(AgentId id) const {
   return agent != nullptr && agent->isWalking();
 }
 
-void World::placeObstacles() {
-  obstacle_motions_.clear();
-  moving_obstacles_.clear();
-  for (const Obstacle& obstacle : obstacles_) {
-    if (obstacle.path.moves()) moving_obstacles_.push_back(obstacle_motions_.size());
-    obstacle_motions_.push_back(obstacle.path.at(time()));
+std::string World::blockerAt(const Vector2& centre, double radius, bool agents_only, std::optional<AgentId> except,
+                             std::optional<RobotId> except_robot) const {
+  const double overlap = contact_ == Contact::SOLID ? TOUCH_TOLERANCE : CONTACT_OVERLAP;
+  std::vector<std::uint32_t> found;
+  grid_.findNear(centre, radius - overlap, found);
+  for (const std::uint32_t body : found) {
+    if (body < agents_.size() && agents_.idAt(body) == except) continue;
+    if (body < agents_.size()) return "agent " + std::to_string(agents_.idAt(body));
+    if (!agents_only) return "obstacle " + std::to_string(body - agents_.size());
   }
-}
-
-inline void World::moveObstacles() {
-  for (const std::size_t i : moving_obstacles_) obstacle_motions_[i] = obstacles_[i].path.at(time());
+  std::string robot = robots_.blockerAt(centre, radius - overlap, except_robot);
+  if (!robot.empty() || agents_only) return robot;
+  return walls_.index().isAnyWithin(centre, radius - overlap) ? "a wall" : "";
 }
 
 void World::rebuildGrid() {
@@ -97,14 +106,6 @@ inline void World::updateGrid() {
   grid_.update();
 }
 
-void World::updateGridOf(std::size_t position) {
-  std::size_t number = 0;
-  for (std::size_t i = 0; i < position; ++i) number += agents_.nth(i).isWalking() ? 1 : 0;
-  const Agent& agent = agents_.nth(position);
-  grid_.move(number, agent.pose.position, agent.velocity);
-  grid_.update();
-}
-
 void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
   beginStep(actions, thread_pool);
   stop_.throwIfMade();
@@ -112,7 +113,13 @@ void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_poo
 }
 
 void World::beginStep(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
-  assignActions(actions);
+  for (const AgentAction& given : actions) requireValid(given);
+  assigned_actions_.resize(agents_.size(), nullptr);
+  for (const AgentAction& given : actions) {
+    const std::size_t position = agents_.positionOf(given.agent);
+    if (position < assigned_actions_.size() && assigned_actions_[position] == nullptr)
+      assigned_actions_[position] = &given.action;
+  }
   thread_pool.run(
       assigned_actions_.size(),
       [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
@@ -121,14 +128,15 @@ void World::beginStep(const std::vector<AgentAction>& actions, ThreadPool& threa
         }
       },
       ThreadPool::FEW_SHORT_ITEMS);
-  if (hasRobots()) beginRobotMoves();
+  robots_.beginMoves(agents_.values());
   if (contact_ == Contact::SOLID) computeSolidMotions(EVERY_BODY);
 }
 
 void World::endStep(ThreadPool& thread_pool) {
-  if (contact_ == Contact::SOLID) carryOutSolidMotions(EVERY_BODY);
-  if (hasGhostRobots()) {
-    for (const Agent& agent : agents_) noteGhostContacts(agent, tick_duration_ * agent.velocity);
+  if (contact_ == Contact::SOLID) {
+    carryOutSolidMotions(EVERY_BODY);
+  } else {
+    robots_.noteGhostContacts({agents_.values().data(), agents_.size()}, tick_duration_);
   }
   finishTick(thread_pool);
 }
@@ -141,33 +149,45 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   }
   if (!isActive(id)) return;
   const std::size_t position = agents_.positionOf(id);
+  had_turn_.resize(agents_.size());
   had_turn_[position] = true;
   Agent& agent = agents_.nth(position);
   beginMove(agent, action);
-  if (hasRobots()) holdRobots();
-  if (agent.acted && contact_ == Contact::SOLID) moveSolids([position](std::size_t body) { return body == position; });
-  if (hasGhostRobots()) noteGhostContacts(agent, tick_duration_ * agent.velocity);
-  updateGridOf(position);  // also for an agent that stays, because its velocity changes
+  robots_.hold();
+  if (contact_ == Contact::GHOST) robots_.noteGhostContacts({&agent, 1}, tick_duration_);
+  if (agent.acted && contact_ == Contact::SOLID) {
+    const auto is_it = [position](std::size_t body) { return body == position; };
+    computeSolidMotions(is_it);
+    carryOutSolidMotions(is_it);
+  }
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < position; ++i) number += agents_.nth(i).isWalking() ? 1 : 0;
+  grid_.move(number, agent.pose.position, agent.velocity);  // also if it stays, because its velocity changes
+  grid_.update();
 }
 
 void World::endTick(ThreadPool& thread_pool) {
+  had_turn_.resize(agents_.size());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     if (!had_turn_[i]) beginMove(agents_.nth(i), nullptr);
   }
   had_turn_.assign(agents_.size(), false);
-  if (hasRobots()) beginRobotMoves();
-  if (contact_ == Contact::SOLID) moveSolids([&](std::size_t body) { return body >= agents_.size(); });
-  if (hasGhostRobots()) {
-    for (const Agent& agent : agents_) noteGhostContacts(agent, Vector2::Zero());
+  robots_.beginMoves(agents_.values());
+  if (contact_ == Contact::SOLID) {
+    const auto is_obstacle = [this](std::size_t body) { return body >= agents_.size(); };
+    computeSolidMotions(is_obstacle);
+    carryOutSolidMotions(is_obstacle);
+  } else {
+    robots_.noteGhostContacts({agents_.values().data(), agents_.size()}, 0.0);
   }
   finishTick(thread_pool);
 }
 
 void World::finishTick(ThreadPool& thread_pool) {
-  if (hasRobots()) moveRobots();
+  robots_.endMoves();
   const bool are_fewer = dropDeparted();
   ++tick_;
-  moveObstacles();
+  for (const std::size_t i : moving_obstacles_) obstacle_motions_[i] = obstacles_[i].path.at(time());
   are_fewer ? rebuildGrid() : updateGrid();
   stop_.throwIfMade();
   // Agents that arrive in this tick are still present at its end: the grid contains them during the measurements.
@@ -180,10 +200,8 @@ void World::finishTick(ThreadPool& thread_pool) {
         if (arrivals > 0) arrived += arrivals;
       },
       ThreadPool::FEW_SHORT_ITEMS);
-  if (hasRobots()) endRobotMoves();
-  just_arrived_count_ = arrived;
-  if (just_arrived_count_ == 0) return;
-  active_count_ -= just_arrived_count_;
+  if (arrived == 0) return;
+  active_count_ -= arrived;
   rebuildGrid();
 }
 
@@ -195,17 +213,7 @@ bool World::dropDeparted() {
     departed_.add(agent);
     return true;
   });
-  resizeWorkspaces();
   return true;
-}
-
-inline void World::assignActions(const std::vector<AgentAction>& actions) {
-  for (const AgentAction& given : actions) requireValid(given);
-  for (const AgentAction& given : actions) {
-    const std::size_t position = agents_.positionOf(given.agent);
-    if (position < assigned_actions_.size() && assigned_actions_[position] == nullptr)
-      assigned_actions_[position] = &given.action;
-  }
 }
 
 inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
@@ -256,13 +264,7 @@ inline void World::endMove(std::size_t position, std::size_t& arrivals) {
 inline bool World::isAnythingWithin(double distance, std::size_t position) const {
   const Vector2& place = agents_.nth(position).pose.position;
   return grid_.isAnyNear(place, distance, static_cast<std::uint32_t>(position)) ||
-         walls_.isAnyWithin(place, distance) || (hasRobots() && isRobotWithin(distance, place));
-}
-
-template <typename Moves>
-void World::moveSolids(const Moves& moves) {
-  computeSolidMotions(moves);
-  carryOutSolidMotions(moves);
+         walls_.index().isAnyWithin(place, distance) || robots_.isAnyWithin(distance, place);
 }
 
 template <typename Moves>
@@ -281,14 +283,15 @@ void World::computeSolidMotions(const Moves& moves) {
                             : Vector2::Zero();
     discs_.push_back({obstacle_motions_[i].position, way, obstacles_[i].radius, false});
   }
-  if (hasRobots()) addRobotDiscs();
-  solid_motion_.move(discs_, walls_);
+  robots_.addDiscs(discs_);
+  solid_motion_.move(discs_, walls_.index());
 }
 
 template <typename Moves>
 void World::carryOutSolidMotions(const Moves& moves) {
-  auto outcome = solid_motion_.outcomes().begin();
-  if (hasRobots()) noteSolidContacts();
+  const std::vector<SolidMotion::Outcome>& outcomes = solid_motion_.outcomes();
+  auto outcome = outcomes.begin();
+  robots_.noteSolidContacts(agents_.values(), discs_, solid_motion_.touches());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     Agent& agent = agents_.nth(i);
     if (!agent.isWalking()) continue;
@@ -306,8 +309,7 @@ void World::carryOutSolidMotions(const Moves& moves) {
     agent.bumped = agent.bumped || outcome->touched;
     ++outcome;
   }
-  outcome += static_cast<std::ptrdiff_t>(obstacles_.size());
-  for (RobotSweep& sweep : robot_sweeps_) sweep.stopAt((outcome++)->stopped_at);
+  robots_.stop({outcomes.data(), outcomes.size()});
 }
 
 }  // namespace crowd

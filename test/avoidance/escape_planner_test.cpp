@@ -8,6 +8,7 @@
 #include "social_crowd/world/world.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
+#include "support/worlds.h"
 
 namespace crowd::escape_planner_test {
 namespace {
@@ -88,7 +89,7 @@ int ticksInContact(double lookout, std::uint64_t seed) {
   Perceptions perceptions;
   int ticks = 0;
   for (std::uint64_t tick = 0; tick < 300; ++tick) {
-    world.perceive({6.0, 0}, perceptions);
+    perceive(world, {6.0, 0}, perceptions);
     const AgentPerception& self = perceptions.agents.front();
     // Keeps the agent near the moving obstacles: out of their range it walks back.
     const bool is_out = self.pose.position.norm() > 3.0;

@@ -9,6 +9,7 @@
 #include "support/perceptions.h"
 #include "support/robots.h"
 #include "support/seeds.h"
+#include "support/worlds.h"
 
 namespace crowd::robot_separation_test {
 namespace {
@@ -133,9 +134,9 @@ TEST(RobotSeparation, AgentsNeverMoveIntoRobotsNorIntoTheirReach) {
     Perceptions seen;
     for (int tick = 0; tick < 60 && !testing::Test::HasFailure(); ++tick) {
       for (RobotId id = 0; id < world.robots().size(); ++id) {
-        if (random.below(10) == 0) world.commandRobot(id, randomCommand(random));
+        if (random.below(10) == 0) world.robots().command(id, randomCommand(random));
       }
-      world.perceive({6.0, 0}, seen);
+      perceive(world, {6.0, 0}, seen);
       std::vector<AgentAction> actions;
       for (std::size_t i = 0; i < seen.agents.size(); ++i) {
         const Perception perception(seen, i);
@@ -166,11 +167,11 @@ TEST(RobotSeparation, AnAgentInTheOpenEscapesARobotThatDrivesStraightAtIt) {
     RobotStart robot = robots::robot(from, bearingOf(-from));
     robot.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
     World world(robots::with({robot}, scenes::scene({scenes::wanderer({0.0, 0.0})})));
-    world.commandRobot(0, {{1.0, 0.0}, 0.0});
+    world.robots().command(0, {{1.0, 0.0}, 0.0});
     const SeparationRule rule(GapSharing::MOVING, LOOKOUT);
     Perceptions seen;
     for (int tick = 0; tick < 80; ++tick) {
-      world.perceive({6.0, 0}, seen);
+      perceive(world, {6.0, 0}, seen);
       // Left alone, it stands.
       world.step({{0, toAction(cut(rule, {seen, 0}, {{Vector2::UnitX(), 0.0, 0.0}})[0])}});
       ASSERT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;

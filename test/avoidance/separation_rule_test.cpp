@@ -10,6 +10,7 @@
 #include "support/error_of.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
+#include "support/worlds.h"
 
 namespace crowd::separation_rule_test {
 namespace {
@@ -88,7 +89,8 @@ double deepestOverlap(const World& world) {
     for (const Obstacle& o : world.obstacles()) {
       deepest = std::max(deepest, a.radius + o.radius - (a.pose.position - o.path.position(0.0)).norm());
     }
-    for (const Segment& wall : world.walls()) deepest = std::max(deepest, a.radius - distanceTo(wall, a.pose.position));
+    for (const Segment& wall : world.walls().list())
+      deepest = std::max(deepest, a.radius - distanceTo(wall, a.pose.position));
   }
   return deepest;
 }
@@ -102,7 +104,7 @@ double worstOfRandomWalk(GapSharing sharing, std::uint64_t seed) {
   Perceptions perceptions;
   double worst = -1.0;
   for (std::uint64_t tick = 0; tick < 200; ++tick) {
-    world.perceive({6.0, 0}, perceptions);
+    perceive(world, {6.0, 0}, perceptions);
     std::vector<AgentAction> actions;
     for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
       const AgentId agent = perceptions.agents[i].agent;

@@ -100,7 +100,7 @@ bool collides(const World& world, const Agent& agent) {
   for (const Obstacle& obstacle : world.obstacles()) {
     if ((obstacle.path.position(world.time()) - agent.pose.position).norm() - obstacle.radius <= 0.5) return true;
   }
-  for (const Segment& wall : world.walls()) {
+  for (const Segment& wall : world.walls().list()) {
     if (distanceTo(wall, agent.pose.position) <= 0.5) return true;
   }
   return false;

@@ -8,6 +8,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/world/world.h"
+#include "social_crowd/world/world_editor.h"
 #include "support/error_of.h"
 #include "support/robots.h"
 #include "support/scenario_texts.h"
@@ -145,22 +146,24 @@ TEST(Limits, ChangesOfTheWorld) {
   const std::string place = "a number from -1e+06 to 1e+06 m, got 1e+17";
   const Vector2 far(0.0, 1e17);
   expect("max_speed [m/s]", "at most 1000 m/s, got 1e+300", [&] {
-    world.spawnAgent(scenes::wanderer({9.0, 0.0}, 1e300));
+    WorldEditor(world).spawnAgent(scenes::wanderer({9.0, 0.0}, 1e300));
   });
   expect("radius [m]", "at most 1000 m, got 1e+200", [&] {
-    world.spawnAgent(scenes::wanderer({9.0, 0.0}, 1.0, 1e200));
+    WorldEditor(world).spawnAgent(scenes::wanderer({9.0, 0.0}, 1.0, 1e200));
   });
-  expect("position [m]", place, [&] { world.spawnAgent(scenes::wanderer(far)); });
-  expect("position [m]", place, [&] { world.teleport(0, {far, 0.0}); });
-  expect("radius [m]", "at most 1000 m, got 1e+200", [&] { world.spawnObstacle({9.0, 0.0}, {0.0, 0.0}, 1e200); });
-  expect("position [m]", place, [&] { world.spawnObstacle(far, {0.0, 0.0}, 1.0); });
+  expect("position [m]", place, [&] { WorldEditor(world).spawnAgent(scenes::wanderer(far)); });
+  expect("position [m]", place, [&] { WorldEditor(world).teleport(0, {far, 0.0}); });
+  expect("radius [m]", "at most 1000 m, got 1e+200", [&] {
+    WorldEditor(world).spawnObstacle({9.0, 0.0}, {0.0, 0.0}, 1e200);
+  });
+  expect("position [m]", place, [&] { WorldEditor(world).spawnObstacle(far, {0.0, 0.0}, 1.0); });
   expect("velocity [m/s]", "a number from -1000 to 1000 m/s, got -1e+300", [&] {
-    world.spawnObstacle({9.0, 0.0}, {-1e300, 0.0}, 1.0);
+    WorldEditor(world).spawnObstacle({9.0, 0.0}, {-1e300, 0.0}, 1.0);
   });
-  expect("position [m]", place, [&] { world.moveObstacle(0, far); });
-  expect("wall [m]", place, [&] { world.addWall({{0.0, 0.0}, far}); });
-  expect("goal [m]", place, [&] { world.setRobotGoals(0, {far}); });
-  expect("position [m]", place, [&] { world.teleportRobot(0, {far, 0.0}); });
+  expect("position [m]", place, [&] { WorldEditor(world).moveObstacle(0, far); });
+  expect("wall [m]", place, [&] { WorldEditor(world).addWall({{0.0, 0.0}, far}); });
+  expect("goal [m]", place, [&] { world.robots().setGoals(0, {far}); });
+  expect("position [m]", place, [&] { WorldEditor(world).teleportRobot(0, {far, 0.0}); });
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/simulation/evaluation.h"
+#include "social_crowd/world/world_editor.h"
 #include "support/robots.h"
 #include "support/two_ways.h"
 
@@ -41,7 +42,7 @@ class Crowd {
     std::vector<RemainingPath> paths(world.agents().size());
     for (const Agent& agent : world.agents()) {
       if (!agent.isWalking()) continue;
-      world.clearWaypoint(agent.id);
+      world.walkingAgent(agent.id).clearWaypoint();
       paths[agent.id] = {agent.goal()};
     }
     deadlocks.update(world, paths);
@@ -165,7 +166,7 @@ TEST(DeadlockResolver, AnAgentThatIsStuckAloneSlidesAlongTheWall) {
   Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0})});
   const double across = 0.2 * std::sqrt(0.5);
   const Vector2 touch(across, -across);
-  crowd.world.addWall({touch - Vector2(0.3, 0.3), touch + Vector2(0.1, 0.1)});
+  WorldEditor(crowd.world).addWall({touch - Vector2(0.3, 0.3), touch + Vector2(0.1, 0.1)});
   const Agent& agent = crowd.world.agents()[0];
   while (!agent.has_waypoint && crowd.world.time() < 60.0) crowd.stand();
   EXPECT_GE(crowd.world.time(), DeadlockResolver::STUCK_TIME);
@@ -177,7 +178,7 @@ TEST(DeadlockResolver, AnAgentThatIsStuckAloneSlidesAlongTheWall) {
 /// Between a wall on its right and an agent on its left, which has a longer way and so gives way.
 TEST(DeadlockResolver, AnAgentThatIsWedgedSlidesAlongWallAndAgent) {
   Crowd crowd({walker({0.0, 0.0}, {9.6, 2.8}), walker({0.0, 0.4}, {19.2, 6.0})});
-  crowd.world.addWall({{-0.3, -0.2}, {0.3, -0.2}});
+  WorldEditor(crowd.world).addWall({{-0.3, -0.2}, {0.3, -0.2}});
   const Agent& agent = crowd.world.agents()[0];
   while (!agent.has_waypoint && crowd.world.time() < 60.0) crowd.stand();
   ASSERT_TRUE(agent.has_waypoint);
@@ -215,7 +216,7 @@ TEST(DeadlockResolver, AnAgentSlidesAlongAWallThatItTouches) {
   Crowd crowd({walker({-0.25, 0.0}, {9.0, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})});
   const double across = 0.2 * std::sqrt(0.5);
   const Vector2 touch(-0.25 - across, -across);
-  crowd.world.addWall({touch + Vector2(-0.3, 0.3), touch + Vector2(0.1, -0.1)});
+  WorldEditor(crowd.world).addWall({touch + Vector2(-0.3, 0.3), touch + Vector2(0.1, -0.1)});
   while (!crowd.givesWay(0) && crowd.world.time() < 60.0) crowd.stand();
   ASSERT_TRUE(crowd.givesWay(0));
   const Vector2 back = crowd.world.agents()[0].waypoint - crowd.world.agents()[0].pose.position;
@@ -226,10 +227,10 @@ TEST(DeadlockResolver, AgentsThatWaitDoNotGiveWay) {
   Crowd held(headOn());
   Crowd yielding(headOn());
   for (AgentId id = 0; id < 2; ++id) {
-    held.world.teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
-    yielding.world.teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
-    held.world.hold(id, true);
-    yielding.world.setYielding(id, true);
+    WorldEditor(held.world).teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
+    WorldEditor(yielding.world).teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
+    held.world.walkingAgent(id).held = true;
+    yielding.world.walkingAgent(id).yielding = true;
   }
   held.walkUntilAnyGivesWay(40.0);
   yielding.walkUntilAnyGivesWay(40.0);
@@ -239,7 +240,7 @@ TEST(DeadlockResolver, AgentsThatWaitDoNotGiveWay) {
 
 TEST(DeadlockResolver, AnAgentBehindOneThatWaitsStays) {
   Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({-2.0, 0.0}, {9.0, 0.0})});
-  crowd.world.hold(0, true);
+  crowd.world.walkingAgent(0).held = true;
   crowd.walkUntilAnyGivesWay(40.0);
   EXPECT_FALSE(crowd.doesAnyGiveWay());
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/world/world_editor.h"
 #include "support/floors.h"
 #include "support/seeds.h"
 #include "support/two_ways.h"
@@ -108,8 +109,8 @@ TEST(RightOfWay, TheOtherDirectionWaitsAndClearsTheLane) {
 TEST(RightOfWay, AnAgentThatLeavesGivesItToTheNext) {
   Door door({east(-1.0, 0.0), west(1.5, 0.0), east(-1.0, 0.4)});
   EXPECT_FALSE(door.mayWalk(1));
-  door.world.removeAgent(0);
-  door.world.removeAgent(2);
+  WorldEditor(door.world).removeAgent(0);
+  WorldEditor(door.world).removeAgent(2);
   door.update();
   EXPECT_TRUE(door.mayWalk(1));
 }
@@ -148,7 +149,7 @@ TEST(RightOfWay, AgentsEnterNarrowDoorsWithoutRoomToWaitOneBehindTheOther) {
   EXPECT_TRUE(door.agent(0).yielding);  // farther away than agent 1
   EXPECT_FALSE(door.agent(1).yielding);
   EXPECT_FALSE(door.agent(2).yielding);  // walks in the other direction
-  door.world.removeAgent(1);
+  WorldEditor(door.world).removeAgent(1);
   formFiles(door);
   EXPECT_FALSE(door.agent(0).yielding);
   Door occupied({walker({-0.7, 0.1}, {7.0, 0.0}), walker({0.0, 0.0}, {-7.0, 0.0})}, 0.8, corridorWithDoor(0.8));

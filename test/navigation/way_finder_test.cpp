@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/world/world_editor.h"
 #include "support/error_of.h"
 #include "support/floors.h"
 #include "support/seeds.h"
@@ -60,10 +61,10 @@ TEST(WayFinder, LeadsRoundAWallWithoutTouchingIt) {
 TEST(WayFinder, DoesNothingWithoutWalls) {
   Led led({walker({-2.0, 0.0}, {2.0, 0.0})}, {});
   EXPECT_FALSE(led.agent().has_waypoint);
-  const std::size_t wall = led.world.addWall({{0.0, -9.0}, {0.0, 3.0}});
+  const std::size_t wall = WorldEditor(led.world).addWall({{0.0, -9.0}, {0.0, 3.0}});
   led.ways.update(led.world);
   EXPECT_TRUE(led.agent().has_waypoint);
-  led.world.removeWall(wall);
+  WorldEditor(led.world).removeWall(wall);
   led.ways.update(led.world);
   EXPECT_FALSE(led.agent().has_waypoint);
 }
@@ -137,7 +138,7 @@ TEST(WayFinder, ANewGoalHasANewWay) {
   Led led({walker({-8.0, 0.0}, {9.0, 0.0})}, corridor(2.0));
   led.walk(5.0);
   EXPECT_GT(led.agent().perceivedGoal().x(), led.agent().pose.position.x());
-  led.world.setGoal(0, {-9.0, 0.0});
+  WorldEditor(led.world).setGoal(0, {-9.0, 0.0});
   led.ways.update(led.world);
   EXPECT_LT(led.agent().perceivedGoal().x(), led.agent().pose.position.x());
   EXPECT_GT(led.agent().perceivedGoal().y(), RADIUS);  // west: the right side is in the north
@@ -159,7 +160,7 @@ TEST(WayFinder, KnowsWhichGoalsAreOutOfReach) {
 
 TEST(WayFinder, ReleasedAgentsPerceiveTheirGoals) {
   Led led({walker({-2.0, 0.0}, {2.0, 0.0}), walker({-1.0, 0.0}, {2.0, 0.0})}, {{{0.0, -9.0}, {0.0, 3.0}}});
-  led.world.setYielding(1, true);
+  led.world.walkingAgent(1).yielding = true;
   WayFinder::release(led.world);
   for (AgentId id = 0; id < 2; ++id) {
     EXPECT_EQ(led.agent(id).perceivedGoal(), Vector2(2.0, 0.0));

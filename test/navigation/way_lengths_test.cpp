@@ -110,18 +110,21 @@ TEST(Reach, RefusedChangesChangeNothing) {
     EXPECT_EQ(stateOf(episode.world()), before) << words;
   };
   const AgentStart caged{{4.0, -4.0}, 0.0, {{0.0, 4.0}}, 1.0, RADIUS};
-  expect("agent 0: the goal (4, -4) cannot", [&] { episode.setGoal(0, {4.0, -4.0}); });
-  expect("agent 0, routes.cell.waypoints[0]: the goal (4, -4) cannot", [&] { episode.setRoute(0, "cell"); });
-  expect("from (4, -4)", [&] { episode.teleport(0, {{4.0, -4.0}, 0.0}); });
-  expect("the agent: the goal (0, 4) cannot", [&] { episode.spawnAgent(caged); });
-  expect("too large", [&] { episode.setGoal(0, {1e6, 0.0}); });
-  expect("too large", [&] { episode.addWall({{1e6, 0.0}, {1e6, 1.0}}); });
-  expect("too large", [&] { episode.spawnObstacle({0.0, 1e6}, {0.0, 0.0}, 2.0); });
-  expect("too large", [&] { episode.replaceWalls({{{3e7, 0.0}, {3e7, 1.0}}}); });
-  expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got 1e+17", [&] { episode.setGoal(0, {1e17, 0.0}); });
+  expect("agent 0: the goal (4, -4) cannot", [&] { episode.edit().setGoal(0, {4.0, -4.0}); });
+  expect("agent 0, routes.cell.waypoints[0]: the goal (4, -4) cannot", [&] { episode.edit().setRoute(0, "cell"); });
+  expect("from (4, -4)", [&] { episode.edit().teleport(0, {{4.0, -4.0}, 0.0}); });
+  expect("the agent: the goal (0, 4) cannot", [&] { episode.edit().spawnAgent(caged); });
+  expect("too large", [&] { episode.edit().setGoal(0, {1e6, 0.0}); });
+  expect("too large", [&] { episode.edit().addWall({{1e6, 0.0}, {1e6, 1.0}}); });
+  expect("too large", [&] { episode.edit().spawnObstacle({0.0, 1e6}, {0.0, 0.0}, 2.0); });
+  expect("too large", [&] { episode.edit().replaceWalls({{{3e7, 0.0}, {3e7, 1.0}}}); });
+  expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got 1e+17", [&] {
+    episode.edit().setGoal(0, {1e17, 0.0});
+  });
   const AgentStart far_goal{{0.0, 3.0}, 0.0, {{0.0, -1.1e6}}, 1.0, RADIUS};
-  expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got -1100000", [&] { episode.spawnAgent(far_goal); });
-  expect("no agent 7", [&] { episode.setGoal(7, {1.0, 1.0}); });
+  expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got -1100000",
+         [&] { episode.edit().spawnAgent(far_goal); });
+  expect("no agent 7", [&] { episode.edit().setGoal(7, {1.0, 1.0}); });
   walkUntil(20.0, episode);
   EXPECT_TRUE(episode.result().agents.at(0).arrived);
   EXPECT_EQ(episode.result().wayWarning(), "");
@@ -131,12 +134,12 @@ TEST(Reach, AnAgentStaysWhileItsGoalIsOutOfReach) {
   Episode episode = episodeOf(std::string(ROOM) + agentTo("[2, -4]"), 60.0);
   walkUntil(1.0, episode);
   const Vector2 place = episode.world().agents()[0].pose.position;
-  const std::size_t wall = episode.addWall({{0.0, 3.0}, {0.0, 5.0}});
+  const std::size_t wall = episode.edit().addWall({{0.0, 3.0}, {0.0, 5.0}});
   walkUntil(5.0, episode);
   EXPECT_EQ(episode.world().agents()[0].pose.position, place);
   EXPECT_EQ(episode.result().outOfReach(), std::vector<AgentId>{0});
   EXPECT_EQ(episode.result().wayWarning(), "1 agent has a goal out of reach (0)");
-  episode.removeWall(wall);
+  episode.edit().removeWall(wall);
   EXPECT_TRUE(episode.result().outOfReach().empty());
   walkUntil(60.0, episode);
   EXPECT_TRUE(episode.result().agents.at(0).arrived);
@@ -159,7 +162,7 @@ TEST(Reach, AgentsOnAFloorThatIsTooLargeWalkWithoutWayFinding) {
       "agents: [{position: [0, 0], goal: [4, 0], speed: 1, radius: 0.2}]\n");
   EXPECT_NE(episode.wayFindingProblem().find("too large"), std::string::npos) << episode.wayFindingProblem();
   EXPECT_NE(episode.result().wayWarning().find("way-finding was left out: "), std::string::npos);
-  episode.setGoal(0, {3.0, 0.0});
+  episode.edit().setGoal(0, {3.0, 0.0});
   walkUntil(10.0, episode);
   EXPECT_TRUE(episode.result().agents.at(0).arrived);
 }

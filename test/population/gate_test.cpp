@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "social_crowd/world/world_editor.h"
 #include "support/scenes.h"
 
 namespace crowd::gate_test {
@@ -30,15 +31,15 @@ TEST(Gate, ItsWallIsThereWhileItIsClosed) {
   Gate gate(description);
   gate.update(world);
   EXPECT_FALSE(gate.isOpen());
-  ASSERT_EQ(world.walls().size(), 2U);
-  EXPECT_EQ(world.walls()[1].from, Vector2(5.0, -1.0));
+  ASSERT_EQ(world.walls().list().size(), 2U);
+  EXPECT_EQ(world.walls().list()[1].from, Vector2(5.0, -1.0));
   gate.setOpen(true, world.time());
   gate.update(world);
   EXPECT_TRUE(gate.isOpen());
-  EXPECT_EQ(world.walls().size(), 1U);
+  EXPECT_EQ(world.walls().list().size(), 1U);
   gate.setOpen(false, world.time());
   gate.update(world);
-  EXPECT_EQ(world.walls().size(), 2U);
+  EXPECT_EQ(world.walls().list().size(), 2U);
 }
 
 TEST(Gate, DoesNothingWithoutAChange) {
@@ -92,12 +93,12 @@ TEST(Gate, AClosedOneReturnsWhenOthersRemoveItsWall) {
   const GateDescription description = gateAt(5.0);
   Gate gate(description);
   gate.update(world);
-  world.replaceWalls({});
+  WorldEditor(world).replaceWalls({});
   gate.update(world);
-  EXPECT_EQ(world.walls().size(), 1U);
-  world.removeWall(world.wallIds().back());
+  EXPECT_EQ(world.walls().list().size(), 1U);
+  WorldEditor(world).removeWall(world.walls().ids().back());
   gate.update(world);
-  EXPECT_EQ(world.walls().size(), 1U);
+  EXPECT_EQ(world.walls().list().size(), 1U);
   EXPECT_FALSE(gate.isOpen());
 }
 

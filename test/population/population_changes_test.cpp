@@ -47,7 +47,7 @@ GateDescription gate() {
 TEST(PopulationChanges, ASourceBeginsWhenItIsAdded) {
   Episode episode = episodeOf(ALONE);
   walkUntil(10.0, episode);
-  EXPECT_EQ(episode.addSource(source()), 0U);
+  EXPECT_EQ(episode.edit().addSource(source()), 0U);
   EXPECT_EQ(episode.world().agents().size(), 1U);
   step(episode);  // half a second: the agent that was due at 10 s, and not those of the 10 s before
   EXPECT_EQ(episode.world().agents().size(), 2U);
@@ -63,28 +63,28 @@ TEST(PopulationChanges, EarlierSourcesAndGatesGoOn) {
       episodeOf(std::string(ALONE) +
                 "sources: [{area: [0, 9], rate: 1, interval: regular, goal: [4, 9], speed: 1, radius: 0.2}]\n"
                 "gates: {first: {wall: [[50, 0], [50, 1]], open: [[3, 100]]}}\n");
-  EXPECT_EQ(episode.addSource(source()), 1U);
-  episode.addGate(gate());
-  EXPECT_EQ(episode.world().walls().size(), 2U);
+  EXPECT_EQ(episode.edit().addSource(source()), 1U);
+  episode.edit().addGate(gate());
+  EXPECT_EQ(episode.world().walls().list().size(), 2U);
   walkUntil(2.0, episode);
   EXPECT_EQ(episode.world().agents().size(), 1U + 3U + 3U);  // due at 0, 1 and 2 s
   walkUntil(3.0, episode);
-  EXPECT_EQ(episode.world().walls().size(), 1U);
+  EXPECT_EQ(episode.world().walls().list().size(), 1U);
 }
 
 TEST(PopulationChanges, AGateIsAWallUntilItIsOpened) {
   Episode episode = episodeOf(ALONE);
-  episode.addGate(gate());
-  ASSERT_EQ(episode.world().walls().size(), 1U);
-  EXPECT_TRUE(episode.setGate("door", true));
-  EXPECT_TRUE(episode.world().walls().empty());
+  episode.edit().addGate(gate());
+  ASSERT_EQ(episode.world().walls().list().size(), 1U);
+  EXPECT_TRUE(episode.edit().setGate("door", true));
+  EXPECT_TRUE(episode.world().walls().list().empty());
   GateDescription later = gate();
   later.name = "later";
   later.open_in = std::vector<Period>{{0.0, 1.0}};
-  episode.addGate(later);
-  EXPECT_TRUE(episode.world().walls().empty());
+  episode.edit().addGate(later);
+  EXPECT_TRUE(episode.world().walls().list().empty());
   walkUntil(1.0, episode);
-  EXPECT_EQ(episode.world().walls().size(), 1U);
+  EXPECT_EQ(episode.world().walls().list().size(), 1U);
 }
 
 template <typename Change>
@@ -100,7 +100,7 @@ TEST(PopulationChanges, RefusesWhatNoScenarioMayHave) {
     return [change](Episode& episode) {
       SourceDescription wrong = source();
       change(wrong);
-      episode.addSource(wrong);
+      episode.edit().addSource(wrong);
     };
   };
   expectRefused("rate: expected", add([](auto& wrong) { wrong.rate = 0.0; }));
@@ -140,7 +140,7 @@ SourceDescription sourceOfRadius(double radius, std::optional<std::size_t> route
 TEST(PopulationChanges, RefusesAgentsThatDoNotFitWhereTheyMayGo) {
   const auto refusal = [](const std::string& walls, const std::string& way_finding, const SourceDescription& wide) {
     Episode episode = episodeOf(NARROW + walls + way_finding);
-    return errorOf<InputError>([&] { episode.addSource(wide); });
+    return errorOf<InputError>([&] { episode.edit().addSource(wide); });
   };
   for (const std::string way_finding : {"", "way_finding: false\n"}) {
     SCOPED_TRACE(way_finding);
@@ -161,7 +161,7 @@ TEST(PopulationChanges, RefusesAgentsThatDoNotFitWhereTheyMayGo) {
 
 TEST(PopulationChanges, AgentsMayBeTooLargeForRoutesOfOthers) {
   Episode episode = episodeOf(NARROW + wallsAt(20, 0));
-  EXPECT_EQ(episode.addSource(sourceOfRadius(0.6)), 0U);
+  EXPECT_EQ(episode.edit().addSource(sourceOfRadius(0.6)), 0U);
 }
 
 TEST(PopulationChanges, AGateClosesWhenTheAgentInItHasLeft) {
@@ -170,16 +170,16 @@ TEST(PopulationChanges, AGateClosesWhenTheAgentInItHasLeft) {
     Episode episode = episodeOf(ALONE + way_finding);
     GateDescription across = gate();
     across.wall = {{0.1, -1.0}, {0.1, 1.0}};
-    episode.addGate(across);
-    EXPECT_TRUE(episode.world().walls().empty());
+    episode.edit().addGate(across);
+    EXPECT_TRUE(episode.world().walls().list().empty());
     walkUntil(1.0, episode);
-    EXPECT_EQ(episode.world().walls().size(), 1U);
+    EXPECT_EQ(episode.world().walls().list().size(), 1U);
     GateDescription open = across;
     open.name = "open";
     open.open = true;
     open.wall = {{1.0, -1.0}, {1.0, 1.0}};
-    episode.addGate(open);
-    EXPECT_EQ(episode.world().walls().size(), 1U);
+    episode.edit().addGate(open);
+    EXPECT_EQ(episode.world().walls().list().size(), 1U);
   }
 }
 
@@ -188,7 +188,7 @@ TEST(PopulationChanges, RefusesInvalidGates) {
     return [change](Episode& episode) {
       GateDescription wrong = gate();
       change(wrong);
-      episode.addGate(wrong);
+      episode.edit().addGate(wrong);
     };
   };
   expectRefused("gate: expected a name", add([](auto& wrong) { wrong.name.clear(); }));
@@ -197,8 +197,8 @@ TEST(PopulationChanges, RefusesInvalidGates) {
   expectRefused("open", add([](auto& wrong) { wrong.open_in = std::vector<Period>{{2.0, 1.0}}; }));
   expectRefused("open", add([](auto& wrong) { wrong.open_in = std::vector<Period>{{2.0, 4.0}, {3.0, 5.0}}; }));
   Episode episode = episodeOf(ALONE);
-  episode.addGate(gate());
-  EXPECT_TRUE(contains(errorOf<InputError>([&] { episode.addGate(gate()); }), "there is a gate 'door' already"));
+  episode.edit().addGate(gate());
+  EXPECT_TRUE(contains(errorOf<InputError>([&] { episode.edit().addGate(gate()); }), "there is a gate 'door' already"));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(Population, NoAgentIsLost) {
       }
       ASSERT_EQ(walking, world.activeCount()) << "seed " << seed << ", tick " << world.tick();
       const auto victim = static_cast<AgentId>(random.below(200));
-      if (world.isActive(victim) && random.below(20) == 0) episode.removeAgent(victim);
+      if (world.isActive(victim) && random.below(20) == 0) episode.edit().removeAgent(victim);
       step(episode);
     }
     const EpisodeResult result = episode.result();
@@ -93,7 +93,7 @@ TEST(Population, KeepsNothingOfAgentsThatHaveLeft) {
   std::size_t most_bodies = 0;
   std::size_t most_members = 0;
   while (!episode.isOver()) {
-    most_bodies = std::max(most_bodies, episode.world().bodyCount());
+    most_bodies = std::max(most_bodies, episode.world().grid().size());
     most_members = std::max(most_members, episode.population().memberCount());
     step(episode);
   }
@@ -117,9 +117,9 @@ TEST(Population, ManyAgentsThatAreAddedAndRemoved) {
   start.radius = 0.2;
   std::size_t capacity = 0;
   for (AgentId cycle = 1; cycle <= 1000; ++cycle) {
-    ASSERT_EQ(episode.spawnAgent(start), cycle);
-    episode.setRoute(cycle, "rounds");
-    episode.setGate("door", cycle % 2 == 0);
+    ASSERT_EQ(episode.edit().spawnAgent(start), cycle);
+    episode.edit().setRoute(cycle, "rounds");
+    episode.edit().setGate("door", cycle % 2 == 0);
     step(episode);
     const Perceptions& perceptions = episode.perceptions();
     EXPECT_EQ(perceptions.agents.size(), 2U);
@@ -127,11 +127,11 @@ TEST(Population, ManyAgentsThatAreAddedAndRemoved) {
     if (cycle > 10) {
       ASSERT_EQ(perceptions.agents.capacity(), capacity);
     }
-    episode.removeAgent(cycle);
+    episode.edit().removeAgent(cycle);
     step(episode);
-    ASSERT_EQ(episode.world().bodyCount(), 1U);
+    ASSERT_EQ(episode.world().grid().size(), 1U);
     ASSERT_EQ(episode.population().memberCount(), 1U);
-    ASSERT_LE(episode.world().walls().size(), 1U);
+    ASSERT_LE(episode.world().walls().list().size(), 1U);
   }
   EXPECT_EQ(episode.result().agentCount(), 1U);
 }

@@ -180,7 +180,7 @@ TEST(Population, SetRoute) {
       "agents: [{position: [0, 0], goal: [9, 0], speed: 1, radius: 0.2}]\n"
       "routes: {back: {waypoints: [{place: [-1, 0]}, {place: [0, 0]}]}, on: {waypoints: [{place: [5, 0]}]}}\n");
   walkUntil(1.0, episode);
-  episode.setRoute(0, "back");
+  episode.edit().setRoute(0, "back");
   EXPECT_EQ(episode.world().agents()[0].goal(), Vector2(-1.0, 0.0));
   walkUntil(4.0, episode);
   EXPECT_TRUE(episode.isOver());  // 2 m there, 1 m back
@@ -197,8 +197,8 @@ TEST(Population, AGoalEndsARoute) {
       "queues: {till: {head: [0, 5], direction: 0, spacing: 1, service: 100}}\n");
   walkUntil(10.0, episode);
   for (const Agent& agent : episode.world().agents()) EXPECT_TRUE(agent.held);
-  episode.setGoal(0, {1.0, 0.0});
-  episode.setGoal(1, {1.0, 5.0});
+  episode.edit().setGoal(0, {1.0, 0.0});
+  episode.edit().setGoal(1, {1.0, 5.0});
   for (const Agent& agent : episode.world().agents()) EXPECT_FALSE(agent.held);
   walkUntil(11.0, episode);
   EXPECT_TRUE(episode.isOver());
@@ -211,10 +211,11 @@ TEST(Population, UnknownNamesAndAgentsAreRefused) {
       "agents: [{position: [0, 0], goal: [9, 0], speed: 1, radius: 0.2}]\n"
       "routes: {back: {waypoints: [{place: [-1, 0]}]}}\n"
       "gates: {door: {wall: [[1, -1], [1, 1]], open: true}}\n");
-  EXPECT_EQ(errorOf<InputError>([&] { episode.setRoute(0, "bak"); }),
+  EXPECT_EQ(errorOf<InputError>([&] { episode.edit().setRoute(0, "bak"); }),
             "there is no route 'bak', did you mean 'back'? Known are back");
-  EXPECT_EQ(errorOf<InputError>([&] { episode.setRoute(7, "back"); }), "there is no agent 7 on its way");
-  EXPECT_EQ(errorOf<InputError>([&] { episode.setGate("gate", true); }), "there is no gate 'gate'; known are door");
+  EXPECT_EQ(errorOf<InputError>([&] { episode.edit().setRoute(7, "back"); }), "there is no agent 7 on its way");
+  EXPECT_EQ(errorOf<InputError>([&] { episode.edit().setGate("gate", true); }),
+            "there is no gate 'gate'; known are door");
   EXPECT_EQ(episode.world().agents()[0].goal(), Vector2(9.0, 0.0));
 }
 

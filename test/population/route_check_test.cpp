@@ -27,7 +27,7 @@ std::string refusalOf(const std::string& waypoints, const std::string& more = ""
   Episode episode =
       straight_walk::episodeOf(ROOM + std::string("routes: {way: {waypoints: [") + waypoints + "]}}\n" + more);
   const std::vector<double> before = stateOf(episode.world());
-  const std::string refusal = errorOf<InputError>([&] { episode.setRoute(0, "way"); });
+  const std::string refusal = errorOf<InputError>([&] { episode.edit().setRoute(0, "way"); });
   EXPECT_TRUE(refusal == "no error" || stateOf(episode.world()) == before) << refusal;
   return refusal;
 }
@@ -55,12 +55,12 @@ TEST(RouteCheck, NamesTheWaypointThatCannotBeReached) {
 TEST(RouteCheck, NamesTheWaypointInAWallThatWasAdded) {
   Episode episode = straight_walk::episodeOf(
       ROOM + std::string("routes: {way: {waypoints: [{place: [-4, 0]}, {place: [-3, 1]}, {sink: nearest}]}}\n"));
-  episode.addWall({{-3.5, 1.0}, {-2.5, 1.0}});
-  EXPECT_EQ(errorOf<InputError>([&] { episode.setRoute(0, "way"); }),
+  episode.edit().addWall({{-3.5, 1.0}, {-2.5, 1.0}});
+  EXPECT_EQ(errorOf<InputError>([&] { episode.edit().setRoute(0, "way"); }),
             "agent 0, routes.way.waypoints[1]: the goal (-3, 1) is in a wall");
-  episode.replaceWalls(
+  episode.edit().replaceWalls(
       {{{2.0, -5.0}, {2.0, -3.0}}, {{2.0, -3.0}, {5.0, -3.0}}, {{5.0, -3.0}, {5.0, -5.0}}, {{5.0, -5.0}, {2.0, -5.0}}});
-  EXPECT_EQ(errorOf<InputError>([&] { episode.setRoute(0, "way"); }),
+  EXPECT_EQ(errorOf<InputError>([&] { episode.edit().setRoute(0, "way"); }),
             "agent 0, routes.way.waypoints[2]: no sink can be reached from (-3, 1)");
 }
 

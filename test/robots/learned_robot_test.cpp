@@ -8,6 +8,7 @@
 #include "support/anticipation.h"
 #include "support/robots.h"
 #include "support/seeds.h"
+#include "support/worlds.h"
 
 namespace crowd::robots::learned_robot_test {
 namespace {
@@ -35,11 +36,11 @@ TEST(LearnedRobot, PerceivesAndDecidesAsAnAgentInItsPlace) {
         scenes::agent(start.position, goal, start.limits.max_speed, robots.robots()[1].perceived_radius));
     World agents(with_agent);
 
-    World::PerceptionWorkspace workspace;
+    Viewers viewers;
     Perceptions of_robot;
-    robots.perceiveRobot(learner.model().vision(), 1, goal, workspace, of_robot);
+    Perceiver().perceive(robots, learner.model().vision(), viewers.inPlaceOf(1, robots, goal), of_robot);
     Perceptions of_agents;
-    agents.perceive(learner.model().vision(), of_agents);
+    perceive(agents, learner.model().vision(), of_agents);
     const Perception seen(of_robot, 0);
     const Perception expected(of_agents, 6);
     ASSERT_EQ(seen.neighbours.size(), expected.neighbours.size());

@@ -14,7 +14,7 @@ namespace {
 /// An episode in which the first robot gets one command, after a number of ticks.
 Episode after(int ticks, Scene scene, const Twist& command) {
   Episode episode(std::move(scene), 0, Vision());
-  episode.commandRobot(0, command);
+  episode.robots().command(0, command);
   for (int tick = 0; tick < ticks; ++tick) episode.step({});
   return episode;
 }
@@ -106,7 +106,7 @@ TEST(RobotResult, CountsContactsByCause) {
 TEST(RobotResult, CountsContactsOfRobots) {
   const Scene two = scenes::solid(with({robot({0.0, 0.0}), robot({0.9, 0.0})}, scene({})));
   Episode episode(two, 0, Vision());
-  episode.commandRobot(0, {{1.0, 0.0}, 0.0});
+  episode.robots().command(0, {{1.0, 0.0}, 0.0});
   for (int tick = 0; tick < 6; ++tick) episode.step({});
   EXPECT_EQ(episode.result().robots[0].robot_contacts, 1U);
   EXPECT_EQ(episode.result().robots[1].robot_contacts, 1U);
@@ -115,7 +115,7 @@ TEST(RobotResult, CountsContactsOfRobots) {
 TEST(RobotResult, ANewGoalBeginsAnew) {
   Episode episode = after(12, with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({})), {{1.0, 0.0}, 0.0});
   EXPECT_TRUE(episode.result().robots[0].success);
-  episode.setRobotGoals(0, {{3.0, 0.0}});
+  episode.robots().setGoals(0, {{3.0, 0.0}});
   episode.step({});
   const RobotResult result = episode.result().robots[0];
   EXPECT_FALSE(result.success);
@@ -128,7 +128,7 @@ TEST(RobotEpisode, IsOverWhenTheCrowdAndTheRobotsAre) {
   for (int tick = 0; tick < 5; ++tick) episode.step({ahead(0)});
   EXPECT_EQ(episode.world().activeCount(), 0U);
   EXPECT_FALSE(episode.isOver());
-  episode.commandRobot(0, {{1.0, 0.0}, 0.0});
+  episode.robots().command(0, {{1.0, 0.0}, 0.0});
   for (int tick = 0; tick < 10; ++tick) episode.step({});
   EXPECT_TRUE(episode.isOver());
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "social_crowd/world/world_editor.h"
 #include "support/robots.h"
 #include "support/scenes.h"
 
@@ -49,7 +50,7 @@ TEST(RobotSenses, ExactOdometryIsTheMotionFromTheStart) {
   scene.robots[0].heading = PI / 2.0;
   World world(scene);
   RobotSenses senses(scene);
-  world.commandRobot(ROBOT, {{0.5, 0.0}, 0.5});
+  world.robots().command(ROBOT, {{0.5, 0.0}, 0.5});
   for (int i = 0; i < 4; ++i) {
     world.step({});
     senses.observe(world);
@@ -66,7 +67,7 @@ TEST(RobotSenses, OdometryDoesNotNoticeATeleportation) {
   const Scene scene = makeScene();
   World world(scene);
   RobotSenses senses(scene);
-  world.teleportRobot(ROBOT, {{0.0, 9.0}, 0.0});
+  WorldEditor(world).teleportRobot(ROBOT, {{0.0, 9.0}, 0.0});
   world.step({});
   senses.observe(world);
   EXPECT_EQ(senses.odometry(ROBOT).pose.position.norm(), 0.0);
@@ -79,7 +80,7 @@ TEST(RobotSenses, ErrorsOfOdometryDependOnTheSeed) {
     scene.robots[0].odometry.distance = 0.1;
     World world(scene);
     RobotSenses senses(scene);
-    world.commandRobot(ROBOT, {{1.0, 0.0}, 0.0});
+    world.robots().command(ROBOT, {{1.0, 0.0}, 0.0});
     world.step({});
     senses.observe(world);
     return senses.odometry(ROBOT).pose.position.x();
@@ -95,7 +96,7 @@ TEST(RobotSenses, AChangeOfTheWorldWithinATickIsSeenAfterForgetScans) {
   World world(scene);
   RobotSenses senses(scene);
   EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.75F);
-  world.addWall({{1.0, -1.0}, {1.0, 1.0}});
+  WorldEditor(world).addWall({{1.0, -1.0}, {1.0, 1.0}});
   EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.75F);
   senses.forgetScans();
   EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.0F);
@@ -108,7 +109,7 @@ OdometryCovariance covarianceWith(const OdometrySpec& spec) {
   scene.robots[0].odometry = spec;
   World world(scene);
   RobotSenses senses(scene);
-  world.commandRobot(ROBOT, {{1.0, 0.0}, 0.0});
+  world.robots().command(ROBOT, {{1.0, 0.0}, 0.0});
   for (int i = 0; i < 4; ++i) {
     world.step({});
     senses.observe(world);

@@ -56,6 +56,7 @@ NOT_RUN = {
     'scripts/build': 'has built what is tested',
     'source .build/devel/setup.bash': 'was done before the tests',
     'catkin_make': 'builds a workspace',
+    'scripts/package': 'builds everything once more',
     'scripts/test': 'runs this test',
     'scripts/demo': 'builds, which would change the programs under test',
     'scripts/demo scenario:=circle12 real_time_factor:=4': 'the same',

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "social_crowd/world/world_editor.h"
 #include "support/scenes.h"
 
 namespace crowd::agent_metrics_test {
@@ -252,7 +253,7 @@ TEST(DistanceGained, DoesNotChangeWithANewGoal) {
   EpisodeMonitor monitor(scene, world);
   for (int tick = 0; tick < 4; ++tick) {
     if (tick == 2) {
-      world.setGoal(0, {-5.0, 0.0});
+      WorldEditor(world).setGoal(0, {-5.0, 0.0});
       monitor.recordGoal(world.agents()[0], {-5.0, 0.0});
     }
     world.step({{0, AHEAD}});
@@ -283,7 +284,7 @@ TEST(AgentMetrics, TurnsFollowTheMotionOfAPushedAgent) {
   for (const RelativeAction& move : {STAY, AHEAD}) {
     world.step({{0, move}});
     monitor.observe(world);
-    if (!world.obstacles().empty()) world.removeObstacle(0);
+    if (!world.obstacles().empty()) WorldEditor(world).removeObstacle(0);
   }
   const AgentResult result = monitor.result().agents.at(0);
   EXPECT_NEAR(result.turn_per_metre, PI / 2, 1e-12);

@@ -64,7 +64,7 @@ TEST(Departures, ATickHasThePresentAgentsOnly) {
   std::size_t entered = 0;
   while (!episode.isOver()) {
     ASSERT_LE(world.agents().size(), MOST) << "tick " << world.tick();
-    ASSERT_LE(world.bodyCount(), MOST);
+    ASSERT_LE(world.grid().size(), MOST);
     ASSERT_LE(episode.perceptions().agents.size(), MOST);
     ASSERT_LE(episode.population().memberCount(), MOST);
     ASSERT_TRUE(std::is_sorted(world.agents().begin(), world.agents().end(),
@@ -89,7 +89,7 @@ TEST(Departures, ResultsOfAllAgents) {
     look(episode.world(), seen);
     if (episode.world().tick() % 300 == 50 && episode.world().isActive(episode.world().agents().back().id)) {
       early.push_back(episode.result());
-      episode.removeAgent(episode.world().agents().back().id);
+      episode.edit().removeAgent(episode.world().agents().back().id);
     }
     step(episode);
   }
@@ -127,12 +127,12 @@ TEST(Departures, IdsOfAgentsThatAreAddedAreNeverUsedAgain) {
   start.max_speed = 1.0;
   start.radius = 0.2;
   for (AgentId id = 1; id <= 100; ++id) {
-    ASSERT_EQ(episode.spawnAgent(start), id);
-    if (id % 3 == 0) episode.removeAgent(id);
+    ASSERT_EQ(episode.edit().spawnAgent(start), id);
+    if (id % 3 == 0) episode.edit().removeAgent(id);
     for (int tick = 0; tick < 3; ++tick) step(episode);
     ASSERT_LE(episode.world().agents().size(), 3U);
     EXPECT_FALSE(episode.world().isActive(id));
-    EXPECT_FALSE(episode.world().isPerceiving(id));
+    EXPECT_FALSE(episode.world().agents().contains(id) && episode.world().isPerceiving(episode.world().agents()[id]));
   }
   EXPECT_EQ(episode.world().enteredCount(), 101U);
   EXPECT_EQ(episode.result().arrivedCount(), 67U);

@@ -139,7 +139,7 @@ TEST(Episode, InvalidActionMovesNoAgent) {
 TEST(EpisodeChanges, SpawnedAgentIsPerceivedAndMeasuredAtOnce) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
-  EXPECT_EQ(episode.spawnAgent(agent({0.0, -3.0}, {1.0, -3.0}, 1.0)), 2U);
+  EXPECT_EQ(episode.edit().spawnAgent(agent({0.0, -3.0}, {1.0, -3.0}, 1.0)), 2U);
   ASSERT_EQ(episode.perceptions().agents.size(), 3U);
   EXPECT_EQ(episode.perceptions().tick, 1U);
   while (!episode.isOver()) episode.step({ahead(0), ahead(1), ahead(2)});
@@ -155,7 +155,7 @@ TEST(EpisodeChanges, SpawnedAgentIsPerceivedAndMeasuredAtOnce) {
 TEST(EpisodeChanges, RemovedAgentIsNotPerceivedAndHasNotArrived) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
-  episode.removeAgent(1);
+  episode.edit().removeAgent(1);
   ASSERT_EQ(episode.perceptions().agents.size(), 1U);
   EXPECT_EQ(episode.perceptions().agents[0].agent, 0U);
   EXPECT_TRUE(episode.perceptions().neighbours.empty());
@@ -167,31 +167,31 @@ TEST(EpisodeChanges, RemovedAgentIsNotPerceivedAndHasNotArrived) {
 
 TEST(EpisodeChanges, EndsWithItsLastAgentAndContinuesWithANewOne) {
   Episode episode(scene({wanderer({0.0, 0.0})}), NUMBER, Vision());
-  episode.removeAgent(0);
+  episode.edit().removeAgent(0);
   EXPECT_TRUE(episode.isOver());
-  episode.spawnAgent(wanderer({0.0, 0.0}));
+  episode.edit().spawnAgent(wanderer({0.0, 0.0}));
   EXPECT_FALSE(episode.isOver());
 }
 
 TEST(EpisodeChanges, NewGoalAndObstaclesAreInThePerceptionsAtOnce) {
   Episode episode(scene({wanderer({0.0, 0.0})}, {pillar({2.0, 0.0}, 0.5)}), NUMBER, Vision());
-  episode.setGoal(0, {0.0, 4.0});
+  episode.edit().setGoal(0, {0.0, 4.0});
   EXPECT_EQ(episode.perceptions().agents[0].goal, Vector2(0.0, 4.0));
-  EXPECT_EQ(episode.spawnObstacle({0.0, 1.0}, {0.0, 0.0}, 0.25), 1U);
+  EXPECT_EQ(episode.edit().spawnObstacle({0.0, 1.0}, {0.0, 0.0}, 0.25), 1U);
   ASSERT_EQ(episode.perceptions().neighbours.size(), 2U);
   EXPECT_EQ(episode.perceptions().neighbours[0].position, Vector2(0.0, 1.0));
-  episode.removeObstacle(0);
+  episode.edit().removeObstacle(0);
   ASSERT_EQ(episode.perceptions().neighbours.size(), 1U);
   EXPECT_EQ(episode.perceptions().neighbours[0].position, Vector2(0.0, 1.0));
 }
 
 TEST(EpisodeChanges, RefusedChangesHaveNoEffect) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
-  EXPECT_THROW(episode.spawnAgent(wanderer({0.1, 0.0})), InputError);
-  EXPECT_THROW(episode.removeAgent(5), InputError);
-  EXPECT_THROW(episode.setGoal(0, {std::numeric_limits<double>::quiet_NaN(), 0.0}), InputError);
-  EXPECT_THROW(episode.spawnObstacle({0.1, 0.0}, {0.0, 0.0}, 0.5), InputError);
-  EXPECT_THROW(episode.removeObstacle(0), InputError);
+  EXPECT_THROW(episode.edit().spawnAgent(wanderer({0.1, 0.0})), InputError);
+  EXPECT_THROW(episode.edit().removeAgent(5), InputError);
+  EXPECT_THROW(episode.edit().setGoal(0, {std::numeric_limits<double>::quiet_NaN(), 0.0}), InputError);
+  EXPECT_THROW(episode.edit().spawnObstacle({0.1, 0.0}, {0.0, 0.0}, 0.5), InputError);
+  EXPECT_THROW(episode.edit().removeObstacle(0), InputError);
   EXPECT_EQ(episode.perceptions().agents.size(), 2U);
   EXPECT_EQ(episode.perceptions().neighbours.size(), 2U);
   EXPECT_EQ(episode.perceptions().agents[0].goal, Vector2(1.0, 0.0));

@@ -9,6 +9,7 @@
 
 #include "support/learners.h"
 #include "support/scenes.h"
+#include "support/worlds.h"
 
 namespace crowd::greedy_crowd_test {
 namespace {
@@ -31,7 +32,7 @@ std::vector<Decision> toDecisions(const std::vector<AgentAction>& actions) {
 std::vector<Decision> decideAtOnce(World& world, const Vision& vision, Learner& learner) {
   Perceptions perceptions;
   RelativeActions actions;
-  world.perceive(vision, perceptions);
+  perceive(world, vision, perceptions);
   perceptions.episode = EPISODE;
   learner.decide(perceptions, actions);
   return toDecisions(actions.agents);

@@ -88,9 +88,9 @@ TEST(SequentialEpisode, MeasuresTheWorldOncePerTick) {
 TEST(SequentialEpisode, AgentsCanBeRemovedAndSpawnedBetweenTurns) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})), 7, Vision());
   episode.step({});
-  episode.removeAgent(1);  // it had the next turn
+  episode.edit().removeAgent(1);  // it had the next turn
   EXPECT_EQ(asked(episode), Ids{2});
-  const AgentId spawned = episode.spawnAgent(wanderer({0.0, 9.0}));
+  const AgentId spawned = episode.edit().spawnAgent(wanderer({0.0, 9.0}));
   EXPECT_FALSE(episode.step({ahead(2)}));
   EXPECT_EQ(asked(episode), Ids{spawned});
   EXPECT_TRUE(episode.step({}));
@@ -100,7 +100,7 @@ TEST(SequentialEpisode, AgentsCanBeRemovedAndSpawnedBetweenTurns) {
 TEST(SequentialEpisode, RemovingTheLastAgentsOfATickEndsIt) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0})})), 7, Vision());
   episode.step({});
-  episode.removeAgent(1);
+  episode.edit().removeAgent(1);
   EXPECT_EQ(asked(episode), Ids{});
   EXPECT_TRUE(episode.step({}));
   EXPECT_EQ(episode.world().tick(), 1U);
@@ -109,7 +109,7 @@ TEST(SequentialEpisode, RemovingTheLastAgentsOfATickEndsIt) {
 TEST(SequentialEpisode, RemovingAnAgentInItsTurnKeepsTheNextTurn) {
   Episode episode(sequential(scene({wanderer({0.0, 0.0}), wanderer({0.0, 3.0})})), 7, Vision());
   ASSERT_EQ(asked(episode), Ids{0});
-  episode.removeAgent(0);
+  episode.edit().removeAgent(0);
   EXPECT_FALSE(episode.step({ahead(0)}));
   EXPECT_EQ(asked(episode), Ids{1});
 }

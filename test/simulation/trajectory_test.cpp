@@ -9,6 +9,7 @@
 #include "social_crowd/common/errors.h"
 #include "social_crowd/common/files.h"
 #include "social_crowd/common/numbers.h"
+#include "social_crowd/world/world_editor.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
@@ -29,7 +30,7 @@ TEST(Trajectory, WritesASmallRun) {
   appendTrajectoryRows(7, world, rows);
   world.step({ahead(0), ahead(1)});
   appendTrajectoryRows(7, world, rows);
-  world.removeAgent(2);
+  WorldEditor(world).removeAgent(2);
   for (int i = 0; i < 3; ++i) {
     world.step({ahead(0), ahead(1)});
     appendTrajectoryRows(7, world, rows);

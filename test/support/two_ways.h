@@ -30,12 +30,12 @@ inline std::vector<RemainingPath> findPaths(World& world) {
   std::vector<RemainingPath> paths(world.agents().size());
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking()) continue;
-    world.setYielding(agent.id, false);
-    world.clearWaypoint(agent.id);
+    world.walkingAgent(agent.id).yielding = false;
+    world.walkingAgent(agent.id).clearWaypoint();
     const double passed = walksEast(agent) ? agent.pose.position.x() : -agent.pose.position.x();
     if (passed < -0.01) {
       paths[agent.id].push_back(Vector2::Zero());
-      world.setWaypoint(agent.id, Vector2::Zero());
+      world.walkingAgent(agent.id).setWaypoint(Vector2::Zero());
     }
     paths[agent.id].push_back(agent.goal());
   }

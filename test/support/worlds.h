@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "social_crowd/world/world.h"
+#include "social_crowd/world/perceiver.h"
 
 /// Helpers for tests of the world.
 namespace crowd {
@@ -34,10 +34,16 @@ inline std::vector<double> stateOf(const World& world) {
   return state;
 }
 
+/// Writes the perceptions of all agents.
+inline void perceive(const World& world, const Vision& vision, Perceptions& perceptions) {
+  Viewers viewers;
+  Perceiver().perceive(world, vision, viewers.all(world), perceptions);
+}
+
 /// The perceptions of all agents.
-inline Perceptions perceive(World& world, const Vision& vision = Vision()) {
+inline Perceptions perceive(const World& world, const Vision& vision = Vision()) {
   Perceptions perceptions;
-  world.perceive(vision, perceptions);
+  perceive(world, vision, perceptions);
   return perceptions;
 }
 
@@ -48,7 +54,7 @@ inline Perceptions perceive(const Scene& scene, const Vision& vision = Vision())
 }
 
 /// The perceptions of all agents with unlimited vision.
-inline Perceptions lookAround(World& world) { return perceive(world, FAR_SIGHT); }
+inline Perceptions lookAround(const World& world) { return perceive(world, FAR_SIGHT); }
 
 /// Straight ahead at full speed.
 inline AgentAction ahead(AgentId id) { return {id, {0.0, 1.0}}; }

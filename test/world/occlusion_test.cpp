@@ -6,6 +6,7 @@
 
 #include "support/hidden_bodies.h"
 #include "support/scenes.h"
+#include "support/worlds.h"
 
 namespace crowd::occlusion_test {
 namespace {
@@ -39,11 +40,11 @@ TEST(OcclusionInTheWorld, AppliesOnlyOnRequest) {
                                    {}, {{{5.0, -0.2}, {5.0, 0.2}}, {{-3.0, -1.0}, {-3.0, 1.0}}});
   World world(line);
   Perceptions all;
-  world.perceive({6.0, 0, false}, all);
+  perceive(world, {6.0, 0, false}, all);
   EXPECT_EQ(all.agents[0].neighbour_count, 3U);
   EXPECT_EQ(all.agents[0].wall_count, 2U);
   Perceptions seen;
-  world.perceive({6.0, 0, true}, seen);
+  perceive(world, {6.0, 0, true}, seen);
   const Perception first(seen, 0);
   ASSERT_EQ(first.neighbours.size(), 2U);  // (4, 0) is hidden
   EXPECT_EQ(first.neighbours[0].position, Vector2(2.0, 0.0));
@@ -51,7 +52,7 @@ TEST(OcclusionInTheWorld, AppliesOnlyOnRequest) {
   ASSERT_EQ(first.walls.size(), 1U);
   EXPECT_EQ(first.walls[0].from, Vector2(-3.0, -1.0));
   EXPECT_EQ(Perception(seen, 1).neighbours.size(), 3U);  // the agent in the middle perceives both neighbours
-  world.perceive({6.0, 1, true}, seen);
+  perceive(world, {6.0, 1, true}, seen);
   EXPECT_EQ(seen.agents[0].neighbour_count, 1U);
 }
 
@@ -59,7 +60,7 @@ TEST(OcclusionInTheWorld, MaxNeighboursLimitsVisibleNeighbours) {
   World world(scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({2.0, 0.0}), scenes::wanderer({4.0, 0.0}),
                              scenes::wanderer({0.0, 5.0})}));
   Perceptions seen;
-  world.perceive({6.0, 2, true}, seen);
+  perceive(world, {6.0, 2, true}, seen);
   const Perception first(seen, 0);
   ASSERT_EQ(first.neighbours.size(), 2U);
   EXPECT_EQ(first.neighbours[1].position, Vector2(0.0, 5.0));
@@ -70,9 +71,9 @@ TEST(OcclusionInTheWorld, MaxNeighboursKeepsTheNearestVisibleParts) {
                               {scenes::pillar(LARGE.position, LARGE.radius)}, {hiding(-0.1, 0.25)});
   World world(scene);
   Perceptions seen;
-  world.perceive({6.0, 1, false}, seen);
+  perceive(world, {6.0, 1, false}, seen);
   EXPECT_EQ(Perception(seen, 0).neighbours[0].position, LARGE.position);
-  world.perceive({6.0, 1, true}, seen);  // rim distances: 2.8 m of the visible part of the pillar, 2.5 m of the agent
+  perceive(world, {6.0, 1, true}, seen);  // rim distances: 2.8 m of the visible part of the pillar, 2.5 m of the agent
   ASSERT_EQ(seen.agents[0].neighbour_count, 1U);
   EXPECT_EQ(Perception(seen, 0).neighbours[0].position, Vector2(0.0, 2.75));
 }

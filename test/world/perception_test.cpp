@@ -142,7 +142,7 @@ TEST(PerceptionList, SetsTheTimeAndReplacesOldPerceptions) {
   perceptions.episode = 17;
   perceptions.last = true;
   world.step({});
-  world.perceive(Vision(), perceptions);
+  perceive(world, Vision(), perceptions);
   EXPECT_EQ(perceptions.tick, 1U);
   EXPECT_EQ(perceptions.tick_duration, 0.5);
   EXPECT_EQ(Perception(perceptions, 1).tick_duration, 0.5);

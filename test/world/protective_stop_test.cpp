@@ -84,7 +84,7 @@ TEST(ProtectiveStopProperty, NeverTouchesPeopleThatStand) {
     double nearest = std::numeric_limits<double>::infinity();
     for (int tick = 0; tick < 200; ++tick) {
       const Vector2 from = world.robots()[0].pose.position;
-      if (random.below(patience) == 0) world.commandRobot(0, extremeTwist(world, random));
+      if (random.below(patience) == 0) world.robots().command(0, extremeTwist(world, random));
       world.step({});
       ASSERT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
       ASSERT_GT(nearestPerson(world), 0.0) << "tick " << tick;
@@ -105,9 +105,9 @@ TEST(ProtectiveStop, TestsTheTwistThatTheLimitsPermit) {
   start.limits = {2.0, 2.0, 1.0, 0.1, 0.0};
   start.yields = Yields::ROBOT;
   World world(with({start}, scene({wanderer({1.0, 0.0}, 1.0)})));
-  world.commandRobot(0, {{2.0, 0.0}, 0.0});
+  world.robots().command(0, {{2.0, 0.0}, 0.0});
   for (int tick = 0; tick < 100; ++tick) {
-    if (world.robots()[0].pose.position.x() > -2.0) world.commandRobot(0, {{2.0, 0.0}, 2.0});
+    if (world.robots()[0].pose.position.x() > -2.0) world.robots().command(0, {{2.0, 0.0}, 2.0});
     world.step({});
     ASSERT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
   }
@@ -120,7 +120,7 @@ TEST(ProtectiveStop, LetsARobotTurnAway) {
   start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
   start.yields = Yields::ROBOT;
   World world(with({start}, scene({wanderer({0.6, 0.0}, 1.0)})));
-  world.commandRobot(0, {{0.5, 0.0}, 0.5});
+  world.robots().command(0, {{0.5, 0.0}, 0.5});
   for (int tick = 0; tick < 60; ++tick) {
     world.step({});
     ASSERT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
@@ -133,7 +133,7 @@ TEST(ProtectiveStop, LeavesAGapToPeopleThatStand) {
   start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
   start.yields = Yields::ROBOT;
   World world(with({start}, scene({wanderer({3.0, 0.2}, 1.0)})));
-  world.commandRobot(0, {{5.0, 0.0}, 0.0});
+  world.robots().command(0, {{5.0, 0.0}, 0.0});
   double fastest = 0.0;
   for (int tick = 0; tick < 100; ++tick) {
     world.step({});
@@ -144,7 +144,7 @@ TEST(ProtectiveStop, LeavesAGapToPeopleThatStand) {
   // It comes near the distance that the agent could walk in a tick, 0.1 m, where the centres are 0.65 m apart.
   EXPECT_NEAR((world.robots()[0].pose.position - Vector2(3.0, 0.2)).norm(), 0.65, 0.02);
   EXPECT_LT(world.robots()[0].velocity.norm(), 0.05);
-  world.commandRobot(0, {{-1.0, 0.0}, 0.0});
+  world.robots().command(0, {{-1.0, 0.0}, 0.0});
   for (int tick = 0; tick < 10; ++tick) world.step({});
   EXPECT_LT(world.robots()[0].velocity.x(), -0.5);  // the way back is free
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "social_crowd/common/errors.h"
+#include "social_crowd/world/world_editor.h"
 #include "support/error_of.h"
 #include "support/robots.h"
 #include "support/worlds.h"
@@ -17,7 +18,7 @@ constexpr double NEAR = 1e-6;
 /// The world after a tick in which the robot drives straight ahead, if it does, and the agents walk.
 World afterTick(const Scene& scene, bool drives, const std::vector<AgentAction>& actions = {}) {
   World world(scene);
-  if (drives) world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  if (drives) world.robots().command(0, {{1.0, 0.0}, 0.0});
   world.step(actions);
   return world;
 }
@@ -45,7 +46,7 @@ TEST(RobotContact, WallsStopARobot) {
   world.step({});  // it presses on, and is stopped at the start of the tick
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);
   EXPECT_TRUE(world.robots()[0].blocked);
-  world.commandRobot(0, {});
+  world.robots().command(0, {});
   world.step({});
   EXPECT_FALSE(world.robots()[0].blocked);
 }
@@ -54,7 +55,7 @@ TEST(RobotContact, ADiscGoesOnToTurnAtAWall) {
   // It stops after 0.05 s of the tick of 0.1 s, and turns by 0.5 rad/s for all of it.
   const Scene at_wall = solid(with({robot({0.0, 0.0})}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}})));
   World world(at_wall);
-  world.commandRobot(0, {{1.0, 0.0}, 0.5});
+  world.robots().command(0, {{1.0, 0.0}, 0.5});
   world.step({});
   EXPECT_TRUE(world.robots()[0].blocked);
   EXPECT_NEAR(world.robots()[0].pose.heading, 0.05, NEAR);
@@ -64,7 +65,7 @@ TEST(RobotContact, ADiscGoesOnToTurnAtAWall) {
   RobotStart car = robot({0.0, 0.0});
   car.drive = Drive::ACKERMANN;  // it turns on curves only
   World other(solid(with({car}, scene({}, {}, {{{0.35, -1.0}, {0.35, 1.0}}}))));
-  other.commandRobot(0, {{1.0, 0.0}, 0.5});
+  other.robots().command(0, {{1.0, 0.0}, 0.5});
   other.step({});
   EXPECT_TRUE(other.robots()[0].blocked);
   EXPECT_LT(other.robots()[0].pose.heading, 0.03);
@@ -81,7 +82,7 @@ TEST(RobotContact, ARobotThatDrivesIntoAPersonStops) {
   ASSERT_EQ(world.robots()[0].contacts.size(), 1U);
   EXPECT_FALSE(world.robots()[0].contacts[0].begins);
   EXPECT_EQ(world.robots()[0].contacts[0].cause, ContactCause::ROBOT);
-  world.commandRobot(0, {{-1.0, 0.0}, 0.0});
+  world.robots().command(0, {{-1.0, 0.0}, 0.0});
   world.step({});
   EXPECT_TRUE(world.robots()[0].contacts.empty());
   EXPECT_NEAR(world.robots()[0].pose.position.x(), -0.05, NEAR);
@@ -113,7 +114,7 @@ TEST(RobotContact, HasACauseInAGhostWorld) {
 TEST(RobotContact, PassingThroughIsOneContact) {
   // Contact below 0.549 m: from tick 5, which ends at -0.5 m, to tick 16, which begins at 0.5 m.
   World world(with({robot({-1.0, 0.0})}, scene({wanderer({0.0, 0.0})})));
-  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.robots().command(0, {{1.0, 0.0}, 0.0});
   for (int tick = 1; tick <= 20; ++tick) {
     world.step({});
     const auto& contacts = world.robots()[0].contacts;
@@ -133,7 +134,7 @@ TEST(RobotContact, InSequentialTicksToo) {
     person.endTick();
     expectContact(person, ContactCause::PERSON);
     World robot(scene);
-    robot.commandRobot(0, {{1.0, 0.0}, 0.0});
+    robot.robots().command(0, {{1.0, 0.0}, 0.0});
     robot.moveAgent(0, {});
     robot.endTick();
     expectContact(robot, ContactCause::ROBOT);
@@ -144,13 +145,13 @@ TEST(RobotContact, ARobotElsewhereIsNotStopped) {
   Scene scene = solid(facing(0.05));
   scene.robots[0].drive = Drive::EXTERNAL;
   World world(scene);
-  world.placeRobot(0, {{0.1, 0.0}, 0.0}, {1.0, 0.0}, false);
+  world.robots().place(0, {{0.1, 0.0}, 0.0}, {1.0, 0.0}, false);
   world.step({});
   EXPECT_EQ(world.robots()[0].pose.position, Vector2(0.1, 0.0));
   expectVector(world.agents()[0].pose.position, 0.6, 0.0);
   expectContact(world, ContactCause::ROBOT);
   World jumping(scene);
-  jumping.placeRobot(0, {{0.6, 0.1}, 0.0}, {0.0, 0.0}, true);
+  jumping.robots().place(0, {{0.6, 0.1}, 0.0}, {0.0, 0.0}, true);
   jumping.step({});
   expectContact(jumping, ContactCause::ROBOT);
   // An agent does not walk into it.
@@ -162,19 +163,19 @@ TEST(RobotContact, ARobotElsewhereIsNotStopped) {
 
 TEST(RobotContact, AMovingObstacleStopsARobotAndPassesOverIt) {
   World world(solid(with({robot({0.0, 0.0})}, scene({}, {scenes::moving_obstacle({0.6, 0.0}, {-0.5, 0.0}, 0.25)}))));
-  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.robots().command(0, {{1.0, 0.0}, 0.0});
   for (int tick = 0; tick < 5; ++tick) world.step({});
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.1 * 0.05 / 0.15, NEAR);  // they met 0.05 m closer, at 1.5 m/s
 }
 
 TEST(RobotContact, RobotsStopEachOther) {
   World world(solid(with({robot({0.0, 0.0}), robot({0.7, 0.0})}, scene({}))));
-  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.robots().command(0, {{1.0, 0.0}, 0.0});
   world.step({});
   world.step({});
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.1, NEAR);
   EXPECT_EQ(world.robots()[1].pose.position, Vector2(0.7, 0.0));
-  world.commandRobot(1, {{1.0, 0.0}, 0.0});  // one drives ahead of the other
+  world.robots().command(1, {{1.0, 0.0}, 0.0});  // one drives ahead of the other
   world.step({});
   world.step({});
   EXPECT_NEAR(world.robots()[1].pose.position.x(), 0.9, NEAR);
@@ -183,16 +184,16 @@ TEST(RobotContact, RobotsStopEachOther) {
 
 TEST(RobotContact, RobotsOccupyPlaces) {
   World world(with({robot({0.0, 0.0})}, scene({wanderer({5.0, 0.0})})));
-  EXPECT_FALSE(world.isFree({0.5, 0.0}, 0.25));
-  EXPECT_TRUE(world.isFree({0.56, 0.0}, 0.25));
-  const auto spawned = [&] { world.spawnAgent(wanderer({0.4, 0.0})); };
+  EXPECT_FALSE(world.blockerAt({0.5, 0.0}, 0.25).empty());
+  EXPECT_TRUE(world.blockerAt({0.56, 0.0}, 0.25).empty());
+  const auto spawned = [&] { WorldEditor(world).spawnAgent(wanderer({0.4, 0.0})); };
   EXPECT_EQ(errorOf<InputError>(spawned), "the place is taken by robot 'robot'");
   EXPECT_EQ(errorOf<InputError>([&] {
-              world.addWall({{0.2, -1.0}, {0.2, 1.0}});
+              WorldEditor(world).addWall({{0.2, -1.0}, {0.2, 1.0}});
             }),
             "the place is taken by robot 'robot'");
   EXPECT_EQ(errorOf<InputError>([&] {
-              world.spawnObstacle({0.4, 0.0}, {0.0, 0.0}, 0.2);
+              WorldEditor(world).spawnObstacle({0.4, 0.0}, {0.0, 0.0}, 0.2);
             }),
             "the place is taken by robot 'robot'");
 }
@@ -209,7 +210,7 @@ TEST(RobotPerception, ShowsTheDiscThatTheRobotMayReach) {
   RobotStart start = robot({0.0, 0.0}, PI / 2.0);
   start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
   World world(with({start}, scene({wanderer({-2.0, 0.0}), wanderer({-3.0, 0.0})})));
-  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.robots().command(0, {{1.0, 0.0}, 0.0});
   world.step({});
   const Perceptions seen = lookAround(world);
   ASSERT_EQ(seen.agents[0].neighbour_count, 2U);

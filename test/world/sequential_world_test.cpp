@@ -24,7 +24,8 @@ Scene halfMetres(std::vector<AgentStart> agents, std::vector<Obstacle> obstacles
 
 Perceptions lookOf(World& world, AgentId id) {
   Perceptions perceptions;
-  world.perceiveAgent(FAR_SIGHT, id, perceptions);
+  Viewers viewers;
+  Perceiver().perceive(world, FAR_SIGHT, viewers.one(world, id), perceptions);
   return perceptions;
 }
 
@@ -128,7 +129,7 @@ TEST(SequentialWorld, SolidObstaclesPushAtTheEndOfTheTick) {
 /// A tick with a turn for each agent.
 void walkOneByOne(World& world, const std::vector<AgentAction>& actions) {
   for (AgentId id = 0; id < world.agents().size(); ++id) {
-    if (world.isPerceiving(id)) world.moveAgent(id, actions);
+    if (world.isPerceiving(world.agents()[id])) world.moveAgent(id, actions);
   }
   world.endTick();
 }
@@ -147,8 +148,8 @@ TEST(SequentialWorld, GhostsWithGivenActionsMoveAsInASimultaneousWorld) {
       ASSERT_EQ(stateOf(one_by_one), stateOf(together)) << "tick " << tick;
       Perceptions expected;
       Perceptions seen;
-      together.perceive(Vision(), expected);
-      one_by_one.perceive(Vision(), seen);
+      perceive(together, Vision(), expected);
+      perceive(one_by_one, Vision(), seen);
       ASSERT_EQ(seen.neighbours.size(), expected.neighbours.size());
       for (std::size_t i = 0; i < seen.neighbours.size(); ++i) {
         ASSERT_EQ(seen.neighbours[i].position, expected.neighbours[i].position);

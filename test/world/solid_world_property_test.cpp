@@ -35,7 +35,7 @@ double deepestOverlap(const World& world) {
       if (obstacle.path.moves()) continue;
       deepest = std::max(deepest, agent.radius + obstacle.radius - (obstacle.path.position(0.0) - at).norm());
     }
-    for (const Segment& wall : world.walls()) deepest = std::max(deepest, agent.radius - distanceTo(wall, at));
+    for (const Segment& wall : world.walls().list()) deepest = std::max(deepest, agent.radius - distanceTo(wall, at));
   }
   return deepest;
 }
@@ -106,7 +106,7 @@ bool isHeldUp(const World& world, const std::vector<Walk>& walks, std::size_t ag
   for (const Obstacle& obstacle : world.obstacles()) {
     if (holds(obstacle.path.position(0.0), obstacle.radius + walks[agent].radius)) return true;
   }
-  return std::any_of(world.walls().begin(), world.walls().end(),
+  return std::any_of(world.walls().list().begin(), world.walls().list().end(),
                      [&](const Segment& wall) { return holds(nearestPoint(wall, at), walks[agent].radius); });
 }
 
@@ -116,7 +116,7 @@ void expectNoOverlapOnTheWay(const World& world, const std::vector<Walk>& walks,
     for (std::size_t k = 0; k < i; ++k) {
       ASSERT_GT((walks[k].at(time) - at).norm(), walks[i].radius + walks[k].radius - 1e-9) << i << " and " << k;
     }
-    for (const Segment& wall : world.walls()) ASSERT_GT(distanceTo(wall, at), walks[i].radius - 1e-9) << i;
+    for (const Segment& wall : world.walls().list()) ASSERT_GT(distanceTo(wall, at), walks[i].radius - 1e-9) << i;
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/world/world.h"
+#include "social_crowd/world/world_editor.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 
@@ -115,11 +116,11 @@ TEST(SolidWorld, RefusesSpawnedBodiesWithAnyOverlap) {
   World world(solid(scene({wanderer({0.0, 0.0})}, {}, {{{-1.0, -2.0}, {1.0, -2.0}}})));
   const AgentStart tight = wanderer({0.4995, 0.0});
   const AgentStart at_wall = wanderer({0.0, -1.7505});
-  EXPECT_NO_THROW(ghost.spawnAgent(tight));
-  EXPECT_NO_THROW(ghost.spawnAgent(at_wall));
-  EXPECT_TRUE(contains(errorOf<InputError>([&] { world.spawnAgent(tight); }), "agent 0"));
-  EXPECT_TRUE(contains(errorOf<InputError>([&] { world.spawnAgent(at_wall); }), "wall"));
-  EXPECT_EQ(world.spawnAgent(wanderer({0.5, 0.0})), 1U);
+  EXPECT_NO_THROW(WorldEditor(ghost).spawnAgent(tight));
+  EXPECT_NO_THROW(WorldEditor(ghost).spawnAgent(at_wall));
+  EXPECT_TRUE(contains(errorOf<InputError>([&] { WorldEditor(world).spawnAgent(tight); }), "agent 0"));
+  EXPECT_TRUE(contains(errorOf<InputError>([&] { WorldEditor(world).spawnAgent(at_wall); }), "wall"));
+  EXPECT_EQ(WorldEditor(world).spawnAgent(wanderer({0.5, 0.0})), 1U);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ bool overlapsSomething(const World& world, const Agent& agent) {
   for (const Obstacle& obstacle : world.obstacles()) {
     contact = contact || overlaps(obstacle.path.position(world.time()), obstacle.radius);
   }
-  for (const Segment& wall : world.walls()) contact = contact || overlaps(nearestPoint(wall, at), 0.0);
+  for (const Segment& wall : world.walls().list()) contact = contact || overlaps(nearestPoint(wall, at), 0.0);
   return contact;
 }
 

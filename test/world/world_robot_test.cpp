@@ -6,6 +6,7 @@
 
 #include "social_crowd/common/errors.h"
 #include "social_crowd/world/world.h"
+#include "social_crowd/world/world_editor.h"
 #include "support/error_of.h"
 #include "support/robots.h"
 
@@ -16,20 +17,20 @@ TEST(WorldRobot, FollowsItsCommandUntilTheNext) {
   World world(with({robot({1.0, 2.0}, PI / 2.0)}, scene({})));
   world.step({});
   EXPECT_EQ(world.robots()[0].pose.position, Vector2(1.0, 2.0));
-  world.commandRobot(0, {{0.5, 0.0}, 0.0});
+  world.robots().command(0, {{0.5, 0.0}, 0.0});
   world.step({});
   world.step({});
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 1.0, 1e-15);
   EXPECT_NEAR(world.robots()[0].pose.position.y(), 2.1, 1e-15);
   EXPECT_NEAR(world.robots()[0].velocity.y(), 0.5, 1e-15);
-  world.commandRobot(0, {});
+  world.robots().command(0, {});
   world.step({});
   EXPECT_NEAR(world.robots()[0].pose.position.y(), 2.1, 1e-15);
 }
 
 TEST(WorldRobot, MovesAtTheEndOfASequentialTick) {
   World world(with({robot({1.0, 2.0})}, scene({wanderer({-5.0, 0.0})})));
-  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.robots().command(0, {{1.0, 0.0}, 0.0});
   world.moveAgent(0, {});
   EXPECT_EQ(world.robots()[0].pose.position, Vector2(1.0, 2.0));
   world.endTick();
@@ -41,7 +42,7 @@ TEST(WorldRobot, ReachesItsGoalsOneAfterTheOther) {
   start.goals.emplace_back(1.5, 0.0);
   start.goal_tolerance = 0.15;
   World world(with({start}, scene({})));
-  world.commandRobot(0, {{1.0, 0.0}, 0.0});
+  world.robots().command(0, {{1.0, 0.0}, 0.0});
   // After tick k it is at 0.1 k m. The goals at 1 m and 1.5 m are within the tolerance of 0.15 m from ticks 9 and 14
   // on.
   for (int tick = 1; tick <= 15; ++tick) {
@@ -49,7 +50,7 @@ TEST(WorldRobot, ReachesItsGoalsOneAfterTheOther) {
     EXPECT_EQ(world.robots()[0].next_goal, tick < 9 ? 0U : 1U) << "tick " << tick;
     EXPECT_EQ(world.robots()[0].hasArrived(), tick >= 14) << "tick " << tick;
   }
-  world.setRobotGoals(0, {{3.0, 0.0}});
+  world.robots().setGoals(0, {{3.0, 0.0}});
   EXPECT_FALSE(world.robots()[0].hasArrived());
   world.step({});
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 1.6, 1e-12);
@@ -59,7 +60,7 @@ TEST(WorldRobot, ElsewhereIsWhereItWasPlaced) {
   RobotStart start = robot({0.0, 0.0});
   start.drive = Drive::EXTERNAL;
   World world(with({start}, scene({})));
-  world.placeRobot(0, {{0.1, 0.0}, 7.0}, {1.0, 0.0}, false);
+  world.robots().place(0, {{0.1, 0.0}, 7.0}, {1.0, 0.0}, false);
   world.step({});
   EXPECT_EQ(world.robots()[0].pose.position, Vector2(0.1, 0.0));
   EXPECT_EQ(world.robots()[0].pose.heading, wrapAngle(7.0));
@@ -67,7 +68,7 @@ TEST(WorldRobot, ElsewhereIsWhereItWasPlaced) {
   world.step({});
   EXPECT_EQ(world.robots()[0].pose.position, Vector2(0.1, 0.0));
   EXPECT_EQ(world.robots()[0].velocity, Vector2(0.0, 0.0));
-  world.placeRobot(0, {{5.0, 5.0}, 0.0}, {1.0, 0.0}, true);
+  world.robots().place(0, {{5.0, 5.0}, 0.0}, {1.0, 0.0}, true);
   world.step({});
   EXPECT_EQ(world.robots()[0].pose.position, Vector2(5.0, 5.0));
   EXPECT_EQ(world.robots()[0].velocity, Vector2(0.0, 0.0));
@@ -76,8 +77,11 @@ TEST(WorldRobot, ElsewhereIsWhereItWasPlaced) {
 
 TEST(WorldRobot, TeleportsToFreePlacesOnly) {
   World world(with({robot({0.0, 0.0})}, scene({wanderer({3.0, 0.0})})));
-  EXPECT_EQ(errorOf<InputError>([&] { world.teleportRobot(0, {{3.5, 0.0}, 0.0}); }), "the place is taken by agent 0");
-  world.teleportRobot(0, {{3.56, 0.0}, 1.0});
+  EXPECT_EQ(errorOf<InputError>([&] {
+              WorldEditor(world).teleportRobot(0, {{3.5, 0.0}, 0.0});
+            }),
+            "the place is taken by agent 0");
+  WorldEditor(world).teleportRobot(0, {{3.56, 0.0}, 1.0});
   EXPECT_EQ(world.robots()[0].pose.position, Vector2(3.56, 0.0));
   EXPECT_EQ(world.robots()[0].pose.heading, 1.0);
 }
@@ -87,26 +91,27 @@ TEST(WorldRobot, RefusesWrongCommands) {
   RobotStart elsewhere = robot({5.0, 0.0});
   elsewhere.drive = Drive::EXTERNAL;
   World world(with({robot({0.0, 0.0}), elsewhere}, scene({})));
-  EXPECT_EQ(errorOf<InputError>([&] { world.commandRobot(2, {}); }), "there is no robot 2");
-  EXPECT_EQ(errorOf<InputError>([&] { world.commandRobot(1, {}); }), "robot 'robot' is external: it takes no commands");
+  EXPECT_EQ(errorOf<InputError>([&] { world.robots().command(2, {}); }), "there is no robot 2");
+  EXPECT_EQ(errorOf<InputError>([&] { world.robots().command(1, {}); }),
+            "robot 'robot' is external: it takes no commands");
   EXPECT_EQ(errorOf<InputError>([&] {
-              world.commandRobot(0, {{nan, 0.0}, 1.0});
+              world.robots().command(0, {{nan, 0.0}, 1.0});
             }),
             "robot 'robot': expected a command of finite numbers, got linear [nan, 0], rotation 1");
   EXPECT_EQ(errorOf<InputError>([&] {
-              world.placeRobot(0, {}, {0.0, 0.0}, false);
+              world.robots().place(0, {}, {0.0, 0.0}, false);
             }),
             "robot 'robot' is not external: it moves by commands");
   EXPECT_EQ(errorOf<InputError>([&] {
-              world.placeRobot(1, {{nan, 0.0}, 0.0}, {0.0, 0.0}, false);
+              world.robots().place(1, {{nan, 0.0}, 0.0}, {0.0, 0.0}, false);
             }),
             "position [m]: expected finite numbers, got [nan, 0]");
   EXPECT_EQ(errorOf<InputError>([&] {
-              world.placeRobot(1, {{0.0, 0.0}, nan}, {0.0, 0.0}, false);
+              world.robots().place(1, {{0.0, 0.0}, nan}, {0.0, 0.0}, false);
             }),
             "heading [rad]: expected a finite number, got nan");
   EXPECT_EQ(errorOf<InputError>([&] {
-              world.setRobotGoals(0, {{0.0, nan}});
+              world.robots().setGoals(0, {{0.0, nan}});
             }),
             "goal [m]: expected finite numbers, got [0, nan]");
 }

@@ -197,8 +197,7 @@ class Learner {
   double tieOf(const Perceptions& perceptions, AgentId agent) const;
 
   Model model_;
-  double vision_radius_;  // [m]
-  std::uint32_t max_neighbours_;
+  Vision vision_;            // of the state set, without a margin
   std::size_t rows_each_;    // rows per agent
   std::size_t blocks_each_;  // blocks of moves per agent
   bool has_constant_moves_;  // the moves in a workspace stay valid

@@ -6,20 +6,22 @@
 #include "social_crowd/maps/floor_plan.h"
 #include "social_crowd/navigation/mesh_cache.h"
 #include "social_crowd/scenario/scene.h"
-#include "social_crowd/world/world.h"
+#include "social_crowd/world/world_editor.h"
 
 namespace crowd {
 
 /// @brief The radius of the largest agent so far [m]; 0 without agents.
-double largestRadius(const World& world);
+/// @param change the answer is that after it
+double largestRadius(const World& world, const WorldChange& change = {});
 
 /// @brief The radius of the largest agent that the sources of a scene may create [m]; 0 without sources.
 double largestSourceRadius(const Scene& scene);
 
 /// @brief The floor that ways are found on: walls, obstacles at rest, and bounds around them, all agents so far and
 /// their goals. Small obstacles that stand alone are left to the learners, which walk round them with shorter paths.
-/// @param radius of the largest agent [m] @throws Stopped if the world's stop request is made
-FloorPlan walkingFloor(const World& world, double radius);
+/// @param radius of the largest agent [m] @param change the floor is that after it
+/// @throws Stopped if the world's stop request is made
+FloorPlan walkingFloor(const World& world, double radius, const WorldChange& change = {});
 
 /// @brief Whether there is anything to walk round.
 inline bool hasBarriers(const FloorPlan& floor) { return !floor.walls.empty() || !floor.obstacles.empty(); }
@@ -39,8 +41,8 @@ bool openGates(const std::vector<Segment>& gates, FloorPlan& floor);
 /// @brief The navigation data of a floor, see navigationData(). @throws InputError if the floor is too large; Stopped
 std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius, const StopRequest& stop);
 
-/// @brief Does nothing if ways can be found in a world.
+/// @brief Does nothing if ways can be found in a world after a change.
 /// @param least_radius of the largest agent that may appear [m] @throws InputError if its floor is too large
-void requireNavigableFloor(const World& world, double least_radius);
+void requireNavigableFloor(const World& world, const WorldChange& change, double least_radius);
 
 }  // namespace crowd

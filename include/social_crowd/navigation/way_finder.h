@@ -79,7 +79,7 @@ class WayFinder {
   };
 
   void adoptLayout(World& world);
-  void lead(const Agent& agent, Way& way, World& world);
+  void lead(Agent& agent, Way& way, const World& world);
   Vector2 nextPoint(const Agent& agent, Way& way, const StopRequest& stop);
   bool areConnected(const Vector2& from, const Vector2& to);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;

@@ -32,8 +32,7 @@ bool evaluateOnRanks(Communicator& communicator, const TrainedTable& trained, co
 /// @brief Checksum of everything in a scene that the motions of a DistributedCrowd depend on.
 std::string checksumOf(const Scene& scene);
 
-/// @brief Checksums of the files in which a crowd is computed: the library social_crowd_core, and the program.
+/// @brief Checksum of the file of the library social_crowd_core, in which a crowd is computed.
 std::string checksumOfLibrary();
-std::string checksumOfProgram();
 
 }  // namespace crowd

@@ -5,12 +5,12 @@
 
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/robots/robot_way.h"
-#include "social_crowd/world/world.h"
+#include "social_crowd/world/perceiver.h"
 
 namespace crowd {
 
 /// @brief Drives a robot as the learned agents walk: the robot perceives what an agent at its place perceives
-/// (World::perceiveRobot()), the learner decides greedily for it with the same Q-table, state set and action set, and
+/// (Viewers::inPlaceOf()), the learner decides greedily for it with the same Q-table, state set and action set, and
 /// its relative action becomes a command: steer() in the direction of the action, at its share of the maximum speed.
 ///
 /// The actions assume a body that changes its velocity within a tick. A robot follows as fast as its limits permit, so
@@ -33,7 +33,8 @@ class LearnedRobot {
   const Learner* learner_;
   bool finds_ways_;
   RobotWay way_;
-  World::PerceptionWorkspace perception_workspace_;
+  Viewers viewers_;
+  Perceiver perceiver_;
   Perceptions perceptions_;
   DecisionWorkspace decision_workspace_;
   std::vector<AgentAction> actions_;

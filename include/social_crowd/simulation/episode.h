@@ -13,9 +13,10 @@
 #include "social_crowd/navigation/way_lengths.h"
 #include "social_crowd/population/population.h"
 #include "social_crowd/scenario/scene.h"
+#include "social_crowd/simulation/episode_editor.h"
 #include "social_crowd/simulation/episode_monitor.h"
 #include "social_crowd/simulation/greedy_crowd.h"
-#include "social_crowd/world/world.h"
+#include "social_crowd/world/perceiver.h"
 
 namespace crowd {
 
@@ -30,8 +31,8 @@ class Episode {
   /// @param number of the episode; it is part of the perceptions, and learners seed their exploration with it
   /// @param thread_pool its threads share the agents; it must outlive the episode. Results do not depend on their
   /// number.
-  /// @param stop ends the constructor, decide(), step() and changes of the world early: they throw Stopped, and the
-  /// episode must not be used any more
+  /// @param stop ends the constructor, decide(), step() and edit() early: they throw Stopped, and the episode must not
+  /// be used any more
   Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool = ThreadPool::callerOnly(),
           StopRequest stop = {});
 
@@ -71,51 +72,21 @@ class Episode {
   /// @brief Number of changes of the world, ticks included.
   std::uint64_t changes() const { return changes_; }
 
-  /// @brief Changes of the world between two ticks, see World; perceptions() reflect them.
-  /// @throws InputError as World does; with way-finding also if an agent cannot reach its goal then because of its own
-  /// new place, goal or route (WayLengths::requireWay()), or if the floor would become too large. The world is
-  /// unchanged then.
-  AgentId spawnAgent(const AgentStart& start);
-  void removeAgent(AgentId id);
-  void setGoal(AgentId id, const Vector2& goal);
-  std::size_t spawnObstacle(const Vector2& position, const Vector2& velocity, double radius);
-  void moveObstacle(std::size_t number, const Vector2& position);
-  void removeObstacle(std::size_t number);
-  void teleport(AgentId id, const Pose& pose);
-  std::size_t addWall(const Segment& wall);
-  void removeWall(std::size_t id);
-  void replaceWalls(std::vector<Segment> walls);
-  /// @brief Commands and changes of robots, see World.
-  void commandRobot(RobotId id, const Twist& wanted) { world_.commandRobot(id, wanted); }
-  void placeRobot(RobotId id, const Pose& pose, const Vector2& velocity, bool jump) {
-    world_.placeRobot(id, pose, velocity, jump);
-  }
-  void setRobotGoals(RobotId id, std::vector<Vector2> goals) { world_.setRobotGoals(id, std::move(goals)); }
-  void teleportRobot(RobotId id, const Pose& pose);
-  /// @brief Lets an agent begin a route of the scenario.
-  void setRoute(AgentId id, const std::string& route);
-  /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later. @return whether it is
-  /// open now
-  bool setGate(const std::string& gate, bool open);
-  /// @brief Adds a source, which begins now. @param source as read from a scenario file @return its index
-  std::size_t addSource(const SourceDescription& source);
-  /// @brief Adds a gate. @throws InputError also if there is one of its name
-  void addGate(const GateDescription& gate);
+  /// @brief Changes the world; perceptions() reflect it.
+  EpisodeEditor edit() { return EpisodeEditor(*this); }
+  /// @brief Commands robots, places them and sets their goals.
+  Robots& robots() { return world_.robots(); }
 
  private:
-  /// Uses another population from now on.
-  void adopt(PopulationDescription population);
+  friend class EpisodeEditor;
+
   /// Notes a change of the world: waypoints are updated, and the perceptions are not current any more.
   void noteChange();
-  /// Notes a change of the walls by a user.
-  void noteWalls();
   /// Whether ways are found.
   bool findsWays() const { return scene_.way_finding && way_finding_problem_.empty(); }
-  /// Throws InputError as World does if change(world) is invalid, or if the floor would be too large for way-finding.
-  template <typename Change>
-  void requireFloorAfter(const Change& change) const;
   bool isSequential() const { return scene_.order == Order::SEQUENTIAL; }
-  void perceiveTurn();
+  /// Those who perceive in this turn.
+  const Viewers& viewersOfTurn();
   /// Advances `turn_` to the next agent that has a turn in this tick, starting with `turn_` itself; false if none.
   bool findTurn();
   bool endTick();
@@ -136,6 +107,8 @@ class Episode {
   std::shared_ptr<Perceptions> perceptions_ = buffers_.next();  // latest
   bool may_be_held_ = false;                                    // `perceptions_` were shared with a caller
   bool are_current_ = false;
+  Viewers viewers_;
+  Perceiver perceiver_;
   AgentId turn_ = 0;  // agent whose turn it is (sequential only), or the number of agents if no turn is left
   GreedyCrowd crowd_;
 };

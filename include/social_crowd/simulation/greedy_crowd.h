@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "social_crowd/learning/learner.h"
-#include "social_crowd/world/world.h"
+#include "social_crowd/world/perceiver.h"
 
 namespace crowd {
 
 /// @brief Greedy decisions for all agents of a world. It processes blocks of spatially adjacent agents, whose
 /// perceptions stay in the cache until they have decided and are then discarded. The decisions equal those of
-/// World::perceive() and Learner::decide() in demo mode, with less time and memory.
+/// a Perceiver for all agents and Learner::decide() in demo mode, with less time and memory.
 class GreedyCrowd {
  public:
   /// @param episode its number; with the tick it seeds random tie-breaking
@@ -27,7 +27,8 @@ class GreedyCrowd {
  private:
   /// Workspace of one worker.
   struct ThreadWorkspace {
-    World::PerceptionWorkspace perception_workspace;
+    Viewers viewers;
+    Perceiver perceiver;
     Perceptions perceptions;
     DecisionWorkspace decision_workspace;
     std::vector<AgentId> ids;  // of the agents of a block, if they have names

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -16,6 +18,15 @@ struct Vision {
   double radius = 6.0;               ///< maximum distance from the agent's centre to the rim of a neighbour [m]
   std::uint32_t max_neighbours = 0;  ///< only the nearest of the visible neighbours are perceived; 0: no limit
   bool occlusion = false;            ///< nearer neighbours and walls hide others (see Occlusion)
+
+  /// @brief Number of neighbours, nearest rim first, that are within these limits.
+  template <typename Neighbours>
+  std::size_t countOf(const Neighbours& neighbours) const {
+    std::size_t count = neighbours.size();
+    if (max_neighbours > 0) count = std::min<std::size_t>(max_neighbours, count);
+    while (count > 0 && rimDistance(neighbours[count - 1]) > radius) --count;
+    return count;
+  }
 };
 
 /// @brief State of the perceiving agent at a tick.

@@ -102,7 +102,7 @@ bool CommandCollector::wait() {
   if (!await()) return false;
   if (!held_) warnOfAbsence(commands_.giveUp(tick()));
   for (RobotId robot = 0; robot < robots().size(); ++robot) {
-    if (robots()[robot].start.drive != Drive::EXTERNAL) episode_->commandRobot(robot, commandFor(robot));
+    if (robots()[robot].start.drive != Drive::EXTERNAL) episode_->robots().command(robot, commandFor(robot));
   }
   return true;
 }

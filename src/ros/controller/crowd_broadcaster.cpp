@@ -115,8 +115,8 @@ void CrowdBroadcaster::publishWalls(const Episode& episode) {
   social_crowd::Walls message;
   message.header = header();
   message.episode = episode.number();
-  toMessages(episode.world().walls(), message.walls);
-  message.numbers.assign(episode.world().wallIds().begin(), episode.world().wallIds().end());
+  toMessages(episode.world().walls().list(), message.walls);
+  message.numbers.assign(episode.world().walls().ids().begin(), episode.world().walls().ids().end());
   publishLatched(walls_, message);
 }
 

@@ -131,7 +131,7 @@ void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
     map_walls = traceWalls(*map);
     std::vector<Segment> walls(scene.walls.begin(), scene.walls.begin() + static_cast<std::ptrdiff_t>(scene.own_walls));
     walls.insert(walls.end(), map_walls.begin(), map_walls.end());
-    episode_->replaceWalls(std::move(walls));
+    episode_->edit().replaceWalls(std::move(walls));
   } catch (const Error& error) {
     ROS_ERROR("the map on %s is not used: %s", parameters_.map_topic.c_str(), error.what());
     return;

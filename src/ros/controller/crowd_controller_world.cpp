@@ -76,103 +76,83 @@ GateDescription gateOf(const social_crowd::AddGate::Request& request) {
 
 }  // namespace
 
+/// Serves a service that changes the world: edit(editor, request, response) returns what was done, up to the time.
+template <typename Service, typename Edit>
+void CrowdController::serveEdit(const std::string& name, const Edit& edit) {
+  services_.serve<Service>(name, [this, edit](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      EpisodeEditor editor(*episode_);
+      response.message = edit(editor, request, response) + place();
+    });
+  });
+}
+
 void CrowdController::advertiseWorldServices() {
-  services_.serve<social_crowd::SpawnAgent>(names::SPAWN_AGENT, [this](const auto& request, auto& response) {
+  serveEdit<social_crowd::SpawnAgent>(names::SPAWN_AGENT, [](auto& editor, const auto& request, auto& response) {
     AgentStart start;
     start.position = {request.pose.x, request.pose.y};
     start.heading = request.pose.theta;
     start.goals = {fromPoint(request.goal)};
     start.max_speed = request.max_speed;
     start.radius = request.radius;
-    loop_.ask<void>([&] {
-      response.agent = episode_->spawnAgent(start);
-      response.message = "agent " + std::to_string(response.agent) + " added at " + place();
-    });
+    response.agent = editor.spawnAgent(start);
+    return "agent " + std::to_string(response.agent) + " added at ";
   });
-  services_.serve<social_crowd::RemoveAgent>(names::REMOVE_AGENT, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->removeAgent(request.agent);
-      response.message = "agent " + std::to_string(request.agent) + " removed at " + place();
-    });
+  serveEdit<social_crowd::RemoveAgent>(names::REMOVE_AGENT, [](auto& editor, const auto& request, auto& /*response*/) {
+    editor.removeAgent(request.agent);
+    return "agent " + std::to_string(request.agent) + " removed at ";
   });
-  services_.serve<social_crowd::SetGoal>(names::SET_GOAL, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->setGoal(request.agent, fromPoint(request.goal));
-      response.message = "agent " + std::to_string(request.agent) + " has a new goal since " + place();
-    });
+  serveEdit<social_crowd::SetGoal>(names::SET_GOAL, [](auto& editor, const auto& request, auto& /*response*/) {
+    editor.setGoal(request.agent, fromPoint(request.goal));
+    return "agent " + std::to_string(request.agent) + " has a new goal since ";
   });
-  services_.serve<social_crowd::SpawnObstacle>(names::SPAWN_OBSTACLE, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      response.obstacle = static_cast<std::uint32_t>(
-          episode_->spawnObstacle(fromPoint(request.position), fromVector3(request.velocity), request.radius));
-      response.message = "obstacle " + std::to_string(response.obstacle) + " added at " + place();
-    });
+  serveEdit<social_crowd::SpawnObstacle>(names::SPAWN_OBSTACLE, [](auto& editor, const auto& request, auto& response) {
+    response.obstacle = static_cast<std::uint32_t>(
+        editor.spawnObstacle(fromPoint(request.position), fromVector3(request.velocity), request.radius));
+    return "obstacle " + std::to_string(response.obstacle) + " added at ";
   });
-  services_.serve<social_crowd::RemoveObstacle>(names::REMOVE_OBSTACLE, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->removeObstacle(request.obstacle);
-      response.message = "obstacle " + std::to_string(request.obstacle) + " removed at " + place();
-    });
+  serveEdit<social_crowd::RemoveObstacle>(names::REMOVE_OBSTACLE,
+                                          [](auto& editor, const auto& request, auto& /*response*/) {
+                                            editor.removeObstacle(request.obstacle);
+                                            return "obstacle " + std::to_string(request.obstacle) + " removed at ";
+                                          });
+  serveEdit<social_crowd::MoveObstacle>(names::MOVE_OBSTACLE,
+                                        [](auto& editor, const auto& request, auto& /*response*/) {
+                                          editor.moveObstacle(request.obstacle, fromPoint(request.position));
+                                          return "obstacle " + std::to_string(request.obstacle) + " moved at ";
+                                        });
+  serveEdit<social_crowd::Teleport>(names::TELEPORT, [](auto& editor, const auto& request, auto& /*response*/) {
+    editor.teleport(request.agent, {{request.pose.x, request.pose.y}, request.pose.theta});
+    return "agent " + std::to_string(request.agent) + " moved at ";
   });
-  services_.serve<social_crowd::MoveObstacle>(names::MOVE_OBSTACLE, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->moveObstacle(request.obstacle, fromPoint(request.position));
-      response.message = "obstacle " + std::to_string(request.obstacle) + " moved at " + place();
-    });
+  serveEdit<social_crowd::AddWall>(names::ADD_WALL, [](auto& editor, const auto& request, auto& response) {
+    response.wall = static_cast<std::uint32_t>(editor.addWall({fromPoint(request.begin), fromPoint(request.end)}));
+    return "wall " + std::to_string(response.wall) + " added at ";
   });
-  services_.serve<social_crowd::Teleport>(names::TELEPORT, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->teleport(request.agent, {{request.pose.x, request.pose.y}, request.pose.theta});
-      response.message = "agent " + std::to_string(request.agent) + " moved at " + place();
-    });
+  serveEdit<social_crowd::RemoveWall>(names::REMOVE_WALL, [](auto& editor, const auto& request, auto& /*response*/) {
+    editor.removeWall(request.wall);
+    return "wall " + std::to_string(request.wall) + " removed at ";
   });
-  services_.serve<social_crowd::AddWall>(names::ADD_WALL, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      response.wall = static_cast<std::uint32_t>(episode_->addWall({fromPoint(request.begin), fromPoint(request.end)}));
-      response.message = "wall " + std::to_string(response.wall) + " added at " + place();
-    });
+  serveEdit<social_crowd::SetRoute>(names::SET_ROUTE, [](auto& editor, const auto& request, auto& /*response*/) {
+    editor.setRoute(request.agent, request.route);
+    return "agent " + std::to_string(request.agent) + " is on the route " + request.route + " since ";
   });
-  services_.serve<social_crowd::RemoveWall>(names::REMOVE_WALL, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->removeWall(request.wall);
-      response.message = "wall " + std::to_string(request.wall) + " removed at " + place();
-    });
+  serveEdit<social_crowd::AddSource>(names::ADD_SOURCE, [this](auto& editor, const auto& request, auto& response) {
+    response.source = static_cast<std::uint32_t>(editor.addSource(sourceOf(request, *episode_)));
+    return "source " + std::to_string(response.source) + " added at ";
   });
-  advertisePopulationServices();
-}
-
-void CrowdController::advertisePopulationServices() {
-  services_.serve<social_crowd::SetRoute>(names::SET_ROUTE, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      episode_->setRoute(request.agent, request.route);
-      response.message =
-          "agent " + std::to_string(request.agent) + " is on the route " + request.route + " since " + place();
-    });
-  });
-  services_.serve<social_crowd::AddSource>(names::ADD_SOURCE, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      response.source = static_cast<std::uint32_t>(episode_->addSource(sourceOf(request, *episode_)));
-      response.message = "source " + std::to_string(response.source) + " added at " + place();
-    });
-  });
-  services_.serve<social_crowd::AddGate>(names::ADD_GATE, [this](const auto& request, auto& response) {
+  serveEdit<social_crowd::AddGate>(names::ADD_GATE, [this](auto& editor, const auto& request, auto& response) {
     GateDescription gate = gateOf(request);
-    loop_.ask<void>([&] {
-      if (gate.name.empty()) gate.name = newGateName(*episode_);
-      episode_->addGate(gate);
-      response.gate = gate.name;
-      response.message = "gate " + gate.name + " added at " + place();
-    });
+    if (gate.name.empty()) gate.name = newGateName(*episode_);
+    editor.addGate(gate);
+    response.gate = gate.name;
+    return "gate " + gate.name + " added at ";
   });
-  services_.serve<social_crowd::SetGate>(names::SET_GATE, [this](const auto& request, auto& response) {
-    loop_.ask<void>([&] {
-      const bool open = request.open != 0;
-      const bool is_open = episode_->setGate(request.gate, open);
-      response.message =
-          "gate " + request.gate +
-          (is_open == open ? (open ? " opened at " : " closed at ") : " closes when no agent stands in it, since ") +
-          place();
-    });
+  serveEdit<social_crowd::SetGate>(names::SET_GATE, [](auto& editor, const auto& request, auto& /*response*/) {
+    const bool open = request.open != 0;
+    const bool is_open = editor.setGate(request.gate, open);
+    const std::string done = open ? " opened at " : " closed at ";
+    return "gate " + request.gate + (is_open == open ? done : " closes when no agent stands in it, since ");
   });
 }
 

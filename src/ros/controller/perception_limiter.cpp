@@ -19,26 +19,18 @@ const Perceptions& PerceptionLimiter::limit(const Perceptions& perceptions, cons
     AgentPerception& self = limited_.agents[i];
     self.first_neighbour = static_cast<std::uint32_t>(limited_.neighbours.size());
     self.first_wall = static_cast<std::uint32_t>(limited_.walls.size());
-    limitNeighbours(wide);
+    neighbours_.assign(wide.neighbours.begin(), wide.neighbours.end());
+    neighbours_.resize(Vision{vision_.radius}.countOf(neighbours_));
     limitWalls(wide);
     if (vision_.occlusion && !made_with.occlusion) {
       occlusion_.apply(neighbours_, 0, limited_.walls, self.first_wall, vision_.radius);
     }
-    const bool too_many = vision_.max_neighbours > 0 && neighbours_.size() > vision_.max_neighbours;
-    if (too_many) neighbours_.resize(vision_.max_neighbours);
+    neighbours_.resize(vision_.countOf(neighbours_));
     for (const Neighbour& neighbour : neighbours_) limited_.neighbours.push_back(neighbour);
     self.neighbour_count = static_cast<std::uint32_t>(neighbours_.size());
     self.wall_count = static_cast<std::uint32_t>(limited_.walls.size()) - self.first_wall;
   }
   return limited_;
-}
-
-void PerceptionLimiter::limitNeighbours(const Perception& wide) {
-  neighbours_.clear();
-  for (const Neighbour& neighbour : wide.neighbours) {
-    if (rimDistance(neighbour) > vision_.radius) return;  // they are sorted, nearest rim first
-    neighbours_.push_back(neighbour);
-  }
 }
 
 void PerceptionLimiter::limitWalls(const Perception& wide) {

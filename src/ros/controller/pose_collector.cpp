@@ -33,7 +33,7 @@ Pose poseOf(const geometry_msgs::Pose& message) {
 void PoseCollector::subscribe(const Episode& episode) {
   sources_.clear();
   warned_.clear();
-  const std::vector<Robot>& robots = episode.world().robots();
+  const std::vector<Robot>& robots = episode.world().robots().list();
   for (RobotId id = 0; id < robots.size(); ++id) {
     const RobotStart& start = robots[id].start;
     if (start.drive != Drive::EXTERNAL) continue;
@@ -122,7 +122,7 @@ void PoseCollector::place(const ros::Time& now) {
   for (const auto& source : sources_) {
     if (!source->base.empty()) takeTransform(*source);
     const std::optional<ExternalRobot::State> state = source->robot.at(now.toSec());
-    if (state) episode_->placeRobot(source->id, state->pose, state->velocity, state->jumped);
+    if (state) episode_->robots().place(source->id, state->pose, state->velocity, state->jumped);
     if (source->robot.isStale()) warnOfStaleness(*source, now);
   }
 }

@@ -31,12 +31,12 @@ bool isGate(const Segment& wall, const Scene& scene) {
 void takeWalls(const World& world, bool with_map_file, Scene& scene) {
   const std::size_t map_walls = scene.walls.size() - scene.own_walls;
   const auto is_of_map = [&, end = scene.walls.size()](std::size_t id) { return id >= scene.own_walls && id < end; };
-  const std::vector<std::size_t>& ids = world.wallIds();
+  const std::vector<std::size_t>& ids = world.walls().ids();
   const auto left = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_of_map));
   const bool leaves_to_map = with_map_file && !scene.map_file.empty() && left == map_walls;
   std::vector<Segment> walls;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    const Segment& wall = world.walls()[i];
+    const Segment& wall = world.walls().list()[i];
     if (!isGate(wall, scene) && !(leaves_to_map && is_of_map(ids[i]))) walls.push_back(wall);
   }
   if (!leaves_to_map) scene.map_file.clear();

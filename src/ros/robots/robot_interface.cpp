@@ -85,7 +85,7 @@ void RobotInterface::takeGoal(RobotId robot, const geometry_msgs::PoseStamped& g
     ROS_WARN("robot '%s': a goal is refused: expected finite numbers, got %s", name.c_str(),
              (toText(place.x()) + ", " + toText(place.y())).c_str());
   } else {
-    episode_->setRobotGoals(robot, {place});
+    episode_->robots().setGoals(robot, {place});
     topics_[robot]->publishGoal(robots()[robot], clock_(), true);
   }
 }

@@ -61,7 +61,7 @@ class CommandCollector {
  private:
   using Clock = ros::WallTime;
 
-  const std::vector<Robot>& robots() const { return episode_->world().robots(); }
+  const std::vector<Robot>& robots() const { return episode_->world().robots().list(); }
   std::uint64_t tick() const { return episode_->world().tick(); }
   PublisherId numberOf(const std::string& node);
   void warnOfRefusal(RobotId robot, CommandRefusal cause, const std::string& node);

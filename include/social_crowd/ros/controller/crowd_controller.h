@@ -60,7 +60,8 @@ class CrowdController {
   void advertiseRobotServices();
   void advertiseScenarioServices();
   void advertiseWorldServices();
-  void advertisePopulationServices();
+  template <typename Service, typename Edit>
+  void serveEdit(const std::string& name, const Edit& edit);
   void addDiagnostics();
   void takeSample();
 

@@ -22,7 +22,6 @@ class PerceptionLimiter {
   const Perceptions& limit(const Perceptions& perceptions, const Vision& made_with);
 
  private:
-  void limitNeighbours(const Perception& wide);
   void limitWalls(const Perception& wide);
 
   Vision vision_;

@@ -58,7 +58,7 @@ class RobotInterface {
   std::vector<social_crowd::RobotObservation> observations(const ros::Time& now, bool with_scan);
 
  private:
-  const std::vector<Robot>& robots() const { return episode_->world().robots(); }
+  const std::vector<Robot>& robots() const { return episode_->world().robots().list(); }
   RobotInput inputOf(RobotId robot) const;
   void advertise();
   void takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal);

@@ -5,11 +5,12 @@
 #include <map>
 #include <string>
 
+#include "social_crowd/world/world_editor.h"
 #include "support/perception_bits.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd::perceive_some_test {
+namespace crowd::viewers_test {
 namespace {
 
 using scenes::agent;
@@ -17,13 +18,14 @@ using scenes::pillar;
 using scenes::wanderer;
 using Ids = std::vector<AgentId>;
 
-/// Workspace and output of perceiveSome().
+/// Workspace and output of perceptions for some bodies.
 struct Eyes {
-  World::PerceptionWorkspace workspace;
+  Viewers viewers;
+  Perceiver perceiver;
   Perceptions perceptions;
 
   const Perceptions& look(const World& world, const Vision& vision, std::size_t begin, std::size_t end) {
-    world.perceiveSome(vision, begin, end, workspace, perceptions);
+    perceiver.perceive(world, vision, viewers.among(world, begin, end), perceptions);
     return perceptions;
   }
 };
@@ -39,10 +41,10 @@ Ids agentsAmong(const World& world, std::size_t begin, std::size_t end) {
   return agentsOf(Eyes().look(world, FAR_SIGHT, begin, end));
 }
 
-TEST(PerceiveSome, PerceivesForTheAgentsAmongTheBodies) {
+TEST(Viewers, AreTheAgentsAmongTheBodies) {
   const World world(scenes::scene({wanderer({0.0, 0.0}), wanderer({3.0, 0.0}), wanderer({6.0, 0.0})},
                                   {pillar({0.0, 5.0}, 0.5), pillar({3.0, 5.0}, 0.5)}));
-  ASSERT_EQ(world.bodyCount(), 5U);
+  ASSERT_EQ(world.grid().size(), 5U);
   EXPECT_EQ(agentsAmong(world, 0, 5), (Ids{0, 1, 2}));
   EXPECT_EQ(agentsAmong(world, 1, 2), Ids{1});
   EXPECT_EQ(agentsAmong(world, 2, 4), Ids{2});
@@ -50,7 +52,7 @@ TEST(PerceiveSome, PerceivesForTheAgentsAmongTheBodies) {
   EXPECT_EQ(agentsAmong(world, 2, 2), Ids{});
 }
 
-TEST(PerceiveSome, ByHand) {
+TEST(Viewers, AmongBodiesByHand) {
   World world(scenes::halfSeconds(scenes::scene({wanderer({0.0, 0.0}, 1.0), wanderer({3.0, 4.0}, 1.0)},
                                                 {pillar({0.0, -2.0}, 0.5)}, {{{-1.0, -9.0}, {-1.0, 9.0}}})));
   world.step({{0, {0.0, 1.0}}, {1, {PI / 2, 1.0}}});  // to (0.5, 0) and (3, 4.5)
@@ -74,15 +76,15 @@ TEST(PerceiveSome, ByHand) {
   expectVector(seen.walls[0].to, 4.5, 4.0);
 }
 
-TEST(PerceiveSome, OmitsArrivedAndRemovedAgents) {
+TEST(Viewers, AmongBodiesAreNeitherArrivedNorRemoved) {
   World world(scenes::halfSeconds(
       scenes::scene({agent({0.0, 0.0}, {0.5, 0.0}, 1.0), wanderer({0.0, 3.0}), wanderer({0.0, 6.0})})));
   world.step({ahead(0)});
-  ASSERT_TRUE(lookAround(world).agents.at(0).arrived);  // perceive() includes it once more
-  ASSERT_EQ(world.bodyCount(), 2U);
+  ASSERT_TRUE(lookAround(world).agents.at(0).arrived);  // it is among all once more
+  ASSERT_EQ(world.grid().size(), 2U);
   EXPECT_EQ(agentsAmong(world, 0, 2), (Ids{1, 2}));
-  world.removeAgent(1);
-  ASSERT_EQ(world.bodyCount(), 1U);
+  WorldEditor(world).removeAgent(1);
+  ASSERT_EQ(world.grid().size(), 1U);
   EXPECT_EQ(agentsAmong(world, 0, 1), Ids{2});
 }
 
@@ -99,7 +101,7 @@ struct Count {
 
 BitsByAgent seenAtOnce(World& world, const Vision& vision, Count& count) {
   Perceptions perceptions;
-  world.perceive(vision, perceptions);
+  perceive(world, vision, perceptions);
   BitsByAgent bits;
   for (std::size_t i = 0; i < perceptions.agents.size(); ++i) {
     const Perception seen(perceptions, i);
@@ -111,7 +113,7 @@ BitsByAgent seenAtOnce(World& world, const Vision& vision, Count& count) {
       bits[seen.self.agent] = bitsOf(seen);
     }
   }
-  count.lists += world.bodyCount() <= 32 ? 1 : 0;
+  count.lists += world.grid().size() <= 32 ? 1 : 0;
   return bits;
 }
 
@@ -119,9 +121,9 @@ BitsByAgent seenAtOnce(World& world, const Vision& vision, Count& count) {
 BitsByAgent seenInBlocks(const World& world, const Vision& vision, std::size_t longest, KeyedRandom& random,
                          std::array<Eyes, 3>& eyes) {
   BitsByAgent bits;
-  for (std::size_t begin = 0; begin < world.bodyCount();) {
+  for (std::size_t begin = 0; begin < world.grid().size();) {
     const std::size_t size = random.below(static_cast<std::uint32_t>(longest) + 1);
-    const std::size_t end = std::min(begin + size, world.bodyCount());
+    const std::size_t end = std::min(begin + size, world.grid().size());
     const Perceptions& perceptions = eyes[random.below(3)].look(world, vision, begin, end);
     EXPECT_EQ(perceptions.tick, world.tick());
     std::size_t walls = 0;
@@ -136,20 +138,20 @@ BitsByAgent seenInBlocks(const World& world, const Vision& vision, std::size_t l
   return bits;
 }
 
-TEST(PerceiveSome, AgreesWithPerceiveForAnyBlocks) {
+TEST(Viewers, InAnyBlocksPerceiveAsAllAtOnce) {
   const std::array<Vision, 4> visions = {{{6.0, 0}, {6.0, 3}, {6.0, 0, true}, {3.0, 3, true}}};
   std::array<Count, 4> counts;
   std::array<Eyes, 3> eyes;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
     World world(scenes::randomScene(seed, seed % 4 == 0 ? 3 : 40));
-    world.perceive(visions[0], eyes[0].perceptions);  // old content is replaced
+    perceive(world, visions[0], eyes[0].perceptions);  // old content is replaced
     for (int tick = 0; tick < 25; ++tick) {
-      if (tick == 10 && world.isActive(1)) world.removeAgent(1);
+      if (tick == 10 && world.isActive(1)) WorldEditor(world).removeAgent(1);
       for (std::size_t i = 0; i < visions.size(); ++i) {
         SCOPED_TRACE(testing::Message() << "seed " << seed << ", tick " << tick << ", vision " << i);
         const BitsByAgent expected = seenAtOnce(world, visions[i], counts[i]);
-        for (const std::size_t longest : {std::size_t{1}, std::size_t{7}, 2 * world.bodyCount()}) {
+        for (const std::size_t longest : {std::size_t{1}, std::size_t{7}, 2 * world.grid().size()}) {
           ASSERT_EQ(seenInBlocks(world, visions[i], longest, random, eyes), expected);
         }
       }
@@ -167,4 +169,4 @@ TEST(PerceiveSome, AgreesWithPerceiveForAnyBlocks) {
 }
 
 }  // namespace
-}  // namespace crowd::perceive_some_test
+}  // namespace crowd::viewers_test

@@ -1,0 +1,230 @@
+#include "social_crowd/world/robots.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/finite_checks.h"
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/numbers.h"
+#include "social_crowd/common/quotes.h"
+#include "social_crowd/geometry/impact.h"
+
+namespace crowd {
+namespace {
+
+/// A disc touches nothing by turning, so it goes on to turn for the rest of the tick [s]; other robots stand.
+void stopAtImpact(Robot& robot, double rest) {
+  const bool turns = robot.start.footprint.isDisc() && robot.start.drive != Drive::ACKERMANN;
+  robot.twist = {Vector2::Zero(), turns ? robot.twist.rotation : 0.0};
+  robot.pose.heading = wrapAngle(robot.pose.heading + rest * robot.twist.rotation);
+}
+
+/// The cause of a contact if robot and agent move as they intend: a side moves in if its motion alone touches the other
+/// side at the place of the start of the tick. @param start of the agent [m] @param way of the agent in the tick [m]
+ContactCause causeOf(const RobotSweep& sweep, const Vector2& start, const Vector2& way, double radius) {
+  const Pose pose = sweep.at(0.0);
+  const RobotSweep standing(sweep.footprint(), pose, pose);
+  const bool robot_moves_in = firstTouch(sweep, start, Vector2::Zero(), radius, 0.0) < NO_IMPACT;
+  const bool person_moves_in = firstTouch(standing, start, way, radius, 0.0) < NO_IMPACT;
+  if (robot_moves_in == person_moves_in) return ContactCause::MUTUAL;
+  return robot_moves_in ? ContactCause::ROBOT : ContactCause::PERSON;
+}
+
+bool overlaps(const RobotSweep& sweep, const Vector2& place, double radius) {
+  return distance(sweep.footprint(), sweep.at(0.0), place) < radius;
+}
+
+}  // namespace
+
+Robots::Robots(const Scene& scene) : tick_duration_(scene.tick_duration), contact_(scene.contact) {
+  for (const RobotStart& start : scene.robots) {
+    Robot& robot = robots_.emplace_back();
+    robot.start = start;
+    robot.pose = {start.position, wrapAngle(start.heading)};
+    robot.goals = start.goals;
+    robot.perceived_radius = start.footprint.reach() + deviation(start.limits, tick_duration_);
+  }
+  places_.resize(robots_.size());
+  contacts_.resize(robots_.size());
+}
+
+const Robot& Robots::require(RobotId id) const {
+  if (id >= robots_.size()) throw InputError("there is no robot " + std::to_string(id));
+  return robots_[id];
+}
+
+Robot& Robots::find(RobotId id) {
+  require(id);
+  return robots_[id];
+}
+
+void Robots::command(RobotId id, const Twist& wanted) {
+  Robot& robot = find(id);
+  const std::string name = "robot " + inQuotes(robot.start.name);
+  if (robot.start.drive == Drive::EXTERNAL) throw InputError(name + " is external: it takes no commands");
+  if (!wanted.isFinite()) {
+    throw InputError(name + ": expected a command of finite numbers, got linear " +
+                     toText(std::vector<double>{wanted.linear.x(), wanted.linear.y()}) + ", rotation " +
+                     toText(wanted.rotation));
+  }
+  robot.target = wanted;
+}
+
+void Robots::place(RobotId id, const Pose& pose, const Vector2& velocity, bool jump) {
+  const Robot& robot = require(id);
+  if (robot.start.drive != Drive::EXTERNAL) {
+    throw InputError("robot " + inQuotes(robot.start.name) + " is not external: it moves by commands");
+  }
+  requirePose(pose);
+  requireWithin(limits::VELOCITY, "velocity [m/s]", velocity);
+  places_[id] = Place{{pose.position, wrapAngle(pose.heading)}, velocity, jump};
+}
+
+void Robots::setGoals(RobotId id, std::vector<Vector2> goals) {
+  Robot& robot = find(id);
+  for (const Vector2& goal : goals) requirePlace("goal [m]", goal);
+  robot.goals = std::move(goals);
+  robot.next_goal = 0;
+  robot.status = RobotStatus::DRIVING;
+}
+
+void Robots::teleport(RobotId id, const Pose& pose) {
+  Robot& robot = find(id);
+  robot.pose = {pose.position, wrapAngle(pose.heading)};
+  robot.twist = Twist();
+  robot.velocity = Vector2::Zero();
+  places_[id].reset();
+}
+
+bool Robots::isAnyWithin(double distance, const Vector2& place) const {
+  return std::any_of(robots_.begin(), robots_.end(), [&](const Robot& robot) {
+    return crowd::distance(robot.start.footprint, robot.pose, place) < distance;
+  });
+}
+
+std::string Robots::blockerAt(const Vector2& centre, double radius, std::optional<RobotId> except) const {
+  for (RobotId id = 0; id < robots_.size(); ++id) {
+    const Robot& robot = robots_[id];
+    if (id == except || distance(robot.start.footprint, robot.pose, centre) >= radius) continue;
+    return "robot " + inQuotes(robot.start.name);
+  }
+  return "";
+}
+
+void Robots::beginMoves(const std::vector<Agent>& agents) {
+  sweeps_.clear();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Robot& robot = robots_[i];
+    robot.blocked = false;
+    robot.jumped = false;
+    const Footprint& footprint = robot.start.footprint;
+    if (robot.start.drive != Drive::EXTERNAL) {
+      robot.twist = doesRobotYield(robot.start.yields)
+                        ? protective_stop_.next(robot, agents, tick_duration_)
+                        : limitTwist(robot.start.drive, robot.start.limits, robot.twist, robot.target, tick_duration_);
+      sweeps_.emplace_back(footprint, robot.pose, robot.twist, tick_duration_);
+      continue;
+    }
+    robot.velocity = Vector2::Zero();
+    const Pose from = robot.pose;
+    if (const auto place = std::exchange(places_[i], std::nullopt)) {
+      robot.pose = place->pose;
+      robot.jumped = place->jump;
+      if (!place->jump) robot.velocity = place->velocity;
+    }
+    sweeps_.emplace_back(footprint, robot.jumped ? robot.pose : from, robot.pose);
+  }
+}
+
+void Robots::hold() {
+  sweeps_.clear();
+  for (const Robot& robot : robots_) sweeps_.emplace_back(robot.start.footprint, robot.pose, Twist(), tick_duration_);
+}
+
+void Robots::addDiscs(std::vector<SolidMotion::Disc>& discs) const {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const RobotSweep& sweep = sweeps_[i];
+    const bool can_stop = robots_[i].start.drive != Drive::EXTERNAL;
+    discs.push_back({sweep.at(0.0).position, Vector2::Zero(), sweep.footprint().reach(), can_stop, &sweep});
+  }
+}
+
+void Robots::noteContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way) {
+  const auto is_with = [&](const RobotContact& contact) { return contact.agent == agent.id; };
+  std::vector<RobotContact>& present = contacts_[id];
+  if (std::any_of(present.begin(), present.end(), is_with)) return;
+  const Robot& robot = robots_[id];
+  const auto earlier = std::find_if(robot.contacts.begin(), robot.contacts.end(), is_with);
+  if (earlier != robot.contacts.end()) {
+    present.push_back({agent.id, earlier->cause, false});
+    return;
+  }
+  const RobotSweep& sweep = sweeps_[id];
+  const bool jumped_onto = robot.jumped && overlaps(sweep, start, agent.radius);
+  const double radius = agent.radius - (contact_ == Contact::GHOST ? CONTACT_OVERLAP : 0.0);
+  present.push_back({agent.id, jumped_onto ? ContactCause::ROBOT : causeOf(sweep, start, way, radius), true});
+}
+
+void Robots::noteSolidContacts(const std::vector<Agent>& agents, const std::vector<SolidMotion::Disc>& discs,
+                               const std::vector<SolidMotion::Touch>& touches) {
+  if (robots_.empty()) return;
+  const auto first_robot = static_cast<std::uint32_t>(discs.size() - robots_.size());
+  std::uint32_t disc = 0;
+  for (const Agent& agent : agents) {
+    if (!agent.isWalking()) continue;
+    const SolidMotion::Disc& intended = discs[disc];
+    for (const SolidMotion::Touch& touch : touches) {
+      if (touch.disc == disc) noteContact(touch.robot - first_robot, agent, intended.position, intended.way);
+    }
+    for (RobotId id = 0; id < robots_.size(); ++id) {
+      if (!overlaps(sweeps_[id], intended.position, agent.radius - CONTACT_OVERLAP)) continue;
+      noteContact(id, agent, intended.position, intended.way);
+    }
+    ++disc;
+  }
+}
+
+void Robots::stop(const Span<SolidMotion::Outcome>& outcomes) {
+  const SolidMotion::Outcome* outcome = outcomes.end() - sweeps_.size();
+  for (RobotSweep& sweep : sweeps_) sweep.stopAt((outcome++)->stopped_at);
+}
+
+void Robots::noteGhostContacts(const Span<Agent>& agents, double time) {
+  for (RobotId id = 0; id < robots_.size(); ++id) {
+    const RobotSweep& sweep = sweeps_[id];
+    for (const Agent& agent : agents) {
+      if (!agent.isWalking()) continue;
+      const Vector2 way = time * agent.velocity;
+      const Vector2 start = agent.pose.position - way;
+      const double radius = agent.radius - CONTACT_OVERLAP;
+      const bool touches = overlaps(sweep, start, radius) || firstTouch(sweep, start, way, radius, 0.0) < NO_IMPACT;
+      if (touches) noteContact(id, agent, start, way);
+    }
+  }
+}
+
+void Robots::endMoves() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Robot& robot = robots_[i];
+    robot.contacts.swap(contacts_[i]);
+    contacts_[i].clear();
+    if (robot.start.drive == Drive::EXTERNAL) {
+      robot.twist = {Rotation(robot.pose.heading).intoFrame(robot.velocity), 0.0};
+    } else {
+      const RobotSweep& sweep = sweeps_[i];
+      robot.pose = sweep.at(1.0);
+      robot.blocked = sweep.stoppedAt() < 1.0 && !(robot.twist.linear.isZero(0.0) && robot.twist.rotation == 0.0);
+      if (sweep.stoppedAt() < 1.0) stopAtImpact(robot, (1.0 - sweep.stoppedAt()) * tick_duration_);
+      robot.velocity = Rotation(robot.pose.heading).outOfFrame(robot.twist.linear);
+    }
+    if (!robot.hasGoal() || robot.hasArrived()) continue;
+    if ((robot.goal() - robot.pose.position).norm() > robot.start.goal_tolerance) continue;
+    if (robot.next_goal + 1 < robot.goals.size()) {
+      ++robot.next_goal;
+    } else {
+      robot.status = RobotStatus::ARRIVED;
+    }
+  }
+}
+
+}  // namespace crowd

@@ -1,0 +1,196 @@
+#include "social_crowd/world/world_editor.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "geometry/finite_checks.h"
+#include "social_crowd/common/errors.h"
+#include "social_crowd/common/quotes.h"
+
+namespace crowd {
+namespace {
+
+/// The path of an obstacle that is at a place at time `now` [s]. Paths are functions of the time since the start of the
+/// episode: the position is extrapolated back to that time.
+ObstaclePath pathFromNow(const Vector2& position, const Vector2& velocity, double now) {
+  const bool rests = velocity == Vector2::Zero();
+  return rests ? ObstaclePath::atRest(position) : ObstaclePath::straight(position - now * velocity, velocity);
+}
+
+}  // namespace
+
+void WorldEditor::requireFreePlace(const Vector2& centre, double radius, bool agents_only,
+                                   std::optional<AgentId> except, std::optional<RobotId> except_robot) const {
+  const std::string blocker = world_.blockerAt(centre, radius, agents_only, except, except_robot);
+  if (!blocker.empty()) throw InputError("the place is taken by " + blocker);
+}
+
+AgentId WorldEditor::spawnAgent(const AgentStart& start) {
+  requireWithin(limits::SPEED, "max_speed [m/s]", start.max_speed);
+  requireWithin(limits::RADIUS, "radius [m]", start.radius);
+  requireFinite("heading [rad]", start.heading);
+  requirePlace("position [m]", start.position);
+  if (start.goals.empty()) throw InputError("goals: expected at least one, got none");
+  for (const Vector2& goal : start.goals) requirePlace("goal [m]", goal);
+  requireFreePlace(start.position, start.radius, false);
+  const Agent agent(static_cast<AgentId>(world_.entered_count_), start);
+  WorldChange change;
+  change.agent = &agent;
+  change.start = &start;
+  review(change);
+  world_.agents_.add(agent.id) = agent;
+  ++world_.entered_count_;
+  ++world_.active_count_;
+  world_.refresh();
+  note(change);
+  return agent.id;
+}
+
+std::vector<Agent> WorldEditor::replaceAgents(std::vector<Agent> agents) {
+  world_.active_count_ = 0;
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    agents[i].id = static_cast<AgentId>(i);
+    world_.active_count_ += agents[i].isWalking() ? 1 : 0;
+  }
+  world_.lasting_count_ = world_.entered_count_ = agents.size();
+  agents = world_.agents_.replace(std::move(agents));
+  world_.refresh();
+  return agents;
+}
+
+void WorldEditor::end(AgentId id, AgentStatus status) {
+  Agent& agent = world_.walkingAgent(id);
+  agent.status = status;
+  agent.arrival_tick = world_.tick();
+  --world_.active_count_;
+  world_.refresh();
+  note({});
+}
+
+void WorldEditor::removeAgent(AgentId id) { end(id, AgentStatus::REMOVED); }
+
+void WorldEditor::leave(AgentId id) { end(id, AgentStatus::ARRIVED); }
+
+void WorldEditor::setGoal(AgentId id, const Vector2& goal) {
+  requirePlace("goal [m]", goal);
+  Agent after = world_.walkingAgent(id);
+  after.setGoal(goal);
+  WorldChange change;
+  change.agent = &after;
+  change.new_goal = true;
+  review(change);
+  world_.agents_[id] = after;
+  note(change);
+}
+
+void WorldEditor::teleport(AgentId id, const Pose& pose) {
+  requirePose(pose);
+  Agent after = world_.walkingAgent(id);
+  requireFreePlace(pose.position, after.radius, false, id);
+  after.teleport(pose);
+  WorldChange change;
+  change.agent = &after;
+  review(change);
+  world_.agents_[id] = after;
+  world_.refresh();
+  note(change);
+}
+
+void WorldEditor::teleportRobot(RobotId id, const Pose& pose) {
+  const double radius = world_.robots_.require(id).start.footprint.reach();
+  requirePose(pose);
+  requireFreePlace(pose.position, radius, false, std::nullopt, id);
+  world_.robots_.teleport(id, pose);
+  note({});
+}
+
+void WorldEditor::replaceObstacles(std::vector<Obstacle> obstacles) {
+  WorldChange change;
+  change.obstacles = &obstacles;
+  review(change);
+  world_.obstacles_ = std::move(obstacles);
+  world_.refresh();
+  noteLayout({});
+}
+
+void WorldEditor::noteLayout(const WorldChange& change) {
+  ++world_.layout_changes_;
+  note(change);
+}
+
+const Obstacle& WorldEditor::requireObstacle(std::size_t number) const {
+  if (number >= world_.obstacles_.size()) throw InputError("there is no obstacle " + std::to_string(number));
+  return world_.obstacles_[number];
+}
+
+std::size_t WorldEditor::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {
+  requireWithin(limits::RADIUS, "radius [m]", radius);
+  requirePlace("position [m]", position);
+  requireWithin(limits::VELOCITY, "velocity [m/s]", velocity);
+  requireFreePlace(position, radius, true);
+  std::vector<Obstacle> obstacles = world_.obstacles_;
+  obstacles.push_back({pathFromNow(position, velocity, world_.time()), radius});
+  replaceObstacles(std::move(obstacles));
+  return world_.obstacles_.size() - 1;
+}
+
+void WorldEditor::moveObstacle(std::size_t number, const Vector2& position) {
+  const Obstacle& obstacle = requireObstacle(number);
+  requirePlace("position [m]", position);
+  requireFreePlace(position, obstacle.radius, true);
+  const bool keeps = obstacle.path.kind() == ObstaclePath::Kind::STRAIGHT;
+  const Vector2 velocity = keeps ? obstacle.path.velocity(world_.time()) : Vector2(Vector2::Zero());
+  std::vector<Obstacle> obstacles = world_.obstacles_;
+  obstacles[number].path = pathFromNow(position, velocity, world_.time());
+  replaceObstacles(std::move(obstacles));
+}
+
+void WorldEditor::removeObstacle(std::size_t number) {
+  requireObstacle(number);
+  world_.obstacles_.erase(world_.obstacles_.begin() + static_cast<std::ptrdiff_t>(number));
+  world_.refresh();
+  noteLayout({});
+}
+
+std::size_t WorldEditor::addWall(const Segment& wall) {
+  requirePlace("wall [m]", wall.from);
+  requirePlace("wall [m]", wall.to);
+  if (wall.from == wall.to) throw InputError("expected a wall with a length, got twice the same end");
+  for (const Agent& agent : world_.agents_) {
+    if (agent.isWalking() && distanceTo(wall, agent.pose.position) < agent.radius - CONTACT_OVERLAP) {
+      throw InputError("the place is taken by agent " + std::to_string(agent.id));
+    }
+  }
+  for (const Robot& robot : world_.robots_) {
+    if (isCutBy(robot.start.footprint, robot.pose, wall, CONTACT_OVERLAP)) {
+      throw InputError("the place is taken by robot " + inQuotes(robot.start.name));
+    }
+  }
+  std::vector<Segment> walls = world_.walls_.list();
+  walls.push_back(wall);
+  WorldChange change;
+  change.walls = &walls;
+  review(change);
+  const std::size_t id = world_.walls_.add(wall);
+  noteLayout(change);
+  return id;
+}
+
+void WorldEditor::removeWall(std::size_t id) {
+  world_.walls_.remove(id);
+  WorldChange change;
+  change.fewer_walls = true;
+  noteLayout(change);
+}
+
+void WorldEditor::replaceWalls(std::vector<Segment> walls) {
+  WorldChange change;
+  change.walls = &walls;
+  change.fewer_walls = true;
+  review(change);
+  world_.walls_.replaceAll(std::move(walls));
+  noteLayout(change);
+}
+
+}  // namespace crowd
