@@ -16,8 +16,7 @@ namespace {
 /// Whether a file has more than a header.
 bool hasRows(const std::string& file, const std::string& header) {
   std::error_code ignored;
-  return std::filesystem::is_regular_file(file, ignored) &&
-         std::filesystem::file_size(file, ignored) > header.size();
+  return std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored) > header.size();
 }
 
 /// Whether a file has anything but a table without experience.
