@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "social_crowd/common/random.h"
+#include "social_crowd/geometry/impact.h"
 #include "social_crowd/learning/actions/goal_relative_actions.h"
 #include "social_crowd/scenario/scenario_reader.h"
 #include "social_crowd/world/world.h"
