@@ -75,7 +75,8 @@ def meaning_of(table, train):
     state_set = yaml.safe_dump(table.header['state_set'], default_flow_style=True, width=math.inf).strip()
     done = subprocess.run([train, '--describe-rows', state_set], capture_output=True, encoding='utf-8', check=False)
     if done.returncode != 0:
-        raise InputError(f"{table.file}: {done.stderr.partition('--describe-rows: ')[2].splitlines()[0]}")
+        problem = done.stderr.partition('--describe-rows: ')[2].splitlines()[0]
+        raise InputError(f"{table.file}: {problem.replace('line 1: ', '')}")
     found = yaml.load(done.stdout, yaml.CSafeLoader)
     quantities = [Quantity(**quantity) for quantity in found['quantities']]
     digits = numpy.array(found['rows']) if found['rows'] else digits_of(quantities)

@@ -161,7 +161,7 @@ class TableTest:
         ('rows: 137\n', '', ['t.txt: the header has no rows']),
         ('rows: 137', 'rows: 140', ['t.txt: rows: expected 137', 'got 140']),
         ('rows: 137', 'rows: many', ["t.txt: rows: expected a whole number, got 'many'"]),
-        ('type: nearest_obstacle', 'type: nearest', ["line 1: type: expected nearest_obstacle", "got 'nearest'"]),
+        ('type: nearest_obstacle', 'type: nearest', ["state_set: type: expected nearest_obstacle", "got 'nearest'"]),
         ('state_set: {', 'state_set: occupancy # {', ["state_set: expected a map, got 'occupancy'"]),
         ('action_set: {', 'action_set: kings_moves # {', ["action_set: expected a map, got 'kings_moves'"]),
         ('rows: 137', 'rows: 1000000000000', ['rows: expected at most 100000000 values, got 1000000000000 rows']),

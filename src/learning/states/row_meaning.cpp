@@ -14,14 +14,14 @@ std::string listOf(const std::vector<Item>& items, const Write& write) {
   return "[" + text + "]";
 }
 
-std::string quoted(const std::string& text) { return "'" + text + "'"; }
+std::string scalarOf(const std::string& text) { return "'" + text + "'"; }
 
 }  // namespace
 
 std::string RowMeaning::text() const {
   std::string text = "quantities:\n";
   for (const RowQuantity& quantity : quantities) {
-    text += "- {name: " + quoted(quantity.name) + ", classes: " + listOf(quantity.classes, quoted) + "}\n";
+    text += "- {name: " + scalarOf(quantity.name) + ", classes: " + listOf(quantity.classes, scalarOf) + "}\n";
   }
   const auto number = [](int value) { return std::to_string(value); };
   text += "rows: " + listOf(rows, [&](const std::vector<int>& row) { return listOf(row, number); });
