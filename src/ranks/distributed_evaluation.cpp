@@ -90,19 +90,18 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkDivided(Scene scene, std::ui
 std::optional<EvaluatedEpisode> RankEvaluation::walkWhole(Scene scene, std::uint64_t instance) {
   RanksReport measured;
   measured.is_divided = false;
-  SharedDecisions decisions(communicator_, learner_, [this] { return plan_.stop.isMade(); });
+  SharedDecisions decisions(communicator_, learner_, thread_pool_, [this] { return plan_.stop.isMade(); });
   const std::uint64_t max_ticks = scene.max_ticks;
   const InstanceWalk walk{
       plan_,
       learner_,
       thread_pool_,
-      [&](Episode& episode, RelativeActions& actions) { decisions.decide(episode, actions); },
+      decisions,
       [&](const Episode& episode) { plan_.warnOfWays(episode); },
       [&](const World& world) {
         measured.ticks += world.tick() > 0 ? 1 : 0;  // with --people-delay, those without robots, too
         noteTick(instance, world.tick(), max_ticks);
       },
-      [&] { return decisions.wasStopped(); },
   };
   EvaluatedEpisode walked;
   double processor_seconds = 0.0;

@@ -1,26 +1,34 @@
 #include "social_crowd/ranks/shared_decisions.h"
 
+#include <utility>
+
 #include "simulation/stopwatch.h"
 #include "social_crowd/simulation/byte_archive.h"
 
 namespace crowd {
 
-void SharedDecisions::decide(Episode& episode, RelativeActions& actions) {
+SharedDecisions::SharedDecisions(Communicator& communicator, Learner& learner, ThreadPool& thread_pool,
+                                 std::function<bool()> is_stopped)
+    : communicator_(communicator),
+      own_(learner, thread_pool,
+           {static_cast<std::size_t>(communicator.rank()), static_cast<std::size_t>(communicator.size())}),
+      is_stopped_(std::move(is_stopped)) {}
+
+bool SharedDecisions::decide(Episode& episode, std::vector<AgentAction>& actions) {
   const std::uint64_t sent = communicator_.sentBytes();
-  const DecisionShare own{static_cast<std::size_t>(communicator_.rank()),
-                          static_cast<std::size_t>(communicator_.size())};
-  episode.decide(learner_, own, actions);
+  const bool goes_on = own_.decide(episode, actions);
   Communicator::Bytes message;
   ByteWriter write(message);
   write(is_stopped_ && is_stopped_());
-  for (const AgentAction& action : actions.agents) {
+  for (const AgentAction& action : actions) {
     write(action.agent);
     write(action.action.rotation);
     write(action.action.speed_fraction);
   }
-  actions.agents.clear();
-  for (const Communicator::Bytes& part : gather(message)) append(part, actions.agents);
+  actions.clear();
+  for (const Communicator::Bytes& part : gather(message)) append(part, actions);
   bytes_ += communicator_.sentBytes() - sent;
+  return goes_on && !was_stopped_;
 }
 
 void SharedDecisions::stop() {

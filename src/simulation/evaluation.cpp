@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "simulation/instance_walk.h"
-#include "social_crowd/learning/learner.h"
 
 namespace crowd {
 namespace {
@@ -95,9 +94,9 @@ bool evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
     try {
       ThreadPool thread_pool(plan.threads / side_by_side);
       Learner learner = makeDemoLearner(trained, plan.seed);
-      const auto decide = [&](Episode& episode, RelativeActions& actions) { episode.decide(learner, actions); };
+      CrowdDecider decider(learner, thread_pool);
       const auto begin = [&](const Episode& episode) { run.begin(episode); };
-      const InstanceWalk walk{plan, learner, thread_pool, decide, begin, {}, {}};
+      const InstanceWalk walk{plan, learner, thread_pool, decider, begin, {}};
       std::vector<double> headings;  // of the agents at the end of the previous episode
       std::uint64_t instance = 0;
       while (run.next(instance)) {

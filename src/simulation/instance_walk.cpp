@@ -33,9 +33,8 @@ EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
   if (!alone) return walked;
   Episode same(*std::move(alone), instance, learner.model().vision(), thread_pool, plan.stop);
   EpisodeObserver observer;
-  observer.is_stopped = is_stopped;
   observer.on_tick = on_tick;
-  measurePeopleDelay(runEpisode(same, decide, observer, nullptr), same.scene().tick_duration, walked.result);
+  measurePeopleDelay(runEpisode(same, decider, observer), same.scene().tick_duration, walked.result);
   return walked;
 }
 
@@ -43,7 +42,6 @@ EvaluatedEpisode InstanceWalk::walk(Episode& episode) const {
   EvaluatedEpisode walked;
   walked.instance = episode.number();
   EpisodeObserver observer;
-  observer.is_stopped = is_stopped;
   observer.on_tick = [&](const World& world) {
     if (on_tick) on_tick(world);
     if (plan.record) appendTrajectoryRows(walked.instance, world, walked.trajectory);
@@ -54,7 +52,7 @@ EvaluatedEpisode InstanceWalk::walk(Episode& episode) const {
     };
   }
   RobotDrivers robots(plan.robot_controller, episode, learner);
-  walked.result = runEpisode(episode, decide, observer, &robots);
+  walked.result = runEpisode(episode, decider, observer, &robots);
   return walked;
 }
 

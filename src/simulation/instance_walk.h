@@ -13,11 +13,10 @@ struct InstanceWalk {
   const EvaluationPlan& plan;
   Learner& learner;
   ThreadPool& thread_pool;
-  Decide decide;
+  Decider& decider;
   std::function<void(const Episode&)> begin;  ///< called at the start of an episode
   std::function<void(const World&)>
       on_tick;  ///< called at the start of each tick, also without robots, and at the end; may be empty
-  std::function<bool()> is_stopped;  ///< see EpisodeObserver; may be empty
 
   /// Runs an episode, and what the plan requests with it. @throws Stopped if the plan's stop request is made
   EvaluatedEpisode run(Scene scene, std::uint64_t instance) const;

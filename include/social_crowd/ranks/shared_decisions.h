@@ -7,6 +7,7 @@
 
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/ranks/ranks_report.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/training/communicator.h"
 
@@ -15,14 +16,14 @@ namespace crowd {
 /// @brief Decisions for an episode that every rank runs as a whole, for scenes that DistributedCrowd cannot divide.
 /// Each rank decides for a part of the agents and receives the other actions. All ranks then have the same actions, so
 /// that their worlds stay the same.
-class SharedDecisions {
+class SharedDecisions final : public Decider {
  public:
   /// @param learner in demo mode @param is_stopped whether this rank wants the episode to end; may be empty
-  SharedDecisions(Communicator& communicator, Learner& learner, std::function<bool()> is_stopped)
-      : communicator_(communicator), learner_(learner), is_stopped_(std::move(is_stopped)) {}
+  SharedDecisions(Communicator& communicator, Learner& learner, ThreadPool& thread_pool,
+                  std::function<bool()> is_stopped);
 
-  /// @brief Writes the actions of Episode::decide(). Collective.
-  void decide(Episode& episode, RelativeActions& actions);
+  /// @brief Writes the actions of a CrowdDecider, until a rank wants the episode to end. Collective.
+  bool decide(Episode& episode, std::vector<AgentAction>& actions) override;
   /// @brief In place of decide(): tells all ranks that this one has left the episode.
   void stop();
   /// @brief Whether a rank wanted an episode to end; the same on all ranks.
@@ -37,7 +38,7 @@ class SharedDecisions {
   void append(const Communicator::Bytes& message, std::vector<AgentAction>& actions);
 
   Communicator& communicator_;
-  Learner& learner_;
+  CrowdDecider own_;
   std::function<bool()> is_stopped_;
   bool was_stopped_ = false;
   std::uint64_t bytes_ = 0;

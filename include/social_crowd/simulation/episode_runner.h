@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "social_crowd/learning/learner.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/robot_controller.h"
 
@@ -12,19 +12,11 @@ namespace crowd {
 struct EpisodeObserver {
   std::function<void(const World&)> on_tick;        ///< at the start of each tick, and at the end of the episode
   std::function<void(const Perceptions&)> on_turn;  ///< before the decisions of each turn
-  std::function<bool()> is_stopped;                 ///< after the decisions of each turn: whether the episode ends now
 };
 
-/// @brief Writes the actions of the agents whose turn it is. Also called at the end of an episode, when there are none.
-using Decide = std::function<void(Episode& episode, RelativeActions& actions)>;
-
-/// @brief Runs an episode to its end.
+/// @brief Runs an episode until its decider lets nobody move any more.
 /// @param robots command the robots before each tick; null: the robots get no commands
-EpisodeResult runEpisode(Episode& episode, const Decide& decide, const EpisodeObserver& observer, RobotDrivers* robots);
-
-/// @brief Runs an episode to its end with one learner, which decides for all agents. In training mode the learner also
-/// learns from the last tick.
-EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer = {},
+EpisodeResult runEpisode(Episode& episode, Decider& decider, const EpisodeObserver& observer = {},
                          RobotDrivers* robots = nullptr);
 
 }  // namespace crowd
