@@ -70,16 +70,19 @@ Scene makeCrowd(const CrowdPlan& plan) {
 CrowdWalk::CrowdWalk(const CrowdPlan& plan) : CrowdWalk(makeCrowd(plan), plan.vision_radius, plan.threads) {}
 
 CrowdWalk::CrowdWalk(const Scene& scene, double vision_radius, unsigned threads)
-    : world_(scene), learner_(makeWalker()), vision_(learner_.model().vision()), thread_pool_(threads) {
-  vision_.radius = vision_radius;
-  way_finder_.update(world_);
+    : learner_(makeWalker()),
+      thread_pool_(threads),
+      episode_(scene, 0, learner_.model().vision(), thread_pool_),
+      decider_(learner_, thread_pool_) {
+  Vision vision = episode_.vision();
+  vision.radius = vision_radius;
+  episode_.setVision(vision);
 }
 
 std::size_t CrowdWalk::step() {
-  crowd_.decide(world_, 0, vision_, learner_, actions_, thread_pool_);
-  world_.step(actions_, thread_pool_);
-  way_finder_.update(world_);
-  return actions_.size();
+  const std::size_t agents = world().activeCount();
+  episode_.walk(decider_);
+  return agents;
 }
 
 }  // namespace crowd

@@ -8,6 +8,7 @@
 #include "measuring.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/scenario/scenario_reader.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/evaluation.h"
 
@@ -46,15 +47,14 @@ Day walkADay() {
   const ScenarioList scenarios = readScenarios(folder + "/bench/scenarios/station_day.yaml");
   Learner learner = makeDemoLearner(loadQTable(folder + "/config/q_tables/human.txt"), 1);
   Episode episode(scenarios.scene(1, 0), 0, learner.model().vision());
-  RelativeActions actions;
+  CrowdDecider decider(learner);
   Day day;
   for (int number = 0; number < HOURS; ++number) {
     Hour hour;
     hour.seconds = timeOf(Clock::OF_THREAD, [&] {
       while (episode.world().time() < (number + 1) * HOUR && !episode.isOver()) {
-        episode.decide(learner, actions);
-        hour.agent_steps += actions.agents.size();
-        episode.step(actions.agents);
+        hour.agent_steps += episode.world().activeCount();
+        episode.walk(decider);
       }
     });
     hour.megabytes = residentMegabytes();

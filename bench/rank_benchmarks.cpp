@@ -14,6 +14,7 @@
 #include "sleeping_ranks.h"
 #include "social_crowd/ranks/distributed_crowd.h"
 #include "social_crowd/ranks/mpi_communicator.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 
 namespace crowd {
@@ -43,15 +44,12 @@ int run(Communicator& ranks, std::size_t agents, int repetitions) {
   ThreadPool alone(1);
   DistributedCrowd crowd(makeCrowd(plan), 0, learner, alone, ranks);
   Episode separate(makeCrowd(part), 0, learner.model().vision());
-  RelativeActions actions;
+  CrowdDecider decider(learner);
   plan.threads = static_cast<unsigned>(count);
   std::unique_ptr<CrowdWalk> threaded;
   if (ranks.rank() == 0) threaded = std::make_unique<CrowdWalk>(plan);
   const auto together = [&] { crowd.step(); };
-  const auto apart = [&] {
-    separate.decide(learner, actions);
-    separate.step(actions.agents);
-  };
+  const auto apart = [&] { separate.walk(decider); };
   SleepingRanks sleeping(ranks);
   const auto time_on_threads = [&](int ticks) {
     return sleeping.timeAlone([&] {

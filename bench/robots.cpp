@@ -7,6 +7,7 @@
 #include "crowd_walk.h"
 #include "measuring.h"
 #include "social_crowd/learning/q_table_file.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/robot_controller.h"
 
@@ -46,12 +47,11 @@ void driveRobots(benchmark::State& state) {
   for (auto _ : state) {
     Episode episode(scene, 0, learner.model().vision());
     RobotDrivers robots("reactive", episode, learner);
-    RelativeActions actions;
+    CrowdDecider decider(learner);
     state.SetIterationTime(timeOf(Clock::OF_THREAD, [&] {
       for (int tick = 0; tick < TICKS; ++tick) {
-        episode.decide(learner, actions);
         robots.command(episode);
-        episode.step(actions.agents);
+        episode.walk(decider);
       }
     }));
     simulated += TICKS * scene.tick_duration;

@@ -53,7 +53,8 @@ class WalkedEpisodes {
     std::uint64_t decisions = 0;
     for (std::uint64_t episode = 0; episode < config_.training.episodes; ++episode) {
       Episode walked(scenarios_.scene(config_.training.seed, episode), episode, learner_.model().vision());
-      decisions += runEpisode(walked, learner_).ticks;
+      CrowdDecider decider(learner_);
+      decisions += runEpisode(walked, decider).ticks;
     }
     return decisions;
   }

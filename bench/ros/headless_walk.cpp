@@ -5,6 +5,7 @@
 #include "social_crowd/learning/learner.h"
 #include "social_crowd/learning/q_table_file.h"
 #include "social_crowd/scenario/scenario_reader.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 
 namespace crowd::bench {
@@ -18,12 +19,9 @@ void walkHeadless(const std::string& scenario, const std::string& q_table, unsig
   Vision vision;  // with the default radius of the controller
   vision.max_neighbours = max_neighbours;
   Episode episode(readScenarios(scenario).scene(1, 0), 0, vision);
-  RelativeActions actions;
+  CrowdDecider decider(learner);
   const auto walk = [&](unsigned count) {
-    for (unsigned i = 0; i < count; ++i) {
-      episode.decide(learner, actions);
-      episode.step(actions.agents);
-    }
+    for (unsigned i = 0; i < count; ++i) episode.walk(decider);
   };
   walk(warm_up);
   const auto begin = std::chrono::steady_clock::now();

@@ -19,12 +19,14 @@ void transferOutcome(Archive& archive, AnOutcome& outcome) {
 
 }  // namespace
 
-void BorderExchange::set(std::vector<Shared> shared, std::size_t agents) {
+void BorderExchange::set(std::vector<Shared> shared, const World& world) {
   shared_ = std::move(shared);
-  slots_.assign(agents, NONE);
+  slots_.assign(world.agents().size(), NONE);
   std::uint32_t count = 0;
-  for (const Shared& with : shared_) {
-    for (const AgentId id : with.sent) {
+  for (Shared& with : shared_) {
+    for (AgentId& id : with.received) id = static_cast<AgentId>(world.agents().positionOf(id));
+    for (AgentId& id : with.sent) {
+      id = static_cast<AgentId>(world.agents().positionOf(id));
       if (slots_[id] == NONE) slots_[id] = count++;
     }
   }
@@ -33,27 +35,27 @@ void BorderExchange::set(std::vector<Shared> shared, std::size_t agents) {
   in_.resize(shared_.size());
 }
 
-void BorderExchange::exchangeActions(std::vector<AgentAction>& actions) {
+void BorderExchange::exchangeActions(const World& world, std::vector<AgentAction>& actions) {
   border_actions_.assign(border_actions_.size(), NO_ACTION);
   for (const AgentAction& given : actions) {
-    const std::uint32_t slot = slots_[given.agent];
+    const std::uint32_t slot = slots_[world.agents().positionOf(given.agent)];
     if (slot != NONE) border_actions_[slot] = given.action;
   }
   constexpr std::size_t SIZE = 2 * sizeof(double);
   for (std::size_t rank = 0; rank < shared_.size(); ++rank) {
     out_[rank].clear();
     ByteWriter write(out_[rank]);
-    for (const AgentId id : shared_[rank].sent) {
-      write(border_actions_[slots_[id]].rotation);
-      write(border_actions_[slots_[id]].speed_fraction);
+    for (const AgentId position : shared_[rank].sent) {
+      write(border_actions_[slots_[position]].rotation);
+      write(border_actions_[slots_[position]].speed_fraction);
     }
     in_[rank].resize(SIZE * shared_[rank].received.size());
   }
   communicator_.exchange(out_, in_);
   for (std::size_t rank = 0; rank < shared_.size(); ++rank) {
     ByteReader read(in_[rank]);
-    for (const AgentId id : shared_[rank].received) {
-      AgentAction given{id, {}};
+    for (const AgentId position : shared_[rank].received) {
+      AgentAction given{world.agents().idAt(position), {}};
       read(given.action.rotation);
       read(given.action.speed_fraction);
       if (given.action.isValid()) actions.push_back(given);
@@ -64,8 +66,8 @@ void BorderExchange::exchangeActions(std::vector<AgentAction>& actions) {
 void BorderExchange::findPlaces(const World& world) {
   places_.assign(world.agents().size(), NONE);
   std::uint32_t place = 0;
-  for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) places_[agent.id] = place++;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (world.agents().nth(i).isWalking()) places_[i] = place++;
   }
 }
 
@@ -76,9 +78,9 @@ std::uint64_t BorderExchange::exchangeOutcomes(World& world) {
   for (std::size_t rank = 0; rank < shared_.size(); ++rank) {
     out_[rank].clear();
     ByteWriter write(out_[rank]);
-    for (const AgentId id : shared_[rank].sent) {
-      const bool walks = places_[id] != NONE;
-      transferOutcome(write, walks ? std::as_const(outcomes[places_[id]]) : SolidMotion::Outcome());
+    for (const AgentId position : shared_[rank].sent) {
+      const bool walks = places_[position] != NONE;
+      transferOutcome(write, walks ? std::as_const(outcomes[places_[position]]) : SolidMotion::Outcome());
     }
     in_[rank].resize(SIZE * shared_[rank].received.size());
   }

@@ -6,15 +6,14 @@
 #include "simulation/agent_transfer.h"
 #include "social_crowd/ranks/distributed_crowd.h"
 #include "social_crowd/simulation/byte_archive.h"
-#include "social_crowd/world/world_editor.h"
 
 namespace crowd {
 
 void DistributedCrowd::regroup() {
-  next_regroup_ = world_.tick() + options_.regroup_ticks;
-  agents_ = WorldEditor(world_).replaceAgents({});
-  tracks_ = monitor_.replaceTracks({});
-  former_names_.swap(names_);
+  next_regroup_ = tick() + options_.regroup_ticks;
+  agents_.clear();
+  tracks_.clear();
+  episode_.edit().replaceCrowd(agents_, tracks_);
   strips_.balance(keepOwn(), communicator_);
   shared_.assign(rankCount(), {});
   std::vector<Traveller> newcomers = handOver();
@@ -34,7 +33,7 @@ std::vector<Vector2> DistributedCrowd::keepOwn() {
       kept_.push_back(static_cast<std::uint32_t>(i));
       places.push_back(agents_[i].pose.position);
     } else {
-      finished_.push_back({former_names_[i], monitor_.resultOf(tracks_[i])});
+      finished_.push_back({agents_[i].id, episode_.monitor().resultOf(tracks_[i])});
     }
   }
   return places;
@@ -47,7 +46,6 @@ std::vector<DistributedCrowd::Traveller> DistributedCrowd::handOver() {
     const int owner = strips_.stripOf(agents_[i].pose.position);
     if (owner == rank()) return false;
     ByteWriter write(out[static_cast<std::size_t>(owner)]);
-    write(former_names_[i]);
     transferAgent(write, std::as_const(agents_[i]));
     transferTrack(write, std::as_const(tracks_[i]));
     return true;
@@ -59,7 +57,6 @@ std::vector<DistributedCrowd::Traveller> DistributedCrowd::handOver() {
     ByteReader read(message);
     while (!read.isAtEnd()) {
       Traveller& newcomer = newcomers.emplace_back();
-      read(newcomer.name);
       transferAgent(read, newcomer.agent);
       transferTrack(read, newcomer.track);
     }
@@ -67,33 +64,31 @@ std::vector<DistributedCrowd::Traveller> DistributedCrowd::handOver() {
   return newcomers;
 }
 
-void DistributedCrowd::writeCopies(AgentId name, const Agent& agent, std::vector<Communicator::Bytes>& messages) {
+void DistributedCrowd::writeCopies(const Agent& agent, std::vector<Communicator::Bytes>& messages) {
   const auto [first, last] = strips_.stripsWithin(reach_.copies, agent.pose.position);
   for (int other = first; other <= last; ++other) {
     if (other == rank()) continue;
     const auto to = static_cast<std::size_t>(other);
     ByteWriter write(messages[to]);
-    write(name);
     transferAgent(write, agent);
-    shared_[to].sent.push_back(name);
+    shared_[to].sent.push_back(agent.id);
   }
 }
 
 std::vector<DistributedCrowd::Traveller> DistributedCrowd::exchangeCopies(const std::vector<Traveller>& newcomers) {
   std::vector<Communicator::Bytes> out(rankCount());
   std::vector<Communicator::Bytes> in;
-  for (const std::uint32_t i : kept_) writeCopies(former_names_[i], agents_[i], out);
-  for (const Traveller& newcomer : newcomers) writeCopies(newcomer.name, newcomer.agent, out);
+  for (const std::uint32_t i : kept_) writeCopies(agents_[i], out);
+  for (const Traveller& newcomer : newcomers) writeCopies(newcomer.agent, out);
   communicator_.exchangeAnySize(out, in);
   std::vector<Traveller> copies;
   for (std::size_t from = 0; from < in.size(); ++from) {
     ByteReader read(in[from]);
     while (!read.isAtEnd()) {
       Traveller& copy = copies.emplace_back();
-      read(copy.name);
       transferAgent(read, copy.agent);
       copy.agent.perceives = false;
-      shared_[from].received.push_back(copy.name);
+      shared_[from].received.push_back(copy.agent.id);
       const bool is_near = strips_.distanceTo(rank(), copy.agent.pose.position) <= reach_.touching;
       shared_[from].is_near.push_back(is_near ? 1 : 0);
     }
@@ -101,40 +96,28 @@ std::vector<DistributedCrowd::Traveller> DistributedCrowd::exchangeCopies(const 
   return copies;
 }
 
-void DistributedCrowd::append(AgentId name, Agent&& agent, const Track& track) {
-  names_.push_back(name);
+void DistributedCrowd::append(Agent&& agent, const Track& track) {
   next_agents_.push_back(std::move(agent));
   next_tracks_.push_back(track);
 }
 
 void DistributedCrowd::adopt(std::vector<Traveller> newcomers) {
-  std::sort(newcomers.begin(), newcomers.end(), [](const Traveller& a, const Traveller& b) { return a.name < b.name; });
-  names_.clear();
+  std::sort(newcomers.begin(), newcomers.end(),
+            [](const Traveller& a, const Traveller& b) { return a.agent.id < b.agent.id; });
   next_agents_.clear();
   next_tracks_.clear();
   auto newcomer = newcomers.begin();
   for (const std::uint32_t i : kept_) {
-    for (; newcomer != newcomers.end() && newcomer->name < former_names_[i]; ++newcomer) {
-      append(newcomer->name, std::move(newcomer->agent), newcomer->track);
+    for (; newcomer != newcomers.end() && newcomer->agent.id < agents_[i].id; ++newcomer) {
+      append(std::move(newcomer->agent), newcomer->track);
     }
-    append(former_names_[i], std::move(agents_[i]), tracks_[i]);
+    append(std::move(agents_[i]), tracks_[i]);
   }
-  for (; newcomer != newcomers.end(); ++newcomer) {
-    append(newcomer->name, std::move(newcomer->agent), newcomer->track);
-  }
-  WorldEditor(world_).replaceAgents(std::move(next_agents_));
-  monitor_.replaceTracks(std::move(next_tracks_));
+  for (; newcomer != newcomers.end(); ++newcomer) append(std::move(newcomer->agent), newcomer->track);
+  episode_.edit().replaceCrowd(next_agents_, next_tracks_);
   next_agents_.swap(agents_);
   next_tracks_.swap(tracks_);
-  for (BorderExchange::Shared& with : shared_) {
-    for (AgentId& name : with.sent) name = idOf(name);
-    for (AgentId& name : with.received) name = idOf(name);
-  }
-  border_.set(std::move(shared_), world_.agents().size());
-}
-
-AgentId DistributedCrowd::idOf(AgentId name) const {
-  return static_cast<AgentId>(std::lower_bound(names_.begin(), names_.end(), name) - names_.begin());
+  border_.set(std::move(shared_), world());
 }
 
 void DistributedCrowd::noteShares(std::size_t own) {

@@ -55,78 +55,73 @@ DistributedCrowd::Reach::Reach(const Scene& scene, const Vision& vision, double 
       std::max({vision.radius + radius + wandering, measured + wandering, touching + CHAIN_ROOM}) + ROUNDING_MARGIN;
 }
 
-Scene DistributedCrowd::ownPart(const Scene& scene, const FloorStrips& strips, int rank, std::vector<AgentId>& names) {
+Scene DistributedCrowd::ownPart(const Scene& scene, const FloorStrips& strips, int rank, std::vector<AgentId>& ids) {
   Scene part = scene;
+  part.way_finding = false;
   part.agents.clear();
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
     if (strips.stripOf(scene.agents[i].position) != rank) continue;
     part.agents.push_back(scene.agents[i]);
-    names.push_back(static_cast<AgentId>(i));
+    ids.push_back(static_cast<AgentId>(i));
   }
   return part;
 }
 
-DistributedCrowd::DistributedCrowd(const Scene& scene, std::uint64_t episode, const Learner& learner,
-                                   ThreadPool& thread_pool, Communicator& communicator, const Options& options)
+DistributedCrowd::DistributedCrowd(const Scene& scene, std::uint64_t episode, Learner& learner, ThreadPool& thread_pool,
+                                   Communicator& communicator, const Options& options)
     : scenario_(scene.name),
       max_ticks_(scene.max_ticks),
       agent_count_(scene.agents.size()),
-      episode_(episode),
       options_(options),
       reach_(scene, learner.model().vision(), static_cast<double>(options.regroup_ticks)),
-      learner_(learner),
-      vision_(learner.model().vision()),
-      thread_pool_(thread_pool),
       communicator_(communicator),
       strips_(startsOf(scene), communicator.size()),
-      part_(ownPart(scene, strips_, communicator.rank(), names_)),
-      world_(part_),
-      monitor_(part_, world_),
+      episode_(ownPart(scene, strips_, communicator.rank(), first_ids_), episode, learner.model().vision(),
+               thread_pool),
+      own_(learner, thread_pool),
       border_(communicator) {
-  part_ = Scene();
+  episode_.edit().replaceCrowd(agents_, tracks_);
+  for (std::size_t i = 0; i < agents_.size(); ++i) agents_[i].id = first_ids_[i];
+  episode_.edit().replaceCrowd(agents_, tracks_);
 }
 
 bool DistributedCrowd::step(bool stop) {
   const Stopwatch whole(CLOCK_MONOTONIC, seconds_);
   const std::uint64_t sent = communicator_.sentBytes();
-  if (world_.tick() >= max_ticks_) return false;
-  if (world_.tick() >= next_regroup_) regroup();
-  {
-    const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, busy_seconds_);
-    crowd_.decide(world_, episode_, vision_, learner_, actions_, thread_pool_, &names_);
-  }
-  std::vector<std::uint64_t> sums = {actions_.size(), stop ? 1U : 0U};
+  if (tick() >= max_ticks_) return false;
+  if (tick() >= next_regroup_) regroup();
+  stops_ = stop;
+  const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, busy_seconds_);
+  const bool has_walked = episode_.walk(*this);
+  if (has_walked) bytes_ += communicator_.sentBytes() - sent;
+  return has_walked;
+}
+
+bool DistributedCrowd::decide(Episode& episode, std::vector<AgentAction>& actions) {
+  own_.decide(episode, actions);
+  const Stopwatch waiting(CLOCK_THREAD_CPUTIME_ID, waiting_seconds_);
+  std::vector<std::uint64_t> sums = {actions.size(), stops_ ? 1U : 0U};
   communicator_.sum(sums);
   was_stopped_ = sums[1] > 0;
   if (sums[0] == 0 || was_stopped_) return false;
-  border_.exchangeActions(actions_);
-  {
-    const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, busy_seconds_);
-    world_.beginStep(actions_, thread_pool_);
-  }
-  if (world_.contact() == Contact::SOLID) agreeOnSolidMotion();
-  {
-    const Stopwatch busy(CLOCK_THREAD_CPUTIME_ID, busy_seconds_);
-    world_.endStep(thread_pool_);
-    monitor_.observe(world_, thread_pool_);
-  }
-  bytes_ += communicator_.sentBytes() - sent;
+  border_.exchangeActions(world(), actions);
   return true;
 }
 
-void DistributedCrowd::agreeOnSolidMotion() {
-  std::vector<std::uint64_t> different = {border_.exchangeOutcomes(world_)};
+void DistributedCrowd::agree(World& world) {
+  const Stopwatch waiting(CLOCK_THREAD_CPUTIME_ID, waiting_seconds_);
+  std::vector<std::uint64_t> different = {border_.exchangeOutcomes(world)};
   communicator_.sum(different);
-  if (different.front() > 0) moveWholeCrowd();
+  if (different.front() > 0) moveWholeCrowd(world);
 }
 
 void DistributedCrowd::appendTrajectoryRows(std::string& rows) {
   std::vector<Communicator::Bytes> out(rankCount());
   std::vector<Communicator::Bytes> in;
   ByteWriter write(out.front());
-  for (const Agent& agent : world_.agents()) {
-    if (!agent.perceives || !hasTrajectoryRow(agent, world_)) continue;
-    write(names_[agent.id]);
+  for (const Agent& agent : world().agents()) {
+    if (!agent.perceives || !hasTrajectoryRow(agent, world())) continue;
+    write(agent.id);
     write(agent.pose.position);
   }
   communicator_.exchangeAnySize(out, in);
@@ -136,40 +131,41 @@ void DistributedCrowd::appendTrajectoryRows(std::string& rows) {
   for (const Communicator::Bytes& message : in) {
     ByteReader read(message);
     while (!read.isAtEnd()) {
-      auto& [name, place] = places.emplace_back();
-      read(name);
+      auto& [id, place] = places.emplace_back();
+      read(id);
       read(place);
     }
   }
   std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [name, place] : places) appendTrajectoryRow(episode_, world_.tick(), name, place, rows);
+  for (const auto& [id, place] : places) appendTrajectoryRow(episode_.number(), tick(), id, place, rows);
 }
 
 EpisodeResult DistributedCrowd::result() {
   std::vector<Communicator::Bytes> out(rankCount());
   std::vector<Communicator::Bytes> in;
   ByteWriter write(out.front());
-  const auto add = [&](AgentId name, const AgentResult& agent) {
-    write(name);
+  const auto add = [&](AgentId id, const AgentResult& agent) {
+    write(id);
     transferResult(write, agent);
   };
-  for (const Finished& finished : finished_) add(finished.name, finished.result);
-  for (const Agent& agent : world_.agents()) {
-    if (agent.perceives) add(names_[agent.id], monitor_.resultOf(monitor_.tracks()[agent.id]));
+  const EpisodeMonitor& monitor = episode_.monitor();
+  for (const Finished& finished : finished_) add(finished.id, finished.result);
+  for (const Agent& agent : world().agents()) {
+    if (agent.perceives) add(agent.id, monitor.resultOf(monitor.tracks()[agent.id]));
   }
   communicator_.exchangeAnySize(out, in);
   EpisodeResult result;
   result.scenario = scenario_;
-  result.ticks = world_.tick();
+  result.ticks = tick();
   if (rank() != 0) return result;
   in.front() = std::move(out.front());
   std::vector<AgentResult> agents(agent_count_);
   for (const Communicator::Bytes& message : in) {
     ByteReader read(message);
     while (!read.isAtEnd()) {
-      AgentId name = 0;
-      read(name);
-      transferResult(read, agents[name]);
+      AgentId id = 0;
+      read(id);
+      transferResult(read, agents[id]);
     }
   }
   result.agents = std::move(agents);
@@ -179,11 +175,11 @@ EpisodeResult DistributedCrowd::result() {
 RanksReport DistributedCrowd::report() {
   RanksReport report;
   report.agents = agent_count_;
-  report.ticks = world_.tick();
+  report.ticks = tick();
   report.seconds = seconds_;
   report.agent_imbalance = divisions_ > 0 ? imbalance_sum_ / static_cast<double>(divisions_) : 1.0;
   report.whole_motions = whole_motions_;
-  report.collect(communicator_, busy_seconds_, bytes_);
+  report.collect(communicator_, busy_seconds_ - waiting_seconds_, bytes_);
   return report;
 }
 

@@ -9,6 +9,7 @@
 #include "social_crowd/common/checksum.h"
 #include "social_crowd/scenario/scene_document.h"
 #include "social_crowd/simulation/byte_archive.h"
+#include "social_crowd/simulation/crowd_decider.h"
 
 namespace crowd {
 namespace {
@@ -95,10 +96,12 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkOnFirst(Scene scene, std::ui
     RanksReport measured;
     measured.is_divided = false;
     const std::uint64_t max_ticks = scene.max_ticks;
+    CrowdDecider decider(learner_, thread_pool_);
     const InstanceWalk walk{
         plan_,
         learner_,
         thread_pool_,
+        decider,
         [&](const Episode& episode) { plan_.warnOfWays(episode); },
         [&](const World& world) {
           measured.ticks += world.tick() > 0 ? 1 : 0;  // with --people-delay, those without robots, too

@@ -5,9 +5,10 @@
 
 namespace crowd {
 
-/// Calls archive(field) for each field of an agent but its id, to write or to read it (byte_archive.h).
+/// Calls archive(field) for each field of an agent, to write or to read it (byte_archive.h).
 template <typename Archive, typename AnAgent>
 void transferAgent(Archive& archive, AnAgent& agent) {
+  archive(agent.id);
   archive(agent.pose.position);
   archive(agent.pose.heading);
   archive(agent.ahead);

@@ -48,11 +48,31 @@ void Episode::setVision(const Vision& vision) {
   are_current_ = false;
 }
 
-bool Episode::step(const std::vector<AgentAction>& actions) {
+bool Episode::walk(Decider& decider) {
+  if (!decider.decide(*this, actions_)) return false;  // it may be gone
+  step(actions_, &decider);
+  return true;
+}
+
+bool Episode::step(const std::vector<AgentAction>& actions, Decider* decider) {
   world_.stopRequest().throwIfMade();
+  begins_tick_ = move(actions, decider);
+  if (!begins_tick_) return false;
+  population_.update(world_, monitor_);
+  world_.stopRequest().throwIfMade();
+  monitor_.observe(world_, *thread_pool_);
+  robot_monitor_.observe(world_);
+  noteChange();
+  return true;
+}
+
+bool Episode::move(const std::vector<AgentAction>& actions, Decider* decider) {
   if (!isSequential()) {
-    world_.step(actions, *thread_pool_);
-    return endTick();
+    world_.beginStep(actions, *thread_pool_);
+    if (decider != nullptr && world_.contact() == Contact::SOLID) decider->agree(world_);
+    world_.stopRequest().throwIfMade();
+    world_.endStep(*thread_pool_);
+    return true;
   }
   world_.moveAgent(turn_, actions);
   are_current_ = false;
@@ -60,15 +80,6 @@ bool Episode::step(const std::vector<AgentAction>& actions) {
   if (findTurn()) return false;
   world_.endTick(*thread_pool_);
   turn_ = 0;
-  return endTick();
-}
-
-bool Episode::endTick() {
-  population_.update(world_, monitor_);
-  world_.stopRequest().throwIfMade();
-  monitor_.observe(world_, *thread_pool_);
-  if (!world_.robots().empty()) robot_monitor_.observe(world_);
-  noteChange();
   return true;
 }
 
@@ -132,14 +143,6 @@ const Viewers& Episode::viewersOfTurn() {
   const bool found = findTurn();
   perceptions_->turn = turn_;
   return viewers_.one(world_, found ? std::optional<AgentId>(turn_) : std::nullopt);
-}
-
-void Episode::decide(Learner& learner, RelativeActions& actions) {
-  if (learner.mode() != Mode::DEMO || isSequential()) return learner.decide(perceptions(), actions);
-  actions.episode = number_;
-  actions.tick = world_.tick();
-  actions.agents.clear();
-  if (!isOver()) crowd_.decide(world_, number_, vision_, learner, actions.agents, *thread_pool_);
 }
 
 }  // namespace crowd

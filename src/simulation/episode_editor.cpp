@@ -31,6 +31,11 @@ void EpisodeEditor::note(const WorldChange& change) {
   episode_.noteChange();
 }
 
+void EpisodeEditor::replaceCrowd(std::vector<Agent>& agents, std::vector<EpisodeMonitor::Track>& tracks) {
+  agents = replaceAgents(std::move(agents));
+  tracks = episode_.monitor_.replaceTracks(world_.agents(), tracks);
+}
+
 void EpisodeEditor::setRoute(AgentId id, const std::string& route) {
   WayLengths* const ways = episode_.findsWays() ? &episode_.way_lengths_ : nullptr;
   episode_.population_.setRoute(id, route, ways, world_, episode_.monitor_);

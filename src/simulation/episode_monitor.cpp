@@ -95,8 +95,11 @@ inline void EpisodeMonitor::observeAgent(const Agent& agent, bool along_heading,
   track.result.arrived = agent.hasArrived();
 }
 
-std::vector<EpisodeMonitor::Track> EpisodeMonitor::replaceTracks(std::vector<Track> tracks) {
-  return tracks_.replace(std::move(tracks));
+std::vector<EpisodeMonitor::Track> EpisodeMonitor::replaceTracks(const AgentMap<Agent>& agents,
+                                                                 const std::vector<Track>& tracks) {
+  std::vector<Track> former = tracks_.replace({});
+  for (std::size_t i = 0; i < tracks.size(); ++i) tracks_.add(agents.idAt(i)) = tracks[i];
+  return former;
 }
 
 AgentResult EpisodeMonitor::resultOf(const Track& track) const {

@@ -2,17 +2,14 @@
 
 namespace crowd {
 
-EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer, RobotDrivers* robots) {
-  RelativeActions actions;
-  bool begins_tick = true;
-  for (;;) {
-    if (begins_tick && observer.on_tick) observer.on_tick(episode.world());
-    if (observer.on_turn && !episode.isOver()) observer.on_turn(episode.perceptions());
-    episode.decide(learner, actions);
-    if (episode.isOver()) return episode.result();
-    if (begins_tick && robots != nullptr) robots->command(episode);
-    begins_tick = episode.step(actions.agents);
-  }
+EpisodeResult runEpisode(Episode& episode, Decider& decider, const EpisodeObserver& observer, RobotDrivers* robots) {
+  do {
+    if (episode.beginsTick() && observer.on_tick) observer.on_tick(episode.world());
+    if (episode.isOver()) continue;
+    if (observer.on_turn) observer.on_turn(episode.perceptions());
+    if (episode.beginsTick() && robots != nullptr) robots->command(episode);
+  } while (episode.walk(decider));
+  return episode.result();
 }
 
 }  // namespace crowd

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "simulation/instance_walk.h"
-#include "social_crowd/learning/learner.h"
 
 namespace crowd {
 namespace {
@@ -95,8 +94,9 @@ bool evaluate(const TrainedTable& trained, const ScenarioList& scenarios, const 
     try {
       ThreadPool thread_pool(plan.threads / side_by_side);
       Learner learner = makeDemoLearner(trained, plan.seed);
+      CrowdDecider decider(learner, thread_pool);
       const auto begin = [&](const Episode& episode) { run.begin(episode); };
-      const InstanceWalk walk{plan, learner, thread_pool, begin, {}};
+      const InstanceWalk walk{plan, learner, thread_pool, decider, begin, {}};
       std::vector<double> headings;  // of the agents at the end of the previous episode
       std::uint64_t instance = 0;
       while (run.next(instance)) {

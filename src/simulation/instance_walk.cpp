@@ -34,7 +34,7 @@ EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
   Episode same(*std::move(alone), instance, learner.model().vision(), thread_pool, plan.stop);
   EpisodeObserver observer;
   observer.on_tick = on_tick;
-  measurePeopleDelay(runEpisode(same, learner, observer), same.scene().tick_duration, walked.result);
+  measurePeopleDelay(runEpisode(same, decider, observer), same.scene().tick_duration, walked.result);
   return walked;
 }
 
@@ -52,7 +52,7 @@ EvaluatedEpisode InstanceWalk::walk(Episode& episode) const {
     };
   }
   RobotDrivers robots(plan.robot_controller, episode, learner);
-  walked.result = runEpisode(episode, learner, observer, &robots);
+  walked.result = runEpisode(episode, decider, observer, &robots);
   return walked;
 }
 

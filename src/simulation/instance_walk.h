@@ -13,6 +13,7 @@ struct InstanceWalk {
   const EvaluationPlan& plan;
   Learner& learner;
   ThreadPool& thread_pool;
+  Decider& decider;
   std::function<void(const Episode&)> begin;  ///< called at the start of an episode
   /// Called at the start of each tick, also without robots, and at the end; may be empty.
   std::function<void(const World&)> on_tick;

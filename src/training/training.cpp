@@ -155,7 +155,8 @@ LearnedEpisode Training::runOne(std::size_t own, std::uint64_t episode_number) {
   Learner& learner = learners_[own];
   const std::uint64_t decisions = learner.decisions();
   Episode episode(std::move(scene), episode_number, learner.model().vision());
-  LearnedEpisode learned{runEpisode(episode, learner)};
+  CrowdDecider decider(learner);
+  LearnedEpisode learned{runEpisode(episode, decider)};
   headings = learned.headings();
   learned.decisions = learner.decisions() - decisions;
   learned.reward = learned.decisions > 0 ? learner.episodeReward() / static_cast<double>(learned.decisions)

@@ -48,15 +48,16 @@ AgentId WorldEditor::spawnAgent(const AgentStart& start) {
 }
 
 std::vector<Agent> WorldEditor::replaceAgents(std::vector<Agent> agents) {
+  std::vector<Agent> former = world_.agents_.replace({});
   world_.active_count_ = 0;
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    agents[i].id = static_cast<AgentId>(i);
-    world_.active_count_ += agents[i].isWalking() ? 1 : 0;
+  for (Agent& agent : agents) {
+    world_.active_count_ += agent.isWalking() ? 1 : 0;
+    world_.agents_.add(agent.id) = std::move(agent);
   }
-  world_.lasting_count_ = world_.entered_count_ = agents.size();
-  agents = world_.agents_.replace(std::move(agents));
+  world_.lasting_count_ = agents.size();
   world_.refresh();
-  return agents;
+  note({});
+  return former;
 }
 
 void WorldEditor::end(AgentId id, AgentStatus status) {
@@ -76,12 +77,7 @@ void WorldEditor::setGoal(AgentId id, const Vector2& goal) {
   requirePlace("goal [m]", goal);
   Agent after = world_.walkingAgent(id);
   after.setGoal(goal);
-  WorldChange change;
-  change.agent = &after;
-  change.new_goal = true;
-  review(change);
-  world_.agents_[id] = after;
-  note(change);
+  replaceAgent(after, true);
 }
 
 void WorldEditor::teleport(AgentId id, const Pose& pose) {
@@ -89,11 +85,16 @@ void WorldEditor::teleport(AgentId id, const Pose& pose) {
   Agent after = world_.walkingAgent(id);
   requireFreePlace(pose.position, after.radius, false, id);
   after.teleport(pose);
+  replaceAgent(after, false);
+}
+
+void WorldEditor::replaceAgent(const Agent& agent, bool new_goal) {
   WorldChange change;
-  change.agent = &after;
+  change.agent = &agent;
+  change.new_goal = new_goal;
   review(change);
-  world_.agents_[id] = after;
-  world_.refresh();
+  world_.agents_[agent.id] = agent;
+  if (!new_goal) world_.refresh();
   note(change);
 }
 

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "social_crowd/robots/robot_senses.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 #include "support/robots.h"
 #include "support/straight_walk.h"
@@ -71,12 +72,11 @@ bool getsWarm(Mode mode, unsigned threads, const Scene& scene) {
   ThreadPool thread_pool(threads);
   Learner learner = makeLearner(mode);
   Episode episode(scene, 0, learner.model().vision(), thread_pool);
-  RelativeActions actions;
+  CrowdDecider decider(learner, thread_pool);
   int quiet = 0;
   for (int tick = 0; tick < MOST && quiet < ROW; ++tick) {
     const std::uint64_t before = allocations;
-    episode.decide(learner, actions);
-    episode.step(actions.agents);
+    episode.walk(decider);
     quiet = allocations == before ? quiet + 1 : 0;
   }
   return quiet == ROW && !episode.isOver();

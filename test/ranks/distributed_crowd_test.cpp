@@ -35,7 +35,8 @@ Walked walkAlone(const Scene& scene, const TrainedTable& trained) {
   Episode episode(scene, EPISODE, learner.model().vision());
   EpisodeObserver observer;
   observer.on_tick = [&](const World& world) { appendTrajectoryRows(EPISODE, world, walked.trajectory); };
-  const EpisodeResult result = runEpisode(episode, learner, observer);
+  CrowdDecider decider(learner);
+  const EpisodeResult result = runEpisode(episode, decider, observer);
   appendRecordRows(EPISODE, result, walked.record);
   walked.ticks = result.ticks;
   return walked;
@@ -46,7 +47,7 @@ Walked walkOnRanks(int ranks, const Scene& scene, const TrainedTable& trained,
   Walked walked;
   ThreadRanks(ranks).run([&](Communicator& communicator) {
     ThreadPool thread_pool(threads);
-    const Learner learner = makeDemoLearner(trained, 1);
+    Learner learner = makeDemoLearner(trained, 1);
     DistributedCrowd crowd(scene, EPISODE, learner, thread_pool, communicator, options);
     std::string rows;
     do crowd.appendTrajectoryRows(rows);

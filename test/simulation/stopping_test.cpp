@@ -10,6 +10,7 @@
 #include "social_crowd/common/stop_request.h"
 #include "social_crowd/ranks/distributed_evaluation.h"
 #include "social_crowd/robots/robot_way.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/evaluation.h"
 #include "support/evaluations.h"
@@ -106,8 +107,8 @@ TEST(Stopping, ATickIsNotFinished) {
   Episode episode(parseScenarios(HEAD + TO_ANYWHERE, "s.yaml").scene(1, 0), 0, Vision(), ThreadPool::callerOnly(),
                   countdown.request());
   Learner learner = makeDemoLearner(restlessTable(), 1);
-  RelativeActions actions;
-  EXPECT_THROW(episode.decide(learner, actions), Stopped);  // the agents are several blocks
+  CrowdDecider decider(learner);
+  EXPECT_THROW(episode.walk(decider), Stopped);  // the agents are several blocks
   EXPECT_EQ(countdown.asked(), 3U);
   EXPECT_THROW(episode.step({}), Stopped);
   EXPECT_EQ(episode.world().tick(), 0U);

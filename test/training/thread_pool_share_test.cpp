@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/training/training.h"
 #include "support/learners.h"
@@ -36,11 +37,10 @@ Walked walk(const Scene& scene, Mode mode, unsigned threads, bool at_once = fals
   Learner learner = makeLearner(mode);
   Episode episode(scene, 1, learner.model().vision(), thread_pool);
   RelativeActions actions;
-  const auto decide = [&] {
-    if (at_once) return learner.decide(episode.perceptions(), actions);
-    episode.decide(learner, actions);
-  };
-  for (decide(); !episode.isOver(); decide()) episode.step(actions.agents);
+  CrowdDecider decider(learner, thread_pool);
+  while (!at_once && episode.walk(decider)) continue;
+  for (; !episode.isOver(); episode.step(actions.agents)) learner.decide(episode.perceptions(), actions);
+  if (at_once) learner.decide(episode.perceptions(), actions);
   Walked walked{stateOf(episode.world()), {}, learner.tableOf(0)};
   for (const AgentResult& agent : episode.result().agents) {
     walked.metrics.insert(walked.metrics.end(), {agent.path_length, agent.turn_per_metre, agent.touched ? 1.0 : 0.0});

@@ -12,7 +12,7 @@ namespace crowd {
 /// others. Sends what they do in a tick; between two calls of set() messages have the same agents in the same order.
 class BorderExchange {
  public:
-  /// @brief Agents that this rank and another one have in common, as ids in the world of this rank.
+  /// @brief Agents that this rank and another one have in common.
   struct Shared {
     std::vector<AgentId> sent;          ///< own agents
     std::vector<AgentId> received;      ///< copies
@@ -21,11 +21,11 @@ class BorderExchange {
 
   explicit BorderExchange(Communicator& communicator) : communicator_(communicator) {}
 
-  /// @param shared by rank @param agents number of agents in the world
-  void set(std::vector<Shared> shared, std::size_t agents);
+  /// @param shared by rank @param world that the agents are in
+  void set(std::vector<Shared> shared, const World& world);
 
   /// @brief Appends the actions of the copies to those of the own agents. Collective.
-  void exchangeActions(std::vector<AgentAction>& actions);
+  void exchangeActions(const World& world, std::vector<AgentAction>& actions);
   /// @brief Between beginStep() and endStep() of a solid world: replaces the outcomes of the copies by those that their
   /// own ranks computed. Collective. @return number of copies near own agents that moved otherwise on their own rank,
   /// so that the outcomes of own agents may be wrong
@@ -38,10 +38,10 @@ class BorderExchange {
   void findPlaces(const World& world);
 
   Communicator& communicator_;
-  std::vector<Shared> shared_;        // by rank
-  std::vector<std::uint32_t> slots_;  // by agent: its index in border_actions_, or NONE
+  std::vector<Shared> shared_;        // by rank; positions in place of ids
+  std::vector<std::uint32_t> slots_;  // by position of the agent: its index in border_actions_, or NONE
   std::vector<RelativeAction> border_actions_;
-  std::vector<std::uint32_t> places_;  // by agent
+  std::vector<std::uint32_t> places_;  // by position of the agent
   std::vector<Communicator::Bytes> out_;
   std::vector<Communicator::Bytes> in_;
 };

@@ -8,30 +8,28 @@
 #include <vector>
 
 #include "social_crowd/common/object_pool.h"
-#include "social_crowd/learning/learner.h"
 #include "social_crowd/navigation/way_finder.h"
 #include "social_crowd/navigation/way_lengths.h"
 #include "social_crowd/population/population.h"
 #include "social_crowd/scenario/scene.h"
+#include "social_crowd/simulation/decider.h"
 #include "social_crowd/simulation/episode_editor.h"
 #include "social_crowd/simulation/episode_monitor.h"
-#include "social_crowd/simulation/greedy_crowd.h"
 #include "social_crowd/world/perceiver.h"
 
 namespace crowd {
 
 /// @brief One episode: runs a world until all agents have arrived or the maximum number of ticks is reached. Headless
-/// runs and the ROS node use the same class; the caller supplies the actions.
+/// runs, the ROS node, ranks and benchmarks use the same class, each with its own Decider.
 ///
 /// A tick is one turn of all agents together (Order::SIMULTANEOUS), or one turn for each agent (Order::SEQUENTIAL). The
-/// caller repeats perceptions(), which are those of the agents whose turn it is, and step() with their actions, until
-/// isOver(). Not thread-safe.
+/// caller repeats walk() until isOver(). Not thread-safe.
 class Episode {
  public:
   /// @param number of the episode; it is part of the perceptions, and learners seed their exploration with it
   /// @param thread_pool its threads share the agents; it must outlive the episode. Results do not depend on their
   /// number.
-  /// @param stop ends the constructor, decide(), step() and edit() early: they throw Stopped, and the episode must not
+  /// @param stop ends the constructor, walk() and edit() early: they throw Stopped, and the episode must not
   /// be used any more
   Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool = ThreadPool::callerOnly(),
           StopRequest stop = {});
@@ -45,17 +43,18 @@ class Episode {
   const Perceptions& perceptions();
   /// @brief The same as a shared object that does not change while the caller holds it.
   std::shared_ptr<const Perceptions> sharedPerceptions();
-  /// @brief Writes the learner's actions for perceptions(), the same as of Learner::decide(). For simultaneous turns in
-  /// demo mode it uses the faster GreedyCrowd: the order of the agents then differs, and the learner does not register
-  /// them.
-  void decide(Learner& learner, RelativeActions& actions);
-  /// @brief Moves the agents whose turn it is; agents without an action stay.
-  /// @throws InputError as World::step() does; the world is unchanged then.
+  /// @brief One turn: perceive, decide, move; at the end of a tick also population and measures.
+  /// @throws InputError as World::step() does; the world is unchanged then
+  /// @return false if the decider does not let the agents move: the episode is over, or it was ended early
+  bool walk(Decider& decider);
+  /// @brief The rest of a turn with these actions; agents without one stay. @throws InputError as walk() does
   /// @return whether that was the last turn of the tick
-  bool step(const std::vector<AgentAction>& actions);
+  bool step(const std::vector<AgentAction>& actions, Decider* decider = nullptr);
+  /// @brief Whether a tick begins, else there was a turn of it already.
+  bool beginsTick() const { return begins_tick_; }
   /// @brief Whether the maximum number of ticks is reached, or no agent is on its way, no source has any left and no
   /// robot is on its way to a goal; agents do not count with Ends::ROBOTS. A scene without agents, sources and goals of
-  /// robots lasts for the maximum number of ticks. A step() changes this only at the end of a tick.
+  /// robots lasts for the maximum number of ticks. A turn changes this only at the end of a tick.
   bool isOver() const;
 
   /// @brief Number of turns in the present tick: one, or one for each agent on its way.
@@ -65,6 +64,7 @@ class Episode {
   const Scene& scene() const { return scene_; }
   const World& world() const { return world_; }
   const Population& population() const { return population_; }
+  const EpisodeMonitor& monitor() const { return monitor_; }
   EpisodeResult result() const;
   /// @brief Why way-finding is left out, although the scene is with it: the floor is too large. Empty if it is not.
   const std::string& wayFindingProblem() const { return way_finding_problem_; }
@@ -89,7 +89,8 @@ class Episode {
   const Viewers& viewersOfTurn();
   /// Advances `turn_` to the next agent that has a turn in this tick, starting with `turn_` itself; false if none.
   bool findTurn();
-  bool endTick();
+  /// Moves the agents whose turn it is. Returns whether that was the last turn of the tick.
+  bool move(const std::vector<AgentAction>& actions, Decider* decider);
 
   Scene scene_;
   World world_;
@@ -110,7 +111,8 @@ class Episode {
   Viewers viewers_;
   Perceiver perceiver_;
   AgentId turn_ = 0;  // agent whose turn it is (sequential only), or the number of agents if no turn is left
-  GreedyCrowd crowd_;
+  bool begins_tick_ = true;
+  std::vector<AgentAction> actions_;  // of walk()
 };
 
 }  // namespace crowd

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "social_crowd/scenario/population_spec.h"
+#include "social_crowd/simulation/episode_monitor.h"
 #include "social_crowd/world/world_editor.h"
 
 namespace crowd {
@@ -17,6 +19,9 @@ class EpisodeEditor final : public WorldEditor {
  public:
   explicit EpisodeEditor(Episode& episode);
 
+  /// @brief Replaces all agents, and what is known of their motion. @param agents, tracks by ascending id; on return
+  /// the former ones
+  void replaceCrowd(std::vector<Agent>& agents, std::vector<EpisodeMonitor::Track>& tracks);
   /// @brief Lets an agent begin a route of the scenario.
   void setRoute(AgentId id, const std::string& route);
   /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later. @return whether it is

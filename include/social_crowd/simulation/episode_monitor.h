@@ -38,8 +38,8 @@ class EpisodeMonitor final : public RouteObserver {
   void countWaypoint(AgentId id) override { ++tracks_[id].result.waypoints; }
   void setEndless(AgentId id, bool endless) override { tracks_[id].result.endless = endless; }
 
-  /// @brief Replaces the tracks, as World::replaceAgents() does with the agents. @return the former tracks
-  std::vector<Track> replaceTracks(std::vector<Track> tracks);
+  /// @brief Replaces the tracks by those of these agents, in their order. @return the former tracks
+  std::vector<Track> replaceTracks(const AgentMap<Agent>& agents, const std::vector<Track>& tracks);
   const AgentMap<Track>& tracks() const { return tracks_; }
   /// @brief The result of one track.
   AgentResult resultOf(const Track& track) const;

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "social_crowd/learning/learner.h"
+#include "social_crowd/simulation/crowd_decider.h"
 #include "social_crowd/simulation/episode.h"
 #include "social_crowd/simulation/robot_controller.h"
 
@@ -14,10 +14,9 @@ struct EpisodeObserver {
   std::function<void(const Perceptions&)> on_turn;  ///< before the decisions of each turn
 };
 
-/// @brief Runs an episode to its end with one learner, which decides for all agents. In training mode the learner also
-/// learns from the last tick.
+/// @brief Runs an episode until its decider lets nobody move any more.
 /// @param robots command the robots before each tick; null: the robots get no commands
-EpisodeResult runEpisode(Episode& episode, Learner& learner, const EpisodeObserver& observer = {},
+EpisodeResult runEpisode(Episode& episode, Decider& decider, const EpisodeObserver& observer = {},
                          RobotDrivers* robots = nullptr);
 
 }  // namespace crowd

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "social_crowd/learning/learner.h"
 #include "social_crowd/robots/robot_senses.h"
 #include "social_crowd/simulation/episode.h"
 

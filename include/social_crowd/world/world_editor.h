@@ -31,8 +31,8 @@ class WorldEditor {
 
   /// @brief Adds an agent and returns its id.
   AgentId spawnAgent(const AgentStart& start);
-  /// @brief Replaces all agents. Their ids become their indices; the order of ids decides between equally near
-  /// neighbours. @return the former agents
+  /// @brief Replaces all agents, also by others of the same ids. @param agents by ascending id @return the former
+  /// agents
   std::vector<Agent> replaceAgents(std::vector<Agent> agents);
   void removeAgent(AgentId id);
   /// @brief Lets an agent arrive now, as at its last goal.
@@ -71,6 +71,7 @@ class WorldEditor {
                         std::optional<AgentId> except = std::nullopt,
                         std::optional<RobotId> except_robot = std::nullopt) const;
   const Obstacle& requireObstacle(std::size_t number) const;
+  void replaceAgent(const Agent& agent, bool new_goal);
   void replaceObstacles(std::vector<Obstacle> obstacles);
   /// Notes a change of walls or obstacles.
   void noteLayout(const WorldChange& change);

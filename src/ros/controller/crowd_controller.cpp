@@ -57,8 +57,10 @@ void CrowdController::run() {
   services_.start();
   try {
     while (!loop_.isClosed() && (parameters_.episodes == 0 || ended_episodes_ < parameters_.episodes)) {
-      if (tick_ended_) waitWhilePaused();
-      if (!loop_.isClosed()) walkTurn();
+      if (episode_->beginsTick()) waitWhilePaused();
+      if (loop_.isClosed()) break;
+      cut_off_ = false;
+      if (episode_->walk(*this) && episode_->beginsTick()) endTick();
     }
   } catch (const Stopped&) {  // the node shuts down during a long tick
   }
@@ -145,7 +147,6 @@ void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
 
 void CrowdController::beginEpisode() {
   cut_off_ = true;
-  tick_ended_ = true;
   episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision(), ThreadPool::callerOnly(), stop_);
   answers_.cancel();
   robots_.begin(*episode_);
@@ -209,17 +210,17 @@ void CrowdController::waitWhilePaused() {
   }
 }
 
-void CrowdController::walkTurn() {
-  cut_off_ = false;
-  answers_.ask(*episode_, broadcaster_.header());
-  if (tick_ended_) robots_.ask();
+bool CrowdController::decide(Episode& episode, std::vector<AgentAction>& actions) {
+  answers_.ask(episode, broadcaster_.header());
+  const bool begins_tick = episode.beginsTick();
+  if (begins_tick) robots_.ask();
   // Published while the learners decide; between turns the tick is incomplete.
-  if (tick_ended_) broadcaster_.publishAgents(*episode_);
-  if (!answers_.wait(*episode_)) return;  // ask again, or another episode has begun, or the node shuts down
-  if (tick_ended_ && !robots_.wait([this] { return broadcaster_.timeIn(episode_->scene().tick_duration); })) return;
-  decisions_ += answers_.answers().size();
-  tick_ended_ = episode_->step(answers_.answers());
-  if (tick_ended_) endTick();
+  if (begins_tick) broadcaster_.publishAgents(episode);
+  if (!answers_.wait(episode)) return false;  // ask again, or another episode has begun, or the node shuts down
+  if (begins_tick && !robots_.wait([&] { return broadcaster_.timeIn(episode.scene().tick_duration); })) return false;
+  actions = answers_.answers();
+  decisions_ += actions.size();
+  return true;
 }
 
 void CrowdController::endTick() {

@@ -11,7 +11,7 @@ namespace crowd {
 std::future<void> CrowdController::beginRobotSteps(
     const social_crowd::StepRobots::Request& request,
     const std::shared_ptr<social_crowd::StepRobots::Response>& response) {
-  if (!parameters_.paused || !tick_ended_) throw InputError("the crowd is walking: call ~pause first");
+  if (!parameters_.paused || !episode_->beginsTick()) throw InputError("the crowd is walking: call ~pause first");
   if (pending_steps_ != nullptr) throw InputError("another step request is in progress");
   const auto observe = [this, response, with_scan = request.with_scan != 0](bool over) {
     response->episode = episode_->number();

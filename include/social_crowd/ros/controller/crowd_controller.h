@@ -34,7 +34,7 @@ namespace crowd {
 
 /// @brief Node that owns world, clock and episodes. In each tick it publishes perceptions, waits for the answers
 /// (lockstep with a deadline) and moves the agents. docs/protocol.md describes the protocol.
-class CrowdController {
+class CrowdController final : private Decider {
  public:
   /// @throws InputError that lists invalid parameters or describes an error of the scenario file; FileError; Stopped
   /// if ROS shuts down meanwhile
@@ -81,7 +81,8 @@ class CrowdController {
 
   void waitWhilePaused();
   bool mayWalk() const { return !parameters_.paused || pending_steps_ != nullptr; }
-  void walkTurn();
+  /// Asks the learners, and waits for their answers and for commands of robots.
+  bool decide(Episode& episode, std::vector<AgentAction>& actions) override;
   void endTick();
   /// Serves callbacks until `until`, or until the tick is cut off by a reset.
   void serveUntil(const Clock& until);
@@ -132,7 +133,6 @@ class CrowdController {
   std::uint64_t next_episode_ = 0;  // never repeats, so that an old answer cannot be mistaken for a new one
   std::uint64_t instance_ = 0;      // since the scenario was loaded or reset
   std::uint64_t ended_episodes_ = 0;
-  bool tick_ended_ = true;        // no turn of the tick is in progress
   std::vector<double> headings_;  // of the agents at the end of the last episode [rad]
   bool cut_off_ = false;          // the episode was replaced during a tick
   Metrics metrics_;

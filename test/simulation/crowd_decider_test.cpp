@@ -1,17 +1,19 @@
-#include "social_crowd/simulation/greedy_crowd.h"
+#include "social_crowd/simulation/crowd_decider.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <tuple>
 #include <utility>
 
+#include "social_crowd/simulation/episode.h"
 #include "support/learners.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
 
-namespace crowd::greedy_crowd_test {
+namespace crowd::crowd_decider_test {
 namespace {
 
 constexpr std::uint64_t EPISODE = 7;
@@ -28,25 +30,34 @@ std::vector<Decision> toDecisions(const std::vector<AgentAction>& actions) {
   return decisions;
 }
 
-/// Reference: decisions of World::perceive() and Learner::decide(), in order of the agents.
-std::vector<Decision> decideAtOnce(World& world, const Vision& vision, Learner& learner) {
-  Perceptions perceptions;
+/// An episode of a crowd that walks straight through walls and obstacles.
+Episode episodeOf(Scene scene, const Vision& vision, std::uint64_t number = EPISODE) {
+  scene.way_finding = false;
+  return {std::move(scene), number, vision};
+}
+
+/// Reference: decisions of Learner::decide() for the perceptions of all agents, in order of the agents.
+std::vector<Decision> decideAtOnce(Episode& episode, Learner& learner) {
   RelativeActions actions;
-  perceive(world, vision, perceptions);
-  perceptions.episode = EPISODE;
-  learner.decide(perceptions, actions);
+  learner.decide(episode.perceptions(), actions);
   return toDecisions(actions.agents);
 }
 
-/// Crowds with 1, 2 and 7 threads, which are kept from tick to tick.
+/// Deciders with 1, 2 and 7 threads, which are kept from tick to tick.
 class Crowds {
  public:
+  explicit Crowds(Learner& learner) {
+    for (std::size_t i = 0; i < crowds_.size(); ++i) {
+      crowds_[i] = std::make_unique<CrowdDecider>(learner, thread_pool_[i]);
+    }
+  }
+
   /// Their decisions, in order of the agents. Requires equal decisions of all crowds.
-  std::vector<Decision> decide(const World& world, const Vision& vision, const Learner& learner) {
+  std::vector<Decision> decide(Episode& episode) {
     std::vector<Decision> first;
     for (std::size_t i = 0; i < crowds_.size(); ++i) {
       std::vector<AgentAction> actions = {{12345, {6.0, 7.0}}};  // to be overwritten
-      crowds_[i].decide(world, EPISODE, vision, learner, actions, thread_pool_[i]);
+      crowds_[i]->decide(episode, actions);
       if (i == 0) first = toDecisions(actions);
       EXPECT_EQ(toDecisions(actions), first) << thread_pool_[i].count() << " threads";
     }
@@ -55,8 +66,8 @@ class Crowds {
   }
 
  private:
-  std::array<GreedyCrowd, 3> crowds_;
   std::array<ThreadPool, 3> thread_pool_ = {ThreadPool(1), ThreadPool(2), ThreadPool(7)};
+  std::array<std::unique_ptr<CrowdDecider>, 3> crowds_;
 };
 
 /// Models with and without limited vision, with one row for all actions and with one row per action.
@@ -80,75 +91,79 @@ Learner makeLearner(const Model& model, Learner::Options options = {}) {
 }
 
 /// Walks a crowd for some ticks and compares the decisions. Returns their number.
-std::size_t compareDecisions(std::uint64_t seed, Learner& asked, const Learner& unasked) {
+std::size_t compareDecisions(std::uint64_t seed, Learner& asked, Learner& unasked) {
   constexpr int TICKS = 12;
-  const Vision vision = asked.model().vision();
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {1});
-  World world(scenes::randomCrowd(seed));
-  Crowds crowds;
+  Episode episode = episodeOf(scenes::randomCrowd(seed), asked.model().vision());
+  Crowds crowds(unasked);
   std::size_t compared = 0;
   for (int tick = 0; tick < TICKS; ++tick) {
     SCOPED_TRACE(testing::Message() << "seed " << seed << ", tick " << tick);
-    const std::vector<Decision> expected = decideAtOnce(world, vision, asked);
-    EXPECT_EQ(crowds.decide(world, vision, unasked), expected);
+    const std::vector<Decision> expected = decideAtOnce(episode, asked);
+    EXPECT_EQ(crowds.decide(episode), expected);
     compared += expected.size();
-    world.step(scenes::purposefulActions(world, random));
+    episode.step(scenes::purposefulActions(episode.world(), random));
   }
-  EXPECT_LT(world.activeCount(), world.agents().size()) << "seed " << seed << ": no agent has arrived";
+  EXPECT_LT(episode.world().activeCount(), episode.world().agents().size())
+      << "seed " << seed << ": nobody has arrived";
   return compared;
 }
 
-TEST(GreedyCrowd, DecidesAsTheLearnerDoes) {
+TEST(CrowdDecider, DecidesAsTheLearnerDoes) {
   for (const Model& model : models()) {
     SCOPED_TRACE(model.spec());
     std::size_t compared = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       Learner asked = makeLearner(model);
-      compared += compareDecisions(seed, asked, makeLearner(model));
+      Learner unasked = makeLearner(model);
+      compared += compareDecisions(seed, asked, unasked);
     }
     EXPECT_GT(compared, 5000U);
   }
 }
 
-TEST(GreedyCrowd, BreaksTiesAsTheLearnerDoes) {
+TEST(CrowdDecider, BreaksTiesAsTheLearnerDoes) {
   Learner::Options options;
   options.seed = 5;
   options.plan.parameters.ties = Ties::RANDOM;
   for (const Model& model : models()) {
     SCOPED_TRACE(model.spec());
     Learner asked(model, options);  // an empty table: all actions have equal values
-    EXPECT_GT(compareDecisions(1, asked, Learner(model, options)), 1500U);
+    Learner unasked(model, options);
+    EXPECT_GT(compareDecisions(1, asked, unasked), 1500U);
   }
   // Another episode or another seed gives other decisions.
   const Model model = models().front();
-  const Learner learner(model, options);
-  const World world(scenes::randomCrowd(1));
-  const auto decide = [&](std::uint64_t episode, const Learner& asked) {
+  const auto decide = [&](std::uint64_t number) {
+    Learner learner(model, options);
+    Episode episode = episodeOf(scenes::randomCrowd(1), model.vision(), number);
     std::vector<AgentAction> actions;
-    GreedyCrowd().decide(world, episode, model.vision(), asked, actions);
+    EXPECT_TRUE(CrowdDecider(learner).decide(episode, actions));
     return toDecisions(actions);
   };
-  EXPECT_EQ(decide(EPISODE, learner), decide(EPISODE, learner));
-  EXPECT_NE(decide(EPISODE, learner), decide(EPISODE + 1, learner));
+  const std::vector<Decision> decisions = decide(EPISODE);
+  EXPECT_EQ(decide(EPISODE), decisions);
+  EXPECT_NE(decide(EPISODE + 1), decisions);
   options.seed = 6;
-  EXPECT_NE(decide(EPISODE, learner), decide(EPISODE, Learner(model, options)));
+  EXPECT_NE(decide(EPISODE), decisions);
 }
 
-TEST(GreedyCrowd, DecidesOnlyForAgentsThatTheLearnerServes) {
+TEST(CrowdDecider, DecidesOnlyForAgentsThatTheLearnerServes) {
   Learner::Options options;
   options.agents = {0, 1, 7, 200, 201, 9999};
   const Model model = models()[2];
   Learner asked = makeLearner(model, options);
-  EXPECT_GT(compareDecisions(1, asked, makeLearner(model, options)), 12U * 2U);
-  World world(scenes::randomCrowd(1));
+  Learner unasked = makeLearner(model, options);
+  EXPECT_GT(compareDecisions(1, asked, unasked), 12U * 2U);
+  Episode episode = episodeOf(scenes::randomCrowd(1), model.vision());
   std::vector<AgentId> answered;
-  for (const Decision& decision : Crowds().decide(world, model.vision(), asked)) {
+  for (const Decision& decision : Crowds(asked).decide(episode)) {
     answered.push_back(std::get<0>(decision));
   }
   EXPECT_EQ(answered, (std::vector<AgentId>{0, 1, 7, 200, 201}));
 }
 
-TEST(GreedyCrowd, UsesOwnTables) {
+TEST(CrowdDecider, UsesOwnTables) {
   Learner::Options options;
   options.tables = TableUse::OWN;
   const Model model = models()[2];
@@ -164,10 +179,10 @@ TEST(GreedyCrowd, UsesOwnTables) {
   for (const AgentId agent : {3U, 4U, 100U}) {
     std::size_t different = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      const World world(scenes::randomCrowd(seed));
-      Crowds crowds;
-      const std::vector<Decision> own = crowds.decide(world, model.vision(), unasked);
-      const std::vector<Decision> one = crowds.decide(world, model.vision(), makeLearner(model));
+      Episode episode = episodeOf(scenes::randomCrowd(seed), model.vision());
+      Learner shared = makeLearner(model);
+      const std::vector<Decision> own = Crowds(unasked).decide(episode);
+      const std::vector<Decision> one = Crowds(shared).decide(episode);
       different += own.at(agent) != one.at(agent) ? 1 : 0;
       EXPECT_EQ(own.at(5), one.at(5));
     }
@@ -175,29 +190,32 @@ TEST(GreedyCrowd, UsesOwnTables) {
   }
 }
 
-TEST(GreedyCrowd, DoesNotDependOnThePreviousWorld) {
+TEST(CrowdDecider, DoesNotDependOnThePreviousWorld) {
   const Model model = models()[2];
-  const Learner learner = makeLearner(model);
+  Learner learner = makeLearner(model);
   ThreadPool many(7);
-  GreedyCrowd crowd;
+  CrowdDecider crowd(learner, many);
+  Episode large = episodeOf(scenes::randomCrowd(1), model.vision());
   std::vector<AgentAction> actions;
-  crowd.decide(World(scenes::randomCrowd(1)), EPISODE, model.vision(), learner, actions, many);
+  crowd.decide(large, actions);
   ASSERT_GT(actions.size(), 2 * ThreadPool::FEW_SHORT_ITEMS);
-  const World small(scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({3.0, 0.0})}));
-  crowd.decide(small, EPISODE, model.vision(), learner, actions);
+  Episode small =
+      episodeOf(scenes::scene({scenes::wanderer({0.0, 0.0}), scenes::wanderer({3.0, 0.0})}), model.vision());
+  crowd.decide(small, actions);
   std::vector<AgentAction> expected;
-  GreedyCrowd().decide(small, EPISODE, model.vision(), learner, expected);
+  CrowdDecider(learner).decide(small, expected);
   EXPECT_EQ(expected.size(), 2U);
   EXPECT_EQ(toDecisions(actions), toDecisions(expected));
 }
 
-TEST(GreedyCrowd, DecidesNothingWithoutWalkingAgents) {
+TEST(CrowdDecider, DecidesNothingWithoutWalkingAgents) {
   const Model model = models()[2];
+  Learner learner = makeLearner(model);
+  Episode empty = episodeOf(scenes::scene({}, {scenes::pillar({0.0, 0.0}, 0.5)}), model.vision());
   std::vector<AgentAction> actions = {{1, {}}};
-  GreedyCrowd().decide(World(scenes::scene({}, {scenes::pillar({0.0, 0.0}, 0.5)})), EPISODE, model.vision(),
-                       makeLearner(model), actions);
+  EXPECT_FALSE(CrowdDecider(learner).decide(empty, actions));
   EXPECT_TRUE(actions.empty());
 }
 
 }  // namespace
-}  // namespace crowd::greedy_crowd_test
+}  // namespace crowd::crowd_decider_test
