@@ -70,19 +70,20 @@ Scene makeCrowd(const CrowdPlan& plan) {
 CrowdWalk::CrowdWalk(const CrowdPlan& plan) : CrowdWalk(makeCrowd(plan), plan.vision_radius, plan.threads) {}
 
 CrowdWalk::CrowdWalk(const Scene& scene, double vision_radius, unsigned threads)
-    : learner_(makeWalker()),
+    : world_(scene),
+      learner_(makeWalker()),
+      vision_(learner_.model().vision()),
       thread_pool_(threads),
-      episode_(scene, 0, learner_.model().vision(), thread_pool_),
       decider_(learner_, thread_pool_) {
-  Vision vision = episode_.vision();
-  vision.radius = vision_radius;
-  episode_.setVision(vision);
+  vision_.radius = vision_radius;
+  way_finder_.update(world_);
 }
 
 std::size_t CrowdWalk::step() {
-  const std::size_t agents = world().activeCount();
-  episode_.walk(decider_);
-  return agents;
+  decider_.decideInBlocks(world_, 0, vision_, actions_);
+  world_.step(actions_, thread_pool_);
+  way_finder_.update(world_);
+  return actions_.size();
 }
 
 }  // namespace crowd

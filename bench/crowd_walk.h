@@ -4,9 +4,9 @@
 
 #include "social_crowd/common/thread_pool.h"
 #include "social_crowd/learning/learner.h"
+#include "social_crowd/navigation/way_finder.h"
 #include "social_crowd/scenario/scene.h"
 #include "social_crowd/simulation/crowd_decider.h"
-#include "social_crowd/simulation/episode.h"
 
 namespace crowd {
 
@@ -31,16 +31,20 @@ class CrowdWalk {
   /// @param vision_radius [m]
   explicit CrowdWalk(const Scene& scene, double vision_radius = 6.0, unsigned threads = 1);
 
-  /// @brief One tick. @return number of agents
+  /// @brief One crowd step without measures: all agents perceive, decide and move, and find their ways.
+  /// @return number of agents
   std::size_t step();
-  const World& world() const { return episode_.world(); }
-  const Vision& vision() const { return episode_.vision(); }
+  const World& world() const { return world_; }
+  const Vision& vision() const { return vision_; }
 
  private:
+  World world_;
+  WayFinder way_finder_;
   Learner learner_;
+  Vision vision_;
   ThreadPool thread_pool_;
-  Episode episode_;
   CrowdDecider decider_;
+  std::vector<AgentAction> actions_;
 };
 
 }  // namespace crowd

@@ -20,12 +20,13 @@ bool CrowdDecider::decide(Episode& episode, std::vector<AgentAction>& actions) {
     actions.swap(answers_.agents);
   }
   if (episode.isOver()) return false;
-  if (in_blocks) decideInBlocks(episode, actions);
+  if (in_blocks) decideInBlocks(episode.world(), episode.number(), episode.vision(), actions);
   return true;
 }
 
-void CrowdDecider::decideInBlocks(const Episode& episode, std::vector<AgentAction>& actions) {
-  const World& world = episode.world();
+void CrowdDecider::decideInBlocks(const World& world, std::uint64_t episode, const Vision& vision,
+                                  std::vector<AgentAction>& actions) {
+  actions.clear();
   const std::size_t bodies = world.grid().size();
   const std::size_t blocks = (bodies + BLOCK - 1) / BLOCK;
   if (workspaces_.size() < thread_pool_.count()) workspaces_.resize(thread_pool_.count());
@@ -37,12 +38,12 @@ void CrowdDecider::decideInBlocks(const Episode& episode, std::vector<AgentActio
       blocks,
       [&](unsigned worker, std::size_t begin, std::size_t end) {
         ThreadWorkspace& workspace = workspaces_[worker];
-        workspace.perceptions.episode = episode.number();
+        workspace.perceptions.episode = episode;
         for (std::size_t block = begin; block < end; ++block) {
           world.stopRequest().throwIfMade();
           const std::size_t first = block * BLOCK;
           const Viewers& viewers = workspace.viewers.among(world, first, std::min(first + BLOCK, bodies));
-          workspace.perceiver.perceive(world, episode.vision(), viewers, workspace.perceptions);
+          workspace.perceiver.perceive(world, vision, viewers, workspace.perceptions);
           learner_.decideGreedily(workspace.perceptions, workspace.decision_workspace,
                                   lists == 0 ? actions : decided_[block]);
         }

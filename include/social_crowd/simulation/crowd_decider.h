@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "social_crowd/learning/learner.h"
@@ -23,6 +24,9 @@ class CrowdDecider final : public Decider {
 
   /// @throws Stopped if the world's stop request is made
   bool decide(Episode& episode, std::vector<AgentAction>& actions) override;
+  /// @brief The decisions of demo mode for all agents of a world. @param episode its number
+  void decideInBlocks(const World& world, std::uint64_t episode, const Vision& vision,
+                      std::vector<AgentAction>& actions);
 
  private:
   /// Workspace of one worker.
@@ -32,7 +36,6 @@ class CrowdDecider final : public Decider {
     Perceptions perceptions;
     DecisionWorkspace decision_workspace;
   };
-  void decideInBlocks(const Episode& episode, std::vector<AgentAction>& actions);
 
   Learner& learner_;
   ThreadPool& thread_pool_;
