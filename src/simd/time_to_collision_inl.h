@@ -144,7 +144,7 @@ HWY_INLINE std::size_t accumulateRegisters(D d, const NeighbourBlock& block, std
 template <bool RECIPROCAL>
 HWY_INLINE float accumulate(const NeighbourArrays& neighbours, const Observer& self,
                             const CandidateArrays& candidates) {
-  NeighbourBlock block;
+  NeighbourBlock block;  // NOLINT(cppcoreguidelines-pro-type-member-init): writeBlock() writes what is read
   auto fastest = hn::Zero(HalfSingles());
   for (std::size_t first = 0; first < neighbours.count; first += NeighbourBlock::SIZE) {
     const std::size_t count = std::min(NeighbourBlock::SIZE, neighbours.count - first);
