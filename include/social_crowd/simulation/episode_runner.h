@@ -14,7 +14,7 @@ struct EpisodeObserver {
   std::function<void(const Perceptions&)> on_turn;  ///< before the decisions of each turn
 };
 
-/// @brief Runs an episode until its decider lets nobody move any more.
+/// @brief Runs an episode until Episode::walk() returns false.
 /// @param robots command the robots before each tick; null: the robots get no commands
 EpisodeResult runEpisode(Episode& episode, Decider& decider, const EpisodeObserver& observer = {},
                          RobotDrivers* robots = nullptr);

@@ -9,7 +9,7 @@
 
 namespace crowd {
 
-/// @brief Those for whom a Perceiver perceives. Each function replaces the list. Use one object per thread.
+/// @brief List of the agents that a Perceiver perceives for. Each function replaces it. Use one object per thread.
 class Viewers {
  public:
   /// @brief One of them.
