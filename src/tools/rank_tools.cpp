@@ -47,7 +47,7 @@ RanksObserver observerOf(const std::string& name, const Communicator& ranks, std
   };
   observer.on_report = [&bar, name](const RanksReport& report) {
     bar->clear();
-    std::cerr << name << ": " << report.text() << std::endl;
+    std::cerr << name + ": " + report.text() + "\n";  // one write: mpirun mixes the writes of both streams
   };
   return observer;
 }

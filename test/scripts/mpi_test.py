@@ -54,10 +54,11 @@ def environment():
 
 
 def run(command, folder=None):
-    """Runs a command in a folder. Returns exit status and output."""
-    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=PATIENCE, env=environment(), check=False)
-    return done.returncode, done.stdout.decode(errors='replace')
+    """Runs a command in a folder. Returns exit status and output: all of standard output, then all of standard error."""
+    # Two pipes: in one, mpirun puts parts of a line of standard error into lines of standard output.
+    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE,
+                          env=environment(), check=False)
+    return done.returncode, (done.stdout + done.stderr).decode(errors='replace')
 
 
 class OneCrowdTest:
