@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "crowd_walk.h"
+#include "geometry/neighbour_grid.h"
+#include "geometry/neighbour_search.h"
 #include "measuring.h"
-#include "social_crowd/geometry/neighbour_grid.h"
-#include "social_crowd/geometry/neighbour_search.h"
 #include "thread_counts.h"
 
 namespace crowd {

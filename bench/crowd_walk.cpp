@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/scenario/scenario.h"
+#include "common/random.h"
+#include "learning/q_table_file.h"
+#include "scenario/scenario.h"
 
 namespace crowd {
 namespace {

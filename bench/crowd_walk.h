@@ -2,11 +2,11 @@
 
 #include <cstddef>
 
-#include "social_crowd/common/thread_pool.h"
-#include "social_crowd/learning/learner.h"
-#include "social_crowd/navigation/way_finder.h"
-#include "social_crowd/scenario/scene.h"
-#include "social_crowd/simulation/crowd_decider.h"
+#include "common/thread_pool.h"
+#include "learning/learner.h"
+#include "navigation/way_finder.h"
+#include "scenario/scene.h"
+#include "simulation/crowd_decider.h"
 
 namespace crowd {
 

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <string>
 
+#include "learning/q_table_file.h"
 #include "measuring.h"
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/crowd_decider.h"
-#include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/evaluation.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/crowd_decider.h"
+#include "simulation/episode.h"
+#include "simulation/evaluation.h"
 
 namespace crowd {
 namespace {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/maps/free_space.h"
-#include "social_crowd/maps/map_file.h"
-#include "social_crowd/maps/map_walls.h"
-#include "social_crowd/scenario/scenario.h"
+#include "common/random.h"
+#include "maps/free_space.h"
+#include "maps/map_file.h"
+#include "maps/map_walls.h"
+#include "scenario/scenario.h"
 
 namespace crowd {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "social_crowd/maps/occupancy_map.h"
-#include "social_crowd/scenario/scene.h"
+#include "maps/occupancy_map.h"
+#include "scenario/scene.h"
 
 namespace crowd {
 

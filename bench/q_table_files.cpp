@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/files.h"
+#include "common/random.h"
+#include "learning/q_table_file.h"
 #include "measuring.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/training/training_config.h"
+#include "training/training_config.h"
 
 namespace crowd {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "crowd_walk.h"
 #include "measuring.h"
+#include "ranks/distributed_crowd.h"
+#include "ranks/mpi_communicator.h"
+#include "simulation/crowd_decider.h"
+#include "simulation/episode.h"
 #include "sleeping_ranks.h"
-#include "social_crowd/ranks/distributed_crowd.h"
-#include "social_crowd/ranks/mpi_communicator.h"
-#include "social_crowd/simulation/crowd_decider.h"
-#include "social_crowd/simulation/episode.h"
 
 namespace crowd {
 namespace {

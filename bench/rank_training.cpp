@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "measuring.h"
+#include "ranks/mpi_communicator.h"
 #include "sleeping_ranks.h"
-#include "social_crowd/ranks/mpi_communicator.h"
-#include "social_crowd/training/training.h"
+#include "training/training.h"
 
 namespace crowd {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "crowd_walk.h"
+#include "learning/q_table_file.h"
 #include "measuring.h"
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/simulation/crowd_decider.h"
-#include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/robot_controller.h"
+#include "simulation/crowd_decider.h"
+#include "simulation/episode.h"
+#include "simulation/robot_controller.h"
 
 namespace crowd {
 namespace {

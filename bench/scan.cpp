@@ -6,7 +6,7 @@
 
 #include "measuring.h"
 #include "office.h"
-#include "social_crowd/robots/scanner.h"
+#include "robots/scanner.h"
 
 namespace crowd {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <string>
 
+#include "common/errors.h"
 #include "measuring.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/training/communicator.h"
+#include "training/communicator.h"
 
 namespace crowd {
 

@@ -3,10 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include "measuring.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/episode_runner.h"
-#include "social_crowd/training/training.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/episode_runner.h"
 #include "thread_counts.h"
+#include "training/training.h"
 
 namespace crowd {
 namespace {

@@ -5,12 +5,12 @@
 #include <cstddef>
 
 #include "crowd_walk.h"
+#include "maps/map_walls.h"
 #include "measuring.h"
+#include "navigation/mesh_cache.h"
+#include "navigation/path_follower.h"
+#include "navigation/right_of_way.h"
 #include "office.h"
-#include "social_crowd/maps/map_walls.h"
-#include "social_crowd/navigation/mesh_cache.h"
-#include "social_crowd/navigation/path_follower.h"
-#include "social_crowd/navigation/right_of_way.h"
 
 namespace crowd {
 namespace {

@@ -2,11 +2,11 @@
 #include <iostream>
 
 #include "commands.h"
-#include "social_crowd/learning/learner.h"
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/crowd_decider.h"
-#include "social_crowd/simulation/episode.h"
+#include "learning/learner.h"
+#include "learning/q_table_file.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/crowd_decider.h"
+#include "simulation/episode.h"
 
 namespace crowd::bench {
 

@@ -7,7 +7,7 @@
 
 #include "any_message.h"
 #include "commands.h"
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd::bench {
 namespace {

@@ -1,9 +1,9 @@
-#include "social_crowd/avoidance/escape_planner.h"
+#include "avoidance/escape_planner.h"
 
 #include <algorithm>
 #include <tuple>
 
-#include "social_crowd/avoidance/time_to_collision.h"
+#include "avoidance/time_to_collision.h"
 
 namespace crowd {
 namespace {

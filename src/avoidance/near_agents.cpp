@@ -1,4 +1,4 @@
-#include "social_crowd/avoidance/near_agents.h"
+#include "avoidance/near_agents.h"
 
 #include "simd/kernels.h"
 

@@ -1,12 +1,12 @@
-#include "social_crowd/avoidance/separation_rule.h"
+#include "avoidance/separation_rule.h"
 
 #include <algorithm>
 #include <array>
 
-#include "social_crowd/avoidance/escape_planner.h"
-#include "social_crowd/avoidance/near_agents.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/geometry/impact.h"
+#include "avoidance/escape_planner.h"
+#include "avoidance/near_agents.h"
+#include "common/errors.h"
+#include "geometry/impact.h"
 
 namespace crowd {
 namespace {

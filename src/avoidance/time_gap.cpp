@@ -1,4 +1,4 @@
-#include "social_crowd/avoidance/time_gap.h"
+#include "avoidance/time_gap.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/avoidance/time_to_collision.h"
+#include "avoidance/time_to_collision.h"
 
 #include <algorithm>
 #include <cmath>

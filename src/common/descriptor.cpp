@@ -1,4 +1,4 @@
-#include "social_crowd/common/descriptor.h"
+#include "common/descriptor.h"
 
 #include <unistd.h>
 

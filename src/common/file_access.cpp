@@ -9,7 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 namespace {

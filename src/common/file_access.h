@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "social_crowd/common/descriptor.h"
+#include "common/descriptor.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/common/file_lock.h"
+#include "common/file_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -7,9 +7,9 @@
 
 #include <cerrno>
 
+#include "common/errors.h"
 #include "common/file_access.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
+#include "common/files.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/common/files.h"
+#include "common/files.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -10,9 +10,9 @@
 #include <cerrno>
 #include <filesystem>
 
+#include "common/errors.h"
 #include "common/file_access.h"
 #include "common/temporary_file.h"
-#include "social_crowd/common/errors.h"
 
 namespace crowd {
 namespace {

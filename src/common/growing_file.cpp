@@ -1,4 +1,4 @@
-#include "social_crowd/common/growing_file.h"
+#include "common/growing_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/file_access.h"
-#include "social_crowd/common/files.h"
+#include "common/files.h"
 
 namespace crowd {
 

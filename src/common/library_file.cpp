@@ -1,4 +1,4 @@
-#include "social_crowd/common/library_file.h"
+#include "common/library_file.h"
 
 #include <dlfcn.h>
 

@@ -1,10 +1,10 @@
-#include "social_crowd/common/number_limit.h"
+#include "common/number_limit.h"
 
 #include <array>
 #include <cmath>
 
-#include "social_crowd/common/number_range.h"
-#include "social_crowd/common/numbers.h"
+#include "common/number_range.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

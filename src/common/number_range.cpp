@@ -1,6 +1,6 @@
-#include "social_crowd/common/number_range.h"
+#include "common/number_range.h"
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 

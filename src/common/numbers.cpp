@@ -1,4 +1,4 @@
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 #include <array>
 #include <charconv>

@@ -1,6 +1,6 @@
-#include "social_crowd/common/quotes.h"
+#include "common/quotes.h"
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 namespace {

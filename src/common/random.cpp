@@ -1,4 +1,4 @@
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "social_crowd/common/result_file.h"
+#include "common/result_file.h"
 
 #include <utility>
 
 #include "common/file_access.h"
+#include "common/files.h"
 #include "common/temporary_file.h"
-#include "social_crowd/common/files.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/common/scratch_file.h"
+#include "common/scratch_file.h"
 
 #include <sys/types.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 namespace {

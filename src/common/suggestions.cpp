@@ -1,10 +1,10 @@
-#include "social_crowd/common/suggestions.h"
+#include "common/suggestions.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "social_crowd/common/quotes.h"
+#include "common/quotes.h"
 
 namespace crowd {
 namespace {

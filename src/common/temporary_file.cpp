@@ -14,7 +14,7 @@
 #include <string_view>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/common/yaml_reader.h"
+#include "common/yaml_reader.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/suggestions.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
+#include "common/suggestions.h"
 
 namespace crowd {
 namespace {

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <sstream>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/yaml_reader.h"
+#include "common/quotes.h"
+#include "common/yaml_reader.h"
 
 namespace crowd {
 namespace {

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "social_crowd/geometry/geometry.h"
+#include "geometry/geometry.h"
 
 namespace crowd {
 

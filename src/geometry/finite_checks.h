@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/geometry/geometry.h"
-#include "social_crowd/geometry/limits.h"
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "geometry/geometry.h"
+#include "geometry/limits.h"
 
 namespace crowd {
 

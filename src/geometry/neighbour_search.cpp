@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/neighbour_search.h"
+#include "geometry/neighbour_search.h"
 
 #include <algorithm>
 #include <array>

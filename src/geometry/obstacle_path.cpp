@@ -1,10 +1,10 @@
-#include "social_crowd/geometry/obstacle_path.h"
+#include "geometry/obstacle_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 namespace {

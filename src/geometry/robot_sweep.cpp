@@ -1,9 +1,9 @@
-#include "social_crowd/geometry/robot_sweep.h"
+#include "geometry/robot_sweep.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/geometry/impact.h"
+#include "geometry/impact.h"
 
 namespace crowd {
 namespace {

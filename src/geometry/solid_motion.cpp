@@ -1,11 +1,11 @@
-#include "social_crowd/geometry/solid_motion.h"
+#include "geometry/solid_motion.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/random.h"
-#include "social_crowd/geometry/impact.h"
+#include "common/numbers.h"
+#include "common/random.h"
+#include "geometry/impact.h"
 
 namespace crowd {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "social_crowd/geometry/geometry.h"
+#include "geometry/geometry.h"
 
 namespace crowd {
 

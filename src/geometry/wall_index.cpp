@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/wall_index.h"
+#include "geometry/wall_index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "social_crowd/geometry/ray.h"
-#include "social_crowd/geometry/wall_index.h"
+#include "geometry/ray.h"
+#include "geometry/wall_index.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/learner.h"
+#include "learning/learner.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "social_crowd/common/checksum.h"
-#include "social_crowd/common/errors.h"
+#include "common/checksum.h"
+#include "common/errors.h"
 
 namespace crowd {
 

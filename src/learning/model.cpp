@@ -1,7 +1,7 @@
-#include "social_crowd/learning/model.h"
+#include "learning/model.h"
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/geometry/limits.h"
+#include "common/quotes.h"
+#include "geometry/limits.h"
 
 namespace crowd {
 namespace {

@@ -1,11 +1,11 @@
-#include "social_crowd/learning/q_table_names.h"
+#include "learning/q_table_names.h"
 
 #include <filesystem>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/suggestions.h"
-#include "social_crowd/scenario/scenario_files.h"
+#include "common/errors.h"
+#include "common/quotes.h"
+#include "common/suggestions.h"
+#include "scenario/scenario_files.h"
 
 namespace crowd {
 namespace {

@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "common/files.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
 #include "learning/line_reader.h"
+#include "learning/q_table_file.h"
 #include "learning/q_table_format.h"
 #include "learning/q_table_text.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/learning/q_table_file.h"
 
 namespace crowd {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "learning/line_reader.h"
-#include "social_crowd/learning/rl/q_table.h"
+#include "learning/rl/q_table.h"
 
 /// Rows and sources of a Q-table as lines of text, for Q-table files and checkpoints.
 namespace crowd {

@@ -2,12 +2,12 @@
 #include <string>
 #include <vector>
 
+#include "common/checksum.h"
+#include "common/files.h"
+#include "common/numbers.h"
+#include "learning/q_table_file.h"
 #include "learning/q_table_format.h"
 #include "learning/q_table_text.h"
-#include "social_crowd/common/checksum.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/learning/q_table_file.h"
 
 namespace crowd {
 namespace {

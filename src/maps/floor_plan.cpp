@@ -1,9 +1,9 @@
-#include "social_crowd/maps/floor_plan.h"
+#include "maps/floor_plan.h"
 
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
+#include "common/errors.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/maps/free_space.h"
+#include "maps/free_space.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
-#include "social_crowd/maps/map_file.h"
+#include "maps/map_file.h"
 
 #include <filesystem>
 #include <vector>
 
+#include "common/enum_names.h"
+#include "common/numbers.h"
+#include "common/yaml_reader.h"
 #include "maps/map_image.h"
-#include "social_crowd/common/enum_names.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/yaml_reader.h"
 
 namespace crowd {
 namespace {

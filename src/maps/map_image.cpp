@@ -1,8 +1,8 @@
 #include "maps/map_image.h"
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/geometry/limits.h"
+#include "common/errors.h"
+#include "common/files.h"
+#include "geometry/limits.h"
 
 namespace crowd {
 namespace {

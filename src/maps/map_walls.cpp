@@ -1,4 +1,4 @@
-#include "social_crowd/maps/map_walls.h"
+#include "maps/map_walls.h"
 
 #include <cstdint>
 #include <utility>

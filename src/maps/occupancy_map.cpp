@@ -1,12 +1,12 @@
-#include "social_crowd/maps/occupancy_map.h"
+#include "maps/occupancy_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/geometry/limits.h"
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "geometry/limits.h"
 
 namespace crowd {
 namespace {

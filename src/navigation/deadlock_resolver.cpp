@@ -1,11 +1,11 @@
-#include "social_crowd/navigation/deadlock_resolver.h"
+#include "navigation/deadlock_resolver.h"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "social_crowd/navigation/remaining_path.h"
-#include "social_crowd/navigation/sliding.h"
+#include "navigation/remaining_path.h"
+#include "navigation/sliding.h"
 
 namespace crowd {
 namespace {

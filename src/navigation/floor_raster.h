@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/common/stop_request.h"
-#include "social_crowd/maps/floor_plan.h"
+#include "common/stop_request.h"
+#include "maps/floor_plan.h"
 
 namespace crowd {
 

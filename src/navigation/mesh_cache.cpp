@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/mesh_cache.h"
+#include "navigation/mesh_cache.h"
 
 #include <algorithm>
 #include <list>

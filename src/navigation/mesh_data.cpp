@@ -7,9 +7,9 @@
 #include <new>
 #include <string>
 
+#include "common/errors.h"
+#include "common/numbers.h"
 #include "navigation/polygon_mesh.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "navigation/floor_raster.h"
+#include "navigation/navigation_mesh.h"
 #include "navigation/polygon_grid.h"
-#include "social_crowd/navigation/navigation_mesh.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/passages.h"
+#include "navigation/passages.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/path_follower.h"
+#include "navigation/path_follower.h"
 
 namespace crowd {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/geometry/geometry.h"
+#include "geometry/geometry.h"
 
 namespace crowd {
 

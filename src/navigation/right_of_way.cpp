@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/right_of_way.h"
+#include "navigation/right_of_way.h"
 
 #include <algorithm>
 #include <cmath>

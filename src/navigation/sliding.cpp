@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/sliding.h"
+#include "navigation/sliding.h"
 
 #include <algorithm>
 

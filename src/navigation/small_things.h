@@ -1,6 +1,6 @@
 #pragma once
 
-#include "social_crowd/maps/floor_plan.h"
+#include "maps/floor_plan.h"
 
 namespace crowd {
 

@@ -1,11 +1,11 @@
-#include "social_crowd/navigation/walking_floor.h"
+#include "navigation/walking_floor.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
 
-#include "social_crowd/navigation/right_of_way.h"
-#include "social_crowd/scenario/population_spec.h"
+#include "navigation/right_of_way.h"
+#include "scenario/population_spec.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/way_finder.h"
+#include "navigation/way_finder.h"
 
 #include <algorithm>
 #include <array>

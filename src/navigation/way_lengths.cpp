@@ -1,10 +1,10 @@
-#include "social_crowd/navigation/way_lengths.h"
+#include "navigation/way_lengths.h"
 
 #include <algorithm>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/scenario/region_geometry.h"
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "scenario/region_geometry.h"
 
 namespace crowd {
 namespace {

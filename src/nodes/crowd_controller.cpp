@@ -1,6 +1,6 @@
-#include "social_crowd/ros/controller/crowd_controller.h"
+#include "ros/controller/crowd_controller.h"
 
-#include "social_crowd/ros/node/node_main.h"
+#include "ros/node/node_main.h"
 
 int main(int argc, char** argv) {
   return crowd::runNode<crowd::CrowdController>(argc, argv, "crowd_controller",

@@ -1,6 +1,6 @@
 #include "rviz/crowd_editor.h"
 
-#include "social_crowd/ros/node/node_main.h"
+#include "ros/node/node_main.h"
 
 int main(int argc, char** argv) {
   return crowd::runNode<crowd::CrowdEditor>(

@@ -1,6 +1,6 @@
-#include "social_crowd/ros/markers/crowd_markers.h"
+#include "ros/markers/crowd_markers.h"
 
-#include "social_crowd/ros/node/node_main.h"
+#include "ros/node/node_main.h"
 
 int main(int argc, char** argv) {
   return crowd::runNode<crowd::CrowdMarkers>(argc, argv, "crowd_markers",

@@ -1,6 +1,6 @@
-#include "social_crowd/ros/learner/learner_node.h"
+#include "ros/learner/learner_node.h"
 
-#include "social_crowd/ros/node/node_main.h"
+#include "ros/node/node_main.h"
 
 int main(int argc, char** argv) {
   return crowd::runNode<crowd::LearnerNode>(

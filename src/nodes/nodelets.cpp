@@ -8,10 +8,10 @@
 #include <string>
 #include <thread>
 
-#include "social_crowd/ros/controller/crowd_controller.h"
-#include "social_crowd/ros/learner/learner_node.h"
-#include "social_crowd/ros/markers/crowd_markers.h"
-#include "social_crowd/ros/node/node_thread.h"
+#include "ros/controller/crowd_controller.h"
+#include "ros/learner/learner_node.h"
+#include "ros/markers/crowd_markers.h"
+#include "ros/node/node_thread.h"
 
 namespace crowd {
 namespace {

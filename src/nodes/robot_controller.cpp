@@ -1,6 +1,6 @@
-#include "social_crowd/ros/robots/robot_controller_node.h"
+#include "ros/robots/robot_controller_node.h"
 
-#include "social_crowd/ros/node/node_main.h"
+#include "ros/node/node_main.h"
 
 int main(int argc, char** argv) {
   return crowd::runNode<crowd::RobotControllerNode>(

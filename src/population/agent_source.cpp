@@ -1,4 +1,4 @@
-#include "social_crowd/population/agent_source.h"
+#include "population/agent_source.h"
 
 namespace crowd {
 

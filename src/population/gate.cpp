@@ -1,5 +1,5 @@
-#include "social_crowd/population/gate.h"
-#include "social_crowd/world/world_editor.h"
+#include "population/gate.h"
+#include "world/world_editor.h"
 
 #include <algorithm>
 

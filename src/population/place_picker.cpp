@@ -1,11 +1,11 @@
-#include "social_crowd/population/place_picker.h"
+#include "population/place_picker.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/scenario/region_geometry.h"
-#include "social_crowd/scenario/route_reach.h"
+#include "geometry/impact.h"
+#include "scenario/region_geometry.h"
+#include "scenario/route_reach.h"
 
 namespace crowd {
 

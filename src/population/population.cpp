@@ -1,14 +1,14 @@
-#include "social_crowd/population/population.h"
+#include "population/population.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/geometry/limits.h"
-#include "social_crowd/population/route_check.h"
-#include "social_crowd/scenario/region_geometry.h"
-#include "social_crowd/world/world_editor.h"
+#include "common/errors.h"
+#include "geometry/limits.h"
+#include "population/route_check.h"
+#include "scenario/region_geometry.h"
+#include "world/world_editor.h"
 
 namespace crowd {
 namespace {

@@ -1,15 +1,15 @@
-#include "social_crowd/population/population_changes.h"
+#include "population/population_changes.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "common/errors.h"
+#include "common/quotes.h"
+#include "common/yaml_reader.h"
 #include "scenario/population_checks.h"
 #include "scenario/population_document.h"
 #include "scenario/population_reader.h"
 #include "scenario/units.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/yaml_reader.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/population/queue.h"
+#include "population/queue.h"
 
 #include <algorithm>
 #include <cmath>

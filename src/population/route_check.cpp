@@ -1,10 +1,10 @@
-#include "social_crowd/population/route_check.h"
+#include "population/route_check.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/scenario/region_geometry.h"
+#include "common/errors.h"
+#include "scenario/region_geometry.h"
 
 namespace crowd {
 namespace {

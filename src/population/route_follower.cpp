@@ -1,4 +1,4 @@
-#include "social_crowd/population/route_follower.h"
+#include "population/route_follower.h"
 
 namespace crowd {
 

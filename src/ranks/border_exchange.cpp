@@ -1,8 +1,8 @@
-#include "social_crowd/ranks/border_exchange.h"
+#include "ranks/border_exchange.h"
 
 #include <utility>
 
-#include "social_crowd/simulation/byte_archive.h"
+#include "simulation/byte_archive.h"
 
 namespace crowd {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "ranks/distributed_crowd.h"
 #include "simulation/agent_transfer.h"
-#include "social_crowd/ranks/distributed_crowd.h"
-#include "social_crowd/simulation/byte_archive.h"
+#include "simulation/byte_archive.h"
 
 namespace crowd {
 

@@ -1,13 +1,13 @@
-#include "social_crowd/ranks/distributed_crowd.h"
+#include "ranks/distributed_crowd.h"
 
 #include <algorithm>
 
+#include "navigation/walking_floor.h"
+#include "scenario/population_spec.h"
 #include "simulation/agent_transfer.h"
+#include "simulation/byte_archive.h"
 #include "simulation/stopwatch.h"
-#include "social_crowd/navigation/walking_floor.h"
-#include "social_crowd/scenario/population_spec.h"
-#include "social_crowd/simulation/byte_archive.h"
-#include "social_crowd/simulation/trajectory.h"
+#include "simulation/trajectory.h"
 
 namespace crowd {
 namespace {

@@ -1,15 +1,15 @@
-#include "social_crowd/ranks/distributed_evaluation.h"
+#include "ranks/distributed_evaluation.h"
 
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "common/checksum.h"
+#include "scenario/scene_document.h"
+#include "simulation/byte_archive.h"
+#include "simulation/crowd_decider.h"
 #include "simulation/instance_walk.h"
 #include "simulation/stopwatch.h"
-#include "social_crowd/common/checksum.h"
-#include "social_crowd/scenario/scene_document.h"
-#include "social_crowd/simulation/byte_archive.h"
-#include "social_crowd/simulation/crowd_decider.h"
 
 namespace crowd {
 namespace {

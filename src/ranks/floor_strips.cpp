@@ -1,9 +1,9 @@
-#include "social_crowd/ranks/floor_strips.h"
+#include "ranks/floor_strips.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "social_crowd/simulation/byte_archive.h"
+#include "simulation/byte_archive.h"
 
 namespace crowd {
 namespace {

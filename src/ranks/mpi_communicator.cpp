@@ -1,6 +1,6 @@
 // The transport between ranks: the only file that uses MPI. Without MPI at build time, processes are alone.
 
-#include "social_crowd/ranks/mpi_communicator.h"
+#include "ranks/mpi_communicator.h"
 
 #include <algorithm>
 #include <array>

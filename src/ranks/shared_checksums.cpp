@@ -1,10 +1,10 @@
 // Checksums by which ranks find that they compute different things.
 
-#include "social_crowd/common/checksum.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/library_file.h"
-#include "social_crowd/ranks/distributed_evaluation.h"
-#include "social_crowd/simulation/byte_archive.h"
+#include "common/checksum.h"
+#include "common/files.h"
+#include "common/library_file.h"
+#include "ranks/distributed_evaluation.h"
+#include "simulation/byte_archive.h"
 
 namespace crowd {
 namespace {

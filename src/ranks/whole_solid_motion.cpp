@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "social_crowd/ranks/distributed_crowd.h"
-#include "social_crowd/simulation/byte_archive.h"
+#include "ranks/distributed_crowd.h"
+#include "simulation/byte_archive.h"
 
 namespace crowd {
 namespace {

@@ -1,8 +1,8 @@
-#include "social_crowd/robots/learned_robot.h"
+#include "robots/learned_robot.h"
 
 #include <cmath>
 
-#include "social_crowd/robots/steering.h"
+#include "robots/steering.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/robots/legs.h"
+#include "robots/legs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "social_crowd/robots/personal_space.h"
+#include "robots/personal_space.h"
 
 #include <algorithm>
 #include <cmath>

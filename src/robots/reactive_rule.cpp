@@ -1,10 +1,10 @@
-#include "social_crowd/robots/reactive_rule.h"
+#include "robots/reactive_rule.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/robots/scan.h"
-#include "social_crowd/robots/steering.h"
+#include "robots/scan.h"
+#include "robots/steering.h"
 
 namespace crowd {
 namespace {

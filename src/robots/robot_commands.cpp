@@ -1,10 +1,10 @@
-#include "social_crowd/robots/robot_commands.h"
+#include "robots/robot_commands.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/robots/robot_result.h"
+#include "robots/robot_result.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "social_crowd/robots/robot_senses.h"
+#include "robots/robot_senses.h"
 
 namespace crowd {
 namespace {

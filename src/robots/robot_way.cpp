@@ -1,7 +1,7 @@
-#include "social_crowd/robots/robot_way.h"
+#include "robots/robot_way.h"
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/navigation/walking_floor.h"
+#include "common/errors.h"
+#include "navigation/walking_floor.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/robots/scanner.h"
+#include "robots/scanner.h"
 
 #include <algorithm>
 #include <cmath>

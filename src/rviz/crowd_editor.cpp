@@ -9,11 +9,11 @@
 
 #include <algorithm>
 
-#include "social_crowd/ros/markers/marker_scene.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
-#include "social_crowd/ros/node/parameters.h"
+#include "ros/markers/marker_scene.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
+#include "ros/node/parameters.h"
 
 namespace crowd {
 namespace {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "ros/node/main_loop.h"
+#include "ros/node/service_line.h"
 #include "rviz/editor_handles.h"
-#include "social_crowd/ros/node/main_loop.h"
-#include "social_crowd/ros/node/service_line.h"
 
 namespace crowd {
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 namespace {

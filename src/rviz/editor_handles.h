@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "social_crowd/geometry/geometry.h"
+#include "geometry/geometry.h"
 
 namespace crowd {
 

@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-#include "social_crowd/ros/messages/names.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 namespace {

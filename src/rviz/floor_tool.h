@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "ros/node/service_line.h"
 #include "rviz/floor_outline.h"
-#include "social_crowd/ros/node/service_line.h"
 
 namespace Ogre {
 class Viewport;

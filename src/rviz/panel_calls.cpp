@@ -17,8 +17,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/messages/names.h"
+#include "common/numbers.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ros/node/service_line.h"
 #include "rviz/panel_state.h"
-#include "social_crowd/ros/node/service_line.h"
 
 namespace crowd {
 

@@ -2,9 +2,9 @@
 
 #include <std_msgs/Int32.h>
 
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
 #include "rviz/panel_calls.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {}  // namespace

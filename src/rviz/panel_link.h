@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "ros/node/master_watch.h"
+#include "ros/node/service_line.h"
 #include "rviz/node_watch.h"
 #include "rviz/panel_model.h"
-#include "social_crowd/ros/node/master_watch.h"
-#include "social_crowd/ros/node/service_line.h"
 
 namespace crowd {
 

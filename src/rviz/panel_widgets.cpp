@@ -5,8 +5,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ros/controller/controller_parameters.h"
 #include "rviz/widget_kit.h"
-#include "social_crowd/ros/controller/controller_parameters.h"
 
 namespace crowd {
 namespace {

@@ -10,9 +10,9 @@
 #include <cmath>
 #include <optional>
 
-#include "social_crowd/ros/markers/marker_scene.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
+#include "ros/markers/marker_scene.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/maps/occupancy_map.h"
-#include "social_crowd/scenario/region_geometry.h"
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "maps/occupancy_map.h"
+#include "scenario/region_geometry.h"
 
 namespace crowd {
 

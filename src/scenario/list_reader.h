@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "social_crowd/common/yaml_reader.h"
+#include "common/yaml_reader.h"
 
 namespace crowd {
 

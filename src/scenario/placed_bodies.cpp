@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/scenario/scene.h"
+#include "geometry/impact.h"
+#include "scenario/scene.h"
 
 namespace crowd {
 

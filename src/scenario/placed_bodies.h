@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/disc_buckets.h"
-#include "social_crowd/geometry/footprint.h"
+#include "geometry/footprint.h"
 
 namespace crowd {
 

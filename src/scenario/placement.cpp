@@ -1,14 +1,14 @@
-#include "social_crowd/scenario/scenario.h"
+#include "scenario/scenario.h"
 
 #include <utility>
 
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "geometry/impact.h"
 #include "scenario/goal_checks.h"
 #include "scenario/placed_bodies.h"
 #include "scenario/robot_placement.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/scenario/route_reach.h"
+#include "scenario/route_reach.h"
 
 namespace crowd {
 namespace {

@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/geometry/wall_index.h"
-#include "social_crowd/maps/occupancy_map.h"
-#include "social_crowd/scenario/population_spec.h"
-#include "social_crowd/scenario/region_geometry.h"
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "geometry/impact.h"
+#include "geometry/wall_index.h"
+#include "maps/occupancy_map.h"
+#include "scenario/population_spec.h"
+#include "scenario/region_geometry.h"
 
 namespace crowd {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "social_crowd/scenario/scenario.h"
+#include "scenario/scenario.h"
 
 namespace crowd {
 

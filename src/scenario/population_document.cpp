@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/scenario/population_spec.h"
+#include "scenario/population_spec.h"
 
 namespace crowd {
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "common/quotes.h"
+#include "common/yaml_reader.h"
+#include "scenario/population_spec.h"
 #include "scenario/units.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/yaml_reader.h"
-#include "social_crowd/scenario/population_spec.h"
 
 namespace crowd {
 

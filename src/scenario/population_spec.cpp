@@ -1,9 +1,9 @@
-#include "social_crowd/scenario/population_spec.h"
+#include "scenario/population_spec.h"
 
 #include <algorithm>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/suggestions.h"
+#include "common/quotes.h"
+#include "common/suggestions.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/scenario/region_geometry.h"
+#include "scenario/region_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "scenario/region_reader.h"
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/suggestions.h"
-#include "social_crowd/geometry/limits.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
+#include "common/suggestions.h"
+#include "geometry/limits.h"
 
 namespace crowd {
 

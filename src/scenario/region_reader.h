@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/yaml_reader.h"
-#include "social_crowd/scenario/scenario.h"
+#include "common/yaml_reader.h"
+#include "scenario/scenario.h"
 
 namespace crowd {
 

@@ -1,7 +1,7 @@
 #include "scenario/robot_document.h"
 
+#include "common/numbers.h"
 #include "scenario/population_document.h"
-#include "social_crowd/common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "social_crowd/scenario/scene.h"
+#include "scenario/scene.h"
 
 namespace crowd {
 

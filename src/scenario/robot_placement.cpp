@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <string>
 
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "geometry/impact.h"
 #include "scenario/goal_checks.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/scenario/region_geometry.h"
+#include "scenario/region_geometry.h"
 
 namespace crowd {
 namespace {

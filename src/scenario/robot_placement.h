@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scenario/placed_bodies.h"
-#include "social_crowd/scenario/scenario.h"
+#include "scenario/scenario.h"
 
 namespace crowd {
 

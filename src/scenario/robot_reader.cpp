@@ -4,10 +4,10 @@
 #include <cctype>
 #include <string>
 
+#include "common/quotes.h"
 #include "scenario/list_reader.h"
 #include "scenario/population_reader.h"
 #include "scenario/region_reader.h"
-#include "social_crowd/common/quotes.h"
 
 namespace crowd {
 namespace {

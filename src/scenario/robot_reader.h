@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "common/yaml_reader.h"
+#include "scenario/population_spec.h"
 #include "scenario/units.h"
-#include "social_crowd/common/yaml_reader.h"
-#include "social_crowd/scenario/population_spec.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/scenario/route_reach.h"
+#include "scenario/route_reach.h"
 
 #include <algorithm>
 

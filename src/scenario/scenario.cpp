@@ -1,9 +1,9 @@
-#include "social_crowd/scenario/scenario.h"
+#include "scenario/scenario.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 

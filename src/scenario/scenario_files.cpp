@@ -1,13 +1,13 @@
-#include "social_crowd/scenario/scenario_files.h"
+#include "scenario/scenario_files.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/library_file.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/suggestions.h"
+#include "common/errors.h"
+#include "common/library_file.h"
+#include "common/quotes.h"
+#include "common/suggestions.h"
 
 namespace crowd {
 namespace {

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/maps/map_file.h"
-#include "social_crowd/maps/map_walls.h"
-#include "social_crowd/scenario/population_spec.h"
+#include "common/numbers.h"
+#include "maps/map_file.h"
+#include "maps/map_walls.h"
+#include "scenario/population_spec.h"
 
 namespace crowd {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "social_crowd/common/yaml_reader.h"
-#include "social_crowd/scenario/scenario.h"
+#include "common/yaml_reader.h"
+#include "scenario/scenario.h"
 
 namespace crowd {
 

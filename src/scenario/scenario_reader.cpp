@@ -1,4 +1,4 @@
-#include "social_crowd/scenario/scenario_reader.h"
+#include "scenario/scenario_reader.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "social_crowd/scenario/scene.h"
+#include "scenario/scene.h"
 
 #include <algorithm>
 #include <iomanip>

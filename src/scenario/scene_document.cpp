@@ -1,12 +1,12 @@
-#include "social_crowd/scenario/scene_document.h"
+#include "scenario/scene_document.h"
 
 #include <algorithm>
 #include <filesystem>
 
+#include "common/numbers.h"
 #include "scenario/population_document.h"
+#include "scenario/population_spec.h"
 #include "scenario/robot_document.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/scenario/population_spec.h"
 
 namespace crowd {
 namespace {

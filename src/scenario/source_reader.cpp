@@ -1,8 +1,8 @@
+#include "common/numbers.h"
 #include "scenario/agent_reader.h"
 #include "scenario/list_reader.h"
 #include "scenario/population_reader.h"
 #include "scenario/region_reader.h"
-#include "social_crowd/common/numbers.h"
 
 namespace crowd {
 namespace {

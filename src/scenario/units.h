@@ -1,7 +1,7 @@
 #pragma once
 
-#include "social_crowd/geometry/limits.h"
-#include "social_crowd/scenario/scenario.h"
+#include "geometry/limits.h"
+#include "scenario/scenario.h"
 
 namespace crowd {
 

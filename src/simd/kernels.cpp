@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd::simd {
 

@@ -1,11 +1,11 @@
-#include "social_crowd/simulation/agent_results.h"
+#include "simulation/agent_results.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "simulation/agent_transfer.h"
-#include "social_crowd/simulation/byte_archive.h"
+#include "simulation/byte_archive.h"
 
 namespace crowd {
 namespace {

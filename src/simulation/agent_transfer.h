@@ -1,7 +1,7 @@
 #pragma once
 
-#include "social_crowd/simulation/episode_result.h"
-#include "social_crowd/world/agent.h"
+#include "simulation/episode_result.h"
+#include "world/agent.h"
 
 namespace crowd {
 

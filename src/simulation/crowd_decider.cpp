@@ -1,8 +1,8 @@
-#include "social_crowd/simulation/crowd_decider.h"
+#include "simulation/crowd_decider.h"
 
 #include <algorithm>
 
-#include "social_crowd/simulation/episode.h"
+#include "simulation/episode.h"
 
 namespace crowd {
 namespace {

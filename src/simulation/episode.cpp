@@ -1,10 +1,10 @@
-#include "social_crowd/simulation/episode.h"
+#include "simulation/episode.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 namespace {

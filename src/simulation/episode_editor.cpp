@@ -1,12 +1,12 @@
-#include "social_crowd/simulation/episode_editor.h"
+#include "simulation/episode_editor.h"
 
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "social_crowd/population/population_changes.h"
-#include "social_crowd/population/route_check.h"
-#include "social_crowd/simulation/episode.h"
+#include "population/population_changes.h"
+#include "population/route_check.h"
+#include "simulation/episode.h"
 
 namespace crowd {
 

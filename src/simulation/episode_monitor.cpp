@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/episode_monitor.h"
+#include "simulation/episode_monitor.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/episode_result.h"
+#include "simulation/episode_result.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/episode_runner.h"
+#include "simulation/episode_runner.h"
 
 namespace crowd {
 

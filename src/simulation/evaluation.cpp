@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/evaluation.h"
+#include "simulation/evaluation.h"
 
 #include <algorithm>
 #include <exception>

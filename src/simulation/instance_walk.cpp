@@ -3,10 +3,10 @@
 #include <optional>
 #include <utility>
 
-#include "social_crowd/scenario/scene_document.h"
-#include "social_crowd/simulation/people_delay.h"
-#include "social_crowd/simulation/state_record.h"
-#include "social_crowd/simulation/trajectory.h"
+#include "scenario/scene_document.h"
+#include "simulation/people_delay.h"
+#include "simulation/state_record.h"
+#include "simulation/trajectory.h"
 
 namespace crowd {
 namespace {

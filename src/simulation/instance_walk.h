@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "social_crowd/simulation/episode_runner.h"
-#include "social_crowd/simulation/evaluation.h"
+#include "simulation/episode_runner.h"
+#include "simulation/evaluation.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/lockstep.h"
+#include "simulation/lockstep.h"
 
 #include <algorithm>
 

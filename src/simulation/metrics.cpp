@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/metrics.h"
+#include "simulation/metrics.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
-#include "social_crowd/simulation/robot_controller.h"
+#include "simulation/robot_controller.h"
 
 #include <algorithm>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/suggestions.h"
-#include "social_crowd/robots/learned_robot.h"
-#include "social_crowd/robots/reactive_rule.h"
-#include "social_crowd/robots/steering.h"
+#include "common/quotes.h"
+#include "common/suggestions.h"
+#include "robots/learned_robot.h"
+#include "robots/reactive_rule.h"
+#include "robots/steering.h"
 
 namespace crowd {
 namespace {

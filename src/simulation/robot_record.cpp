@@ -1,6 +1,6 @@
-#include "social_crowd/simulation/robot_record.h"
+#include "simulation/robot_record.h"
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 std::string robotRecordHeader() {

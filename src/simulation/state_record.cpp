@@ -1,9 +1,9 @@
-#include "social_crowd/simulation/state_record.h"
+#include "simulation/state_record.h"
 
 #include <cmath>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/learning/states/obstacle_classes.h"
+#include "common/numbers.h"
+#include "learning/states/obstacle_classes.h"
 
 namespace crowd {
 namespace {

@@ -1,7 +1,7 @@
-#include "social_crowd/simulation/trajectory.h"
+#include "simulation/trajectory.h"
 
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/numbers.h"
+#include "common/files.h"
+#include "common/numbers.h"
 
 namespace crowd {
 

@@ -9,11 +9,11 @@
 #include <sstream>
 #include <vector>
 
-#include "social_crowd/common/checksum.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/suggestions.h"
-#include "social_crowd/ranks/mpi_communicator.h"
+#include "common/checksum.h"
+#include "common/errors.h"
+#include "common/files.h"
+#include "common/suggestions.h"
+#include "ranks/mpi_communicator.h"
 
 namespace crowd {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "social_crowd/training/communicator.h"
+#include "training/communicator.h"
 
 namespace crowd {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/simulation/metrics.h"
+#include "common/numbers.h"
+#include "simulation/metrics.h"
 
 namespace crowd {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "social_crowd/simulation/episode_result.h"
-#include "social_crowd/simulation/metrics.h"
+#include "simulation/episode_result.h"
+#include "simulation/metrics.h"
 
 namespace crowd {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "command_line.h"
-#include "social_crowd/common/checksum.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/training/checkpoint.h"
+#include "common/checksum.h"
+#include "common/files.h"
+#include "training/checkpoint.h"
 
 namespace crowd {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "progress_bar.h"
-#include "social_crowd/ranks/distributed_evaluation.h"
-#include "social_crowd/training/training.h"
+#include "ranks/distributed_evaluation.h"
+#include "training/training.h"
 
 namespace crowd {
 

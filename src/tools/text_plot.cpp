@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -5,11 +5,11 @@
 #include <thread>
 
 #include "command_line.h"
-#include "social_crowd/common/yaml_reader.h"
-#include "social_crowd/learning/actions/kings_moves.h"
-#include "social_crowd/learning/model.h"
-#include "social_crowd/learning/states/row_meaning.h"
-#include "social_crowd/ranks/mpi_communicator.h"
+#include "common/yaml_reader.h"
+#include "learning/actions/kings_moves.h"
+#include "learning/model.h"
+#include "learning/states/row_meaning.h"
+#include "ranks/mpi_communicator.h"
 #include "training_run.h"
 
 namespace crowd {

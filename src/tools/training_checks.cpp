@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/growing_file.h"
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/training/record.h"
+#include "common/errors.h"
+#include "common/files.h"
+#include "common/growing_file.h"
+#include "learning/q_table_file.h"
+#include "training/record.h"
 
 namespace crowd {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/training/record.h"
+#include "common/numbers.h"
 #include "terminal.h"
+#include "training/record.h"
 
 namespace crowd {
 namespace {

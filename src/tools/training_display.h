@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "progress_bar.h"
-#include "social_crowd/training/training.h"
+#include "training/training.h"
 #include "training_plot.h"
 
 namespace crowd {

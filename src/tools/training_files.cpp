@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/training/record.h"
+#include "common/errors.h"
+#include "common/files.h"
+#include "training/record.h"
 
 namespace crowd {
 namespace {

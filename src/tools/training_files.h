@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/growing_file.h"
-#include "social_crowd/training/checkpoint.h"
-#include "social_crowd/training/training.h"
+#include "common/growing_file.h"
+#include "training/checkpoint.h"
+#include "training/training.h"
 
 namespace crowd {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/training/record.h"
+#include "common/numbers.h"
 #include "text_plot.h"
+#include "training/record.h"
 
 namespace crowd {
 namespace {

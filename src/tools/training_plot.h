@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "episode_curve.h"
-#include "social_crowd/training/training_state.h"
 #include "terminal.h"
+#include "training/training_state.h"
 
 namespace crowd {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "social_crowd/training/communicator.h"
+#include "training/communicator.h"
 #include "training_files.h"
 
 namespace crowd {

@@ -1,4 +1,4 @@
-#include "social_crowd/training/checkpoint.h"
+#include "training/checkpoint.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
+#include "common/files.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
 #include "learning/line_reader.h"
 #include "learning/q_table_text.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
 
 namespace crowd {
 namespace {

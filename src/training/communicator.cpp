@@ -1,4 +1,4 @@
-#include "social_crowd/training/communicator.h"
+#include "training/communicator.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "social_crowd/simulation/byte_archive.h"
+#include "simulation/byte_archive.h"
 
 namespace crowd {
 namespace {

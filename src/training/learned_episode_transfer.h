@@ -1,8 +1,8 @@
 #pragma once
 
 #include "simulation/agent_transfer.h"
-#include "social_crowd/simulation/byte_archive.h"
-#include "social_crowd/training/training_state.h"
+#include "simulation/byte_archive.h"
+#include "training/training_state.h"
 
 namespace crowd {
 

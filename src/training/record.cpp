@@ -1,9 +1,9 @@
-#include "social_crowd/training/record.h"
+#include "training/record.h"
 
 #include <limits>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/simulation/metrics.h"
+#include "common/numbers.h"
+#include "simulation/metrics.h"
 
 namespace crowd {
 namespace {

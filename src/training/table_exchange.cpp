@@ -1,12 +1,12 @@
-#include "social_crowd/training/table_exchange.h"
+#include "training/table_exchange.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <tuple>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/learning/rl/merge_copies.h"
+#include "common/errors.h"
+#include "learning/rl/merge_copies.h"
 
 namespace crowd {
 namespace {

@@ -1,18 +1,18 @@
-#include "social_crowd/training/training.h"
+#include "training/training.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <optional>
 
+#include "common/errors.h"
+#include "learning/rl/merge_copies.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/byte_archive.h"
+#include "simulation/episode_runner.h"
 #include "simulation/stopwatch.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/learning/rl/merge_copies.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/byte_archive.h"
-#include "social_crowd/simulation/episode_runner.h"
-#include "social_crowd/training/table_exchange.h"
 #include "training/learned_episode_transfer.h"
+#include "training/table_exchange.h"
 
 namespace crowd {
 namespace {

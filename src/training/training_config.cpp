@@ -1,8 +1,8 @@
-#include "social_crowd/training/training_config.h"
+#include "training/training_config.h"
 
 #include <filesystem>
 
-#include "social_crowd/scenario/scenario_files.h"
+#include "scenario/scenario_files.h"
 
 namespace crowd {
 namespace {

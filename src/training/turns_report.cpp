@@ -1,9 +1,9 @@
-#include "social_crowd/training/turns_report.h"
+#include "training/turns_report.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 

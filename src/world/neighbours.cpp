@@ -1,4 +1,4 @@
-#include "social_crowd/world/neighbours.h"
+#include "world/neighbours.h"
 
 #include <algorithm>
 

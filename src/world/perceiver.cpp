@@ -1,4 +1,4 @@
-#include "social_crowd/world/perceiver.h"
+#include "world/perceiver.h"
 
 #include <algorithm>
 

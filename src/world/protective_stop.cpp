@@ -1,9 +1,9 @@
-#include "social_crowd/world/protective_stop.h"
+#include "world/protective_stop.h"
 
 #include <algorithm>
 
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/geometry/robot_sweep.h"
+#include "geometry/impact.h"
+#include "geometry/robot_sweep.h"
 
 namespace crowd {
 namespace {

@@ -1,13 +1,13 @@
-#include "social_crowd/world/robots.h"
+#include "world/robots.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
 #include "geometry/finite_checks.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/geometry/impact.h"
+#include "geometry/impact.h"
 
 namespace crowd {
 namespace {

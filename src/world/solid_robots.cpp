@@ -1,7 +1,7 @@
 // Impacts of robots.
 
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/geometry/solid_motion.h"
+#include "geometry/impact.h"
+#include "geometry/solid_motion.h"
 
 namespace crowd {
 namespace {

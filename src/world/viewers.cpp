@@ -1,4 +1,4 @@
-#include "social_crowd/world/viewers.h"
+#include "world/viewers.h"
 
 namespace crowd {
 

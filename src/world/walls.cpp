@@ -1,11 +1,11 @@
-#include "social_crowd/world/walls.h"
+#include "world/walls.h"
 
 #include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 

@@ -1,13 +1,13 @@
-#include "social_crowd/world/world.h"
+#include "world/world.h"
 
 #include <algorithm>
 #include <atomic>
 #include <string>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/geometry/impact.h"
+#include "common/errors.h"
+#include "common/numbers.h"
+#include "geometry/impact.h"
 
 namespace crowd {
 namespace {

@@ -1,12 +1,12 @@
-#include "social_crowd/world/world_editor.h"
+#include "world/world_editor.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
+#include "common/errors.h"
+#include "common/quotes.h"
 #include "geometry/finite_checks.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/quotes.h"
 
 namespace crowd {
 namespace {

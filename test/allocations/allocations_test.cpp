@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <new>
 
-#include "social_crowd/robots/robot_senses.h"
-#include "social_crowd/simulation/crowd_decider.h"
-#include "social_crowd/simulation/episode.h"
+#include "robots/robot_senses.h"
+#include "simulation/crowd_decider.h"
+#include "simulation/episode.h"
 #include "support/robots.h"
 #include "support/straight_walk.h"
 

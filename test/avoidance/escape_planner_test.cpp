@@ -1,14 +1,14 @@
-#include "social_crowd/avoidance/escape_planner.h"
+#include "avoidance/escape_planner.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/avoidance/separation_rule.h"
-#include "social_crowd/common/random.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/world/world.h"
+#include "avoidance/separation_rule.h"
+#include "common/random.h"
+#include "scenario/scenario_reader.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 #include "support/worlds.h"
+#include "world/world.h"
 
 namespace crowd::escape_planner_test {
 namespace {

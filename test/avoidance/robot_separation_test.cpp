@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "social_crowd/avoidance/separation_rule.h"
+#include "avoidance/separation_rule.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 #include "support/robots.h"

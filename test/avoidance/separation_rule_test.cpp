@@ -1,17 +1,17 @@
-#include "social_crowd/avoidance/separation_rule.h"
-#include "social_crowd/geometry/impact.h"
+#include "avoidance/separation_rule.h"
+#include "geometry/impact.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/learning/actions/goal_relative_actions.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/world/world.h"
+#include "common/random.h"
+#include "geometry/impact.h"
+#include "learning/actions/goal_relative_actions.h"
+#include "scenario/scenario_reader.h"
 #include "support/error_of.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 #include "support/worlds.h"
+#include "world/world.h"
 
 namespace crowd::separation_rule_test {
 namespace {

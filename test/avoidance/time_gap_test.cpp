@@ -1,11 +1,11 @@
-#include "social_crowd/avoidance/time_gap.h"
+#include "avoidance/time_gap.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/actions/goal_relative_actions.h"
+#include "common/random.h"
+#include "learning/actions/goal_relative_actions.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 

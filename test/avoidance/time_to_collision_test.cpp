@@ -1,4 +1,4 @@
-#include "social_crowd/avoidance/time_to_collision.h"
+#include "avoidance/time_to_collision.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 #include "support/perceptions.h"
 
 namespace crowd::time_to_collision_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/common/checksum.h"
+#include "common/checksum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/common/file_lock.h"
+#include "common/file_lock.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
+#include "common/errors.h"
+#include "common/files.h"
 #include "support/file_tests.h"
 
 namespace crowd::file_lock_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/common/files.h"
+#include "common/files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <future>
 
-#include "social_crowd/common/descriptor.h"
-#include "social_crowd/common/errors.h"
+#include "common/descriptor.h"
+#include "common/errors.h"
 #include "support/file_tests.h"
 
 namespace crowd::files_test {

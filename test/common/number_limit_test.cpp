@@ -1,4 +1,4 @@
-#include "social_crowd/common/number_limit.h"
+#include "common/number_limit.h"
 
 #include <gtest/gtest.h>
 

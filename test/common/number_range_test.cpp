@@ -1,4 +1,4 @@
-#include "social_crowd/common/number_range.h"
+#include "common/number_range.h"
 
 #include <gtest/gtest.h>
 

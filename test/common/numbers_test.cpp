@@ -1,4 +1,4 @@
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <limits>
 #include <locale>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 
 namespace crowd::numbers_test {
 namespace {

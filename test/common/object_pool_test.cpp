@@ -1,4 +1,4 @@
-#include "social_crowd/common/object_pool.h"
+#include "common/object_pool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "social_crowd/common/quotes.h"
+#include "common/quotes.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/yaml_reader.h"
+#include "common/errors.h"
+#include "common/yaml_reader.h"
 #include "support/error_of.h"
 
 namespace crowd::quotes_test {

@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <thread>
 
-#include "social_crowd/common/descriptor.h"
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/file_lock.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/growing_file.h"
-#include "social_crowd/common/result_file.h"
+#include "common/descriptor.h"
+#include "common/errors.h"
+#include "common/file_lock.h"
+#include "common/files.h"
+#include "common/growing_file.h"
+#include "common/result_file.h"
 #include "support/file_tests.h"
 
 namespace crowd::replace_file_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/common/result_file.h"
+#include "common/result_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <csignal>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
+#include "common/errors.h"
+#include "common/files.h"
 #include "support/file_tests.h"
 
 namespace crowd::result_file_test {

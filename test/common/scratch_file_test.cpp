@@ -1,8 +1,8 @@
-#include "social_crowd/common/scratch_file.h"
+#include "common/scratch_file.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 
 namespace crowd::scratch_file_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/common/stop_request.h"
+#include "common/stop_request.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/common/suggestions.h"
+#include "common/suggestions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/common/thread_pool.h"
+#include "common/thread_pool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/common/yaml_reader.h"
+#include "common/yaml_reader.h"
 
 #include <gtest/gtest.h>
 

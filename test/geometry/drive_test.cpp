@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/drive.h"
+#include "geometry/drive.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/footprint.h"
+#include "geometry/footprint.h"
 
 #include <gtest/gtest.h>
 

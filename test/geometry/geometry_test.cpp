@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/geometry.h"
+#include "geometry/geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/impact.h"
+#include "geometry/impact.h"
 
 #include <gtest/gtest.h>
 

@@ -1,18 +1,18 @@
 // The limits of numbers in scenarios and of changes of the world, and what is said of larger ones.
 
-#include "social_crowd/geometry/limits.h"
+#include "geometry/limits.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/world/world.h"
-#include "social_crowd/world/world_editor.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/robots.h"
 #include "support/scenario_texts.h"
 #include "support/scenes.h"
+#include "world/world.h"
+#include "world/world_editor.h"
 
 namespace crowd::limits_test {
 namespace {

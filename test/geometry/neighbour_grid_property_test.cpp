@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/geometry/neighbour_grid.h"
+#include "geometry/neighbour_grid.h"
 #include "support/neighbour_grids.h"
 #include "support/scenes.h"
 

@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/neighbour_grid.h"
+#include "geometry/neighbour_grid.h"
 
 #include <gtest/gtest.h>
 

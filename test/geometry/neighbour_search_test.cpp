@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/neighbour_search.h"
+#include "geometry/neighbour_search.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 #include "support/scenes.h"
 
 namespace crowd::neighbour_search_test {

@@ -1,9 +1,9 @@
-#include "social_crowd/geometry/obstacle_path.h"
+#include "geometry/obstacle_path.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/random.h"
+#include "common/errors.h"
+#include "common/random.h"
 
 namespace crowd::obstacle_path_test {
 namespace {

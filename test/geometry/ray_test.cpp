@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/ray.h"
+#include "geometry/ray.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "social_crowd/geometry/wall_index.h"
+#include "geometry/wall_index.h"
 #include "support/seeds.h"
 
 namespace crowd::ray_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/robot_sweep.h"
+#include "geometry/robot_sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/geometry/impact.h"
+#include "common/random.h"
+#include "geometry/impact.h"
 
 namespace crowd::robot_sweep_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/solid_motion.h"
+#include "geometry/solid_motion.h"
 
 #include <gtest/gtest.h>
 

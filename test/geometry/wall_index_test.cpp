@@ -1,4 +1,4 @@
-#include "social_crowd/geometry/wall_index.h"
+#include "geometry/wall_index.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "social_crowd/maps/map_walls.h"
+#include "maps/map_walls.h"
 #include "support/maps.h"
 #include "support/scenes.h"
 #include "support/seeds.h"

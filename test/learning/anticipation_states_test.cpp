@@ -1,10 +1,10 @@
-#include "social_crowd/learning/states/anticipation_states.h"
+#include "learning/states/anticipation_states.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/avoidance/time_to_collision.h"
-#include "social_crowd/learning/actions/goal_relative_actions.h"
-#include "social_crowd/learning/actions/kings_moves.h"
+#include "avoidance/time_to_collision.h"
+#include "learning/actions/goal_relative_actions.h"
+#include "learning/actions/kings_moves.h"
 #include "support/error_of.h"
 #include "support/moves.h"
 #include "support/perceptions.h"

@@ -1,9 +1,9 @@
-#include "social_crowd/learning/states/condensed_occupancy_states.h"
+#include "learning/states/condensed_occupancy_states.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/learning/actions/kings_moves.h"
-#include "social_crowd/learning/rewards/thesis_reward.h"
+#include "learning/actions/kings_moves.h"
+#include "learning/rewards/thesis_reward.h"
 #include "support/error_of.h"
 #include "support/perceptions.h"
 #include "support/rows.h"

@@ -1,6 +1,6 @@
 // Decisions in batches: the result of each agent does not depend on the other agents of the batch.
 
-#include "social_crowd/avoidance/perception_batch.h"
+#include "avoidance/perception_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <cstring>
 #include <vector>
 
-#include "social_crowd/avoidance/separation_rule.h"
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/actions/goal_relative_actions.h"
-#include "social_crowd/learning/states/anticipation_states.h"
+#include "avoidance/separation_rule.h"
+#include "common/random.h"
+#include "learning/actions/goal_relative_actions.h"
+#include "learning/states/anticipation_states.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 

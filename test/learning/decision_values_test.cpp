@@ -1,8 +1,8 @@
-#include "social_crowd/learning/decision_values.h"
+#include "learning/decision_values.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/learning/learner.h"
+#include "learning/learner.h"
 #include "support/learners.h"
 
 namespace crowd::decision_values_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/actions/goal_relative_actions.h"
+#include "learning/actions/goal_relative_actions.h"
 
 #include <gtest/gtest.h>
 

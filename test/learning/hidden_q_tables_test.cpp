@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/learning/q_table_file.h"
+#include "common/errors.h"
+#include "common/files.h"
+#include "common/quotes.h"
+#include "learning/q_table_file.h"
 #include "support/error_of.h"
 
 namespace crowd::hidden_q_tables_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/actions/kings_moves.h"
+#include "learning/actions/kings_moves.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <map>
 
-#include "social_crowd/learning/learner.h"
+#include "learning/learner.h"
 #include "support/learners.h"
 
 namespace crowd::learner_exploration_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/learning/learner.h"
+#include "learning/learner.h"
 #include "support/learners.h"
 
 namespace crowd::learner_learning_test {

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "social_crowd/learning/learner.h"
+#include "learning/learner.h"
 #include "support/error_of.h"
 #include "support/learners.h"
 

@@ -1,10 +1,10 @@
-#include "social_crowd/learning/learner.h"
+#include "learning/learner.h"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-#include "social_crowd/learning/rewards/thesis_reward.h"
+#include "learning/rewards/thesis_reward.h"
 #include "support/error_of.h"
 #include "support/learners.h"
 

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/learning_parameters.h"
+#include "learning/rl/learning_parameters.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/learning_rate_schedule.h"
+#include "learning/rl/learning_rate_schedule.h"
 
 #include <gtest/gtest.h>
 

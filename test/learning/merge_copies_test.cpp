@@ -1,12 +1,12 @@
-#include "social_crowd/learning/rl/merge_copies.h"
+#include "learning/rl/merge_copies.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/rl/td_learner.h"
+#include "common/random.h"
+#include "learning/rl/td_learner.h"
 
 namespace crowd::merge_copies_test {
 namespace {

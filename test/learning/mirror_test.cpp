@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/mirror.h"
+#include "learning/rl/mirror.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 #include "support/mirror_models.h"
 #include "support/moves.h"
 #include "support/perceptions.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "social_crowd/learning/q_table_file.h"
+#include "learning/q_table_file.h"
 #include "support/error_of.h"
 #include "support/learners.h"
 #include "support/mirror_models.h"

@@ -1,8 +1,8 @@
-#include "social_crowd/learning/model.h"
+#include "learning/model.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 #include "support/error_of.h"
 
 namespace crowd::model_test {

@@ -1,9 +1,9 @@
-#include "social_crowd/learning/states/move_features.h"
+#include "learning/states/move_features.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/avoidance/time_to_collision.h"
-#include "social_crowd/common/random.h"
+#include "avoidance/time_to_collision.h"
+#include "common/random.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 

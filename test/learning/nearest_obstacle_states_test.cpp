@@ -1,11 +1,11 @@
-#include "social_crowd/learning/states/nearest_obstacle_states.h"
+#include "learning/states/nearest_obstacle_states.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 #include "support/perceptions.h"
 #include "support/rows.h"
 #include "support/sector_cases.h"

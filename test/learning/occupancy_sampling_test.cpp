@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/states/occupancy_states.h"
+#include "common/random.h"
+#include "learning/states/occupancy_states.h"
 #include "support/perceptions.h"
 
 namespace crowd::occupancy_sampling_test {

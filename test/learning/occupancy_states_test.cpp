@@ -1,4 +1,4 @@
-#include "social_crowd/learning/states/occupancy_states.h"
+#include "learning/states/occupancy_states.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // Properties of all registered state sets, action sets and rewards. A new type is tested without a change here.
 
-#include "social_crowd/learning/part_types.h"
+#include "learning/part_types.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "social_crowd/learning/model.h"
-#include "social_crowd/learning/states/obstacle_classes.h"
-#include "social_crowd/learning/states/row_meaning.h"
+#include "learning/model.h"
+#include "learning/states/obstacle_classes.h"
+#include "learning/states/row_meaning.h"
 #include "support/error_of.h"
 #include "support/learners.h"
 #include "support/moves.h"

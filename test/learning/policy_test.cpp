@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/policy.h"
+#include "learning/rl/policy.h"
 
 #include <gtest/gtest.h>
 

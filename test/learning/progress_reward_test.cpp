@@ -1,9 +1,9 @@
-#include "social_crowd/learning/rewards/progress_reward.h"
+#include "learning/rewards/progress_reward.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/states/occupancy_states.h"
+#include "common/random.h"
+#include "learning/states/occupancy_states.h"
 #include "support/error_of.h"
 #include "support/perceptions.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "social_crowd/learning/q_table_file.h"
+#include "learning/q_table_file.h"
 #include "support/error_of.h"
 #include "support/q_table_texts.h"
 

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/q_table_file.h"
+#include "learning/q_table_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 #include "support/error_of.h"
 #include "support/q_table_texts.h"
 #include "support/temporary_folder.h"

@@ -1,12 +1,12 @@
-#include "social_crowd/learning/q_table_names.h"
+#include "learning/q_table_names.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/learning/q_table_file.h"
+#include "common/errors.h"
+#include "learning/q_table_file.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 

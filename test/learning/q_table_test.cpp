@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/q_table.h"
+#include "learning/rl/q_table.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/random.h"
+#include "common/errors.h"
+#include "common/random.h"
 #include "support/error_of.h"
 
 namespace crowd::q_table_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/states/sectors.h"
+#include "learning/states/sectors.h"
 
 #include <gtest/gtest.h>
 

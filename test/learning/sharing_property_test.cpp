@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "social_crowd/learning/learner.h"
-#include "social_crowd/learning/q_table_file.h"
+#include "learning/learner.h"
+#include "learning/q_table_file.h"
 #include "support/learners.h"
 
 namespace crowd::sharing_property_test {

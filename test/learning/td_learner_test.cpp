@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/td_learner.h"
+#include "learning/rl/td_learner.h"
 
 #include <gtest/gtest.h>
 

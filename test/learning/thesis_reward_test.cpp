@@ -1,11 +1,11 @@
-#include "social_crowd/learning/rewards/thesis_reward.h"
+#include "learning/rewards/thesis_reward.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "social_crowd/learning/states/nearest_obstacle_states.h"
-#include "social_crowd/learning/states/occupancy_states.h"
+#include "learning/states/nearest_obstacle_states.h"
+#include "learning/states/occupancy_states.h"
 #include "support/error_of.h"
 #include "support/perceptions.h"
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "social_crowd/learning/learner.h"
+#include "learning/learner.h"
 #include "support/learners.h"
 
 namespace crowd::ties_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/maps/clearance_grid.h"
+#include "maps/clearance_grid.h"
 
 #include <gtest/gtest.h>
 

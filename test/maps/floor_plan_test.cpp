@@ -1,4 +1,4 @@
-#include "social_crowd/maps/floor_plan.h"
+#include "maps/floor_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 
 namespace crowd::floor_plan_test {

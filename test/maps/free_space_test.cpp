@@ -1,4 +1,4 @@
-#include "social_crowd/maps/free_space.h"
+#include "maps/free_space.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/maps/map_walls.h"
+#include "maps/map_walls.h"
 #include "support/floors.h"
 #include "support/maps.h"
 

@@ -1,4 +1,4 @@
-#include "social_crowd/maps/map_file.h"
+#include "maps/map_file.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/map_texts.h"
 

@@ -1,4 +1,4 @@
-#include "social_crowd/maps/map_walls.h"
+#include "maps/map_walls.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/maps.h"
 

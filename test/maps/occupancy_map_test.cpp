@@ -1,4 +1,4 @@
-#include "social_crowd/maps/occupancy_map.h"
+#include "maps/occupancy_map.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/maps.h"
 

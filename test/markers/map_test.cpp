@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/ros/markers/marker_map.h"
+#include "ros/markers/marker_map.h"
 
 namespace crowd::map_test {
 namespace {

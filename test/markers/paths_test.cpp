@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "social_crowd/ros/markers/marker_paths.h"
+#include "ros/markers/marker_paths.h"
 
 namespace crowd::paths_test {
 namespace {

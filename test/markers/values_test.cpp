@@ -5,9 +5,9 @@
 #include <limits>
 #include <set>
 
-#include "social_crowd/geometry/geometry.h"
-#include "social_crowd/ros/markers/marker_style.h"
-#include "social_crowd/ros/markers/marker_values.h"
+#include "geometry/geometry.h"
+#include "ros/markers/marker_style.h"
+#include "ros/markers/marker_values.h"
 
 namespace crowd::values_test {
 namespace {

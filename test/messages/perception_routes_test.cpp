@@ -1,6 +1,6 @@
 // Division of the perceptions of a turn among the topics of learners.
 
-#include "social_crowd/ros/controller/perception_routes.h"
+#include "ros/controller/perception_routes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 
 namespace crowd::perception_routes_test {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/ros/messages/tick_messages.h"
+#include "common/random.h"
+#include "ros/messages/tick_messages.h"
 #include "support/perception_bits.h"
 #include "support/perceptions.h"
 #include "support/scenes.h"

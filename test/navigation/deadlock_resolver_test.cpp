@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/deadlock_resolver.h"
+#include "navigation/deadlock_resolver.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/world/world_editor.h"
+#include "learning/q_table_file.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/evaluation.h"
 #include "support/robots.h"
 #include "support/two_ways.h"
+#include "world/world_editor.h"
 
 namespace crowd::deadlock_resolver_test {
 namespace {

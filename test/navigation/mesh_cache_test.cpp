@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/mesh_cache.h"
+#include "navigation/mesh_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/floors.h"
 
 namespace crowd::mesh_cache_test {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/navigation/navigation_mesh.h"
+#include "common/errors.h"
+#include "navigation/navigation_mesh.h"
 #include "support/error_of.h"
 #include "support/floors.h"
 

@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/navigation_mesh.h"
+#include "navigation/navigation_mesh.h"
 
 #include <gtest/gtest.h>
 

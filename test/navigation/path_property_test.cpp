@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/navigation/mesh_cache.h"
+#include "navigation/mesh_cache.h"
 #include "support/floors.h"
 #include "support/seeds.h"
 

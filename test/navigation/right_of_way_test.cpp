@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/right_of_way.h"
+#include "navigation/right_of_way.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/world/world_editor.h"
 #include "support/floors.h"
 #include "support/seeds.h"
 #include "support/two_ways.h"
+#include "world/world_editor.h"
 
 namespace crowd::right_of_way_test {
 namespace {

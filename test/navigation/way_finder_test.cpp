@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/way_finder.h"
+#include "navigation/way_finder.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/world/world_editor.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/floors.h"
 #include "support/seeds.h"
 #include "support/two_ways.h"
+#include "world/world_editor.h"
 
 namespace crowd::way_finder_test {
 namespace {

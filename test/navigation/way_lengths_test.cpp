@@ -1,4 +1,4 @@
-#include "social_crowd/navigation/way_lengths.h"
+#include "navigation/way_lengths.h"
 
 #include <gtest/gtest.h>
 

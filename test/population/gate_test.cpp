@@ -1,12 +1,12 @@
-#include "social_crowd/population/gate.h"
+#include "population/gate.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <string>
 
-#include "social_crowd/world/world_editor.h"
 #include "support/scenes.h"
+#include "world/world_editor.h"
 
 namespace crowd::gate_test {
 namespace {

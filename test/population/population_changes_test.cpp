@@ -1,4 +1,4 @@
-#include "social_crowd/population/population_changes.h"
+#include "population/population_changes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/simulation/episode.h"
+#include "simulation/episode.h"
 #include "support/error_of.h"
 #include "support/straight_walk.h"
 

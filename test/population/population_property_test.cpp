@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/population/population.h"
-#include "social_crowd/simulation/episode.h"
+#include "population/population.h"
+#include "simulation/episode.h"
 #include "support/straight_walk.h"
 
 namespace crowd::population_property_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/population/population.h"
+#include "population/population.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/metrics.h"
+#include "simulation/episode.h"
+#include "simulation/metrics.h"
 #include "support/error_of.h"
 #include "support/straight_walk.h"
 

@@ -1,9 +1,9 @@
-#include "social_crowd/population/queue.h"
+#include "population/queue.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/world/world_editor.h"
 #include "support/straight_walk.h"
+#include "world/world_editor.h"
 
 namespace crowd::queue_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/population/route_check.h"
+#include "population/route_check.h"
 
 #include <gtest/gtest.h>
 

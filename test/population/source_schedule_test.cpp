@@ -1,4 +1,4 @@
-#include "social_crowd/population/source_schedule.h"
+#include "population/source_schedule.h"
 
 #include <gtest/gtest.h>
 

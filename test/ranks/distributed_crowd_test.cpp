@@ -1,4 +1,4 @@
-#include "social_crowd/ranks/distributed_crowd.h"
+#include "ranks/distributed_crowd.h"
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/simulation/episode_runner.h"
-#include "social_crowd/simulation/trajectory.h"
-#include "social_crowd/training/record.h"
+#include "simulation/episode_runner.h"
+#include "simulation/trajectory.h"
 #include "support/evaluations.h"
 #include "support/scenes.h"
 #include "support/seeds.h"
 #include "support/thread_ranks.h"
+#include "training/record.h"
 
 namespace crowd::distributed_crowd_test {
 namespace {

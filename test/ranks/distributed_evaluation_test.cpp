@@ -1,11 +1,11 @@
-#include "social_crowd/ranks/distributed_evaluation.h"
+#include "ranks/distributed_evaluation.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 #include "support/error_of.h"
 #include "support/evaluations.h"
 #include "support/thread_ranks.h"

@@ -1,4 +1,4 @@
-#include "social_crowd/ranks/floor_strips.h"
+#include "ranks/floor_strips.h"
 
 #include <gtest/gtest.h>
 

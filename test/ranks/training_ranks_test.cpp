@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/simulation/robot_record.h"
-#include "social_crowd/training/checkpoint.h"
-#include "social_crowd/training/record.h"
-#include "social_crowd/training/training.h"
+#include "common/random.h"
+#include "simulation/robot_record.h"
 #include "support/error_of.h"
 #include "support/seeds.h"
 #include "support/temporary_folder.h"
 #include "support/thread_ranks.h"
+#include "training/checkpoint.h"
+#include "training/record.h"
+#include "training/training.h"
 
 namespace crowd::training_ranks_test {
 namespace {

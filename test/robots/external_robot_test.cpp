@@ -1,4 +1,4 @@
-#include "social_crowd/robots/external_robot.h"
+#include "robots/external_robot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "social_crowd/robots/learned_robot.h"
+#include "robots/learned_robot.h"
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/robots/steering.h"
-#include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/robot_controller.h"
+#include "robots/steering.h"
+#include "simulation/episode.h"
+#include "simulation/robot_controller.h"
 #include "support/anticipation.h"
 #include "support/robots.h"
 #include "support/seeds.h"

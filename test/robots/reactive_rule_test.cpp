@@ -1,4 +1,4 @@
-#include "social_crowd/robots/reactive_rule.h"
+#include "robots/reactive_rule.h"
 
 #include <gtest/gtest.h>
 

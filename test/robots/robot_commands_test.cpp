@@ -1,4 +1,4 @@
-#include "social_crowd/robots/robot_commands.h"
+#include "robots/robot_commands.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd::robot_commands_test {
 namespace {

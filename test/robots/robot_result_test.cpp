@@ -1,10 +1,10 @@
-#include "social_crowd/robots/robot_result.h"
+#include "robots/robot_result.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "social_crowd/simulation/episode.h"
+#include "simulation/episode.h"
 #include "support/robots.h"
 #include "support/worlds.h"
 

@@ -1,13 +1,13 @@
-#include "social_crowd/robots/robot_senses.h"
+#include "robots/robot_senses.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "social_crowd/world/world_editor.h"
 #include "support/robots.h"
 #include "support/scenes.h"
+#include "world/world_editor.h"
 
 namespace crowd::robot_senses_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/robots/scan.h"
+#include "robots/scan.h"
 
 #include <gtest/gtest.h>
 

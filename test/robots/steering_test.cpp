@@ -1,4 +1,4 @@
-#include "social_crowd/robots/steering.h"
+#include "robots/steering.h"
 
 #include <gtest/gtest.h>
 

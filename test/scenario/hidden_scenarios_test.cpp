@@ -5,10 +5,10 @@
 #include <cctype>
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/scenario/scenario_reader.h"
+#include "common/errors.h"
+#include "common/files.h"
+#include "common/quotes.h"
+#include "scenario/scenario_reader.h"
 #include "support/error_of.h"
 
 namespace crowd::hidden_scenarios_test {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/scenario_texts.h"
 
 namespace crowd::population_reader_refusals_test {

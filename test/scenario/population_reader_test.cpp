@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "social_crowd/scenario/population_spec.h"
-#include "social_crowd/scenario/region_geometry.h"
+#include "scenario/population_spec.h"
+#include "scenario/region_geometry.h"
 #include "support/scenario_texts.h"
 
 namespace crowd::population_reader_test {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "social_crowd/scenario/scene_document.h"
+#include "scenario/scene_document.h"
 #include "support/scenario_texts.h"
 
 namespace crowd::robot_reader_test {

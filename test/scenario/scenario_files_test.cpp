@@ -1,10 +1,10 @@
-#include "social_crowd/scenario/scenario_files.h"
+#include "scenario/scenario_files.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 

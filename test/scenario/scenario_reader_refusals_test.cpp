@@ -1,11 +1,11 @@
-#include "social_crowd/scenario/scenario_reader.h"
+#include "scenario/scenario_reader.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <fstream>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/scenario_texts.h"
 
 namespace crowd::scenario_reader_refusals_test {

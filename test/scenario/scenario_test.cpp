@@ -1,11 +1,11 @@
-#include "social_crowd/scenario/scenario.h"
+#include "scenario/scenario.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/scenario/scenario_reader.h"
+#include "common/errors.h"
+#include "scenario/scenario_reader.h"
 #include "support/overlaps.h"
 
 namespace crowd::scenario_test {

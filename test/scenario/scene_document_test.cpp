@@ -1,11 +1,11 @@
-#include "social_crowd/scenario/scene_document.h"
+#include "scenario/scene_document.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/scenario/scenario_reader.h"
+#include "common/random.h"
+#include "scenario/scenario_reader.h"
 #include "support/scenes.h"
 
 namespace crowd::scene_document_test {

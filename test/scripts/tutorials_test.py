@@ -60,11 +60,11 @@ class StateSetTest:
 
     def library(self, terminal, build, link):
         """Makes the core with the new state set. Returns its file."""
-        headers = pathlib.Path(terminal.folder, 'new', 'social_crowd', 'learning', 'states')
+        headers = pathlib.Path(terminal.folder, 'new', 'learning', 'states')
         headers.mkdir(parents=True)
         os.rename(terminal.path('near_body_states.h'), headers / 'near_body_states.h')
         terminal.write('state_set.cpp', changed_list())
-        flags = ['-std=c++17', '-O1', '-Wall', '-Wextra', '-Werror', '-fPIC', '-Inew', f"-I{in_package('include')}",
+        flags = ['-std=c++17', '-O1', '-Wall', '-Wextra', '-Werror', '-fPIC', '-Inew', f"-I{in_package('src')}",
                  '-isystem', '/usr/include/eigen3']
         for name in ('near_body_states', 'state_set'):
             run(terminal.folder, ['c++', *flags, '-c', f'{name}.cpp', '-o', f'{name}.o'])

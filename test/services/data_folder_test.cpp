@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/data_folder.h"
+#include "ros/node/data_folder.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>  // setenv
@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd::simd::kernels_test {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/random.h"
 #include "simd/kernels.h"
-#include "social_crowd/common/random.h"
 
 namespace crowd::simd::nearby_discs_test {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/random.h"
 #include "simd/kernels.h"
-#include "social_crowd/common/random.h"
 
 namespace crowd::simd::ranks_test {
 namespace {

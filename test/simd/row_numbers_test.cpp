@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/random.h"
 #include "simd/kernels.h"
-#include "social_crowd/common/random.h"
 
 namespace crowd::simd::row_numbers_test {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "common/random.h"
+#include "geometry/geometry.h"
 #include "simd/kernels.h"
-#include "social_crowd/common/random.h"
-#include "social_crowd/geometry/geometry.h"
 
 namespace crowd::simd::time_to_collision_test {
 namespace {

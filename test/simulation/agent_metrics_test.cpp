@@ -1,13 +1,13 @@
-#include "social_crowd/simulation/episode_monitor.h"
-#include "social_crowd/simulation/episode_result.h"
+#include "simulation/episode_monitor.h"
+#include "simulation/episode_result.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "social_crowd/world/world_editor.h"
 #include "support/scenes.h"
+#include "world/world_editor.h"
 
 namespace crowd::agent_metrics_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/agent_results.h"
+#include "simulation/agent_results.h"
 
 #include <gtest/gtest.h>
 

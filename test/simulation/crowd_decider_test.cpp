@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/crowd_decider.h"
+#include "simulation/crowd_decider.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "social_crowd/simulation/episode.h"
+#include "simulation/episode.h"
 #include "support/learners.h"
 #include "support/scenes.h"
 #include "support/worlds.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/simulation/episode.h"
+#include "simulation/episode.h"
 #include "support/straight_walk.h"
 
 namespace crowd::departures_test {

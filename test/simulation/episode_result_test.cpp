@@ -1,6 +1,6 @@
-#include "social_crowd/simulation/episode_result.h"
-#include "social_crowd/simulation/episode_monitor.h"
-#include "social_crowd/simulation/metrics.h"
+#include "simulation/episode_result.h"
+#include "simulation/episode_monitor.h"
+#include "simulation/metrics.h"
 
 #include <gtest/gtest.h>
 

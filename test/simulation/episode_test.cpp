@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/episode.h"
+#include "simulation/episode.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
 

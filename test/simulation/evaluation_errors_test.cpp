@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/simulation/evaluation.h"
+#include "common/errors.h"
+#include "simulation/evaluation.h"
 #include "support/error_of.h"
 #include "support/evaluations.h"
 

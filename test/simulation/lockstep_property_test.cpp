@@ -5,8 +5,8 @@
 #include <string>
 #include <tuple>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/simulation/lockstep.h"
+#include "common/random.h"
+#include "simulation/lockstep.h"
 #include "support/answers.h"
 
 namespace crowd::lockstep_property_test {

@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/people_delay.h"
+#include "simulation/people_delay.h"
 
 #include <gtest/gtest.h>
 

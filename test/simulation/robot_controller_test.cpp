@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/robot_controller.h"
+#include "simulation/robot_controller.h"
 
 #include <gtest/gtest.h>
 

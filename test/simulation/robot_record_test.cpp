@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/robot_record.h"
+#include "simulation/robot_record.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/evaluation.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/evaluation.h"
 #include "support/evaluations.h"
 #include "support/temporary_folder.h"
 

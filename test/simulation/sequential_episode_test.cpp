@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "social_crowd/simulation/episode.h"
+#include "simulation/episode.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
 

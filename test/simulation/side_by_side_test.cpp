@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/learning/rl/merge_copies.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/training/training.h"
+#include "learning/rl/merge_copies.h"
+#include "scenario/scenario_reader.h"
 #include "support/error_of.h"
 #include "support/run_scene.h"
 #include "support/temporary_folder.h"
+#include "training/training.h"
 
 namespace crowd::side_by_side_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/state_record.h"
+#include "simulation/state_record.h"
 
 #include <gtest/gtest.h>
 

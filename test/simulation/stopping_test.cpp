@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/stop_request.h"
-#include "social_crowd/ranks/distributed_evaluation.h"
-#include "social_crowd/robots/robot_way.h"
-#include "social_crowd/simulation/crowd_decider.h"
-#include "social_crowd/simulation/episode.h"
-#include "social_crowd/simulation/evaluation.h"
+#include "common/stop_request.h"
+#include "ranks/distributed_evaluation.h"
+#include "robots/robot_way.h"
+#include "simulation/crowd_decider.h"
+#include "simulation/episode.h"
+#include "simulation/evaluation.h"
 #include "support/evaluations.h"
 #include "support/thread_ranks.h"
 

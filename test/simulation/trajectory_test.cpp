@@ -1,4 +1,4 @@
-#include "social_crowd/simulation/trajectory.h"
+#include "simulation/trajectory.h"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +6,14 @@
 #include <sstream>
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/world/world_editor.h"
+#include "common/errors.h"
+#include "common/files.h"
+#include "common/numbers.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"
 #include "support/worlds.h"
+#include "world/world_editor.h"
 
 namespace crowd::trajectory_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/simulation/lockstep.h"
+#include "simulation/lockstep.h"
 
 /// Answers to perceptions, for tests of the lockstep.
 namespace crowd::answers {

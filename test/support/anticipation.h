@@ -1,7 +1,7 @@
 #pragma once
 
-#include "social_crowd/learning/learner.h"
-#include "social_crowd/learning/q_table_file.h"
+#include "learning/learner.h"
+#include "learning/q_table_file.h"
 
 namespace crowd {
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/learning/q_table_file.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/evaluation.h"
+#include "learning/q_table_file.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/evaluation.h"
 
 /// Scenarios, a table and plans for tests of evaluations.
 namespace crowd::evaluations {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/maps/floor_plan.h"
-#include "social_crowd/navigation/navigation_mesh.h"
+#include "common/random.h"
+#include "maps/floor_plan.h"
+#include "navigation/navigation_mesh.h"
 
 /// Floors for tests of way-finding, and distances on them.
 namespace crowd::floors {

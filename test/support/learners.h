@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/learner.h"
+#include "common/random.h"
+#include "learning/learner.h"
 #include "support/perceptions.h"
 
 /// Helpers for tests of learners: a model of 69 rows and 8 actions in which a single agent is in row 0 .. 3 if its goal

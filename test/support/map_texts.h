@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/maps/map_file.h"
+#include "maps/map_file.h"
 #include "support/temporary_folder.h"
 
 /// Map files for tests.

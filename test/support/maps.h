@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/maps/occupancy_map.h"
+#include "common/random.h"
+#include "maps/occupancy_map.h"
 
 /// Builders of maps for tests.
 namespace crowd::maps {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/learning/model.h"
-#include "social_crowd/learning/rl/mirror.h"
+#include "learning/model.h"
+#include "learning/rl/mirror.h"
 
 /// Models for tests of mirror images.
 namespace crowd::mirror_models {

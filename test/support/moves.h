@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "social_crowd/avoidance/separation_rule.h"
-#include "social_crowd/learning/actions/action_set.h"
-#include "social_crowd/learning/states/move_features.h"
+#include "avoidance/separation_rule.h"
+#include "learning/actions/action_set.h"
+#include "learning/states/move_features.h"
 
 namespace crowd {
 

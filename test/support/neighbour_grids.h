@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/geometry/neighbour_grid.h"
+#include "geometry/neighbour_grid.h"
 #include "support/scenes.h"
 #include "support/seeds.h"
 

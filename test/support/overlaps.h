@@ -1,7 +1,7 @@
 #pragma once
 
-#include "social_crowd/geometry/impact.h"
-#include "social_crowd/scenario/scene.h"
+#include "geometry/impact.h"
+#include "scenario/scene.h"
 
 namespace crowd::scenes {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "social_crowd/world/perception.h"
+#include "world/perception.h"
 
 namespace crowd {
 

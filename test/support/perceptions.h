@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "social_crowd/world/perception.h"
+#include "world/perception.h"
 
 namespace crowd {
 

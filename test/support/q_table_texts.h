@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "social_crowd/learning/q_table_file.h"
+#include "learning/q_table_file.h"
 
 /// A small Q-table file for tests: its text and its table.
 namespace crowd::q_table_texts {

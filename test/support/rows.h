@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "social_crowd/learning/states/state_set.h"
+#include "learning/states/state_set.h"
 
 namespace crowd {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "social_crowd/simulation/episode_runner.h"
+#include "simulation/episode_runner.h"
 
 namespace crowd {
 

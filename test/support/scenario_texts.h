@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/scenario/scenario_reader.h"
+#include "common/errors.h"
+#include "scenario/scenario_reader.h"
 
 /// Texts of scenarios, and the scenes and errors of the reader.
 namespace crowd::scenario_texts {

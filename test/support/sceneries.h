@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "social_crowd/world/occlusion.h"
 #include "support/scenes.h"
+#include "world/occlusion.h"
 
 /// The surroundings of one agent in its frame, and their visible parts. Bodies are identified by their numbers, because
 /// a partly hidden body is perceived at another position and smaller.

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/world/world.h"
+#include "common/random.h"
 #include "support/overlaps.h"
+#include "world/world.h"
 
 /// Builders of scenes for tests.
 namespace crowd::scenes {

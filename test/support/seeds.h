@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 
 namespace crowd {
 

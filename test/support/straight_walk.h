@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/episode.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/episode.h"
 
 /// Crowds whose agents walk straight to what they perceive as their goal, and stop there.
 namespace crowd::straight_walk {

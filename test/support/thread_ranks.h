@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "social_crowd/training/communicator.h"
+#include "training/communicator.h"
 
 namespace crowd {
 

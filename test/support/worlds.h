@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "social_crowd/world/perceiver.h"
+#include "world/perceiver.h"
 
 /// Helpers for tests of the world.
 namespace crowd {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/training/record.h"
+#include "training/record.h"
 
 namespace crowd::training_display_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/training/record.h"
+#include "training/record.h"
 
 namespace crowd::training_plot_test {
 namespace {

@@ -1,15 +1,15 @@
-#include "social_crowd/training/checkpoint.h"
+#include "training/checkpoint.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/training/record.h"
+#include "common/errors.h"
+#include "common/files.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
+#include "training/record.h"
 
 namespace crowd::checkpoint_test {
 namespace {

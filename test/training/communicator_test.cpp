@@ -1,4 +1,4 @@
-#include "social_crowd/training/communicator.h"
+#include "training/communicator.h"
 
 #include <gtest/gtest.h>
 

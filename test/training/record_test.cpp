@@ -1,4 +1,4 @@
-#include "social_crowd/training/record.h"
+#include "training/record.h"
 
 #include <gtest/gtest.h>
 

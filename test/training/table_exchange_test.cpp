@@ -1,14 +1,14 @@
 // Merging of tables that learners on several ranks have learned in.
 
-#include "social_crowd/training/table_exchange.h"
+#include "training/table_exchange.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/rl/merge_copies.h"
+#include "common/random.h"
+#include "learning/rl/merge_copies.h"
 #include "support/seeds.h"
 #include "support/thread_ranks.h"
 

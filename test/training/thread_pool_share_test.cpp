@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "social_crowd/simulation/crowd_decider.h"
-#include "social_crowd/simulation/episode.h"
-#include "social_crowd/training/training.h"
+#include "simulation/crowd_decider.h"
+#include "simulation/episode.h"
 #include "support/learners.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
+#include "training/training.h"
 
 namespace crowd::thread_pool_share_test {
 namespace {

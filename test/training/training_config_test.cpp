@@ -1,4 +1,4 @@
-#include "social_crowd/training/training_config.h"
+#include "training/training_config.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 

@@ -1,14 +1,14 @@
-#include "social_crowd/training/training.h"
+#include "training/training.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/evaluation.h"
-#include "social_crowd/simulation/metrics.h"
+#include "common/errors.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/evaluation.h"
+#include "simulation/metrics.h"
 #include "support/run_scene.h"
 #include "support/temporary_folder.h"
 

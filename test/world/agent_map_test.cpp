@@ -1,11 +1,11 @@
-#include "social_crowd/world/agent_map.h"
+#include "world/agent_map.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <vector>
 
-#include "social_crowd/common/random.h"
+#include "common/random.h"
 
 namespace crowd::agent_map_test {
 namespace {

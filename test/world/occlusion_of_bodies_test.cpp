@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "social_crowd/world/occlusion.h"
 #include "support/hidden_bodies.h"
+#include "world/occlusion.h"
 
 namespace crowd::occlusion_of_bodies_test {
 namespace {

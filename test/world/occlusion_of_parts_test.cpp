@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "social_crowd/world/occlusion.h"
 #include "support/hidden_bodies.h"
+#include "world/occlusion.h"
 
 namespace crowd::occlusion_of_parts_test {
 namespace {

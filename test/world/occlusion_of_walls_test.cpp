@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "social_crowd/world/occlusion.h"
 #include "support/hidden_bodies.h"
+#include "world/occlusion.h"
 
 namespace crowd::occlusion_of_walls_test {
 namespace {

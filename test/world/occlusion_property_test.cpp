@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/world/occlusion.h"
 #include "support/look_everywhere.h"
 #include "support/sceneries.h"
+#include "world/occlusion.h"
 
 namespace crowd::occlusion_property_test {
 namespace {

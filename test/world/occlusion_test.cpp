@@ -1,4 +1,4 @@
-#include "social_crowd/world/occlusion.h"
+#include "world/occlusion.h"
 
 #include <gtest/gtest.h>
 

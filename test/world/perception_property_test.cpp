@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "social_crowd/world/perception.h"
 #include "support/perception_bits.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
+#include "world/perception.h"
 
 namespace crowd::perception_property_test {
 namespace {

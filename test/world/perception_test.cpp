@@ -1,4 +1,4 @@
-#include "social_crowd/world/perception.h"
+#include "world/perception.h"
 
 #include <gtest/gtest.h>
 

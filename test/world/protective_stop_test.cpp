@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "social_crowd/world/world.h"
 #include "support/robots.h"
 #include "support/seeds.h"
+#include "world/world.h"
 
 namespace crowd::robots::protective_stop_test {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/geometry/impact.h"
+#include "common/errors.h"
+#include "geometry/impact.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/worlds.h"

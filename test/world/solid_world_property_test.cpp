@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/world/world.h"
 #include "support/scenes.h"
 #include "support/seeds.h"
+#include "world/world.h"
 
 namespace crowd::solid_world_property_test {
 namespace {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/world/world.h"
-#include "social_crowd/world/world_editor.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
+#include "world/world.h"
+#include "world/world_editor.h"
 
 namespace crowd::solid_world_test {
 namespace {

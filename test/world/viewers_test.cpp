@@ -5,10 +5,10 @@
 #include <map>
 #include <string>
 
-#include "social_crowd/world/world_editor.h"
 #include "support/perception_bits.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
+#include "world/world_editor.h"
 
 namespace crowd::viewers_test {
 namespace {

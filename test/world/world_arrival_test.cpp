@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "social_crowd/world/world.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
+#include "world/world.h"
 
 namespace crowd::world_arrival_test {
 namespace {

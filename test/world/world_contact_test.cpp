@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "social_crowd/world/world.h"
 #include "support/scenes.h"
 #include "support/seeds.h"
+#include "world/world.h"
 
 namespace crowd::world_contact_test {
 namespace {

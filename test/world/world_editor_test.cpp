@@ -3,12 +3,12 @@
 #include <limits>
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/world/world.h"
-#include "social_crowd/world/world_editor.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
+#include "world/world.h"
+#include "world/world_editor.h"
 
 namespace crowd::world_editor_test {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <limits>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/world/world.h"
-#include "social_crowd/world/world_editor.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/robots.h"
+#include "world/world.h"
+#include "world/world_editor.h"
 
 namespace crowd::robots::world_robot_test {
 namespace {

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/world/world.h"
+#include "common/errors.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
+#include "world/world.h"
 
 namespace crowd::world_step_test {
 namespace {

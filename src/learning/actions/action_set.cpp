@@ -1,7 +1,7 @@
-#include "social_crowd/learning/actions/action_set.h"
+#include "learning/actions/action_set.h"
 
-#include "social_crowd/learning/actions/goal_relative_actions.h"
-#include "social_crowd/learning/actions/kings_moves.h"
+#include "learning/actions/goal_relative_actions.h"
+#include "learning/actions/kings_moves.h"
 
 namespace crowd {
 

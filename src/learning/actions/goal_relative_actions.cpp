@@ -1,8 +1,8 @@
-#include "social_crowd/learning/actions/goal_relative_actions.h"
+#include "learning/actions/goal_relative_actions.h"
 
 #include <algorithm>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -1,10 +1,10 @@
-#include "social_crowd/learning/rewards/progress_reward.h"
+#include "learning/rewards/progress_reward.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/avoidance/time_to_collision.h"
-#include "social_crowd/common/numbers.h"
+#include "avoidance/time_to_collision.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -1,7 +1,7 @@
-#include "social_crowd/learning/rewards/reward.h"
+#include "learning/rewards/reward.h"
 
-#include "social_crowd/learning/rewards/progress_reward.h"
-#include "social_crowd/learning/rewards/thesis_reward.h"
+#include "learning/rewards/progress_reward.h"
+#include "learning/rewards/thesis_reward.h"
 
 namespace crowd {
 

@@ -1,10 +1,10 @@
-#include "social_crowd/learning/rewards/thesis_reward.h"
+#include "learning/rewards/thesis_reward.h"
 
 #include <array>
 #include <cmath>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/learning/states/distance_classes.h"
+#include "common/numbers.h"
+#include "learning/states/distance_classes.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/contributions.h"
+#include "learning/rl/contributions.h"
 
 #include <algorithm>
 #include <random>

@@ -1,12 +1,12 @@
-#include "social_crowd/learning/rl/learning_parameters.h"
+#include "learning/rl/learning_parameters.h"
 
 #include <cmath>
 
 #include <array>
 #include <utility>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
 
 namespace crowd {
 

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/merge_copies.h"
+#include "learning/rl/merge_copies.h"
 
 #include <algorithm>
 

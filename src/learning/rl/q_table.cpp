@@ -1,10 +1,10 @@
-#include "social_crowd/learning/rl/q_table.h"
+#include "learning/rl/q_table.h"
 
 #include <algorithm>
 #include <cstring>
 #include <numeric>
 
-#include "social_crowd/common/errors.h"
+#include "common/errors.h"
 
 namespace crowd {
 

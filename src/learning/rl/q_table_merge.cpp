@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/learning/rl/q_table.h"
+#include "common/errors.h"
+#include "learning/rl/q_table.h"
 
 namespace crowd {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/random.h"
-#include "social_crowd/learning/rl/q_table.h"
+#include "common/numbers.h"
+#include "common/random.h"
+#include "learning/rl/q_table.h"
 
 namespace crowd {
 namespace {

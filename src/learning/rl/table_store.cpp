@@ -1,4 +1,4 @@
-#include "social_crowd/learning/rl/table_store.h"
+#include "learning/rl/table_store.h"
 
 namespace crowd {
 

@@ -1,11 +1,11 @@
-#include "social_crowd/learning/states/anticipation_states.h"
+#include "learning/states/anticipation_states.h"
 
 #include <algorithm>
 #include <array>
 
+#include "common/numbers.h"
+#include "geometry/limits.h"
 #include "simd/kernels.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/geometry/limits.h"
 
 namespace crowd {
 namespace {

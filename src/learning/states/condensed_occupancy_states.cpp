@@ -1,4 +1,4 @@
-#include "social_crowd/learning/states/condensed_occupancy_states.h"
+#include "learning/states/condensed_occupancy_states.h"
 
 namespace crowd {
 

@@ -1,10 +1,10 @@
-#include "social_crowd/learning/states/move_features.h"
+#include "learning/states/move_features.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "social_crowd/avoidance/time_to_collision.h"
+#include "avoidance/time_to_collision.h"
 
 namespace crowd {
 namespace {

@@ -1,9 +1,9 @@
-#include "social_crowd/learning/states/nearest_obstacle_states.h"
+#include "learning/states/nearest_obstacle_states.h"
 
 #include <limits>
 #include <utility>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -1,9 +1,9 @@
-#include "social_crowd/learning/states/occupancy_states.h"
+#include "learning/states/occupancy_states.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/learning/states/row_meaning.h"
+#include "learning/states/row_meaning.h"
 
 #include <locale>
 #include <sstream>

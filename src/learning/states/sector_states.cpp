@@ -1,7 +1,7 @@
-#include "social_crowd/learning/states/sector_states.h"
+#include "learning/states/sector_states.h"
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/geometry/limits.h"
+#include "common/numbers.h"
+#include "geometry/limits.h"
 
 namespace crowd {
 

@@ -1,9 +1,9 @@
-#include "social_crowd/learning/states/state_set.h"
+#include "learning/states/state_set.h"
 
-#include "social_crowd/learning/states/anticipation_states.h"
-#include "social_crowd/learning/states/condensed_occupancy_states.h"
-#include "social_crowd/learning/states/nearest_obstacle_states.h"
-#include "social_crowd/learning/states/occupancy_states.h"
+#include "learning/states/anticipation_states.h"
+#include "learning/states/condensed_occupancy_states.h"
+#include "learning/states/nearest_obstacle_states.h"
+#include "learning/states/occupancy_states.h"
 
 namespace crowd {
 

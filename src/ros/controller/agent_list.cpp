@@ -1,4 +1,4 @@
-#include "social_crowd/ros/controller/agent_list.h"
+#include "ros/controller/agent_list.h"
 
 #include <algorithm>
 

@@ -1,16 +1,16 @@
-#include "social_crowd/ros/controller/answer_collector.h"
+#include "ros/controller/answer_collector.h"
 
 #include <ros/master.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "social_crowd/ros/controller/agent_list.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/tick_subscriber.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
-#include "social_crowd/ros/messages/topic_publishers.h"
-#include "social_crowd/ros/messages/vision.h"
+#include "ros/controller/agent_list.h"
+#include "ros/messages/names.h"
+#include "ros/messages/tick_subscriber.h"
+#include "ros/messages/topic_defaults.h"
+#include "ros/messages/topic_publishers.h"
+#include "ros/messages/vision.h"
 
 namespace crowd {
 namespace {

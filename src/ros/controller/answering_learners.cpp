@@ -1,12 +1,12 @@
-#include "social_crowd/ros/controller/answering_learners.h"
+#include "ros/controller/answering_learners.h"
 
 #include <ros/console.h>
 
 #include <algorithm>
 #include <array>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/controller/agent_list.h"
+#include "common/numbers.h"
+#include "ros/controller/agent_list.h"
 
 namespace crowd {
 namespace {

@@ -1,11 +1,11 @@
-#include "social_crowd/ros/controller/command_collector.h"
+#include "ros/controller/command_collector.h"
 
 #include <algorithm>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
-#include "social_crowd/ros/robots/robot_messages.h"
+#include "common/quotes.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
+#include "ros/robots/robot_messages.h"
 
 namespace crowd {
 namespace {

@@ -1,13 +1,13 @@
-#include "social_crowd/ros/controller/controller_diagnostics.h"
+#include "ros/controller/controller_diagnostics.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <numeric>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/controller/agent_list.h"
-#include "social_crowd/ros/controller/controller_parameters.h"
-#include "social_crowd/ros/node/diagnostics_publisher.h"
+#include "common/numbers.h"
+#include "ros/controller/agent_list.h"
+#include "ros/controller/controller_parameters.h"
+#include "ros/node/diagnostics_publisher.h"
 
 namespace crowd {
 namespace {

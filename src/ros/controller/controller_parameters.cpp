@@ -1,10 +1,10 @@
-#include "social_crowd/ros/controller/controller_parameters.h"
+#include "ros/controller/controller_parameters.h"
 
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/scenario/scenario_files.h"
-#include "social_crowd/training/training_config.h"
+#include "common/files.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
+#include "scenario/scenario_files.h"
+#include "training/training_config.h"
 
 namespace crowd {
 namespace {

@@ -1,9 +1,9 @@
-#include "social_crowd/ros/controller/controller_status.h"
+#include "ros/controller/controller_status.h"
 
 #include <utility>
 
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {

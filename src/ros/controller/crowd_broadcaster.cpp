@@ -1,14 +1,14 @@
-#include "social_crowd/ros/controller/crowd_broadcaster.h"
+#include "ros/controller/crowd_broadcaster.h"
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <rosgraph_msgs/Clock.h>
 #include <social_crowd/Walls.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/publish_latched.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
+#include "ros/messages/publish_latched.h"
+#include "ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {}  // namespace

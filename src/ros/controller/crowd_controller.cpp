@@ -1,17 +1,17 @@
-#include "social_crowd/ros/controller/crowd_controller.h"
+#include "ros/controller/crowd_controller.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/maps/map_walls.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
-#include "social_crowd/ros/node/launch_end.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/simulation/metrics.h"
+#include "common/files.h"
+#include "common/quotes.h"
+#include "maps/map_walls.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
+#include "ros/node/launch_end.h"
+#include "scenario/scenario_reader.h"
+#include "simulation/metrics.h"
 
 namespace crowd {
 namespace {

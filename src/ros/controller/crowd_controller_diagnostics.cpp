@@ -1,6 +1,6 @@
 // Samples for the diagnostics of the crowd controller. All functions run in the main loop.
 
-#include "social_crowd/ros/controller/crowd_controller.h"
+#include "ros/controller/crowd_controller.h"
 
 namespace crowd {
 

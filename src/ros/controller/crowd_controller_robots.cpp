@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "social_crowd/ros/controller/crowd_controller.h"
-#include "social_crowd/ros/messages/names.h"
+#include "ros/controller/crowd_controller.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 

@@ -6,15 +6,15 @@
 #include <filesystem>
 #include <utility>
 
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/ros/controller/crowd_controller.h"
-#include "social_crowd/ros/markers/floor_scene.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/scenario/scenario_files.h"
-#include "social_crowd/scenario/scenario_reader.h"
-#include "social_crowd/scenario/scene_document.h"
+#include "common/files.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
+#include "ros/controller/crowd_controller.h"
+#include "ros/markers/floor_scene.h"
+#include "ros/messages/names.h"
+#include "scenario/scenario_files.h"
+#include "scenario/scenario_reader.h"
+#include "scenario/scene_document.h"
 
 namespace crowd {
 namespace {

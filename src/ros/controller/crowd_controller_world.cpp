@@ -14,10 +14,10 @@
 #include <social_crowd/SpawnObstacle.h>
 #include <social_crowd/Teleport.h>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/ros/controller/crowd_controller.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
+#include "common/quotes.h"
+#include "ros/controller/crowd_controller.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 

@@ -1,6 +1,6 @@
-#include "social_crowd/ros/controller/perception_limiter.h"
+#include "ros/controller/perception_limiter.h"
 
-#include "social_crowd/ros/messages/vision.h"
+#include "ros/messages/vision.h"
 
 namespace crowd {
 

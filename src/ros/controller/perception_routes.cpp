@@ -1,4 +1,4 @@
-#include "social_crowd/ros/controller/perception_routes.h"
+#include "ros/controller/perception_routes.h"
 
 #include <algorithm>
 #include <tuple>

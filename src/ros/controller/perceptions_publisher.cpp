@@ -1,12 +1,12 @@
-#include "social_crowd/ros/controller/perceptions_publisher.h"
+#include "ros/controller/perceptions_publisher.h"
 
 #include <ros/names.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/controller/pose_collector.h"
+#include "ros/controller/pose_collector.h"
 
 #include <tf2/exceptions.h>
 #include <tf2/utils.h>
@@ -8,11 +8,11 @@
 #include <cmath>
 #include <limits>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
-#include "social_crowd/ros/robots/robot_messages.h"
+#include "common/numbers.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
+#include "ros/robots/robot_messages.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/learner/decision_publisher.h"
+#include "ros/learner/decision_publisher.h"
 
 #include <social_crowd/DecisionValues.h>
 #include <std_msgs/Int32.h>
@@ -7,8 +7,8 @@
 #include <boost/make_shared.hpp>
 #include <utility>
 
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {

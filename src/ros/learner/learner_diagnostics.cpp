@@ -1,9 +1,9 @@
-#include "social_crowd/ros/learner/learner_diagnostics.h"
+#include "ros/learner/learner_diagnostics.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/node/diagnostics_publisher.h"
+#include "common/numbers.h"
+#include "ros/node/diagnostics_publisher.h"
 
 namespace crowd {
 namespace {

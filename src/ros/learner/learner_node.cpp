@@ -1,11 +1,11 @@
-#include "social_crowd/ros/learner/learner_node.h"
+#include "ros/learner/learner_node.h"
 
 #include <algorithm>
 
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/tick_subscriber.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
-#include "social_crowd/ros/messages/vision.h"
+#include "ros/messages/names.h"
+#include "ros/messages/tick_subscriber.h"
+#include "ros/messages/topic_defaults.h"
+#include "ros/messages/vision.h"
 
 namespace crowd {
 namespace {

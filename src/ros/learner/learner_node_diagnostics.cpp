@@ -1,6 +1,6 @@
 // Samples for the diagnostics of the learner. All functions run in the main loop.
 
-#include "social_crowd/ros/learner/learner_node.h"
+#include "ros/learner/learner_node.h"
 
 namespace crowd {
 

@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/learning/q_table_names.h"
-#include "social_crowd/ros/controller/agent_list.h"
-#include "social_crowd/ros/learner/learner_node.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/node/console.h"
+#include "common/quotes.h"
+#include "learning/q_table_names.h"
+#include "ros/controller/agent_list.h"
+#include "ros/learner/learner_node.h"
+#include "ros/messages/names.h"
+#include "ros/node/console.h"
 
 namespace crowd {
 namespace {

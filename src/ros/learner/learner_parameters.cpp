@@ -1,10 +1,10 @@
-#include "social_crowd/ros/learner/learner_parameters.h"
+#include "ros/learner/learner_parameters.h"
 
 #include <filesystem>
 
-#include "social_crowd/common/files.h"
-#include "social_crowd/learning/q_table_names.h"
-#include "social_crowd/training/training_config.h"
+#include "common/files.h"
+#include "learning/q_table_names.h"
+#include "training/training_config.h"
 
 namespace crowd {
 namespace {

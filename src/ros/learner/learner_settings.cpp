@@ -1,4 +1,4 @@
-#include "social_crowd/ros/learner/learner_settings.h"
+#include "ros/learner/learner_settings.h"
 
 namespace crowd {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/ros/controller/agent_list.h"
-#include "social_crowd/ros/learner/learner_node.h"
-#include "social_crowd/ros/messages/names.h"
+#include "common/quotes.h"
+#include "ros/controller/agent_list.h"
+#include "ros/learner/learner_node.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 namespace {

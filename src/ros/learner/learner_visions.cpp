@@ -1,11 +1,11 @@
-#include "social_crowd/ros/learner/learner_visions.h"
+#include "ros/learner/learner_visions.h"
 
 #include <ros/console.h>
 
 #include <string>
 
-#include "social_crowd/geometry/limits.h"
-#include "social_crowd/ros/messages/vision.h"
+#include "geometry/limits.h"
+#include "ros/messages/vision.h"
 
 namespace crowd {
 

@@ -1,8 +1,8 @@
-#include "social_crowd/ros/learner/share_report.h"
+#include "ros/learner/share_report.h"
 
 #include <algorithm>
 
-#include "social_crowd/ros/controller/agent_list.h"
+#include "ros/controller/agent_list.h"
 
 namespace crowd {
 

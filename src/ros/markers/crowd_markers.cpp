@@ -1,16 +1,16 @@
-#include "social_crowd/ros/markers/crowd_markers.h"
+#include "ros/markers/crowd_markers.h"
 
 #include <geometry_msgs/TransformStamped.h>
 #include <social_crowd/ChooseAgent.h>
 #include <std_msgs/Int32.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/publish_latched.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
-#include "social_crowd/ros/node/parameters.h"
+#include "common/quotes.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
+#include "ros/messages/publish_latched.h"
+#include "ros/messages/topic_defaults.h"
+#include "ros/node/parameters.h"
 
 namespace crowd {
 namespace {

@@ -1,8 +1,8 @@
-#include "social_crowd/ros/markers/floor_scene.h"
+#include "ros/markers/floor_scene.h"
 
 #include <algorithm>
 
-#include "social_crowd/scenario/population_spec.h"
+#include "scenario/population_spec.h"
 
 namespace crowd {
 namespace {

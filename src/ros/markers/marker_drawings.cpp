@@ -1,10 +1,10 @@
-#include "social_crowd/ros/markers/marker_drawings.h"
+#include "ros/markers/marker_drawings.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/geometry/footprint.h"
-#include "social_crowd/ros/messages/conversions.h"
+#include "geometry/footprint.h"
+#include "ros/messages/conversions.h"
 
 namespace crowd {
 namespace {

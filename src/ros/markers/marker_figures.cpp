@@ -1,12 +1,12 @@
-#include "social_crowd/ros/markers/marker_figures.h"
+#include "ros/markers/marker_figures.h"
 
 #include <array>
 #include <string>
 
-#include "social_crowd/ros/markers/marker_drawings.h"
-#include "social_crowd/ros/markers/marker_style.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
+#include "ros/markers/marker_drawings.h"
+#include "ros/markers/marker_style.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 namespace {

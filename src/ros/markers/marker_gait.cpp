@@ -1,4 +1,4 @@
-#include "social_crowd/ros/markers/marker_gait.h"
+#include "ros/markers/marker_gait.h"
 
 #include <cmath>
 #include <iterator>

@@ -1,9 +1,9 @@
-#include "social_crowd/ros/markers/marker_map.h"
+#include "ros/markers/marker_map.h"
 
 #include <map>
 #include <utility>
 
-#include "social_crowd/ros/markers/marker_shapes.h"
+#include "ros/markers/marker_shapes.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/markers/marker_paths.h"
+#include "ros/markers/marker_paths.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,14 +1,14 @@
-#include "social_crowd/ros/markers/marker_scene.h"
+#include "ros/markers/marker_scene.h"
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <utility>
 
-#include "social_crowd/learning/model.h"
-#include "social_crowd/ros/markers/marker_drawings.h"
-#include "social_crowd/ros/markers/marker_map.h"
-#include "social_crowd/ros/messages/conversions.h"
+#include "learning/model.h"
+#include "ros/markers/marker_drawings.h"
+#include "ros/markers/marker_map.h"
+#include "ros/messages/conversions.h"
 
 namespace crowd {
 namespace {

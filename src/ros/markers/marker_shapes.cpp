@@ -1,10 +1,10 @@
-#include "social_crowd/ros/markers/marker_shapes.h"
+#include "ros/markers/marker_shapes.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 namespace {

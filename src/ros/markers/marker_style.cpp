@@ -1,4 +1,4 @@
-#include "social_crowd/ros/markers/marker_style.h"
+#include "ros/markers/marker_style.h"
 
 #include <algorithm>
 #include <array>

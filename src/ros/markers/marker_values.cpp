@@ -1,4 +1,4 @@
-#include "social_crowd/ros/markers/marker_values.h"
+#include "ros/markers/marker_values.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <numeric>
 #include <vector>
 
-#include "social_crowd/ros/markers/marker_shapes.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
+#include "ros/markers/marker_shapes.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/messages/conversions.h"
+#include "ros/messages/conversions.h"
 
 #include <tf2/LinearMath/Quaternion.h>
 #include <tf2/utils.h>
@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "social_crowd/ros/robots/robot_messages.h"
-#include "social_crowd/simulation/metrics.h"
+#include "ros/robots/robot_messages.h"
+#include "simulation/metrics.h"
 
 namespace crowd {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/ros/messages/tick_messages.h"
+#include "common/errors.h"
+#include "ros/messages/tick_messages.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/messages/tick_messages.h"
+#include "ros/messages/tick_messages.h"
 
 #include <cstring>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/messages/topic_publishers.h"
+#include "ros/messages/topic_publishers.h"
 
 #include <ros/master.h>
 #include <ros/this_node.h>

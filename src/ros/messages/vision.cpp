@@ -1,8 +1,8 @@
-#include "social_crowd/ros/messages/vision.h"
+#include "ros/messages/vision.h"
 
 #include <algorithm>
 
-#include "social_crowd/common/numbers.h"
+#include "common/numbers.h"
 
 namespace crowd {
 

@@ -1,12 +1,12 @@
-#include "social_crowd/ros/node/data_folder.h"
+#include "ros/node/data_folder.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
-#include "social_crowd/common/errors.h"
-#include "social_crowd/common/files.h"
-#include "social_crowd/common/quotes.h"
+#include "common/errors.h"
+#include "common/files.h"
+#include "common/quotes.h"
 
 namespace crowd {
 namespace {

@@ -1,8 +1,8 @@
-#include "social_crowd/ros/node/diagnostics_publisher.h"
+#include "ros/node/diagnostics_publisher.h"
 
 #include <utility>
 
-#include "social_crowd/ros/messages/names.h"
+#include "ros/messages/names.h"
 
 namespace crowd {
 

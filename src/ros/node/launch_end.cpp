@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/launch_end.h"
+#include "ros/node/launch_end.h"
 
 #include <unistd.h>
 

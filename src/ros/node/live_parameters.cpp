@@ -1,11 +1,11 @@
-#include "social_crowd/ros/node/live_parameters.h"
+#include "ros/node/live_parameters.h"
 
 #include <algorithm>
 #include <array>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/suggestions.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
+#include "common/suggestions.h"
 
 namespace crowd {
 namespace {

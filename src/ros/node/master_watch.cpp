@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/master_watch.h"
+#include "ros/node/master_watch.h"
 
 #include <ros/console.h>
 #include <ros/init.h>

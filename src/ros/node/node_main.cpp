@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/node_main.h"
+#include "ros/node/node_main.h"
 
 #include <algorithm>
 #include <string>

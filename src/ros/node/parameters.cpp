@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/parameters.h"
+#include "ros/node/parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <optional>
 #include <sstream>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/common/suggestions.h"
-#include "social_crowd/common/yaml_reader.h"
+#include "common/numbers.h"
+#include "common/quotes.h"
+#include "common/suggestions.h"
+#include "common/yaml_reader.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/reconfigure_server.h"
+#include "ros/node/reconfigure_server.h"
 
 #include <dynamic_reconfigure/ConfigDescription.h>
 #include <dynamic_reconfigure/Reconfigure.h>
@@ -7,10 +7,10 @@
 #include <sstream>
 #include <utility>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/publish_latched.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
+#include "common/quotes.h"
+#include "ros/messages/names.h"
+#include "ros/messages/publish_latched.h"
+#include "ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {

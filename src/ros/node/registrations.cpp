@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/registrations.h"
+#include "ros/node/registrations.h"
 
 #include <ros/connection_manager.h>
 #include <ros/network.h>

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/ros_api.h"
+#include "ros/node/ros_api.h"
 
 #include <ros/this_node.h>
 #include <ros/time.h>

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/node/service_line.h"
+#include "ros/node/service_line.h"
 
 #include <chrono>
 

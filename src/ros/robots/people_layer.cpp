@@ -1,4 +1,4 @@
-#include "social_crowd/ros/robots/people_layer.h"
+#include "ros/robots/people_layer.h"
 
 #include <costmap_2d/cost_values.h>
 #include <tf2/exceptions.h>
@@ -10,9 +10,9 @@
 #include <sstream>
 #include <utility>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/robots/robot_messages.h"
+#include "common/numbers.h"
+#include "ros/messages/names.h"
+#include "ros/robots/robot_messages.h"
 
 namespace crowd {
 namespace {

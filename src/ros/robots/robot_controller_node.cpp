@@ -1,14 +1,14 @@
-#include "social_crowd/ros/robots/robot_controller_node.h"
+#include "ros/robots/robot_controller_node.h"
 
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
-#include "social_crowd/common/quotes.h"
-#include "social_crowd/robots/reactive_rule.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
-#include "social_crowd/ros/node/parameters.h"
-#include "social_crowd/ros/robots/robot_messages.h"
+#include "common/quotes.h"
+#include "robots/reactive_rule.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
+#include "ros/node/parameters.h"
+#include "ros/robots/robot_messages.h"
 
 namespace crowd {
 namespace {

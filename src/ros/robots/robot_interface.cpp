@@ -1,12 +1,12 @@
-#include "social_crowd/ros/robots/robot_interface.h"
+#include "ros/robots/robot_interface.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "social_crowd/common/numbers.h"
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
+#include "common/numbers.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
+#include "ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {

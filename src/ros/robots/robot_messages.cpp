@@ -1,4 +1,4 @@
-#include "social_crowd/ros/robots/robot_messages.h"
+#include "ros/robots/robot_messages.h"
 
 #include <sensor_msgs/point_cloud2_iterator.h>
 #include <tf2/utils.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "social_crowd/ros/messages/conversions.h"
+#include "ros/messages/conversions.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "social_crowd/ros/robots/robot_topics.h"
+#include "ros/robots/robot_topics.h"
 
 #ifdef SOCIAL_CROWD_PEOPLE_MSGS
 #include <people_msgs/People.h>
@@ -6,10 +6,10 @@
 
 #include <utility>
 
-#include "social_crowd/ros/messages/conversions.h"
-#include "social_crowd/ros/messages/names.h"
-#include "social_crowd/ros/messages/publish_latched.h"
-#include "social_crowd/ros/messages/topic_defaults.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
+#include "ros/messages/publish_latched.h"
+#include "ros/messages/topic_defaults.h"
 
 namespace crowd {
 namespace {

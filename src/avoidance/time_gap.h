@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+
+#include "avoidance/candidate_move.h"
+#include "world/perception.h"
+
+namespace crowd {
+
+/// @brief Limits the speed towards other agents ahead, as people keep a distance that grows with their speed: the gap
+/// between the bodies takes at least a certain time to walk (collision-free speed model of Tordeux, Chraibi and
+/// Seyfried 2016, v = gap / time gap).
+///
+/// The time gap is that of a person with the maximum speed REFERENCE_SPEED; others walk at the same fraction of their
+/// maximum speed at the same gap. Measured speeds in corridors are in this ratio at all densities (docs/human.md).
+/// Walls and obstacles limit nothing. Immutable: any number of threads may call cut() with buffers of their own.
+class TimeGap {
+ public:
+  /// @brief Maximum speed of a person whose time gap is `time_gap`: mean free speed of pedestrians (Weidmann 1993)
+  /// [m/s].
+  static constexpr double REFERENCE_SPEED = 1.34;
+
+  /// @param time_gap [s], not negative; 0: no move is limited
+  /// @param width an agent is ahead of a move if its centre is less than this share of the sum of both radii aside of
+  /// the move's line, not negative
+  TimeGap(double time_gap, double width) : walked_(time_gap * REFERENCE_SPEED), width_(width) {}
+
+  /// @brief Whether any move can be limited.
+  bool isOn() const { return walked_ > 0.0; }
+  /// @brief Decreases the admissible fraction of each of the first `count` moves to gap / (time gap x REFERENCE_SPEED),
+  /// with the smallest gap to an agent ahead of the move.
+  /// @param moves blocksOf(count) blocks
+  void cut(const Perception& perception, MoveBlock* moves, std::size_t count) const;
+
+ private:
+  double walked_;  // at the reference speed in the time gap [m]
+  double width_;
+};
+
+}  // namespace crowd

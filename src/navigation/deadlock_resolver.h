@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "common/span.h"
+#include "navigation/remaining_path.h"
+#include "world/world.h"
+
+namespace crowd {
+
+/// @brief Resolves deadlocks of agents that block each other: some of them walk back for a while. Deterministic;
+/// depends only on the world and the earlier calls.
+///
+/// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. It gives way to an agent ahead, or one that
+/// touches it, if that has priority:
+/// - A robot that the crowd gives way to has priority over all agents.
+/// - An agent that could not walk back at its last attempt has priority over one that could.
+/// - Of agents that walk in opposite directions, the one whose direction is nearer to an axis has priority; the axis is
+///   the same for all agents and turns every TURN_TIME.
+/// - Of agents in the same direction that are both stuck and touch each other, as in an arch in front of a door, the
+///   one with the shorter remaining path has priority.
+///
+/// An agent that gives way walks back for RETREAT_TIME, and agents that it walks towards do the same. It walks along
+/// its own trail; after an attempt in which it could not move, against the direction of its path, and then in turns.
+/// Where it touches walls or other agents, it slides along them. RETREAT_TIME is short, since agents that walk back are
+/// in the way of those behind them. Afterwards the agent walks on for WALK_TIME before it can be stuck again.
+///
+/// An agent that is stuck, and does not have to give way to another agent, slides along the walls that it touches, and
+/// along the agents between which and a wall it is wedged.
+///
+/// Call contract: update() once per tick, after waypoints were set.
+class DeadlockResolver {
+ public:
+  static constexpr double PROGRESS = 0.5;      ///< [m]
+  static constexpr double STUCK_TIME = 3.0;    ///< [s]
+  static constexpr double TURN_TIME = 6.0;     ///< [s]
+  static constexpr double RETREAT_TIME = 1.5;  ///< an agent walks back for this time [s]
+  static constexpr double WALK_TIME = 1.5;     ///< [s]
+
+  /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
+  /// @param paths of the agents of the world; empty for those that have none
+  void update(World& world, const AgentMap<RemainingPath>& paths);
+
+  /// @brief Whether an agent walks back, as of the last update().
+  bool walksBack(AgentId agent) const { return walksBack(walks_[agent]); }
+  /// @brief Direction of an agent's path, or back if it walks back [unit vector], as of the last update().
+  const Vector2& course(AgentId agent) const { return walks_[agent].course; }
+
+ private:
+  struct Walk {
+    std::deque<Vector2> trail;               // places at intervals, the latest one last [m]
+    Vector2 reference = Vector2::Zero();     // where it last made progress [m]
+    double progress_time = 0.0;              // when [s]
+    double remaining = 0.0;                  // length of its path, while it is stuck [m]
+    double retreat_until = 0.0;              // [s]; 0 unless it walks back
+    Vector2 retreat_from = Vector2::Zero();  // where its last retreat began [m]
+    bool cannot_walk_back = false;           // at its last attempt, and it has made no progress since
+    bool leaves_trail = false;               // walks back against its direction, not along its trail
+    Vector2 course = Vector2::UnitX();       // direction of its path, or back [unit vector]
+  };
+
+  /// An agent that walks.
+  struct Walker {
+    double x;  // of its place [m]
+    AgentId agent;
+  };
+
+  static bool walksBack(const Walk& walk) { return walk.retreat_until > 0.0; }
+  static bool isStuck(const Walk& walk, double time) { return time - walk.progress_time >= STUCK_TIME; }
+  void follow(const Agent& agent, const RemainingPath& path, double time, Walk& walk);
+  static void noteProgress(const Agent& agent, double time, Walk& walk);
+  void startRetreat(const Agent& agent, double time);
+  void sortByX(const World& world);
+  /// The walkers that may be within a distance of an agent [m], by x; the agent itself is among them.
+  Span<Walker> walkersNear(const World& world, const Agent& agent, double distance);
+  bool mustGiveWay(const World& world, const Agent& agent);
+  bool isBlockedByRobot(const World& world, const Agent& agent) const;
+  bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
+  void addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
+  void addAgentContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
+  void slideAlongWalls(World& world, const Agent& agent);
+  void retreat(World& world, const Agent& agent);
+
+  AgentMap<Walk> walks_;
+  std::vector<AgentId> retreating_;  // of this tick
+  std::vector<std::uint32_t> near_walls_;
+  std::vector<Walker> walkers_;  // of this tick, by x; empty until it is needed
+  double largest_radius_ = 0.0;  // of the walkers [m]
+};
+
+}  // namespace crowd

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "navigation/way_lengths.h"
+#include "population/agent_source.h"
+#include "population/gate.h"
+#include "population/place_picker.h"
+#include "population/queue.h"
+#include "population/route_follower.h"
+#include "population/route_observer.h"
+#include "scenario/population_spec.h"
+#include "world/world.h"
+
+namespace crowd {
+
+/// @brief Runs the sources, sinks, routes, queues, gates and reaction times of an episode.
+///
+/// Call contract: begin() before the first tick; update() after each tick, before it is measured; the other
+/// functions between two ticks. Deterministic; depends only on the scene and the world. Not thread-safe.
+class Population {
+ public:
+  explicit Population(const Scene& scene);
+
+  /// @brief Sets the first goals, and headings towards them, of the agents of a scene that have routes.
+  /// @throws Stopped if `stop` is made, as begin() and update() do for that of the world
+  static void chooseFirstGoals(Scene& scene, const StopRequest& stop = {});
+
+  void begin(World& world, RouteObserver& observer);
+  void update(World& world, RouteObserver& observer) {
+    if (!isEmpty()) updateAll(world, observer);
+  }
+  /// @brief Whether a source has agents left.
+  bool expectsAgents() const;
+
+  /// @brief Lets an agent begin a route. @throws InputError that lists the known names, or if the agent is not on its
+  /// way, or cannot walk the route (RouteCheck); nothing is changed then
+  /// @param ways for the check, so that a refused route does not affect the ways of others; null: it is not checked
+  void setRoute(AgentId id, const std::string& route, WayLengths* ways, World& world, RouteObserver& observer);
+  /// @brief Ends the route of an agent, for example when a user sets a goal. Does nothing without a route.
+  void dropRoute(AgentId id, World& world, RouteObserver& observer);
+  /// @brief Opens or closes a gate, see Gate. @return whether it is open now @throws InputError that lists the known
+  /// names
+  bool setGate(const std::string& gate, bool open, World& world);
+  /// @brief Adds the last source, or the last gate, of a description that is otherwise the present one. A source begins
+  /// now.
+  void addSource(const Scene& scene, const World& world);
+  void addGate(const Scene& scene, World& world);
+  /// @brief Adds or removes the walls of the gates, for changes of walls by others.
+  void updateGates(World& world);
+
+  /// @brief Number of agents on a route or within their reaction time.
+  std::size_t memberCount() const { return members_.size(); }
+  const Queue& queue(std::size_t index) const { return queues_[index]; }
+
+ private:
+  /// An agent on a route, or one that has not reacted yet.
+  struct Member {
+    AgentId id = 0;
+    double reacts_at = 0.0;  // [s]
+    std::optional<RouteFollower> route;
+    std::size_t sink = 0;  // of the present leg
+  };
+
+  /// Whether there is nothing to update, as in scenes of agents with goals alone.
+  bool isEmpty() const { return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty(); }
+  void updateAll(World& world, RouteObserver& observer);
+  /// Uses this description from now on. The one before is kept, because queues, gates and routes refer to it.
+  void adopt(const Scene& scene, PopulationDescription description);
+  KeyedRandom randomOfRoute(AgentId id, std::uint64_t tick) const;
+  Member* find(AgentId id);
+  /// Adds an agent that has just appeared.
+  void admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer);
+  /// Returns the goal of an agent's present leg, and sets its sink.
+  Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world);
+  /// Returns a place in the sink with the shortest way, and sets the member's sink.
+  Vector2 nearestSink(Member& member, const Vector2& from, double radius, const World& world);
+  /// The way to a place; without way-finding the straight line.
+  WayLengths::Way wayTo(const Vector2& place, const Vector2& from, double radius, const World& world);
+  void beginLeg(Member& member, World& world);
+  /// Goes on to the next waypoint, or lets the agent leave at the end of its route.
+  void advance(Member& member, World& world, RouteObserver& observer);
+  void walk(Member& member, World& world, RouteObserver& observer);
+  void hold(const Member& member, World& world) const;
+  void serveQueues(World& world, RouteObserver& observer);
+  void spawn(World& world, RouteObserver& observer);
+
+  std::shared_ptr<const PopulationDescription> description_;
+  std::vector<std::shared_ptr<const PopulationDescription>> earlier_;  // descriptions, which others refer to
+  std::uint64_t seed_;
+  PlacePicker places_;
+  std::optional<WayLengths> ways_;  // with way-finding
+  std::vector<AgentStart> starts_;  // until begin()
+  std::vector<AgentSource> sources_;
+  std::vector<Queue> queues_;
+  std::vector<Gate> gates_;
+  std::vector<Member> members_;  // by ascending id
+};
+
+}  // namespace crowd

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <social_crowd/AgentStates.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cstdint>
+#include <set>
+
+#include "ros/markers/marker_gait.h"
+
+namespace crowd {
+
+/// @brief Agents as walking people: mesh markers of the files in meshes/ (see scripts/draw_figures), several for each
+/// agent.
+///
+/// Used by MarkerScene in the thread of crowd_markers.
+class WalkingFigures {
+ public:
+  /// @brief Takes the state after each tick, so that the figures step with the distance walked, also while not drawn.
+  void take(const social_crowd::AgentStates& states);
+  /// @brief Forgets how far the agents have walked.
+  void clear() { cycles_.clear(); }
+
+  /// @brief Adds the markers of the agents on the floor, and deletes those of agents that have left it.
+  /// @param shown false: deletes all figures
+  /// @param whole whether this drawing also has what earlier ones had: markers are deleted again until a whole drawing,
+  /// in case a message was lost
+  void draw(const social_crowd::AgentStates& states, bool shown, bool whole, visualization_msgs::MarkerArray& array);
+
+ private:
+  WalkingCycles cycles_;
+  std::set<std::uint32_t> shown_;    // agents with a figure
+  std::set<std::uint32_t> leaving_;  // agents whose figure is being deleted
+};
+
+}  // namespace crowd

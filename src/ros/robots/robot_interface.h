@@ -1,0 +1,86 @@
+#pragma once
+
+#include <ros/ros.h>
+#include <social_crowd/RobotObservation.h>
+#include <social_crowd/RobotStates.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robots/robot_senses.h"
+#include "ros/controller/command_collector.h"
+#include "ros/controller/controller_parameters.h"
+#include "ros/controller/pose_collector.h"
+#include "ros/node/main_loop.h"
+#include "ros/robots/robot_topics.h"
+#include "simulation/episode.h"
+
+namespace crowd {
+
+/// @brief Commands, poses, sensors and topics of all robots of the crowd controller, which calls begin() for each
+/// episode, then ask(), wait(), observe() and publish() in each tick. Without robots it advertises and publishes
+/// nothing. All functions run in the main loop, which wait() serves. docs/protocol.md describes the protocol.
+class RobotInterface {
+ public:
+  /// @param node whose callbacks `loop` serves @param clock the present time, simulated time with ~publish_clock
+  RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
+                 std::function<ros::Time()> clock);
+
+  /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.
+  void begin(Episode& episode);
+  /// @brief The commands of the coming tick are awaited from now on.
+  void ask() { commands_.ask(); }
+  /// @brief Waits for the commands of the tick and moves external robots. @return see CommandCollector::wait()
+  /// @param end returns the time of the end of the tick
+  bool wait(const std::function<ros::Time()>& end);
+  /// @brief At the end of an episode: see CommandCollector::awaitLast().
+  bool awaitLast() { return robots().empty() || commands_.awaitLast(); }
+  /// @brief Takes note of the moves of the last tick.
+  void observe();
+  /// @brief Publishes transforms, states and sensors. @param begins the episode begins
+  void publish(const ros::Time& now, bool begins);
+
+  const CommandCollector& commands() const { return commands_; }
+  /// @brief Writes what the robots got from elsewhere in this episode.
+  void writeInput(std::vector<RobotResult>& results) const;
+  /// @brief From now on these commands are executed instead of those from topics, none is awaited, and contacts are
+  /// collected.
+  void beginSteps(const CommandCollector::Commands& commands);
+  /// @brief Ends that.
+  void endSteps();
+  /// @brief What all robots observe now, with the contacts of all ticks since beginSteps(), or, without that, of the
+  /// last tick. @param with_scan with ranges
+  std::vector<social_crowd::RobotObservation> observations(const ros::Time& now, bool with_scan);
+
+ private:
+  const std::vector<Robot>& robots() const { return episode_->world().robots().list(); }
+  RobotInput inputOf(RobotId robot) const;
+  void advertise();
+  void takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal);
+  void publishTransforms(const ros::Time& now);
+  void publishMounts(const ros::Time& now);
+  social_crowd::RobotStates states(const ros::Time& now) const;
+
+  ros::NodeHandle node_;
+  std::function<ros::Time()> clock_;
+  const bool publish_localisation_;
+  const bool visible_people_only_;
+  Episode* episode_ = nullptr;
+  std::unique_ptr<RobotSenses> senses_;
+  std::uint64_t scanned_changes_ = 0;                // Episode::changes() at the last scans
+  std::vector<std::vector<RobotContact>> contacts_;  // by robot; empty: they are not collected
+  CommandCollector commands_;
+  PoseCollector poses_;
+  std::vector<std::string> advertised_;  // names and namespaces of the robots
+  std::vector<std::unique_ptr<RobotTopics>> topics_;
+  ros::Publisher states_;
+  std::optional<tf2_ros::TransformBroadcaster> transforms_;
+  std::optional<tf2_ros::StaticTransformBroadcaster> static_transforms_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "scenario/population_spec.h"
+#include "simulation/episode_monitor.h"
+#include "world/world_editor.h"
+
+namespace crowd {
+
+class Episode;
+
+/// @brief Changes the world of an episode, and its population, between two ticks. With way-finding it also refuses what
+/// would make the floor too large, and an agent that cannot reach its goal then because of its own new place, goal or
+/// route (WayLengths::requireWay()). The episode must outlive it.
+class EpisodeEditor final : public WorldEditor {
+ public:
+  explicit EpisodeEditor(Episode& episode);
+
+  /// @brief Replaces all agents, and what is known of their motion. @param agents, tracks by ascending id; on return
+  /// the former ones
+  void replaceCrowd(std::vector<Agent>& agents, std::vector<EpisodeMonitor::Track>& tracks);
+  /// @brief Lets an agent begin a route of the scenario.
+  void setRoute(AgentId id, const std::string& route);
+  /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later. @return whether it is
+  /// open now
+  bool setGate(const std::string& gate, bool open);
+  /// @brief Adds a source, which begins now. @param source as read from a scenario file @return its index
+  std::size_t addSource(const SourceDescription& source);
+  /// @brief Adds a gate. @throws InputError also if there is one of its name
+  void addGate(const GateDescription& gate);
+
+ private:
+  void review(const WorldChange& change) override;
+  void note(const WorldChange& change) override;
+  /// Uses another population from now on.
+  void adopt(PopulationDescription population);
+
+  Episode& episode_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "common/agent_id.h"
+#include "common/span.h"
+#include "geometry/geometry.h"
+#include "world/neighbours.h"
+
+namespace crowd {
+
+/// @brief Range and limits of an agent's perception.
+struct Vision {
+  double radius = 6.0;               ///< maximum distance from the agent's centre to the rim of a neighbour [m]
+  std::uint32_t max_neighbours = 0;  ///< only the nearest of the visible neighbours are perceived; 0: no limit
+  bool occlusion = false;            ///< nearer neighbours and walls hide others (see Occlusion)
+
+  /// @brief Number of neighbours, nearest rim first, that are within these limits.
+  template <typename Neighbours>
+  std::size_t countOf(const Neighbours& neighbours) const {
+    std::size_t count = neighbours.size();
+    if (max_neighbours > 0) count = std::min<std::size_t>(max_neighbours, count);
+    while (count > 0 && rimDistance(neighbours[count - 1]) > radius) --count;
+    return count;
+  }
+};
+
+/// @brief State of the perceiving agent at a tick.
+struct AgentPerception {
+  AgentId agent = 0;
+  Pose pose;                           ///< in `map`
+  Vector2 velocity = Vector2::Zero();  ///< of the last tick, agent frame [m/s]
+  double max_speed = 0.0;              ///< maximum speed [m/s]
+  double radius = 0.0;                 ///< of the body [m]
+  Vector2 goal = Vector2::Zero();      ///< position of the goal, agent frame [m]
+  std::uint32_t goal_number = 0;       ///< changes when the goal changes
+  bool arrived = false;                ///< reached its last goal in the last tick: this is its last perception
+  bool acted = false;                  ///< its action for the last tick was executed
+  std::uint32_t first_neighbour = 0;   ///< index of its first neighbour in `neighbours`
+  std::uint32_t neighbour_count = 0;
+  std::uint32_t first_wall = 0;  ///< its walls are walls[first_wall .. first_wall + wall_count)
+  std::uint32_t wall_count = 0;
+};
+
+/// @brief Perceptions of all agents at the start of a tick. One list holds the neighbours of all agents and one the
+/// walls, not in the order of the agents and possibly with gaps, so that a tick allocates no memory once the vectors
+/// have grown.
+struct Perceptions {
+  std::uint64_t episode = 0;
+  std::uint64_t tick = 0;
+  std::uint32_t turn = 0;      ///< within the tick: the agent whose turn it is (Order::SEQUENTIAL), else 0
+  double tick_duration = 0.0;  ///< [s]
+  bool last = false;           ///< the episode is over: no answers are expected
+  std::vector<AgentPerception> agents;
+  NeighbourList neighbours;    ///< of each agent, nearest rim first
+  std::vector<Segment> walls;  ///< in the frame of the agent they belong to
+};
+
+/// @brief Perception of one agent at a tick: a view into Perceptions, valid as long as these are unchanged.
+struct Perception {
+  const AgentPerception& self;
+  NeighbourSpan neighbours;
+  Span<Segment> walls;
+  double tick_duration;  ///< [s]
+
+  Perception(const Perceptions& all, std::size_t index)
+      : self(all.agents[index]),
+        neighbours(all.neighbours, self.first_neighbour, self.neighbour_count),
+        walls(all.walls.data() + self.first_wall, self.wall_count),
+        tick_duration(all.tick_duration) {}
+
+  /// @brief Whether it contains neither walls nor obstacles.
+  bool isOfAgentsAlone() const { return walls.empty() && !neighbours.hasObstacles(); }
+};
+
+}  // namespace crowd

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/span.h"
+#include "geometry/robot_sweep.h"
+#include "geometry/solid_motion.h"
+#include "scenario/robot.h"
+#include "scenario/scene.h"
+#include "world/agent.h"
+#include "world/protective_stop.h"
+
+namespace crowd {
+
+/// @brief The robots of a world: what they are told to do, their motions, and their contacts with agents. They are not
+/// in the grid of bodies: there are few of them, and agents perceive them as discs that are larger than their
+/// footprints, or not at all.
+///
+/// In each tick World calls beginMoves(), in a solid world addDiscs(), noteSolidContacts() and stop(), in a ghost world
+/// noteGhostContacts(), then endMoves().
+class Robots {
+ public:
+  explicit Robots(const Scene& scene);
+
+  const std::vector<Robot>& list() const { return robots_; }
+  std::vector<Robot>::const_iterator begin() const { return robots_.begin(); }
+  std::vector<Robot>::const_iterator end() const { return robots_.end(); }
+  std::size_t size() const { return robots_.size(); }
+  bool empty() const { return robots_.empty(); }
+  const Robot& operator[](RobotId id) const { return robots_[id]; }
+
+  /// @brief Sets what a robot is to do from the next tick on, until the next call; it follows within its limits.
+  /// @throws InputError if there is no such robot, it is EXTERNAL, or a number is not finite.
+  void command(RobotId id, const Twist& wanted);
+  /// @brief Sets where an EXTERNAL robot is at the end of the coming tick; it stays there until the next call. The
+  /// place may be occupied. @param pose in `map` @param velocity [m/s], `map` @param jump it does not move
+  /// there on a straight line: it is at the place from the start of the tick on, without a velocity. @throws InputError
+  /// if there is no such EXTERNAL robot or a number is not finite.
+  void place(RobotId id, const Pose& pose, const Vector2& velocity, bool jump);
+  /// @brief Replaces the goals of a robot [m], `map`; none: it has no goal any more.
+  /// @throws InputError if there is no such robot or a number is not finite.
+  void setGoals(RobotId id, std::vector<Vector2> goals);
+  /// @brief Lets a robot stand at another place, see WorldEditor::teleportRobot().
+  void teleport(RobotId id, const Pose& pose);
+
+  /// @brief Whether the rim of a robot is within a distance of a place [m].
+  bool isAnyWithin(double distance, const Vector2& place) const;
+  /// @brief The name of a robot that overlaps a disc [m]; empty if none does. @param except a robot that is ignored
+  std::string blockerAt(const Vector2& centre, double radius, std::optional<RobotId> except) const;
+  /// @brief The robot. @throws InputError if there is none
+  const Robot& require(RobotId id) const;
+
+  /// @brief Determines the motions of the coming tick.
+  void beginMoves(const std::vector<Agent>& agents);
+  /// @brief Motions of robots that stand still, while an agent moves alone.
+  void hold();
+  /// @brief Appends the motions as solid bodies.
+  void addDiscs(std::vector<SolidMotion::Disc>& discs) const;
+  /// @brief Notes contacts with the agents. @param discs the intended motions of agents on their way, then others, then
+  /// of the robots @param touches the impacts of these
+  void noteSolidContacts(const std::vector<Agent>& agents, const std::vector<SolidMotion::Disc>& discs,
+                         const std::vector<SolidMotion::Touch>& touches);
+  /// @brief Cuts the motions short. @param outcomes of the discs
+  void stop(const Span<SolidMotion::Outcome>& outcomes);
+  /// @brief Notes contacts with agents that have just moved for a time [s] in a ghost world.
+  void noteGhostContacts(const Span<Agent>& agents, double time);
+  /// @brief Puts the robots where they are at the end of the tick, and counts the goals that they have reached.
+  void endMoves();
+
+ private:
+  /// Where an EXTERNAL robot is at the end of a tick.
+  struct Place {
+    Pose pose;
+    Vector2 velocity = Vector2::Zero();  // `map` [m/s]
+    bool jump = false;
+  };
+
+  Robot& find(RobotId id);
+  void noteContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way);
+
+  double tick_duration_;
+  Contact contact_;
+  std::vector<Robot> robots_;
+  // By robot:
+  std::vector<std::optional<Place>> places_;         // where an EXTERNAL one is to be next
+  std::vector<RobotSweep> sweeps_;                   // its intended motion in this tick
+  std::vector<std::vector<RobotContact>> contacts_;  // those of the present tick so far
+  ProtectiveStop protective_stop_;
+};
+
+}  // namespace crowd
