@@ -7,10 +7,10 @@
 
 #include "learning/q_table_file.h"
 #include "measuring.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "simulation/crowd_decider.h"
 #include "simulation/episode.h"
-#include "simulation/evaluation.h"
+#include "simulation/evaluation/evaluation.h"
 
 namespace crowd {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/files.h"
+#include "common/files/files.h"
 #include "common/random.h"
 #include "learning/q_table_file.h"
 #include "measuring.h"

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "common/errors.h"
 #include "measuring.h"
+#include "social_crowd/errors.h"
 #include "training/communicator.h"
 
 namespace crowd {

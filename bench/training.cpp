@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "measuring.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "simulation/episode_runner.h"
 #include "thread_counts.h"
 #include "training/training.h"

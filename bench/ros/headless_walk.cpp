@@ -4,7 +4,7 @@
 #include "commands.h"
 #include "learning/learner.h"
 #include "learning/q_table_file.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "simulation/crowd_decider.h"
 #include "simulation/episode.h"
 

@@ -7,7 +7,7 @@
 
 #include "any_message.h"
 #include "commands.h"
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd::bench {
 namespace {

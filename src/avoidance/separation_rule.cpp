@@ -5,8 +5,8 @@
 
 #include "avoidance/escape_planner.h"
 #include "avoidance/near_agents.h"
-#include "common/errors.h"
 #include "geometry/impact.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

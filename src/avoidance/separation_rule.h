@@ -2,7 +2,7 @@
 
 #include "avoidance/candidate_move.h"
 #include "avoidance/perception_batch.h"
-#include "common/enum_names.h"
+#include "common/text/enum_names.h"
 #include "world/perception.h"
 
 namespace crowd {

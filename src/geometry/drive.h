@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "common/enum_names.h"
+#include "common/text/enum_names.h"
 #include "geometry/geometry.h"
 
 namespace crowd {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "geometry/geometry.h"
 #include "geometry/limits.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

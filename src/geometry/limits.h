@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "common/number_limit.h"
+#include "common/text/number_limit.h"
 
 /// @brief The greatest values that files, services and topics may give: far above those of any crowd, and so that
 /// arithmetic stays exact, and memory and time bounded.

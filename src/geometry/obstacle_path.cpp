@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

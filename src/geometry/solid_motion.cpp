@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/numbers.h"
 #include "common/random.h"
+#include "common/text/numbers.h"
 #include "geometry/impact.h"
 
 namespace crowd {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "avoidance/perception_batch.h"
-#include "common/enum_names.h"
 #include "common/random.h"
+#include "common/text/enum_names.h"
 #include "learning/agent_share.h"
 #include "learning/decision_values.h"
 #include "learning/model.h"

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "common/checksum.h"
-#include "common/errors.h"
+#include "common/files/checksum.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

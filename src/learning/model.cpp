@@ -1,6 +1,6 @@
 #include "learning/model.h"
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "geometry/limits.h"
 
 namespace crowd {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/suggestions.h"
-#include "common/yaml_reader.h"
+#include "common/text/suggestions.h"
+#include "common/text/yaml_reader.h"
 
 namespace crowd {
 

@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "common/files.h"
+#include "common/files/files.h"
 #include "learning/model.h"
 #include "learning/rl/learning_parameters.h"
 #include "learning/rl/q_table.h"

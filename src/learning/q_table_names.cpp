@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "common/errors.h"
-#include "common/quotes.h"
-#include "common/suggestions.h"
-#include "scenario/scenario_files.h"
+#include "common/text/quotes.h"
+#include "common/text/suggestions.h"
+#include "scenario/reading/scenario_files.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "common/files.h"
-#include "common/numbers.h"
-#include "common/quotes.h"
+#include "common/files/files.h"
+#include "common/text/numbers.h"
+#include "common/text/quotes.h"
 #include "learning/line_reader.h"
 #include "learning/q_table_file.h"
 #include "learning/q_table_format.h"

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "common/checksum.h"
-#include "common/files.h"
-#include "common/numbers.h"
+#include "common/files/checksum.h"
+#include "common/files/files.h"
+#include "common/text/numbers.h"
 #include "learning/q_table_file.h"
 #include "learning/q_table_format.h"
 #include "learning/q_table_text.h"

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

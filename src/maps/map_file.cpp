@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "common/enum_names.h"
-#include "common/numbers.h"
-#include "common/yaml_reader.h"
+#include "common/text/enum_names.h"
+#include "common/text/numbers.h"
+#include "common/text/yaml_reader.h"
 #include "maps/map_image.h"
 
 namespace crowd {

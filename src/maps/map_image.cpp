@@ -1,8 +1,8 @@
 #include "maps/map_image.h"
 
-#include "common/errors.h"
-#include "common/files.h"
+#include "common/files/files.h"
 #include "geometry/limits.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "geometry/limits.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

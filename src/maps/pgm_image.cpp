@@ -2,9 +2,9 @@
 #include <charconv>
 #include <system_error>
 
-#include "common/errors.h"
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "maps/map_image.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

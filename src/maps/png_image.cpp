@@ -3,9 +3,9 @@
 #include <array>
 #include <string>
 
-#include "common/errors.h"
 #include "geometry/limits.h"
 #include "maps/map_image.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

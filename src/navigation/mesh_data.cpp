@@ -7,9 +7,9 @@
 #include <new>
 #include <string>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "navigation/polygon_mesh.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "scenario/region_geometry.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

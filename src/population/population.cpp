@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "common/errors.h"
 #include "geometry/limits.h"
 #include "population/route_check.h"
 #include "scenario/region_geometry.h"
+#include "social_crowd/errors.h"
 #include "world/world_editor.h"
 
 namespace crowd {

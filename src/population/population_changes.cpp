@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/errors.h"
-#include "common/quotes.h"
-#include "common/yaml_reader.h"
+#include "common/text/quotes.h"
+#include "common/text/yaml_reader.h"
 #include "scenario/population_checks.h"
-#include "scenario/population_document.h"
-#include "scenario/population_reader.h"
-#include "scenario/units.h"
+#include "scenario/reading/population_reader.h"
+#include "scenario/reading/units.h"
+#include "scenario/writing/population_document.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/errors.h"
 #include "scenario/region_geometry.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -6,8 +6,8 @@
 #include "scenario/population_spec.h"
 #include "simulation/agent_transfer.h"
 #include "simulation/byte_archive.h"
+#include "simulation/evaluation/trajectory.h"
 #include "simulation/stopwatch.h"
-#include "simulation/trajectory.h"
 
 namespace crowd {
 namespace {

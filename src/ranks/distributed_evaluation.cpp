@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "common/checksum.h"
-#include "scenario/scene_document.h"
+#include "common/files/checksum.h"
+#include "scenario/writing/scene_document.h"
 #include "simulation/byte_archive.h"
 #include "simulation/crowd_decider.h"
-#include "simulation/instance_walk.h"
+#include "simulation/evaluation/instance_walk.h"
 #include "simulation/stopwatch.h"
 
 namespace crowd {

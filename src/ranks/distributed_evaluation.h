@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ranks/distributed_crowd.h"
-#include "simulation/evaluation.h"
+#include "simulation/evaluation/evaluation.h"
 #include "training/communicator.h"
 
 namespace crowd {

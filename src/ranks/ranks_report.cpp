@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 
 namespace crowd {
 

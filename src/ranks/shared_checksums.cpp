@@ -1,8 +1,8 @@
 // Checksums by which ranks find that they compute different things.
 
-#include "common/checksum.h"
-#include "common/files.h"
-#include "common/library_file.h"
+#include "common/files/checksum.h"
+#include "common/files/files.h"
+#include "common/files/library_file.h"
 #include "ranks/distributed_evaluation.h"
 #include "simulation/byte_archive.h"
 

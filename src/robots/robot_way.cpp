@@ -1,7 +1,7 @@
 #include "robots/robot_way.h"
 
-#include "common/errors.h"
 #include "navigation/walking_floor.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

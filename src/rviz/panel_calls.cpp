@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "ros/messages/names.h"
 
 namespace crowd {

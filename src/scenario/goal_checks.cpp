@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "maps/occupancy_map.h"
 #include "scenario/region_geometry.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

@@ -2,13 +2,13 @@
 
 #include <utility>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "geometry/impact.h"
 #include "scenario/goal_checks.h"
 #include "scenario/placed_bodies.h"
 #include "scenario/robot_placement.h"
 #include "scenario/route_reach.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

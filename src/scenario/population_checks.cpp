@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "geometry/impact.h"
 #include "geometry/wall_index.h"
 #include "maps/occupancy_map.h"
 #include "scenario/population_spec.h"
 #include "scenario/region_geometry.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "common/quotes.h"
-#include "common/suggestions.h"
+#include "common/text/quotes.h"
+#include "common/text/suggestions.h"
 
 namespace crowd {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "scenario/scenario.h"
 
 namespace crowd {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/agent_id.h"
-#include "common/enum_names.h"
+#include "common/text/enum_names.h"
 #include "geometry/drive.h"
 #include "geometry/footprint.h"
 #include "scenario/robot_sensors.h"

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <string>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "geometry/impact.h"
 #include "scenario/goal_checks.h"
 #include "scenario/region_geometry.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

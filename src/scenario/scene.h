@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/enum_names.h"
+#include "common/text/enum_names.h"
 #include "geometry/geometry.h"
 #include "geometry/obstacle_path.h"
 #include "maps/free_space.h"

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd::simd {
 

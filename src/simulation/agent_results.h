@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "common/scratch_file.h"
+#include "common/files/scratch_file.h"
 #include "world/agent_map.h"
 
 namespace crowd {

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "common/errors.h"
 #include "geometry/geometry.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "common/quotes.h"
-#include "common/suggestions.h"
+#include "common/text/quotes.h"
+#include "common/text/suggestions.h"
 #include "robots/learned_robot.h"
 #include "robots/reactive_rule.h"
 #include "robots/steering.h"

@@ -9,11 +9,11 @@
 #include <sstream>
 #include <vector>
 
-#include "common/checksum.h"
-#include "common/errors.h"
-#include "common/files.h"
-#include "common/suggestions.h"
+#include "common/files/checksum.h"
+#include "common/files/files.h"
+#include "common/text/suggestions.h"
 #include "ranks/mpi_communicator.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "common/numbers.h"
-#include "simulation/metrics.h"
+#include "common/text/numbers.h"
+#include "simulation/evaluation/metrics.h"
 
 namespace crowd {
 namespace {

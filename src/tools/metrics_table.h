@@ -3,7 +3,7 @@
 #include <string>
 
 #include "simulation/episode_result.h"
-#include "simulation/metrics.h"
+#include "simulation/evaluation/metrics.h"
 
 namespace crowd {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 
 namespace crowd {
 namespace {

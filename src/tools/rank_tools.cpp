@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "command_line.h"
-#include "common/checksum.h"
-#include "common/files.h"
+#include "common/files/checksum.h"
+#include "common/files/files.h"
 #include "training/checkpoint.h"
 
 namespace crowd {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 
 namespace crowd {
 namespace {

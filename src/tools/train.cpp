@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "command_line.h"
-#include "common/yaml_reader.h"
+#include "common/text/yaml_reader.h"
 #include "learning/actions/kings_moves.h"
 #include "learning/model.h"
 #include "learning/states/row_meaning.h"

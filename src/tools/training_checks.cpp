@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/errors.h"
-#include "common/files.h"
-#include "common/growing_file.h"
+#include "common/files/files.h"
+#include "common/files/growing_file.h"
 #include "learning/q_table_file.h"
+#include "social_crowd/errors.h"
 #include "training/record.h"
 
 namespace crowd {

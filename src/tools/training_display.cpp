@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "terminal.h"
 #include "training/record.h"
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "common/errors.h"
-#include "common/files.h"
+#include "common/files/files.h"
+#include "social_crowd/errors.h"
 #include "training/record.h"
 
 namespace crowd {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/growing_file.h"
+#include "common/files/growing_file.h"
 #include "training/checkpoint.h"
 #include "training/training.h"
 

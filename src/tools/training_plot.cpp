@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "text_plot.h"
 #include "training/record.h"
 

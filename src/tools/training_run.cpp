@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "command_line.h"
-#include "common/errors.h"
-#include "common/file_lock.h"
-#include "common/files.h"
-#include "common/numbers.h"
-#include "common/result_file.h"
+#include "common/files/file_lock.h"
+#include "common/files/files.h"
+#include "common/files/result_file.h"
+#include "common/text/numbers.h"
 #include "learning/q_table_file.h"
 #include "rank_tools.h"
+#include "social_crowd/errors.h"
 #include "terminal.h"
 #include "training/training.h"
 #include "training/training_config.h"

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "common/numbers.h"
-#include "simulation/metrics.h"
+#include "common/text/numbers.h"
+#include "simulation/evaluation/metrics.h"
 
 namespace crowd {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <tuple>
 
-#include "common/errors.h"
 #include "learning/rl/merge_copies.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

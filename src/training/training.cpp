@@ -5,12 +5,12 @@
 #include <numeric>
 #include <optional>
 
-#include "common/errors.h"
 #include "learning/rl/merge_copies.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "simulation/byte_archive.h"
 #include "simulation/episode_runner.h"
 #include "simulation/stopwatch.h"
+#include "social_crowd/errors.h"
 #include "training/learned_episode_transfer.h"
 #include "training/table_exchange.h"
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "scenario/scenario_files.h"
+#include "scenario/reading/scenario_files.h"
 
 namespace crowd {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/files.h"
+#include "common/files/files.h"
 #include "learning/learner.h"
 #include "learning/model.h"
 #include "learning/rl/learning_parameters.h"

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/errors.h"
-#include "common/numbers.h"
-#include "common/quotes.h"
+#include "common/text/numbers.h"
+#include "common/text/quotes.h"
 #include "geometry/finite_checks.h"
 #include "geometry/impact.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

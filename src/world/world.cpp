@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "common/errors.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "geometry/impact.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "common/errors.h"
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "geometry/finite_checks.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "avoidance/separation_rule.h"
 #include "common/random.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 #include "support/worlds.h"

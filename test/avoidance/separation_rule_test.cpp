@@ -6,7 +6,7 @@
 #include "common/random.h"
 #include "geometry/impact.h"
 #include "learning/actions/goal_relative_actions.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "support/error_of.h"
 #include "support/moves.h"
 #include "support/perceptions.h"

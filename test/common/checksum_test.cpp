@@ -1,4 +1,4 @@
-#include "common/checksum.h"
+#include "common/files/checksum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/file_lock.h"
+#include "common/files/file_lock.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "common/errors.h"
-#include "common/files.h"
+#include "common/files/files.h"
+#include "social_crowd/errors.h"
 #include "support/file_tests.h"
 
 namespace crowd::file_lock_test {

@@ -1,4 +1,4 @@
-#include "common/files.h"
+#include "common/files/files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <future>
 
-#include "common/descriptor.h"
-#include "common/errors.h"
+#include "common/files/descriptor.h"
+#include "social_crowd/errors.h"
 #include "support/file_tests.h"
 
 namespace crowd::files_test {

@@ -1,4 +1,4 @@
-#include "common/number_limit.h"
+#include "common/text/number_limit.h"
 
 #include <gtest/gtest.h>
 

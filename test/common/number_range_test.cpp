@@ -1,4 +1,4 @@
-#include "common/number_range.h"
+#include "common/text/number_range.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "common/errors.h"
-#include "common/yaml_reader.h"
+#include "common/text/yaml_reader.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 
 namespace crowd::quotes_test {

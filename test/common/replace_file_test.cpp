@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <thread>
 
-#include "common/descriptor.h"
-#include "common/errors.h"
-#include "common/file_lock.h"
-#include "common/files.h"
-#include "common/growing_file.h"
-#include "common/result_file.h"
+#include "common/files/descriptor.h"
+#include "common/files/file_lock.h"
+#include "common/files/files.h"
+#include "common/files/growing_file.h"
+#include "common/files/result_file.h"
+#include "social_crowd/errors.h"
 #include "support/file_tests.h"
 
 namespace crowd::replace_file_test {

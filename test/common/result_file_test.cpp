@@ -1,4 +1,4 @@
-#include "common/result_file.h"
+#include "common/files/result_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <csignal>
 
-#include "common/errors.h"
-#include "common/files.h"
+#include "common/files/files.h"
+#include "social_crowd/errors.h"
 #include "support/file_tests.h"
 
 namespace crowd::result_file_test {

@@ -1,8 +1,8 @@
-#include "common/scratch_file.h"
+#include "common/files/scratch_file.h"
 
 #include <gtest/gtest.h>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 
 namespace crowd::scratch_file_test {

@@ -1,4 +1,4 @@
-#include "common/suggestions.h"
+#include "common/text/suggestions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "common/yaml_reader.h"
+#include "common/text/yaml_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/robots.h"
 #include "support/scenario_texts.h"

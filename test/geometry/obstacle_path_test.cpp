@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/errors.h"
 #include "common/random.h"
+#include "social_crowd/errors.h"
 
 namespace crowd::obstacle_path_test {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "common/errors.h"
-#include "common/files.h"
-#include "common/quotes.h"
+#include "common/files/files.h"
+#include "common/text/quotes.h"
 #include "learning/q_table_file.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 
 namespace crowd::hidden_q_tables_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "support/error_of.h"
 
 namespace crowd::model_test {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "common/errors.h"
 #include "common/random.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 
 namespace crowd::q_table_merge_test {

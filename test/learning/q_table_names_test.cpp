@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/errors.h"
 #include "learning/q_table_file.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 

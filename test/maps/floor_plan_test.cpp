@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 
 namespace crowd::floor_plan_test {

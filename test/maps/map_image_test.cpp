@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "common/errors.h"
 #include "common/random.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/map_texts.h"
 #include "support/png_texts.h"

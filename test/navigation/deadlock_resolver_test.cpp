@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "learning/q_table_file.h"
-#include "scenario/scenario_reader.h"
-#include "simulation/evaluation.h"
+#include "scenario/reading/scenario_reader.h"
+#include "simulation/evaluation/evaluation.h"
 #include "support/robots.h"
 #include "support/two_ways.h"
 #include "world/world_editor.h"

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/floors.h"
 
 namespace crowd::mesh_cache_test {

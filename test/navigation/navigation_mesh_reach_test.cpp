@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "common/errors.h"
 #include "navigation/navigation_mesh.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/floors.h"
 

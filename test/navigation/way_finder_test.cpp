@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/floors.h"
 #include "support/seeds.h"

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string>
 
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "support/straight_walk.h"
 #include "support/temporary_folder.h"
 

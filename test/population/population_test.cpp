@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simulation/episode.h"
-#include "simulation/metrics.h"
+#include "simulation/evaluation/metrics.h"
 #include "support/error_of.h"
 #include "support/straight_walk.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simulation/episode_runner.h"
-#include "simulation/trajectory.h"
+#include "simulation/evaluation/trajectory.h"
 #include "support/evaluations.h"
 #include "support/scenes.h"
 #include "support/seeds.h"

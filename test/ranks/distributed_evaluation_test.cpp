@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "support/error_of.h"
 #include "support/evaluations.h"
 #include "support/thread_ranks.h"

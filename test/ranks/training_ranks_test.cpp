@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/random.h"
-#include "simulation/robot_record.h"
+#include "simulation/evaluation/robot_record.h"
 #include "support/error_of.h"
 #include "support/seeds.h"
 #include "support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd::robot_commands_test {
 namespace {

@@ -5,10 +5,10 @@
 #include <cctype>
 #include <string>
 
-#include "common/errors.h"
-#include "common/files.h"
-#include "common/quotes.h"
-#include "scenario/scenario_reader.h"
+#include "common/files/files.h"
+#include "common/text/quotes.h"
+#include "scenario/reading/scenario_reader.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 
 namespace crowd::hidden_scenarios_test {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/scenario_texts.h"
 
 namespace crowd::population_reader_refusals_test {

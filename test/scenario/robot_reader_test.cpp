@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scenario/scene_document.h"
+#include "scenario/writing/scene_document.h"
 #include "support/scenario_texts.h"
 
 namespace crowd::robot_reader_test {

@@ -1,10 +1,10 @@
-#include "scenario/scenario_files.h"
+#include "scenario/reading/scenario_files.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 

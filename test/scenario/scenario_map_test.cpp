@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 

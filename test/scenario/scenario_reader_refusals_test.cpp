@@ -1,11 +1,11 @@
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <fstream>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/scenario_texts.h"
 
 namespace crowd::scenario_reader_refusals_test {

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "common/errors.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
+#include "social_crowd/errors.h"
 #include "support/overlaps.h"
 
 namespace crowd::scenario_test {

@@ -1,11 +1,11 @@
-#include "scenario/scene_document.h"
+#include "scenario/writing/scene_document.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "common/random.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "support/scenes.h"
 
 namespace crowd::scene_document_test {

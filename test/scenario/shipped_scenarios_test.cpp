@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "support/overlaps.h"
 
 #ifndef SOURCE_DIR

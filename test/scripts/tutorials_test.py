@@ -64,7 +64,8 @@ class StateSetTest:
         headers.mkdir(parents=True)
         os.rename(terminal.path('near_body_states.h'), headers / 'near_body_states.h')
         terminal.write('state_set.cpp', changed_list())
-        flags = ['-std=c++17', '-O1', '-Wall', '-Wextra', '-Werror', '-fPIC', '-Inew', f"-I{in_package('src')}",
+        folders = ['new', in_package('src'), in_package('include')]
+        flags = ['-std=c++17', '-O1', '-Wall', '-Wextra', '-Werror', '-fPIC', *(f'-I{folder}' for folder in folders),
                  '-isystem', '/usr/include/eigen3']
         for name in ('near_body_states', 'state_set'):
             run(terminal.folder, ['c++', *flags, '-c', f'{name}.cpp', '-o', f'{name}.o'])

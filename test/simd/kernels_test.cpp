@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd::simd::kernels_test {
 namespace {

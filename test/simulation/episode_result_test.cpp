@@ -1,6 +1,6 @@
 #include "simulation/episode_result.h"
 #include "simulation/episode_monitor.h"
-#include "simulation/metrics.h"
+#include "simulation/evaluation/metrics.h"
 
 #include <gtest/gtest.h>
 

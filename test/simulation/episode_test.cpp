@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "common/errors.h"
-#include "simulation/evaluation.h"
+#include "simulation/evaluation/evaluation.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/evaluations.h"
 

@@ -1,4 +1,4 @@
-#include "simulation/evaluation.h"
+#include "simulation/evaluation/evaluation.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "support/evaluations.h"
 
 namespace crowd::evaluation_test {

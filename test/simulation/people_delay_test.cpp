@@ -1,4 +1,4 @@
-#include "simulation/people_delay.h"
+#include "simulation/evaluation/people_delay.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "simulation/robot_record.h"
+#include "simulation/evaluation/robot_record.h"
 
 #include <gtest/gtest.h>
 

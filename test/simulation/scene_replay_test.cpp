@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "scenario/scenario_reader.h"
-#include "simulation/evaluation.h"
+#include "scenario/reading/scenario_reader.h"
+#include "simulation/evaluation/evaluation.h"
 #include "support/evaluations.h"
 #include "support/temporary_folder.h"
 

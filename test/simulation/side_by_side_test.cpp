@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "learning/rl/merge_copies.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "support/error_of.h"
 #include "support/run_scene.h"
 #include "support/temporary_folder.h"

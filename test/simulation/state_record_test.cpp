@@ -1,4 +1,4 @@
-#include "simulation/state_record.h"
+#include "simulation/evaluation/state_record.h"
 
 #include <gtest/gtest.h>
 

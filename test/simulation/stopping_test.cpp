@@ -12,7 +12,7 @@
 #include "robots/robot_way.h"
 #include "simulation/crowd_decider.h"
 #include "simulation/episode.h"
-#include "simulation/evaluation.h"
+#include "simulation/evaluation/evaluation.h"
 #include "support/evaluations.h"
 #include "support/thread_ranks.h"
 

@@ -1,4 +1,4 @@
-#include "simulation/trajectory.h"
+#include "simulation/evaluation/trajectory.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <sstream>
 #include <string>
 
-#include "common/errors.h"
-#include "common/files.h"
-#include "common/numbers.h"
+#include "common/files/files.h"
+#include "common/text/numbers.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/temporary_folder.h"

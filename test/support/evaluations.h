@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "learning/q_table_file.h"
-#include "scenario/scenario_reader.h"
-#include "simulation/evaluation.h"
+#include "scenario/reading/scenario_reader.h"
+#include "simulation/evaluation/evaluation.h"
 
 /// Scenarios, a table and plans for tests of evaluations.
 namespace crowd::evaluations {

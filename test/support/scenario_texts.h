@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "common/errors.h"
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
+#include "social_crowd/errors.h"
 
 /// Texts of scenarios, and the scenes and errors of the reader.
 namespace crowd::scenario_texts {

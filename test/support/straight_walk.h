@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/scenario_reader.h"
+#include "scenario/reading/scenario_reader.h"
 #include "simulation/episode.h"
 
 /// Crowds whose agents walk straight to what they perceive as their goal, and stop there.

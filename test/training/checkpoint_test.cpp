@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/errors.h"
-#include "common/files.h"
+#include "common/files/files.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 #include "training/record.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
 

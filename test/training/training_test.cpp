@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "common/errors.h"
-#include "scenario/scenario_reader.h"
-#include "simulation/evaluation.h"
-#include "simulation/metrics.h"
+#include "scenario/reading/scenario_reader.h"
+#include "simulation/evaluation/evaluation.h"
+#include "simulation/evaluation/metrics.h"
+#include "social_crowd/errors.h"
 #include "support/run_scene.h"
 #include "support/temporary_folder.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "common/errors.h"
 #include "geometry/impact.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/worlds.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "world/world.h"

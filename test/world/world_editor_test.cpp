@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/worlds.h"

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/robots.h"
 #include "world/world.h"

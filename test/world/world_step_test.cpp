@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/scenes.h"
 #include "support/worlds.h"

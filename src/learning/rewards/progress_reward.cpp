@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "avoidance/time_to_collision.h"
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 
 namespace crowd {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "learning/states/distance_classes.h"
 
 namespace crowd {

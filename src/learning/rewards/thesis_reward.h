@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/enum_names.h"
+#include "common/text/enum_names.h"
 #include "learning/rewards/reward.h"
 #include "learning/states/obstacle_classes.h"
 

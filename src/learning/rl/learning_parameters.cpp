@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
-#include "common/numbers.h"
-#include "common/quotes.h"
+#include "common/text/numbers.h"
+#include "common/text/quotes.h"
 
 namespace crowd {
 

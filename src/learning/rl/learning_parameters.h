@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "common/enum_names.h"
-#include "common/number_range.h"
+#include "common/text/enum_names.h"
+#include "common/text/number_range.h"
 
 namespace crowd {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

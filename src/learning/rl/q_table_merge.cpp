@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "common/errors.h"
 #include "learning/rl/q_table.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "common/numbers.h"
 #include "common/random.h"
+#include "common/text/numbers.h"
 #include "learning/rl/q_table.h"
 
 namespace crowd {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "common/enum_names.h"
+#include "common/text/enum_names.h"
 #include "learning/rl/q_table.h"
 
 namespace crowd {

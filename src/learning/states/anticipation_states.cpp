@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "geometry/limits.h"
 #include "simd/kernels.h"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 
 namespace crowd {
 namespace {

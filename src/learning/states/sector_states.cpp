@@ -1,6 +1,6 @@
 #include "learning/states/sector_states.h"
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "geometry/limits.h"
 
 namespace crowd {

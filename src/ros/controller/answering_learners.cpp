@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "ros/controller/agent_list.h"
 
 namespace crowd {

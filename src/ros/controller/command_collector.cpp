@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "ros/messages/names.h"
 #include "ros/messages/topic_defaults.h"
 #include "ros/robots/robot_messages.h"

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "ros/controller/agent_list.h"
 #include "ros/controller/controller_parameters.h"
 #include "ros/node/diagnostics_publisher.h"

@@ -1,9 +1,9 @@
 #include "ros/controller/controller_parameters.h"
 
-#include "common/files.h"
-#include "common/numbers.h"
-#include "common/quotes.h"
-#include "scenario/scenario_files.h"
+#include "common/files/files.h"
+#include "common/text/numbers.h"
+#include "common/text/quotes.h"
+#include "scenario/reading/scenario_files.h"
 #include "training/training_config.h"
 
 namespace crowd {

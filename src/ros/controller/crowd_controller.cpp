@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/files.h"
-#include "common/quotes.h"
+#include "common/files/files.h"
+#include "common/text/quotes.h"
 #include "maps/map_walls.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
 #include "ros/messages/topic_defaults.h"
 #include "ros/node/launch_end.h"
-#include "scenario/scenario_reader.h"
-#include "simulation/metrics.h"
+#include "scenario/reading/scenario_reader.h"
+#include "simulation/evaluation/metrics.h"
 
 namespace crowd {
 namespace {

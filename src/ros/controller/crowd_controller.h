@@ -26,9 +26,9 @@
 #include "ros/robots/robot_interface.h"
 #include "scenario/scenario.h"
 #include "simulation/episode.h"
-#include "simulation/metrics.h"
-#include "simulation/robot_record.h"
-#include "simulation/trajectory.h"
+#include "simulation/evaluation/metrics.h"
+#include "simulation/evaluation/robot_record.h"
+#include "simulation/evaluation/trajectory.h"
 
 namespace crowd {
 

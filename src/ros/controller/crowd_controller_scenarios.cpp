@@ -6,15 +6,15 @@
 #include <filesystem>
 #include <utility>
 
-#include "common/files.h"
-#include "common/numbers.h"
-#include "common/quotes.h"
+#include "common/files/files.h"
+#include "common/text/numbers.h"
+#include "common/text/quotes.h"
 #include "ros/controller/crowd_controller.h"
 #include "ros/markers/floor_scene.h"
 #include "ros/messages/names.h"
-#include "scenario/scenario_files.h"
-#include "scenario/scenario_reader.h"
-#include "scenario/scene_document.h"
+#include "scenario/reading/scenario_files.h"
+#include "scenario/reading/scenario_reader.h"
+#include "scenario/writing/scene_document.h"
 
 namespace crowd {
 namespace {

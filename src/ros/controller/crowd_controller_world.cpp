@@ -14,7 +14,7 @@
 #include <social_crowd/SpawnObstacle.h>
 #include <social_crowd/Teleport.h>
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "ros/controller/crowd_controller.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
 #include "ros/messages/topic_defaults.h"

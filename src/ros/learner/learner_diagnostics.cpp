@@ -2,7 +2,7 @@
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "ros/node/diagnostics_publisher.h"
 
 namespace crowd {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "learning/q_table_names.h"
 #include "ros/controller/agent_list.h"
 #include "ros/learner/learner_node.h"

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "common/files.h"
+#include "common/files/files.h"
 #include "learning/q_table_names.h"
 #include "training/training_config.h"
 

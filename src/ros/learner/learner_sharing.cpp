@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "ros/controller/agent_list.h"
 #include "ros/learner/learner_node.h"
 #include "ros/messages/names.h"

@@ -5,7 +5,7 @@
 #include <std_msgs/Int32.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
 #include "ros/messages/publish_latched.h"

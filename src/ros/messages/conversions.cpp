@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ros/robots/robot_messages.h"
-#include "simulation/metrics.h"
+#include "simulation/evaluation/metrics.h"
 
 namespace crowd {
 namespace {

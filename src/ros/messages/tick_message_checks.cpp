@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "common/errors.h"
 #include "ros/messages/tick_messages.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 
 namespace crowd {
 

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "common/errors.h"
-#include "common/files.h"
-#include "common/quotes.h"
+#include "common/files/files.h"
+#include "common/text/quotes.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {

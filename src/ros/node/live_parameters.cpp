@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "common/numbers.h"
-#include "common/quotes.h"
-#include "common/suggestions.h"
+#include "common/text/numbers.h"
+#include "common/text/quotes.h"
+#include "common/text/suggestions.h"
 
 namespace crowd {
 namespace {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "common/number_range.h"
+#include "common/text/number_range.h"
 
 namespace crowd {
 

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <utility>
 
-#include "common/errors.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

@@ -6,10 +6,10 @@
 #include <optional>
 #include <sstream>
 
-#include "common/numbers.h"
-#include "common/quotes.h"
-#include "common/suggestions.h"
-#include "common/yaml_reader.h"
+#include "common/text/numbers.h"
+#include "common/text/quotes.h"
+#include "common/text/suggestions.h"
+#include "common/text/yaml_reader.h"
 
 namespace crowd {
 namespace {

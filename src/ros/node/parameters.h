@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "common/errors.h"
-#include "common/number_range.h"
+#include "common/text/number_range.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 

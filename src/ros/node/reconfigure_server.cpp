@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "ros/messages/names.h"
 #include "ros/messages/publish_latched.h"
 #include "ros/messages/topic_defaults.h"

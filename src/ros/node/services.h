@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "ros/node/registrations.h"
 
 namespace crowd {

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <utility>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "ros/messages/names.h"
 #include "ros/robots/robot_messages.h"
 

@@ -2,7 +2,7 @@
 
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
-#include "common/quotes.h"
+#include "common/text/quotes.h"
 #include "robots/reactive_rule.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"

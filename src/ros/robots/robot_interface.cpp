@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/numbers.h"
+#include "common/text/numbers.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
 #include "ros/messages/topic_defaults.h"

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "common/text/yaml_reader.h"
+#include "scenario/population_spec.h"
+#include "scenario/reading/units.h"
+
+namespace crowd {
+
+/// @brief Reads `robots` of a document. @param goal_tolerance of the document [m] @param population its routes are
+/// known by name @throws InputError
+std::vector<RobotGroup> readRobots(const YamlMap& map, const Units& units, double goal_tolerance,
+                                   const PopulationDescription& population);
+
+}  // namespace crowd

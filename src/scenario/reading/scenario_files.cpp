@@ -1,0 +1,88 @@
+#include "scenario/reading/scenario_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "common/files/library_file.h"
+#include "common/text/quotes.h"
+#include "common/text/suggestions.h"
+#include "social_crowd/errors.h"
+
+namespace crowd {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* SCENARIO_EXTENSION = ".yaml";
+
+bool isFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// Any file, be it a pipe.
+bool isFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !isFolder(path);
+}
+
+/// A few levels above the library, as in PREFIX/lib/libNAME.so.
+fs::path installedScenarios() {
+  std::error_code ignored;
+  fs::path folder = fs::canonical(libraryFile(), ignored).parent_path();
+  for (int level = 0; level < 2; ++level) {
+    folder = folder.parent_path();
+    if (isFolder(folder / SCENARIOS_IN_PREFIX)) return folder / SCENARIOS_IN_PREFIX;
+  }
+  return {};
+}
+
+/// How a scenario of that name can be given: as a bare name is, or as a file in the same folder as another path.
+std::string asGiven(const std::string& name, const fs::path& path, bool is_bare) {
+  return is_bare ? name : (path.parent_path() / (name + SCENARIO_EXTENSION)).string();
+}
+
+[[noreturn]] void throwNoScenario(const fs::path& path, const fs::path& file, const fs::path& folder, bool is_bare) {
+  const fs::path searched = is_bare ? folder : fs::absolute(file).lexically_normal().parent_path();
+  std::vector<std::string> names = sortedByNearness(path.stem().string(), scenarioNames(searched.string()));
+  const std::string nearest = nearestName(path.stem().string(), names);
+  const std::string hint = nearest.empty() ? "" : ", did you mean '" + asGiven(nearest, path, is_bare) + "'?";
+  for (std::string& name : names) name = asGiven(name, path, is_bare);
+  std::string text = "no scenario " + inQuotes(path.string()) + (hint.empty() ? ": there" : hint + " There");
+  text += " is no file " + fs::absolute(file).lexically_normal().string();
+  if (is_bare) text += ", and in " + folder.string() + " none of that name";
+  if (!names.empty()) text += "; there " + std::string(names.size() == 1 ? "is " : "are ") + joinNames(names);
+  throw InputError(text);
+}
+
+}  // namespace
+
+std::string shippedScenarios() {
+  const fs::path installed = installedScenarios();
+  return installed.empty() ? std::string(SCENARIOS_IN_SOURCE) : installed.string();
+}
+
+std::vector<std::string> scenarioNames(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+    if (entry.path().extension() == SCENARIO_EXTENSION) names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string findScenario(const std::string& name_or_file, const std::string& base, const std::string& folder) {
+  if (name_or_file.empty()) throw InputError("expected a scenario file or name, got nothing");
+  const fs::path path(name_or_file);
+  const fs::path file = fs::path(base) / path;
+  const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == SCENARIO_EXTENSION);
+  const bool is_plainly_a_folder = !is_bare && isFolder(file);  // reported when it is read
+  if (isFile(file) || is_plainly_a_folder) return file.lexically_normal().string();
+  const fs::path named = fs::path(folder) / (path.stem().string() + SCENARIO_EXTENSION);
+  if (is_bare && isFile(named)) return named.string();
+  throwNoScenario(path, file, folder, is_bare);
+}
+
+}  // namespace crowd

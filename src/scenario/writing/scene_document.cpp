@@ -1,0 +1,98 @@
+#include "scenario/writing/scene_document.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "common/text/numbers.h"
+#include "scenario/population_spec.h"
+#include "scenario/writing/population_document.h"
+#include "scenario/writing/robot_document.h"
+
+namespace crowd {
+namespace {
+
+std::string goalText(const AgentStart& agent, const Scene& scene) {
+  if (agent.route) return "route: " + quotedYaml(scene.population->routes[*agent.route].name);
+  return "goals: " + pointsText(agent.goals);
+}
+
+std::string entryOf(const AgentStart& agent, const Scene& scene) {
+  return "  - {position: " + pointText(agent.position) + ", " + goalText(agent, scene) +
+         (agent.reaction_time > 0.0 ? ", reaction_time: " + toText(agent.reaction_time) : "") +
+         ", speed: " + toText(agent.max_speed) + ", radius: " + toText(agent.radius) +
+         (agent.faces_goal ? "" : ", heading: " + headingText(agent.heading)) + "}\n";
+}
+
+std::string motionOf(const ObstaclePath& path) {
+  using Kind = ObstaclePath::Kind;
+  if (path.kind() == Kind::AT_REST) return "";
+  if (path.kind() == Kind::STRAIGHT) return ", velocity: " + pointText(path.velocity(0.0));
+  return (path.kind() == Kind::LOOP ? ", waypoints: " : ", to_and_fro: ") +
+         pointsText({path.points().begin() + 1, path.points().end()}) + ", speed: " + toText(path.speed());
+}
+
+std::string entryOf(const Obstacle& obstacle) {
+  return "  - {position: " + pointText(obstacle.path.position(0.0)) + ", radius: " + toText(obstacle.radius) +
+         motionOf(obstacle.path) + "}\n";
+}
+
+std::string entryOf(const Segment& wall) { return "  - [" + pointText(wall.from) + ", " + pointText(wall.to) + "]\n"; }
+
+std::string agentsText(const Scene& scene) {
+  std::string text;
+  for (const AgentStart& agent : scene.agents) text += entryOf(agent, scene);
+  return text.empty() ? "" : "agents:\n" + text;
+}
+
+/// The walls; those of a map that is read from its file are not among them.
+std::string wallsText(const Scene& scene) {
+  const std::size_t count = scene.map_file.empty() ? scene.walls.size() : scene.own_walls;
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += entryOf(scene.walls[i]);
+  return text.empty() ? "" : "walls:\n" + text;
+}
+
+/// The radius of the largest agent that a reader of the document finds [m].
+double largestRadius(const Scene& scene) {
+  double radius = 0.0;
+  for (const AgentStart& agent : scene.agents) radius = std::max(radius, agent.radius);
+  if (!scene.population) return radius;
+  for (const SourceDescription& source : scene.population->sources) {
+    radius = std::max(radius, source.agents.radius.high);
+  }
+  return radius;
+}
+
+std::string mapText(const Scene& scene, const std::string& folder) {
+  namespace fs = std::filesystem;
+  if (scene.map_file.empty()) return "";
+  const bool differs = scene.free_radius != largestRadius(scene);
+  return "map: " + quotedYaml(fs::proximate(fs::absolute(scene.map_file), fs::absolute(folder)).string()) + "\n" +
+         (differs ? "free_radius: " + toText(scene.free_radius) + "\n" : "");
+}
+
+template <typename Bodies>
+std::string section(const std::string& key, const Bodies& bodies) {
+  std::string text;
+  for (const auto& body : bodies) text += entryOf(body);
+  return text.empty() ? "" : key + ":\n" + text;
+}
+
+}  // namespace
+
+std::string toDocument(const Scene& scene, const std::string& folder) {
+  return "---\nname: " + quotedYaml(scene.name) + "\ntick: " + toText(scene.tick_duration) +
+         "\nduration: " + toText(static_cast<double>(scene.max_ticks) * scene.tick_duration) +
+         "\ngoal_tolerance: " + toText(scene.goal_tolerance) + "\n" +
+         (scene.contact == Contact::SOLID ? "contact: solid\n" : "") +
+         (scene.order == Order::SEQUENTIAL ? "order: sequential\n" : "") +
+         (scene.collision_radius != DEFAULT_COLLISION_RADIUS
+              ? "collision_radius: " + toText(scene.collision_radius) + "\n"
+              : "") +
+         (scene.seed != 0 ? "seed: " + std::to_string(scene.seed) + "\n" : "") +
+         (scene.way_finding ? "" : "way_finding: false\n") + mapText(scene, folder) + agentsText(scene) +
+         section("obstacles", scene.obstacles) + wallsText(scene) + robotsText(scene) +
+         (scene.population ? populationText(*scene.population) : "");
+}
+
+}  // namespace crowd
