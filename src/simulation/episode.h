@@ -11,6 +11,7 @@
 #include "navigation/way_finder.h"
 #include "navigation/way_lengths.h"
 #include "population/population.h"
+#include "robots/robot_monitor.h"
 #include "scenario/scene.h"
 #include "simulation/decider.h"
 #include "simulation/episode_editor.h"

@@ -105,7 +105,8 @@ std::vector<EpisodeMonitor::Track> EpisodeMonitor::replaceTracks(const AgentMap<
 AgentResult EpisodeMonitor::resultOf(const Track& track) const {
   AgentResult agent = track.result;
   agent.appeared = track.begin;
-  agent.start = track.start;
+  agent.start_x = track.start.x();
+  agent.start_y = track.start.y();
   agent.path_ratio = agent.path_length / agent.straight_length;
   agent.time_ratio = static_cast<double>(agent.ticks) * tick_duration_ * track.max_speed / agent.straight_length;
   agent.max_speed_ratio = track.longest_step / (tick_duration_ * track.max_speed);

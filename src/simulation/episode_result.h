@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "robots/robot_result.h"
 #include "simulation/agent_results.h"
+#include "social_crowd/results.h"
 
 namespace crowd {
 
@@ -23,17 +23,7 @@ struct EpisodeResult {
   std::vector<RobotResult> robots;
   std::string way_finding_problem;  ///< why way-finding was left out from some tick on; empty: it was not
 
-  /// @brief Numbers of agents that were not removed; metrics are about these.
-  struct Counts {
-    std::size_t agents = 0;
-    std::size_t arrived = 0;
-    std::size_t expected = 0;  ///< to arrive: without agents on routes that repeat
-    std::size_t touched = 0;
-    std::size_t collided = 0;
-    std::uint64_t blocked_moves = 0;  ///< sum of all of them
-    /// @brief Whether all expected agents arrived, and none was in contact.
-    bool isClean() const { return arrived == expected && touched == 0; }
-  };
+  using Counts = EpisodeCounts;
   Counts count() const;
   std::size_t agentCount() const { return count().agents; }
   std::size_t arrivedCount() const { return count().arrived; }

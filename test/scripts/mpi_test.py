@@ -54,7 +54,7 @@ def environment():
 
 
 def run(command, folder=None):
-    """Runs a command in a folder. Returns exit status and output: all of standard output, then all of standard error."""
+    """Runs a command in a folder. Returns exit status and output: standard output, then standard error."""
     # Two pipes: in one, mpirun puts parts of a line of standard error into lines of standard output.
     done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE,
                           env=environment(), check=False)

@@ -14,7 +14,8 @@ AgentResult resultOf(std::size_t agent) {
   result.arrived = agent % 2 == 0;
   result.collided = agent % 3 == 0;
   result.ticks = agent;
-  result.start = {0.1 * static_cast<double>(agent), -1.0};
+  result.start_x = 0.1 * static_cast<double>(agent);
+  result.start_y = -1.0;
   result.path_per_gain = 1.0 / static_cast<double>(agent + 3);
   return result;
 }
@@ -24,7 +25,8 @@ void expectResult(const AgentResult& result, std::size_t agent) {
   ASSERT_EQ(result.arrived, expected.arrived) << agent;
   ASSERT_EQ(result.collided, expected.collided) << agent;
   ASSERT_EQ(result.ticks, expected.ticks) << agent;
-  ASSERT_EQ(result.start, expected.start) << agent;
+  ASSERT_EQ(result.start_x, expected.start_x) << agent;
+  ASSERT_EQ(result.start_y, expected.start_y) << agent;
   ASSERT_EQ(result.path_per_gain, expected.path_per_gain) << agent;
 }
 

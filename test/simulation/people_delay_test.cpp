@@ -13,7 +13,8 @@ AgentResult walker(std::uint64_t ticks, double path_length, const Vector2& start
   AgentResult agent;
   agent.arrived = arrived;
   agent.appeared = 3;
-  agent.start = start;
+  agent.start_x = start.x();
+  agent.start_y = start.y();
   agent.ticks = ticks;
   agent.path_length = path_length;
   return agent;

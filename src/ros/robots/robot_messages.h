@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "robots/robot_commands.h"
-#include "robots/robot_result.h"
 #include "robots/robot_senses.h"
 #include "ros/controller/pose_collector.h"
+#include "social_crowd/results.h"
 #include "world/world.h"
 
 /// Conversions of robots and their sensors to messages. The caller sets headers, unless it says otherwise.

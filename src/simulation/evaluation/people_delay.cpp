@@ -6,7 +6,7 @@ namespace crowd {
 namespace {
 
 bool isComparable(const AgentResult& one, const AgentResult& other) {
-  return one.arrived && other.arrived && one.appeared == other.appeared && one.start == other.start;
+  return one.arrived && other.arrived && one.appeared == other.appeared && one.start_x == other.start_x && one.start_y == other.start_y;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "robots/robot_result.h"
+#include "robots/robot_monitor.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,78 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "world/world.h"
-
 namespace crowd {
+
+/// @brief Results of one agent in an episode. A new field also belongs in one of the functions below.
+struct AgentResult {
+  bool arrived = false;
+  bool removed = false;             ///< was removed on its way; excluded from all metrics
+  bool touched = false;             ///< in contact in any tick before it arrived
+  bool collided = false;            ///< in collision in any tick before it arrived (thesis, 4.1), see World
+  bool out_of_reach = false;        ///< on its way at the end, and no way leads to its goal
+  bool endless = false;             ///< on a route that repeats: it never arrives, and has not failed
+  std::uint64_t waypoints = 0;      ///< waypoints of routes that it has left behind
+  std::uint64_t blocked_moves = 0;  ///< moves that were cut short by an impact; solid worlds only
+  std::uint64_t appeared = 0;       ///< tick at which it was added to the world
+  double start_x = 0.0;             ///< place where it was added [m], `map`
+  double start_y = 0.0;
+  std::uint64_t ticks = 0;       ///< from then on until its arrival, or until the end
+  double heading = 0.0;          ///< at its arrival, or at the end [rad], `map`
+  double path_length = 0.0;      ///< [m]
+  double straight_length = 0.0;  ///< from the start via all goals, minus the goal tolerance [m]
+  double path_ratio = 0.0;       ///< path_length / straight_length
+  double time_ratio = 0.0;       ///< time * maximum speed / straight_length
+  double turn_per_metre = 0.0;   ///< accumulated absolute change of direction of motion / path_length [rad/m]
+  double max_speed_ratio = 0.0;  ///< highest speed in a tick / maximum speed
+  double distance_gained = 0.0;  ///< decrease of the distance to the goal, summed over its goals [m]
+  double gain_per_tick = 0.0;    ///< distance gained per step (thesis): distance_gained / ticks [m]
+  double path_per_gain = 0.0;    ///< path_length / distance_gained; NaN if distance_gained is not positive
+
+  /// @brief Calls visit(name, field...) for each field that records and AgentResult.msg have; with several objects,
+  /// such as a result and its message, for the field of all.
+  template <typename Visit, typename... Results>
+  static void visitMeasures(const Visit& visit, Results&... results) {
+    visit("arrived", results.arrived...);
+    visit("touched", results.touched...);
+    visit("collided", results.collided...);
+    visit("blocked_moves", results.blocked_moves...);
+    visit("ticks", results.ticks...);
+    visit("path_length", results.path_length...);
+    visit("path_ratio", results.path_ratio...);
+    visit("time_ratio", results.time_ratio...);
+    visit("turn_per_metre", results.turn_per_metre...);
+  }
+
+  /// @brief The same for each field of a record of agents.
+  template <typename Visit, typename AResult>
+  static void visitRecord(const Visit& visit, AResult& result) {
+    visitMeasures(visit, result);
+    visit("distance_gained", result.distance_gained);
+    visit("gain_per_tick", result.gain_per_tick);
+    visit("path_per_gain", result.path_per_gain);
+  }
+
+  /// @brief The same for all fields.
+  template <typename Visit, typename AResult>
+  static void visitFields(const Visit& visit, AResult& result) {
+    visitRecord(visit, result);
+    visit("removed", result.removed);
+    visit("out_of_reach", result.out_of_reach);
+    visit("endless", result.endless);
+    visit("waypoints", result.waypoints);
+    visit("appeared", result.appeared);
+    visit("start_x", result.start_x);
+    visit("start_y", result.start_y);
+    visit("heading", result.heading);
+    visit("straight_length", result.straight_length);
+    visit("max_speed_ratio", result.max_speed_ratio);
+  }
+};
 
 /// @brief Commands and poses that a robot got from elsewhere in an episode. Headless controllers count none of them.
 struct RobotInput {
@@ -77,7 +142,7 @@ struct RobotResult {
   double personal_space_time = 0.0;  ///< nearest person nearer than 1.2 m [s]
   double intimate_space_intrusions = NONE;  ///< share of the time below 0.45 m [%]
   double personal_space_intrusions = NONE;  ///< share of the time from 0.45 m to 1.2 m [%]
-  /// Effect of all robots of the scenario on people, see measurePeopleDelay(); the same for each robot.
+  /// Effect of all robots of the scenario on people, see docs/robot_metrics.md; the same for each robot.
   std::uint64_t people_compared = 0;
   double people_delay = NONE;   ///< [s]
   double people_detour = NONE;  ///< [m]
@@ -135,47 +200,34 @@ struct RobotResult {
   }
 };
 
-/// @brief Measures the robots of a world tick by tick. The owner calls observe() after each tick.
-class RobotMonitor {
- public:
-  explicit RobotMonitor(const World& world);
-
-  void observe(const World& world);
-  std::vector<RobotResult> results() const;
-
- private:
-  struct Track {
-    RobotResult result;
-    std::uint64_t ticks = 0;
-    std::uint64_t ticks_with_people = 0;
-    std::uint64_t intimate_ticks = 0;
-    std::uint64_t personal_ticks = 0;  // intimate ones included
-    std::uint64_t contact_ticks = 0;
-    std::uint64_t still_ticks = 0;
-    double straight_length = 0.0;
-    double sum_of_speeds = 0.0;
-    double sum_of_accelerations = 0.0;
-    double sum_of_jerks = 0.0;
-    double sum_of_clearances = 0.0;  // of the nearest person
-    Pose start;
-    Pose pose;
-    Vector2 velocity = Vector2::Zero();
-    Vector2 acceleration = Vector2::Zero();
-    std::vector<Vector2> goals;
-    std::vector<Vector2> recent;  // positions of the last 10 s, in a ring
-    bool at_wall = false;
-    bool at_robot = false;
-  };
-
-  void observeMotion(const Robot& robot, Track& track) const;
-  void observePeople(const World& world, const Robot& robot, Track& track) const;
-  void observeContacts(const World& world, const Robot& robot, Track& track);
-  void setGoals(const Robot& robot, Track& track) const;
-  bool isStuck(const Track& track) const;
-
-  double tick_duration_;
-  std::vector<Track> tracks_;
-  std::vector<std::uint32_t> near_walls_;  // scratch
+/// @brief Numbers of the agents of an episode that were not removed; metrics are about these.
+struct EpisodeCounts {
+  std::size_t agents = 0;
+  std::size_t arrived = 0;
+  std::size_t expected = 0;  ///< to arrive: without agents on routes that repeat
+  std::size_t touched = 0;
+  std::size_t collided = 0;
+  std::uint64_t blocked_moves = 0;  ///< sum of all of them
+  /// @brief Whether all expected agents arrived, and none was in contact.
+  bool isClean() const { return arrived == expected && touched == 0; }
 };
 
+namespace library {
+
+using crowd::AgentResult;
+using crowd::EpisodeCounts;
+using crowd::RobotInput;
+using crowd::RobotResult;
+
+/// @brief Results of an episode, or of the part of it that has been walked.
+struct EpisodeResult {
+  std::string scenario;
+  std::uint64_t ticks = 0;
+  EpisodeCounts count;
+  std::vector<AgentResult> agents;  ///< by id
+  std::vector<RobotResult> robots;  ///< in the order of the scenario
+  std::string way_finding_problem;  ///< why way-finding was left out from some tick on; empty: it was not
+};
+
+}  // namespace library
 }  // namespace crowd

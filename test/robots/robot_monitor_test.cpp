@@ -1,4 +1,4 @@
-#include "robots/robot_result.h"
+#include "robots/robot_monitor.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "support/robots.h"
 #include "support/worlds.h"
 
-namespace crowd::robots::robot_result_test {
+namespace crowd::robots::robot_monitor_test {
 namespace {
 
 /// An episode in which the first robot gets one command, after a number of ticks.
@@ -148,4 +148,4 @@ TEST(RobotEpisode, WithoutGoalsLastsForItsDuration) {
 }
 
 }  // namespace
-}  // namespace crowd::robots::robot_result_test
+}  // namespace crowd::robots::robot_monitor_test
