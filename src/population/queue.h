@@ -35,8 +35,6 @@ class Queue {
   Vector2 end() const;
   /// @brief The agents in line, the first one is at the head.
   const std::vector<AgentId>& line() const { return line_; }
-  /// @brief Number of agents on the way to the line.
-  std::size_t comingCount() const { return coming_.size(); }
 
  private:
   static constexpr std::size_t MAX_PLACES = 10000;

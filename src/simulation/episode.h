@@ -67,8 +67,6 @@ class Episode {
   const Population& population() const { return population_; }
   const EpisodeMonitor& monitor() const { return monitor_; }
   EpisodeResult result() const;
-  /// @brief Why way-finding is left out, although the scene is with it: the floor is too large. Empty if it is not.
-  const std::string& wayFindingProblem() const { return way_finding_problem_; }
 
   /// @brief Number of changes of the world, ticks included.
   std::uint64_t changes() const { return changes_; }
@@ -102,7 +100,7 @@ class Episode {
   Population population_;
   WayFinder way_finder_;
   WayLengths way_lengths_;  // for changes by users, which do not affect the ways of the population if they are refused
-  std::string way_finding_problem_;
+  std::string way_finding_problem_;  // see EpisodeResult
   std::uint64_t number_;
   std::uint64_t changes_ = 0;
   ObjectPool<std::shared_ptr<Perceptions>> buffers_;

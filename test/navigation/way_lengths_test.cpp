@@ -160,7 +160,8 @@ TEST(Reach, AgentsOnAFloorThatIsTooLargeWalkWithoutWayFinding) {
   Episode episode = episodeOf(
       "walls: [[[1000000, 0], [1000000, 1]]]\n"
       "agents: [{position: [0, 0], goal: [4, 0], speed: 1, radius: 0.2}]\n");
-  EXPECT_NE(episode.wayFindingProblem().find("too large"), std::string::npos) << episode.wayFindingProblem();
+  const std::string problem = episode.result().way_finding_problem;
+  EXPECT_NE(problem.find("too large"), std::string::npos) << problem;
   EXPECT_NE(episode.result().wayWarning().find("way-finding was left out: "), std::string::npos);
   episode.edit().setGoal(0, {3.0, 0.0});
   walkUntil(10.0, episode);

@@ -46,7 +46,6 @@ TEST(Queue, TheNearestStandsInLineFirst) {
   EXPECT_TRUE(queue.update(world).empty());
   // Agent 2 is 0.5 m from the head; then agent 1 is 0.707 m from place 1, and agent 0 is 7 m from place 2.
   EXPECT_EQ(queue.line(), (std::vector<AgentId>{2, 1}));
-  EXPECT_EQ(queue.comingCount(), 1U);
   EXPECT_EQ(world.agents()[2].goal(), Vector2(0.0, 0.0));
   EXPECT_EQ(world.agents()[1].goal(), Vector2(1.0, 0.0));
   EXPECT_EQ(world.agents()[0].goal(), Vector2(2.0, 0.0));

@@ -6,7 +6,8 @@ namespace crowd {
 namespace {
 
 bool isComparable(const AgentResult& one, const AgentResult& other) {
-  return one.arrived && other.arrived && one.appeared == other.appeared && one.start_x == other.start_x && one.start_y == other.start_y;
+  return one.arrived && other.arrived && one.appeared == other.appeared && one.start_x == other.start_x &&
+         one.start_y == other.start_y;
 }
 
 }  // namespace
