@@ -56,7 +56,8 @@ class LibraryPageTest:
         prefix = runner.path('installed')
         self.install(runner, build, prefix)
         files = page_examples('library.md')
-        assert sorted(files) == ['CMakeLists.txt', 'decide.cpp', 'learn.cpp', 'simulate.cpp', 'step_crowd.py', 'walk.cpp']
+        assert sorted(files) == ['CMakeLists.txt', 'decide.cpp', 'learn.cpp', 'simulate.cpp', 'step_crowd.py',
+                                 'walk.cpp']
         for name, text in files.items():
             runner.write(name, text)
         others = without_devel('CMAKE_PREFIX_PATH')
@@ -87,11 +88,12 @@ class LibraryPageTest:
         assert re.search(r'^6 of 6 arrived, 0 were in contact, \d+ ticks\n$', walked)
         status, output = self.run_here(runner, 'build/walk', 'missing.txt', 'circle6')
         assert status == 1, output
-        assert_says(output, 'missing.txt: cannot be read')
+        assert_says(output, "no Q-table 'missing.txt'")
         assert self.run_successfully(runner, 'build/walk', 'anticipation', 'circle6') == walked
         assert re.search(r'^[0-6] agents arrived\n$', self.run_successfully(runner, 'build/decide'))
         simulated = self.run_successfully(runner, 'build/simulate')
-        assert 30 < int(re.search(r'^arrived after (\d+) ticks\n$', simulated)[1]) < 60  # 4.2 m at 1.3 m/s, and a detour
+        ticks = int(re.search(r'^arrived after (\d+) ticks\n$', simulated)[1])
+        assert 32 <= ticks < 60, '4.2 m at 1.3 m/s, and a detour'
         training = runner.write('config.yaml', config_text('circle6', 2, seed=4))
         learned = self.run_successfully(runner, 'build/learn', training, 'table.txt', 'single_free')
         assert re.search(r'^2 episodes, \d+ decisions\n\d+% arrived, 0% were in contact\n$', learned)
