@@ -12,7 +12,7 @@ import math
 
 import numpy
 
-from crowd_drawing.motion import place_of
+from crowd_drawing.files import place_of
 
 OVERLAP = 1e-3  # [m]
 LOOK_BACK = 3.0  # [s]
@@ -51,7 +51,6 @@ class Recording:
         self.obstacle_radii = numpy.array([obstacle['radius'] for obstacle in scene.obstacles])
 
     def contacts(self):
-        """Returns all contacts with moving obstacles."""
         found = []
         for obstacle in range(len(self.obstacle_radii)):
             if not numpy.ptp(self.obstacles[:, obstacle], axis=0).any():  # it does not move

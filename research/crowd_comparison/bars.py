@@ -27,7 +27,6 @@ class Bar:
                 self.met(values, self.aim)]
 
     def limit(self, limit):
-        """Returns a limit as a text."""
         return '' if limit is None else f"{'≥' if self.at_least else '≤'} {limit:.{self.decimals}f}"
 
     def met(self, values, limit):

@@ -43,7 +43,6 @@ def benchmark_run(setting, folder, config, seed, episodes, cost):
 
 
 def scenarios_of(setting):
-    """Returns the scenarios of the benchmark."""
     return sorted((setting.benchmark / 'scenarios').glob('*.yaml'))
 
 

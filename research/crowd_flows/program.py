@@ -1,21 +1,54 @@
-"""Command line of research/flows."""
+"""The command line of research/flows; copies of Q-tables whose agents keep a time gap."""
+import re
+
 import pandas
 from crowd_experiments.arguments import add_file, parser_of
 
 from . import door_flow, fundamental_diagram
-from .time_gap_table import add_time_gap
+
+CHECKSUM = b'checksum: '
+FNV_OFFSET, FNV_PRIME = 0xcbf29ce484222325, 0x100000001b3
+
+
+def fnv1a(data):
+    """Returns the 64-bit FNV-1a hash of bytes."""
+    value = FNV_OFFSET
+    for byte in data:
+        value = (value ^ byte) * FNV_PRIME & 0xffffffffffffffff
+    return value
+
+
+def with_time_gap(contents, time_gap, width):
+    """Returns the contents of a Q-table file with another time gap, 0: none. Throws ValueError if it is not one."""
+    body, found, checksum = contents.rpartition(CHECKSUM)
+    if not found or checksum.strip() != b'%016x' % fnv1a(body):
+        raise ValueError('expected a Q-table file with a valid checksum')
+    added = b', time_gap: %s, time_gap_width: %s}' % (number(time_gap), number(width)) if time_gap > 0.0 else b'}'
+    body, replaced = re.subn(rb'^(action_set: \{type: goal_relative,.*?)(, time_gap: [^}]*)?\}$',
+                             lambda match: match[1] + added, body, count=1, flags=re.MULTILINE)
+    if replaced == 0:
+        raise ValueError('expected the action set goal_relative')
+    return body + CHECKSUM + b'%016x\n' % fnv1a(body)
+
+
+def number(value):
+    """Returns the shortest text of a number."""
+    return f'{value:.15g}'.encode()
+
+
+def add_time_gap(q_table, output, time_gap, width):
+    """Writes a copy of a Q-table file whose agents keep a time gap [s]."""
+    output.write_bytes(with_time_gap(q_table.read_bytes(), time_gap, width))
+
 
 DESCRIPTION = '''Measures speed against density in corridors and the flow through doors, and writes tables
 (CSV) and figures; or makes a Q-table whose agents keep a time gap from one whose agents do not.'''
 EXAMPLES = '''examples:
   research/flows measure human.txt --evaluate .build/devel/lib/social_crowd/evaluate --data DATA --output flows
-  research/flows time-gap anticipation.txt my_human.txt --time-gap 0.9 --width 0.8
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+  research/flows time-gap anticipation.txt my_human.txt --time-gap 0.9 --width 0.8'''
 
 
 def parser():
-    """Returns the parser of the command line."""
     result = parser_of('flows', DESCRIPTION, EXAMPLES)
     commands = result.add_subparsers(dest='command', required=True)
     measure = commands.add_parser('measure', help='measure the crowds of one or more Q-tables')
@@ -33,7 +66,6 @@ def parser():
 
 
 def main(words=None):
-    """Executes a command line."""
     arguments = parser().parse_args(words)
     if arguments.command == 'time-gap':
         add_time_gap(arguments.q_table, arguments.output, arguments.time_gap, arguments.width)

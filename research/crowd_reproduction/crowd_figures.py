@@ -7,8 +7,7 @@ from crowd_studies.scene_figures import draw_moment, draw_scene, frame_alike, la
 
 from .crowds import (APART, CROSSED, FREE, LEAST_SECTORS, SCENARIOS, agents, companions, groups_of, rates, record_file,
                      spans_of)
-from .names import PARAMETER_NAMES, means_sentence
-from .results import PARAMETERS, episodes_of, obstacle_places
+from .results import PARAMETERS, PARAMETER_NAMES, episodes_of, means_sentence, obstacle_places
 
 MOMENTS = (0.15, 0.4, 0.65, 1.0)  # fractions of the time until the last arrival
 NUMBERS = {'circle6': '4_18', 'circle6_obstacle': '4_19', 'line6': '4_20', 'line6_mover': '4_21', 'same_goal6': '4_22',

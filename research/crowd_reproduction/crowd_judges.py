@@ -8,15 +8,13 @@ from .crowd_figures import DUMMIES, best_of, outcome_sentence
 from .crowds import (EXACT, GROUPING, OBSTACLE_RADIUS, SOON, WATCHED, agents, companions, groups_of, last_metre, phases,
                      rates, record_file, surrounded)
 from .measures import COLLISION_RADIUS, CONTACT_OVERLAP, RADIUS, share
-from .names import PARAMETER_NAMES, rates_sentence
-from .results import obstacle_places, per_seed
+from .results import PARAMETER_NAMES, obstacle_places, per_seed, rates_sentence
 
 PASSED, ARRIVING = 2, 3  # of TIMES
 STARTS = numpy.array([3.25, 1.95, 0.65, -0.65, -1.95, -3.25])  # of line6 [m]
 
 
 def rates_text(setting, scenario):
-    """Returns the rates in a scenario as a text."""
     return rates_sentence(rates(agents(setting), scenario))
 
 

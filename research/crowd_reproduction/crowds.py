@@ -31,12 +31,10 @@ def agents(setting, parameters='thesis', states='occupancy'):
 
 
 def record_file(scenario):
-    """Returns the name of the record of a scenario."""
     return RECORDS.get(scenario, 'demo.csv')
 
 
 def rates(runs, scenario):
-    """Returns the rates of the seeds in a scenario."""
     return runs.rates(record_file(scenario), scenario)
 
 

@@ -8,8 +8,7 @@ from .claim import (CONFIRMED, GOOD, NOT_CONFIRMED, PARTLY, RARE, Judgement, bot
 from .crowds import CROWDED, SCENARIOS, SOON, WATCHED, agents, by_visits, rates
 from .experiments import future_work, learning_curves, sharing
 from .measures import share
-from .names import rates_sentence
-from .results import RATES, SETS
+from .results import RATES, SETS, rates_sentence
 
 COSTS = {'no cost': 'stay', 'cost 0.2': 'stay_02', 'cost 1': 'stay_1', 'cost 5': 'stay_5'}
 

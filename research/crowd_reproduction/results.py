@@ -1,4 +1,5 @@
-"""The runs that runs.yaml declares, and what they have written: a measure is a value for each seed."""
+"""The runs that runs.yaml declares, and what they have written: a measure is a value for each seed. Names and texts of
+figures and tables."""
 import dataclasses
 import functools
 import itertools
@@ -8,11 +9,11 @@ import re
 import numpy
 import pandas
 import yaml
-from crowd_drawing.files import read_scene
-from crowd_drawing.motion import place_of
-from crowd_experiments.records import median, read_csv, read_table_header, read_tracks, read_visits
+from crowd_drawing.files import place_of, read_scene
+from crowd_experiments.records import Spread, median, read_csv, read_table_header, read_tracks, read_visits
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import EVERY, Setting, read_documents, vary_config, vary_scenario
+from crowd_studies.report import Report, read_texts
 
 DECLARED = yaml.safe_load(pathlib.Path(__file__).with_name('runs.yaml').read_text(encoding='utf-8'))
 GROUPS, LISTS, NEEDS = (DECLARED[key] for key in ('groups', 'lists', 'needs'))
@@ -28,7 +29,6 @@ def value_text(value):
 
 
 def variation_of(choice, value):
-    """Returns the variation in which a choice has a value."""
     label = f"{choice['name']}: {value_text(value)}"
     return re.sub(r'[^a-z0-9.]+', '_', label.lower()).strip('_'), {
         'label': label, 'choice': choice['name'], 'value': value_text(value),
@@ -46,7 +46,6 @@ def choices_of(setting):
 
 
 def chosen(setting, choice):
-    """Returns the value of a choice in the thesis configuration, as a text."""
     file = setting.config_file(f'reward_{REWARDS[0]}_thesis') if 'config' in choice else \
         setting.scenario('single_obstacle')
     value = read_documents(file)[0]
@@ -115,7 +114,6 @@ def plan(experiment):
 
 
 def runs_of(setting, group):
-    """Yields the runs of a group."""
     declared = GROUPS[group]
     for keys in combinations(setting, {'seed': setting.seeds(declared['seeds']), **declared['each']}):
         yield Run(Runs.of(setting, group, **keys).folder(keys['seed']), [
@@ -151,7 +149,6 @@ class Runs:
         return pandas.concat(rows, names=['seed', 'row']).reset_index('seed')
 
     def rates(self, file, scenario=None):
-        """Returns the rates of the seeds [%], see rates_of()."""
         return rates_of(self.record(file, scenario))
 
     def arrivals(self, file, column, scenario=None):
@@ -170,12 +167,10 @@ class Runs:
 
     @functools.lru_cache(maxsize=None)
     def tracks(self, seed, file):
-        """Returns the recorded places, by instance."""
         return read_tracks(self.folder(seed) / file)
 
     @functools.lru_cache(maxsize=None)
     def decisions(self, seed, scenario, folder='states'):
-        """Returns all recorded decisions in a scenario."""
         return read_decisions(self.folder(seed) / folder / f'{scenario}.csv')
 
     @functools.lru_cache(maxsize=None)
@@ -191,7 +186,6 @@ def rates_of(rows):
 
 
 def per_seed(rows, measure):
-    """Returns a measure of the rows of each seed."""
     return [measure(of_seed) for _, of_seed in rows.groupby('seed')]
 
 
@@ -221,3 +215,32 @@ def obstacle_places(setting, scenario, ticks):
     """Returns the places of the first obstacle of a scenario at each tick from the start [m]."""
     scene = read_scene(setting.scenario(scenario), 0)
     return numpy.array([place_of(scene.obstacles[0], tick * scene.tick) for tick in range(ticks)])
+
+
+TEXTS = read_texts(__file__)
+REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
+REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
+PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
+RATE_HEADER = [f'{rate} %' for rate in RATES]
+
+
+def report_of(name, setting, seeds, **values):
+    """Returns the empty chapter of an experiment with this number of seeds, and its first text."""
+    report = Report(name, TEXTS, setting, seeds=len(setting.seeds(seeds)), spread=TEXTS['spread'], **values)
+    report.say('intro')
+    return report
+
+
+def rate_texts(rates):
+    """Returns the texts of success, collision and contact, given a table with a row for each seed."""
+    return [Spread(rates[rate]).text(1) for rate in RATES]
+
+
+def rates_sentence(rates):
+    return 'success {} %, collision {} %, contact {} %'.format(*rate_texts(rates))
+
+
+def means_sentence(rates, contact=0):
+    """Returns the means as part of a sentence; `contact`: decimals of its contact."""
+    means = rates.mean()
+    return f'success {means.success:.0f} %, collision {means.collision:.0f} %, contact {means.contact:.{contact}f} %'

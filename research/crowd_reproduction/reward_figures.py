@@ -8,8 +8,7 @@ from crowd_experiments.variations import heading_of, read_documents
 from crowd_studies.scene_figures import frame_alike
 from matplotlib.ticker import ScalarFormatter
 
-from .names import PARAMETER_NAMES, REWARD_COLOURS, REWARD_NAMES
-from .results import PARAMETERS, REWARDS
+from .results import PARAMETERS, PARAMETER_NAMES, REWARDS, REWARD_COLOURS, REWARD_NAMES
 from .reward_measures import (MODES, SPEED, THESIS_SUCCESS, collision, gain_per_step, learned, of_mode, path_per_gain,
                               success)
 
@@ -167,8 +166,7 @@ def draw_paths(panel, folder):
         agent = scenes[instance]['agents'][0]
         _, walks = read_walks(folder / 'single_free.csv', instance)
         places = [(x, y) for _, x, y in walks[0]]
-        for place in places:
-            picture.show(place, agent['radius'])
+        picture.show(places, agent['radius'])
         panel.plot(*zip(*places), color=colour, linewidth=1.4, zorder=5)
         picture.draw_goals(agent['goals'], agent['radius'], colour)
         picture.disc(places[0], 0.06, facecolor=colour, edgecolor='none', zorder=6)

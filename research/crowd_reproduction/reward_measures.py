@@ -16,12 +16,10 @@ THESIS_SUCCESS = {('distance_gained', 'training'): 92.25, ('cosine_cubed', 'trai
 
 
 def learned(setting, reward, parameters='thesis'):
-    """Returns the runs of a reward."""
     return Runs.of(setting, 'learned', reward=reward, parameters=parameters)
 
 
 def longer(setting, reward):
-    """Returns the runs of a reward with more training."""
     return Runs.of(setting, 'longer', reward=reward)
 
 

@@ -55,7 +55,6 @@ def read_record(file):
 
 
 def rows_of(record, scenario):
-    """Returns the rows of a record that belong to a scenario."""
     return record[record['scenario'] == scenario]
 
 
@@ -75,7 +74,6 @@ class Summary:
 
     @classmethod
     def of(cls, record):
-        """Sums up a record."""
         success, touched = record['success'] > 0, record[CAUSES].sum(axis=1) > 0
         time = record['time_to_reach_goal']
         known = record[record['people_compared'] > 0]
@@ -86,7 +84,6 @@ class Summary:
                    record['personal_space_time'].mean(), *of_people)
 
     def cells(self):
-        """Returns the cells of a row, without its names."""
         return [share_text(self.arrived, self.episodes), share_text(self.clean, self.episodes),
                 ', '.join(map(str, self.contacts)), number_text(self.time, 1),
                 number_text(self.personal_space_time, 1), number_text(self.people_delay, 2),

@@ -18,13 +18,10 @@ PLACES = {'office': ('An office floor', 60), 'station': ('A station hall', 34), 
           't_junction': ('A T-junction', 9)}
 HEADER = ['scenario', 'people in an episode', 'arrive', 'in contact', 'stopped', 'time of a person [s]']
 EXAMPLE = '''example:
-  research/walk_places --episodes 10
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+  research/walk_places --episodes 10'''
 
 
 def run(*words):
-    """Runs a program. Raises CalledProcessError if it fails."""
     subprocess.run(list(map(str, words)), check=True, stdout=subprocess.DEVNULL)
 
 
@@ -47,7 +44,6 @@ def scenario_of(name):
 
 
 def draw(walk, name, folder):
-    """Draws the picture of a place."""
     title, moment = PLACES[name]
     run(*walk, '--episodes', 1, '--trajectories', folder, scenario_of(name))
     run(REPOSITORY / 'scripts' / 'plot_paths', '--trajectories', folder / f'place_{name}.csv', '--scenario',
@@ -56,7 +52,6 @@ def draw(walk, name, folder):
 
 
 def main(words=None):
-    """Runs the program with command line words."""
     parser = parser_of('walk_places', 'Walks the places of config/scenarios, and updates the pictures and the table of '
                        'docs/places.md.', EXAMPLE)
     parser.add_argument('--episodes', type=positive, default=50, metavar='N',

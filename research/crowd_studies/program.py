@@ -3,10 +3,11 @@ import dataclasses
 import os
 import pathlib
 import time
+import typing
 
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
 from crowd_experiments.pages import fill_document, write_page
-from crowd_experiments.runs import execute_left, text_of
+from crowd_experiments.runs import RunError, execute_left, text_of
 from crowd_experiments.tools import find_config, find_tools
 from crowd_experiments.variations import Setting
 
@@ -17,37 +18,46 @@ Completed runs are kept unless one of their programs, configurations or scenario
 finished runs; the same command continues from there.
 
 example:
-  research/{program.name} {program.experiments[0].NAME} --results results --processes 2
+  research/{program.name} {program.experiments[0].name} --results results --processes 2'''
 
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+
+@dataclasses.dataclass(frozen=True)
+class Experiment:
+    """A chapter of the page: functions of the Setting that return its runs, and the chapter from their results."""
+    name: str
+    title: str
+    plan: typing.Callable
+    report: typing.Callable
 
 
 @dataclasses.dataclass(frozen=True)
 class Program:
-    """Its parameters. An experiment is a module with NAME, TITLE, plan(setting) and report(setting)."""
+    """Its parameters. `needs_benchmark`: experiments without runs need the steering benchmark."""
     name: str
     title: str  # of the page
     experiments: tuple
     description: str  # for --help
     intro: str  # of the page
+    needs_benchmark: bool = False
 
     def main(self, words=None):
-        """Runs the program with command line words."""
         arguments = self.parser().parse_args(words)
         start = time.monotonic()
         chosen = [experiment for experiment in self.experiments
-                  if experiment.NAME in arguments.experiments or 'all' in arguments.experiments]
+                  if experiment.name in arguments.experiments or 'all' in arguments.experiments]
         setting = self.setting_of(arguments)
+        for experiment in chosen:
+            if not experiment.plan(setting):
+                print(f'{experiment.name}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)
         execute_left([run for experiment in chosen for run in experiment.plan(setting)], arguments.processes,
                      arguments.force)
         page = self.write(setting, self.chapters(setting, chosen), arguments.document)
         print(f'\nTook {text_of(time.monotonic() - start)}. All figures and tables: {page}')
 
     def parser(self):
-        """Returns the parser of the command line."""
-        listed = ''.join(f'  {experiment.NAME:18} {experiment.TITLE}\n' for experiment in self.experiments)
+        listed = ''.join(f'  {experiment.name:18} {experiment.title}\n' for experiment in self.experiments)
         parser = parser_of(self.name, self.description, EPILOG.format(experiments=listed, program=self))
-        parser.add_argument('experiments', nargs='+', choices=[*(one.NAME for one in self.experiments), 'all'],
+        parser.add_argument('experiments', nargs='+', choices=[*(one.name for one in self.experiments), 'all'],
                             metavar='EXPERIMENT', help='see below')
         add_file(parser, '--results', default=pathlib.Path('results'), metavar='FOLDER',
                  help='folder of all results (default: results)')
@@ -59,10 +69,18 @@ class Program:
         add_tools(parser)
         add_file(parser, '--document', metavar='FILE.md',
                  help='also update the tables of this document, and its pictures in images/')
+        if self.needs_benchmark:
+            add_file(parser, '--benchmark', metavar='FOLDER',
+                     help='folder of the steering benchmark with scenarios/, reference.csv and score.py; experiments '
+                          'that need it are left out without it')
         return parser
 
     def setting_of(self, arguments):
-        return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick)
+        benchmark = arguments.benchmark.resolve() if self.needs_benchmark and arguments.benchmark else None
+        if benchmark and not (benchmark / 'reference.csv').is_file():
+            raise RunError(f'{benchmark}: has no reference.csv')
+        return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick,
+                       benchmark=benchmark)
 
     def write(self, setting, chapters, document):
         """Writes the page and updates the document. Returns the file of the page."""

@@ -23,12 +23,10 @@ class Report(Chapter):
         self.texts, self.setting, self.values = texts[name], setting, values
 
     def text_of(self, name, **values):
-        """Returns a text with values."""
         text = COUNT.sub(lambda match: str(self.setting.count(*match.groups())), self.texts[name])
         return text.format(**{**self.values, **values})
 
     def say(self, name, **values):
-        """Adds a text."""
         self.add_text(self.text_of(name, **values))
 
     def draw(self, figure, file, text=None, **values):

@@ -4,8 +4,9 @@ import dataclasses
 import math
 import shutil
 
-from crowd_bench.catalogue import AGENT_STEPS, DECISIONS
+from crowd_bench import program
 from crowd_bench.core_benchmarks import RANKS_PROGRAM, measure
+from crowd_bench.table import AGENT_STEPS, DECISIONS
 from crowd_experiments import style
 from crowd_experiments.runs import RunError
 
@@ -76,7 +77,6 @@ class WeakScaling:
         return header, rows, self.draw(efficiencies, model, measuring.plots / f'{self.name}.png')
 
     def draw(self, efficiencies, model, file):
-        """Draws measured points and the model. Returns the file."""
         figure, ((panel,),) = style.new_figure(1, 1, 5.2, 3.4)
         for agents, line in zip(MODELLED_AGENTS, ('-', '--')):
             panel.plot(MODELLED_RANKS, [model.efficiency(ranks, agents) for ranks in MODELLED_RANKS], linestyle=line,
@@ -132,7 +132,6 @@ class Sweep:
         return header, [[*row, f'{drawn / least:.2f}'] for row, (_, drawn) in zip(rows, points)]
 
     def draw(self, measured, file):
-        """Draws the measured points. Returns the file."""
         figure, ((panel,),) = style.new_figure(1, 1, 4.6, 3.2)
         points = self.points(measured)
         panel.plot(*zip(*points), marker='o', color=COLOUR)
@@ -155,3 +154,7 @@ SWEEPS = (
           threads=True),
     Sweep('train_threads', 'Training by threads, 16 learners side by side', 'threads', DECISIONS, threads=True),
 )
+
+
+def main(words=None):
+    return program.main(words, {'sweeps': (*SWEEPS, *RANK_SWEEPS)}, 'research/bench_sweeps crowd_step_agents')

@@ -123,7 +123,6 @@ def dense_room(seed):
 
 
 def rimea_11(evaluation):
-    """Counts the people by exits."""
     recordings = evaluation.walk_one('room', dense_room)
     first, second = ([int(numpy.isfinite(crossing_times(recording, gate)).sum()) for recording in recordings]
                      for gate in EXITS.values())
@@ -156,7 +155,6 @@ def two_rooms(seed):
 
 
 def rimea_12(evaluation):
-    """Counts slow people in both rooms."""
     recordings = evaluation.walk_one('rooms', two_rooms)
     slow = [[slow_people(recording, (left, 0.0), (left + SIDE, SIDE)) for left in (0.0, SECOND)]
             for recording in recordings]
@@ -191,7 +189,6 @@ def two_ways(seed):
 
 
 def rimea_14(evaluation):
-    """Counts the people by ways."""
     recordings = evaluation.walk_one('ways', two_ways)
     short, long = ([int(numpy.isfinite(crossing_times(recording, gate)).sum()) for recording in recordings]
                    for gate in WAYS)
@@ -219,7 +216,6 @@ def wide_corner(seed):
 
 
 def large_crowd(seed, walls, top, goal):
-    """Returns a scenario with 500 people."""
     people = plan.crowd(seed, 500, (0.1, -STARTED), (ACROSS - 0.1, -0.1), goal, RADIUS_IN_DENSE_CROWDS, top)
     return plan.scenario('rimea_15', 300, people, walls, goal_tolerance=0.8)
 

@@ -25,11 +25,9 @@ class Recording:
     touched: numpy.ndarray  # whether the agent was in contact with a body or a wall
 
     def people(self):
-        """Returns the number of agents."""
         return len(self.arrivals)
 
     def all_arrived(self):
-        """Returns whether every agent arrived."""
         return bool(numpy.isfinite(self.arrivals).all())
 
     def place_at(self, time):
@@ -79,7 +77,6 @@ class Result:
     pictures: tuple = ()  # files, in the case's folder
 
     def verdict(self):
-        """Returns the text of the column `passed`."""
         return {True: 'yes', False: 'no', None: 'reported'}[self.passed]
 
 
@@ -92,7 +89,6 @@ class Case:
 
 
 def store(folder, result, seeds):
-    """Writes a result to a case's folder."""
     record = dataclasses.asdict(result)
     record['pictures'] = [pathlib.Path(picture).name for picture in result.pictures]
     record['seeds'] = seeds

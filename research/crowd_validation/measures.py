@@ -32,7 +32,6 @@ def arrived(recordings):
 
 
 def all_arrived(recordings):
-    """Returns whether all people of all seeds arrived."""
     return all(recording.all_arrived() for recording in recordings)
 
 

@@ -120,7 +120,6 @@ def rimea_7(evaluation):
 
 
 def within(speeds, low, high):
-    """Returns whether all speeds are in the range."""
     return bool(numpy.isfinite(speeds).all() and speeds.min() >= low - TOLERANCE and speeds.max() <= high + TOLERANCE)
 
 

@@ -25,14 +25,12 @@ EXAMPLES = '''examples:
 
 A case generates its scenario files, runs `evaluate` once for each seed, measures the trajectories, and stores its
 result and pictures in the output folder. Completed runs are kept unless the program, the Q-table or their scenario has
-changed. Ctrl-C keeps the finished runs; the same command continues from there.
-
-Exit status: 0 all chosen cases were run (passed or not), 1 a run failed, 2 wrong usage, 130 interrupted.'''
+changed. Ctrl-C keeps the finished runs; the same command continues from there.'''
 
 
 def parser():
-    """Returns the parser of the command line."""
-    found = parser_of('validate', DESCRIPTION, EXAMPLES)
+    found = parser_of('validate', DESCRIPTION, EXAMPLES, '0 all chosen cases were run (passed or not), 1 a run failed, '
+                      '2 wrong usage, 130 interrupted.')
     found.add_argument('cases', nargs='*', metavar='CASE', help='names of cases, see --list (default: all)')
     found.add_argument('--list', action='store_true', help='list the cases, and those left out with the reason')
     found.add_argument('--table', action='store_true', help='print the table of stored results; runs nothing')
@@ -49,7 +47,6 @@ def parser():
 
 
 def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
     arguments = parser().parse_args(words)
     names = [case.name for case in cases.ALL]
     for name in arguments.cases:

@@ -1,10 +1,15 @@
-"""Valgrind's callgrind, which counts instructions."""
+"""Valgrind's callgrind, which counts instructions: profiles with the shares of functions."""
+import dataclasses
 import pathlib
 import re
 import shutil
 import subprocess
+import tempfile
 
-from crowd_experiments.runs import RunError
+import pandas
+from crowd_experiments.runs import RunError, output_of
+
+from .core_benchmarks import PROGRAM, filter_of
 
 # What valgrind prints of an instruction that it does not emulate, and the innermost function that contains it.
 UNKNOWN_INSTRUCTION = re.compile(r'unhandled instruction bytes: .*|Unrecognised instruction at address .*')
@@ -39,15 +44,67 @@ def require_valgrind(program):
 def collect(function, command, folder, environment=None):
     """Counts instructions within a function while a command runs. Returns the file of the counts."""
     output = pathlib.Path(folder) / 'callgrind.out'
-    run(['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet', f'--toggle-collect={function}',
-         f'--callgrind-out-file={output}', *command], folder, environment)
+    output_of(['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet', f'--toggle-collect={function}',
+               f'--callgrind-out-file={output}', *command], cwd=folder, env=environment)
     return output
 
 
-def run(command, folder, environment=None):
-    """Runs a program. Returns its output."""
-    done = subprocess.run(list(map(str, command)), cwd=folder, env=environment, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True, check=False)
-    if done.returncode != 0:
-        raise RunError(f"{' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
-    return done.stdout
+MOST_LINES, LEAST_SHARE = 12, 0.5  # of a table; [%]
+LINE = re.compile(r'^\s*[\d,]+ \(\s*([\d.]+)%\)\s+(?:\S*?:)?(.+?)(?: \[.*\])?$')
+LIBRARIES = 'mathematics, memory, the standard library'
+ARGUMENTS = re.compile(r'\(.*$')
+
+
+@dataclasses.dataclass(frozen=True)
+class Profile:
+    """A benchmark that is run once, and the function of it that is profiled."""
+    name: str
+    title: str
+    benchmark: str
+    function: str
+    by_class: bool = False  # sums by class, for many small functions
+
+    def measure(self, measuring):
+        """Returns header and rows of the table of the functions or classes with the largest shares; no picture."""
+        require_valgrind(measuring.folder / PROGRAM)
+        with tempfile.TemporaryDirectory() as scratch:
+            output = collect(self.function, [measuring.folder / PROGRAM, filter_of(self.benchmark),
+                                             '--benchmark_min_time=0'], scratch)
+            shares = read_annotation(output_of(['callgrind_annotate', '--threshold=100', output], cwd=scratch))
+        header = ['class' if self.by_class else 'function', '% of all instructions']
+        return header, rows(by_class(shares) if self.by_class else shares), None
+
+
+def read_annotation(text):
+    """Returns [(function, share)] from the output of callgrind_annotate."""
+    matches = [match for line in text.splitlines() if 'PROGRAM TOTALS' not in line and (match := LINE.match(line))]
+    if not matches:
+        raise RunError('callgrind has counted nothing: the profiled function was not called')
+    return summed((ARGUMENTS.sub('', match[2].replace('(anonymous namespace)::', '')), float(match[1]))
+                  for match in matches)
+
+
+def by_class(shares):
+    return summed((name.rpartition('::')[0] if name.startswith('crowd::') else LIBRARIES, share)
+                  for name, share in shares)
+
+
+def summed(shares):
+    """Returns the sums of shares of the same name, the largest first."""
+    sums = pandas.DataFrame(shares, columns=['name', 'share']).groupby('name', sort=False)['share'].sum()
+    return list(sums.sort_values(ascending=False, kind='stable').items())
+
+
+def rows(shares):
+    """Returns table cells of the functions with the largest shares."""
+    shown = [(name, share) for name, share in shares[:MOST_LINES] if share >= LEAST_SHARE]
+    others = 100.0 - sum(share for _, share in shown)
+    return [[name if name == LIBRARIES else f'`{name}`', f'{share:.1f}'] for name, share in shown] + [
+        ['all others', f'{max(0.0, others):.1f}']]
+
+
+PROFILES = (
+    Profile('profile_crowd_step', 'crowd step, 1,000 agents', 'crowd_step_agents/1000', 'crowd::CrowdWalk::step()'),
+    Profile('profile_training', 'training, thesis set 2, one obstacle', 'train_occupancy',
+            'crowd::Training::runNextTurn()', by_class=True),
+)

@@ -19,10 +19,7 @@ CONFIG = REPOSITORY / 'config'
 BUILD_KIND = 'build_kind.txt'  # beside the tools: compiler, flags
 TOLERANCE = 2.0  # [%]; repeated counts differ by less than a hundredth of this
 VECTORS = ('avx2', 'fma')  # processor features by which libraries select their code
-EXAMPLE = f'''example:
-  scripts/count_instructions
-
-Exit status: 0 all differ by less than {TOLERANCE:g} %, 1 an error or a larger difference, 2 wrong usage.'''
+STATUSES = f'0 all differ by less than {TOLERANCE:g} %, 1 an error or a larger difference, 2 wrong usage.'
 TOTAL = re.compile(r'^(?:summary|totals): (\d+)', re.MULTILINE)
 
 
@@ -34,7 +31,6 @@ class CountedRun:
     command: tuple
 
     def count(self, tools):
-        """Returns the number of instructions."""
         # With the kernels for this processor, which valgrind chooses as well.
         environment = {name: value for name, value in os.environ.items() if name != 'SOCIAL_CROWD_SIMD'}
         with tempfile.TemporaryDirectory() as folder:
@@ -77,7 +73,6 @@ def write_kept(kind, counts, file=KEPT):
 
 
 def change(count, kept):
-    """Returns the difference of a count from the stored one [%]."""
     return 100.0 * (count - kept) / kept
 
 
@@ -90,7 +85,7 @@ def is_fine(count, kept):
 def main(words=None):
     """Runs scripts/count_instructions with command line words. Returns the exit status."""
     parser = parser_of('count_instructions', 'Counts the instructions of small runs and compares them with those in '
-                       f'{KEPT.name}.', EXAMPLE)
+                       f'{KEPT.name}.', 'example:\n  scripts/count_instructions', STATUSES)
     parser.add_argument('--keep', action='store_true', help='store these counts instead of comparing them')
     add_tools(parser)
     arguments = parser.parse_args(words)
@@ -104,7 +99,6 @@ def main(words=None):
 
 
 def compare(kind, counts):
-    """Prints the counts and the stored counts. Returns the exit status."""
     kept = read_kept()
     if kind != kept['kind']:
         print(f"The counts are for '{kind}', the stored counts are for '{kept['kind']}'")

@@ -1,17 +1,16 @@
 """The command line of scripts/bench, and of research/bench_sweeps."""
-import argparse
 import pathlib
 import sys
 
-from crowd_experiments.arguments import positive
+from crowd_experiments.arguments import parser_of, positive
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.runs import RunError
 from crowd_experiments.tools import run_build
 
 from . import core_benchmarks, ros_benchmarks, table
-from .catalogue import BENCHMARKS, Benchmark
+from .table import BENCHMARKS, Benchmark
 from .core_benchmarks import CoreBenchmarks, PROGRAM
-from .profile import PROFILES
+from .callgrind import PROFILES
 
 GROUPS = {'benchmarks (run by default)': BENCHMARKS, 'profiles, with callgrind': PROFILES}
 EXAMPLE = 'scripts/bench crowd_step_map_1000 --json bench.json'
@@ -20,13 +19,10 @@ EXAMPLE = 'scripts/bench crowd_step_map_1000 --json bench.json'
 def parse_arguments(words, groups, example):
     listed = ''.join(f'{title}:\n' + ''.join(f'  {entry.name:30} {entry.title}\n' for entry in entries) + '\n'
                      for title, entries in groups.items())
-    parser = argparse.ArgumentParser(
-        prog=example.split()[0].rpartition('/')[2], formatter_class=argparse.RawDescriptionHelpFormatter,
-        description='Measures the performance of the package; each benchmark is compared with its yardstick. Builds '
-                    'the package.',
-        epilog=f'{listed}all: all of them\n\nexample:\n  {example}\n\n'
-               'Ctrl-C keeps the results so far. Exit status: 0 success, 1 a measurement failed, 2 wrong usage, 130 '
-               'interrupted.')
+    parser = parser_of(
+        example.split()[0].rpartition('/')[2], 'Measures the performance of the package; each benchmark is compared '
+        'with its yardstick. Builds the package.', f'{listed}all: all of them\n\nexample:\n  {example}\n\nCtrl-C keeps '
+        'the results so far.', '0 success, 1 a measurement failed, 2 wrong usage, 130 interrupted.')
     add, names = parser.add_argument, [entry.name for entries in groups.values() for entry in entries]
     add('names', nargs='*', metavar='NAME', choices=[*names, 'all', []], help='see below')
     add('--json', type=pathlib.Path, metavar='FILE',

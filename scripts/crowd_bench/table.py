@@ -1,13 +1,59 @@
-"""Formats results as printed lines, as JSON, and as tables of documents, in which rows without new results are kept."""
+"""The benchmarks with their units and required values (bars); their results as printed lines, as JSON, and as tables of
+documents, in which rows without new results are kept."""
+import dataclasses
 import datetime
 import json
 import os
 import pathlib
 import re
 
+import yaml
 from crowd_experiments.pages import Chapter, fill_document
 
-from .catalogue import BENCHMARKS, COSTS
+DECISIONS, AGENT_STEPS, TICKS, REAL_TIME, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
+    'decisions/s', 'agent steps/s', 'ticks/s', 'x real time', 'ms', 'MB', '% of a core')
+FILE = pathlib.Path(__file__).with_name('benchmarks.yaml')
+# Units of which lower values are better; all other units are rates.
+COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
+
+
+@dataclasses.dataclass(frozen=True)
+class Benchmark:
+    """One line of the table.
+
+    The ratio is the benchmark's time divided by the yardstick's time (rates: yardstick / value, times: value /
+    yardstick). With `ratio_is_rate` it is the benchmark's rate divided by the yardstick's rate (value / yardstick)."""
+    name: str
+    title: str
+    unit: str
+    bar: float = None
+    yardstick: str = ''  # in words; empty: none
+    ratio_bar: float = None
+    ratio_is_rate: bool = False
+    ros: bool = False  # measured through ROS
+    mpi: bool = False  # measured under mpirun
+    repetitions: int = None  # None: as requested on the command line
+
+    def ratio(self, value, yardstick):
+        return value / yardstick if self.ratio_is_rate or self.unit in COSTS else yardstick / value
+
+    def result(self, value, yardstick=None, ratio=None, spread=None):
+        """Returns the result as a dictionary.
+        @param spread lowest and highest of the repetitions, of which the value is the median"""
+        return {'name': self.name, 'value': value, 'unit': self.unit, 'spread': spread, 'yardstick': yardstick,
+                'ratio': ratio}
+
+    def clears_bar(self, result):
+        value, ratio = result['value'], result['ratio']
+        fine = self.bar is None or (value <= self.bar if self.unit in COSTS else value >= self.bar)
+        if self.ratio_bar is None:
+            return fine
+        return fine and ratio is not None and (
+            ratio >= self.ratio_bar if self.ratio_is_rate else ratio <= self.ratio_bar)
+
+
+BENCHMARKS = tuple(Benchmark(**entry) for entry in yaml.safe_load(FILE.read_text(encoding='utf-8')))
+
 
 NAME = 'performance'  # tables are performance/benchmarks and so on
 ROW = re.compile(r'^\| (\w+) \|(.*)\|$', re.MULTILINE)
@@ -72,7 +118,6 @@ def spread_text(spread):
 
 
 def bar_text(number, at_most, text):
-    """Returns a bar as a text; empty if there is none."""
     return '' if number is None else f"{'≤' if at_most else '≥'} {text(number)}"
 
 
@@ -84,14 +129,12 @@ def met_text(result, benchmark):
 
 
 def line(result, benchmark=None):
-    """Returns a result as a printed line."""
     return LINE.format(result['name'], quantity(result['value'], result['unit']),
                        quantity(result['yardstick'], result['unit']), quantity(result['ratio'], '', '.2f'),
                        met_text(result, benchmark)).rstrip()
 
 
 def row(result, benchmark):
-    """Returns a result as cells of the document's table."""
     def in_unit(value):
         return quantity(value, benchmark.unit)
     return [benchmark.name, benchmark.title, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),

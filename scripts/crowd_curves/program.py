@@ -1,11 +1,10 @@
 """The program `plot_learning`."""
 import sys
 
-from crowd_curves.drawing import draw_curves, measures_of
-from crowd_curves.records import band_of, by_scenario, default_window, episodes_of, read_run
+from crowd_curves.curves import band_of, by_scenario, default_window, draw_curves, episodes_of, measures_of, read_run
 from crowd_drawing.errors import InputError
 from crowd_experiments.arguments import add_file, labelled, parser_of, positive
-from crowd_experiments.confidence import t_quantile
+from crowd_experiments.records import t_quantile
 
 EXAMPLES = '''examples:
   for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\
@@ -16,12 +15,10 @@ EXAMPLES = '''examples:
 
 A curve is the mean over the runs of a label, in windows of episodes; the band is the 95 % confidence interval of the
 mean (Student's t). A single run has no band, and that of two runs is too wide to be of use. Trainings may still run: a
-row that is not complete yet is left out.
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+row that is not complete yet is left out.'''
 
 
 def parser():
-    """Returns the parser of the command line."""
     result = parser_of('plot_learning',
                        'Draws learning curves over several seeds, from logs of `train --log` or records '
                        'of `train --record`.', EXAMPLES)
@@ -40,14 +37,12 @@ def parser():
 
 
 def read_runs(arguments):
-    """Returns the runs of the command line."""
     named = [labelled(word) for word in arguments.records]
     runs = [read_run(label or '', file, arguments.scenario, grows=True) for label, file in named]
     return [part for run in runs for part in by_scenario(run)] if arguments.each_scenario else runs
 
 
 def window_of(arguments, runs):
-    """Returns the number of episodes in a point of a curve."""
     if arguments.window is None:
         return default_window(runs)
     if arguments.window > episodes_of(runs):
@@ -57,7 +52,6 @@ def window_of(arguments, runs):
 
 
 def measures_for(arguments, runs):
-    """Returns the measures that are drawn."""
     columns = arguments.columns.split(',') if arguments.columns else None
     for column in columns or []:
         for run in runs:

@@ -1,4 +1,6 @@
 """Files that programs read and write, and errors that end a program with a message."""
+import contextlib
+import os
 import pathlib
 
 
@@ -23,6 +25,17 @@ def check_output(file):
         raise InputError(f'{file}: cannot be written: it is a folder')
     if not file.parent.is_dir():
         raise InputError(f'{file}: cannot be written: there is no folder {file.parent.absolute()}')
+
+
+@contextlib.contextmanager
+def replaced(file):
+    """Gives a `with` block a file to write, which replaces the given one at its end, or is removed on failure."""
+    part = pathlib.Path(file).with_name(f'.{pathlib.Path(file).name}.part')
+    try:
+        yield part
+        os.replace(part, file)
+    finally:
+        part.unlink(missing_ok=True)
 
 
 class InputError(Exception):

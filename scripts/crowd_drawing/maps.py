@@ -26,7 +26,6 @@ class MapPicture:
         return Affine2D().rotate(self.origin[2]).translate(*self.origin[:2])
 
     def corners(self):
-        """Returns the corners of the map in the scene."""
         return [tuple(self.transform().transform((x, y))) for x in (0, self.size[0]) for y in (0, self.size[1])]
 
 

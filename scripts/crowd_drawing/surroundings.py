@@ -1,4 +1,4 @@
-"""Draws the surroundings of a crowd: maps, areas where people enter and leave, queues and gates."""
+"""Draws the surroundings of a crowd: maps, walls, areas where people enter and leave, queues and gates."""
 from crowd_drawing.files import is_open
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Rectangle
@@ -7,10 +7,15 @@ SOURCE_COLOUR, SINK_COLOUR, GATE_COLOUR = '#8ecbf5', '#a5dba0', '#e07b00'
 
 
 def draw_surroundings(picture, scene, time):
-    """Draws everything but agents, robots, obstacles and walls; gates as they are at a time [s], none if it is None."""
+    """Draws everything but agents, robots and obstacles; gates as they are at a time [s], none if it is None."""
     population = scene.population
     if scene.map is not None:
-        draw_map(picture, scene.map)
+        picture.show(scene.map.corners())
+        width, height = scene.map.size
+        picture.axes.imshow(scene.map.pixels, extent=(0, width, 0, height), interpolation='nearest', zorder=0.6,
+                            transform=scene.map.transform() + picture.axes.transData)
+    for wall in scene.walls:
+        picture.draw_wall(wall)
     for areas, colour, name in ((population.source_areas, SOURCE_COLOUR, 'people come'),
                                 (population.sink_areas, SINK_COLOUR, 'people leave')):
         for area in areas:
@@ -30,25 +35,12 @@ def draw_surroundings(picture, scene, time):
         picture.further_entries.append(Line2D([], [], color=GATE_COLOUR, linewidth=2.5, label='gate (dotted: open)'))
 
 
-def draw_map(picture, floor):
-    """Draws the cells of a map."""
-    for corner in floor.corners():
-        picture.show(corner)
-    picture.axes.imshow(floor.pixels, extent=(0, floor.size[0], 0, floor.size[1]), interpolation='nearest', zorder=0.6,
-                        transform=floor.transform() + picture.axes.transData)
-
-
 def draw_area(picture, area, colour):
     """Draws the area of a source or a sink, except for points."""
-    if not isinstance(area, dict):
-        return
     if 'box' in area:
         (left, bottom), (right, top) = area['box']
-        patch = Rectangle((left, bottom), right - left, top - bottom, facecolor=colour, zorder=1)
+        picture.axes.add_patch(Rectangle((left, bottom), right - left, top - bottom, facecolor=colour, zorder=1))
     elif 'ring' in area:
         radius = area['ring']['radius']
-        patch = Circle(area['ring']['centre'], max(radius) if isinstance(radius, list) else radius, facecolor=colour,
-                       zorder=1)
-    else:
-        return
-    picture.axes.add_patch(patch)
+        picture.axes.add_patch(Circle(area['ring']['centre'], max(radius) if isinstance(radius, list) else radius,
+                                      facecolor=colour, zorder=1))

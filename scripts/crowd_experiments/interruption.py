@@ -11,7 +11,6 @@ EXIT_FINE, EXIT_FAILED, EXIT_USAGE, EXIT_INTERRUPTED = 0, 1, 2, 130
 
 
 def interrupt(_signal, _frame):
-    """Handles SIGTERM as Ctrl-C."""
     raise KeyboardInterrupt
 
 

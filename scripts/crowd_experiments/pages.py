@@ -22,12 +22,10 @@ class Table:
     name: str = ''
 
     def markdown(self):
-        """Returns the table in Markdown, without its title."""
         lines = [f"| {' | '.join(row)} |" for row in (self.header, *self.rows)]
         return '\n'.join([lines[0], '|---' * len(self.header) + '|', *lines[1:], ''])
 
     def print(self):
-        """Prints the table; long texts are wrapped."""
         rows = [[textwrap.wrap(cell, LONGEST_CELL) for cell in row] for row in (self.header, *self.rows)]
         widths = [max(len(line) for row in rows for line in row[i] or ['']) for i in range(len(self.header))]
         print(f'\n{self.title}')
@@ -63,13 +61,13 @@ class Chapter:
         self.parts.append(Table(title, header, rows, name))
 
     def add_figure(self, file, caption):
-        self.parts.append(Figure(file, caption))
+        """Adds a picture, if there is one."""
+        self.parts += [Figure(file, caption)] if file else []
 
     def tables(self):
         return [part for part in self.parts if isinstance(part, Table)]
 
     def markdown(self):
-        """Returns texts and tables in Markdown."""
         parts = [f'{part.title}:\n\n{part.markdown()}\n' if isinstance(part, Table) else f'{part}\n\n'
                  for part in self.parts if not isinstance(part, Figure)]
         return ''.join([f'# {self.title}\n\n', *parts])

@@ -34,7 +34,6 @@ class ProgressBar:
         self.next = self.start if self.is_terminal else self.start + PLAIN_PERIOD
 
     def add(self, cost):
-        """Counts a finished run."""
         self.done += cost
         self.runs_done += 1
         self.show()
@@ -54,7 +53,6 @@ class ProgressBar:
         sys.stderr.flush()
 
     def end(self):
-        """Ends the line of the bar."""
         if self.is_terminal:
             sys.stderr.write('\n')
 
@@ -73,6 +71,17 @@ class RunError(InputError):
     """A tool has failed; the message contains the end of its output."""
 
 
+def output_of(command, **options):
+    """Runs a program. Returns its standard output. Raises RunError with the end of all output if it fails."""
+    words = list(map(str, command))
+    done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
+                          encoding='utf-8', errors='replace', **options)
+    if done.returncode != 0:
+        name, lines = pathlib.Path(words[0]).name, (done.stdout + done.stderr).strip().splitlines()
+        raise RunError(f'{name}: ' + '\n'.join(lines[-20:] or ['no message']).removeprefix(f'{name}: '))
+    return done.stdout
+
+
 @dataclasses.dataclass(frozen=True)
 class Run:
     """Commands that are executed one after the other in a folder."""
@@ -81,7 +90,6 @@ class Run:
     cost: float = 1.0  # [s] approximate duration
 
     def lines(self):
-        """Returns the commands as command lines."""
         return [' '.join(map(str, command)) for command in self.commands]
 
     def stamp(self):
@@ -91,7 +99,8 @@ class Run:
             for word in map(str, command):
                 digest.update(word.encode() + b'\0')
                 for file in files_behind(pathlib.Path(word)):
-                    digest.update(digest_of(file))
+                    state = file.stat()
+                    digest.update(digest_of(file, state.st_size, state.st_mtime_ns))
         return digest.hexdigest()
 
     def is_done(self):
@@ -122,16 +131,10 @@ def scenarios_of(config):
     return [config.parent / name for name in training.get('scenarios', [])]
 
 
-digests = {}  # by file, size and time of modification, so that programs are read once
-
-
-def digest_of(file):
-    """Returns a digest of the contents of a file."""
-    state = os.stat(file)
-    key = (str(file), state.st_size, state.st_mtime_ns)
-    if key not in digests:
-        digests[key] = hashlib.sha256(pathlib.Path(file).read_bytes()).digest()
-    return digests[key]
+@functools.lru_cache(maxsize=None)
+def digest_of(file, _size, _time):
+    """Returns a digest of the contents of a file, which is read once while its size and time are the same."""
+    return hashlib.sha256(file.read_bytes()).digest()
 
 
 class Runner:
@@ -216,8 +219,7 @@ def execute_left(runs, processes, force=False):
             Runner(processes).carry_out(left)
     except KeyboardInterrupt:
         print(f'Interrupted: {sum(run.is_done() for run in runs)} of {len(runs)} runs are done and kept; the same '
-              f'command '
-              'continues from there.')
+              'command continues from there.')
         raise
 
 
@@ -228,5 +230,4 @@ def processor_seconds(folder):
 
 
 def tail_of(file, lines=5):
-    """Returns the last lines of a log."""
     return '\n'.join(re.split(r'[\r\n]+', file.read_text(encoding='utf-8', errors='replace').strip())[-lines:])

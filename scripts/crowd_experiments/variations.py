@@ -22,7 +22,6 @@ class Setting:
     benchmark: typing.Optional[pathlib.Path] = None  # folder of the steering benchmark
 
     def count(self, full, quick):
-        """Returns the number of seeds, episodes etc."""
         return quick if self.quick else full
 
     def seeds(self, full, quick=2):
@@ -30,31 +29,24 @@ class Setting:
         return range(1, self.count(full, quick) + 1)
 
     def tool(self, name):
-        """Returns the program `train` or `evaluate`."""
         return self.tools / name
 
     def config_file(self, name):
-        """Returns a training configuration of the experiments."""
         return self.experiments / f'{name}.yaml'
 
     def scenario(self, name):
-        """Returns a scenario file."""
         return self.config / 'scenarios' / f'{name}.yaml'
 
     def learning(self, model):
-        """Returns a shipped training configuration."""
         return self.config / 'learning' / f'{model}.yaml'
 
     def table(self, model):
-        """Returns a shipped Q-table."""
         return self.config / 'q_tables' / f'{model}.txt'
 
     def run_folder(self, experiment, run):
-        """Returns the folder of a run."""
         return self.results / 'runs' / experiment / run
 
     def figure_file(self, name):
-        """Returns the file of a figure."""
         return self.results / 'figures' / f'{name}.png'
 
 
@@ -92,7 +84,6 @@ def vary_scenario(setting, base, changes, name):
 
 
 def read_documents(file):
-    """Returns the YAML documents of a file."""
     with open(file, encoding='utf-8') as stream:
         return [document for document in yaml.load_all(stream, LOADER) if document is not None]
 
@@ -128,7 +119,6 @@ def change(node, keys, value):
 
 
 def write_if_new(file, base, documents):
-    """Writes the documents unless the file already has the same contents."""
     content = yaml.dump_all(documents, None, DUMPER, sort_keys=False, default_flow_style=None)
     text = f'# Made from {base.name}.\n{content}'
     if not file.is_file() or file.read_text(encoding='utf-8') != text:

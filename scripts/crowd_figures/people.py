@@ -9,8 +9,38 @@ import numpy
 from crowd_experiments.arguments import add_file, parser_of
 from crowd_experiments.tools import REPOSITORY
 
-from .gait import FRAMES, joints
 from .shapes import ellipse, ellipsoid, join, limb, loft, write
+
+FRAMES = 8
+HIP_SWING = 24.0  # [degrees] to each side: with a leg of 0.88 m a cycle of 1.4 m
+ARM_SWING = 22.0
+
+
+def bump(phase, middle, width):
+    """A smooth hump of height 1 in a cycle of length 1."""
+    away = (phase - middle + 0.5) % 1.0 - 0.5
+    return math.exp(-(away / width) ** 2)
+
+
+def leg(phase):
+    """Angles of hip and knee [degrees] at a phase of the leg's cycle, 0 to 1; its heel touches the floor at 0."""
+    knee = 4.0 + 12.0 * bump(phase, 0.14, 0.1) + 56.0 * bump(phase, 0.73, 0.12)
+    return 3.0 + HIP_SWING * math.cos(2 * math.pi * phase), knee
+
+
+def arm(phase):
+    """Angles of shoulder and elbow [degrees] at the phase of the leg on the same side: the arm swings against it."""
+    swing = -math.cos(2 * math.pi * phase)
+    return ARM_SWING * swing, 22.0 + 12.0 * swing
+
+
+def joints(frame):
+    """Angles (hip, knee, shoulder, elbow) [degrees] of left and right in a frame; FRAMES: of a person who stands."""
+    if frame == FRAMES:
+        return [(0.0, 0.0, 0.0, 8.0)] * 2
+    phase = (frame + 0.5) / FRAMES
+    return [(*leg(part), *arm(part)) for part in (phase, (phase + 0.5) % 1.0)]
+
 
 THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when standing [m]
 UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
@@ -86,7 +116,6 @@ def hair(build):
 
 
 def make(folder):
-    """Writes all meshes into a folder. Returns the files."""
     folder.mkdir(parents=True, exist_ok=True)
     shapes = {}
     for build in BUILDS:
@@ -103,13 +132,10 @@ EXAMPLE = '''Each build has a head, and for each picture of the walking cycle (f
 a shirt and a mesh of the dark parts: hair, trousers or skirt, shoes.
 
 example:
-  scripts/draw_figures --output /tmp/meshes
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+  scripts/draw_figures --output /tmp/meshes'''
 
 
 def main(words=None):
-    """Runs scripts/draw_figures with command line words."""
     parser = parser_of('draw_figures', 'Makes the meshes of people who walk, which crowd_markers shows in RViz.',
                        EXAMPLE)
     add_file(parser, '--output', default=REPOSITORY / 'meshes', metavar='FOLDER',

@@ -4,8 +4,7 @@ import sys
 
 import roslib.packages
 
-from .launch_end import end_launch
-from .program import Program
+from .program import Program, end_launch
 
 STAY = '--stay'
 NO_FILE = 'none'  # default of replay.launch
@@ -22,7 +21,6 @@ def problem_of(file):
 
 
 def main():
-    """Plays the bag of the command line. Returns the exit status."""
     arguments = [word for word in sys.argv[1:] if word != STAY]
     files = [word for word in arguments if not word.startswith('-') and ':=' not in word]
     if files in ([], [NO_FILE]):

@@ -81,7 +81,6 @@ class LearnerCrew:
 
 
 def main():
-    """Runs a crew until the node is shut down."""
     try:
         rospy.init_node('learner_crew')
     except rospy.ROSInitException:

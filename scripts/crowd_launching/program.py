@@ -1,5 +1,8 @@
-"""Runs another program and forwards signals to it."""
+"""Runs another program and forwards signals to it; ends the launch that started this process, as launch_end.h does for
+C++ nodes; ports for ROS masters."""
+import os
 import signal
+import socket
 import subprocess
 
 
@@ -16,7 +19,6 @@ class Program:
             self.process.terminate()
 
     def stop(self, number, _):
-        """Forwards a signal."""
         self.is_stopped = True
         if self.process:
             self.process.send_signal(number)
@@ -25,3 +27,38 @@ class Program:
         """Waits for the end of the program. Returns the exit status as a shell does."""
         status = self.process.wait()
         return status if status >= 0 else 128 - status
+
+
+def free_port():
+    """Returns a TCP port of this machine that is free at present."""
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
+STOPS = {signal.SIGINT, signal.SIGTERM}
+PATIENCE = 20.0  # [s] time for roslaunch to stop this process
+
+
+def command_of(process):
+    """Returns program and arguments of a process; an empty list if they cannot be read."""
+    try:
+        with open('/proc/%d/cmdline' % process, 'rb') as stream:
+            return [os.fsdecode(word) for word in stream.read().split(b'\0')]
+    except OSError:
+        return []
+
+
+def is_roslaunch(command):
+    """Returns whether a command is roslaunch, but not as a child of a roslaunch on another machine."""
+    return 'roslaunch' in map(os.path.basename, command[:2]) and '-c' not in command[2:]
+
+
+def end_launch():
+    """Interrupts the roslaunch that started this process, if one did, and waits until it stops this process."""
+    parent = os.getppid()
+    if not is_roslaunch(command_of(parent)):
+        return
+    signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
+    os.kill(parent, signal.SIGINT)
+    signal.sigtimedwait(STOPS, PATIENCE)

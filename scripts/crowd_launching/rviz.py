@@ -10,8 +10,7 @@ import rospy
 import yaml
 from social_crowd.msg import Scenario
 
-from .launch_end import end_launch
-from .program import Program
+from .program import Program, end_launch
 
 VIEW = 900.0, 700.0  # [pixels] available in a window of the configuration's size
 MARGIN = 1.0  # [m] around it
@@ -82,7 +81,6 @@ def prepare():
 
 
 def main():
-    """Runs RViz until it is closed. Returns its exit status."""
     if not os.environ.get('DISPLAY'):
         print('show_crowd: there is no display for RViz (DISPLAY is not set); start the launch file with rviz:=false',
               file=sys.stderr)

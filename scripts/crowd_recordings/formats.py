@@ -4,15 +4,13 @@ the ETH and UCY data sets (`frame person x z y vx vz vy`, annotated every 0.4 s)
 import argparse
 import collections
 import dataclasses
-import functools
 import math
-import os
-import pathlib
 import re
 
-from crowd_drawing.errors import InputError
-from crowd_drawing.files import HEADER, read_walks
-from crowd_experiments.arguments import above_zero
+import numpy
+from crowd_drawing.errors import InputError, check_output, replaced
+from crowd_drawing.files import DEFAULT_TICK, HEADER, collect, numbers_of, read_walks
+from crowd_experiments.arguments import above_zero, add_file, parser_of, whole
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,40 +25,7 @@ class Recording:
         return self if frame_rate is None else dataclasses.replace(self, frame_duration=1 / frame_rate)
 
 
-def collect(file, rows):
-    """Returns the walks of rows (line, person, frame, x, y), in any order. Raises InputError."""
-    walks = {}
-    for line, person, frame, x, y in rows:
-        if min(person, frame) < 0 or not (math.isfinite(x) and math.isfinite(y)):
-            raise InputError(f'{file}:{line}: expected numbers of person and frame from 0, and finite positions')
-        places = walks.setdefault(person, {})
-        if frame in places:
-            raise InputError(f'{file}:{line}: person {person} is in frame {frame} for the second time')
-        places[frame] = (x, y)
-    if not walks:
-        raise InputError(f'{file}: has no trajectory')
-    return {person: [(frame, *places[frame]) for frame in sorted(places)] for person, places in sorted(walks.items())}
-
-
-def step_of(walks):
-    """Returns the largest step of which all frame numbers are multiples, counted from the first one; at least 1."""
-    frames = sorted({frame for walk in walks.values() for frame, _, _ in walk})
-    return max(1, functools.reduce(math.gcd, (frame - frames[0] for frame in frames), 0))
-
-
-def numbers_of(file, line, words, columns, expected):
-    """Returns columns of a line: two whole numbers, maybe as 7.8000000e+02, and two numbers. Raises InputError."""
-    try:
-        values = [float(words[column]) for column in columns]
-        if not (values[0].is_integer() and values[1].is_integer()):
-            raise ValueError
-        return int(values[0]), int(values[1]), values[2], values[3]
-    except (ValueError, IndexError, OverflowError):
-        raise InputError(f"{file}:{line}: expected {expected}, got '{' '.join(words)}'") from None
-
-
-COLUMNS = 8
-PERIOD = 0.4  # [s] between two annotated frames
+COLUMNS, PERIOD = 8, 0.4  # of obsmat.txt; [s] between two annotated frames
 OBSMAT_COLUMNS = 'frame, person, x, z, y, vx, vz and vy'
 
 
@@ -73,10 +38,11 @@ def read_obsmat(file, stream):
             frame, person, x, y = numbers_of(file, line, words, (0, 1, 2, 4), OBSMAT_COLUMNS)
             rows.append((line, person, frame, x, y))
     walks = collect(file, rows)
-    step, first = step_of(walks), min(walk[0][0] for walk in walks.values())
+    frames = sorted({frame for walk in walks.values() for frame, _, _ in walk})
+    step = max(1, int(numpy.gcd.reduce(numpy.diff(frames))))  # of which all are multiples, counted from the first one
     steps = collections.Counter(there[0] - here[0] for walk in walks.values() for here, there in zip(walk, walk[1:]))
     annotated = steps.most_common(1)[0][0] if steps else step  # frames between two rows of a person
-    return Recording({person: [((frame - first) // step, x, y) for frame, x, y in walk]
+    return Recording({person: [((frame - frames[0]) // step, x, y) for frame, x, y in walk]
                       for person, walk in walks.items()}, PERIOD / (annotated / step))
 
 
@@ -86,7 +52,6 @@ JUPEDSIM_COLUMNS = 'id, frame, x and y'
 
 
 def read_jupedsim(file, stream):
-    """Reads a file. Returns a Recording. Raises InputError."""
     frame_duration, scale, rows = None, 1.0, []
     for line, text in enumerate(stream, 1):
         if text.startswith('#'):
@@ -101,7 +66,6 @@ def read_jupedsim(file, stream):
 
 
 def duration_of(file, line, rate):
-    """Returns the time between two frames [s] of a frame rate in a header."""
     try:
         return 1 / above_zero(rate)
     except (ValueError, argparse.ArgumentTypeError):
@@ -135,15 +99,46 @@ WRITTEN = {'.csv': (','.join(HEADER) + '\n', '0,{frame},{person},{x!r},{y!r}\n')
 
 def write_recording(file, recording):
     """Writes a recording in the format of the file's ending; the file appears when it is complete. Raises OSError."""
-    file = pathlib.Path(file)
-    part = file.with_name(f'.{file.name}.part')
-    try:
-        with open(part, 'w', encoding='utf-8') as stream:
-            head, line = WRITTEN[file.suffix.lower()]
-            stream.write(head.format(rate=round(1 / recording.frame_duration, 9)))
-            for frame, person, x, y in sorted((frame, person, x, y) for person, walk in recording.walks.items()
-                                              for frame, x, y in walk):
-                stream.write(line.format(frame=frame, person=person, x=x, y=y))
-        os.replace(part, file)
-    finally:
-        part.unlink(missing_ok=True)
+    head, line = WRITTEN[file.suffix.lower()]
+    with replaced(file) as part, open(part, 'w', encoding='utf-8') as stream:
+        stream.write(head.format(rate=round(1 / recording.frame_duration, 9)))
+        for frame, person, x, y in sorted((frame, person, x, y) for person, walk in recording.walks.items()
+                                          for frame, x, y in walk):
+            stream.write(line.format(frame=frame, person=person, x=x, y=y))
+
+
+EXAMPLES = '''examples:
+  convert_trajectories recordings/circle6.csv --output circle6.txt      for PedPy and JuPedSim
+  convert_trajectories obsmat.txt --output people.csv                   for plot_paths; film needs --frame-rate 2.5
+
+A CSV file has no frame rate: give it with --frame-rate, unless it is 10 Hz (a tick of 0.1 s).'''
+
+
+def parser():
+    result = parser_of('convert_trajectories',
+                       "Converts recorded trajectories: CSV files of `evaluate --trajectories`, "
+                       "JuPedSim's text format, and obsmat.txt of the ETH and UCY data sets (input only).", EXAMPLES)
+    result.add_argument('input', metavar='IN', help='a recording; its format is recognised')
+    add_file(result, '--output', required=True, metavar='OUT', help="OUT.csv, or OUT.txt in JuPedSim's format")
+    result.add_argument('--instance', type=whole, metavar='N', help='episode of a CSV file (default: the first)')
+    result.add_argument('--frame-rate', type=above_zero, metavar='HZ',
+                        help='frames in a second, in place of that of IN (CSV: 10; obsmat.txt: 2.5)')
+    return result
+
+
+def main(words=None):
+    checked = parser()
+    arguments = checked.parse_args(words)
+    if arguments.output.suffix.lower() not in WRITTEN:
+        checked.error(f"--output: expected a name with {' or '.join(WRITTEN)}, got '{arguments.output}'")
+    check_output(arguments.output)
+    recording = read_recording(arguments.input, arguments.instance).at_rate(arguments.frame_rate)
+    if recording.frame_duration is None:
+        recording = recording.at_rate(1 / DEFAULT_TICK)
+    write_recording(arguments.output, recording)
+    rows = sum(map(len, recording.walks.values()))
+    people = '1 person' if len(recording.walks) == 1 else f'{len(recording.walks)} people'
+    print(f'{arguments.output}: {people}, {rows} positions, {1 / recording.frame_duration:g} frames a second')
+    if arguments.output.suffix.lower() == '.csv' and not math.isclose(recording.frame_duration, DEFAULT_TICK):
+        print(f'A CSV file has no frame rate: give --frame-rate {1 / recording.frame_duration:g} to programs that read '
+              'it.')

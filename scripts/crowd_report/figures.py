@@ -101,15 +101,12 @@ def draw_paths(target, groups):
 def draw_walks(picture, scene, walks):
     """Draws the paths of an episode in its scene. Returns the picture."""
     draw_surroundings(picture, scene, 0.0)
-    for wall in scene.walls:
-        picture.draw_wall(wall)
     for obstacle in scene.obstacles:
         picture.draw_obstacle(obstacle, max(walk[-1][0] for walk in walks.values()) * scene.tick)
     opacity = min(0.9, max(0.15, MOST_OPAQUE / len(walks)))
     for (agent, walk), colour in zip(sorted(walks.items()), colours_of(len(walks))):
         places, radius = numpy.array(walk)[:, 1:], scene.radius_of(agent)
-        for corner in (places.min(axis=0), places.max(axis=0)):
-            picture.show(corner, radius)
+        picture.show(places, radius)
         picture.axes.plot(*places.T, color=colour, linewidth=1.2, alpha=opacity, zorder=5)
         picture.disc(places[-1], radius, fill=False, edgecolor=colour, alpha=opacity, zorder=6)
     return picture

@@ -8,8 +8,7 @@ import pandas
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import HEADER
 from crowd_experiments.arguments import labelled
-from crowd_experiments.confidence import bootstrap_difference, mean_interval
-from crowd_experiments.records import read_csv
+from crowd_experiments.records import bootstrap_difference, mean_interval, read_csv
 
 METRICS, LOG, RECORD, TRAJECTORIES = 'metrics', 'log', 'record', 'trajectories'
 # First columns, by kind; those of a log begin with those of a record.
@@ -80,7 +79,6 @@ def metrics_rows(groups):
 
 
 def metric_cell(values, decimals):
-    """Returns the text of a metric."""
     mean, low, _ = mean_interval(values[numpy.isfinite(values)])
     if not numpy.isfinite(mean):
         return '-'

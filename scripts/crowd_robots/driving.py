@@ -9,8 +9,7 @@ from crowd_experiments.arguments import add_file, parser_of, positive
 from crowd_experiments.interruption import EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.records import read_csv
 from crowd_experiments.runs import RunError
-from crowd_launching.launch_end import free_port
-from crowd_launching.program import Program
+from crowd_launching.program import Program, free_port
 
 # Robots that are driven through ROS, and their arguments of move_base.launch.
 DRIVEN = {'move_base': {}, 'move_base_people': {'people_layer': True}}
@@ -21,15 +20,14 @@ It starts a ROS master of its own and move_base.launch, as fast as possible. The
 move_base has sent its first command. move_base and its planners have to be in the ROS environment; for move_base_people
 the package has to be built where costmap_2d is.
 
-FILE of --robots-csv is written when all episodes are recorded. Exit status: 0 success, 1 not all episodes were recorded
-or an input is wrong, 2 wrong usage, 130 interrupted.'''
+FILE of --robots-csv is written when all episodes are recorded.'''
 
 
 def parser():
-    """Returns the parser of the command line."""
     found = parser_of('drive_robots',
                       'Drives the robots of a scenario through ROS and writes their results as `evaluate '
-                      '--robots-csv` does.', EXAMPLES)
+                      '--robots-csv` does.', EXAMPLES, '0 success, 1 not all episodes were recorded or an input is '
+                      'wrong, 2 wrong usage, 130 interrupted.')
     found.add_argument('--robot', choices=DRIVEN, default='move_base',
                        help='move_base with DWA, or also with the costs of PeopleLayer (default: %(default)s)')
     found.add_argument('--episodes', type=positive, default=1, metavar='N', help='(default: %(default)s)')
@@ -71,7 +69,6 @@ def text_of(value):
 
 
 def main(words=None):
-    """Runs the launch file with command line words. Returns the exit status."""
     arguments = parser().parse_args(words)
     settings = launch_arguments(arguments.scenario, arguments.robot)
     if not shutil.which('roslaunch') or subprocess.run(['rospack', 'find', 'move_base'], stdout=subprocess.DEVNULL,

@@ -1,9 +1,75 @@
-"""The program `screenshots`."""
-from crowd_experiments.arguments import add_file, parser_of
-from crowd_experiments.tools import REPOSITORY
+"""The program `screenshots`; the film at the beginning of README.md, and a picture of a report in a browser."""
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import tempfile
 
-from .page_pictures import film, report
+from crowd_experiments.arguments import add_file, parser_of
+from crowd_experiments.runs import RunError
+from crowd_experiments.tools import REPOSITORY, find_tools
+
 from .rviz_pictures import rviz
+
+SCRIPTS = REPOSITORY / 'scripts'
+TABLES = REPOSITORY / 'config' / 'q_tables'
+CONFIGURATION = REPOSITORY / 'config' / 'learning' / 'anticipation.yaml'
+
+# As in README.md.
+FILM = 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30'
+SCENARIOS = 'circle6', 'place_corner'
+EPISODES = 20  # of each scenario
+LEARNED = 300  # episodes of each training
+SEEDS = 1, 2, 3
+BROWSER = 'chromium'
+WINDOW = 1080, 2000  # [pixels]; the first chapters of the report
+
+
+def run(command, folder):
+    """Runs a command. Raises RunError with its output if it fails."""
+    done = subprocess.run(list(map(str, command)), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          check=False)
+    if done.returncode != 0:
+        raise RunError(f'{shlex.join(map(str, command))}: {done.stdout.decode(errors="replace")}')
+
+
+def film(folder):
+    """Makes the film. Yields its file."""
+    file = folder / 'film_station.gif'
+    run([SCRIPTS / 'film', *FILM.split(), '--output', file.resolve()], folder)
+    yield file
+
+
+def write_report(folder):
+    """Walks and trains crowds, and writes a report about them. Returns its file."""
+    tools = pathlib.Path(find_tools(None))
+    files = []
+    for table in ('anticipation', 'human'):
+        os.makedirs(folder / table)
+        run([tools / 'evaluate', '--q-table', TABLES / f'{table}.txt', '--episodes', EPISODES, '--trajectories', table,
+             '--csv', f'{table}/metrics.csv', '--record', f'{table}/record.csv', *SCENARIOS], folder)
+        files += [f'{table}/{name}.csv' for name in ('metrics', 'record', *SCENARIOS)]
+    for seed in SEEDS:
+        run([tools / 'train', CONFIGURATION, '--output', 'table.txt', '--episodes', LEARNED, '--seed', seed,
+             '--log', f'log_{seed}.csv'], folder)
+        files.append(f'anticipation=log_{seed}.csv')
+    run([SCRIPTS / 'report', *files, '--output', 'report.html'], folder)
+    return folder / 'report.html'
+
+
+def report(folder):
+    """Takes a picture of a report in a browser, if there is one. Yields its file."""
+    if shutil.which(BROWSER) is None:
+        raise RunError(f'report.png needs the program {BROWSER}')
+    file = folder / 'report.png'
+    with tempfile.TemporaryDirectory(prefix='social_crowd_screenshots_') as work:
+        page = write_report(pathlib.Path(work))
+        size = ','.join(map(str, WINDOW))
+        run([BROWSER, '--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', f'--window-size={size}',
+             f'--screenshot={file.resolve()}', page.as_uri()], work)
+    yield file
+
 
 KINDS = {'rviz': rviz, 'film': film, 'report': report}
 DESCRIPTION = '''Makes pictures in docs/images: of RViz (the panel, the tools that draw on the floor, the values of
@@ -12,13 +78,10 @@ an agent's moves, and walking people), the film of README.md, and a report.
 Runs demo.launch on a separate screen, so that no display is needed. The picture of the report needs chromium.'''
 EXAMPLES = '''examples:
   scripts/screenshots --output /tmp
-  scripts/screenshots rviz film
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+  scripts/screenshots rviz film'''
 
 
 def main(words=None):
-    """Runs the program with command line words."""
     parser = parser_of('screenshots', DESCRIPTION, EXAMPLES)
     parser.add_argument('kinds', nargs='*', metavar='KIND', choices=[*KINDS, []],
                         help=f"{', '.join(KINDS)} (default: all)")

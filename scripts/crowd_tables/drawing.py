@@ -119,7 +119,7 @@ def draw_table(file, table, meaning, title):
     visits[visits == 0] = numpy.nan
     rows = -(-2 * len(values) // columns)
     text = explanation(meaning)
-    with rc_context(SETTINGS):
+    with rc_context(fname=SETTINGS):
         figure = pyplot.figure(figsize=(width * columns, height * rows + 0.2 * text.count('\n') + 1.0),
                                layout='constrained')
         grid = figure.add_gridspec(rows + 1, columns, height_ratios=[height] * rows + [0.2 * text.count('\n') + 0.3])
@@ -138,7 +138,6 @@ def draw_table(file, table, meaning, title):
 
 
 def value_scale(values):
-    """Returns the scale of colours of values, without outliers."""
     known = values[numpy.isfinite(values)]
     if not len(known):
         return Normalize(0, 1)
@@ -147,7 +146,6 @@ def value_scale(values):
 
 
 def visit_scale(visits):
-    """Returns the logarithmic scale of colours of visits."""
     return LogNorm(1, max(10.0, float(numpy.nanmax(visits)) if numpy.isfinite(visits).any() else 10.0))
 
 

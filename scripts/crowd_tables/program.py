@@ -3,31 +3,20 @@ import os
 import pathlib
 
 from crowd_drawing.errors import InputError, check_output
-from crowd_drawing.files import HOMES
 from crowd_experiments.arguments import add_file, add_tools, parser_of, whole
-from crowd_experiments.tools import find_tools
+from crowd_experiments.tools import find_config, find_tools
 from crowd_tables.drawing import draw_table
-from crowd_tables.state_sets import action_names, meaning_of
-from crowd_tables.table import read_table, row_visits
+from crowd_tables.table import action_names, meaning_of, read_table, row_visits
 
 EXAMPLES = '''examples:
   draw_q_table config/q_tables/thesis_nearest.txt --output nearest.png
-  draw_q_table human --row 1234
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+  draw_q_table human --row 1234'''
 
 
 PICTURES = ('.png', '.pdf', '.svg')
 
 
-def table_file(name):
-    """Returns the given file if it exists, otherwise the package's Q-table of that name."""
-    files = [home / 'config' / 'q_tables' / f'{name}.txt' for home in HOMES]
-    return name if os.path.exists(name) else next((str(file) for file in files if file.is_file()), name)
-
-
 def parser():
-    """Returns the parser of the command line."""
     result = parser_of('draw_q_table',
                        'Draws the values and visits of all rows of a Q-table as heat maps, or explains one '
                        'row.', EXAMPLES)
@@ -51,7 +40,6 @@ def explain(table, meaning, row):
 
 
 def main(words=None):
-    """Runs the program with command line words."""
     checked = parser()
     arguments = checked.parse_args(words)
     if arguments.output is None and arguments.row is None:
@@ -60,7 +48,9 @@ def main(words=None):
         checked.error(f"--output: expected a name with {', '.join(PICTURES)}, got '{arguments.output}'")
     if arguments.output:
         check_output(arguments.output)
-    table = read_table(table_file(arguments.table))
+    shipped = find_config() / 'q_tables' / f'{arguments.table}.txt'
+    is_name = not os.path.exists(arguments.table) and shipped.is_file()
+    table = read_table(str(shipped) if is_name else arguments.table)
     meaning = meaning_of(table, find_tools(arguments.tools) / 'train')
     if arguments.row is not None:
         explain(table, meaning, arguments.row)

@@ -8,7 +8,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / 'scripts'))
-from crowd_figures import gait  # noqa: E402
+from crowd_figures import people as gait  # noqa: E402
 from crowd_figures.shapes import ellipse, limb, loft, volume  # noqa: E402
 from crowd_figures.shapes import TRIANGLE  # noqa: E402
 

@@ -7,7 +7,7 @@ import pytest
 import yaml
 from crowd_flows import corridors, door_flow, fundamental_diagram, measurements
 from crowd_flows.measurements import evaluate, read_tracks
-from crowd_flows.time_gap_table import add_time_gap, with_time_gap
+from crowd_flows.program import add_time_gap, with_time_gap
 from programs import ANTICIPATION_TABLE, in_package, tools_folder
 
 ANTICIPATION = pathlib.Path(ANTICIPATION_TABLE)

@@ -11,7 +11,6 @@ from ..models import (COLOURS, ORCA, OURS, TEXTS, benchmark_run, judged, not_slo
                       time_against)
 
 NAME = 'ablations'
-TITLE = TEXTS[NAME]['title']
 SEEDS = 3
 WHOLE = 'everything'
 # Changes of the training configuration, by the paths of keys.
@@ -39,7 +38,6 @@ def plan(setting):
 
 
 def report(setting):
-    """Returns the chapter, from the runs' metrics."""
     orca = read_metrics(setting.benchmark / 'reference.csv', ORCA)
     found = {ablation: [read_metrics(folder_of(setting, ablation, seed) / 'metrics.csv')
                         for seed in setting.seeds(SEEDS, 1)] for ablation in ablations_of(setting)}

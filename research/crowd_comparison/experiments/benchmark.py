@@ -11,7 +11,6 @@ from ..models import (COLOURS, LEARNED, NAMES, ORCA, OURS, REFERENCES, TEXTS, be
                       largest_difference, not_slower, read_metrics, scenarios_of, spread_row, spread_text, time_against)
 
 NAME = 'benchmark'
-TITLE = TEXTS[NAME]['title']
 SEEDS = 10
 QUICK_EPISODES = {'thesis_nearest': 20, 'thesis_occupancy': 20, 'anticipation': 5}
 COSTS = {'thesis_nearest': 2.0, 'thesis_occupancy': 12.0, 'anticipation': 14.0}  # [s]
@@ -44,7 +43,6 @@ def scored_run(setting):
 
 
 def report(setting):
-    """Returns the chapter, from the runs' metrics."""
     seeds = setting.seeds(SEEDS)
     models = {model: [read_metrics(run_folder(setting, model, seed) / 'metrics.csv') for seed in seeds]
               for model in LEARNED}

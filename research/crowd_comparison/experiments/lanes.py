@@ -19,7 +19,6 @@ from crowd_studies.scene_figures import draw_moment
 from ..models import COLOURS, LEARNED, NAMES, TEXTS, success_and_contact, walked
 
 NAME = 'lanes'
-TITLE = TEXTS[NAME]['title']
 SCENARIO = 'corridor_two_way'
 TICK = 0.1  # [s]
 SHOWN_TIME = 25.0  # [s]
@@ -70,7 +69,6 @@ def order_over_time(track, directions):
 
 
 def report(setting):
-    """Returns the chapter, from the recorded trajectories."""
     folders = {model: setting.run_folder(NAME, model) for model in LEARNED}
     curves = {model: curves_of(folder) for model, folder in folders.items()}
     chapter = Report(NAME, TEXTS, setting)

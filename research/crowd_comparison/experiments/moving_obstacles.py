@@ -12,7 +12,6 @@ from ..avoidability import HEADINGS, LOOK_BACK, LOOK_ON, Recording, TURNED_WITHI
 from ..models import COLOURS, LEARNED, NAMES, OURS, TEXTS, success_and_contact, walked
 
 NAME = 'moving_obstacles'
-TITLE = TEXTS[NAME]['title']
 SCENARIO = 'crowd_random_movers'
 DRAWN_PANELS = 6
 REACH = 2.2  # [m] drawn distance around a contact
@@ -42,7 +41,6 @@ def judged_contacts(folder):
 
 
 def report(setting):
-    """Returns the chapter, from the recorded trajectories."""
     chapter = Report(NAME, TEXTS, setting, look_back=LOOK_BACK)
     chapter.say('intro', headings=HEADINGS, look_on=LOOK_ON, turned=TURNED_WITHIN)
     contacts = {model: judged_contacts(setting.run_folder(NAME, model)) for model in LEARNED}
@@ -54,7 +52,6 @@ def report(setting):
 
 
 def row_of(setting, model, judged):
-    """Returns the cells of a model."""
     late = sum(escape is not None and escape.tick == contact.tick - 1 for _, contact, _, escape in judged)
     turned = sum(recording.had_turned(contact) for recording, contact, _, _ in judged)
     numbers = [len(judged), *(sum(kind == found for _, _, found, _ in judged) for kind in KINDS), late, turned]
