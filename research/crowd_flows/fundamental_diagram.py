@@ -9,7 +9,7 @@ import numpy
 from crowd_experiments import style
 
 from .corridors import CORRIDORS, document
-from .measurements import COLOURS, LEAST_IN_BIN, TICK, bands, evaluate, read_columns, read_tracks, weidmann
+from .measurements import COLOURS, LEAST_IN_BIN, TICK, bands, read_columns, walk, weidmann
 
 INTERVAL = round(1.0 / TICK)  # [ticks]
 FIGURE = 'validation_fundamental_diagram.png'
@@ -18,20 +18,16 @@ HEADER = ['corridor', 'density', 'speed', 'intervals', 'measured_low', 'measured
 
 def measure(corridor, track):
     """Returns an array of (density, speed), one row per interval."""
-    middle = corridor.length / 2.0
     along = track[..., 0]
-    start = along[0]
-    direction = numpy.sign(along[1:].mean(axis=0) - start)
+    direction = numpy.sign(along[1:].mean(axis=0) - along[0])
     velocities = numpy.diff(along, axis=0) / TICK * direction
-    inside = numpy.abs(along[1:] - middle) < corridor.window / 2.0
+    inside = numpy.abs(along[1:] - corridor.length / 2.0) < corridor.window / 2.0
     values = []
     for begin in range(round(corridor.begin / TICK), len(velocities) - INTERVAL + 1, INTERVAL):
         present = inside[begin:begin + INTERVAL]
-        if not present.any():
-            continue
-        per_length = present.sum() / INTERVAL / corridor.window
-        values.append((per_length / corridor.per_length(1.0),
-                       velocities[begin:begin + INTERVAL][present].mean()))
+        if present.any():
+            density = present.sum() / INTERVAL / corridor.window / corridor.per_length(1.0)
+            values.append((density, velocities[begin:begin + INTERVAL][present].mean()))
     return numpy.array(values)
 
 
@@ -39,14 +35,10 @@ def measure_corridor(program, table, folder, corridor, seeds):
     """Returns an array of (density, speed) of all densities and seeds, and the highest contact rate [%]."""
     values, contact = [], 0.0
     for density in corridor.densities:
-        scenario = folder / f'{corridor.name}_{density:g}.yaml'
-        scenario.write_text('---\n'.join(document(corridor, density, seed) for seed in range(1, seeds + 1)),
-                            encoding='utf-8')
-        metrics = evaluate(program, table, scenario, folder)
+        metrics, tracks = walk(program, table, folder / f'{corridor.name}_{density:g}.yaml', '---\n'.join(
+            document(corridor, density, seed) for seed in range(1, seeds + 1)))
         contact = max(contact, float(metrics['contact_pct']))
-        recording = folder / f'{scenario.stem}.csv'
-        values += [measure(corridor, track) for track in read_tracks(recording)]
-        recording.unlink()
+        values += [measure(corridor, track) for track in tracks]
     return numpy.concatenate(values), contact
 
 
@@ -58,11 +50,11 @@ def rows_of(corridor, values, measured):
         speeds = values[bins == i, 1]
         if len(speeds) < LEAST_IN_BIN:
             continue
-        density = (corridor.edges[i] + corridor.edges[i + 1]) / 2.0
         band_cells = ['', '', '', ''] if band is None else [
             round(band.low, 2), round(band.median, 2), round(band.high, 2),
             'yes' if band.contains(speeds.mean()) else 'no']
-        rows.append([corridor.name, round(density, 3), round(float(speeds.mean()), 2), len(speeds), *band_cells])
+        rows.append([corridor.name, round(middles(corridor)[i], 3), round(float(speeds.mean()), 2), len(speeds),
+                     *band_cells])
     return rows
 
 

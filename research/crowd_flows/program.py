@@ -48,9 +48,9 @@ EXAMPLES = '''examples:
   research/flows time-gap anticipation.txt my_human.txt --time-gap 0.9 --width 0.8'''
 
 
-def parser():
-    result = parser_of('flows', DESCRIPTION, EXAMPLES)
-    commands = result.add_subparsers(dest='command', required=True)
+def main(words=None):
+    parser = parser_of('flows', DESCRIPTION, EXAMPLES)
+    commands = parser.add_subparsers(dest='command', required=True)
     measure = commands.add_parser('measure', help='measure the crowds of one or more Q-tables')
     add_file(measure, 'tables', nargs='+', metavar='Q_TABLE')
     add_file(measure, '--evaluate', required=True, help='the program evaluate')
@@ -62,11 +62,7 @@ def parser():
     add_file(table, 'output')
     table.add_argument('--time-gap', type=float, required=True, help='[s]')
     table.add_argument('--width', type=float, default=1.0, help='share of the sum of both radii (default: 1)')
-    return result
-
-
-def main(words=None):
-    arguments = parser().parse_args(words)
+    arguments = parser.parse_args(words)
     if arguments.command == 'time-gap':
         add_time_gap(arguments.q_table, arguments.output, arguments.time_gap, arguments.width)
     else:

@@ -36,10 +36,7 @@ class Claim:
 
 def all_of(judges):
     """Returns a judge of a claim with several parts: functions of the Setting and of further arguments."""
-    def judge(setting):
-        parts = [part(setting, *words) for part, words in judges]
-        return joined(parts, '. ')
-    return judge
+    return lambda setting: joined([part(setting, *words) for part, words in judges], '. ')
 
 
 def joined(parts, separator, before=''):
@@ -102,13 +99,10 @@ def is_good(value):
     return value >= GOOD
 
 
-def is_rare(value):
-    return value <= RARE
-
-
-def both(values, conditions):
-    """Returns the verdict on several conditions, each with its own values of the seeds."""
-    return decide_all(*(decide_each(of_seeds, condition) for of_seeds, condition in zip(values, conditions)))
+def good_and_rare(good=(), rare=()):
+    """Returns the verdict on rates of the seeds that have to be good, and on others that have to be rare."""
+    return decide_all(*(decide_each(of_seeds, is_good) for of_seeds in good),
+                      *(decide_each(of_seeds, lambda value: value <= RARE) for of_seeds in rare))
 
 
 def versus(name, values, other_name, other_values, decimals=2):

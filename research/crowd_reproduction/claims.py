@@ -4,12 +4,12 @@ import pathlib
 import yaml
 from crowd_studies.report import Report
 
-from . import crowd_judges, knowledge_judges, reward_judges, twins
+from . import crowd_judges, reward_judges, twins
 from .claim import Claim, add_claims, all_of
 from .results import TEXTS
 
 LISTS = yaml.safe_load(pathlib.Path(__file__).with_suffix('.yaml').read_text(encoding='utf-8'))
-JUDGES = {**vars(crowd_judges), **vars(knowledge_judges), **vars(twins), **vars(reward_judges)}
+JUDGES = {**vars(crowd_judges), **vars(twins), **vars(reward_judges)}
 
 
 def claims_of(name):

@@ -1,5 +1,6 @@
 """Figures 4.17 to 4.25: the scenarios."""
 import numpy
+import pandas
 from crowd_drawing.files import read_scene, read_walks
 from crowd_drawing.picture import colours_of
 from crowd_experiments import style
@@ -143,18 +144,14 @@ def worst_sentence(runs, scenario, episode, _moments=None, marked=None):
 def mean_curve(runs, scenario):
     """Returns the mean distance to the nearest companion at each tick [m], until half of the groups begin to arrive."""
     curves = [companions(places) for seed in runs.seeds() for places in groups_of(runs, seed, scenario)]
-    length = int(numpy.median([len(curve) for curve in curves]))
-    grid = numpy.full((len(curves), length), numpy.nan)
-    for line, curve in zip(grid, curves):
-        line[:len(curve)] = curve[:length]
-    return numpy.nanmean(grid, axis=0)
+    return pandas.DataFrame(curves).mean().to_numpy()[:int(numpy.median(list(map(len, curves))))]
 
 
 def typical_passing(runs):
     """Returns the median begin and end of the passage over the instances [ticks]."""
     obstacle = obstacle_places(runs.setting, 'same_goal6_mover', 2001)
-    spans = [spans_of(places, obstacle) for seed in runs.seeds() for places in groups_of(runs, seed, CROSSED)]
-    spans = [span for span in spans if span]
+    spans = [span for seed in runs.seeds() for places in groups_of(runs, seed, CROSSED)
+             if (span := spans_of(places, obstacle))]
     return [numpy.median([span[time].start for span in spans]) for time in (1, 2)] if spans else None
 
 

@@ -20,10 +20,9 @@ class Sector:
 
 def sectors_of(occupied):
     """Parses the sectors of a record; sectors to the right of straight ahead have negative angles."""
-    sectors = [Sector(float(begin), float(end), int(distance_class))
-               for begin, end, distance_class in (word.split(':') for word in occupied.split())]
-    return [dataclasses.replace(sector, begin=sector.begin - 360, end=sector.end - 360) if sector.end > 180 else sector
-            for sector in sectors]
+    sectors = [map(float, word.split(':')) for word in occupied.split()]
+    return [Sector(begin - (360 if end > 180 else 0), end - (360 if end > 180 else 0), int(distance_class))
+            for begin, end, distance_class in sectors]
 
 
 def nearest_distances(places):

@@ -107,9 +107,9 @@ def wanted_robot(text):
     raise argparse.ArgumentTypeError(f"expected {names}, or NAME=FILE.csv with another name, got '{text}'")
 
 
-def parser():
-    found = parser_of('robot_benchmark', DESCRIPTION, EXAMPLES)
-    add = found.add_argument
+def main(words=None):
+    parser = parser_of('robot_benchmark', DESCRIPTION, EXAMPLES)
+    add = parser.add_argument
     add('--robot', type=wanted_robot, action='append', dest='robots', metavar='NAME[=FILE.csv]',
         help=f'{", ".join(ROBOTS)}; {", ".join(DRIVEN)} (through ROS); or a robot that was driven elsewhere and its '
              'record; may be given several times (default: those not through ROS)')
@@ -122,17 +122,13 @@ def parser():
     add('--crowdnav-episodes', type=int, default=CROWDNAV_EPISODES, metavar='N',
         help="episodes in CrowdNav's setting; 0: leave it out (default: %(default)s)")
     add('--table', action='store_true', help='print the tables of stored results; runs nothing')
-    add_file(found, '--output', default=pathlib.Path('results/robots'), metavar='FOLDER',
+    add_file(parser, '--output', default=pathlib.Path('results/robots'), metavar='FOLDER',
              help='folder of all results (default: %(default)s)')
-    add_file(found, '--document', metavar='FILE.md', help='also update the tables of this document')
-    add_file(found, '--q-table', help='Q-table of people and of the learned robot (default: anticipation)')
+    add_file(parser, '--document', metavar='FILE.md', help='also update the tables of this document')
+    add_file(parser, '--q-table', help='Q-table of people and of the learned robot (default: anticipation)')
     add('--processes', type=positive, default=1, metavar='N', help='number of parallel runs (default: %(default)s)')
-    add_tools(found, 'evaluate')
-    return found
-
-
-def main(words=None):
-    arguments = parser().parse_args(words)
+    add_tools(parser, 'evaluate')
+    arguments = parser.parse_args(words)
     evaluate, q_table = find_evaluation(arguments)
     benchmark = Benchmark(evaluate, q_table, find_config() / 'scenarios', arguments.output.absolute(),
                           arguments.placements, arguments.ros_placements, arguments.crowdnav_episodes)

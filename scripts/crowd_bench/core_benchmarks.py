@@ -3,7 +3,6 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import statistics
 import tempfile
 
@@ -11,20 +10,14 @@ from crowd_experiments.runs import RunError, output_of
 
 from .table import AGENT_STEPS, DECISIONS, MEGABYTES, MILLISECONDS, REAL_TIME
 
-RANKS_PROGRAM = 'rank_benchmarks'
-TRAINING = 'rank_training'
-LEARNERS = 16
-RANKS = 2
-AGENTS = 100_000
+RANKS_PROGRAM, TRAINING = 'rank_benchmarks', 'rank_training'
+RANKS, LEARNERS, AGENTS = 2, 16, 100_000
 # Rates of the yardsticks in the program's output, by benchmark.
 YARDSTICKS = {'crowd_step_mpi_2': 'threads_rate', 'crowd_step_mpi_2_parts': 'parts_rate',
               'train_mpi_2': 'threads_rate'}
 
 
 def run(folder, benchmark, repetitions):
-    """Returns the result of a benchmark; None without mpirun."""
-    if shutil.which('mpirun') is None:
-        return None
     program, size = (TRAINING, LEARNERS) if benchmark.name == 'train_mpi_2' else (RANKS_PROGRAM, AGENTS)
     runs = measure(folder / program, RANKS, size, benchmark.repetitions or repetitions)
     return result(benchmark, [each['rate'] for each in runs], [each[YARDSTICKS[benchmark.name]] for each in runs])
@@ -47,13 +40,12 @@ def measure(program, ranks, size, repetitions):
     return [json.loads(line) for line in output.splitlines()]
 
 
-PROGRAM = 'core_benchmarks'
+PROGRAM, MAP_VARIABLE = 'core_benchmarks', 'SOCIAL_CROWD_BENCH_MAP'
 # Suffixes that Google Benchmark appends to a name.
 SUFFIX = re.compile(r'(/(iterations:\d+|repeats:\d+|min_time:[\d.]+|real_time|manual_time))+$')
 # Counters with the value of a run, and with the rate of its yardstick.
 VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', REAL_TIME: 'rate', MEGABYTES: 'megabytes', MILLISECONDS: 'real_time'}
 YARDSTICK = 'yardstick_rate'
-MAP_VARIABLE = 'SOCIAL_CROWD_BENCH_MAP'
 
 
 class CoreBenchmarks:

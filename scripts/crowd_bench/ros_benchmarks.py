@@ -6,15 +6,14 @@ headless rate."""
 import math
 import os
 import pathlib
-import signal
-import socket
 import subprocess
 import tempfile
 import time
 
-from crowd_experiments.runs import RunError
+import rosgraph
+from crowd_experiments.runs import RunError, output_of
 from crowd_experiments.tools import REPOSITORY, build_folder, programs_in
-from crowd_launching.program import free_port
+from crowd_launching.program import end_all, free_port
 
 PATIENCE = 300.0  # [s] time limit of each command
 CLOCK_TICKS = os.sysconf('SC_CLK_TCK')  # per second, unit of the times in /proc
@@ -31,35 +30,19 @@ class RosSystem:
         self.folder = tempfile.TemporaryDirectory(prefix='social_crowd_bench_')
         self.processes = []
         port = free_port()
-        self.environment = {**os.environ, 'ROS_MASTER_URI': f'http://127.0.0.1:{port}', 'ROS_HOSTNAME': '127.0.0.1',
+        master = f'http://127.0.0.1:{port}'
+        self.environment = {**os.environ, 'ROS_MASTER_URI': master, 'ROS_HOSTNAME': '127.0.0.1',
                             'ROS_LOG_DIR': str(self.path('logs'))}
         self.environment.pop('ROS_NAMESPACE', None)
         self.start('rosmaster', ['/usr/bin/rosmaster', '--core', '-p', str(port)])
-        self.wait_for_master(port)
+        while not rosgraph.is_master_online(master):
+            self.check()
+            time.sleep(0.05)
         return self
 
     def __exit__(self, *_):
-        for process in reversed(self.processes):
-            if process.poll() is None:
-                process.send_signal(signal.SIGINT)
-        for process in reversed(self.processes):
-            try:
-                process.wait(10.0)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.wait()
+        end_all(self.processes, 10.0)
         self.folder.cleanup()
-
-    def wait_for_master(self, port):
-        deadline = time.monotonic() + PATIENCE
-        while True:
-            with socket.socket() as client:
-                if client.connect_ex(('127.0.0.1', port)) == 0:
-                    return
-            self.check()
-            if time.monotonic() > deadline:
-                raise RunError(f'timeout of {PATIENCE:g} s while waiting for the master')
-            time.sleep(0.05)
 
     def check(self):
         for process in self.processes:
@@ -89,12 +72,9 @@ class RosSystem:
 
     def figures(self, name, *words):
         """Runs a program of this package. Returns the numbers in the last line of its output."""
-        done = subprocess.run(wrapped([program(name), *words]), stdout=subprocess.PIPE, text=True, timeout=PATIENCE,
-                              env=self.environment, check=False)
+        output = output_of(wrapped([program(name), *words]), timeout=PATIENCE, env=self.environment)
         self.check()
-        if done.returncode != 0:
-            raise RunError(f'{done.args} ended with status {done.returncode}')
-        return [float(word) for word in done.stdout.splitlines()[-1].split()]
+        return [float(word) for word in output.splitlines()[-1].split()]
 
 
 def wrapped(command):
@@ -107,20 +87,15 @@ def arguments_of(parameters):
 
 def cpu_seconds(processes):
     """Returns the processor time that processes and all their threads have used so far [s]."""
-    ticks = 0
-    for process in processes:
-        fields = pathlib.Path(f'/proc/{process.pid}/stat').read_text(encoding='utf-8').rpartition(')')[2].split()
-        ticks += int(fields[11]) + int(fields[12])  # user and system
-    return ticks / CLOCK_TICKS
+    stats = [pathlib.Path(f'/proc/{process.pid}/stat').read_text(encoding='utf-8') for process in processes]
+    fields = [text.rpartition(')')[2].split()[11:13] for text in stats]  # user and system
+    return sum(int(ticks) for of_process in fields for ticks in of_process) / CLOCK_TICKS
 
 
 Q_TABLE = REPOSITORY / 'config' / 'q_tables' / 'anticipation.txt'
 MAX_NEIGHBOURS = 16  # those of the Q-table's model
 NODELET = ['rosrun', 'nodelet', 'nodelet']
-WARM_UP = 30  # ticks
-CROWD_TICKS = 250
-FEW_TICKS = 2500
-TRIPS = 2500
+WARM_UP, CROWD_TICKS, FEW_TICKS, TRIPS = 30, 250, 2500, 2500  # ticks; round trips
 REAL_TIME = 10.0  # [s]
 ROUNDS = 7  # the best of them counts, as it is the least disturbed one
 

@@ -8,6 +8,7 @@ import pathlib
 import re
 
 import yaml
+from crowd_drawing.errors import replaced
 from crowd_experiments.pages import Chapter, fill_document
 
 DECISIONS, AGENT_STEPS, TICKS, REAL_TIME, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
@@ -53,9 +54,6 @@ class Benchmark:
 
 
 BENCHMARKS = tuple(Benchmark(**entry) for entry in yaml.safe_load(FILE.read_text(encoding='utf-8')))
-
-
-NAME = 'performance'  # tables are performance/benchmarks and so on
 ROW = re.compile(r'^\| (\w+) \|(.*)\|$', re.MULTILINE)
 
 
@@ -81,23 +79,20 @@ def machine_text(repetitions):
 def fill(file, results, tables, repetitions):
     """Updates tables and pictures of the document. Returns a message for each one that was not measured.
     @param tables of sweeps and profiles: (entry, header, rows, picture or None)"""
-    chapter = Chapter(NAME, 'Performance')
+    chapter = Chapter('performance', 'Performance')  # tables are performance/benchmarks and so on
     if results:
         rows = benchmark_rows(results, file.read_text(encoding='utf-8'))
         chapter.add_table('Benchmarks', HEADER, rows, 'benchmarks')
         chapter.add_table('Measured on', ['', ''], machine_text(repetitions), 'machine')
     for entry, header, rows, picture in tables:
         chapter.add_table(entry.title, header, rows, entry.name)
-        if picture:
-            chapter.add_figure(picture, entry.title)
+        chapter.add_figure(picture, entry.title)
     return fill_document(file, [chapter])
 
 
 KEYS = ('name', 'value', 'unit', 'yardstick', 'ratio')
 HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
 LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
-
-
 HEADING = LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
 
 
@@ -123,12 +118,12 @@ def bar_text(number, at_most, text):
 
 def met_text(result, benchmark):
     """Returns whether the bars are met, as a text; empty without bars."""
-    if benchmark is None or benchmark.bar is None and benchmark.ratio_bar is None:
+    if benchmark.bar is None and benchmark.ratio_bar is None:
         return ''
     return 'yes' if benchmark.clears_bar(result) else 'no'
 
 
-def line(result, benchmark=None):
+def line(result, benchmark):
     return LINE.format(result['name'], quantity(result['value'], result['unit']),
                        quantity(result['yardstick'], result['unit']), quantity(result['ratio'], '', '.2f'),
                        met_text(result, benchmark)).rstrip()
@@ -145,7 +140,5 @@ def row(result, benchmark):
 
 def write_json(file, results):
     """Writes the list of {name, value, unit, yardstick, ratio}; the file is replaced atomically."""
-    beside = file.with_name(file.name + '.new')
-    beside.write_text(json.dumps([{key: result[key] for key in KEYS} for result in results], indent=2) + '\n',
-                      encoding='utf-8')
-    os.replace(beside, file)
+    with replaced(file) as part:
+        part.write_text(json.dumps([{key: result[key] for key in KEYS} for result in results], indent=2) + '\n')

@@ -18,39 +18,6 @@ mean (Student's t). A single run has no band, and that of two runs is too wide t
 row that is not complete yet is left out.'''
 
 
-def parser():
-    result = parser_of('plot_learning',
-                       'Draws learning curves over several seeds, from logs of `train --log` or records '
-                       'of `train --record`.', EXAMPLES)
-    result.add_argument('records', nargs='+', metavar='[LABEL=]CSV', help='a log or record for each run; runs with the '
-                        'same label are one curve')
-    add_file(result, '--output', required=True, help='picture, such as learning.png, .svg or .pdf')
-    result.add_argument('--window', type=positive, metavar='N',
-                        help='number of episodes in a point of a curve, at most all (default: a fiftieth of all)')
-    result.add_argument('--columns', metavar='NAME,...', help='columns of the records that are drawn (default: '
-                        'success, contact, collision and others, as far as the records have them)')
-    which = result.add_mutually_exclusive_group()
-    which.add_argument('--scenario', metavar='NAME', help='only episodes of this scenario')
-    which.add_argument('--each-scenario', action='store_true', help='a curve for each scenario (default: all together)')
-    result.add_argument('--title', default='', help='title of the picture')
-    return result
-
-
-def read_runs(arguments):
-    named = [labelled(word) for word in arguments.records]
-    runs = [read_run(label or '', file, arguments.scenario, grows=True) for label, file in named]
-    return [part for run in runs for part in by_scenario(run)] if arguments.each_scenario else runs
-
-
-def window_of(arguments, runs):
-    if arguments.window is None:
-        return default_window(runs)
-    if arguments.window > episodes_of(runs):
-        raise InputError(f'--window: expected at most {episodes_of(runs)}, the number of episodes, got '
-                         f'{arguments.window}')
-    return arguments.window
-
-
 def measures_for(arguments, runs):
     columns = arguments.columns.split(',') if arguments.columns else None
     for column in columns or []:
@@ -78,9 +45,28 @@ def hints(groups):
 
 def main(words=None):
     """Reads the files of the command line, draws the curves, and prints the last point of each."""
-    arguments = parser().parse_args(words)
-    runs = read_runs(arguments)
-    measures, window = measures_for(arguments, runs), window_of(arguments, runs)
+    parser = parser_of('plot_learning',
+                       'Draws learning curves over several seeds, from logs of `train --log` or records '
+                       'of `train --record`.', EXAMPLES)
+    parser.add_argument('records', nargs='+', metavar='[LABEL=]CSV', help='a log or record for each run; runs with the '
+                        'same label are one curve')
+    add_file(parser, '--output', required=True, help='picture, such as learning.png, .svg or .pdf')
+    parser.add_argument('--window', type=positive, metavar='N',
+                        help='number of episodes in a point of a curve, at most all (default: a fiftieth of all)')
+    parser.add_argument('--columns', metavar='NAME,...', help='columns of the records that are drawn (default: '
+                        'success, contact, collision and others, as far as the records have them)')
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument('--scenario', metavar='NAME', help='only episodes of this scenario')
+    which.add_argument('--each-scenario', action='store_true', help='a curve for each scenario (default: all together)')
+    parser.add_argument('--title', default='', help='title of the picture')
+    arguments = parser.parse_args(words)
+    named = [labelled(word) for word in arguments.records]
+    runs = [read_run(label or '', file, arguments.scenario, grows=True) for label, file in named]
+    if arguments.each_scenario:
+        runs = [part for run in runs for part in by_scenario(run)]
+    measures, window = measures_for(arguments, runs), arguments.window or default_window(runs)
+    if window > episodes_of(runs):
+        raise InputError(f'--window: expected at most {episodes_of(runs)}, the number of episodes, got {window}')
     draw_curves(arguments.output, runs, measures, window, arguments.title)
     groups = {label: [run for run in runs if run.label == label] for label in dict.fromkeys(run.label for run in runs)}
     print(f'{arguments.output}: the last {window} of the episodes, mean (95 % confidence interval):')

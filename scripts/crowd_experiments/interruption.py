@@ -2,7 +2,6 @@
 import csv
 import importlib
 import signal
-import subprocess
 import sys
 
 from crowd_drawing.errors import InputError, problem_of
@@ -22,7 +21,7 @@ def run_program(name, module):
     except KeyboardInterrupt as stop:
         print(f'{name}: interrupted{"".join(stop.args)}', file=sys.stderr)
         return EXIT_INTERRUPTED
-    except (InputError, OSError, ValueError, csv.Error, subprocess.CalledProcessError) as error:
+    except (InputError, OSError, ValueError, csv.Error) as error:
         print(f'{name}: {problem_of(error)}', file=sys.stderr)
         return EXIT_FAILED
 

@@ -18,17 +18,13 @@ def read_csv(file, grows=False):
         names = next(rows, None)
         if names is None:
             raise InputError(f'{file}: expected a header, got an empty file')
-        columns = list(zip(*complete_rows(rows, file, len(names)))) or [()] * len(names)
+        values = []
+        for row in rows:
+            if len(row) != len(names):
+                raise InputError(f'{file}:{rows.line_num}: expected {len(names)} values, got {len(row)}')
+            values.append(row)
     return {name: list(column) if name in TEXTS else numbers_of(column, file, name)
-            for name, column in zip(names, columns)}
-
-
-def complete_rows(rows, file, count):
-    """Yields the rows of a csv.reader, each of which must have this number of values."""
-    for row in rows:
-        if len(row) != count:
-            raise InputError(f'{file}:{rows.line_num}: expected {count} values, got {len(row)}')
-        yield row
+            for name, column in zip(names, zip(*values) if values else [()] * len(names))}
 
 
 def numbers_of(column, file, name):

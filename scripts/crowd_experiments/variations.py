@@ -25,7 +25,6 @@ class Setting:
         return quick if self.quick else full
 
     def seeds(self, full, quick=2):
-        """Returns the seeds 1, 2, ..."""
         return range(1, self.count(full, quick) + 1)
 
     def tool(self, name):
@@ -59,19 +58,15 @@ def vary_config(setting, base, changes, name, scenarios=None):
     """Writes a variation of the training configuration `base`, a name in config/experiments or a file. Returns the new
     file.
 
-    Changes are new values by the paths of their keys, such as {'learning.epsilon': 0.05}; None removes a key. Without
-    scenarios, those of the base are used."""
+    Changes are new values by the paths of their keys, such as {'learning.epsilon': 0.05}; None removes a key.
+    Scenarios, by default those of the base, are files relative to it, else the package's of these names."""
     file = base if isinstance(base, pathlib.Path) else setting.config_file(base)
     config = changed(read_documents(file)[0], changes)
     training = config['training']
-    training['scenarios'] = [scenario_path(file, name) for name in scenarios or training['scenarios']]
+    shipped = shipped_scenarios()
+    near = [(name, (file.parent / name).resolve()) for name in scenarios or training['scenarios']]
+    training['scenarios'] = [str(path if path.exists() else shipped.get(name, path)) for name, path in near]
     return write_if_new(setting.results / 'configs' / f'{name}.yaml', file, [config])
-
-
-def scenario_path(config, name):
-    """Returns the scenario file of a training configuration: relative to it, else the package's of this name."""
-    near = (config.parent / name).resolve()
-    return str(near if near.exists() else shipped_scenarios().get(name, near))
 
 
 def vary_scenario(setting, base, changes, name):

@@ -46,7 +46,7 @@ THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when stand
 UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
 
 
-@dataclasses.dataclass
+@dataclasses.dataclass(frozen=True)
 class Build:
     """Half widths of a person 1.75 m tall [m]."""
     name: str

@@ -22,8 +22,7 @@ def loft(rings):
     triangles = []
     count = len(rings[0])
     for low, high in zip(rings, rings[1:]):
-        for i in range(count):
-            j = (i + 1) % count
+        for i, j in zip(range(count), (*range(1, count), 0)):
             triangles += [(low[i], low[j], high[j]), (low[i], high[j], high[i])]
     for ring, order in ((rings[0], -1), (rings[-1], 1)):
         triangles += [(ring[0], *ring[i:i + 2][::order]) for i in range(1, count - 1)]

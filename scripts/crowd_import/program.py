@@ -191,7 +191,7 @@ def scenario_of(conversion, source, name, duration):
     return '\n'.join([*lines, ''])
 
 
-def parse_arguments(words):
+def main(words=None):
     parser = parser_of('pedsim_import', __doc__, EXAMPLES)
     parser.add_argument('scene', metavar='FILE.xml', help='scene of pedsim_ros')
     parser.add_argument('--output', required=True, metavar='SCENARIO.yaml', help='scenario file to write')
@@ -202,11 +202,7 @@ def parse_arguments(words):
                         help="pedsim_ros's parameter: time between two groups of a source [s], default 5")
     parser.add_argument('--skip-unknown', action='store_true',
                         help='leave out waypoints of routes that the scene does not define, instead of an error')
-    return parser.parse_args(words)
-
-
-def main(words=None):
-    arguments = parse_arguments(words)
+    arguments = parser.parse_args(words)
     scene = PedsimScene(arguments.scene, arguments.skip_unknown)
     conversion = Conversion(scene, arguments.radius, arguments.spawn_period)
     output = pathlib.Path(arguments.output)

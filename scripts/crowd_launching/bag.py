@@ -6,8 +6,7 @@ import roslib.packages
 
 from .program import Program, end_launch
 
-STAY = '--stay'
-NO_FILE = 'none'  # default of replay.launch
+STAY, NO_FILE = '--stay', 'none'  # the latter is the default of replay.launch
 FIRST_BYTES = b'#ROSBAG'
 
 
@@ -32,7 +31,6 @@ def main():
         return status
     if status == 0 and STAY not in sys.argv:
         end_launch()
-    problem = problem_of(files[-1]) if status != 0 else ''
-    if problem:
-        print('play_bag: %s' % problem, file=sys.stderr)
+    if status != 0 and problem_of(files[-1]):
+        print('play_bag: %s' % problem_of(files[-1]), file=sys.stderr)
     return status

@@ -49,16 +49,22 @@ def command_of(process):
         return []
 
 
-def is_roslaunch(command):
-    """Returns whether a command is roslaunch, but not as a child of a roslaunch on another machine."""
-    return 'roslaunch' in map(os.path.basename, command[:2]) and '-c' not in command[2:]
-
-
 def end_launch():
     """Interrupts the roslaunch that started this process, if one did, and waits until it stops this process."""
     parent = os.getppid()
-    if not is_roslaunch(command_of(parent)):
+    command = command_of(parent)
+    if 'roslaunch' not in map(os.path.basename, command[:2]) or '-c' in command[2:]:  # child of one on another machine
         return
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
     os.kill(parent, signal.SIGINT)
     signal.sigtimedwait(STOPS, PATIENCE)
+
+
+def end_all(processes, seconds):
+    """Interrupts processes one after the other, the latest first, and kills those that do not end in this time [s]."""
+    for process in reversed(processes):
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            process.kill()

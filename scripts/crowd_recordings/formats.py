@@ -114,23 +114,18 @@ EXAMPLES = '''examples:
 A CSV file has no frame rate: give it with --frame-rate, unless it is 10 Hz (a tick of 0.1 s).'''
 
 
-def parser():
-    result = parser_of('convert_trajectories',
+def main(words=None):
+    parser = parser_of('convert_trajectories',
                        "Converts recorded trajectories: CSV files of `evaluate --trajectories`, "
                        "JuPedSim's text format, and obsmat.txt of the ETH and UCY data sets (input only).", EXAMPLES)
-    result.add_argument('input', metavar='IN', help='a recording; its format is recognised')
-    add_file(result, '--output', required=True, metavar='OUT', help="OUT.csv, or OUT.txt in JuPedSim's format")
-    result.add_argument('--instance', type=whole, metavar='N', help='episode of a CSV file (default: the first)')
-    result.add_argument('--frame-rate', type=above_zero, metavar='HZ',
+    parser.add_argument('input', metavar='IN', help='a recording; its format is recognised')
+    add_file(parser, '--output', required=True, metavar='OUT', help="OUT.csv, or OUT.txt in JuPedSim's format")
+    parser.add_argument('--instance', type=whole, metavar='N', help='episode of a CSV file (default: the first)')
+    parser.add_argument('--frame-rate', type=above_zero, metavar='HZ',
                         help='frames in a second, in place of that of IN (CSV: 10; obsmat.txt: 2.5)')
-    return result
-
-
-def main(words=None):
-    checked = parser()
-    arguments = checked.parse_args(words)
+    arguments = parser.parse_args(words)
     if arguments.output.suffix.lower() not in WRITTEN:
-        checked.error(f"--output: expected a name with {' or '.join(WRITTEN)}, got '{arguments.output}'")
+        parser.error(f"--output: expected a name with {' or '.join(WRITTEN)}, got '{arguments.output}'")
     check_output(arguments.output)
     recording = read_recording(arguments.input, arguments.instance).at_rate(arguments.frame_rate)
     if recording.frame_duration is None:

@@ -88,18 +88,6 @@ The kind of a file is recognised by its header: ''' + '; '.join(program for _, p
 Files with the same label are runs of the same thing, such as seeds; the default label is the name of the folder.'''
 
 
-def parser():
-    result = parser_of('report',
-                       'Writes a page with the results of runs, which needs no other file: metrics, comparison, '
-                       'learning curves, paths, separation, speed against density.', EXAMPLES)
-    result.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
-    result.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV',
-                        help='logs or records of `train`')
-    add_file(result, '--output', required=True, metavar='FILE.html', help='the page')
-    result.add_argument('--title', default='Crowd report', help='title of the page (default: %(default)s)')
-    return result
-
-
 def write_report(output, title, sources, training):
     """Writes the page; it appears when it is complete. Raises InputError, OSError."""
     with replaced(output) as part, tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
@@ -109,12 +97,19 @@ def write_report(output, title, sources, training):
 
 
 def main(words=None):
-    checked = parser()
-    arguments = checked.parse_args(words)
+    parser = parser_of('report',
+                       'Writes a page with the results of runs, which needs no other file: metrics, comparison, '
+                       'learning curves, paths, separation, speed against density.', EXAMPLES)
+    parser.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
+    parser.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV',
+                        help='logs or records of `train`')
+    add_file(parser, '--output', required=True, metavar='FILE.html', help='the page')
+    parser.add_argument('--title', default='Crowd report', help='title of the page (default: %(default)s)')
+    arguments = parser.parse_args(words)
     if not (arguments.files or arguments.training):
-        checked.error('expected at least one file')
+        parser.error('expected at least one file')
     if arguments.output.suffix.lower() not in ('.html', '.htm'):
-        checked.error(f"--output: expected FILE.html, got '{arguments.output}'")
+        parser.error(f"--output: expected FILE.html, got '{arguments.output}'")
     check_output(arguments.output)
     sources, training = ([source_of(word) for word in words] for words in (arguments.files, arguments.training))
     for source in training:

@@ -23,21 +23,6 @@ the package has to be built where costmap_2d is.
 FILE of --robots-csv is written when all episodes are recorded.'''
 
 
-def parser():
-    found = parser_of('drive_robots',
-                      'Drives the robots of a scenario through ROS and writes their results as `evaluate '
-                      '--robots-csv` does.', EXAMPLES, '0 success, 1 not all episodes were recorded or an input is '
-                      'wrong, 2 wrong usage, 130 interrupted.')
-    found.add_argument('--robot', choices=DRIVEN, default='move_base',
-                       help='move_base with DWA, or also with the costs of PeopleLayer (default: %(default)s)')
-    found.add_argument('--episodes', type=positive, default=1, metavar='N', help='(default: %(default)s)')
-    found.add_argument('--seed', type=int, default=1, metavar='S', help='of placements (default: %(default)s)')
-    add_file(found, '--q-table', help='of the people (default: anticipation)')
-    add_file(found, '--robots-csv', required=True, help='results of the robots')
-    add_file(found, 'scenario', metavar='SCENARIO.yaml')
-    return found
-
-
 def launch_arguments(scenario, robot):
     """Returns the arguments of move_base.launch for a scenario file and a robot of DRIVEN."""
     try:
@@ -52,15 +37,14 @@ def launch_arguments(scenario, robot):
     for number, entry in enumerate(robots):
         if len(robots) > 1 and not (entry.get('namespace') or entry.get('name')):
             raise RunError(f'{scenario}: robots[{number}]: expected a name or a namespace, as there are several robots')
-    found = {
+    return {
         'scenario': scenario.absolute(),
         'map': 'map' in document,
         'robots': ' '.join(entry.get('namespace') or (entry['name'] if len(robots) > 1 else '') for entry in robots),
         'radius': max(entry['radius'] for entry in robots),
         'goal_tolerance': document.get('goal_tolerance', 0.3),
         'command_period': document.get('tick', 0.1),
-    }
-    return {**found, **DRIVEN[robot]}
+        **DRIVEN[robot]}
 
 
 def text_of(value):
@@ -69,7 +53,17 @@ def text_of(value):
 
 
 def main(words=None):
-    arguments = parser().parse_args(words)
+    parser = parser_of('drive_robots', 'Drives the robots of a scenario through ROS and writes their results as '
+                       '`evaluate --robots-csv` does.', EXAMPLES, '0 success, 1 not all episodes were recorded or an '
+                       'input is wrong, 2 wrong usage, 130 interrupted.')
+    parser.add_argument('--robot', choices=DRIVEN, default='move_base',
+                        help='move_base with DWA, or also with the costs of PeopleLayer (default: %(default)s)')
+    parser.add_argument('--episodes', type=positive, default=1, metavar='N', help='(default: %(default)s)')
+    parser.add_argument('--seed', type=int, default=1, metavar='S', help='of placements (default: %(default)s)')
+    add_file(parser, '--q-table', help='of the people (default: anticipation)')
+    add_file(parser, '--robots-csv', required=True, help='results of the robots')
+    add_file(parser, 'scenario', metavar='SCENARIO.yaml')
+    arguments = parser.parse_args(words)
     settings = launch_arguments(arguments.scenario, arguments.robot)
     if not shutil.which('roslaunch') or subprocess.run(['rospack', 'find', 'move_base'], stdout=subprocess.DEVNULL,
                                                        stderr=subprocess.DEVNULL, check=False).returncode != 0:

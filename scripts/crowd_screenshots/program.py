@@ -1,43 +1,28 @@
 """The program `screenshots`; the film at the beginning of README.md, and a picture of a report in a browser."""
 import os
 import pathlib
-import shlex
 import shutil
-import subprocess
 import tempfile
 
 from crowd_experiments.arguments import add_file, parser_of
-from crowd_experiments.runs import RunError
+from crowd_experiments.runs import RunError, output_of
 from crowd_experiments.tools import REPOSITORY, find_tools
 
 from .rviz_pictures import rviz
 
-SCRIPTS = REPOSITORY / 'scripts'
-TABLES = REPOSITORY / 'config' / 'q_tables'
-CONFIGURATION = REPOSITORY / 'config' / 'learning' / 'anticipation.yaml'
-
+SCRIPTS, CONFIG = REPOSITORY / 'scripts', REPOSITORY / 'config'
 # As in README.md.
 FILM = 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30'
 SCENARIOS = 'circle6', 'place_corner'
-EPISODES = 20  # of each scenario
-LEARNED = 300  # episodes of each training
-SEEDS = 1, 2, 3
+EPISODES, LEARNED = 20, 300  # of each scenario, of each training
 BROWSER = 'chromium'
-WINDOW = 1080, 2000  # [pixels]; the first chapters of the report
-
-
-def run(command, folder):
-    """Runs a command. Raises RunError with its output if it fails."""
-    done = subprocess.run(list(map(str, command)), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          check=False)
-    if done.returncode != 0:
-        raise RunError(f'{shlex.join(map(str, command))}: {done.stdout.decode(errors="replace")}')
+WINDOW = '1080,2000'  # [pixels]; the first chapters of the report
 
 
 def film(folder):
     """Makes the film. Yields its file."""
     file = folder / 'film_station.gif'
-    run([SCRIPTS / 'film', *FILM.split(), '--output', file.resolve()], folder)
+    output_of([SCRIPTS / 'film', *FILM.split(), '--output', file])
     yield file
 
 
@@ -47,14 +32,15 @@ def write_report(folder):
     files = []
     for table in ('anticipation', 'human'):
         os.makedirs(folder / table)
-        run([tools / 'evaluate', '--q-table', TABLES / f'{table}.txt', '--episodes', EPISODES, '--trajectories', table,
-             '--csv', f'{table}/metrics.csv', '--record', f'{table}/record.csv', *SCENARIOS], folder)
+        output_of([tools / 'evaluate', '--q-table', CONFIG / 'q_tables' / f'{table}.txt', '--episodes', EPISODES,
+                   '--trajectories', table, '--csv', f'{table}/metrics.csv', '--record', f'{table}/record.csv',
+                   *SCENARIOS], cwd=folder)
         files += [f'{table}/{name}.csv' for name in ('metrics', 'record', *SCENARIOS)]
-    for seed in SEEDS:
-        run([tools / 'train', CONFIGURATION, '--output', 'table.txt', '--episodes', LEARNED, '--seed', seed,
-             '--log', f'log_{seed}.csv'], folder)
+    for seed in (1, 2, 3):
+        output_of([tools / 'train', CONFIG / 'learning' / 'anticipation.yaml', '--output', 'table.txt', '--episodes',
+                   LEARNED, '--seed', seed, '--log', f'log_{seed}.csv'], cwd=folder)
         files.append(f'anticipation=log_{seed}.csv')
-    run([SCRIPTS / 'report', *files, '--output', 'report.html'], folder)
+    output_of([SCRIPTS / 'report', *files, '--output', 'report.html'], cwd=folder)
     return folder / 'report.html'
 
 
@@ -65,9 +51,8 @@ def report(folder):
     file = folder / 'report.png'
     with tempfile.TemporaryDirectory(prefix='social_crowd_screenshots_') as work:
         page = write_report(pathlib.Path(work))
-        size = ','.join(map(str, WINDOW))
-        run([BROWSER, '--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', f'--window-size={size}',
-             f'--screenshot={file.resolve()}', page.as_uri()], work)
+        output_of([BROWSER, '--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars',
+                   f'--window-size={WINDOW}', f'--screenshot={file.resolve()}', page.as_uri()])
     yield file
 
 

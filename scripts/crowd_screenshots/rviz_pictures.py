@@ -2,14 +2,13 @@
 import os
 import pathlib
 import shutil
-import signal
 import subprocess
 import tempfile
 import time
 
 import yaml
 from crowd_experiments.runs import RunError
-from crowd_launching.program import free_port
+from crowd_launching.program import end_all, free_port
 
 SIZE = '1280x800x24'
 PATIENCE = 120.0  # [s]
@@ -26,7 +25,10 @@ class Desk:
 
     def __enter__(self):
         try:
-            display = self._open_screen()
+            screen = subprocess.Popen(['Xvfb', '-displayfd', '1', '-screen', '0', SIZE], stdout=subprocess.PIPE,
+                                      stderr=subprocess.DEVNULL)
+            self.processes.append(screen)
+            display = ':' + screen.stdout.readline().decode().strip()
             self.environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE='1',
                                     ROS_MASTER_URI=f'http://127.0.0.1:{free_port()}', ROS_HOSTNAME='127.0.0.1',
                                     ROS_HOME=self.folder.name)
@@ -40,21 +42,8 @@ class Desk:
         return self
 
     def __exit__(self, *_):
-        for process in reversed(self.processes):
-            process.send_signal(signal.SIGINT if process is not self.processes[0] else signal.SIGTERM)
-            try:
-                process.wait(30.0)
-            except subprocess.TimeoutExpired:
-                process.kill()
+        end_all(self.processes, 30.0)
         self.folder.cleanup()
-
-    def _open_screen(self):
-        read, write = os.pipe()
-        self.processes.append(subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', SIZE],
-                                               pass_fds=[write], stderr=subprocess.DEVNULL))
-        os.close(write)
-        with os.fdopen(read) as displays:
-            return ':' + displays.readline().strip()
 
     def run(self, *command):
         """Runs a command on the screen. Returns its output; None if it failed or hung."""
@@ -68,10 +57,7 @@ class Desk:
     def wait_for(self, command, what, words=''):
         """Repeats a command until it succeeds and its output contains these words."""
         deadline = time.monotonic() + PATIENCE
-        while True:
-            output = self.run(*command)
-            if output is not None and words in output:
-                return
+        while (output := self.run(*command)) is None or words not in output:
             if time.monotonic() > deadline:
                 raise RunError(f'timeout of {PATIENCE:g} s while waiting for {what}')
             time.sleep(PERIOD)
@@ -96,18 +82,14 @@ class Desk:
 
 
 RVIZ = pathlib.Path(__file__).resolve().parents[2] / 'rviz' / 'social_crowd.rviz'
-
 SMOOTH = 'anti_aliasing:=true'
 CROWD = 'scenario:=circle6_obstacle', 'paused:=true', 'mode:=training', 'epsilon:=0.05', SMOOTH
 TICKS = 25  # walked before a picture
 # Places on the screen with the window of rviz/social_crowd.rviz [pixels].
-DRAW_WALL = 690, 42
-ADD_AGENT = 476, 42
-WALL = (580, 300), (1050, 270)
-AGENT = (520, 660), (1120, 560)
+DRAW_WALL, WALL = (690, 42), ((580, 300), (1050, 270))
+ADD_AGENT, AGENT = (476, 42), ((520, 660), (1120, 560))
 # Around the chosen agent; and the floor [pixels: width, height, left, top].
-VALUES_CROP = 460, 400, 800, 220
-PEOPLE_CROP = 890, 600, 366, 84
+VALUES_CROP, PEOPLE_CROP = (460, 400, 800, 220), (890, 600, 366, 84)
 # From a corner of the hall of the station, over the gates.
 PEOPLE_VIEW = {'Class': 'rviz/Orbit', 'Target Frame': 'map', 'Distance': 16, 'Pitch': 0.5, 'Yaw': 5.0,
                'Focal Point': {'X': 24, 'Y': 15, 'Z': 0.5}}

@@ -113,20 +113,6 @@ Completed runs are kept unless a program, configuration or scenario has changed;
 from there.'''
 
 
-def parser():
-    result = parser_of('sweep',
-                       'Trains and evaluates over a grid of parameters and seeds, and writes a report.', EXAMPLES)
-    add_file(result, 'file', metavar='FILE.yaml', help='the sweep, see below')
-    result.add_argument('--jobs', type=positive, default=os.cpu_count() or 1, metavar='N', dest='processes',
-                        help='number of parallel runs (default: one per processor)')
-    add_file(result, '--results', metavar='FOLDER', help='folder of all results (default: results/NAME of FILE)')
-    result.add_argument('--force', action='store_true', help='repeat all runs')
-    result.add_argument('--dry-run', action='store_true', help='write the configurations, check each by an episode of '
-                        'training, and print the commands of all runs')
-    add_tools(result)
-    return result
-
-
 def sources_of(members):
     """Returns the files of a report, and the records of the training."""
     sources, training = [], []
@@ -142,7 +128,17 @@ def sources_of(members):
 
 
 def main(words=None):
-    arguments = parser().parse_args(words)
+    parser = parser_of('sweep',
+                       'Trains and evaluates over a grid of parameters and seeds, and writes a report.', EXAMPLES)
+    add_file(parser, 'file', metavar='FILE.yaml', help='the sweep, see below')
+    parser.add_argument('--jobs', type=positive, default=os.cpu_count() or 1, metavar='N', dest='processes',
+                        help='number of parallel runs (default: one per processor)')
+    add_file(parser, '--results', metavar='FOLDER', help='folder of all results (default: results/NAME of FILE)')
+    parser.add_argument('--force', action='store_true', help='repeat all runs')
+    parser.add_argument('--dry-run', action='store_true', help='write the configurations, check each by an episode of '
+                        'training, and print the commands of all runs')
+    add_tools(parser)
+    arguments = parser.parse_args(words)
     sweep = read_sweep(arguments.file)
     results = (arguments.results or pathlib.Path('results') / arguments.file.stem).absolute()
     setting = Setting(find_tools(arguments.tools), find_config(), results)

@@ -15,8 +15,10 @@ TEXT_WIDTH = 150  # [characters]
 
 def arranged(meaning, numbers):
     """Returns numbers, one for each row of a table, as an array (panel, y, x); rows without a place are left out."""
-    places = [index_of(meaning, axis) for axis in (meaning.panels, meaning.rows, meaning.columns)]
-    pictures = numpy.full([sizes(meaning, axis) for axis in (meaning.panels, meaning.rows, meaning.columns)], numpy.nan)
+    axes = meaning.panels, meaning.rows, meaning.columns
+    places = [numpy.ravel_multi_index(meaning.digits[:, axis].T, [len(meaning.quantities[i]) for i in axis])
+              if axis else 0 for axis in axes]
+    pictures = numpy.full([sizes(meaning, axis) for axis in axes], numpy.nan)
     pictures[tuple(places)] = numbers[:len(meaning.digits)]
     return pictures
 
@@ -24,14 +26,6 @@ def arranged(meaning, numbers):
 def sizes(meaning, axis):
     """Returns the number of combinations of the quantities of an axis."""
     return math.prod(len(meaning.quantities[i]) for i in axis)
-
-
-def index_of(meaning, axis):
-    """Returns the position along an axis of each row of the table."""
-    index = numpy.zeros(len(meaning.digits), dtype=int)
-    for i in axis:
-        index = index * len(meaning.quantities[i]) + meaning.digits[:, i]
-    return index
 
 
 def levels_of(meaning, axis):
@@ -84,22 +78,16 @@ def explanation(meaning):
     lines = []
     for title, axis in (('Panels', meaning.panels), ('From top to bottom', meaning.rows),
                         ('From left to right', meaning.columns)):
-        parts = [f"{meaning.quantities[i].name} ({'; '.join(meaning.quantities[i].classes)})"
-                 if len(meaning.quantities[i]) <= 9 else meaning.quantities[i].name for i in axis]
+        parts, before = [], None
+        for quantity in (meaning.quantities[i] for i in axis):
+            # Classes that are the same as those of the quantity before are left out.
+            has_classes = len(quantity) <= 9 and quantity.classes != before
+            parts.append(quantity.name + (f" ({'; '.join(quantity.classes)})" if has_classes else ''))
+            before = quantity.classes
         if axis:
-            lines += textwrap.wrap(f"{title}: {', within each of these '.join(shortened(parts))}.", TEXT_WIDTH,
+            lines += textwrap.wrap(f"{title}: {', within each of these '.join(parts)}.", TEXT_WIDTH,
                                    subsequent_indent='    ')
     return '\n'.join(lines)
-
-
-def shortened(parts):
-    """Leaves out the classes in brackets that are the same as those of the quantity before."""
-    kept = []
-    for i, part in enumerate(parts):
-        name, bracket, classes = part.partition(' (')
-        before = parts[i - 1].partition(' (')[2] if i else ''
-        kept.append(name if classes and classes == before else name + bracket + classes)
-    return kept
 
 
 UNVISITED = '0.88'  # colour
@@ -126,8 +114,8 @@ def draw_table(file, table, meaning, title):
         panels = [figure.add_subplot(grid[i // columns, i % columns]) for i in range(2 * len(values))]
         draw_pictures(figure, panels[:len(values)], meaning, values, 'viridis', value_scale(values),
                       VALUE_OF.get(meaning.type, 'highest value of a visited action'), 'value')
-        draw_pictures(figure, panels[len(values):], meaning, visits, 'magma', visit_scale(visits), 'visits',
-                      'visits')
+        scale = LogNorm(1, numpy.nanmax(visits, initial=10.0))
+        draw_pictures(figure, panels[len(values):], meaning, visits, 'magma', scale, 'visits', 'visits')
         if meaning.type == 'nearest_obstacle':
             add_arrows(panels[0], table, meaning, values)
         below = figure.add_subplot(grid[rows, :])
@@ -143,10 +131,6 @@ def value_scale(values):
         return Normalize(0, 1)
     low, high = numpy.percentile(known, [OUTLIERS, 100 - OUTLIERS])
     return Normalize(low, high) if high > low else Normalize(low - 1, low + 1)
-
-
-def visit_scale(visits):
-    return LogNorm(1, max(10.0, float(numpy.nanmax(visits)) if numpy.isfinite(visits).any() else 10.0))
 
 
 def draw_pictures(figure, panels, meaning, pictures, colours, scale, title, short):

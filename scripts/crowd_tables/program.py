@@ -16,18 +16,6 @@ EXAMPLES = '''examples:
 PICTURES = ('.png', '.pdf', '.svg')
 
 
-def parser():
-    result = parser_of('draw_q_table',
-                       'Draws the values and visits of all rows of a Q-table as heat maps, or explains one '
-                       'row.', EXAMPLES)
-    result.add_argument('table', metavar='FILE', help='a Q-table file, or a name in config/q_tables')
-    add_file(result, '--output', help='picture, such as table.png or table.pdf')
-    result.add_argument('--row', type=whole, metavar='N', help='print what row N means, with visits and values')
-    result.add_argument('--title', help='title of the picture (default: the name of the file)')
-    add_tools(result)
-    return result
-
-
 def explain(table, meaning, row):
     """Prints the meaning of a row, and visits and value of each action."""
     if row >= table.header['rows']:
@@ -40,12 +28,19 @@ def explain(table, meaning, row):
 
 
 def main(words=None):
-    checked = parser()
-    arguments = checked.parse_args(words)
+    parser = parser_of('draw_q_table',
+                       'Draws the values and visits of all rows of a Q-table as heat maps, or explains one '
+                       'row.', EXAMPLES)
+    parser.add_argument('table', metavar='FILE', help='a Q-table file, or a name in config/q_tables')
+    add_file(parser, '--output', help='picture, such as table.png or table.pdf')
+    parser.add_argument('--row', type=whole, metavar='N', help='print what row N means, with visits and values')
+    parser.add_argument('--title', help='title of the picture (default: the name of the file)')
+    add_tools(parser)
+    arguments = parser.parse_args(words)
     if arguments.output is None and arguments.row is None:
-        checked.error('expected --output or --row')
+        parser.error('expected --output or --row')
     if arguments.output and arguments.output.suffix.lower() not in PICTURES:
-        checked.error(f"--output: expected a name with {', '.join(PICTURES)}, got '{arguments.output}'")
+        parser.error(f"--output: expected a name with {', '.join(PICTURES)}, got '{arguments.output}'")
     if arguments.output:
         check_output(arguments.output)
     shipped = find_config() / 'q_tables' / f'{arguments.table}.txt'

@@ -57,8 +57,16 @@ def read_table(file):
         visits, values = numpy.zeros(shape, dtype=numpy.int64), numpy.zeros(shape)
         first = len(lines) + 3  # number of the first line with a row
         for line in range(first, first + header['visited_rows']):
-            row, *cells = next(stream, '').split() or ['']
-            put(f'{file}:{line}', row, cells, visits, values)
+            try:
+                numbers = [float(cell) for cell in next(stream, '').split()]
+                row = int(numbers[0])
+            except (ValueError, IndexError):
+                numbers, row = [], -1
+            if not (0 <= row < shape[0] and len(numbers) == 1 + 2 * shape[1] and numpy.isfinite(numbers).all()
+                    and numbers[0] == row):
+                raise InputError(f'{file}:{line}: expected a row from 0 to {shape[0] - 1}, with visits and value of '
+                                 f'{shape[1]} actions')
+            visits[row], values[row] = numbers[1::2], numbers[2::2]
     return Table(str(file), header, visits, values)
 
 
@@ -80,19 +88,6 @@ def header_of(file, text):
         raise InputError(f"{file}: rows: expected at most {MOST_VALUES} values, got {header['rows']} rows of "
                          f"{header['actions']} actions")
     return header
-
-
-def put(place, row, cells, visits, values):
-    """Stores a line: the number of a row, and visits and value of each action."""
-    try:
-        number = int(row)
-        numbers = [float(cell) for cell in cells]
-    except ValueError:
-        number, numbers = -1, []
-    if not (0 <= number < len(visits) and len(numbers) == 2 * visits.shape[1] and numpy.isfinite(numbers).all()):
-        raise InputError(f'{place}: expected a row from 0 to {len(visits) - 1}, with visits and value of '
-                         f'{visits.shape[1]} actions')
-    visits[number], values[number] = numbers[::2], numbers[1::2]
 
 
 def action_names(table):
@@ -164,7 +159,9 @@ def meaning_of(table, train):
         raise InputError(f"{table.file}: {problem.replace('line 1: ', '')}")
     found = yaml.load(done.stdout, yaml.CSafeLoader)
     quantities = [Quantity(**quantity) for quantity in found['quantities']]
-    digits = numpy.array(found['rows']) if found['rows'] else digits_of(quantities)
+    sizes = list(map(len, quantities))  # without a list of rows, the first quantity is the most significant digit
+    digits = numpy.array(found['rows']) if found['rows'] else \
+        numpy.stack(numpy.unravel_index(numpy.arange(math.prod(sizes)), sizes), axis=1)
     rows = len(digits) + len(found['extra'])
     if rows != table.header['rows']:
         raise InputError(f"{table.file}: rows: expected {rows}, the rows of the state set, got {table.header['rows']}")
@@ -178,9 +175,3 @@ def arrangement(kind, quantities):
         return ARRANGEMENTS[kind]
     middle = 1 + quantities // 2 if kind == 'condensed_occupancy' else (quantities + 1) // 2
     return [0], list(range(1, middle)), list(range(middle, quantities))
-
-
-def digits_of(quantities):
-    """Returns the classes of all rows, the first quantity being the most significant digit: array (row, quantity)."""
-    sizes = [len(quantity) for quantity in quantities]
-    return numpy.stack(numpy.unravel_index(numpy.arange(math.prod(sizes)), sizes), axis=1)
