@@ -7,8 +7,8 @@ wall by more than 1 mm at the end of any tick. A straight move is to walk at one
 the maximum speed, or to stand. All other bodies move as recorded, including agents that gave way. The classification
 uses hindsight: it does not consider what the agent could have predicted.
 """
-import dataclasses
 import math
+import typing
 
 import numpy
 
@@ -22,16 +22,14 @@ SHARES = (0.5, 1.0)  # of the maximum speed
 TURNED_WITHIN = 1.0  # [s] before the contact; no agent can predict such a recent turn of the obstacle
 
 
-@dataclasses.dataclass(frozen=True)
-class Contact:
+class Contact(typing.NamedTuple):
     """An agent and a moving obstacle that begin to overlap at the end of a tick."""
     agent: int
     obstacle: int
     tick: int
 
 
-@dataclasses.dataclass(frozen=True)
-class Escape:
+class Escape(typing.NamedTuple):
     """A move that would have avoided a contact, beginning at the end of a tick."""
     tick: int
     velocity: tuple  # [m/s]

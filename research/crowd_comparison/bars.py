@@ -1,5 +1,4 @@
 """The requirements (bars) and aims for the anticipation crowd, and whether they are met."""
-import dataclasses
 import typing
 
 from .models import EXCLUDED, judged, not_slower, time_against
@@ -8,8 +7,7 @@ HEADER = ['metric', 'bar', 'seed 1', 'worst seed', 'bar met by', 'aim', 'aim met
 SLACK = 1e-9  # rounding error of floating-point sums, far below the printed precision
 
 
-@dataclasses.dataclass(frozen=True)
-class Bar:
+class Bar(typing.NamedTuple):
     """An upper or lower limit of a metric, and a stricter limit as an aim; either may be None."""
     label: str
     measure: typing.Callable

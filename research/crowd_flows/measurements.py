@@ -1,5 +1,6 @@
 """Runs of evaluate, and measurements of people: speed against density in corridors, flow through doors."""
-import dataclasses
+
+import typing
 
 import numpy
 import pandas
@@ -35,8 +36,7 @@ LEAST_IN_BIN = 5  # values; bins with fewer are left out
 COLOURS = ('#d55e00', '#0072b2', '#009e73', '#8e5ea2')  # of the crowds in figures
 
 
-@dataclasses.dataclass(frozen=True)
-class Band:
+class Band(typing.NamedTuple):
     """Distribution of the measured speeds in a bin of densities."""
     low: float  # 10 % of the measurements are below [m/s]
     median: float

@@ -1,5 +1,4 @@
 """A claim of the thesis, and the rules that decide whether our results confirm it."""
-import dataclasses
 import typing
 
 import numpy
@@ -12,20 +11,18 @@ GOOD, HALF = 90.0, 50.0  # [%] success rates from which a claim is confirmed, an
 RARE = 10.0  # [%] highest rate of contacts or collisions with which "avoids" holds
 
 
-@dataclasses.dataclass(frozen=True)
-class Judgement:
+class Judgement(typing.NamedTuple):
     """Our numbers, as a text with seeds and spread, and the resulting verdict."""
     measured: str
     verdict: str
 
 
-@dataclasses.dataclass(frozen=True)
-class Claim:
+class Claim(typing.NamedTuple):
     """A statement of the thesis, and the function that judges it."""
     section: str
     says: str  # quotation or summary of the thesis
     judge: typing.Callable  # takes the Setting, returns a Judgement
-    reasons: dict = dataclasses.field(default_factory=dict)  # known reasons, by verdict
+    reasons: dict = {}  # known reasons, by verdict
 
     def row(self, setting):
         """Returns section, quotation, measured values, verdict and reason."""

@@ -1,6 +1,7 @@
 """Measures of what the thesis only describes: groups, surrounded agents, passages between two obstacles. Places are
 arrays (tick, agent, 2) [m], nan for an agent that is not present."""
-import dataclasses
+
+import typing
 
 import numpy
 import pandas
@@ -10,8 +11,7 @@ COLLISION_RADIUS = 0.5  # [m]
 CONTACT_OVERLAP = 0.001  # [m] a smaller overlap is not a contact
 
 
-@dataclasses.dataclass(frozen=True)
-class Sector:
+class Sector(typing.NamedTuple):
     """An occupied sector; angles from straight ahead, positive to the left [degrees]."""
     begin: float
     end: float
@@ -103,8 +103,7 @@ def outcomes_of(decisions):
     return count, share(decisions['contact'].sum(), count), share(decisions['collision'].sum(), count)
 
 
-@dataclasses.dataclass(frozen=True)
-class Surrounded:
+class Surrounded(typing.NamedTuple):
     """Decisions of surrounded agents, other decisions (see outcomes_of()), and the results of the surrounded agents."""
     inside: tuple
     outside: tuple

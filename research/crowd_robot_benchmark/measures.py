@@ -1,7 +1,7 @@
 """Scenarios and robots of the benchmark; measures of episodes of one robot, from records of `evaluate --robots-csv`,
 and their tables."""
-import dataclasses
 import math
+import typing
 
 import numpy
 import pandas
@@ -58,8 +58,7 @@ def rows_of(record, scenario):
     return record[record['scenario'] == scenario]
 
 
-@dataclasses.dataclass(frozen=True)
-class Summary:
+class Summary(typing.NamedTuple):
     """Results of many episodes. Means are nan if there is nothing to take the mean of."""
     episodes: int
     arrived: int

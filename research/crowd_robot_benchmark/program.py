@@ -1,11 +1,12 @@
 """research/robot_benchmark: runs of `evaluate`, and records of robots that were driven elsewhere."""
 import argparse
-import dataclasses
 import pathlib
 import shutil
+import typing
 
 import pandas
 import yaml
+from crowd_drawing.errors import read_documents
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
 from crowd_experiments.pages import fill_document
 from crowd_experiments.runs import Run, RunError, execute_left
@@ -19,8 +20,7 @@ RECORD = 'robots.csv'  # in a run's folder
 DRIVER = REPOSITORY / 'scripts' / 'drive_robots'
 
 
-@dataclasses.dataclass(frozen=True)
-class Benchmark:
+class Benchmark(typing.NamedTuple):
     """The tool, the Q-table of the people, and the folder of all results."""
     evaluate: pathlib.Path
     q_table: pathlib.Path
@@ -56,7 +56,7 @@ class Benchmark:
         file = self.scenarios / f'{name}.yaml'
         if not keys:
             return file
-        document = yaml.safe_load(file.read_text(encoding='utf-8'))
+        document = read_documents(file)[0]
         for robot in document['robots']:
             robot.update(keys)
         if 'map' in document:

@@ -1,5 +1,4 @@
 """A program that runs experiments and writes a page with their results."""
-import dataclasses
 import os
 import pathlib
 import time
@@ -21,8 +20,7 @@ example:
   research/{program.name} {program.experiments[0].name} --results results --processes 2'''
 
 
-@dataclasses.dataclass(frozen=True)
-class Experiment:
+class Experiment(typing.NamedTuple):
     """A chapter of the page: functions of the Setting that return its runs, and the chapter from their results."""
     name: str
     title: str
@@ -30,8 +28,7 @@ class Experiment:
     report: typing.Callable
 
 
-@dataclasses.dataclass(frozen=True)
-class Program:
+class Program(typing.NamedTuple):
     """Its parameters. `needs_benchmark`: experiments without runs need the steering benchmark."""
     name: str
     title: str  # of the page

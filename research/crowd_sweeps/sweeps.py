@@ -1,8 +1,8 @@
 """Sweeps: cost against one variable, tables and pictures; weak scaling on several ranks is measured for few and
 modelled for more."""
-import dataclasses
 import math
 import shutil
+import typing
 
 from crowd_bench import program
 from crowd_bench.core_benchmarks import RANKS_PROGRAM, measure
@@ -29,8 +29,7 @@ def copies(ranks, agents):
     return borders * DENSITY * REACH * side
 
 
-@dataclasses.dataclass(frozen=True)
-class Model:
+class Model(typing.NamedTuple):
     """Time of a tick: agents * per_agent + copies * per_copy + bytes / bandwidth."""
     per_agent: float  # [ms]
     per_copy: float  # [ms]
@@ -52,8 +51,7 @@ class Model:
         return self.tick(1, agents) / self.tick(ranks, agents)
 
 
-@dataclasses.dataclass(frozen=True)
-class WeakScaling:
+class WeakScaling(typing.NamedTuple):
     """Sweep over the number of ranks."""
     name: str
     title: str
@@ -93,8 +91,7 @@ class WeakScaling:
 RANK_SWEEPS = (WeakScaling('crowd_ranks_weak', 'One crowd on several ranks, square floor'),)
 
 
-@dataclasses.dataclass(frozen=True)
-class Sweep:
+class Sweep(typing.NamedTuple):
     """Benchmarks NAME/POINT of the core."""
     name: str
     title: str

@@ -8,7 +8,7 @@ import numpy
 import yaml
 from crowd_experiments import records
 from crowd_experiments.runs import Run, Runner
-from crowd_experiments.variations import DUMPER, LOADER
+from crowd_experiments.variations import DUMPER, read_documents
 
 from .plan import TICK
 
@@ -43,8 +43,7 @@ class Recording:
 
 def read_recording(folder, name, tick):
     """Reads the output of evaluate for one episode of NAME.yaml, and makes the trajectories a smaller file."""
-    with open(folder / 'scenes' / f'{name}.yaml', encoding='utf-8') as stream:
-        scene = next(document for document in yaml.load_all(stream, LOADER) if document)
+    scene = read_documents(folder / 'scenes' / f'{name}.yaml')[0]
     record = records.read_csv(folder / 'record.csv')
     arrivals = numpy.where(record['arrived'] > 0, record['ticks'] * tick, numpy.inf)
     agents = scene['agents']
@@ -80,8 +79,7 @@ class Result:
         return {True: 'yes', False: 'no', None: 'reported'}[self.passed]
 
 
-@dataclasses.dataclass(frozen=True)
-class Case:
+class Case(typing.NamedTuple):
     """A test. `run(evaluation)` runs the tool with all seeds, draws pictures, returns a Result."""
     name: str  # on the command line
     title: str
@@ -106,8 +104,7 @@ def load(folder):
         return None
 
 
-@dataclasses.dataclass(frozen=True)
-class Evaluation:
+class Evaluation(typing.NamedTuple):
     """The tool, the Q-table, and folder and seeds of a case. Results of earlier runs of the same are used again."""
     evaluate: pathlib.Path
     q_table: pathlib.Path

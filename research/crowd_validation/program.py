@@ -28,32 +28,27 @@ result and pictures in the output folder. Completed runs are kept unless the pro
 changed. Ctrl-C keeps the finished runs; the same command continues from there.'''
 
 
-def parser():
-    found = parser_of('validate', DESCRIPTION, EXAMPLES, '0 all chosen cases were run (passed or not), 1 a run failed, '
-                      '2 wrong usage, 130 interrupted.')
-    found.add_argument('cases', nargs='*', metavar='CASE', help='names of cases, see --list (default: all)')
-    found.add_argument('--list', action='store_true', help='list the cases, and those left out with the reason')
-    found.add_argument('--table', action='store_true', help='print the table of stored results; runs nothing')
-    found.add_argument('--seeds', type=positive, default=3, metavar='N', help='number of seeds (default: %(default)s)')
-    add_file(found, '--output', default=pathlib.Path('validation'), metavar='FOLDER',
-             help='folder of scenarios, trajectories, results and pictures (default: %(default)s)')
-    add_file(found, '--document', metavar='FILE.md',
-             help='also update the table of this document, and its pictures in images/')
-    add_file(found, '--q-table', help='Q-table (default: anticipation)')
-    found.add_argument('--processes', type=positive, default=1, metavar='N',
-                       help='number of parallel runs (default: %(default)s)')
-    add_tools(found)
-    return found
-
-
 def main(words=None):
-    arguments = parser().parse_args(words)
+    parser = parser_of('validate', DESCRIPTION, EXAMPLES, '0 all chosen cases were run (passed or not), 1 a run '
+                       'failed, 2 wrong usage, 130 interrupted.')
+    parser.add_argument('cases', nargs='*', metavar='CASE', help='names of cases, see --list (default: all)')
+    parser.add_argument('--list', action='store_true', help='list the cases, and those left out with the reason')
+    parser.add_argument('--table', action='store_true', help='print the table of stored results; runs nothing')
+    parser.add_argument('--seeds', type=positive, default=3, metavar='N', help='number of seeds (default: %(default)s)')
+    add_file(parser, '--output', default=pathlib.Path('validation'), metavar='FOLDER',
+             help='folder of scenarios, trajectories, results and pictures (default: %(default)s)')
+    add_file(parser, '--document', metavar='FILE.md',
+             help='also update the table of this document, and its pictures in images/')
+    add_file(parser, '--q-table', help='Q-table (default: anticipation)')
+    parser.add_argument('--processes', type=positive, default=1, metavar='N',
+                        help='number of parallel runs (default: %(default)s)')
+    add_tools(parser)
+    arguments = parser.parse_args(words)
     names = [case.name for case in cases.ALL]
-    for name in arguments.cases:
-        if name not in names:
-            reason = f': {cases.LEFT_OUT[name]}' if name in cases.LEFT_OUT else ''
-            print(f"validate: no case '{name}'{reason}; there are {', '.join(names)}", file=sys.stderr)
-            return EXIT_USAGE
+    for name in (name for name in arguments.cases if name not in names):
+        reason = f': {cases.LEFT_OUT[name]}' if name in cases.LEFT_OUT else ''
+        print(f"validate: no case '{name}'{reason}; there are {', '.join(names)}", file=sys.stderr)
+        return EXIT_USAGE
     if arguments.list:
         print('\n'.join([*(f'{case.name:10} {case.title}' for case in cases.ALL),
                          *(f'{name:10} left out: {reason}' for name, reason in cases.LEFT_OUT.items())]))

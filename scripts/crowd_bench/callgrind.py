@@ -1,10 +1,10 @@
 """Valgrind's callgrind, which counts instructions: profiles with the shares of functions."""
-import dataclasses
 import pathlib
 import re
 import shutil
 import subprocess
 import tempfile
+import typing
 
 import pandas
 from crowd_experiments.runs import RunError, output_of
@@ -55,8 +55,7 @@ LIBRARIES = 'mathematics, memory, the standard library'
 ARGUMENTS = re.compile(r'\(.*$')
 
 
-@dataclasses.dataclass(frozen=True)
-class Profile:
+class Profile(typing.NamedTuple):
     """A benchmark that is run once, and the function of it that is profiled."""
     name: str
     title: str

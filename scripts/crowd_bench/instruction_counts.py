@@ -1,10 +1,10 @@
 """Counts the instructions of small runs and compares them with stored counts, to detect slower code independently of
 the machine's speed and load."""
-import dataclasses
 import os
 import pathlib
 import re
 import tempfile
+import typing
 
 import yaml
 from crowd_experiments.arguments import add_tools, parser_of
@@ -23,8 +23,7 @@ STATUSES = f'0 all differ by less than {TOLERANCE:g} %, 1 an error or a larger d
 TOTAL = re.compile(r'^(?:summary|totals): (\d+)', re.MULTILINE)
 
 
-@dataclasses.dataclass(frozen=True)
-class CountedRun:
+class CountedRun(typing.NamedTuple):
     """A run of a tool, and the function within which instructions are counted, without the start of the program."""
     name: str
     function: str

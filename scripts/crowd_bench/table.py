@@ -1,11 +1,11 @@
 """The benchmarks with their units and required values (bars); their results as printed lines, as JSON, and as tables of
 documents, in which rows without new results are kept."""
-import dataclasses
 import datetime
 import json
 import os
 import pathlib
 import re
+import typing
 
 import yaml
 from crowd_drawing.errors import replaced
@@ -18,8 +18,7 @@ FILE = pathlib.Path(__file__).with_name('benchmarks.yaml')
 COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
 
 
-@dataclasses.dataclass(frozen=True)
-class Benchmark:
+class Benchmark(typing.NamedTuple):
     """One line of the table.
 
     The ratio is the benchmark's time divided by the yardstick's time (rates: yardstick / value, times: value /

@@ -1,5 +1,6 @@
 """Learning curves: records and logs of training runs, their means over windows of episodes, and their pictures."""
-import dataclasses
+
+import typing
 
 import numpy
 import pandas
@@ -13,8 +14,7 @@ EPISODE, SCENARIO = 'episode', 'scenario'
 WINDOWS = 50  # by default
 
 
-@dataclasses.dataclass(frozen=True)
-class Run:
+class Run(typing.NamedTuple):
     """The numbers of a record or log of one training, with a row for every agent or every episode."""
     label: str  # of the group of runs that it belongs to
     file: str
@@ -22,8 +22,7 @@ class Run:
     scenarios: tuple = ()  # of its rows, in alphabetical order; empty without such a column
 
 
-@dataclasses.dataclass(frozen=True)
-class Band:
+class Band(typing.NamedTuple):
     """The mean over runs in each window of episodes, with its 95 % confidence interval; nan where that is unknown."""
     label: str
     runs: int
@@ -86,8 +85,7 @@ BAND_ALPHA = 0.2
 LEGEND_LINE = 0.22  # [inch]
 
 
-@dataclasses.dataclass(frozen=True)
-class Measure:
+class Measure(typing.NamedTuple):
     """A column of a record as it is drawn."""
     column: str
     title: str

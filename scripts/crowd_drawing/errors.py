@@ -3,6 +3,10 @@ import contextlib
 import os
 import pathlib
 
+import yaml
+
+LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the faster implementation, if available
+
 
 def complete_lines(stream, file):
     """Yields the lines of a stream. Raises InputError if the last one has no end: the file was cut off."""
@@ -36,6 +40,15 @@ def replaced(file):
         os.replace(part, file)
     finally:
         part.unlink(missing_ok=True)
+
+
+def read_documents(file):
+    """Returns the YAML documents of a file, without empty ones. Raises InputError, OSError."""
+    text = pathlib.Path(file).read_text(encoding='utf-8', errors='replace')
+    try:
+        return [document for document in yaml.load_all(text, LOADER) if document is not None]
+    except yaml.YAMLError as error:
+        raise InputError(f"{file}: not YAML: {' '.join(str(error).split())}") from None
 
 
 class InputError(Exception):

@@ -5,8 +5,7 @@ import math
 import pathlib
 
 import numpy
-import yaml
-from crowd_drawing.errors import InputError, complete_lines
+from crowd_drawing.errors import InputError, complete_lines, read_documents
 from crowd_drawing.maps import read_map
 from crowd_experiments.tools import find_config
 
@@ -203,12 +202,7 @@ class Scene:
 
 def read_scene(file, instance):
     """Reads the document of an instance; documents are repeated if there are fewer documents than instances."""
-    loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
-    try:
-        with open(file, encoding='utf-8', errors='replace') as stream:
-            documents = [document for document in yaml.load_all(stream, loader) if document is not None]
-    except yaml.YAMLError as error:
-        raise InputError(f"{file}: not YAML: {' '.join(str(error).split())}") from None
+    documents = read_documents(file)
     if not documents:
         raise InputError(f'{file}: has no scenario')
     index = instance % len(documents)

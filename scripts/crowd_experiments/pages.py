@@ -6,6 +6,7 @@ import pathlib
 import re
 import shutil
 import textwrap
+import typing
 
 MARKS = re.compile(r'(<!-- table ([\w/]+) -->\n).*?(<!-- end -->)', re.DOTALL)
 PICTURES = re.compile(r'!\[[^\]]*\]\(images/(\w+\.png)\)')
@@ -13,8 +14,7 @@ LONGEST_CELL = 80  # [characters] of a printed table
 TEMPLATE = pathlib.Path(__file__).with_name('page.html')
 
 
-@dataclasses.dataclass(frozen=True)
-class Table:
+class Table(typing.NamedTuple):
     """Rows of texts under a header; the first column names the row. By its name a document refers to it."""
     title: str
     header: list
@@ -35,8 +35,7 @@ class Table:
                                 for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
 
 
-@dataclasses.dataclass(frozen=True)
-class Figure:
+class Figure(typing.NamedTuple):
     """A picture with its caption."""
     file: pathlib.Path
     caption: str

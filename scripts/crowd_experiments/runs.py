@@ -1,6 +1,5 @@
 """Runs of the tools, each in its own folder, several in parallel, with a progress bar."""
 import concurrent.futures
-import dataclasses
 import functools
 import hashlib
 import os
@@ -12,9 +11,9 @@ import subprocess
 import sys
 import threading
 import time
+import typing
 
-import yaml
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, read_documents
 
 WIDTH = 30
 PLAIN_PERIOD = 10.0  # [s] between two lines without a terminal
@@ -62,8 +61,8 @@ def text_of(seconds):
     return f'{int(seconds) // 60}:{int(seconds) % 60:02d}'
 
 
-STAMP = 'done.txt'  # in a run's folder: digest of commands and input files
-LOG = 'log.txt'  # in a run's folder: commands, their output, processor time
+# In a run's folder: digest of commands and input files; commands, their output, processor time.
+STAMP, LOG = 'done.txt', 'log.txt'
 PROCESSOR_TIME = 'processor time'
 
 
@@ -82,8 +81,7 @@ def output_of(command, **options):
     return done.stdout
 
 
-@dataclasses.dataclass(frozen=True)
-class Run:
+class Run(typing.NamedTuple):
     """Commands that are executed one after the other in a folder."""
     folder: pathlib.Path
     commands: list  # of lists of words; output files are relative to the folder
@@ -126,9 +124,8 @@ def files_behind(path):
 @functools.lru_cache(maxsize=None)
 def scenarios_of(config):
     """Returns the scenarios of a training configuration; an empty list for a scenario file."""
-    with open(config, encoding='utf-8') as stream:
-        training = (next(yaml.safe_load_all(stream)) or {}).get('training', {})
-    return [config.parent / name for name in training.get('scenarios', [])]
+    training = [document['training'] for document in read_documents(config)[:1] if 'training' in document]
+    return [config.parent / name for keys in training for name in keys.get('scenarios', [])]
 
 
 @functools.lru_cache(maxsize=None)
@@ -153,24 +150,22 @@ class Runner:
         with concurrent.futures.ThreadPoolExecutor(self.processes) as pool:
             futures = {pool.submit(self.carry_out_one, run): run for run in runs}
             try:
-                for future in self.as_they_end(futures, bar):
-                    future.result()
-                    bar.add(futures[future].cost)
+                waiting = set(futures)
+                while waiting:
+                    done, waiting = concurrent.futures.wait(waiting, 1.0, concurrent.futures.FIRST_COMPLETED)
+                    bar.show()
+                    for future in done:
+                        future.result()
+                        bar.add(futures[future].cost)
             except BaseException:
-                self.stop()
+                with self.lock:
+                    self.stopped = True  # starts no others
+                    for child in self.children:
+                        child.send_signal(signal.SIGINT)
                 pool.shutdown(cancel_futures=True)
                 raise
             finally:
                 bar.end()
-
-    @staticmethod
-    def as_they_end(futures, bar):
-        """Yields finished runs, and updates the progress bar."""
-        waiting = set(futures)
-        while waiting:
-            done, waiting = concurrent.futures.wait(waiting, 1.0, concurrent.futures.FIRST_COMPLETED)
-            bar.show()
-            yield from done
 
     def carry_out_one(self, run):
         """Executes a run in an empty folder; the stamp is written when it is complete."""
@@ -199,14 +194,8 @@ class Runner:
                 self.children.discard(child)
             log.write(f'{PROCESSOR_TIME}: {usage.ru_utime + usage.ru_stime:.2f} s\n')
         if child.returncode != 0:
-            raise RunError(f'{" ".join(command)}: exit status {child.returncode}\n{tail_of(folder / LOG)}')
-
-    def stop(self):
-        """Interrupts all running programs and starts no others."""
-        with self.lock:
-            self.stopped = True
-            for child in self.children:
-                child.send_signal(signal.SIGINT)
+            lines = re.split(r'[\r\n]+', (folder / LOG).read_text(encoding='utf-8', errors='replace').strip())
+            raise RunError('\n'.join([f'{" ".join(command)}: exit status {child.returncode}', *lines[-5:]]))
 
 
 def execute_left(runs, processes, force=False):
@@ -227,7 +216,3 @@ def processor_seconds(folder):
     """Returns the processor time of each command of a run [s]."""
     log = (folder / LOG).read_text(encoding='utf-8', errors='replace')
     return [float(seconds) for seconds in re.findall(rf'^{PROCESSOR_TIME}: ([\d.]+) s$', log, re.MULTILINE)]
-
-
-def tail_of(file, lines=5):
-    return '\n'.join(re.split(r'[\r\n]+', file.read_text(encoding='utf-8', errors='replace').strip())[-lines:])

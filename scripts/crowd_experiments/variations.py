@@ -6,6 +6,7 @@ import pathlib
 import typing
 
 import yaml
+from crowd_drawing.errors import read_documents
 from crowd_drawing.files import shipped_scenarios
 
 from .tools import REPOSITORY
@@ -49,8 +50,7 @@ class Setting:
         return self.results / 'figures' / f'{name}.png'
 
 
-LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the faster implementation, if available
-DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
+DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)  # the faster implementation, if available
 EVERY = '*'  # in a path of keys: each entry of a list
 
 
@@ -76,11 +76,6 @@ def vary_scenario(setting, base, changes, name):
     file = base if isinstance(base, pathlib.Path) else setting.scenario(base)
     documents = [changed(document, changes) for document in read_documents(file)]
     return write_if_new(setting.results / 'configs' / 'scenarios' / f'{name}.yaml', file, documents)
-
-
-def read_documents(file):
-    with open(file, encoding='utf-8') as stream:
-        return [document for document in yaml.load_all(stream, LOADER) if document is not None]
 
 
 def heading_of(agent):

@@ -2,8 +2,8 @@
 
 Each is a mesh of one colour: the fewer meshes, the faster RViz draws them.
 """
-import dataclasses
 import math
+import typing
 
 import numpy
 from crowd_experiments.arguments import add_file, parser_of
@@ -46,8 +46,7 @@ THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when stand
 UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
 
 
-@dataclasses.dataclass(frozen=True)
-class Build:
+class Build(typing.NamedTuple):
     """Half widths of a person 1.75 m tall [m]."""
     name: str
     shoulders: float

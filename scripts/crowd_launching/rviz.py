@@ -8,6 +8,7 @@ import tempfile
 import rospkg
 import rospy
 import yaml
+from crowd_drawing.errors import read_documents
 from social_crowd.msg import Scenario
 
 from .program import Program, end_launch
@@ -42,8 +43,7 @@ def scale_for(scenario):
 def configuration(view):
     """Returns a configuration of RViz as YAML, with the scale for the current crowd."""
     file = os.path.join(rospkg.RosPack().get_path('social_crowd'), 'rviz', view + '.rviz')
-    with open(file, encoding='utf-8') as stream:
-        settings = yaml.safe_load(stream)
+    settings, = read_documents(file)
     manager = settings['Visualization Manager']
     # A recording has no nodes that panel and tools of this package could call.
     for holder, key in ((settings, 'Panels'), (manager, 'Tools')) if not rospy.get_param('~controls', True) else ():

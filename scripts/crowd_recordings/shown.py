@@ -1,5 +1,6 @@
 """Positions and headings of recorded people at any time, and the scene that they were recorded in."""
-import dataclasses
+
+import typing
 
 import numpy
 from crowd_drawing.errors import InputError
@@ -10,8 +11,7 @@ HEADING_SPAN = 0.3  # [s] of the motion that gives the heading; ticks alone are 
 LEAST_MOTION = 0.02  # [m] within this span, below which the heading is unchanged
 
 
-@dataclasses.dataclass(frozen=True)
-class Track:
+class Track(typing.NamedTuple):
     """The recorded positions of an agent."""
     times: numpy.ndarray  # [s] ascending
     places: numpy.ndarray  # [m] one row x, y for each time

@@ -1,7 +1,7 @@
 """The files of a report, recognised by their headers, and its tables: metrics, and differences of runs with their
 confidence intervals."""
-import dataclasses
 import pathlib
+import typing
 
 import numpy
 import pandas
@@ -18,8 +18,7 @@ HEADERS = {METRICS: ('scenario,instances,success_pct', '`evaluate --csv`'),
            TRAJECTORIES: (','.join(HEADER), '`evaluate --trajectories`')}
 
 
-@dataclasses.dataclass(frozen=True)
-class Source:
+class Source(typing.NamedTuple):
     """A file of a report. Files with the same label are runs of the same thing, such as seeds."""
     label: str
     kind: str

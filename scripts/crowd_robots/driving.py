@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import sys
 
-import yaml
+from crowd_drawing.errors import read_documents
 from crowd_experiments.arguments import add_file, parser_of, positive
 from crowd_experiments.interruption import EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.records import read_csv
@@ -25,10 +25,7 @@ FILE of --robots-csv is written when all episodes are recorded.'''
 
 def launch_arguments(scenario, robot):
     """Returns the arguments of move_base.launch for a scenario file and a robot of DRIVEN."""
-    try:
-        document = yaml.safe_load(scenario.read_text(encoding='utf-8'))
-    except yaml.YAMLError as error:
-        raise RunError(str(error)) from None
+    document = (read_documents(scenario) or [None])[0]
     robots = document.get('robots') if isinstance(document, dict) else None
     if not robots:
         raise RunError(f'{scenario}: expected a scenario with robots')

@@ -7,6 +7,7 @@ import tempfile
 import time
 
 import yaml
+from crowd_drawing.errors import read_documents
 from crowd_experiments.runs import RunError
 from crowd_launching.program import end_all, free_port
 
@@ -124,7 +125,7 @@ def values(folder):
 
 def people(folder):
     """Takes a picture of people in a place. Yields its file."""
-    settings = yaml.safe_load(RVIZ.read_text(encoding='utf-8'))
+    settings, = read_documents(RVIZ)
     settings['Visualization Manager']['Views']['Current'] = PEOPLE_VIEW
     for display in settings['Visualization Manager']['Displays']:
         display['Enabled'] = display['Class'] != 'rviz/InteractiveMarkers'

@@ -1,5 +1,4 @@
 """The program `sweep`: plans runs, checks their configurations before they begin, and writes a report."""
-import dataclasses
 import os
 import pathlib
 import re
@@ -7,6 +6,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import typing
 
 from crowd_drawing.errors import InputError
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
@@ -41,8 +41,7 @@ TABLE, LEARNING, METRICS_FILE, RECORD_FILE = 'table.txt', 'learning.csv', 'metri
 ONE_THREAD = ['--threads', 1]  # runs are parallel
 
 
-@dataclasses.dataclass(frozen=True)
-class Member:
+class Member(typing.NamedTuple):
     """A run of a combination with a seed."""
     label: str  # of the combination
     seed: int

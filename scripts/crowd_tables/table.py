@@ -4,6 +4,7 @@ import dataclasses
 import itertools
 import math
 import subprocess
+import typing
 
 import numpy
 import yaml
@@ -37,8 +38,7 @@ NEEDED = ('state_set', 'action_set', 'rows', 'actions', 'visited_rows')
 MOST_VALUES = 10**8  # of a table; they have to fit in memory
 
 
-@dataclasses.dataclass(frozen=True)
-class Table:
+class Table(typing.NamedTuple):
     """A Q-table: its header, and visits and values as arrays (row, action). Values that were never visited are 0."""
     file: str
     header: dict
@@ -129,8 +129,7 @@ class Quantity:
         return len(self.classes)
 
 
-@dataclasses.dataclass(frozen=True)
-class Meaning:
+class Meaning(typing.NamedTuple):
     """The quantities of a state set, and how a picture arranges them: one panel for each combination of the quantities
     `panels`, with the quantities `rows` from top to bottom and `columns` from left to right, outer ones first (all
     indices of `quantities`). `digits`: array (row, quantity) of class numbers; `extra`: names of further rows."""
