@@ -4,7 +4,7 @@ import numpy
 import pandas
 from crowd_experiments.records import Spread, percent, read_csv
 from crowd_experiments.runs import Run
-from crowd_studies.report import read_texts
+from crowd_studies.program import read_texts
 
 TEXTS = read_texts(__file__)
 OURS = 'anticipation'

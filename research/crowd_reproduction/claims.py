@@ -2,7 +2,7 @@
 import pathlib
 
 import yaml
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 
 from . import crowd_judges, reward_judges, twins
 from .claim import Claim, add_claims, all_of

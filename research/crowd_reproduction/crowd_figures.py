@@ -141,31 +141,23 @@ def worst_sentence(runs, scenario, episode, _moments=None, marked=None):
         ', no agent is surrounded' if marked is None else f', agent {marked} is surrounded')
 
 
-def mean_curve(runs, scenario):
-    """Returns the mean distance to the nearest companion at each tick [m], until half of the groups begin to arrive."""
-    curves = [companions(places) for seed in runs.seeds() for places in groups_of(runs, seed, scenario)]
-    return pandas.DataFrame(curves).mean().to_numpy()[:int(numpy.median(list(map(len, curves))))]
-
-
-def typical_passing(runs):
-    """Returns the median begin and end of the passage over the instances [ticks]."""
-    obstacle = obstacle_places(runs.setting, 'same_goal6_mover', 2001)
-    spans = [span for seed in runs.seeds() for places in groups_of(runs, seed, CROSSED)
-             if (span := spans_of(places, obstacle))]
-    return [numpy.median([span[time].start for span in spans]) for time in (1, 2)] if spans else None
-
-
 def add_groups(chapter, setting):
-    """Adds the figure of distances between agents, with and without a moving obstacle."""
+    """Adds the figure of mean distances to the nearest companion, with and without a moving obstacle; its passage is
+    shaded from the median of the begins to that of the ends."""
+    obstacle = obstacle_places(setting, 'same_goal6_mover', 2001)
     figure, axes = style.new_figure(1, len(PARAMETERS), 11, 4, sharey=True)
     for panel, parameters in zip(axes[0], PARAMETERS):
         runs = agents(setting, parameters)
         for scenario, colour, label in CURVES:
-            curve = mean_curve(runs, scenario)
+            curves = [companions(places) for seed in runs.seeds() for places in groups_of(runs, seed, scenario)]
+            half = int(numpy.median(list(map(len, curves))))  # then half of the groups have begun to arrive
+            curve = pandas.DataFrame(curves).mean()[:half]
             panel.plot(0.1 * numpy.arange(len(curve)), curve, color=colour, label=label)
-        times = typical_passing(runs)
-        if times:
-            panel.axvspan(0.1 * times[0], 0.1 * times[1], color='#d55e00', alpha=0.12, linewidth=0)
+        spans = [span for seed in runs.seeds() for places in groups_of(runs, seed, CROSSED)
+                 if (span := spans_of(places, obstacle))]
+        if spans:
+            begin, end = (0.1 * numpy.median([span[time].start for span in spans]) for time in (1, 2))
+            panel.axvspan(begin, end, color='#d55e00', alpha=0.12, linewidth=0)
         panel.set(title=PARAMETER_NAMES[parameters], xlabel='time [s]')
     axes[0][0].set(ylabel='distance to the nearest companion [m]', ylim=(0, None))
     axes[0][0].legend(loc='lower left')

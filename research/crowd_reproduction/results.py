@@ -13,7 +13,7 @@ from crowd_drawing.files import place_of, read_scene
 from crowd_experiments.records import Spread, median, read_csv, read_table_header, read_tracks, read_visits
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import EVERY, Setting, read_documents, vary_config, vary_scenario
-from crowd_studies.report import Report, read_texts
+from crowd_studies.program import Report, read_texts
 
 DECLARED = yaml.safe_load(pathlib.Path(__file__).with_name('runs.yaml').read_text(encoding='utf-8'))
 GROUPS, LISTS, NEEDS = (DECLARED[key] for key in ('groups', 'lists', 'needs'))

@@ -1,8 +1,10 @@
 """The command line of scripts/bench, and of research/bench_sweeps."""
+import json
 import pathlib
 import shutil
 import sys
 
+from crowd_drawing.errors import replaced
 from crowd_experiments.arguments import add_file, parser_of, positive
 from crowd_experiments.interruption import EXIT_FAILED, EXIT_FINE, EXIT_INTERRUPTED
 from crowd_experiments.runs import RunError
@@ -14,6 +16,7 @@ from .core_benchmarks import CoreBenchmarks, PROGRAM
 from .callgrind import PROFILES
 
 GROUPS = {'benchmarks (run by default)': BENCHMARKS, 'profiles, with callgrind': PROFILES}
+KEYS = ('name', 'value', 'unit', 'yardstick', 'ratio')  # of a result as JSON
 EXAMPLE = 'scripts/bench crowd_step_map_1000 --json bench.json'
 
 
@@ -59,7 +62,9 @@ class Measuring:
         self.results.append(core_benchmarks.run(self.folder, entry, self.core.repetitions) if entry.mpi else
                             ros_benchmarks.run(entry) if entry.ros else self.core.measure(entry))
         if self.json:
-            table.write_json(self.json, self.results)
+            with replaced(self.json) as part:
+                results = [{key: result[key] for key in KEYS} for result in self.results]
+                part.write_text(json.dumps(results, indent=2) + '\n')
         return table.line(self.results[-1], entry)
 
     def measure_all(self, entries):

@@ -1,14 +1,12 @@
 """The benchmarks with their units and required values (bars); their results as printed lines, as JSON, and as tables of
 documents, in which rows without new results are kept."""
 import datetime
-import json
 import os
 import pathlib
 import re
 import typing
 
 import yaml
-from crowd_drawing.errors import replaced
 from crowd_experiments.pages import Chapter, fill_document
 
 DECISIONS, AGENT_STEPS, TICKS, REAL_TIME, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
@@ -56,14 +54,6 @@ BENCHMARKS = tuple(Benchmark(**entry) for entry in yaml.safe_load(FILE.read_text
 ROW = re.compile(r'^\| (\w+) \|(.*)\|$', re.MULTILINE)
 
 
-def benchmark_rows(results, document):
-    """Returns the rows of all benchmarks: from the results, otherwise from the document, otherwise empty."""
-    measured = {result['name']: result for result in results}
-    before = {name: [cell.strip() for cell in [name, *cells.split('|')]] for name, cells in ROW.findall(document)}
-    return [row(measured[one.name], one) if one.name in measured else
-            before.get(one.name, [one.name, one.title] + [''] * (len(HEADER) - 2)) for one in BENCHMARKS]
-
-
 def machine_text(repetitions):
     """Returns rows that describe the machine and the measurement."""
     models = re.findall(r'^model name\s*: (.*)$', pathlib.Path('/proc/cpuinfo').read_text(encoding='utf-8'),
@@ -80,8 +70,12 @@ def fill(file, results, tables, repetitions):
     @param tables of sweeps and profiles: (entry, header, rows, picture or None)"""
     chapter = Chapter('performance', 'Performance')  # tables are performance/benchmarks and so on
     if results:
-        rows = benchmark_rows(results, file.read_text(encoding='utf-8'))
-        chapter.add_table('Benchmarks', HEADER, rows, 'benchmarks')
+        before = {name: [cell.strip() for cell in [name, *cells.split('|')]]
+                  for name, cells in ROW.findall(file.read_text(encoding='utf-8'))}  # remain without new results
+        measured = {result['name']: result for result in results}
+        chapter.add_table('Benchmarks', HEADER, [
+            row(measured[one.name], one) if one.name in measured else
+            before.get(one.name, [one.name, one.title] + [''] * (len(HEADER) - 2)) for one in BENCHMARKS], 'benchmarks')
         chapter.add_table('Measured on', ['', ''], machine_text(repetitions), 'machine')
     for entry, header, rows, picture in tables:
         chapter.add_table(entry.title, header, rows, entry.name)
@@ -89,7 +83,6 @@ def fill(file, results, tables, repetitions):
     return fill_document(file, [chapter])
 
 
-KEYS = ('name', 'value', 'unit', 'yardstick', 'ratio')
 HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
 LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
 HEADING = LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
@@ -135,9 +128,3 @@ def row(result, benchmark):
             in_unit(result['value']), spread_text(result.get('spread')), benchmark.yardstick,
             in_unit(result['yardstick']), quantity(result['ratio'], '', '.2f'),
             bar_text(benchmark.ratio_bar, not benchmark.ratio_is_rate, '{:g}'.format), met_text(result, benchmark)]
-
-
-def write_json(file, results):
-    """Writes the list of {name, value, unit, yardstick, ratio}; the file is replaced atomically."""
-    with replaced(file) as part:
-        part.write_text(json.dumps([{key: result[key] for key in KEYS} for result in results], indent=2) + '\n')

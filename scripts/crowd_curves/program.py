@@ -1,10 +1,159 @@
-"""The program `plot_learning`."""
+"""The program `plot_learning`: learning curves from records and logs of trainings, by windows of episodes."""
 import sys
+import typing
 
-from crowd_curves.curves import band_of, by_scenario, default_window, draw_curves, episodes_of, measures_of, read_run
+import numpy
+import pandas
 from crowd_drawing.errors import InputError
+from crowd_drawing.picture import colours_of
 from crowd_experiments.arguments import add_file, labelled, parser_of, positive
-from crowd_experiments.records import t_quantile
+from crowd_experiments.records import mean_interval, read_csv, t_quantile
+from crowd_experiments.style import new_figure, save
+from matplotlib.ticker import MaxNLocator
+
+EPISODE, SCENARIO = 'episode', 'scenario'
+WINDOWS = 50  # by default
+
+
+class Run(typing.NamedTuple):
+    """The numbers of a record or log of one training, with a row for every agent or every episode."""
+    label: str  # of the group of runs that it belongs to
+    file: str
+    columns: pandas.DataFrame
+    scenarios: tuple = ()  # of its rows, in alphabetical order; empty without such a column
+
+
+class Band(typing.NamedTuple):
+    """The mean over runs in each window of episodes, with its 95 % confidence interval; nan where that is unknown."""
+    label: str
+    runs: int
+    episodes: numpy.ndarray  # at the end of each window
+    mean: numpy.ndarray
+    low: numpy.ndarray
+    high: numpy.ndarray
+
+
+def read_run(label, file, scenario=None, grows=False):
+    """Reads a record or log of `train`, maybe of one scenario. `grows`: see read_csv(). Raises InputError, OSError."""
+    with open(file, encoding='utf-8', errors='replace') as stream:
+        if EPISODE not in next(stream, '').rstrip('\r\n').split(','):
+            raise InputError(f'{file}:1: expected a record of `train --record` or a log of `train --log`, with a '
+                             f"column '{EPISODE}'")
+    rows = pandas.DataFrame(read_csv(file, grows))
+    scenarios = sorted(set(rows.get(SCENARIO, ())))
+    if scenario is not None and scenarios:
+        rows = rows[rows[SCENARIO] == scenario]
+    if rows.empty:
+        raise InputError(f'{file}: has no rows' + ('' if scenario is None else
+                         f" of a scenario '{scenario}'; there are {', '.join(scenarios)}"))
+    return Run(label, file, rows.select_dtypes('number'), tuple(scenarios) if scenario is None else (scenario,))
+
+
+def window_means(run, column, window):
+    """Returns the mean of the finite values of a column in each window of episodes; nan where there are none."""
+    windows = (run.columns[EPISODE] // window).astype(int)
+    values = run.columns[column].where(numpy.isfinite(run.columns[column]))
+    return values.groupby(windows).mean().reindex(range(windows.max() + 1)).to_numpy()
+
+
+def episodes_of(runs):
+    """Returns the number of episodes of the longest run."""
+    return int(max(run.columns[EPISODE].max() + 1 for run in runs))
+
+
+def default_window(runs):
+    """Returns a number of episodes for which a curve has about fifty points."""
+    return max(1, round(episodes_of(runs) / WINDOWS))
+
+
+def band_of(label, runs, column, window):
+    """Returns the Band of a column over runs. In windows that not all runs have reached, it is that of the others."""
+    curves = pandas.DataFrame([window_means(run, column, window).tolist() for run in runs])
+    points = numpy.array([mean_interval(values.dropna()) for _, values in curves.items()])
+    episodes = numpy.minimum(window * numpy.arange(1, len(points) + 1), episodes_of(runs))
+    return Band(label, len(runs), episodes, *points.T)
+
+
+MOST_COLUMNS = 3  # of panels
+PANEL = 3.9, 2.9  # [inch]
+BAND_ALPHA = 0.2
+LEGEND_LINE = 0.22  # [inch]
+
+
+class Measure(typing.NamedTuple):
+    """A column of a record as it is drawn."""
+    column: str
+    title: str
+    factor: float = 1.0
+    limits: tuple = (None, None)  # of the axis
+    range: tuple = (-numpy.inf, numpy.inf)  # of the shown values, which confidence intervals do not leave
+
+    def shown(self, band):
+        """Returns mean, low and high end of a Band in the shown unit."""
+        return [numpy.clip(self.factor * values, *self.range) for values in (band.mean, band.low, band.high)]
+
+
+FROM_ZERO = {'limits': (0, None), 'range': (0, numpy.inf)}
+PERCENT = {'factor': 100.0, 'limits': (-3, 103), 'range': (0, 100)}
+# Those whose columns the records have are drawn.
+MEASURES = [
+    Measure('arrived', 'success [%]', **PERCENT),
+    Measure('touched', 'contact [%]', **PERCENT),
+    Measure('collided', 'collision [%]', **PERCENT),
+    Measure('success', 'success [%]', **PERCENT),
+    Measure('contact', 'contact [%]', **PERCENT),
+    Measure('collision', 'collision [%]', **PERCENT),
+    Measure('reward', 'reward'),
+    Measure('visited_rows', 'visited rows', **FROM_ZERO),
+    Measure('epsilon', 'epsilon', **FROM_ZERO),
+    Measure('ticks', 'decisions in an episode', **FROM_ZERO),
+    Measure('gain_per_tick', 'distance gained [m a decision]'),
+    Measure('turn_per_metre', 'turning [rad/m]', **FROM_ZERO),
+]
+
+
+def measures_of(runs, columns=None):
+    """Returns the Measures that all runs have, or those of the given columns, in their order."""
+    if columns is None:
+        return [measure for measure in MEASURES if all(measure.column in run.columns for run in runs)]
+    known = {measure.column: measure for measure in MEASURES}
+    return [known.get(column, Measure(column, column)) for column in columns]
+
+
+def draw_curves(file, runs, measures, window, title=''):
+    """Draws a panel for each measure, with a curve and a band for each label of runs. Returns the file."""
+    labels = list(dict.fromkeys(run.label for run in runs))
+    columns = min(MOST_COLUMNS, len(measures))
+    rows = -(-len(measures) // columns)
+    heights = [PANEL[1]] * rows + [LEGEND_LINE * len(labels) + 0.4]
+    figure, axes = new_figure(rows + 1, columns, PANEL[0] * columns, sum(heights),
+                              gridspec_kw={'height_ratios': heights})
+    for panel, measure in zip(axes.flat, measures):
+        for label, colour in zip(labels, colours_of(len(labels))):
+            draw_band(panel, band_of(label, [run for run in runs if run.label == label], measure.column, window),
+                      measure, colour)
+        panel.set(title=measure.title, xlabel='episode')
+        panel.set_xlim(left=0)
+        panel.xaxis.set_major_locator(MaxNLocator(5, integer=True))
+        panel.set_ylim(*measure.limits)
+    for panel in list(axes.flat)[len(measures):]:
+        panel.set_axis_off()
+    below = axes[-1, 0].legend(*axes.flat[0].get_legend_handles_labels(), loc='upper left',
+                               frameon=False)
+    below.set_in_layout(False)  # it may be wider than the panel above it
+    if title:
+        figure.suptitle(title, fontsize=12)
+    return save(figure, file)
+
+
+def draw_band(panel, band, measure, colour):
+    noun = 'run' if band.runs == 1 else 'runs'
+    name = f'{band.label}, {band.runs} {noun}' if band.label else f'{band.runs} {noun}'
+    mean, low, high = measure.shown(band)
+    panel.plot(band.episodes, mean, color=colour, linewidth=1.5, label=name,
+               marker='o' if len(band.episodes) == 1 else None)
+    panel.fill_between(band.episodes, low, high, color=colour, alpha=BAND_ALPHA, linewidth=0)
+
 
 EXAMPLES = '''examples:
   for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\
@@ -63,7 +212,9 @@ def main(words=None):
     named = [labelled(word) for word in arguments.records]
     runs = [read_run(label or '', file, arguments.scenario, grows=True) for label, file in named]
     if arguments.each_scenario:
-        runs = [part for run in runs for part in by_scenario(run)]
+        runs = [part for run in runs for part in [
+            read_run(f'{run.label} {scenario}'.strip(), run.file, scenario, grows=True) for scenario in run.scenarios
+        ] or [run]]
     measures, window = measures_for(arguments, runs), arguments.window or default_window(runs)
     if window > episodes_of(runs):
         raise InputError(f'--window: expected at most {episodes_of(runs)}, the number of episodes, got {window}')

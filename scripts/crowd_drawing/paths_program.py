@@ -3,8 +3,7 @@ import sys
 
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import find_scenario, read_scene, read_walks
-from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of
-from crowd_drawing.surroundings import draw_surroundings
+from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of, draw_surroundings
 from crowd_experiments.arguments import at_least_zero, parser_of, whole
 
 EXAMPLES = '''examples:

@@ -4,8 +4,7 @@ import math
 import numpy
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import is_open, place_of
-from crowd_drawing.picture import OBSTACLE_COLOUR, Picture, colours_of, mark_of
-from crowd_drawing.surroundings import GATE_COLOUR, draw_surroundings
+from crowd_drawing.picture import GATE_COLOUR, OBSTACLE_COLOUR, Picture, colours_of, draw_surroundings, mark_of
 from matplotlib import pyplot
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_rgb
@@ -46,7 +45,10 @@ class Stage:
         axes = self.picture.axes
         self.picture.frame()
         if view is not None:
-            check_view(view, axes.get_xlim(), axes.get_ylim())
+            (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+            if view[0] >= right or view[2] <= left or view[1] >= top or view[3] <= bottom:
+                raise InputError('--view: nothing of the scene is there, which is in {:g} {:g} {:g} {:g}; got {:g} '
+                                 '{:g} {:g} {:g}'.format(left, bottom, right, top, *view))
             axes.set(xlim=(view[0], view[2]), ylim=(view[1], view[3]))
         axes.set_axis_off()
         metres = [high - low for low, high in (axes.get_xlim(), axes.get_ylim())]
@@ -83,14 +85,6 @@ class Stage:
 def even(number):
     """Returns the nearest even number; most video formats need even sides."""
     return 2 * round(number / 2)
-
-
-def check_view(view, x_limits, y_limits):
-    """Raises InputError if nothing of a scene with these limits is in a view."""
-    if view[0] >= x_limits[1] or view[2] <= x_limits[0] or view[1] >= y_limits[1] or view[3] <= y_limits[0]:
-        corners = ' '.join(f'{value:g}' for value in (x_limits[0], y_limits[0], x_limits[1], y_limits[1]))
-        raise InputError(f"--view: nothing of the scene is there, which is in {corners}; got "
-                         f"{' '.join(f'{value:g}' for value in view)}")
 
 
 TRAIL = 2.5  # [s]

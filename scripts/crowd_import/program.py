@@ -103,13 +103,6 @@ class Conversion:
         self.note(element, 'not carried over: it has no length')
         return None
 
-    def body_of(self, cluster):
-        """Returns speed and radius of the agents of a cluster."""
-        if cluster.type == ROBOT:
-            self.note(cluster.element, "a robot is a person here, with the size and speed of pedsim_ros's SOCIAL_DRIVE")
-            return ROBOT_SPEED, ROBOT_RADIUS
-        return ELDER_SPEED if cluster.type == ELDER else SPEED, self.radius
-
     def area_of(self, cluster, radius):
         """Returns the region of a cluster at the start. It is enlarged where the bodies would overlap."""
         sides = cluster.sides
@@ -128,7 +121,10 @@ class Conversion:
         if cluster.count == 0:
             self.note(cluster.element, 'not carried over: n is 0')
             return
-        speed, radius = self.body_of(cluster)
+        speed, radius = ELDER_SPEED if cluster.type == ELDER else SPEED, self.radius
+        if cluster.type == ROBOT:
+            self.note(cluster.element, "a robot is a person here, with the size and speed of pedsim_ros's SOCIAL_DRIVE")
+            speed, radius = ROBOT_SPEED, ROBOT_RADIUS
         body = {'count': cluster.count} if cluster.count > 1 else {}
         body['position'] = self.area_of(cluster, radius)
         if cluster.stops:

@@ -40,19 +40,14 @@ STOPS = {signal.SIGINT, signal.SIGTERM}
 PATIENCE = 20.0  # [s] time for roslaunch to stop this process
 
 
-def command_of(process):
-    """Returns program and arguments of a process; an empty list if they cannot be read."""
-    try:
-        with open('/proc/%d/cmdline' % process, 'rb') as stream:
-            return [os.fsdecode(word) for word in stream.read().split(b'\0')]
-    except OSError:
-        return []
-
-
 def end_launch():
     """Interrupts the roslaunch that started this process, if one did, and waits until it stops this process."""
     parent = os.getppid()
-    command = command_of(parent)
+    try:
+        with open('/proc/%d/cmdline' % parent, 'rb') as stream:
+            command = [os.fsdecode(word) for word in stream.read().split(b'\0')]
+    except OSError:
+        return
     if 'roslaunch' not in map(os.path.basename, command[:2]) or '-c' in command[2:]:  # child of one on another machine
         return
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)

@@ -57,19 +57,15 @@ def read_jupedsim(file, stream):
         if text.startswith('#'):
             match = RATE.search(text)
             if match and frame_duration is None:
-                frame_duration = duration_of(file, line, match[1])
+                try:
+                    frame_duration = 1 / above_zero(match[1])
+                except argparse.ArgumentTypeError:
+                    raise InputError(f"{file}:{line}: expected a frame rate above 0, got '{match[1]}'") from None
             scale = 0.01 if CENTIMETRES.search(text) else scale
         elif text.strip():
             person, frame, x, y = numbers_of(file, line, text.split(), (0, 1, 2, 3), JUPEDSIM_COLUMNS)
             rows.append((line, person, frame, scale * x, scale * y))
     return Recording(collect(file, rows), frame_duration)
-
-
-def duration_of(file, line, rate):
-    try:
-        return 1 / above_zero(rate)
-    except (ValueError, argparse.ArgumentTypeError):
-        raise InputError(f"{file}:{line}: expected a frame rate above 0, got '{rate}'") from None
 
 
 def read_recording(file, instance=None):

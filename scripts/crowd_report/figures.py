@@ -4,8 +4,7 @@ import textwrap
 
 import numpy
 from crowd_drawing.files import Scene, read_scene, read_walks, shipped_scenarios
-from crowd_drawing.picture import Picture, colours_of
-from crowd_drawing.surroundings import draw_surroundings
+from crowd_drawing.picture import Picture, colours_of, draw_surroundings
 from crowd_experiments.records import read_tracks
 from crowd_experiments.style import new_figure, save
 

@@ -2,7 +2,7 @@
 import pathlib
 import tempfile
 
-from crowd_curves.curves import default_window, draw_curves, measures_of, read_run
+from crowd_curves.program import default_window, draw_curves, measures_of, read_run
 from crowd_drawing.errors import InputError, check_output, replaced
 from crowd_drawing.files import DEFAULT_TICK
 from crowd_experiments.arguments import add_file, parser_of
@@ -10,13 +10,6 @@ from crowd_experiments.pages import Chapter, write_page
 from crowd_report.figures import draw_paths, draw_separations, draw_speeds, scenario_of
 from crowd_report.tables import (HEADERS, LOG, METRICS, RECORD, TRAJECTORIES, comparison_rows, metrics_rows, of_kind,
                                  source_of)
-
-
-def chapters_of(sources, training, folder):
-    """Returns the chapters for which there are files. Figures are written to a folder."""
-    made = [metrics_chapter(of_kind(sources, METRICS)), comparison_chapter(of_kind(sources, RECORD)),
-            learning_chapter(training, folder), *walking_chapters(of_kind(sources, TRAJECTORIES), folder)]
-    return [chapter for chapter in made if chapter is not None]
 
 
 def metrics_chapter(groups):
@@ -91,7 +84,10 @@ Files with the same label are runs of the same thing, such as seeds; the default
 def write_report(output, title, sources, training):
     """Writes the page; it appears when it is complete. Raises InputError, OSError."""
     with replaced(output) as part, tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
-        chapters = chapters_of(sources, training, pathlib.Path(folder))
+        folder = pathlib.Path(folder)
+        made = [metrics_chapter(of_kind(sources, METRICS)), comparison_chapter(of_kind(sources, RECORD)),
+                learning_chapter(training, folder), *walking_chapters(of_kind(sources, TRAJECTORIES), folder)]
+        chapters = [chapter for chapter in made if chapter is not None]
         labels = dict.fromkeys(source.label for source in [*sources, *training])
         write_page(part, title, None, chapters, f"{len(sources) + len(training)} files of {', '.join(labels)}.")
 

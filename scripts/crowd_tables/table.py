@@ -116,6 +116,7 @@ def goal_relative(given):
 
 
 ACTION_NAMES = {'kings_moves': kings_moves, 'goal_relative': goal_relative}
+# Quantities of the panels, rows and columns of a picture; other state sets have a panel for each class of the first.
 ARRANGEMENTS = {'nearest_obstacle': ([], [1], [0]), 'anticipation': ([], [0, 1], [2, 3, 4, 5])}
 
 
@@ -164,13 +165,7 @@ def meaning_of(table, train):
     rows = len(digits) + len(found['extra'])
     if rows != table.header['rows']:
         raise InputError(f"{table.file}: rows: expected {rows}, the rows of the state set, got {table.header['rows']}")
-    kind = table.header['state_set']['type']
-    return Meaning(kind, quantities, *arrangement(kind, len(quantities)), digits, found['extra'])
-
-
-def arrangement(kind, quantities):
-    """Returns the quantities of panels, rows and columns of a picture."""
-    if kind in ARRANGEMENTS:
-        return ARRANGEMENTS[kind]
-    middle = 1 + quantities // 2 if kind == 'condensed_occupancy' else (quantities + 1) // 2
-    return [0], list(range(1, middle)), list(range(middle, quantities))
+    kind, count = table.header['state_set']['type'], len(quantities)
+    middle = 1 + count // 2 if kind == 'condensed_occupancy' else (count + 1) // 2
+    default = [0], list(range(1, middle)), list(range(middle, count))
+    return Meaning(kind, quantities, *ARRANGEMENTS.get(kind, default), digits, found['extra'])

@@ -5,7 +5,7 @@ import yaml
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 from crowd_experiments.variations import vary_config
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 
 from ..models import (COLOURS, ORCA, OURS, TEXTS, benchmark_run, judged, not_slower, read_metrics, spread_row,
                       time_against)

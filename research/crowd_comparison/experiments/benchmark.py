@@ -4,7 +4,7 @@ import sys
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run, processor_seconds
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 
 from .. import bars
 from ..models import (COLOURS, LEARNED, NAMES, ORCA, OURS, REFERENCES, TEXTS, benchmark_run, judged,

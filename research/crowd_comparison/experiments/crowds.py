@@ -3,7 +3,7 @@ import pandas
 from crowd_drawing.files import read_scene, read_walks
 from crowd_experiments import style
 from crowd_experiments.records import Spread, percent, read_csv
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 from crowd_studies.scene_figures import draw_moment, last_tick_of
 
 from ..models import OURS, TEXTS, walked

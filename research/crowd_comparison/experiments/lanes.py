@@ -13,7 +13,7 @@ import numpy
 from crowd_drawing.files import read_scene, read_walks
 from crowd_experiments import style
 from crowd_experiments.records import Spread, read_tracks
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 from crowd_studies.scene_figures import draw_moment
 
 from ..models import COLOURS, LEARNED, NAMES, TEXTS, success_and_contact, walked

@@ -6,7 +6,7 @@ from crowd_drawing.files import read_scene
 from crowd_drawing.picture import OBSTACLE_COLOUR, Picture
 from crowd_experiments import style
 from crowd_experiments.records import read_tracks
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 
 from ..avoidability import HEADINGS, LOOK_BACK, LOOK_ON, Recording, TURNED_WITHIN
 from ..models import COLOURS, LEARNED, NAMES, OURS, TEXTS, success_and_contact, walked
