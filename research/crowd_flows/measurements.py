@@ -8,6 +8,8 @@ from crowd_experiments import records
 from crowd_experiments.runs import output_of
 
 TICK = 0.1  # [s]
+LEAST_IN_BIN = 5  # values; bins with fewer are left out
+COLOURS = ('#d55e00', '#0072b2', '#009e73', '#8e5ea2')  # of the crowds in figures
 
 
 def evaluate(program, table, scenario, folder, *options):
@@ -30,10 +32,6 @@ def walk(program, table, scenario, text, *options):
     tracks = read_tracks(recording)
     recording.unlink()  # it is large
     return metrics, tracks
-
-
-LEAST_IN_BIN = 5  # values; bins with fewer are left out
-COLOURS = ('#d55e00', '#0072b2', '#009e73', '#8e5ea2')  # of the crowds in figures
 
 
 class Band(typing.NamedTuple):

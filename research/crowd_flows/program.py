@@ -8,6 +8,11 @@ from . import door_flow, fundamental_diagram
 
 CHECKSUM = b'checksum: '
 FNV_OFFSET, FNV_PRIME = 0xcbf29ce484222325, 0x100000001b3
+DESCRIPTION = '''Measures speed against density in corridors and the flow through doors, and writes tables
+(CSV) and figures; or makes a Q-table whose agents keep a time gap from one whose agents do not.'''
+EXAMPLES = '''examples:
+  research/flows measure human.txt --evaluate .build/devel/lib/social_crowd/evaluate --data DATA --output flows
+  research/flows time-gap anticipation.txt my_human.txt --time-gap 0.9 --width 0.8'''
 
 
 def fnv1a(data):
@@ -23,7 +28,7 @@ def with_time_gap(contents, time_gap, width):
     body, found, checksum = contents.rpartition(CHECKSUM)
     if not found or checksum.strip() != b'%016x' % fnv1a(body):
         raise ValueError('expected a Q-table file with a valid checksum')
-    added = b', time_gap: %s, time_gap_width: %s}' % (number(time_gap), number(width)) if time_gap > 0.0 else b'}'
+    added = b', time_gap: %s, time_gap_width: %s}' % (b'%.15g' % time_gap, b'%.15g' % width) if time_gap > 0.0 else b'}'
     body, replaced = re.subn(rb'^(action_set: \{type: goal_relative,.*?)(, time_gap: [^}]*)?\}$',
                              lambda match: match[1] + added, body, count=1, flags=re.MULTILINE)
     if replaced == 0:
@@ -31,21 +36,9 @@ def with_time_gap(contents, time_gap, width):
     return body + CHECKSUM + b'%016x\n' % fnv1a(body)
 
 
-def number(value):
-    """Returns the shortest text of a number."""
-    return f'{value:.15g}'.encode()
-
-
 def add_time_gap(q_table, output, time_gap, width):
     """Writes a copy of a Q-table file whose agents keep a time gap [s]."""
     output.write_bytes(with_time_gap(q_table.read_bytes(), time_gap, width))
-
-
-DESCRIPTION = '''Measures speed against density in corridors and the flow through doors, and writes tables
-(CSV) and figures; or makes a Q-table whose agents keep a time gap from one whose agents do not.'''
-EXAMPLES = '''examples:
-  research/flows measure human.txt --evaluate .build/devel/lib/social_crowd/evaluate --data DATA --output flows
-  research/flows time-gap anticipation.txt my_human.txt --time-gap 0.9 --width 0.8'''
 
 
 def main(words=None):
@@ -65,12 +58,7 @@ def main(words=None):
     arguments = parser.parse_args(words)
     if arguments.command == 'time-gap':
         add_time_gap(arguments.q_table, arguments.output, arguments.time_gap, arguments.width)
-    else:
-        measure_all(arguments)
-
-
-def measure_all(arguments):
-    """Measures the crowds of all tables and draws them in common figures."""
+        return
     speeds, doors = {}, {}
     for table in arguments.tables:
         folder, name = arguments.output / table.stem, table.stem

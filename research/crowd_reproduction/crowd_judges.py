@@ -14,6 +14,7 @@ from .results import PARAMETER_NAMES, RATES, SETS, obstacle_places, per_seed, ra
 
 PASSED, ARRIVING = 2, 3  # of TIMES
 STARTS = numpy.array([3.25, 1.95, 0.65, -0.65, -1.95, -3.25])  # of line6 [m]
+COSTS = {'no cost': 'stay', 'cost 0.2': 'stay_02', 'cost 1': 'stay_1', 'cost 5': 'stay_5'}
 
 
 def rates_text(setting, scenario):
@@ -151,9 +152,6 @@ def surrounded_touch(setting):
                      f'{versus("surrounded", inside, "not surrounded", outside, 1)}; of the agents that were ever '
                      f'surrounded, {share_of_agents.text(1)} % then have a contact',
                      decide_all(decide_greater(inside, outside), decide_each(inside, is_good)))
-
-
-COSTS = {'no cost': 'stay', 'cost 0.2': 'stay_02', 'cost 1': 'stay_1', 'cost 5': 'stay_5'}
 
 
 def experience_serves(setting):

@@ -21,6 +21,11 @@ DEMO_SEED = 1000  # is added to the seed of the training, so that the places dif
 RATES = {'success': 'arrived', 'collision': 'collided', 'contact': 'touched'}  # in the order of all texts
 PARAMETERS, SETS, REWARDS = ('thesis', 'better'), ('nearest', 'occupancy'), ('distance_gained', 'cosine_cubed')
 DECISIONS = ['instance', 'tick', 'agent', 'x', 'y', 'heading', 'row', 'action', 'occupied']  # columns of a file
+TEXTS = read_texts(__file__)
+REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
+REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
+PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
+RATE_HEADER = [f'{rate} %' for rate in RATES]
 
 
 def value_text(value):
@@ -46,7 +51,7 @@ def choices_of(setting):
 
 
 def chosen(setting, choice):
-    file = setting.config_file(f'reward_{REWARDS[0]}_thesis') if 'config' in choice else \
+    file = setting.experiments / f'reward_{REWARDS[0]}_thesis.yaml' if 'config' in choice else \
         setting.scenario('single_obstacle')
     value = read_documents(file)[0]
     for key in (choice.get('config') or choice['scenario']).split('.'):
@@ -69,7 +74,7 @@ def config_file(setting, name, variation):
     scenarios = [scenario_file(setting, 'single_obstacle', variation)] if 'scenario' in changes else None
     if 'config' in changes or scenarios:
         return vary_config(setting, name, changes.get('config', {}), f'{name}_{variation}', scenarios)
-    return setting.config_file(name)
+    return setting.experiments / f'{name}.yaml'
 
 
 def words_of(setting, word, keys):
@@ -89,7 +94,7 @@ def commands_of(setting, declared, keys):
         words = [part for word in declared.format(**keys).split() for part in words_of(setting, word, keys)]
         if words[0] == 'walk':
             words[:2] = ['evaluate', '--q-table', words[1], '--threads', 1, '--seed', DEMO_SEED + keys['seed']]
-        yield [setting.tool(words[0]), *words[1:]]
+        yield [setting.tools / words[0], *words[1:]]
     elif all(keys[key] == value for key, value in declared.get('when', {}).items()):
         for more in combinations(setting, declared.get('each', {})):
             yield from commands_of(setting, declared['run'], {**keys, **more})
@@ -215,13 +220,6 @@ def obstacle_places(setting, scenario, ticks):
     """Returns the places of the first obstacle of a scenario at each tick from the start [m]."""
     scene = read_scene(setting.scenario(scenario), 0)
     return numpy.array([place_of(scene.obstacles[0], tick * scene.tick) for tick in range(ticks)])
-
-
-TEXTS = read_texts(__file__)
-REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
-REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
-PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
-RATE_HEADER = [f'{rate} %' for rate in RATES]
 
 
 def report_of(name, setting, seeds, **values):

@@ -8,7 +8,7 @@ from crowd_experiments.records import spread_text
 
 from . import reward_measures as measures
 from .claim import Judgement, compared, decide, decide_each, decide_near, joined
-from .results import REWARDS, REWARD_NAMES, per_seed
+from .results import Runs, REWARDS, REWARD_NAMES, per_seed
 from .reward_measures import MODES, THESIS_SUCCESS, learned, of_mode
 
 DIFFERENT = 5.0  # [points] rates that differ by more do not depict each other
@@ -92,7 +92,7 @@ def less_in_demo(setting, reward):
 
 def longer(setting, reward, measure, rises):
     """Judges that more training improves a rate in demo."""
-    more = of_mode(measures.longer(setting, reward), 'demo', getattr(measures, measure))
+    more = of_mode(Runs.of(setting, 'longer', reward=reward), 'demo', getattr(measures, measure))
     name, usual_name = (f'{number:,} episodes' for number in setting.count((8000, 2000), (80, 40)))
     return compared(f'{REWARD_NAMES[reward]}: ', name, more, usual_name, measured(setting, reward, 'demo', measure),
                     falls=not rises)

@@ -19,10 +19,6 @@ def learned(setting, reward, parameters='thesis'):
     return Runs.of(setting, 'learned', reward=reward, parameters=parameters)
 
 
-def longer(setting, reward):
-    return Runs.of(setting, 'longer', reward=reward)
-
-
 def of_mode(runs, mode, measure):
     """Returns a measure for each seed; mode: training, demo, free or patient."""
     return per_seed(runs.record(f'{mode}.csv'), measure)

@@ -18,6 +18,22 @@ from .measures import (CROWDNAV, CROWDNAV_EPISODES, CROWDNAV_KEYS, PLACEMENTS, R
 
 RECORD = 'robots.csv'  # in a run's folder
 DRIVER = REPOSITORY / 'scripts' / 'drive_robots'
+DESCRIPTION = '''Measures robots among people: success, contacts by cause, time, discomfort, and what they cost people,
+in the shipped scenarios and in the setting of CrowdNav. Shares have 95 % intervals.'''
+EXAMPLES = '''examples:
+  research/robot_benchmark                                 all robots that `evaluate` drives, in all scenarios
+  research/robot_benchmark --robot learned --scenarios robot_door robot_queue
+  research/robot_benchmark --robot move_base --robot move_base_people   through ROS, where move_base is
+  research/robot_benchmark --robot other=episodes.csv      adds a robot that was driven elsewhere
+  research/robot_benchmark --table                         the tables of the results so far, without running anything
+  research/robot_benchmark --document research/docs/robots.md  also updates the tables of the page
+
+A record of a robot that was driven elsewhere has the columns of `evaluate --robots-csv`, and one row an episode. Its
+rows belong to the scenario that the column `scenario` names; people_compared is 0 where people's delay is not known.
+It is kept in the output folder, and is part of later tables.
+
+Completed runs are kept unless the program, the Q-table or their scenario has changed. Ctrl-C keeps the finished runs;
+the same command continues from there.'''
 
 
 class Benchmark(typing.NamedTuple):
@@ -77,24 +93,6 @@ class Benchmark(typing.NamedTuple):
         kept = self.output / 'others' / f'{robot}.csv'
         kept.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(file, kept)
-
-
-DESCRIPTION = '''Measures robots among people: success, contacts by cause, time, discomfort, and what they cost people,
-in the shipped scenarios and in the setting of CrowdNav. Shares have 95 % intervals.'''
-EXAMPLES = '''examples:
-  research/robot_benchmark                                 all robots that `evaluate` drives, in all scenarios
-  research/robot_benchmark --robot learned --scenarios robot_door robot_queue
-  research/robot_benchmark --robot move_base --robot move_base_people   through ROS, where move_base is
-  research/robot_benchmark --robot other=episodes.csv      adds a robot that was driven elsewhere
-  research/robot_benchmark --table                         the tables of the results so far, without running anything
-  research/robot_benchmark --document research/docs/robots.md  also updates the tables of the page
-
-A record of a robot that was driven elsewhere has the columns of `evaluate --robots-csv`, and one row an episode. Its
-rows belong to the scenario that the column `scenario` names; people_compared is 0 where people's delay is not known.
-It is kept in the output folder, and is part of later tables.
-
-Completed runs are kept unless the program, the Q-table or their scenario has changed. Ctrl-C keeps the finished runs;
-the same command continues from there.'''
 
 
 def wanted_robot(text):

@@ -14,6 +14,14 @@ from crowd_experiments.tools import find_config, find_tools
 from crowd_experiments.variations import Setting
 
 COUNT = re.compile(r'\{([\d,]+)\|([\d,]+)\}')  # a number, and the one with --quick
+EPILOG = '''experiments:
+{experiments}  all                all of them
+
+Completed runs are kept unless one of their programs, configurations or scenarios has changed. Ctrl-C keeps the
+finished runs; the same command continues from there.
+
+example:
+  research/{program.name} {program.experiments[0].name} --results results --processes 2'''
 
 
 def read_texts(package):
@@ -38,21 +46,12 @@ class Report(Chapter):
 
     def draw(self, figure, file, text=None, **values):
         """Saves a figure and adds it; its caption has the name of the file, unless another name is given."""
-        self.add_figure(style.save(figure, self.setting.figure_file(file)), self.text_of(text or file, **values))
+        target = self.setting.results / 'figures' / f'{file}.png'
+        self.add_figure(style.save(figure, target), self.text_of(text or file, **values))
 
     def tabulate(self, name, header, rows, text=None, **values):
         """Adds a table; its title has the name of the table, unless another name is given."""
         self.add_table(self.text_of(text or name, **values), header, rows, name)
-
-
-EPILOG = '''experiments:
-{experiments}  all                all of them
-
-Completed runs are kept unless one of their programs, configurations or scenarios has changed. Ctrl-C keeps the
-finished runs; the same command continues from there.
-
-example:
-  research/{program.name} {program.experiments[0].name} --results results --processes 2'''
 
 
 class Experiment(typing.NamedTuple):

@@ -12,6 +12,8 @@ from crowd_experiments.variations import DUMPER, read_documents
 
 from .plan import TICK
 
+RESULT_FILE = 'result.json'  # in a case's folder
+
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Recording:
@@ -61,9 +63,6 @@ def read_tracks(file, agents):
     numpy.save(compact, tracks.astype(numpy.float32))
     file.unlink()
     return tracks
-
-
-RESULT_FILE = 'result.json'  # in a case's folder
 
 
 @dataclasses.dataclass(frozen=True)

@@ -5,6 +5,10 @@ import numpy
 from crowd_experiments.records import Spread
 from scipy.spatial.distance import cdist
 
+FAR = 1e6  # [m] beyond all walls
+STANDING = 0.2  # [m] a person who moved less than this in STANDING_TIME stands
+STANDING_TIME = 10.0  # [s]
+
 
 def spread(values, unit='', decimals=1):
     """Returns mean and range over the seeds, such as `30.1 s (29.9-30.4)`. Infinite values are counted apart."""
@@ -56,11 +60,6 @@ def problems(recordings, landmarks):
         if of_seed:
             parts.append(f'seed {seed}: {", ".join(of_seed)}')
     return '; '.join(parts)
-
-
-FAR = 1e6  # [m] beyond all walls
-STANDING = 0.2  # [m] a person who moved less than this in STANDING_TIME stands
-STANDING_TIME = 10.0  # [s]
 
 
 def side(start, end, places):

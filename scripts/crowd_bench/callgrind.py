@@ -14,6 +14,10 @@ from .core_benchmarks import PROGRAM, filter_of
 # What valgrind prints of an instruction that it does not emulate, and the innermost function that contains it.
 UNKNOWN_INSTRUCTION = re.compile(r'unhandled instruction bytes: .*|Unrecognised instruction at address .*')
 INNERMOST = re.compile(r'Unrecognised instruction at address .*\n==\d+== +at 0x\w+: (.*)')
+MOST_LINES, LEAST_SHARE = 12, 0.5  # of a table; [%]
+LINE = re.compile(r'^\s*[\d,]+ \(\s*([\d.]+)%\)\s+(?:\S*?:)?(.+?)(?: \[.*\])?$')
+LIBRARIES = 'mathematics, memory, the standard library'
+ARGUMENTS = re.compile(r'\(.*$')
 
 
 def why_not(program):
@@ -47,12 +51,6 @@ def collect(function, command, folder, environment=None):
     output_of(['valgrind', '--tool=callgrind', '--collect-atstart=no', '--quiet', f'--toggle-collect={function}',
                f'--callgrind-out-file={output}', *command], cwd=folder, env=environment)
     return output
-
-
-MOST_LINES, LEAST_SHARE = 12, 0.5  # of a table; [%]
-LINE = re.compile(r'^\s*[\d,]+ \(\s*([\d.]+)%\)\s+(?:\S*?:)?(.+?)(?: \[.*\])?$')
-LIBRARIES = 'mathematics, memory, the standard library'
-ARGUMENTS = re.compile(r'\(.*$')
 
 
 class Profile(typing.NamedTuple):

@@ -15,6 +15,12 @@ RANKS, LEARNERS, AGENTS = 2, 16, 100_000
 # Rates of the yardsticks in the program's output, by benchmark.
 YARDSTICKS = {'crowd_step_mpi_2': 'threads_rate', 'crowd_step_mpi_2_parts': 'parts_rate',
               'train_mpi_2': 'threads_rate'}
+PROGRAM, MAP_VARIABLE = 'core_benchmarks', 'SOCIAL_CROWD_BENCH_MAP'
+# Suffixes that Google Benchmark appends to a name.
+SUFFIX = re.compile(r'(/(iterations:\d+|repeats:\d+|min_time:[\d.]+|real_time|manual_time))+$')
+# Counters with the value of a run, and with the rate of its yardstick.
+VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', REAL_TIME: 'rate', MEGABYTES: 'megabytes', MILLISECONDS: 'real_time'}
+YARDSTICK = 'yardstick_rate'
 
 
 def run(folder, benchmark, repetitions):
@@ -38,14 +44,6 @@ def measure(program, ranks, size, repetitions):
                repetitions]
     output = output_of(command, env={**os.environ, 'OMPI_MCA_mpi_yield_when_idle': '1'})
     return [json.loads(line) for line in output.splitlines()]
-
-
-PROGRAM, MAP_VARIABLE = 'core_benchmarks', 'SOCIAL_CROWD_BENCH_MAP'
-# Suffixes that Google Benchmark appends to a name.
-SUFFIX = re.compile(r'(/(iterations:\d+|repeats:\d+|min_time:[\d.]+|real_time|manual_time))+$')
-# Counters with the value of a run, and with the rate of its yardstick.
-VALUES = {DECISIONS: 'rate', AGENT_STEPS: 'rate', REAL_TIME: 'rate', MEGABYTES: 'megabytes', MILLISECONDS: 'real_time'}
-YARDSTICK = 'yardstick_rate'
 
 
 class CoreBenchmarks:

@@ -94,10 +94,6 @@ def main(words=None):
     kind = kind_of(tools)
     if arguments.keep:
         write_kept(kind, counts)
-    return compare(kind, counts)
-
-
-def compare(kind, counts):
     kept = read_kept()
     if kind != kept['kind']:
         print(f"The counts are for '{kind}', the stored counts are for '{kept['kind']}'")

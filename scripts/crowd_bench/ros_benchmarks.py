@@ -17,6 +17,12 @@ from crowd_launching.program import end_all, free_port
 
 PATIENCE = 300.0  # [s] time limit of each command
 CLOCK_TICKS = os.sysconf('SC_CLK_TCK')  # per second, unit of the times in /proc
+Q_TABLE = REPOSITORY / 'config' / 'q_tables' / 'anticipation.txt'
+MAX_NEIGHBOURS = 16  # those of the Q-table's model
+NODELET = ['rosrun', 'nodelet', 'nodelet']
+WARM_UP, CROWD_TICKS, FEW_TICKS, TRIPS = 30, 250, 2500, 2500  # ticks; round trips
+REAL_TIME = 10.0  # [s]
+ROUNDS = 7  # the best of them counts, as it is the least disturbed one
 
 
 def program(name):
@@ -90,14 +96,6 @@ def cpu_seconds(processes):
     stats = [pathlib.Path(f'/proc/{process.pid}/stat').read_text(encoding='utf-8') for process in processes]
     fields = [text.rpartition(')')[2].split()[11:13] for text in stats]  # user and system
     return sum(int(ticks) for of_process in fields for ticks in of_process) / CLOCK_TICKS
-
-
-Q_TABLE = REPOSITORY / 'config' / 'q_tables' / 'anticipation.txt'
-MAX_NEIGHBOURS = 16  # those of the Q-table's model
-NODELET = ['rosrun', 'nodelet', 'nodelet']
-WARM_UP, CROWD_TICKS, FEW_TICKS, TRIPS = 30, 250, 2500, 2500  # ticks; round trips
-REAL_TIME = 10.0  # [s]
-ROUNDS = 7  # the best of them counts, as it is the least disturbed one
 
 
 def crowd_scenario():

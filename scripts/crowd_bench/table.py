@@ -14,6 +14,9 @@ DECISIONS, AGENT_STEPS, TICKS, REAL_TIME, MILLISECONDS, MEGABYTES, SHARE_OF_CORE
 FILE = pathlib.Path(__file__).with_name('benchmarks.yaml')
 # Units of which lower values are better; all other units are rates.
 COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
+HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
+LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
+HEADING = LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
 
 
 class Benchmark(typing.NamedTuple):
@@ -81,11 +84,6 @@ def fill(file, results, tables, repetitions):
         chapter.add_table(entry.title, header, rows, entry.name)
         chapter.add_figure(picture, entry.title)
     return fill_document(file, [chapter])
-
-
-HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
-LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
-HEADING = LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
 
 
 def quantity(value, unit, number=None):

@@ -13,6 +13,20 @@ from matplotlib.ticker import MaxNLocator
 
 EPISODE, SCENARIO = 'episode', 'scenario'
 WINDOWS = 50  # by default
+MOST_COLUMNS = 3  # of panels
+PANEL = 3.9, 2.9  # [inch]
+BAND_ALPHA = 0.2
+LEGEND_LINE = 0.22  # [inch]
+EXAMPLES = '''examples:
+  for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\
+      --output table_$seed.txt --log learning_$seed.csv; done
+  plot_learning learning_*.csv --output learning.png
+  plot_learning small=a_1.csv small=a_2.csv small=a_3.csv large=b_1.csv large=b_2.csv large=b_3.csv \\
+      --output comparison.png
+
+A curve is the mean over the runs of a label, in windows of episodes; the band is the 95 % confidence interval of the
+mean (Student's t). A single run has no band, and that of two runs is too wide to be of use. Trainings may still run: a
+row that is not complete yet is left out.'''
 
 
 class Run(typing.NamedTuple):
@@ -72,12 +86,6 @@ def band_of(label, runs, column, window):
     points = numpy.array([mean_interval(values.dropna()) for _, values in curves.items()])
     episodes = numpy.minimum(window * numpy.arange(1, len(points) + 1), episodes_of(runs))
     return Band(label, len(runs), episodes, *points.T)
-
-
-MOST_COLUMNS = 3  # of panels
-PANEL = 3.9, 2.9  # [inch]
-BAND_ALPHA = 0.2
-LEGEND_LINE = 0.22  # [inch]
 
 
 class Measure(typing.NamedTuple):
@@ -153,18 +161,6 @@ def draw_band(panel, band, measure, colour):
     panel.plot(band.episodes, mean, color=colour, linewidth=1.5, label=name,
                marker='o' if len(band.episodes) == 1 else None)
     panel.fill_between(band.episodes, low, high, color=colour, alpha=BAND_ALPHA, linewidth=0)
-
-
-EXAMPLES = '''examples:
-  for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\
-      --output table_$seed.txt --log learning_$seed.csv; done
-  plot_learning learning_*.csv --output learning.png
-  plot_learning small=a_1.csv small=a_2.csv small=a_3.csv large=b_1.csv large=b_2.csv large=b_3.csv \\
-      --output comparison.png
-
-A curve is the mean over the runs of a label, in windows of episodes; the band is the 95 % confidence interval of the
-mean (Student's t). A single run has no band, and that of two runs is too wide to be of use. Trainings may still run: a
-row that is not complete yet is left out.'''
 
 
 def measures_for(arguments, runs):

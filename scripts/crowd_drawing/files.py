@@ -9,6 +9,10 @@ from crowd_drawing.errors import InputError, complete_lines, read_documents
 from crowd_drawing.maps import read_map
 from crowd_experiments.tools import find_config
 
+HEADER = ['instance', 'tick', 'agent', 'x', 'y']
+DEFAULT_TICK = 0.1  # [s]
+DEFAULT_RADIUS = 0.25  # [m] of recorded people without a scenario
+
 
 class Population:
     """Areas of sources and sinks: their places; queues: line from the head; gates: wall, and when it is open."""
@@ -36,11 +40,6 @@ def is_open(periods, time):
     if isinstance(periods, bool):
         return periods
     return any(begin <= time < end for begin, end in periods)
-
-
-HEADER = ['instance', 'tick', 'agent', 'x', 'y']
-DEFAULT_TICK = 0.1  # [s]
-DEFAULT_RADIUS = 0.25  # [m] of recorded people without a scenario
 
 
 def shipped_scenarios():

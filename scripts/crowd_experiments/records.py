@@ -7,6 +7,8 @@ import numpy
 from crowd_drawing.errors import InputError, complete_lines, ended_lines
 
 TEXTS = ('scenario', 'robot')
+LEVEL = 0.95
+RESAMPLES = 2000
 
 
 def read_csv(file, grows=False):
@@ -116,10 +118,6 @@ class Spread:
         mean, deviated, low, high = (f'{value:.{decimals}f}' for value in
                                      (self.mean, self.deviation, self.low, self.high))
         return f'{mean} ± {deviated} ({low}-{high})' if deviation else f'{mean} ({low}-{high})'
-
-
-LEVEL = 0.95
-RESAMPLES = 2000
 
 
 def t_quantile(freedom):

@@ -17,6 +17,9 @@ from crowd_drawing.errors import InputError, read_documents
 
 WIDTH = 30
 PLAIN_PERIOD = 10.0  # [s] between two lines without a terminal
+# In a run's folder: digest of commands and input files; commands, their output, processor time.
+STAMP, LOG = 'done.txt', 'log.txt'
+PROCESSOR_TIME = 'processor time'
 
 
 class ProgressBar:
@@ -59,11 +62,6 @@ class ProgressBar:
 def text_of(seconds):
     """65 -> 1:05"""
     return f'{int(seconds) // 60}:{int(seconds) % 60:02d}'
-
-
-# In a run's folder: digest of commands and input files; commands, their output, processor time.
-STAMP, LOG = 'done.txt', 'log.txt'
-PROCESSOR_TIME = 'processor time'
 
 
 class RunError(InputError):

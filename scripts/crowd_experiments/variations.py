@@ -11,6 +11,9 @@ from crowd_drawing.files import shipped_scenarios
 
 from .tools import REPOSITORY
 
+DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)  # the faster implementation, if available
+EVERY = '*'  # in a path of keys: each entry of a list
+
 
 @dataclasses.dataclass(frozen=True)
 class Setting:
@@ -28,12 +31,6 @@ class Setting:
     def seeds(self, full, quick=2):
         return range(1, self.count(full, quick) + 1)
 
-    def tool(self, name):
-        return self.tools / name
-
-    def config_file(self, name):
-        return self.experiments / f'{name}.yaml'
-
     def scenario(self, name):
         return self.config / 'scenarios' / f'{name}.yaml'
 
@@ -46,13 +43,6 @@ class Setting:
     def run_folder(self, experiment, run):
         return self.results / 'runs' / experiment / run
 
-    def figure_file(self, name):
-        return self.results / 'figures' / f'{name}.png'
-
-
-DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)  # the faster implementation, if available
-EVERY = '*'  # in a path of keys: each entry of a list
-
 
 def vary_config(setting, base, changes, name, scenarios=None):
     """Writes a variation of the training configuration `base`, a name in config/experiments or a file. Returns the new
@@ -60,7 +50,7 @@ def vary_config(setting, base, changes, name, scenarios=None):
 
     Changes are new values by the paths of their keys, such as {'learning.epsilon': 0.05}; None removes a key.
     Scenarios, by default those of the base, are files relative to it, else the package's of these names."""
-    file = base if isinstance(base, pathlib.Path) else setting.config_file(base)
+    file = base if isinstance(base, pathlib.Path) else setting.experiments / f'{base}.yaml'
     config = changed(read_documents(file)[0], changes)
     training = config['training']
     shipped = shipped_scenarios()

@@ -14,6 +14,13 @@ from .shapes import ellipse, ellipsoid, join, limb, loft, write
 FRAMES = 8
 HIP_SWING = 24.0  # [degrees] to each side: with a leg of 0.88 m a cycle of 1.4 m
 ARM_SWING = 22.0
+THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when standing [m]
+UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
+EXAMPLE = '''Each build has a head, and for each picture of the walking cycle (frames 0 to 7, and 8: standing)
+a shirt and a mesh of the dark parts: hair, trousers or skirt, shoes.
+
+example:
+  scripts/draw_figures --output /tmp/meshes'''
 
 
 def bump(phase, middle, width):
@@ -40,10 +47,6 @@ def joints(frame):
         return [(0.0, 0.0, 0.0, 8.0)] * 2
     phase = (frame + 0.5) / FRAMES
     return [(*leg(part), *arm(part)) for part in (phase, (phase + 0.5) % 1.0)]
-
-
-THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when standing [m]
-UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
 
 
 class Build(typing.NamedTuple):
@@ -125,13 +128,6 @@ def make(folder):
             shapes[f'{build.name}_dark_{frame}'] = join(lower + up, hair(build))
             shapes[f'{build.name}_shirt_{frame}'] = shirt(build, frame) + up
     return [write(folder / f'{name}.stl', shape) for name, shape in shapes.items()]
-
-
-EXAMPLE = '''Each build has a head, and for each picture of the walking cycle (frames 0 to 7, and 8: standing)
-a shirt and a mesh of the dark parts: hair, trousers or skirt, shoes.
-
-example:
-  scripts/draw_figures --output /tmp/meshes'''
 
 
 def main(words=None):

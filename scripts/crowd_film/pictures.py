@@ -8,6 +8,10 @@ import numpy
 from crowd_drawing.errors import InputError
 
 QUALITY = '20'  # constant rate factor of x264: 0 is lossless, 51 the worst
+WHITE = 126  # its number in the palette of a GIF, after the other colours
+TRANSPARENT = 127
+NO_DITHER = 0  # the name differs between versions of PIL
+WEBP = {'quality': 80, 'method': 4}
 
 
 def need_ffmpeg():
@@ -40,12 +44,6 @@ def write_mp4(file, frames, _samples, duration):
     _, message = ffmpeg.communicate()
     if ffmpeg.returncode != 0:
         raise InputError(f"ffmpeg: {message.decode(errors='replace').strip()}")
-
-
-WHITE = 126  # its number in the palette of a GIF, after the other colours
-TRANSPARENT = 127
-NO_DITHER = 0  # the name differs between versions of PIL
-WEBP = {'quality': 80, 'method': 4}
 
 
 def write_gif(file, frames, samples, duration):

@@ -15,6 +15,21 @@ from crowd_film.stage import FramePainter, LEAST_WIDTH, Stage
 from crowd_recordings.shown import read_shown
 from matplotlib import pyplot
 
+WRITERS = {'.gif': write_gif, '.webp': write_webp, '.mp4': write_mp4}
+SAMPLES = 6  # frames that determine the palette of a GIF
+MEGABYTE = 1e6
+MOST_GIGABYTES = 1.5  # of all frames of a WebP film, which are kept until the last one is drawn
+SAFETY = 0.97  # of the size at the next attempt
+SHRINKAGE = 0.7  # of the logarithm of the sides for that of the bytes; 0.5 would be that of an area
+EXAMPLES = '''examples:
+  film place_station --start 20 --duration 40 --output station.gif
+  film place_office --speed 8 --max-size 3 --output office.webp
+  film circle6 --trajectories recordings/circle6.csv --output circle6.mp4
+  film --trajectories obsmat.txt --duration 60 --output people.gif
+
+One episode is walked with `evaluate`, or a recording of `evaluate --trajectories` is shown. MP4 needs ffmpeg.
+Robots are shown at their start.'''
+
 
 def walk(scenario, evaluate, table, seed, folder):
     """Walks one episode with `evaluate`. Returns the scene as drawn, and the Tracks by agent. Raises RunError."""
@@ -23,14 +38,6 @@ def walk(scenario, evaluate, table, seed, folder):
     output_of([evaluate, '--q-table', table, '--episodes', 1, '--seed', seed, '--trajectories', folder, '--scenes',
                folder, file])
     return read_shown(folder / f'{file.stem}.csv', folder / file.name)[:2]
-
-
-WRITERS = {'.gif': write_gif, '.webp': write_webp, '.mp4': write_mp4}
-SAMPLES = 6  # frames that determine the palette of a GIF
-MEGABYTE = 1e6
-MOST_GIGABYTES = 1.5  # of all frames of a WebP film, which are kept until the last one is drawn
-SAFETY = 0.97  # of the size at the next attempt
-SHRINKAGE = 0.7  # of the logarithm of the sides for that of the bytes; 0.5 would be that of an area
 
 
 @dataclasses.dataclass(frozen=True)
@@ -106,16 +113,6 @@ def shoot(file, settings, scene, tracks, times):
         bar.end()
         pyplot.close(stage.figure)
     return stage.width, stage.height
-
-
-EXAMPLES = '''examples:
-  film place_station --start 20 --duration 40 --output station.gif
-  film place_office --speed 8 --max-size 3 --output office.webp
-  film circle6 --trajectories recordings/circle6.csv --output circle6.mp4
-  film --trajectories obsmat.txt --duration 60 --output people.gif
-
-One episode is walked with `evaluate`, or a recording of `evaluate --trajectories` is shown. MP4 needs ffmpeg.
-Robots are shown at their start.'''
 
 
 def produce(arguments):

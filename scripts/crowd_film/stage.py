@@ -18,6 +18,11 @@ EDGE = 10  # [pixels] at the left and right of texts
 FONT_SIZE = 9.5
 BAR_SHARE = 0.22  # greatest length of the scale bar, as a share of the width
 BAR_LENGTHS = (1, 2, 5, 10, 20, 50, 100)  # [m]
+TRAIL = 2.5  # [s]
+TRAIL_POINTS = 9
+NOSE = 0.09  # [m] width of the line that shows a heading
+CIRCLE = numpy.array([(math.cos(angle), math.sin(angle)) for angle in numpy.linspace(0, 2 * math.pi, 33)])
+OPEN, SHUT = (0, (1, 2)), '-'  # line styles of gates
 
 
 class Stage:
@@ -85,13 +90,6 @@ class Stage:
 def even(number):
     """Returns the nearest even number; most video formats need even sides."""
     return 2 * round(number / 2)
-
-
-TRAIL = 2.5  # [s]
-TRAIL_POINTS = 9
-NOSE = 0.09  # [m] width of the line that shows a heading
-CIRCLE = numpy.array([(math.cos(angle), math.sin(angle)) for angle in numpy.linspace(0, 2 * math.pi, 33)])
-OPEN, SHUT = (0, (1, 2)), '-'  # line styles of gates
 
 
 class FramePainter:

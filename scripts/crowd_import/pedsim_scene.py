@@ -7,6 +7,11 @@ import xml.parsers.expat
 
 from crowd_drawing.errors import InputError
 
+SIMPLE, SOURCE, SINK = 0, 1, 2  # behaviours of a waypoint
+ADULT, CHILD, ROBOT, ELDER = 0, 1, 2, 3  # types of agents
+TYPE_NAMES = {ADULT: 'adult', CHILD: 'child', ROBOT: 'robot', ELDER: 'elder'}
+ROUTE_PARTS = ('addwaypoint', 'addqueue')
+
 
 @dataclasses.dataclass
 class Element:
@@ -75,12 +80,6 @@ def read_root(file):
         message = str(error) if reason is None else xml.parsers.expat.ErrorString(reason)
         raise InputError(f'{file}:{parser.CurrentLineNumber}: not XML: {message}') from None
     return document.children[0]
-
-
-SIMPLE, SOURCE, SINK = 0, 1, 2  # behaviours of a waypoint
-ADULT, CHILD, ROBOT, ELDER = 0, 1, 2, 3  # types of agents
-TYPE_NAMES = {ADULT: 'adult', CHILD: 'child', ROBOT: 'robot', ELDER: 'elder'}
-ROUTE_PARTS = ('addwaypoint', 'addqueue')
 
 
 class Waypoint:

@@ -19,6 +19,8 @@ SERVICE = [0.2, 1.8]  # [s] with the mean of pedsim_ros's gamma distribution, 1
 GAP = 0.05  # [m] between bodies at the start
 DENSEST = 0.4  # greatest share of an area that discs at random places may cover
 REASONS = {'attraction': 'people do not stop at attractions', 'welcome': 'has no meaning in pedsim_ros'}
+EXAMPLES = '''example:
+  rosrun social_crowd pedsim_import hall.xml --output hall.yaml --duration 120'''
 
 
 def number(value):
@@ -164,10 +166,6 @@ class Conversion:
         if stop.name in self.sinks:
             return {'sink': stop.name}
         return {'queue': stop.name} if isinstance(stop, Queue) else {'place': ring(stop)}
-
-
-EXAMPLES = '''example:
-  rosrun social_crowd pedsim_import hall.xml --output hall.yaml --duration 120'''
 
 
 def scenario_of(conversion, source, name, duration):

@@ -5,6 +5,9 @@ import signal
 import socket
 import subprocess
 
+STOPS = {signal.SIGINT, signal.SIGTERM}
+PATIENCE = 20.0  # [s] time for roslaunch to stop this process
+
 
 class Program:
     """A running program, to which SIGINT and SIGTERM are forwarded."""
@@ -34,10 +37,6 @@ def free_port():
     with socket.socket() as probe:
         probe.bind(('127.0.0.1', 0))
         return probe.getsockname()[1]
-
-
-STOPS = {signal.SIGINT, signal.SIGTERM}
-PATIENCE = 20.0  # [s] time for roslaunch to stop this process
 
 
 def end_launch():

@@ -12,6 +12,22 @@ from crowd_drawing.errors import InputError, check_output, replaced
 from crowd_drawing.files import DEFAULT_TICK, HEADER, collect, numbers_of, read_walks
 from crowd_experiments.arguments import above_zero, add_file, parser_of, whole
 
+COLUMNS, PERIOD = 8, 0.4  # of obsmat.txt; [s] between two annotated frames
+OBSMAT_COLUMNS = 'frame, person, x, z, y, vx, vz and vy'
+RATE = re.compile(r'framerate\s*:?\s*([-+.\deE]+)')
+CENTIMETRES = re.compile(r'[xX]/cm|in cm')
+JUPEDSIM_COLUMNS = 'id, frame, x and y'
+# Head and line of a file of one instance, as evaluate or JuPedSim write it, by its ending. The numbers are read as the
+# same bits.
+WRITTEN = {'.csv': (','.join(HEADER) + '\n', '0,{frame},{person},{x!r},{y!r}\n'),
+           '.txt': ('# description: social_crowd trajectories\n# framerate: {rate}\n# id frame x/m y/m z/m\n',
+                    '{person} {frame} {x!r} {y!r} 0\n')}
+EXAMPLES = '''examples:
+  convert_trajectories recordings/circle6.csv --output circle6.txt      for PedPy and JuPedSim
+  convert_trajectories obsmat.txt --output people.csv                   for plot_paths; film needs --frame-rate 2.5
+
+A CSV file has no frame rate: give it with --frame-rate, unless it is 10 Hz (a tick of 0.1 s).'''
+
 
 @dataclasses.dataclass(frozen=True)
 class Recording:
@@ -23,10 +39,6 @@ class Recording:
     def at_rate(self, frame_rate):
         """Returns the same recording with a frame rate [Hz] in place of that of the file, if it is not None."""
         return self if frame_rate is None else dataclasses.replace(self, frame_duration=1 / frame_rate)
-
-
-COLUMNS, PERIOD = 8, 0.4  # of obsmat.txt; [s] between two annotated frames
-OBSMAT_COLUMNS = 'frame, person, x, z, y, vx, vz and vy'
 
 
 def read_obsmat(file, stream):
@@ -44,11 +56,6 @@ def read_obsmat(file, stream):
     annotated = steps.most_common(1)[0][0] if steps else step  # frames between two rows of a person
     return Recording({person: [((frame - frames[0]) // step, x, y) for frame, x, y in walk]
                       for person, walk in walks.items()}, PERIOD / (annotated / step))
-
-
-RATE = re.compile(r'framerate\s*:?\s*([-+.\deE]+)')
-CENTIMETRES = re.compile(r'[xX]/cm|in cm')
-JUPEDSIM_COLUMNS = 'id, frame, x and y'
 
 
 def read_jupedsim(file, stream):
@@ -86,13 +93,6 @@ def read_recording(file, instance=None):
                      'JuPedSim (comments with #, then id frame x y z), or the 8 columns of obsmat.txt')
 
 
-# Head and line of a file of one instance, as evaluate or JuPedSim write it, by its ending. The numbers are read as the
-# same bits.
-WRITTEN = {'.csv': (','.join(HEADER) + '\n', '0,{frame},{person},{x!r},{y!r}\n'),
-           '.txt': ('# description: social_crowd trajectories\n# framerate: {rate}\n# id frame x/m y/m z/m\n',
-                    '{person} {frame} {x!r} {y!r} 0\n')}
-
-
 def write_recording(file, recording):
     """Writes a recording in the format of the file's ending; the file appears when it is complete. Raises OSError."""
     head, line = WRITTEN[file.suffix.lower()]
@@ -101,13 +101,6 @@ def write_recording(file, recording):
         for frame, person, x, y in sorted((frame, person, x, y) for person, walk in recording.walks.items()
                                           for frame, x, y in walk):
             stream.write(line.format(frame=frame, person=person, x=x, y=y))
-
-
-EXAMPLES = '''examples:
-  convert_trajectories recordings/circle6.csv --output circle6.txt      for PedPy and JuPedSim
-  convert_trajectories obsmat.txt --output people.csv                   for plot_paths; film needs --frame-rate 2.5
-
-A CSV file has no frame rate: give it with --frame-rate, unless it is 10 Hz (a tick of 0.1 s).'''
 
 
 def main(words=None):

@@ -22,6 +22,10 @@ from std_srvs.srv import SetBool, SetBoolResponse
 FRAME = 'map'
 LONGEST_TICK = 0.1  # [s] between two messages; recordings with fewer frames are interpolated
 OCCUPIED, FREE, UNKNOWN = 100, 0, -1
+DEFAULTS = {'trajectories': '', 'scenario': '', 'instance': 0, 'frame_rate': 0.0, 'rate': 1.0, 'loop': False,
+            'paused': False, 'delay': 0.2, 'stay': False}
+QUEUE = 100  # messages
+PATIENCE = 0.1  # [s] between two looks while it is paused
 
 
 class Messages:
@@ -91,12 +95,6 @@ def grid_of(floor, stamp):
     return OccupancyGrid(Header(stamp=stamp, frame_id=FRAME),
                          MapMetaData(stamp, floor.resolution, cells.shape[1], cells.shape[0], origin),
                          cells.ravel().tolist())
-
-
-DEFAULTS = {'trajectories': '', 'scenario': '', 'instance': 0, 'frame_rate': 0.0, 'rate': 1.0, 'loop': False,
-            'paused': False, 'delay': 0.2, 'stay': False}
-QUEUE = 100  # messages
-PATIENCE = 0.1  # [s] between two looks while it is paused
 
 
 class Replay:

@@ -11,6 +11,13 @@ from crowd_experiments.style import new_figure, save
 STEP = 0.5  # [s] between two moments that are measured; people hardly move in a tick
 RADIUS = 2.0  # [m] of the disc in which people are counted
 SPAN = 1.0  # [s] over which speeds are measured
+WIDTH = 5.6  # [inch] of a panel
+ROOM = 0.5  # [inch] for its title
+MOST_COLUMNS = 3  # of panels
+TITLE_WIDTH = 44  # [characters]
+BIN = 0.1  # [m] of the histogram
+FARTHEST = 4.0  # [m]
+MOST_OPAQUE = 30  # paths; more are paler
 
 
 def separations(track, tick):
@@ -57,15 +64,6 @@ def speed_by_density(speeds, densities, least=20):
     rows = [(density, speeds[densities == density]) for density in numpy.unique(densities)]
     return numpy.array([(density, values.mean(), values.std()) for density, values in rows
                         if len(values) >= least]).reshape(-1, 3)
-
-
-WIDTH = 5.6  # [inch] of a panel
-ROOM = 0.5  # [inch] for its title
-MOST_COLUMNS = 3  # of panels
-TITLE_WIDTH = 44  # [characters]
-BIN = 0.1  # [m] of the histogram
-FARTHEST = 4.0  # [m]
-MOST_OPAQUE = 30  # paths; more are paler
 
 
 def scenario_of(file):

@@ -11,6 +11,16 @@ from crowd_report.figures import draw_paths, draw_separations, draw_speeds, scen
 from crowd_report.tables import (HEADERS, LOG, METRICS, RECORD, TRAJECTORIES, comparison_rows, metrics_rows, of_kind,
                                  source_of)
 
+EXAMPLES = '''examples:
+  for table in anticipation human; do mkdir -p $table
+      rosrun social_crowd evaluate --q-table config/q_tables/$table.txt --episodes 20 \\
+      --csv $table/metrics.csv --record $table/record.csv --trajectories $table circle6 place_corner; done
+  report anticipation/*.csv human/*.csv --output report.html
+  report one=a/metrics.csv other=b/metrics.csv --training one=a/learning.csv other=b/learning.csv --output report.html
+
+The kind of a file is recognised by its header: ''' + '; '.join(program for _, program in HEADERS.values()) + '''.
+Files with the same label are runs of the same thing, such as seeds; the default label is the name of the folder.'''
+
 
 def metrics_chapter(groups):
     if not groups:
@@ -68,17 +78,6 @@ def walking_chapters(groups, folder):
             'people within 2 m, including the person, divided by the area. Bars: standard deviation; at least 20 '
             f'values each.{note}')
     return [paths, *([crowding] if crowding.parts else [])]
-
-
-EXAMPLES = '''examples:
-  for table in anticipation human; do mkdir -p $table
-      rosrun social_crowd evaluate --q-table config/q_tables/$table.txt --episodes 20 \\
-      --csv $table/metrics.csv --record $table/record.csv --trajectories $table circle6 place_corner; done
-  report anticipation/*.csv human/*.csv --output report.html
-  report one=a/metrics.csv other=b/metrics.csv --training one=a/learning.csv other=b/learning.csv --output report.html
-
-The kind of a file is recognised by its header: ''' + '; '.join(program for _, program in HEADERS.values()) + '''.
-Files with the same label are runs of the same thing, such as seeds; the default label is the name of the folder.'''
 
 
 def write_report(output, title, sources, training):

@@ -16,6 +16,15 @@ HEADERS = {METRICS: ('scenario,instances,success_pct', '`evaluate --csv`'),
            LOG: ('episode,scenario,agents', '`train --log`'),
            RECORD: ('episode,scenario,agent', '`train` or `evaluate --record`'),
            TRAJECTORIES: (','.join(HEADER), '`evaluate --trajectories`')}
+# Column of `evaluate --csv`, title, decimals.
+METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%]', 1),
+                  ('collision_pct', 'collision [%]', 1), ('path_ratio', 'path', 3), ('time_ratio', 'time', 3),
+                  ('turn_rad_per_m', 'turning [rad/m]', 2), ('blocked_per_agent', 'blocked', 2)]
+# Column of a record, title, factor, decimals.
+MEASURES = [('arrived', 'success [%]', 100, 1), ('touched', 'contact [%]', 100, 1),
+            ('collided', 'collision [%]', 100, 1), ('path_ratio', 'path', 1, 3), ('time_ratio', 'time', 1, 3),
+            ('turn_per_metre', 'turning [rad/m]', 1, 2)]
+OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people who have arrived, as in the metrics
 
 
 class Source(typing.NamedTuple):
@@ -53,17 +62,6 @@ def of_kind(sources, kind):
         if source.kind == kind:
             found.setdefault(source.label, []).append(source)
     return found
-
-
-# Column of `evaluate --csv`, title, decimals.
-METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%]', 1),
-                  ('collision_pct', 'collision [%]', 1), ('path_ratio', 'path', 3), ('time_ratio', 'time', 3),
-                  ('turn_rad_per_m', 'turning [rad/m]', 2), ('blocked_per_agent', 'blocked', 2)]
-# Column of a record, title, factor, decimals.
-MEASURES = [('arrived', 'success [%]', 100, 1), ('touched', 'contact [%]', 100, 1),
-            ('collided', 'collision [%]', 100, 1), ('path_ratio', 'path', 1, 3), ('time_ratio', 'time', 1, 3),
-            ('turn_per_metre', 'turning [rad/m]', 1, 2)]
-OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people who have arrived, as in the metrics
 
 
 def metrics_rows(groups):

@@ -14,6 +14,18 @@ from crowd_launching.program import end_all, free_port
 SIZE = '1280x800x24'
 PATIENCE = 120.0  # [s]
 PERIOD = 0.2  # [s] between two looks
+RVIZ = pathlib.Path(__file__).resolve().parents[2] / 'rviz' / 'social_crowd.rviz'
+SMOOTH = 'anti_aliasing:=true'
+CROWD = 'scenario:=circle6_obstacle', 'paused:=true', 'mode:=training', 'epsilon:=0.05', SMOOTH
+TICKS = 25  # walked before a picture
+# Places on the screen with the window of rviz/social_crowd.rviz [pixels].
+DRAW_WALL, WALL = (690, 42), ((580, 300), (1050, 270))
+ADD_AGENT, AGENT = (476, 42), ((520, 660), (1120, 560))
+# Around the chosen agent; and the floor [pixels: width, height, left, top].
+VALUES_CROP, PEOPLE_CROP = (460, 400, 800, 220), (890, 600, 366, 84)
+# From a corner of the hall of the station, over the gates.
+PEOPLE_VIEW = {'Class': 'rviz/Orbit', 'Target Frame': 'map', 'Distance': 16, 'Pitch': 0.5, 'Yaw': 5.0,
+               'Focal Point': {'X': 24, 'Y': 15, 'Z': 0.5}}
 
 
 class Desk:
@@ -80,20 +92,6 @@ class Desk:
             raise RunError(f'{file} cannot be written')
         shutil.copyfile(fresh, file)
         return file
-
-
-RVIZ = pathlib.Path(__file__).resolve().parents[2] / 'rviz' / 'social_crowd.rviz'
-SMOOTH = 'anti_aliasing:=true'
-CROWD = 'scenario:=circle6_obstacle', 'paused:=true', 'mode:=training', 'epsilon:=0.05', SMOOTH
-TICKS = 25  # walked before a picture
-# Places on the screen with the window of rviz/social_crowd.rviz [pixels].
-DRAW_WALL, WALL = (690, 42), ((580, 300), (1050, 270))
-ADD_AGENT, AGENT = (476, 42), ((520, 660), (1120, 560))
-# Around the chosen agent; and the floor [pixels: width, height, left, top].
-VALUES_CROP, PEOPLE_CROP = (460, 400, 800, 220), (890, 600, 366, 84)
-# From a corner of the hall of the station, over the gates.
-PEOPLE_VIEW = {'Class': 'rviz/Orbit', 'Target Frame': 'map', 'Distance': 16, 'Pitch': 0.5, 'Yaw': 5.0,
-               'Focal Point': {'X': 24, 'Y': 15, 'Z': 0.5}}
 
 
 def drag(desk, tool, begin, end, drop):

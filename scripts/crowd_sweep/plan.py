@@ -17,6 +17,23 @@ from crowd_report.program import write_report
 from crowd_report.tables import METRICS, RECORD, Source, TRAJECTORIES
 from crowd_sweep.sweep_file import read_sweep
 
+TABLE, LEARNING, METRICS_FILE, RECORD_FILE = 'table.txt', 'learning.csv', 'metrics.csv', 'record.csv'
+ONE_THREAD = ['--threads', 1]  # runs are parallel
+REPORT = 'report.html'
+EXAMPLES = '''example of FILE.yaml:
+  config: config/learning/anticipation.yaml   # or q_table: FILE, to evaluate without training
+  parameters:                                 # of the configuration; every combination is run
+    learning.gamma: [0.5, 0.92]
+    learning.epsilon: [0.05, 0.2]
+  seeds: 3                                    # 1 to 3, or a list
+  train: {episodes: 500}
+  evaluate: {scenarios: [circle6, training_field], episodes: 20, seed: 1000}
+
+  sweep FILE.yaml --jobs 4 --results results/gamma
+
+Completed runs are kept unless a program, configuration or scenario has changed; after Ctrl-C the same command continues
+from there.'''
+
 
 def check_configurations(sweep, setting, members):
     """Trains one episode with each combination that has runs to do. Raises InputError if one is refused."""
@@ -27,7 +44,7 @@ def check_configurations(sweep, setting, members):
         for i, (label, member) in enumerate(sorted(first.items(), key=lambda item: members.index(item[1])), 1):
             print(f'sweep: checking configuration {i} of {len(first)}', file=sys.stderr, flush=True)
             config = member.run.commands[0][1]
-            command = [setting.tool('train'), config, '--episodes', 1, '--threads', 1, '--output',
+            command = [setting.tools / 'train', config, '--episodes', 1, '--threads', 1, '--output',
                        pathlib.Path(folder, 'table.txt')]
             done = subprocess.run(list(map(str, command)), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                   stderr=subprocess.PIPE, check=False)
@@ -35,10 +52,6 @@ def check_configurations(sweep, setting, members):
                 message = done.stderr.decode(errors='replace').strip().splitlines()[-1:] or ['no message']
                 cause = message[0].replace('train: ', '', 1).replace(f'{config}: ', '', 1)
                 raise InputError(f'{sweep.file}: {label}: the configuration is refused: {cause}')
-
-
-TABLE, LEARNING, METRICS_FILE, RECORD_FILE = 'table.txt', 'learning.csv', 'metrics.csv', 'record.csv'
-ONE_THREAD = ['--threads', 1]  # runs are parallel
 
 
 class Member(typing.NamedTuple):
@@ -84,9 +97,9 @@ def run_of(sweep, setting, name, config, scenarios, seed):
     if config:
         table = TABLE
         episodes = ['--episodes', sweep.train_episodes] if sweep.train_episodes else []
-        commands.append([setting.tool('train'), config, '--seed', seed, '--output', TABLE, '--record', LEARNING,
+        commands.append([setting.tools / 'train', config, '--seed', seed, '--output', TABLE, '--record', LEARNING,
                          *episodes, *ONE_THREAD])
-    evaluate = [setting.tool('evaluate'), '--q-table', table, '--seed',
+    evaluate = [setting.tools / 'evaluate', '--q-table', table, '--seed',
                 seed if sweep.evaluate_seed is None else sweep.evaluate_seed, *ONE_THREAD]
     commands.append([*evaluate, '--episodes', sweep.episodes, '--csv', METRICS_FILE, '--record', RECORD_FILE,
                      *scenarios])
@@ -94,22 +107,6 @@ def run_of(sweep, setting, name, config, scenarios, seed):
         commands.append([*evaluate, '--episodes', 1, '--trajectories', TRAJECTORIES, '--scenes', TRAJECTORIES,
                          *scenarios])
     return Run(pathlib.Path(setting.run_folder(name, f'seed_{seed}')), commands)
-
-
-REPORT = 'report.html'
-EXAMPLES = '''example of FILE.yaml:
-  config: config/learning/anticipation.yaml   # or q_table: FILE, to evaluate without training
-  parameters:                                 # of the configuration; every combination is run
-    learning.gamma: [0.5, 0.92]
-    learning.epsilon: [0.05, 0.2]
-  seeds: 3                                    # 1 to 3, or a list
-  train: {episodes: 500}
-  evaluate: {scenarios: [circle6, training_field], episodes: 20, seed: 1000}
-
-  sweep FILE.yaml --jobs 4 --results results/gamma
-
-Completed runs are kept unless a program, configuration or scenario has changed; after Ctrl-C the same command continues
-from there.'''
 
 
 def sources_of(members):

@@ -11,6 +11,13 @@ from matplotlib.colors import LogNorm, Normalize
 
 MOST_LABELS = 26  # of an axis
 TEXT_WIDTH = 150  # [characters]
+UNVISITED = '0.88'  # colour
+OUTLIERS = 2  # [%] of the values at each end that have the colours of the ends
+MOST_ARROWS = 400
+VALUE_OF = {'anticipation': 'mean value of the row, weighted by visits'}
+# Size of a panel [inch], and panels side by side; by state set.
+SHAPES = {'nearest_obstacle': (5.6, 6.2, 2), 'anticipation': (15.5, 5.2, 1)}
+SHAPE_OF_MANY = (3.5, 3.1, 4)
 
 
 def arranged(meaning, numbers):
@@ -88,15 +95,6 @@ def explanation(meaning):
             lines += textwrap.wrap(f"{title}: {', within each of these '.join(parts)}.", TEXT_WIDTH,
                                    subsequent_indent='    ')
     return '\n'.join(lines)
-
-
-UNVISITED = '0.88'  # colour
-OUTLIERS = 2  # [%] of the values at each end that have the colours of the ends
-MOST_ARROWS = 400
-VALUE_OF = {'anticipation': 'mean value of the row, weighted by visits'}
-# Size of a panel [inch], and panels side by side; by state set.
-SHAPES = {'nearest_obstacle': (5.6, 6.2, 2), 'anticipation': (15.5, 5.2, 1)}
-SHAPE_OF_MANY = (3.5, 3.1, 4)
 
 
 def draw_table(file, table, meaning, title):

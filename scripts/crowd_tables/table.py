@@ -10,6 +10,10 @@ import numpy
 import yaml
 from crowd_drawing.errors import InputError
 
+MAGIC = 'social_crowd Q-table 1'
+NEEDED = ('state_set', 'action_set', 'rows', 'actions', 'visited_rows')
+MOST_VALUES = 10**8  # of a table; they have to fit in memory
+
 
 def row_visits(table):
     return table.visits.sum(axis=1)
@@ -31,11 +35,6 @@ def row_values(table, kind):
 def greedy_actions(table):
     """Returns the action with the highest value in each row, the first of several; 0 without a visit."""
     return table.values.argmax(axis=1)
-
-
-MAGIC = 'social_crowd Q-table 1'
-NEEDED = ('state_set', 'action_set', 'rows', 'actions', 'visited_rows')
-MOST_VALUES = 10**8  # of a table; they have to fit in memory
 
 
 class Table(typing.NamedTuple):

@@ -36,7 +36,7 @@ def run_folder(setting, model, seed):
 def scored_run(setting):
     """Returns a run that evaluates the shipped table with `evaluate` and with the benchmark's scorer."""
     return Run(setting.run_folder(NAME, 'scored'), [
-        [setting.tool('evaluate'), '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
+        [setting.tools / 'evaluate', '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
          '--trajectories', 'trajectories', *scenarios_of(setting)],
         [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
          'scored.csv']], cost=20.0)

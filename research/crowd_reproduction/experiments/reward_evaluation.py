@@ -5,7 +5,7 @@ from crowd_experiments.variations import heading_of, read_documents
 
 from ..results import PARAMETERS, PARAMETER_NAMES, RATES, RATE_HEADER, REWARDS, REWARD_NAMES, Runs, report_of
 from ..reward_figures import add_figures
-from ..reward_measures import (MODES, THESIS_SUCCESS, collision, contact, gain_per_step, learned, longer, of_mode,
+from ..reward_measures import (MODES, THESIS_SUCCESS, collision, contact, gain_per_step, learned, of_mode,
                                path_per_gain, path_ratio, success, turning)
 
 # Requirements for the better parameters in demo [%].
@@ -33,9 +33,10 @@ def report(setting):
         for heading, of_reward in headings(setting).items() for mode in MODES for reward in REWARDS])
     chapter.say('nearest', **nearest(setting))
     chapter.tabulate('more_training', ['', *RATE_HEADER], [
-        [row_name('thesis', f'{episodes} training episodes', mode, reward), *cells(trained(setting, reward), mode)]
-        for trained, episodes in ((learned, setting.count('2,000', 40)), (longer, setting.count('8,000', 80)))
-        for mode in MODES for reward in REWARDS])
+        [row_name('thesis', f'{episodes} training episodes', mode, reward), *cells(runs, mode)]
+        for episodes, found in ((setting.count('2,000', 40), lambda reward: learned(setting, reward)),
+                                (setting.count('8,000', 80), lambda reward: Runs.of(setting, 'longer', reward=reward)))
+        for mode in MODES for reward in REWARDS for runs in [found(reward)]])
     chapter.say('requirements', words='; '.join(requirement(setting, reward) for reward in REWARDS),
                 mean=LEAST_MEAN_SUCCESS, least=LEAST_SUCCESS, contact=MOST_CONTACT)
     return chapter
