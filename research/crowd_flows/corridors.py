@@ -37,12 +37,10 @@ class Corridor:
 
     @property
     def columns(self):
-        """The columns of density and speed of the measurements."""
         return 'density_per_m' if self.is_single else 'density_per_m2', 'speed_m_per_s'
 
     @property
     def edges(self):
-        """The limits of the bins of densities."""
         return numpy.arange(0.0, *self.bins)
 
     def per_length(self, density):
@@ -83,7 +81,6 @@ def displaced(points, along, half_width, random):
 
 
 def document(corridor, density, seed):
-    """Returns the scenario of a corridor as a YAML document."""
     random = numpy.random.default_rng([seed, round(1000 * density)])
     half = corridor.width / 2.0
     ends = f'{-2 * BEYOND:g}', f'{2 * BEYOND:g}'

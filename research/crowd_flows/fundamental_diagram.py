@@ -77,7 +77,12 @@ def plot(crowds, data, file, corridors=CORRIDORS):
     for panel, corridor in zip(axes.flat, corridors):
         draw_measured(panel, corridor, read_columns(data / corridor.data, *corridor.columns))
         for (name, values), colour in zip(crowds.items(), COLOURS):
-            draw_means(panel, corridor, values[corridor.name], colour, name)
+            found = values[corridor.name]
+            panel.plot(*found.T, '.', color=colour, markersize=2, alpha=0.3)
+            bins = numpy.digitize(found[:, 0], corridor.edges) - 1
+            means = [(middle, found[bins == i, 1].mean()) for i, middle in enumerate(middles(corridor))
+                     if (bins == i).sum() >= LEAST_IN_BIN]
+            panel.plot(*zip(*means), 'o-', color=colour, markersize=4, label=name)
         panel.set(title=corridor.title, xlim=(0.0, corridor.edges[-1]), ylim=(0.0, 1.75), ylabel='speed [m/s]',
                   xlabel='density [1/m]' if corridor.is_single else 'density [1/m²]')
     axes[0][0].legend(loc='upper right', fontsize=8)
@@ -85,7 +90,6 @@ def plot(crowds, data, file, corridors=CORRIDORS):
 
 
 def draw_measured(panel, corridor, measured):
-    """Draws the measurements, their band, and Weidmann's relation."""
     panel.plot(*measured.T, '.', color='0.8', markersize=2, label='people')
     known = [(middle, band) for middle, band in zip(middles(corridor), bands(measured, corridor.edges)) if band]
     panel.fill_between([middle for middle, _ in known], [band.low for _, band in known],
@@ -96,15 +100,5 @@ def draw_measured(panel, corridor, measured):
         panel.plot(densities, weidmann(densities), '--', color=style.REFERENCE, linewidth=1, label='Weidmann')
 
 
-def draw_means(panel, corridor, values, colour, name):
-    """Draws the values of a crowd and their means in the bins of densities."""
-    panel.plot(*values.T, '.', color=colour, markersize=2, alpha=0.3)
-    bins = numpy.digitize(values[:, 0], corridor.edges) - 1
-    means = [(middle, values[bins == i, 1].mean()) for i, middle in enumerate(middles(corridor))
-             if (bins == i).sum() >= LEAST_IN_BIN]
-    panel.plot(*zip(*means), 'o-', color=colour, markersize=4, label=name)
-
-
 def middles(corridor):
-    """Middles of the bins of densities."""
     return (corridor.edges[:-1] + corridor.edges[1:]) / 2.0

@@ -16,7 +16,6 @@ EXAMPLES = '''examples:
 
 
 def fnv1a(data):
-    """Returns the 64-bit FNV-1a hash of bytes."""
     value = FNV_OFFSET
     for byte in data:
         value = (value ^ byte) * FNV_PRIME & 0xffffffffffffffff
@@ -37,7 +36,6 @@ def with_time_gap(contents, time_gap, width):
 
 
 def add_time_gap(q_table, output, time_gap, width):
-    """Writes a copy of a Q-table file whose agents keep a time gap [s]."""
     output.write_bytes(with_time_gap(q_table.read_bytes(), time_gap, width))
 
 

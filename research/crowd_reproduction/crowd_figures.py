@@ -111,13 +111,11 @@ def rates_sentence(runs, scenario, *_):
 
 
 def best_of(runs, scenario):
-    """Returns the best recorded episode of all seeds."""
     order = ['not_arrived', 'collided', 'touched', 'ticks']
     return [recorded(runs, scenario).sort_values(order, kind='stable').index[0]]
 
 
 def outcome_sentence(runs, scenario, episode, *_):
-    """Returns a text with the outcome of an episode of twelve agents."""
     row = recorded(runs, scenario).loc[episode].astype(int)
     return (f'{row.arrived} of 12 arrive, {row.collided} collide, {row.touched} have a contact, {row.ticks} decisions')
 
@@ -136,7 +134,6 @@ def worst_of(runs, scenario):
 
 
 def worst_sentence(runs, scenario, episode, _moments=None, marked=None):
-    """Returns a text with the outcome of the worst episode."""
     return outcome_sentence(runs, scenario, episode) + (
         ', no agent is surrounded' if marked is None else f', agent {marked} is surrounded')
 

@@ -95,6 +95,5 @@ def surrounded(runs, scenario, instances=numpy.inf):
 
 
 def by_visits(runs, scenario, least_sectors):
-    """Returns the outcomes by classes of visits, a table for each seed."""
     return [measures.by_visits(runs.decisions(seed, scenario), runs.visits(seed), list(VISIT_CLASSES), SOON,
                                least_sectors) for seed in runs.seeds()]

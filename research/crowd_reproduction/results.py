@@ -69,7 +69,6 @@ def scenario_file(setting, name, variation=None):
 
 
 def config_file(setting, name, variation):
-    """Returns the file of a training configuration, as changed by a variation."""
     changes = VARIATIONS.get(variation, {})
     scenarios = [scenario_file(setting, 'single_obstacle', variation)] if 'scenario' in changes else None
     if 'config' in changes or scenarios:
@@ -78,7 +77,6 @@ def config_file(setting, name, variation):
 
 
 def words_of(setting, word, keys):
-    """Returns what a word of a declared command stands for."""
     variation = keys.get('variation')
     if word.startswith('@'):
         return [config_file(setting, word[1:], variation)]
@@ -167,7 +165,6 @@ class Runs:
         return 100.0 * fine.groupby('seed').mean()
 
     def headers(self, table, key):
-        """Returns a number in the headers of Q-tables, for each seed."""
         return [float(read_table_header(self.folder(seed) / table)[key]) for seed in self.seeds()]
 
     @functools.lru_cache(maxsize=None)

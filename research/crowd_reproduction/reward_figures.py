@@ -48,7 +48,6 @@ def shown_seed(runs):
 
 
 def shown_text(chapter, setting, parameters):
-    """Returns a text that states which seeds are drawn, and why."""
     seeds = {reward: shown_seed(learned(setting, reward, parameters)) for reward in REWARDS}
     return chapter.text_of(
         'shown', what="thesis's success in demo" if parameters == 'thesis' else 'median success in demo',
@@ -112,7 +111,6 @@ def add_scatters(chapter, setting, parameters, mode):
 
 
 def scatter(panel, record, measure, colour):
-    """Draws a ratio in each episode."""
     arrived = record['arrived'] > 0
     for chosen, look in ((arrived, {'marker': '.', 'markersize': 4, 'alpha': 0.5}),
                          (~arrived, {'marker': 'x', 'markersize': 4})):
@@ -159,7 +157,6 @@ def add_paths(chapter, setting, parameters):
 
 
 def draw_paths(panel, folder):
-    """Draws the recorded paths of one run. Returns the picture."""
     scenes = read_documents(folder / 'single_free.yaml')
     picture = Picture(panel)
     for instance, colour in enumerate(colours_of(DRAWN_EPISODES)):

@@ -85,7 +85,6 @@ def separation(setting, reward):
 
 
 def less_in_demo(setting, reward):
-    """Judges that success is lower in demo than in training."""
     training, demo = (measured(setting, reward, mode, 'success') for mode in MODES)
     return compared(f'{REWARD_NAMES[reward]}: ', 'training', training, 'demo', demo)
 
@@ -136,7 +135,6 @@ def similar_success(setting):
 
 
 def mostly_free(setting, reward):
-    """Judges that most states in training are without an obstacle."""
     shares = measures.free_share(learned(setting, reward))
     return Judgement(f'{REWARD_NAMES[reward]}: {spread_text(shares, 1)} % without an obstacle',
                      decide_each(shares, lambda share: share > 50.0))

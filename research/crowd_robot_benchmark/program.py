@@ -147,7 +147,6 @@ def carry_out(benchmark, arguments):
 
 
 def report(benchmark, document):
-    """Prints the tables of all stored results, and updates the document."""
     records, crowdnav = {}, {}
     for robot in (*ROBOTS, *DRIVEN):
         done = [run for run in (benchmark.run_of(robot, name) for name in SCENARIOS) if run.is_done()]

@@ -76,7 +76,11 @@ class Program(typing.NamedTuple):
         start = time.monotonic()
         chosen = [experiment for experiment in self.experiments
                   if experiment.name in arguments.experiments or 'all' in arguments.experiments]
-        setting = self.setting_of(arguments)
+        benchmark = arguments.benchmark.resolve() if self.needs_benchmark and arguments.benchmark else None
+        if benchmark and not (benchmark / 'reference.csv').is_file():
+            raise RunError(f'{benchmark}: has no reference.csv')
+        setting = Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick,
+                          benchmark=benchmark)
         for experiment in chosen:
             if not experiment.plan(setting):
                 print(f'{experiment.name}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)
@@ -106,15 +110,7 @@ class Program(typing.NamedTuple):
                           'that need it are left out without it')
         return parser
 
-    def setting_of(self, arguments):
-        benchmark = arguments.benchmark.resolve() if self.needs_benchmark and arguments.benchmark else None
-        if benchmark and not (benchmark / 'reference.csv').is_file():
-            raise RunError(f'{benchmark}: has no reference.csv')
-        return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick,
-                       benchmark=benchmark)
-
     def write(self, setting, chapters, document):
-        """Writes the page and updates the document. Returns the file of the page."""
         if document:
             print('\n'.join(fill_document(document, chapters)))
         page = setting.results / 'index.html'

@@ -34,7 +34,6 @@ def large_room(seed, exits):
 
 
 def rimea_9(evaluation):
-    """Compares the times with two and with four exits."""
     exits = {'two exits': LOWER, 'four exits': {**UPPER, **LOWER}}
     found = evaluation.walk({'two_exits': lambda seed: large_room(seed, exits['two exits']),
                              'four_exits': lambda seed: large_room(seed, exits['four exits'])})
@@ -93,7 +92,6 @@ def twelve_rooms(seed):
 
 
 def rimea_10(evaluation):
-    """Counts the people who leave by their assigned exit."""
     recordings = evaluation.walk_one('corridor', twelve_rooms)
     to_main = numpy.isin(ASSIGNED, TO_MAIN_EXIT)
 
@@ -221,7 +219,6 @@ def large_crowd(seed, walls, top, goal):
 
 
 def rimea_15(evaluation):
-    """Compares the arrival times of the last person in three corridors."""
     ends = {'short': [[0.0, 0.0], [ACROSS, 0.0]], 'corner': [[END, 0.0], [END, ACROSS]],
             'long': [[0.0, 0.0], [ACROSS, 0.0]]}
     found = evaluation.walk({'short': lambda seed: wide_corridor(seed, 50.0), 'corner': wide_corner,

@@ -128,7 +128,6 @@ class Evaluation(typing.NamedTuple):
         return self.walk({name: plan})[name]
 
     def run_of(self, name, document, seed):
-        """Writes the scenario file of a run, and returns the run."""
         file = self.folder / 'scenarios' / f'seed_{seed}' / f'{name}.yaml'
         file.parent.mkdir(parents=True, exist_ok=True)
         text = yaml.dump(document, None, DUMPER, sort_keys=False, default_flow_style=None, width=120)

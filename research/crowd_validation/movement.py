@@ -23,7 +23,6 @@ def corridor(_seed):
 
 
 def rimea_1(evaluation):
-    """Measures the time for the 40 m."""
     recordings = evaluation.walk_one('corridor', corridor)
     times = Spread(crossing_times(recording, [[LENGTH, 0.0], [LENGTH, WIDTH]])[0] for recording in recordings)
     picture = draw_paths(recordings[0], evaluation.folder / 'rimea_1.png', 'One person in a corridor')
@@ -47,7 +46,6 @@ def room(seed):
 
 
 def rimea_5(evaluation):
-    """Compares the moments at which people start with their reaction times."""
     recordings = evaluation.walk_one('room', room)
     found = [starts(recording) for recording in recordings]
     differences = [float(numpy.max(numpy.abs(times - REACTION_TIMES))) for times in found]
@@ -77,7 +75,6 @@ def corner(seed):
 
 
 def rimea_6(evaluation):
-    """Counts people through walls and in contact."""
     recordings = evaluation.walk_one('corner', corner)
     through = [through_walls(recording) for recording in recordings]
     touched = [int(recording.touched.sum()) for recording in recordings]
@@ -105,7 +102,6 @@ def floor(seed):
 
 
 def rimea_7(evaluation):
-    """Compares the walked speeds of each age group with the guideline's range."""
     recordings = evaluation.walk_one('floor', floor)
     speeds = numpy.array([mean_speeds(recording, 0, *MEASURED) for recording in recordings])
     kept = max(float(numpy.max(numpy.abs(found / recording.speeds - 1.0)))
@@ -124,7 +120,6 @@ def within(speeds, low, high):
 
 
 def draw_speeds(of_group, file):
-    """Draws every person's speed and the ranges of the guideline."""
     figure, ((axes,),) = new_figure(1, 1, 6.0, 4.0)
     for i, (group, speeds) in enumerate(of_group.items()):
         low, high = plan.SPEEDS[group]

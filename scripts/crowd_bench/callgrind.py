@@ -93,7 +93,6 @@ def summed(shares):
 
 
 def rows(shares):
-    """Returns table cells of the functions with the largest shares."""
     shown = [(name, share) for name, share in shares[:MOST_LINES] if share >= LEAST_SHARE]
     others = 100.0 - sum(share for _, share in shown)
     return [[name if name == LIBRARIES else f'`{name}`', f'{share:.1f}'] for name, share in shown] + [

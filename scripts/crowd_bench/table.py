@@ -58,7 +58,6 @@ ROW = re.compile(r'^\| (\w+) \|(.*)\|$', re.MULTILINE)
 
 
 def machine_text(repetitions):
-    """Returns rows that describe the machine and the measurement."""
     models = re.findall(r'^model name\s*: (.*)$', pathlib.Path('/proc/cpuinfo').read_text(encoding='utf-8'),
                         re.MULTILINE)
     model = models[0] if models else os.uname().machine

@@ -34,7 +34,6 @@ def parser_of(name, description, epilog, statuses=STATUSES):
 
 
 def add_file(parser, name, **options):
-    """Adds an option or argument that is a file or folder."""
     parser.add_argument(name, type=pathlib.Path, **{'metavar': 'FILE', **options})
 
 

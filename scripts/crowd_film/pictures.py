@@ -51,19 +51,12 @@ def write_gif(file, frames, samples, duration):
 
     All frames have the colours of `samples`, some of the frames. Pixels that do not change are transparent, which makes
     the file small. Duration: of a frame [ms], a multiple of 10."""
-    palette = palette_of(samples)
+    palette = PIL.Image.fromarray(numpy.vstack(samples)).quantize(WHITE, method=PIL.Image.MEDIANCUT, dither=NO_DITHER)
+    colours = palette.getpalette()[:3 * WHITE]
+    palette.putpalette(colours + [255] * (3 * 256 - len(colours)))  # white in all further places
     pictures = changes(frames, palette)
     next(pictures).save(file, format='GIF', save_all=True, append_images=pictures, duration=duration, loop=0,
                         disposal=1, transparency=TRANSPARENT, optimize=False)
-
-
-def palette_of(samples):
-    """Returns a picture whose palette has the colours of sample frames, and white in all further places."""
-    mosaic = PIL.Image.fromarray(numpy.vstack(samples))
-    palette = mosaic.quantize(WHITE, method=PIL.Image.MEDIANCUT, dither=NO_DITHER)
-    colours = palette.getpalette()[:3 * WHITE]
-    palette.putpalette(colours + [255] * (3 * 256 - len(colours)))
-    return palette
 
 
 def changes(frames, palette):

@@ -137,7 +137,6 @@ class FramePainter:
         return numpy.array(self.canvas.buffer_rgba())[:, :, :3]
 
     def place_people(self, time):
-        """Sets the collections to the positions at a time."""
         present = [(agent, track) for agent, track in self.tracks.items() if track.is_present(time)]
         discs, noses = self.other_discs(time), []
         segments, shades = [], []

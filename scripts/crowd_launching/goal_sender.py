@@ -50,7 +50,6 @@ class GoalSender:
         self.place = feedback.base_position.pose.position
 
     def must_send(self):
-        """Returns whether the goal is to be sent now."""
         with self.lock:
             is_new, self.is_new = self.is_new, False
         if is_new or self.goal is None or not self.has_failed():

@@ -11,7 +11,6 @@ from social_crowd.msg import Scenario
 
 
 def ending_of(status):
-    """Returns a text for the exit status of a subprocess."""
     if status >= 0:
         return 'ended with exit status %d' % status
     name = {number.value: ' (%s)' % number.name for number in signal.Signals}.get(-status, '')

@@ -118,7 +118,6 @@ class Replay:
         return SetBoolResponse(True, 'paused' if request.data else 'continues')
 
     def begin(self, episode):
-        """Publishes the state at the start."""
         if episode == 0 and self.messages.scene.map is not None:
             self.map.publish(grid_of(self.messages.scene.map, rospy.Time.now()))
         self.scenario.publish(self.messages.scenario(episode, rospy.Time.now()))
@@ -169,23 +168,18 @@ def read_parameters():
     return read
 
 
-def messages_of(parameters):
-    """Returns the Messages of the recording that the parameters name."""
-    file = parameters['trajectories']
-    if not os.path.isfile(file):
-        raise InputError(f'there is no file {os.path.abspath(file)}' +
-                         ('' if os.path.isabs(file) else '; give an absolute path'))
-    shown = read_shown(file, parameters['scenario'] or None, int(parameters['instance']),
-                       parameters['frame_rate'] or None)
-    return Messages(pathlib.Path(file).stem, *shown)
-
-
 def main():
     """Plays the recording until its end, or until the node is shut down. Returns the exit status."""
     try:
         rospy.init_node('replay')
         parameters = read_parameters()
-        replay = Replay(messages_of(parameters), parameters['rate'], parameters['paused'])
+        file = parameters['trajectories']
+        if not os.path.isfile(file):
+            raise InputError(f'there is no file {os.path.abspath(file)}' +
+                             ('' if os.path.isabs(file) else '; give an absolute path'))
+        shown = read_shown(file, parameters['scenario'] or None, int(parameters['instance']),
+                           parameters['frame_rate'] or None)
+        replay = Replay(Messages(pathlib.Path(file).stem, *shown), parameters['rate'], parameters['paused'])
     except (InputError, OSError) as error:
         print(f'replay: {error}', file=sys.stderr)
         return 1

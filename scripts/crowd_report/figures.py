@@ -96,7 +96,6 @@ def draw_paths(target, groups):
 
 
 def draw_walks(picture, scene, walks):
-    """Draws the paths of an episode in its scene. Returns the picture."""
     draw_surroundings(picture, scene, 0.0)
     for obstacle in scene.obstacles:
         picture.draw_obstacle(obstacle, max(walk[-1][0] for walk in walks.values()) * scene.tick)

@@ -92,7 +92,6 @@ def plan(sweep, setting):
 
 
 def run_of(sweep, setting, name, config, scenarios, seed):
-    """Returns the commands of a combination with a seed."""
     commands, table = [], sweep.q_table
     if config:
         table = TABLE
@@ -114,10 +113,9 @@ def sources_of(members):
     sources, training = [], []
     for member in members:
         folder = member.run.folder
-        sources += [Source(member.label, METRICS, folder / METRICS_FILE),
-                    Source(member.label, RECORD, folder / RECORD_FILE)]
-        walked = sorted((folder / TRAJECTORIES).glob('*.csv'))
-        sources += [Source(member.label, TRAJECTORIES, file) for file in walked]
+        files = [(METRICS, folder / METRICS_FILE), (RECORD, folder / RECORD_FILE),
+                 *((TRAJECTORIES, file) for file in sorted((folder / TRAJECTORIES).glob('*.csv')))]
+        sources += [Source(member.label, *kind_and_file) for kind_and_file in files]
         if (folder / LEARNING).is_file():
             training.append(Source(member.label, RECORD, folder / LEARNING))
     return sources, training

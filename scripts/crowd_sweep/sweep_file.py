@@ -122,5 +122,4 @@ class Reader:
 
 
 def is_whole(value, least):
-    """Returns whether a value is a whole number, at least `least`."""
     return isinstance(value, int) and not isinstance(value, bool) and value >= least

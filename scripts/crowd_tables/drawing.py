@@ -31,7 +31,6 @@ def arranged(meaning, numbers):
 
 
 def sizes(meaning, axis):
-    """Returns the number of combinations of the quantities of an axis."""
     return math.prod(len(meaning.quantities[i]) for i in axis)
 
 

@@ -16,17 +16,6 @@ EXAMPLES = '''examples:
 PICTURES = ('.png', '.pdf', '.svg')
 
 
-def explain(table, meaning, row):
-    """Prints the meaning of a row, and visits and value of each action."""
-    if row >= table.header['rows']:
-        raise InputError(f"--row: expected 0 to {table.header['rows'] - 1}, got {row}")
-    print(f'row {row}: {meaning.describe(row)}')
-    names = action_names(table)
-    width = max(map(len, names))
-    for name, visits, value in zip(names, table.visits[row], table.values[row]):
-        print(f'  {name:{width}}  {visits:>9} visits' + (f'  value {value:.6g}' if visits else ''))
-
-
 def main(words=None):
     parser = parser_of('draw_q_table',
                        'Draws the values and visits of all rows of a Q-table as heat maps, or explains one '
@@ -48,7 +37,12 @@ def main(words=None):
     table = read_table(str(shipped) if is_name else arguments.table)
     meaning = meaning_of(table, find_tools(arguments.tools) / 'train')
     if arguments.row is not None:
-        explain(table, meaning, arguments.row)
+        if arguments.row >= table.header['rows']:
+            raise InputError(f"--row: expected 0 to {table.header['rows'] - 1}, got {arguments.row}")
+        print(f'row {arguments.row}: {meaning.describe(arguments.row)}')
+        names = action_names(table)
+        for name, visits, value in zip(names, table.visits[arguments.row], table.values[arguments.row]):
+            print(f'  {name:{max(map(len, names))}}  {visits:>9} visits' + (f'  value {value:.6g}' if visits else ''))
     if arguments.output is not None:
         visits = row_visits(table)
         subtitle = f'{(visits > 0).sum()} of {len(visits)} rows visited, {visits.sum()} visits'

@@ -26,20 +26,17 @@ def plan(setting):
         return []
     runs = [benchmark_run(setting, run_folder(setting, model, seed), setting.learning(model), seed,
                           QUICK_EPISODES[model], COSTS[model]) for seed in setting.seeds(SEEDS) for model in LEARNED]
-    return runs + ([scored_run(setting)] if (setting.benchmark / SCORER).is_file() else [])
+    if (setting.benchmark / SCORER).is_file():  # evaluates the shipped table with `evaluate` and with the scorer
+        runs.append(Run(setting.run_folder(NAME, 'scored'), [
+            [setting.tools / 'evaluate', '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
+             '--trajectories', 'trajectories', *scenarios_of(setting)],
+            [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
+             'scored.csv']], cost=20.0))
+    return runs
 
 
 def run_folder(setting, model, seed):
     return setting.run_folder(NAME, f'{model}_{seed:02d}')
-
-
-def scored_run(setting):
-    """Returns a run that evaluates the shipped table with `evaluate` and with the benchmark's scorer."""
-    return Run(setting.run_folder(NAME, 'scored'), [
-        [setting.tools / 'evaluate', '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
-         '--trajectories', 'trajectories', *scenarios_of(setting)],
-        [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
-         'scored.csv']], cost=20.0)
 
 
 def report(setting):
@@ -94,7 +91,6 @@ def add_times(chapter, models, orca):
 
 
 def add_score(chapter, setting):
-    """Adds the comparison with the benchmark's scorer."""
     if not (setting.benchmark / SCORER).is_file():
         chapter.say('no_scorer')
         return

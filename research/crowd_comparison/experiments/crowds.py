@@ -46,7 +46,6 @@ def row_of(scene, record):
 
 
 def add_moments(chapter, setting, name):
-    """Adds three moments of the first placement."""
     folder = setting.run_folder(NAME, name)
     scene = read_scene(folder / f'{name}.yaml', 0)
     _, walks = read_walks(folder / f'{name}.csv', 0)

@@ -10,6 +10,7 @@ over the other walkers in a lane around the walker. Nowak and Schadschneider als
 with n others in random directions, the mean of the square is 1 / n.
 """
 import numpy
+import pandas
 from crowd_drawing.files import read_scene, read_walks
 from crowd_experiments import style
 from crowd_experiments.records import Spread, read_tracks
@@ -86,15 +87,11 @@ def curves_of(folder):
     """Returns an array (placement, tick) of the order; agents that start on the left walk to the right."""
     curves = [order_over_time(track, numpy.where(track[0, :, 0] < 0.0, 1, -1)) for track in
               read_tracks(folder / f'{SCENARIO}.csv').values()]
-    ticks = round(SHOWN_TIME / TICK) + 1
-    padded = numpy.full((len(curves), ticks), numpy.nan)
-    for row, curve in zip(padded, curves):
-        row[:min(ticks, len(curve))] = curve[:ticks]
-    return padded
+    ticks = range(round(SHOWN_TIME / TICK) + 1)
+    return pandas.DataFrame(curves).reindex(columns=ticks).to_numpy()
 
 
 def add_curves(chapter, curves):
-    """Adds the order over time."""
     figure, ((panel,),) = style.new_figure(1, 1, 9, 4)
     for model, values in curves.items():
         present = ~numpy.isnan(values).any(axis=0)

@@ -31,19 +31,15 @@ def kind_of(recording, contact):
     return ('hemmed in' if recording.last_escape(contact, among_others=False) else 'overrun'), None
 
 
-def judged_contacts(folder):
-    """Returns every contact with its recording, kind and escape."""
-    judged = []
-    for instance, track in read_tracks(folder / f'{SCENARIO}.csv').items():
-        recording = Recording(read_scene(folder / f'{SCENARIO}.yaml', instance), track)
-        judged += [(recording, contact, *kind_of(recording, contact)) for contact in recording.contacts()]
-    return judged
-
-
 def report(setting):
     chapter = Report(NAME, TEXTS, setting, look_back=LOOK_BACK)
     chapter.say('intro', headings=HEADINGS, look_on=LOOK_ON, turned=TURNED_WITHIN)
-    contacts = {model: judged_contacts(setting.run_folder(NAME, model)) for model in LEARNED}
+    contacts = {model: [] for model in LEARNED}  # with their recordings, kinds and escapes
+    for model, judged in contacts.items():
+        folder = setting.run_folder(NAME, model)
+        for instance, track in read_tracks(folder / f'{SCENARIO}.csv').items():
+            recording = Recording(read_scene(folder / f'{SCENARIO}.yaml', instance), track)
+            judged += [(recording, contact, *kind_of(recording, contact)) for contact in recording.contacts()]
     columns = ['', 'success %', 'agents in contact %', 'contacts with moving obstacles', *KINDS,
                'avoidable until the last tick', 'turned']
     chapter.tabulate('contacts', columns, [row_of(setting, model, judged) for model, judged in contacts.items()])

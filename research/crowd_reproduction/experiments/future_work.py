@@ -46,7 +46,6 @@ def row_of(setting, variation):
 
 
 def add_figure(chapter, setting, found):
-    """Adds the rates, and the contacts of surrounded agents, as bars."""
     figure, axes = style.new_figure(1, 4, 14, 4.4, sharey=True)
     for place, variation in enumerate(LABELS):
         of_variation = rates(setting, variation)

@@ -104,7 +104,6 @@ def add_figure(chapter, setting):
 
 
 def draw_rates(panel, setting, variations, cell, offset):
-    """Draws the rates of a cell of the table in all variations."""
     measure, mode, reward = cell
     colour = REWARD_COLOURS[reward]
     for place, variation in enumerate(variations):
