@@ -7,7 +7,7 @@ import numpy
 import pytest
 from crowd_drawing.errors import InputError
 from crowd_tables import table as state_sets
-from crowd_tables.drawing import arranged, explanation
+from crowd_tables.program import arranged, explanation
 from crowd_tables.table import action_names, greedy_actions, read_table, row_values, row_visits
 from learning_files import QTableFile, q_table_text
 from programs import ANTICIPATION_TABLE, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE, assert_says, in_package, read_text
