@@ -12,7 +12,7 @@ from crowd_experiments.runs import ProgressBar, output_of
 from crowd_experiments.tools import find_config, find_tools
 from crowd_film.pictures import need_ffmpeg, write_gif, write_mp4, write_webp
 from crowd_film.stage import FramePainter, LEAST_WIDTH, Stage
-from crowd_recordings.shown import read_shown
+from crowd_recordings.formats import read_shown
 from matplotlib import pyplot
 
 WRITERS = {'.gif': write_gif, '.webp': write_webp, '.mp4': write_mp4}

@@ -12,7 +12,7 @@ from crowd_drawing.errors import InputError
 from crowd_drawing.files import place_of
 from crowd_drawing.maps import OCCUPIED_COLOUR, UNKNOWN_COLOUR
 from crowd_launching.program import end_launch
-from crowd_recordings.shown import read_shown
+from crowd_recordings.formats import read_shown
 from geometry_msgs.msg import Point, Pose, Pose2D, Quaternion, Vector3
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from social_crowd.msg import AgentState, AgentStates, ObstacleState, Scenario, Wall

@@ -22,44 +22,33 @@ The kind of a file is recognised by its header: ''' + '; '.join(program for _, p
 Files with the same label are runs of the same thing, such as seeds; the default label is the name of the folder.'''
 
 
-def metrics_chapter(groups):
-    if not groups:
-        return None
-    chapter = Chapter('metrics', 'Metrics')
-    chapter.add_text('Success: people who reach their goals in time. Contact: bodies overlap. Collision: another body '
-                     'is within the collision radius. Path and time are ratios to the straight way at full speed. With '
-                     'several runs: mean ± half of the 95 % confidence interval (t).')
-    chapter.add_table('Metrics of the runs', *metrics_rows(groups))
-    return chapter
-
-
-def comparison_chapter(groups):
-    if len(groups) < 2:
-        return None
-    chapter = Chapter('comparison', 'Comparison')
-    chapter.add_text(f'Differences from {next(iter(groups))}, with 95 % confidence intervals by bootstrap (2000 '
-                     'samples with replacement, percentiles). The samples are the means of the runs if a label has '
-                     'several, else the means of its episodes.')
-    chapter.add_table('Differences', *comparison_rows(groups))
-    return chapter
-
-
-def learning_chapter(training, folder):
-    if not training:
-        return None
-    chapter = Chapter('learning', 'Learning curves')
+def chapters_of(sources, training, folder):
+    """Returns the chapters for which there are files. Figures are written to a folder."""
+    groups, records = of_kind(sources, METRICS), of_kind(sources, RECORD)
+    metrics, comparison = Chapter('metrics', 'Metrics'), Chapter('comparison', 'Comparison')
+    if groups:
+        metrics.add_text('Success: people who reach their goals in time. Contact: bodies overlap. Collision: another '
+                         'body is within the collision radius. Path and time are ratios to the straight way at full '
+                         'speed. With several runs: mean ± half of the 95 % confidence interval (t).')
+        metrics.add_table('Metrics of the runs', *metrics_rows(groups))
+    if len(records) > 1:
+        comparison.add_text(f'Differences from {next(iter(records))}, with 95 % confidence intervals by bootstrap '
+                            '(2000 samples with replacement, percentiles). The samples are the means of the runs if a '
+                            'label has several, else the means of its episodes.')
+        comparison.add_table('Differences', *comparison_rows(records))
+    learning = Chapter('learning', 'Learning curves')
     for kind in dict.fromkeys(source.kind for source in training):  # logs and records have other columns
         runs = [read_run(source.label, source.file) for source in training if source.kind == kind]
         window = default_window(runs)
-        file = draw_curves(folder / f'curves_{kind}.png', runs, measures_of(runs), window)
-        chapter.add_figure(file, f'Means over {window} episodes and over the runs, with 95 % confidence bands (t).')
-    return chapter
-
-
-def walking_chapters(groups, folder):
-    if not groups:
-        return []
+        learning.add_figure(draw_curves(folder / f'curves_{kind}.png', runs, measures_of(runs), window),
+                            f'Means over {window} episodes and over the runs, with 95 % confidence bands (t).')
     paths, crowding = Chapter('paths', 'Paths'), Chapter('crowding', 'Separation, and speed against density')
+    add_walking(paths, crowding, of_kind(sources, TRAJECTORIES), folder)
+    return [chapter for chapter in (metrics, comparison, learning, paths, crowding) if chapter.parts]
+
+
+def add_walking(paths, crowding, groups, folder):
+    """Adds paths, separations, and speeds at densities."""
     files = [source.file for sources in groups.values() for source in sources]
     for scenario in dict.fromkeys(file.stem for file in files):
         chosen = {label: [source for source in sources if source.file.stem == scenario]
@@ -77,16 +66,12 @@ def walking_chapters(groups, folder):
             draw_speeds(folder / f'speed_{name}', chosen), f'{scenario}: speed over one second against the number of '
             'people within 2 m, including the person, divided by the area. Bars: standard deviation; at least 20 '
             f'values each.{note}')
-    return [paths, *([crowding] if crowding.parts else [])]
 
 
 def write_report(output, title, sources, training):
     """Writes the page; it appears when it is complete. Raises InputError, OSError."""
     with replaced(output) as part, tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
-        folder = pathlib.Path(folder)
-        made = [metrics_chapter(of_kind(sources, METRICS)), comparison_chapter(of_kind(sources, RECORD)),
-                learning_chapter(training, folder), *walking_chapters(of_kind(sources, TRAJECTORIES), folder)]
-        chapters = [chapter for chapter in made if chapter is not None]
+        chapters = chapters_of(sources, training, pathlib.Path(folder))
         labels = dict.fromkeys(source.label for source in [*sources, *training])
         write_page(part, title, None, chapters, f"{len(sources) + len(training)} files of {', '.join(labels)}.")
 

@@ -106,15 +106,10 @@ def comparison_rows(groups):
                 first, second = (factor * numpy.array(samples(groups[name], scenario, column))
                                  for name in (labels[0], label))
                 if len(first) and len(second):
-                    rows.append([label, scenario, title, *comparison_cells(first, second, decimals)])
+                    means = [f'{values.mean():.{decimals}f}' for values in (first, second)]
+                    difference, *ends = bootstrap_difference(first, second)
+                    known = min(len(first), len(second)) > 1
+                    interval = ' to '.join(f'{end:+.{decimals}f}' for end in ends) if known else 'unknown: one value'
+                    differs = ('no' if ends[0] <= 0 <= ends[1] else 'yes') if known else ''
+                    rows.append([label, scenario, title, *means, f'{difference:+.{decimals}f}', interval, differs])
     return ['', 'scenario', '', labels[0], 'this', 'difference', '95 % interval', 'differs'], rows
-
-
-def comparison_cells(first, second, decimals):
-    """Returns both means, their difference, its interval, and whether zero lies outside."""
-    means = [f'{values.mean():.{decimals}f}' for values in (first, second)]
-    difference, low, high = bootstrap_difference(first, second)
-    if min(len(first), len(second)) < 2:
-        return [*means, f'{difference:+.{decimals}f}', 'unknown: one value', '']
-    return [*means, f'{difference:+.{decimals}f}', f'{low:+.{decimals}f} to {high:+.{decimals}f}',
-            'yes' if low > 0 or high < 0 else 'no']
