@@ -1,5 +1,6 @@
 """The twins tests (4.2): what agents of several trainings did in them, and the judges of the claims about it."""
 import numpy
+import pandas
 from crowd_experiments.records import Spread, percent
 
 from .claim import Judgement, NOT_CONFIRMED, VERDICTS, best_of, compared, decide_all, graded, joined
@@ -46,11 +47,6 @@ def first_decision(setting, scene, states):
 
 def rows_of(setting, states):
     return [int(first_decision(setting, scene, states)['row']) for scene in SCENES]
-
-
-def mean_of_finite(values):
-    """Returns the means of columns over the finite values; nan if there are none."""
-    return [numpy.nanmean(line) if numpy.isfinite(line).any() else numpy.nan for line in numpy.transpose(values)]
 
 
 def same_row(setting):
@@ -100,7 +96,7 @@ def takes_longer(setting):
     for training, name in TRAININGS.items():
         agent = Agent(setting, training, 'occupancy')
         *others, tight = (agent.runs.arrivals(agent.file, 'ticks', test) for test in TESTS)
-        pairs = [pair for pair in zip(tight, mean_of_finite(others)) if numpy.isfinite(sum(pair))]
+        pairs = [pair for pair in zip(tight, pandas.DataFrame(others).mean()) if numpy.isfinite(sum(pair))]
         if pairs:
             found = compared(f'{name}: ', 'd', next(zip(*pairs)), 'a to c', [other for _, other in pairs], 0)
             texts.append(found.measured)

@@ -86,7 +86,13 @@ class Program(typing.NamedTuple):
                 print(f'{experiment.name}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)
         execute_left([run for experiment in chosen for run in experiment.plan(setting)], arguments.processes,
                      arguments.force)
-        page = self.write(setting, self.chapters(setting, chosen), arguments.document)
+        chapters = self.chapters(setting, chosen)
+        if arguments.document:
+            print('\n'.join(fill_document(arguments.document, chapters)))
+        page = setting.results / 'index.html'
+        page.parent.mkdir(parents=True, exist_ok=True)
+        write_page(page, self.title, self.name, chapters,
+                   self.intro + (' Quick run: the results are meaningless.' if setting.quick else ''))
         print(f'\nTook {text_of(time.monotonic() - start)}. All figures and tables: {page}')
 
     def parser(self):
@@ -109,15 +115,6 @@ class Program(typing.NamedTuple):
                      help='folder of the steering benchmark with scenarios/, reference.csv and score.py; experiments '
                           'that need it are left out without it')
         return parser
-
-    def write(self, setting, chapters, document):
-        if document:
-            print('\n'.join(fill_document(document, chapters)))
-        page = setting.results / 'index.html'
-        page.parent.mkdir(parents=True, exist_ok=True)
-        write_page(page, self.title, self.name, chapters,
-                   self.intro + (' Quick run: the results are meaningless.' if setting.quick else ''))
-        return page
 
     def chapters(self, setting, chosen):
         """Returns the chosen chapters, whose tables it prints, and all others whose runs are complete."""

@@ -138,8 +138,12 @@ def draw_curves(file, runs, measures, window, title=''):
                               gridspec_kw={'height_ratios': heights})
     for panel, measure in zip(axes.flat, measures):
         for label, colour in zip(labels, colours_of(len(labels))):
-            draw_band(panel, band_of(label, [run for run in runs if run.label == label], measure.column, window),
-                      measure, colour)
+            band = band_of(label, [run for run in runs if run.label == label], measure.column, window)
+            noun = 'run' if band.runs == 1 else 'runs'
+            mean, low, high = measure.shown(band)
+            panel.plot(band.episodes, mean, color=colour, linewidth=1.5, marker='o' if len(mean) == 1 else None,
+                       label=f'{label}, {band.runs} {noun}' if label else f'{band.runs} {noun}')
+            panel.fill_between(band.episodes, low, high, color=colour, alpha=BAND_ALPHA, linewidth=0)
         panel.set(title=measure.title, xlabel='episode')
         panel.set_xlim(left=0)
         panel.xaxis.set_major_locator(MaxNLocator(5, integer=True))
@@ -152,15 +156,6 @@ def draw_curves(file, runs, measures, window, title=''):
     if title:
         figure.suptitle(title, fontsize=12)
     return save(figure, file)
-
-
-def draw_band(panel, band, measure, colour):
-    noun = 'run' if band.runs == 1 else 'runs'
-    name = f'{band.label}, {band.runs} {noun}' if band.label else f'{band.runs} {noun}'
-    mean, low, high = measure.shown(band)
-    panel.plot(band.episodes, mean, color=colour, linewidth=1.5, label=name,
-               marker='o' if len(band.episodes) == 1 else None)
-    panel.fill_between(band.episodes, low, high, color=colour, alpha=BAND_ALPHA, linewidth=0)
 
 
 def measures_for(arguments, runs):

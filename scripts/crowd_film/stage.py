@@ -72,19 +72,13 @@ class Stage:
         ends = [EDGE / self.width, (EDGE + length * self.scale) / self.width]
         self.figure.add_artist(Line2D(ends, [middle, middle], color='0.2', linewidth=2, solid_capstyle='butt'))
         self.figure.text(ends[1] + EDGE / 2 / self.width, middle, f'{length} m', va='center', fontsize=FONT_SIZE - 1)
-        entries = list(self.picture.further_entries)
-        if scene.obstacles:
-            entries.append(mark_of('obstacle', OBSTACLE_COLOUR, 7, markeredgecolor='0.3'))
-        if scene.robots:
-            entries.append(mark_of('robot', ROBOT_COLOUR, 7, 's', markeredgecolor='0.3'))
+        entries = [*self.picture.further_entries,
+                   *([mark_of('obstacle', OBSTACLE_COLOUR, 7, markeredgecolor='0.3')] if scene.obstacles else []),
+                   *([mark_of('robot', ROBOT_COLOUR, 7, 's', markeredgecolor='0.3')] if scene.robots else [])]
         if entries:
             self.figure.legend(handles=entries, loc='center right', bbox_to_anchor=(1, middle), ncol=len(entries),
                                frameon=False, fontsize=FONT_SIZE - 1, handlelength=1.4, columnspacing=1.2, borderpad=0,
                                handletextpad=0.5)
-
-    def clock(self):
-        return self.figure.text(1 - EDGE / self.width, 1 - HEAD / 2 / self.height, '', va='center', ha='right',
-                                fontsize=FONT_SIZE, family='monospace')
 
 
 def even(number):
@@ -107,12 +101,13 @@ class FramePainter:
                       for wall, _ in scene.population.gates]
         self.trails = axes.add_collection(LineCollection([], linewidths=1.6, zorder=5))
         self.goals = axes.add_collection(LineCollection([], linewidths=1.6, zorder=5.5))
-        self.ends = self.add_discs(5.8, linewidths=1.2)
-        self.bodies = self.add_discs(7, linewidths=0.6, edgecolors='0.15')
+        self.ends = axes.add_collection(PolyCollection([], zorder=5.8, linewidths=1.2))
+        self.bodies = axes.add_collection(PolyCollection([], zorder=7, linewidths=0.6, edgecolors='0.15'))
         self.noses = axes.add_collection(LineCollection([], colors='white', zorder=8, capstyle='round',
                                                         linewidths=max(0.5, NOSE * stage.scale * 72 / DPI)))
         self.robots = axes.add_collection(LineCollection([], colors='0.15', linewidths=1.4, zorder=8))
-        self.clock = stage.clock()
+        self.clock = stage.figure.text(1 - EDGE / stage.width, 1 - HEAD / 2 / stage.height, '', va='center', ha='right',
+                                       fontsize=FONT_SIZE, family='monospace')
         self.moving = [*self.gates, self.trails, self.goals, self.ends, self.bodies, self.noses, self.robots,
                        self.clock]
         for artist in self.moving:
@@ -120,10 +115,6 @@ class FramePainter:
         self.canvas = stage.figure.canvas
         self.canvas.draw()
         self.background = self.canvas.copy_from_bbox(stage.figure.bbox)
-
-    def add_discs(self, zorder, **style):
-        """Adds a collection of discs, which set_discs() sets."""
-        return self.stage.picture.axes.add_collection(PolyCollection([], zorder=zorder, **style))
 
     def draw(self, time):
         """Returns the frame at a time [s] as an array (height, width, 3) of bytes."""
@@ -138,7 +129,10 @@ class FramePainter:
 
     def place_people(self, time):
         present = [(agent, track) for agent, track in self.tracks.items() if track.is_present(time)]
-        discs, noses = self.other_discs(time), []
+        discs = [(place_of(obstacle, time), obstacle['radius'], to_rgb(OBSTACLE_COLOUR))
+                 for obstacle in self.scene.obstacles if obstacle['position'] is not None]
+        discs += [(robot['position'], robot['radius'], to_rgb(ROBOT_COLOUR)) for robot in self.placed_robots]
+        noses = []
         segments, shades = [], []
         for agent, track in present:
             radius, colour = self.scene.radius_of(agent), self.colours[agent]
@@ -155,13 +149,6 @@ class FramePainter:
         self.robots.set_segments([[robot['position'], point_ahead(robot['position'], robot['heading'],
                                                                   robot['radius'])] for robot in self.placed_robots])
         self.show_goals(time)
-
-    def other_discs(self, time):
-        """Returns obstacles and robots as discs; robots stand at their start."""
-        obstacles = [(place_of(obstacle, time), obstacle['radius'], to_rgb(OBSTACLE_COLOUR))
-                     for obstacle in self.scene.obstacles if obstacle['position'] is not None]
-        return obstacles + [(robot['position'], robot['radius'], to_rgb(ROBOT_COLOUR))
-                            for robot in self.placed_robots]
 
     def show_goals(self, time):
         """Shows the last goal of each agent on its way, and the outline of each that has arrived."""

@@ -75,7 +75,13 @@ class Conversion:
             'head': point(stop.head), 'direction': number((stop.direction + 180.0) % 360.0),  # of the line
             'spacing': number(max(QUEUE_SPACING, 2 * radius + GAP)), 'service': SERVICE}
             for stop in stops if isinstance(stop, Queue)}
-        self.walls = [wall for wall in map(self.wall_of, scene.walls) if wall]
+        self.walls = []
+        for element in scene.walls:
+            ends = [point((element.number(f'x{end}'), element.number(f'y{end}'))) for end in (1, 2)]
+            if ends[0] != ends[1]:
+                self.walls.append(ends)
+            else:
+                self.note(element, 'not carried over: it has no length')
         for element in scene.others:
             self.note(element, 'not carried over: ' + REASONS.get(element.tag, 'unknown, or not at this place'))
         for element in scene.unknown:
@@ -89,21 +95,9 @@ class Conversion:
                 self.note(stop.element, 'b=1 (source) not carried over: it has no effect in pedsim_ros, either')
         self.notes = sorted(set(self.notes))
 
-    def sections(self):
-        """Returns the lists and maps of the scenario by their keys, without empty ones."""
-        keys = ('agents', 'obstacles', 'sources', 'sinks', 'queues', 'routes', 'walls')
-        return {key: getattr(self, key) for key in keys if getattr(self, key)}
-
     def note(self, element, text):
         identity = element.attributes.get('id')
         self.notes.append((element.line, f"{element.tag}{f' {text_of(identity)}' if identity else ''}: {text}"))
-
-    def wall_of(self, element):
-        ends = [point((element.number(f'x{end}'), element.number(f'y{end}'))) for end in (1, 2)]
-        if ends[0] != ends[1]:
-            return ends
-        self.note(element, 'not carried over: it has no length')
-        return None
 
     def area_of(self, cluster, radius):
         """Returns the region of a cluster at the start. It is enlarged where the bodies would overlap."""
@@ -154,7 +148,9 @@ class Conversion:
         stops = cluster.stops[:sinks[0] + 1] if sinks else cluster.stops
         if len(stops) < len(cluster.stops):
             self.note(cluster.element, f"the waypoints after the sink '{stops[-1].name}' are not carried over")
-        route = {'repeat': not sinks, 'waypoints': [self.stop_of(stop) for stop in stops]}
+        route = {'repeat': not sinks, 'waypoints': [
+            {'sink': stop.name} if stop.name in self.sinks else
+            {'queue': stop.name} if isinstance(stop, Queue) else {'place': ring(stop)} for stop in stops]}
         for name, known in self.routes.items():
             if known == route:
                 return name
@@ -162,20 +158,16 @@ class Conversion:
         self.routes[name] = route
         return name
 
-    def stop_of(self, stop):
-        if stop.name in self.sinks:
-            return {'sink': stop.name}
-        return {'queue': stop.name} if isinstance(stop, Queue) else {'place': ring(stop)}
-
 
 def scenario_of(conversion, source, name, duration):
     lines = [f'# Converted from {source}, a scene of pedsim_ros.']
     if conversion.notes:
         lines += ['# Not carried over, or changed:', *(f'#   line {line}: {note}' for line, note in conversion.notes)]
     lines += [f'name: {text_of(name)}', f'duration: {number(duration)}', 'goal_tolerance: 0.3']
-    for key, entries in conversion.sections().items():
+    for key in ('agents', 'obstacles', 'sources', 'sinks', 'queues', 'routes', 'walls'):
+        entries = getattr(conversion, key)
         named = isinstance(entries, dict)
-        lines.append(f'{key}:')
+        lines += [f'{key}:'] if entries else []
         for entry in entries:
             if key == 'routes':
                 lines += [f'  {entry}:', f"    repeat: {text_of(entries[entry]['repeat'])}", '    waypoints:',

@@ -48,15 +48,6 @@ class Floor:
         self.block(*box, FREE)
 
 
-def draw(description):
-    floor = Floor(*description['size'])
-    for entry in description['drawn']:
-        for along in entry.get('at', [0]):
-            left, bottom, right, top = entry.get('block') or entry['opening']
-            (floor.block if 'block' in entry else floor.opening)(left + along, bottom, right + along, top)
-    return floor
-
-
 def main(words=None):
     parser = parser_of('draw_maps', f"Draws the package's own maps: {', '.join(FLOORS)}.", EXAMPLE)
     add_file(parser, '--output', default=REPOSITORY / 'config' / 'maps', metavar='FOLDER',
@@ -64,5 +55,10 @@ def main(words=None):
     folder = parser.parse_args(words).output
     folder.mkdir(parents=True, exist_ok=True)
     for name, description in FLOORS.items():
-        PIL.Image.fromarray(draw(description).rows[::-1]).save(folder / f'{name}.png', optimize=True)
+        floor = Floor(*description['size'])
+        for entry in description['drawn']:
+            for along in entry.get('at', [0]):
+                left, bottom, right, top = entry.get('block') or entry['opening']
+                (floor.block if 'block' in entry else floor.opening)(left + along, bottom, right + along, top)
+        PIL.Image.fromarray(floor.rows[::-1]).save(folder / f'{name}.png', optimize=True)
         (folder / f'{name}.yaml').write_text(YAML.format(name=name), encoding='utf-8')

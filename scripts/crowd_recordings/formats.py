@@ -158,20 +158,16 @@ class Track(typing.NamedTuple):
 def track_of(walk, tick):
     """Returns the Track of a walk: a list of (tick, x, y) [m], with the duration of a tick [s]."""
     rows = numpy.array(walk, dtype=float)
-    times = rows[:, 0] * tick
-    return Track(times, rows[:, 1:], headings_of(times, rows[:, 1:]))
-
-
-def headings_of(times, places):
-    """Returns the direction of the recent motion at each time [rad]; where an agent stands, its last heading."""
+    times, places = rows[:, 0] * tick, rows[:, 1:]
+    # The heading is the direction of the recent motion [rad]; where an agent stands, its last heading.
     before = [numpy.interp(times - HEADING_SPAN, times, places[:, axis]) for axis in (0, 1)]
     motion = places - numpy.column_stack(before)
     moves = numpy.hypot(motion[:, 0], motion[:, 1]) >= LEAST_MOTION
     if not moves.any():
-        return numpy.zeros(len(times))
+        return Track(times, places, numpy.zeros(len(times)))
     latest = numpy.maximum.accumulate(numpy.where(moves, numpy.arange(len(times)), -1))
     latest[latest < 0] = numpy.argmax(moves)  # before the first motion: its heading
-    return numpy.unwrap(numpy.arctan2(motion[latest, 1], motion[latest, 0]))
+    return Track(times, places, numpy.unwrap(numpy.arctan2(motion[latest, 1], motion[latest, 0])))
 
 
 def read_shown(trajectories, scenario=None, instance=None, frame_rate=None):

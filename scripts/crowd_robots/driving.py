@@ -44,11 +44,6 @@ def launch_arguments(scenario, robot):
         **DRIVEN[robot]}
 
 
-def text_of(value):
-    """Returns a value as roslaunch reads it."""
-    return str(value).lower() if isinstance(value, bool) else str(value)
-
-
 def main(words=None):
     parser = parser_of('drive_robots', 'Drives the robots of a scenario through ROS and writes their results as '
                        '`evaluate --robots-csv` does.', EXAMPLES, '0 success, 1 not all episodes were recorded or an '
@@ -74,7 +69,8 @@ def main(words=None):
         settings['q_table'] = arguments.q_table.absolute()
     os.environ.update(ROS_MASTER_URI=f'http://127.0.0.1:{free_port()}', ROS_HOSTNAME='127.0.0.1')
     launched = Program(['roslaunch', 'social_crowd', 'move_base.launch',
-                        *(f'{name}:={text_of(value)}' for name, value in settings.items())])
+                        *(f'{name}:={str(value).lower() if isinstance(value, bool) else value}'
+                          for name, value in settings.items())])
     status = launched.wait()
     if launched.is_stopped:
         print('drive_robots: interrupted' + (f'; recorded so far: {part}' if part.exists() else ''), file=sys.stderr)

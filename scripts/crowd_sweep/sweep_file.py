@@ -44,11 +44,13 @@ def read_sweep(file):
                          'parameters, and no train')
     scenarios = evaluate.get('scenarios')
     reader.need(isinstance(scenarios, list) and scenarios, 'evaluate.scenarios', 'a list of scenarios', scenarios)
+    trajectories = evaluate.get('trajectories', True)
+    reader.need(isinstance(trajectories, bool), 'evaluate.trajectories', 'true or false', trajectories)
     return Sweep(pathlib.Path(file), reader.path(given, 'config'), reader.path(given, 'q_table'),
                  reader.grid(given, 'parameters'), reader.grid(given, 'scenario_parameters'),
                  reader.seeds(given.get('seeds', 1)), reader.count(train, 'train.episodes', None, 1),
                  [reader.scenario(name) for name in scenarios], reader.count(evaluate, 'evaluate.episodes', 20, 1),
-                 reader.count(evaluate, 'evaluate.seed', None, 0), reader.flag(evaluate, 'trajectories'))
+                 reader.count(evaluate, 'evaluate.seed', None, 0), trajectories)
 
 
 class Reader:
@@ -94,11 +96,6 @@ class Reader:
     def count(self, given, path, default, least):
         value = given.get(path.split('.')[1], default)
         self.need(value is default or is_whole(value, least), path, f'a whole number from {least}', value)
-        return value
-
-    def flag(self, given, key):
-        value = given.get(key, True)
-        self.need(isinstance(value, bool), f'evaluate.{key}', 'true or false', value)
         return value
 
     def path(self, given, key):

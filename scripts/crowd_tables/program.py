@@ -74,20 +74,14 @@ def label_axes(axes, meaning, with_rows=True):
             axes.set_yticklabels(labels if with_rows else [], fontsize=8)
             axes.set_ylabel(quantity.name if with_rows else '', fontsize=9)
     axes.tick_params(length=2)
-    add_inner_labels(axes, meaning)
-
-
-def add_inner_labels(axes, meaning):
-    """Labels the second quantity of the columns above the picture, if there is room."""
     levels = levels_of(meaning, meaning.columns)
-    if meaning.panels or len(levels) < 2:
-        return
-    quantity, labels, cells = levels[1]
-    above = axes.secondary_xaxis('top')
-    above.set_ticks([(i + 0.5) * cells - 0.5 for i in range(len(labels))])
-    above.set_xticklabels(labels, fontsize=7, rotation=60)
-    above.set_xlabel(quantity.name, fontsize=9)
-    above.tick_params(length=2)
+    if not meaning.panels and len(levels) > 1:  # there is room for the second quantity of the columns above the picture
+        quantity, labels, cells = levels[1]
+        above = axes.secondary_xaxis('top')
+        above.set_ticks([(i + 0.5) * cells - 0.5 for i in range(len(labels))])
+        above.set_xticklabels(labels, fontsize=7, rotation=60)
+        above.set_xlabel(quantity.name, fontsize=9)
+        above.tick_params(length=2)
 
 
 def explanation(meaning):
