@@ -15,8 +15,7 @@ import numpy
 from crowd_drawing.files import place_of
 
 OVERLAP = 1e-3  # [m]
-LOOK_BACK = 3.0  # [s]
-LOOK_ON = 1.0  # [s]
+LOOK_BACK, LOOK_ON = 3.0, 1.0  # [s]
 HEADINGS = 36
 SHARES = (0.5, 1.0)  # of the maximum speed
 TURNED_WITHIN = 1.0  # [s] before the contact; no agent can predict such a recent turn of the obstacle

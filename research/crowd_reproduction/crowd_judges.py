@@ -5,9 +5,9 @@ from crowd_experiments.records import Spread, percent
 
 from .claim import (CONFIRMED, GOOD, Judgement, NOT_CONFIRMED, PARTLY, RARE, compared, decide, decide_all, decide_each,
                     decide_greater, good_and_rare, graded, is_good, joined, versus)
-from .crowd_figures import DUMMIES, best_of, outcome_sentence
-from .crowds import (CROWDED, EXACT, GROUPING, OBSTACLE_RADIUS, SCENARIOS, SOON, WATCHED, agents, by_visits, companions,
-                     groups_of, last_metre, phases, rates, record_file, surrounded)
+from .crowds import (CROWDED, DUMMIES, EXACT, GROUPING, OBSTACLE_RADIUS, SCENARIOS, SOON, WATCHED, agents, best_of,
+                     by_visits, companions, groups_of, last_metre, outcome_sentence, phases, rates, record_file,
+                     surrounded)
 from .experiments import future_work, learning_curves, sharing
 from .measures import COLLISION_RADIUS, CONTACT_OVERLAP, RADIUS, share
 from .results import PARAMETER_NAMES, RATES, SETS, obstacle_places, per_seed, rates_sentence

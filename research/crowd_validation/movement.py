@@ -13,6 +13,16 @@ from .measures import (all_arrived, arrived, counts, crossing_times, largest_ove
                        spread, starts, through_walls)
 
 LENGTH, WIDTH, SPEED = 40.0, 2.0, 1.33  # of the corridor [m], [m], [m/s]
+ROOM = (5.0, 8.0)  # [m]; the exit is in the middle of a short wall
+REACTION_TIMES = [10.0 * (i + 1) for i in range(10)]  # [s] 10, 20, ... 100
+LATEST = 0.2  # [s] two ticks
+LEG = 10.0  # of the corner [m]: inner sides of both corridors
+OVERLAP = 0.001  # [m] smaller overlaps are rounding
+PER_GROUP = 15
+SPACING = 2.0  # [m] between people abreast, so that they do not influence each other
+MEASURED = (5.0, 25.0)  # of 30 m [m]
+TOLERANCE = 0.02  # [m/s]
+AGES = [group for group in plan.SPEEDS for _ in range(PER_GROUP)]  # of the people
 
 
 def corridor(_seed):
@@ -28,11 +38,6 @@ def rimea_1(evaluation):
     picture = draw_paths(recordings[0], evaluation.folder / 'rimea_1.png', 'One person in a corridor')
     return Result(f'{spread(times.values, "s", 2)} for 40 m', '26-34 s', 26.0 <= times.low and times.high <= 34.0,
                   pictures=(picture,))
-
-
-ROOM = (5.0, 8.0)  # [m]; the exit is in the middle of a short wall
-REACTION_TIMES = [10.0 * (i + 1) for i in range(10)]  # [s] 10, 20, ... 100
-LATEST = 0.2  # [s] two ticks
 
 
 def room(seed):
@@ -61,10 +66,6 @@ def rimea_5(evaluation):
                   (save(figure, evaluation.folder / 'rimea_5.png'),))
 
 
-LEG = 10.0  # of the corner [m]: inner sides of both corridors
-OVERLAP = 0.001  # [m] smaller overlaps are rounding
-
-
 def corner(seed):
     """Returns two corridors at a right angle with 20 people in the first six metres."""
     outer = LEG + WIDTH
@@ -84,13 +85,6 @@ def rimea_6(evaluation):
                   f'{last(recordings, 1)}', 'all arrive, none through a wall, none in contact', passed,
                   problems(recordings, {'the corner': (11.0, 1.0), 'the end': (11.0, 12.0)}),
                   (draw_paths(shown(recordings), evaluation.folder / 'rimea_6.png', '20 people around a corner'),))
-
-
-PER_GROUP = 15
-SPACING = 2.0  # [m] between people abreast, so that they do not influence each other
-MEASURED = (5.0, 25.0)  # of 30 m [m]
-TOLERANCE = 0.02  # [m/s]
-AGES = [group for group in plan.SPEEDS for _ in range(PER_GROUP)]  # of the people
 
 
 def floor(seed):

@@ -59,10 +59,6 @@ class RosSystem:
     def path(self, name):
         return pathlib.Path(self.folder.name) / name
 
-    def write(self, name, text):
-        self.path(name).write_text(text, encoding='utf-8')
-        return self.path(name)
-
     def start(self, name, command):
         """Starts a process in the package's environment; its log file is named after it."""
         log = self.path(f'{len(self.processes)}_{name}.log')
@@ -119,7 +115,9 @@ def few_scenario():
 
 def controller_parameters(system, text, **others):
     """Returns the parameters of a controller with a scenario that waits for `step`."""
-    return {'scenario': system.write('scenario.yaml', text), 'real_time_factor': 'fast', 'paused': True,
+    scenario = system.path('scenario.yaml')
+    scenario.write_text(text, encoding='utf-8')
+    return {'scenario': scenario, 'real_time_factor': 'fast', 'paused': True,
             'answer_deadline': 60.0, **others}
 
 

@@ -13,10 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 EPISODE, SCENARIO = 'episode', 'scenario'
 WINDOWS = 50  # by default
-MOST_COLUMNS = 3  # of panels
-PANEL = 3.9, 2.9  # [inch]
-BAND_ALPHA = 0.2
-LEGEND_LINE = 0.22  # [inch]
+MOST_COLUMNS, PANEL, LEGEND_LINE = 3, (3.9, 2.9), 0.22  # of panels; sizes [inch]
 EXAMPLES = '''examples:
   for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\
       --output table_$seed.txt --log learning_$seed.csv; done
@@ -105,12 +102,9 @@ FROM_ZERO = {'limits': (0, None), 'range': (0, numpy.inf)}
 PERCENT = {'factor': 100.0, 'limits': (-3, 103), 'range': (0, 100)}
 # Those whose columns the records have are drawn.
 MEASURES = [
-    Measure('arrived', 'success [%]', **PERCENT),
-    Measure('touched', 'contact [%]', **PERCENT),
-    Measure('collided', 'collision [%]', **PERCENT),
-    Measure('success', 'success [%]', **PERCENT),
-    Measure('contact', 'contact [%]', **PERCENT),
-    Measure('collision', 'collision [%]', **PERCENT),
+    *(Measure(column, f'{title} [%]', **PERCENT) for column, title in (
+        ('arrived', 'success'), ('touched', 'contact'), ('collided', 'collision'),
+        ('success', 'success'), ('contact', 'contact'), ('collision', 'collision'))),
     Measure('reward', 'reward'),
     Measure('visited_rows', 'visited rows', **FROM_ZERO),
     Measure('epsilon', 'epsilon', **FROM_ZERO),
@@ -143,7 +137,7 @@ def draw_curves(file, runs, measures, window, title=''):
             mean, low, high = measure.shown(band)
             panel.plot(band.episodes, mean, color=colour, linewidth=1.5, marker='o' if len(mean) == 1 else None,
                        label=f'{label}, {band.runs} {noun}' if label else f'{band.runs} {noun}')
-            panel.fill_between(band.episodes, low, high, color=colour, alpha=BAND_ALPHA, linewidth=0)
+            panel.fill_between(band.episodes, low, high, color=colour, alpha=0.2, linewidth=0)
         panel.set(title=measure.title, xlabel='episode')
         panel.set_xlim(left=0)
         panel.xaxis.set_major_locator(MaxNLocator(5, integer=True))

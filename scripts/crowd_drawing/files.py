@@ -1,4 +1,4 @@
-"""Reads scenario files and recorded trajectories for drawings."""
+"""Reads scenario files, maps in the format of map_server, and recorded trajectories for drawings."""
 import csv
 import difflib
 import math
@@ -6,12 +6,57 @@ import pathlib
 
 import numpy
 from crowd_drawing.errors import InputError, complete_lines, read_documents
-from crowd_drawing.maps import read_map
 from crowd_experiments.tools import find_config
+from matplotlib.transforms import Affine2D
 
+OCCUPIED_COLOUR, UNKNOWN_COLOUR, FREE_COLOUR = (70, 74, 82), (224, 226, 230), (255, 255, 255)
 HEADER = ['instance', 'tick', 'agent', 'x', 'y']
 DEFAULT_TICK = 0.1  # [s]
 DEFAULT_RADIUS = 0.25  # [m] of recorded people without a scenario
+
+
+class MapPicture:
+    """The pixels of a map in three colours, uppermost row first, with its resolution [m] and origin [x, y, yaw]."""
+
+    def __init__(self, pixels, resolution, origin):
+        self.pixels, self.resolution, self.origin = pixels, resolution, origin
+        self.size = [side * resolution for side in (pixels.shape[1], pixels.shape[0])]  # width, height [m]
+
+    def transform(self):
+        """Returns the transformation from metres in the map to metres in the scene."""
+        return Affine2D().rotate(self.origin[2]).translate(*self.origin[:2])
+
+    def corners(self):
+        return [tuple(self.transform().transform((x, y))) for x in (0, self.size[0]) for y in (0, self.size[1])]
+
+
+def read_map(file):
+    """Returns the MapPicture of a YAML file of map_server. Raises InputError if it cannot be drawn."""
+    try:
+        keys, = read_documents(file)
+        resolution, origin = float(keys['resolution']), [float(number) for number in keys['origin']]
+        thresholds = float(keys['free_thresh']), float(keys['occupied_thresh'])
+        image, negate = pathlib.Path(file).parent / keys['image'], str(keys['negate']) in ('1', 'True')
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"{file}: is not a map of map_server: {' '.join(str(error).split())}") from None
+    if not (len(origin) == 3 and all(map(math.isfinite, origin)) and 0 < resolution < math.inf):
+        raise InputError(f'{file}: expected a resolution above 0 and an origin [x, y, yaw]')
+    return MapPicture(colours_of(image, negate, *thresholds), resolution, origin)
+
+
+def colours_of(image, negate, free_threshold, occupied_threshold):
+    """Returns the pixels of an image in the colours of free, occupied and unknown cells."""
+    import PIL.Image  # needed for maps only
+    try:
+        with PIL.Image.open(image) as opened:
+            grey = numpy.asarray(opened.convert('L'), dtype=float)
+    except PIL.UnidentifiedImageError:
+        raise InputError(f'{image}: is not an image') from None
+    darkness = (grey if negate else 255.0 - grey) / 255.0
+    pixels = numpy.full(grey.shape + (3,), UNKNOWN_COLOUR, dtype=numpy.uint8)
+    pixels[darkness < free_threshold] = FREE_COLOUR
+    pixels[darkness > occupied_threshold] = OCCUPIED_COLOUR
+    return pixels
 
 
 class Population:

@@ -26,12 +26,8 @@ class ProgressBar:
     """Shows the progress of runs of different lengths, or of other things: `name` is their plural."""
 
     def __init__(self, total, runs, name='runs'):
-        self.total = total
-        self.runs = runs
-        self.name = name
-        self.done = 0.0
-        self.runs_done = 0
-        self.start = time.monotonic()
+        self.total, self.runs, self.name = total, runs, name
+        self.done, self.runs_done, self.start = 0.0, 0, time.monotonic()
         self.is_terminal = sys.stderr.isatty()
         self.next = self.start if self.is_terminal else self.start + PLAIN_PERIOD
 

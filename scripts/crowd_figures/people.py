@@ -117,7 +117,12 @@ def hair(build):
     return join(*parts)
 
 
-def make(folder):
+def main(words=None):
+    parser = parser_of('draw_figures', 'Makes the meshes of people who walk, which crowd_markers shows in RViz.',
+                       EXAMPLE)
+    add_file(parser, '--output', default=REPOSITORY / 'meshes', metavar='FOLDER',
+             help='folder of the meshes (default: meshes)')
+    folder = parser.parse_args(words).output
     folder.mkdir(parents=True, exist_ok=True)
     shapes = {}
     for build in BUILDS:
@@ -127,13 +132,5 @@ def make(folder):
             up = numpy.array([0.0, 0.0, -floor])  # the lower foot is on the floor
             shapes[f'{build.name}_dark_{frame}'] = join(lower + up, hair(build))
             shapes[f'{build.name}_shirt_{frame}'] = shirt(build, frame) + up
-    return [write(folder / f'{name}.stl', shape) for name, shape in shapes.items()]
-
-
-def main(words=None):
-    parser = parser_of('draw_figures', 'Makes the meshes of people who walk, which crowd_markers shows in RViz.',
-                       EXAMPLE)
-    add_file(parser, '--output', default=REPOSITORY / 'meshes', metavar='FOLDER',
-             help='folder of the meshes (default: meshes)')
-    files = make(parser.parse_args(words).output)
+    files = [write(folder / f'{name}.stl', shape) for name, shape in shapes.items()]
     print(f'{len(files)} meshes, {sum(file.stat().st_size for file in files) / 1e3:.0f} kB')

@@ -60,8 +60,3 @@ def limb(points, radii, corners=6):
 def join(*shapes):
     """Several shapes as one."""
     return numpy.concatenate(shapes)
-
-
-def volume(shape):
-    """Volume of a closed shape [m^3]; negative if its corners are clockwise."""
-    return float(numpy.einsum('ij,ij->i', shape[:, 0], numpy.cross(shape[:, 1], shape[:, 2])).sum() / 6)

@@ -8,8 +8,7 @@ import numpy
 from crowd_drawing.errors import InputError
 
 QUALITY = '20'  # constant rate factor of x264: 0 is lossless, 51 the worst
-WHITE = 126  # its number in the palette of a GIF, after the other colours
-TRANSPARENT = 127
+WHITE, TRANSPARENT = 126, 127  # their numbers in the palette of a GIF, after the other colours
 NO_DITHER = 0  # the name differs between versions of PIL
 WEBP = {'quality': 80, 'method': 4}
 

@@ -9,8 +9,7 @@ import time
 import numpy
 import rospy
 from crowd_drawing.errors import InputError
-from crowd_drawing.files import place_of
-from crowd_drawing.maps import OCCUPIED_COLOUR, UNKNOWN_COLOUR
+from crowd_drawing.files import OCCUPIED_COLOUR, UNKNOWN_COLOUR, place_of
 from crowd_launching.program import end_launch
 from crowd_recordings.formats import read_shown
 from geometry_msgs.msg import Point, Pose, Pose2D, Quaternion, Vector3

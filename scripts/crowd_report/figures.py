@@ -85,27 +85,23 @@ def draw_paths(target, groups):
     figure, axes = new_figure(rows, columns, WIDTH * columns, WIDTH * rows)
     ratios = []
     for panel, (label, sources) in zip(axes.flat, groups.items()):
-        _, walks = read_walks(sources[0].file, None)
-        width, height = draw_walks(Picture(panel), scene_of(sources[0].file), walks).frame()
+        (_, walks), scene, picture = read_walks(sources[0].file, None), scene_of(sources[0].file), Picture(panel)
+        draw_surroundings(picture, scene, 0.0)
+        for obstacle in scene.obstacles:
+            picture.draw_obstacle(obstacle, max(walk[-1][0] for walk in walks.values()) * scene.tick)
+        opacity = min(0.9, max(0.15, MOST_OPAQUE / len(walks)))
+        for (agent, walk), colour in zip(sorted(walks.items()), colours_of(len(walks))):
+            places, radius = numpy.array(walk)[:, 1:], scene.radius_of(agent)
+            picture.show(places, radius)
+            panel.plot(*places.T, color=colour, linewidth=1.2, alpha=opacity, zorder=5)
+            picture.disc(places[-1], radius, fill=False, edgecolor=colour, alpha=opacity, zorder=6)
+        width, height = picture.frame()
         ratios.append(height / width)
         panel.set(xlabel='x [m]', ylabel='y [m]', title='\n'.join(textwrap.wrap(label, TITLE_WIDTH)))
     for panel in list(axes.flat)[len(groups):]:
         panel.set_axis_off()
     figure.set_size_inches(WIDTH * columns, (min(1.5, max(ratios)) * WIDTH + ROOM) * rows)
     return save(figure, target)
-
-
-def draw_walks(picture, scene, walks):
-    draw_surroundings(picture, scene, 0.0)
-    for obstacle in scene.obstacles:
-        picture.draw_obstacle(obstacle, max(walk[-1][0] for walk in walks.values()) * scene.tick)
-    opacity = min(0.9, max(0.15, MOST_OPAQUE / len(walks)))
-    for (agent, walk), colour in zip(sorted(walks.items()), colours_of(len(walks))):
-        places, radius = numpy.array(walk)[:, 1:], scene.radius_of(agent)
-        picture.show(places, radius)
-        picture.axes.plot(*places.T, color=colour, linewidth=1.2, alpha=opacity, zorder=5)
-        picture.disc(places[-1], radius, fill=False, edgecolor=colour, alpha=opacity, zorder=6)
-    return picture
 
 
 def tracks_of(sources):

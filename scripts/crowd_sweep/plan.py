@@ -19,7 +19,6 @@ from crowd_sweep.sweep_file import read_sweep
 
 TABLE, LEARNING, METRICS_FILE, RECORD_FILE = 'table.txt', 'learning.csv', 'metrics.csv', 'record.csv'
 ONE_THREAD = ['--threads', 1]  # runs are parallel
-REPORT = 'report.html'
 EXAMPLES = '''example of FILE.yaml:
   config: config/learning/anticipation.yaml   # or q_table: FILE, to evaluate without training
   parameters:                                 # of the configuration; every combination is run
@@ -145,5 +144,6 @@ def main(words=None):
                   sep='\n')
         return
     execute_left([member.run for member in members], arguments.processes, arguments.force)
-    write_report(results / REPORT, f'Sweep {arguments.file.stem}', *sources_of(members))
-    print(f'Report: {results / REPORT}')
+    report = results / 'report.html'
+    write_report(report, f'Sweep {arguments.file.stem}', *sources_of(members))
+    print(f'Report: {report}')

@@ -21,8 +21,7 @@ from ..models import COLOURS, LEARNED, NAMES, TEXTS, success_and_contact, walked
 
 NAME = 'lanes'
 SCENARIO = 'corridor_two_way'
-TICK = 0.1  # [s]
-SHOWN_TIME = 25.0  # [s]
+TICK, SHOWN_TIME = 0.1, 25.0  # [s]
 JUDGED = (8.0, 18.0)  # [s] time in which the crowds overlap
 MOMENTS = (1.0, 14.0)  # [s]
 DRAWN = ('anticipation', 'thesis_nearest')

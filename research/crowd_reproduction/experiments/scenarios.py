@@ -2,9 +2,8 @@
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 
-from ..crowd_figures import add_dummies, add_figures, add_groups
-from ..crowds import (APART, CROWDED, GROUPING, LEAST_SECTORS, SCENARIOS, SOON, TIMES, VISIT_CLASSES, WATCHED, agents,
-                      by_visits, last_metre, phases, rates, surrounded)
+from ..crowds import (APART, CROWDED, GROUPING, LEAST_SECTORS, SCENARIOS, SOON, TIMES, VISIT_CLASSES, WATCHED,
+                      add_dummies, add_figures, add_groups, agents, by_visits, last_metre, phases, rates, surrounded)
 from ..measures import share
 from ..results import PARAMETERS, PARAMETER_NAMES, RATE_HEADER, Runs, SETS, rate_texts, report_of
 
