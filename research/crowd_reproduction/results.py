@@ -99,14 +99,12 @@ def commands_of(setting, declared, keys):
 
 
 def combinations(setting, each):
-    """Yields all combinations of values by their keys; numbers may be fewer with --quick."""
-    values = [choices_of(setting) if listed == 'choices' else numbers_of(setting, listed) for listed in each.values()]
+    """Yields all combinations of values by their keys. '0 10 100|0 5' stands for 0, 10 and 100, with --quick for 0 and
+    5; another list is taken as it is."""
+    values = [choices_of(setting) if listed == 'choices' else
+              list(map(int, setting.count(*listed.split('|')).split())) if isinstance(listed, str) else listed
+              for listed in each.values()]
     return (dict(zip(each, chosen_ones)) for chosen_ones in itertools.product(*values))
-
-
-def numbers_of(setting, listed):
-    """'0 10 100|0 5' -> [0, 10, 100], with --quick [0, 5]; another list is returned as it is."""
-    return list(map(int, setting.count(*listed.split('|')).split())) if isinstance(listed, str) else listed
 
 
 def plan(experiment):

@@ -83,17 +83,6 @@ class Benchmark(typing.NamedTuple):
         copy.write_text(yaml.safe_dump(document, sort_keys=False), encoding='utf-8')
         return copy
 
-    def others(self):
-        """Returns the stored records of robots that were driven elsewhere, by their names."""
-        return {file.stem: read_record(file) for file in sorted((self.output / 'others').glob('*.csv'))}
-
-    def store(self, robot, file):
-        """Checks a record of a robot that was driven elsewhere, and stores it under the robot's name."""
-        read_record(file)
-        kept = self.output / 'others' / f'{robot}.csv'
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(file, kept)
-
 
 def wanted_robot(text):
     """Reads NAME or NAME=FILE. Returns name and file, or None."""
@@ -138,8 +127,11 @@ def main(words=None):
 def carry_out(benchmark, arguments):
     robots = dict(arguments.robots or [(name, None) for name in ROBOTS])
     for robot, file in robots.items():
-        if file:
-            benchmark.store(robot, file)
+        if file:  # of a robot that was driven elsewhere
+            read_record(file)
+            kept = benchmark.output / 'others' / f'{robot}.csv'
+            kept.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, kept)
     runs = [run for robot, file in robots.items() if not file
             for run in [*(benchmark.run_of(robot, scenario) for scenario in arguments.scenarios),
                         *benchmark.crowdnav_runs(robot).values()]]
@@ -154,7 +146,7 @@ def report(benchmark, document):
             records[robot] = pandas.concat([read_record(run.folder / RECORD) for run in done])
         crowdnav.update({(robot, kind): read_record(run.folder / RECORD)
                          for kind, run in benchmark.crowdnav_runs(robot).items() if run.is_done()})
-    records.update(benchmark.others())
+    records.update({file.stem: read_record(file) for file in sorted((benchmark.output / 'others').glob('*.csv'))})
     chapter = chapter_of(records, SCENARIOS, crowdnav)
     if not chapter.tables():
         raise RunError(f'{benchmark.output}: has no results')

@@ -11,7 +11,6 @@ from crowd_experiments.pages import Chapter, fill_document
 
 DECISIONS, AGENT_STEPS, TICKS, REAL_TIME, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
     'decisions/s', 'agent steps/s', 'ticks/s', 'x real time', 'ms', 'MB', '% of a core')
-FILE = pathlib.Path(__file__).with_name('benchmarks.yaml')
 # Units of which lower values are better; all other units are rates.
 COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
 HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
@@ -53,7 +52,8 @@ class Benchmark(typing.NamedTuple):
             ratio >= self.ratio_bar if self.ratio_is_rate else ratio <= self.ratio_bar)
 
 
-BENCHMARKS = tuple(Benchmark(**entry) for entry in yaml.safe_load(FILE.read_text(encoding='utf-8')))
+BENCHMARKS = tuple(Benchmark(**entry) for entry in yaml.safe_load(
+    pathlib.Path(__file__).with_name('benchmarks.yaml').read_text(encoding='utf-8')))
 ROW = re.compile(r'^\| (\w+) \|(.*)\|$', re.MULTILINE)
 
 

@@ -46,7 +46,7 @@ class Messages:
         return Scenario(header=Header(stamp=stamp, frame_id=FRAME), episode=episode, name=self.scene.name or self.name,
                         instance=episode, tick_duration=self.tick_duration, max_ticks=self.last_tick,
                         agents=people, obstacles=self.obstacles(0),
-                        walls=[wall_of(wall) for wall in self.scene.walls])
+                        walls=[Wall(*(Point(x, y, 0) for x, y in ends)) for ends in self.scene.walls])
 
     def states(self, episode, tick, stamp):
         return AgentStates(header=Header(stamp=stamp, frame_id=FRAME), episode=episode, tick=tick,
@@ -77,10 +77,6 @@ class Messages:
         known = [obstacle for obstacle in self.scene.obstacles if obstacle['position'] is not None]
         return [ObstacleState(obstacle=number, radius=obstacle['radius'], position=Point(*place_of(obstacle, time), 0))
                 for number, obstacle in enumerate(known)]
-
-
-def wall_of(ends):
-    return Wall(*(Point(x, y, 0) for x, y in ends))
 
 
 def grid_of(floor, stamp):

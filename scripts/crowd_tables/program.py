@@ -26,8 +26,6 @@ SHAPE_OF_MANY = (3.5, 3.1, 4)
 EXAMPLES = '''examples:
   draw_q_table config/q_tables/thesis_nearest.txt --output nearest.png
   draw_q_table human --row 1234'''
-
-
 PICTURES = ('.png', '.pdf', '.svg')
 
 
@@ -57,7 +55,7 @@ def levels_of(meaning, axis):
     return levels[:2]
 
 
-def label_axes(axes, meaning, with_rows=True):
+def label_axes(axes, meaning):
     """Labels the outer quantities of both axes, and draws lines between the classes of the outermost ones."""
     axes.grid(False)
     for axis, line, chosen in ((axes.xaxis, axes.axvline, meaning.columns), (axes.yaxis, axes.axhline, meaning.rows)):
@@ -71,8 +69,8 @@ def label_axes(axes, meaning, with_rows=True):
                                  rotation_mode='anchor' if is_long else 'default')
             axes.set_xlabel(quantity.name, fontsize=9)
         else:
-            axes.set_yticklabels(labels if with_rows else [], fontsize=8)
-            axes.set_ylabel(quantity.name if with_rows else '', fontsize=9)
+            axes.set_yticklabels(labels, fontsize=8)
+            axes.set_ylabel(quantity.name, fontsize=9)
     axes.tick_params(length=2)
     levels = levels_of(meaning, meaning.columns)
     if not meaning.panels and len(levels) > 1:  # there is room for the second quantity of the columns above the picture
